@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: Apache-2.0
+# One flag set for the whole project; it never reaches a consumer of the package.
+#
+# -ffp-contract=off keeps a*b + c from being fused, so that the double path and the derivative path
+# agree bit for bit and every build gives the same digits. -O3 because GCC 12 vectorizes the short
+# loops of dual numbers only from there on.
+add_library(twum_compile INTERFACE)
+target_compile_features(twum_compile INTERFACE cxx_std_20)
+target_compile_options(twum_compile INTERFACE
+  -ffp-contract=off
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+  $<$<CONFIG:Release>:-O3>
+  $<$<BOOL:${TWUM_WARNINGS_AS_ERRORS}>:-Werror>)
+if(TWUM_SANITIZE)
+  target_compile_options(twum_compile INTERFACE -fsanitize=${TWUM_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(twum_compile INTERFACE -fsanitize=${TWUM_SANITIZE})
+endif()
+add_library(twum::compile ALIAS twum_compile)
+
+# Programs where the scripts and the docs expect them: BUILD/bin.
+if(PROJECT_IS_TOP_LEVEL)
+  set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+endif()

@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: Apache-2.0
+# twum_library(NAME SOURCES ... HEADERS ... [PUBLIC ...] [PRIVATE ...])
+#
+# Makes the target twum_NAME with the alias twum::NAME, its public headers (each must compile alone:
+# target all_verify_interface_header_sets) and the project's compile flags, kept private.
+function(twum_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
+  add_library(twum_${name})
+  add_library(twum::${name} ALIAS twum_${name})
+  target_sources(twum_${name}
+    PRIVATE ${ARG_SOURCES}
+    PUBLIC FILE_SET HEADERS BASE_DIRS include FILES ${ARG_HEADERS})
+  target_compile_features(twum_${name} PUBLIC cxx_std_20)
+  target_link_libraries(twum_${name}
+    PUBLIC ${ARG_PUBLIC}
+    PRIVATE ${ARG_PRIVATE} $<BUILD_INTERFACE:twum::compile>)
+  set_target_properties(twum_${name} PROPERTIES
+    CXX_EXTENSIONS OFF
+    POSITION_INDEPENDENT_CODE ON
+    EXPORT_NAME ${name}
+    VERIFY_INTERFACE_HEADER_SETS ON)
+endfunction()

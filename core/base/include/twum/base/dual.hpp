@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+
+namespace twum {
+
+/// A value with its derivatives in N directions: forward-mode differentiation.
+///
+/// Eager: every operator returns a finished Dual, so `auto` is harmless. The value part goes through
+/// exactly the operations that `T` alone would, in the same order: a function evaluated on Duals
+/// gives the bits it gives on T. T is double or, for second derivatives, another Dual.
+///
+/// A default-constructed Dual is uninitialised; `Dual(x)` is the constant x.
+template <typename T, int N>
+struct Dual {
+  T v;
+  T d[N];
+
+  Dual() = default;
+  Dual(double constant) : v(constant) {  // NOLINT: constants enter formulas as they stand
+    for (int i = 0; i < N; ++i) d[i] = T(0.0);
+  }
+
+  /// The independent variable of direction i.
+  static Dual variable(const T& value, int i) {
+    Dual x(0.0);
+    x.v = value;
+    x.d[i] = T(1.0);
+    return x;
+  }
+};
+
+/// The number behind a scalar, derivatives dropped.
+inline double value_of(double x) { return x; }
+template <typename T, int N>
+double value_of(const Dual<T, N>& x) {
+  return value_of(x.v);
+}
+
+/// How many Newton steps give a root all its derivatives: one for each level of nesting.
+template <typename S>
+inline constexpr int kDualDepth = 0;
+template <typename T, int N>
+inline constexpr int kDualDepth<Dual<T, N>> = 1 + kDualDepth<T>;
+
+/// x with its value replaced: the derivatives stay. Used where a value is already known better.
+inline double with_value(double, double value) { return value; }
+template <typename T, int N>
+Dual<T, N> with_value(Dual<T, N> x, double value) {
+  x.v = with_value(x.v, value);
+  return x;
+}
+
+namespace detail {
+
+// f(x) from f and f' at the value.
+template <typename T, int N>
+Dual<T, N> chain(const Dual<T, N>& x, const T& f, const T& slope) {
+  Dual<T, N> r;
+  r.v = f;
+  for (int i = 0; i < N; ++i) r.d[i] = slope * x.d[i];
+  return r;
+}
+
+}  // namespace detail
+
+template <typename T, int N>
+Dual<T, N> operator-(const Dual<T, N>& a) {
+  Dual<T, N> r;
+  r.v = -a.v;
+  for (int i = 0; i < N; ++i) r.d[i] = -a.d[i];
+  return r;
+}
+
+template <typename T, int N>
+Dual<T, N> operator+(const Dual<T, N>& a, const Dual<T, N>& b) {
+  Dual<T, N> r;
+  r.v = a.v + b.v;
+  for (int i = 0; i < N; ++i) r.d[i] = a.d[i] + b.d[i];
+  return r;
+}
+template <typename T, int N>
+Dual<T, N> operator+(Dual<T, N> a, double b) {
+  a.v = a.v + b;
+  return a;
+}
+template <typename T, int N>
+Dual<T, N> operator+(double a, Dual<T, N> b) {
+  b.v = a + b.v;
+  return b;
+}
+
+template <typename T, int N>
+Dual<T, N> operator-(const Dual<T, N>& a, const Dual<T, N>& b) {
+  Dual<T, N> r;
+  r.v = a.v - b.v;
+  for (int i = 0; i < N; ++i) r.d[i] = a.d[i] - b.d[i];
+  return r;
+}
+template <typename T, int N>
+Dual<T, N> operator-(Dual<T, N> a, double b) {
+  a.v = a.v - b;
+  return a;
+}
+template <typename T, int N>
+Dual<T, N> operator-(double a, const Dual<T, N>& b) {
+  Dual<T, N> r;
+  r.v = a - b.v;
+  for (int i = 0; i < N; ++i) r.d[i] = -b.d[i];
+  return r;
+}
+
+template <typename T, int N>
+Dual<T, N> operator*(const Dual<T, N>& a, const Dual<T, N>& b) {
+  Dual<T, N> r;
+  r.v = a.v * b.v;
+  for (int i = 0; i < N; ++i) r.d[i] = a.d[i] * b.v + a.v * b.d[i];
+  return r;
+}
+template <typename T, int N>
+Dual<T, N> operator*(const Dual<T, N>& a, double b) {
+  Dual<T, N> r;
+  r.v = a.v * b;
+  for (int i = 0; i < N; ++i) r.d[i] = a.d[i] * b;
+  return r;
+}
+template <typename T, int N>
+Dual<T, N> operator*(double a, const Dual<T, N>& b) {
+  Dual<T, N> r;
+  r.v = a * b.v;
+  for (int i = 0; i < N; ++i) r.d[i] = a * b.d[i];
+  return r;
+}
+
+template <typename T, int N>
+Dual<T, N> operator/(const Dual<T, N>& a, const Dual<T, N>& b) {
+  Dual<T, N> r;
+  r.v = a.v / b.v;
+  const T inverse = 1.0 / b.v;
+  for (int i = 0; i < N; ++i) r.d[i] = (a.d[i] - r.v * b.d[i]) * inverse;
+  return r;
+}
+template <typename T, int N>
+Dual<T, N> operator/(const Dual<T, N>& a, double b) {
+  Dual<T, N> r;
+  r.v = a.v / b;
+  for (int i = 0; i < N; ++i) r.d[i] = a.d[i] / b;
+  return r;
+}
+template <typename T, int N>
+Dual<T, N> operator/(double a, const Dual<T, N>& b) {
+  Dual<T, N> r;
+  r.v = a / b.v;
+  const T slope = -(r.v / b.v);
+  for (int i = 0; i < N; ++i) r.d[i] = slope * b.d[i];
+  return r;
+}
+
+template <typename T, int N, typename B>
+Dual<T, N>& operator+=(Dual<T, N>& a, const B& b) {
+  return a = a + b;
+}
+template <typename T, int N, typename B>
+Dual<T, N>& operator-=(Dual<T, N>& a, const B& b) {
+  return a = a - b;
+}
+template <typename T, int N, typename B>
+Dual<T, N>& operator*=(Dual<T, N>& a, const B& b) {
+  return a = a * b;
+}
+
+template <typename T, int N>
+Dual<T, N> sin(const Dual<T, N>& x) {
+  using std::cos, std::sin;
+  return detail::chain(x, T(sin(x.v)), T(cos(x.v)));
+}
+template <typename T, int N>
+Dual<T, N> cos(const Dual<T, N>& x) {
+  using std::cos, std::sin;
+  return detail::chain(x, T(cos(x.v)), T(-sin(x.v)));
+}
+template <typename T, int N>
+Dual<T, N> exp(const Dual<T, N>& x) {
+  using std::exp;
+  const T f = exp(x.v);
+  return detail::chain(x, f, f);
+}
+template <typename T, int N>
+Dual<T, N> sqrt(const Dual<T, N>& x) {
+  using std::sqrt;
+  const T f = sqrt(x.v);
+  return detail::chain(x, f, T(0.5 / f));
+}
+
+/// Sine and cosine of the same angle.
+template <typename S>
+struct SinCos {
+  S sin, cos;
+};
+
+inline SinCos<double> sincos(double x) { return {std::sin(x), std::cos(x)}; }
+template <typename T, int N>
+SinCos<Dual<T, N>> sincos(const Dual<T, N>& x) {
+  const SinCos<T> at = twum::sincos(x.v);
+  return {detail::chain(x, at.sin, at.cos), detail::chain(x, at.cos, T(-at.sin))};
+}
+
+}  // namespace twum

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace twum {
+
+/// Root of every exception that twum throws on purpose.
+class Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The caller asked for something that cannot be: a value out of range, an unknown name.
+/// The text names the entry, what was found, and what would be right.
+class InputError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// A valid design has no answer at the point asked for, for a reason of physics or numerics.
+/// The text says which; optimizers and studies count it under `reason()`.
+class EvaluationError : public Error {
+ public:
+  EvaluationError(std::string reason, const std::string& text)
+      : Error(text), reason_(std::move(reason)) {}
+
+  /// Short machine-readable reason, such as "no-periodic-state".
+  const std::string& reason() const noexcept { return reason_; }
+
+ private:
+  std::string reason_;
+};
+
+namespace detail {
+[[noreturn]] void assertion_failed(const char* condition, const char* file, int line);
+}  // namespace detail
+
+}  // namespace twum
+
+/// A condition that only a mistake of ours can break. On in all builds: it is used off the hot path.
+#define TWUM_ASSERT(condition) \
+  ((condition) ? void(0) : ::twum::detail::assertion_failed(#condition, __FILE__, __LINE__))

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace twum {
+
+/// What the contact does over a stretch of the wave; theory section 4.
+enum class ZoneState : signed char {
+  slip_minus = -1,  ///< v_rel > 0: the layer is faster than the stator and is braked
+  stick = 0,        ///< v_rel = 0
+  slip_plus = +1    ///< v_rel < 0: the stator is faster and drives
+};
+
+/// "slip-", "stick" or "slip+".
+const char* to_string(ZoneState state) noexcept;
+
+/// One stick or slip zone.
+struct Zone {
+  ZoneState state;
+  double from;  ///< phase at which it begins [rad]
+  double to;    ///< phase at which it ends [rad], from < to
+};
+
+}  // namespace twum

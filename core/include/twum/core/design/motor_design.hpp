@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+namespace twum {
+
+/// The vibrating ring. Wave w = A cos(omega t - kappa x), kappa = n / r.
+struct Stator {
+  double wavelengths{9};                 ///< n, wavelengths round the circumference [1], integer
+  double contact_radius{0.0265};         ///< r, mean contact radius [m]
+  double contact_width{0.004};           ///< b, radial contact width [m]
+  double neutral_plane_distance{0.003};  ///< a, neutral plane to stator surface [m]
+  double frequency{40e3};                ///< f, drive frequency [Hz]
+  double amplitude{1.6e-6};              ///< A, amplitude of the travelling wave [m]
+  double modal_damping{0};               ///< c_stator, loss of the stator is c (omega A)^2 [N s/m]
+};
+
+/// The layer between stator and rotor: a foundation that is elastic along the axis and has
+/// stiffness, viscosity and inertia in shear, m eps'' + gamma eps' + G eps = tau (paper, eq. 16).
+///
+/// G, gamma and m follow from the material unless they are given outright.
+struct ContactLayer {
+  double thickness{0.3e-3};     ///< h [m]
+  double youngs_modulus{3e9};   ///< E [Pa]
+  double poisson_ratio{0.35};   ///< nu [1], used when G is not given
+  double density{1800};         ///< rho [kg/m^3], used when m is not given
+  double loss_factor{0.05};     ///< [1], used when gamma is not given
+  std::optional<double> given_shear_modulus;    ///< G [Pa]; otherwise E / (2 (1 + nu))
+  std::optional<double> given_shear_viscosity;  ///< gamma [Pa s]; otherwise loss_factor G / omega
+  std::optional<double> given_inertia;          ///< m [Pa s^2]; otherwise rho h^2 / 3
+};
+
+/// Coulomb friction with a static threshold, mu_0 >= mu >= 0.
+struct Friction {
+  double kinetic{0.2};  ///< mu, while slipping [1]
+  double static_{0.2};  ///< mu_0, threshold of sticking [1]
+};
+
+/// One motor: everything the contact model needs, in SI units. A plain value.
+///
+/// The defaults are a 60 mm ring motor, the one of `examples/motors/ring-60.yaml` without its
+/// modal damping.
+struct MotorDesign {
+  Stator stator;
+  ContactLayer layer;
+  Friction friction;
+  double preload{160};  ///< F_N, total axial force [N]
+};
+
+/// G, shear modulus of the layer: as given, or E / (2 (1 + nu)) [Pa].
+double shear_modulus(const MotorDesign& design);
+
+/// gamma, shear viscosity of the layer: as given, or loss_factor G / omega [Pa s].
+double shear_viscosity(const MotorDesign& design);
+
+/// m, inertia of the layer: as given, or rho h^2 / 3 [Pa s^2].
+double inertia(const MotorDesign& design);
+
+}  // namespace twum

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/core/design/motor_design.hpp>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace twum {
+
+/// Every parameter of a motor, in the order of the parameter table.
+enum class Parameter : unsigned char {
+  wavelengths,
+  contact_radius,
+  contact_width,
+  neutral_plane_distance,
+  frequency,
+  amplitude,
+  modal_damping,
+  thickness,
+  youngs_modulus,
+  poisson_ratio,
+  density,
+  loss_factor,
+  shear_modulus,
+  shear_viscosity,
+  inertia,
+  kinetic_friction,
+  static_friction,
+  preload
+};
+
+inline constexpr std::size_t kParameterCount = 18;
+
+/// Position of a parameter in arrays over the parameter table.
+constexpr std::size_t index_of(Parameter parameter) { return static_cast<std::size_t>(parameter); }
+
+/// One row of the parameter table: the single source for reading, listing, schema and reference.
+struct ParameterInfo {
+  Parameter parameter;
+  std::string_view name;        ///< flat name, as in studies, CSV headers and --set
+  std::string_view symbol;      ///< the paper's letter, an alias of the name; may be empty
+  std::string_view unit;        ///< SI unit, "1" if dimensionless
+  std::string_view file_entry;  ///< entry of the motor file below `motor:`, such as "stator.amplitude"
+  double min;                   ///< smallest admissible value, in `unit`
+  double max;                   ///< largest admissible value, in `unit`
+  bool min_excluded;            ///< true: the value must exceed `min`
+  bool integer;                 ///< true: only whole numbers
+  bool required;                ///< must stand in a motor file (unless its twin does)
+  std::optional<Parameter> twin;  ///< the other way to say the same; both in one file is an error
+  std::string_view example;     ///< a valid value with its unit, as one would type it
+  std::string_view text;        ///< what it is, in one line
+};
+
+/// The table, one row for each Parameter, in its order.
+std::span<const ParameterInfo> parameter_table();
+
+/// The row of a parameter.
+const ParameterInfo& info(Parameter parameter);
+
+/// The parameter of a flat name or symbol ("thickness" or "h"); nothing if there is none.
+std::optional<Parameter> find_parameter(std::string_view name_or_symbol);
+
+/// Value of a parameter in SI units; for one that follows from others (G from E and nu, ...) the
+/// value in use, and for the twin that is not in use what it would have to be: nu from G and E,
+/// loss_factor from gamma, G and omega, density from m and h.
+double get(const MotorDesign& design, Parameter parameter);
+
+/// True if the design's behaviour is stated through this parameter: false for shear_modulus when G
+/// follows from E and nu, and for poisson_ratio when G is given outright; likewise the other twins.
+bool in_use(const MotorDesign& design, Parameter parameter);
+
+/// Why a value is not admissible, in the form "must be at least 0 m"; empty if it is.
+std::string complaint(Parameter parameter, double value);
+
+using ParameterValue = std::pair<Parameter, double>;
+
+/// The design with some parameters replaced (SI units). The order of the list does not matter:
+/// a value replaces its twin; mu_0 keeps its ratio to mu when only mu is replaced; the last of two
+/// values for the same parameter holds.
+/// @throws InputError if a value is not admissible, a parameter and its twin are both in the list,
+///         or the result has mu_0 < mu.
+MotorDesign with(const MotorDesign& design, std::span<const ParameterValue> values);
+MotorDesign with(const MotorDesign& design, Parameter parameter, double value);
+
+/// All that is wrong with a design, one sentence each; empty if it is admissible.
+std::vector<std::string> complaints(const MotorDesign& design);
+
+}  // namespace twum

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/core/contact/normal_contact.hpp>
+#include <twum/core/contact/zone.hpp>
+#include <twum/core/design/motor_design.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace twum {
+
+namespace performance {
+template <typename S>
+struct MotorModel;
+}
+
+/// Whether an operating point has an answer.
+enum class PointStatus : unsigned char {
+  ok,
+  no_periodic_state,  ///< the layer never repeats itself from turn to turn (typical: mu_0 > mu)
+  not_converged,      ///< laps neither settle nor repeat within the limit (undamped layers)
+  resonance,          ///< undamped layer driven at its own resonance: no finite response
+  unresolved          ///< more stick and slip zones than can be followed
+};
+
+/// Short machine-readable word, such as "no-periodic-state"; "ok" for ok.
+const char* to_string(PointStatus status) noexcept;
+
+/// The motor in its periodic state at one rotor speed. SI units; theory section 7.
+/// If status is not ok every number but `speed` is NaN.
+struct OperatingPoint {
+  double speed{0};           ///< Omega [rad/s]
+  double torque{0};          ///< T on the rotor, positive in drive direction [N m]
+  double output_power{0};    ///< P_out = T Omega [W]
+  double stator_power{0};    ///< P_in, from the stator to the layer [W]
+  double friction_power{0};  ///< P_fric, snaps included [W], >= 0
+  double layer_loss{0};      ///< P_layer, viscous loss in the layer [W], >= 0
+  double stator_loss{0};     ///< P_stator = c_stator (omega A)^2 [W]
+  double wear_intensity{0};  ///< P_fric / (2 pi r b) [W/m^2]
+  double stick_fraction{0};  ///< share of the contact length that sticks [1]
+  PointStatus status{PointStatus::ok};
+
+  /// P_out / P_in where P_in > 0, else NaN [1]
+  double contact_efficiency() const noexcept;
+  /// P_out / (P_in + P_stator) where that sum is > 0, else NaN [1]
+  double efficiency() const noexcept;
+};
+
+/// State of the contact at one phase of the wave; theory sections 2 to 4.
+struct FieldSample {
+  double phase;             ///< theta, crest at 0 [rad], -pi .. pi
+  double pressure;          ///< p [Pa]
+  double traction;          ///< tau on the layer, positive in drive direction [Pa]
+  double displacement;      ///< h eps, of the layer surface against the rotor [m]
+  double stator_velocity;   ///< v_s [m/s]
+  double layer_velocity;    ///< v_r [m/s]
+};
+
+/// Fields along one wave in the periodic state.
+struct ContactFields {
+  OperatingPoint point;
+  std::vector<Zone> zones;           ///< from contact entry to exit
+  std::vector<FieldSample> samples;  ///< ordered by phase
+};
+
+/// A motor ready to be asked: the design, and all that follows from it alone. Immutable, so one
+/// Motor may be used by any number of threads.
+class Motor {
+ public:
+  /// Solves the normal contact (theory section 3).
+  /// @throws InputError with every complaint about the design.
+  explicit Motor(const MotorDesign& design);
+
+  const MotorDesign& design() const noexcept { return design_; }
+  const NormalContact<double>& contact() const noexcept;
+
+  /// V0 / r, rotor speed that matches the crest velocity of the stator surface [rad/s].
+  double crest_speed() const noexcept;
+  /// v_w / r; rotor speeds must exceed its negative [rad/s].
+  double wave_speed() const noexcept;
+  /// mu_0 F_N r, bound of every torque and torque at rest without drive [N m].
+  double holding_torque() const noexcept;
+  /// True if the whole contact sticks at rest, the motor being locked like a brake; theory section 10.
+  bool locks_at_rest() const noexcept;
+
+  /// Periodic state at a rotor speed [rad/s]. About a microsecond, no heap allocation.
+  /// Smooth in speed where zones neither appear nor vanish, C1 there if mu_0 = mu.
+  /// @throws InputError unless speed > -wave_speed() (and finite).
+  OperatingPoint operating_point(double speed) const;
+
+  /// Stick and slip zones from contact entry to exit; empty if the point has no answer.
+  std::vector<Zone> zones(double speed) const;
+
+  /// Fields at `samples` equally spaced phases over one wave (zone borders are not added).
+  ContactFields fields(double speed, int samples) const;
+
+  /// The model behind the motor; for the library's own use.
+  const performance::MotorModel<double>& model() const noexcept { return *model_; }
+
+ private:
+  void require_speed(double speed) const;
+
+  MotorDesign design_;
+  std::shared_ptr<const performance::MotorModel<double>> model_;  // immutable, shared by copies
+};
+
+/// Operating points at the given speeds [rad/s], in their order.
+std::vector<OperatingPoint> torque_speed_curve(const Motor& motor, const std::vector<double>& speeds);
+
+}  // namespace twum

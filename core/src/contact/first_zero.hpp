@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+namespace twum::contact {
+
+/// A function at one place, with what is known of it from there to the end of the zone.
+struct CurveSample {
+  double f, f1, f2;  ///< value and two derivatives
+  double l2, l3;     ///< bounds of |f''| and |f'''| from here on
+  double skip;       ///< f has no zero for at least this far, by another bound; 0 if unknown
+};
+
+/// What is known exactly of f at the start of a zone.
+enum class StartOrder : unsigned char {
+  positive,    ///< f > 0
+  zero,        ///< f = 0, rising
+  double_zero  ///< f = f' = 0, f'' > 0
+};
+
+inline constexpr double kNoZero = std::numeric_limits<double>::infinity();
+
+/// Step over which f stays positive: f + f' t - l2 t^2 / 2 > 0 up to there, which near a simple zero
+/// is Newton's step less a quadratic rest. After an event the next derivative decides.
+inline double zero_free_step(const CurveSample& c, StartOrder order) {
+  if (order == StartOrder::double_zero) return 1.5 * c.f2 / c.l3;
+  if (order == StartOrder::zero) return c.f1 / c.l2;
+  const double root = std::sqrt(c.f1 * c.f1 + 2 * c.l2 * c.f);
+  return c.f1 > 0 ? (c.f1 + root) / c.l2 : 2 * c.f / (root - c.f1);
+}
+
+/// True if f is sure to fall through zero once, and monotonically, before the bound l2 allows its
+/// slope to turn.
+inline bool zero_is_bracketed(const CurveSample& c) {
+  return c.f1 < 0 && c.f1 * c.f1 > 2.2 * c.l2 * c.f;
+}
+
+/// Halley's iteration where exactly one zero is ahead. Its error is of third order in the step, so it
+/// stops once the step's share of the bends is below 1e-5.
+template <typename Curve>
+double polish_zero(const Curve& curve, double x, CurveSample c) {
+  for (int i = 0; i < 20; ++i) {
+    const double newton = -c.f / c.f1;
+    const double bend = 1 + 0.5 * newton * c.f2 / c.f1;
+    const double step = bend > 0.5 && bend < 2 ? newton / bend : newton;
+    x += step;
+    const double slope = std::fabs(c.f1);
+    if (std::fabs(step * c.f2) < 1e-5 * slope && c.l3 * step * step < 1e-10 * slope) return x;
+    c = curve.sample(x);
+    if (!(c.f1 < 0)) return x;
+  }
+  return x;
+}
+
+/// First zero of a curve on (0, length), or kNoZero; none can be missed: the march takes only steps
+/// that are proven free of zeros until one is bracketed (docs/theory/events.md).
+///
+/// @param work  counts samples; past `limit` the march gives up and returns NaN.
+template <typename Curve>
+double first_zero(const Curve& curve, double length, StartOrder order, long& work, long limit) {
+  double x = 0;
+  CurveSample c = curve.sample(x);
+  while (++work <= limit) {
+    if (order == StartOrder::positive && !(c.f > 0)) return x;
+    const double step = std::fmax(zero_free_step(c, order), c.skip);
+    if (!(step > 0)) return x;
+    if (x + step >= length) return kNoZero;
+    if (order == StartOrder::positive && zero_is_bracketed(c)) {
+      const double zero = polish_zero(curve, x, c);
+      return zero < length ? zero : kNoZero;
+    }
+    order = StartOrder::positive;
+    x += step;
+    c = curve.sample(x);
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace twum::contact

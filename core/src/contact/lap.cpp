@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "contact/lap.hpp"
+
+#include "contact/scalars.hpp"
+#include "contact/zone_curves.hpp"
+#include "contact/zone_integrals.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace twum::contact {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr long kMaxSamples = 4'000'000;
+constexpr int kMaxZones = 200'000;
+
+// A free layer that has decayed by exp(-50) = 2e-22 enters the next contact at rest.
+constexpr double kForgotten = 50;
+
+template <typename S>
+class LapRunner {
+ public:
+  LapRunner(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer, std::vector<ZoneTrace>* trace)
+      : n_(numbers), layer_(layer), values_(value_of(layer.M), value_of(layer.C)), trace_(trace),
+        theta_(-numbers.half_angle), at_{-numbers.edge.sin, numbers.edge.cos} {}
+
+  Lap<S> run(const LapEntry<S>& entry) {
+    state_ = entry.layer;
+    entry.carried ? carry_on(entry.zone) : enter();
+    lap_.first = zone_;
+    while (!done_ && lap_.status == LapStatus::ok) {
+      zone_ == ZoneState::stick ? stick() : slip();
+      if (lap_.zones > kMaxZones) lap_.status = LapStatus::unresolved;
+    }
+    lap_.one_slip = lap_.zones == 1 && zone_ != ZoneState::stick;
+    leave();
+    return lap_;
+  }
+
+ private:
+  static double sign(ZoneState zone) { return -static_cast<double>(zone); }  // of v_rel
+  static ZoneState slipping(double sign_of_v_rel) {
+    return sign_of_v_rel < 0 ? ZoneState::slip_plus : ZoneState::slip_minus;
+  }
+
+  S pressure() const { return at_.cos - n_.edge_cosine; }
+  // v_rel = 0: e' = s (cos theta - V)
+  S sticking_rate() const { return n_.stick_rate * (at_.cos - n_.speed_ratio); }
+  S sticking_traction() const {
+    return state_.e + layer_.C * sticking_rate() - layer_.M * n_.stick_rate * at_.sin;
+  }
+
+  // Response e of a layer that slips with v_rel of sign sigma to t = -sigma mu p (theory section 5).
+  Harmonic<S> forced(double sigma) const {
+    const S q = -sigma * n_.kinetic * layer_.response;
+    return {sigma * n_.kinetic * n_.edge_cosine, S(0.0), q * layer_.D, q * layer_.C};
+  }
+
+  // ---- which zone begins ------------------------------------------------------------------------
+
+  void begin_slip(double sigma, StartOrder order) {
+    zone_ = slipping(sigma);
+    order_ = order;
+  }
+
+  void begin_stick(StartOrder plus_side, StartOrder minus_side) {
+    zone_ = ZoneState::stick;
+    side_order_[0] = plus_side;
+    side_order_[1] = minus_side;
+    if (layer_.has_inertia()) state_.rate = sticking_rate();
+  }
+
+  void carry_on(ZoneState zone) {
+    if (zone == ZoneState::stick) {
+      begin_stick(StartOrder::positive, StartOrder::positive);
+    } else {
+      begin_slip(sign(zone), StartOrder::positive);
+    }
+  }
+
+  // At the edge p = 0 and the layer comes with what the free flight left: rates decide.
+  void enter() {
+    if (layer_.has_inertia()) return enter_at_rate(value_of(state_.rate) - value_of(sticking_rate()));
+    if (n_.full) return enter_under_pressure();
+    if (layer_.kind() == LayerKind::relaxing) {
+      return enter_at_rate(-value_of(state_.e) / value_of(layer_.C) - value_of(sticking_rate()));
+    }
+    const double gain = value_of(sticking_rate()), allowed = value_of(n_.kinetic) * value_of(n_.edge.sin);
+    if (gain > allowed) return begin_slip(-1, StartOrder::positive);
+    if (gain < -allowed) return begin_slip(+1, StartOrder::positive);
+    begin_stick(StartOrder::zero, StartOrder::zero);
+  }
+
+  void enter_at_rate(double relative_rate) {
+    if (relative_rate != 0) return begin_slip(relative_rate < 0 ? -1 : 1, StartOrder::positive);
+    if (n_.full) return enter_under_pressure();
+    begin_slip(value_of(sticking_traction()) > 0 ? -1 : 1, StartOrder::zero);
+  }
+
+  // Full contact, layer without relative velocity: it sticks if it can.
+  void enter_under_pressure() {
+    const double traction = value_of(sticking_traction());
+    if (std::fabs(traction) <= value_of(n_.static_) * value_of(pressure())) {
+      begin_stick(StartOrder::positive, StartOrder::positive);
+    } else {
+      begin_slip(traction > 0 ? -1 : 1, StartOrder::positive);
+    }
+  }
+
+  bool has_static_excess() const { return value_of(n_.static_) > value_of(n_.kinetic); }
+
+  void after_slip(double sigma) {
+    if (!layer_.has_inertia()) {
+      const StartOrder touching = has_static_excess() ? StartOrder::positive : StartOrder::zero;
+      return sigma < 0 ? begin_stick(touching, StartOrder::positive)
+                       : begin_stick(StartOrder::positive, touching);
+    }
+    if (std::fabs(value_of(sticking_traction())) <= value_of(n_.static_) * value_of(pressure())) {
+      begin_stick(StartOrder::positive, StartOrder::positive);
+    } else {
+      begin_slip(-sigma, StartOrder::zero);
+    }
+  }
+
+  void after_stick(double iota) {
+    const double sigma = -iota;
+    if (layer_.kind() != LayerKind::elastic) {
+      if (layer_.has_inertia()) {
+        state_.rate = sticking_rate();
+        return begin_slip(sigma, has_static_excess() ? StartOrder::zero : StartOrder::double_zero);
+      }
+      return begin_slip(sigma, has_static_excess() ? StartOrder::positive : StartOrder::zero);
+    }
+    if (has_static_excess()) snap(iota);
+    // The slip branch holds if it gives v_rel its sign; otherwise the layer sticks again.
+    const double relative_rate = sigma * value_of(n_.kinetic) * value_of(at_.sin) - value_of(sticking_rate());
+    if (sigma * relative_rate > 0 || !has_static_excess()) return begin_slip(sigma, StartOrder::positive);
+    begin_stick(StartOrder::positive, StartOrder::positive);
+  }
+
+  // Elastic layer: t falls from mu_0 p to mu p at once; all the energy released is friction work.
+  void snap(double iota) {
+    const S before = iota * n_.static_ * pressure(), after = iota * n_.kinetic * pressure();
+    lap_.means.friction_power += 0.5 * (before * before - after * after) / n_.stick_rate;
+    state_.e = after;
+    mark(7);
+  }
+
+  // ---- slip -------------------------------------------------------------------------------------
+
+  void slip() {
+    const double sigma = sign(zone_);
+    const Harmonic<S> f = forced(sigma);
+    const LayerState<S> h0 =
+        layer_.own_part({state_.e - f.at(theta_, at_), state_.rate - f.slope(at_)});
+    const FreeMotion<S> motion = layer_.start(h0);
+    // v_rel s / V0 = h' + f' - s (cos theta - V)
+    const Harmonic<S> slow{n_.stick_rate * n_.speed_ratio, S(0.0), f.ks - n_.stick_rate, -f.kc};
+    const double x = find_slip_end(motion, slow, sigma);
+    if (std::isnan(x)) return fail();
+    const Phase<S> from{theta_, at_};
+    S length = n_.half_angle - theta_;
+    if (x == kNoZero) {
+      reach_exit();
+    } else {
+      length = settle_slip_end(motion, slow, x);
+      advance(length);
+    }
+    const LayerState<S> h1 = layer_.at(motion, length);
+    record(from);
+    add(lap_.means, slip_integrals(n_, layer_, sigma, f, from, Phase<S>{theta_, at_}, h0, h1));
+    state_ = {h1.e + f.at(theta_, at_), h1.rate + f.slope(at_)};
+    mark(sigma < 0 ? 1 : 2);
+    if (x != kNoZero) after_slip(sigma);
+  }
+
+  double find_slip_end(const FreeMotion<S>& motion, const Harmonic<S>& slow, double sigma) {
+    const FreeMotion<double> own{value_of(motion.u), value_of(motion.w)};
+    const double length = value_of(n_.half_angle) - value_of(theta_);
+    const SlipCurve curve(values_, own, slow.values(), sigma, value_of(theta_));
+    if (order_ == StartOrder::positive && curve.lasts(length, values(at_), values(n_.edge))) return kNoZero;
+    return first_zero(curve, length, order_, samples_, kMaxSamples);
+  }
+
+  // Newton steps in S from the root in double: the value stays, the derivatives come in.
+  S settle_slip_end(const FreeMotion<S>& motion, const Harmonic<S>& slow, double x) const {
+    S length(x);
+    for (int i = 0; i < kDualDepth<S>; ++i) {
+      const S theta = theta_ + length;
+      const SinCos<S> a = twum::sincos(theta);
+      const LayerState<S> h = layer_.at(motion, length);
+      const S rate2 = layer_.kind() == LayerKind::elastic    ? S(0.0)
+                      : layer_.kind() == LayerKind::relaxing ? S(-h.rate / layer_.C)
+                                                             : S(-(layer_.C * h.rate + h.e) / layer_.M);
+      length = newton_step(length, S(slow.at(theta, a) + h.rate), S(slow.slope(a) + rate2), x);
+    }
+    return length;
+  }
+
+  static S newton_step(const S& x, const S& f, const S& slope, double value) {
+    if (value_of(slope) == 0) return x;
+    return with_value(S(x - with_value(f, 0.0) / slope), value);
+  }
+
+  // ---- stick ------------------------------------------------------------------------------------
+
+  void stick() {
+    const S& s = n_.stick_rate;
+    const S drift = s * n_.speed_ratio;
+    // t = M e'' + C e' + e with e' = s (cos theta - V)
+    const Harmonic<S> t{state_.e - s * at_.sin + drift * theta_ - layer_.C * drift, -drift, layer_.C * s,
+                        layer_.D * s};
+    const StickEnd end = find_stick_end(t);
+    if (std::isnan(end.x)) return fail();
+    const Phase<S> from{theta_, at_};
+    const S e0 = state_.e;
+    if (end.x == kNoZero) {
+      reach_exit();
+    } else {
+      advance(settle_stick_end(t, end));
+    }
+    record(from);
+    add(lap_.means, stick_integrals(n_, layer_, t, from, Phase<S>{theta_, at_}));
+    state_.e = e0 + s * (at_.sin - from.at.sin) - drift * (theta_ - from.theta);
+    if (layer_.has_inertia()) state_.rate = sticking_rate();
+    mark(3);
+    if (end.x != kNoZero) after_stick(end.iota);
+  }
+
+  struct StickEnd {
+    double x, iota;
+  };
+
+  Harmonic<S> reserve(const Harmonic<S>& t, double iota) const {
+    return {-(n_.static_ * n_.edge_cosine) - iota * t.k0, -iota * t.kb, n_.static_ - iota * t.kc, -iota * t.ks};
+  }
+
+  StickEnd find_stick_end(const Harmonic<S>& t) {
+    const double theta = value_of(theta_), length = value_of(n_.half_angle) - theta;
+    const double plus = first_zero(StickCurve(reserve(t, +1).values(), theta), length, side_order_[0],
+                                   samples_, kMaxSamples);
+    if (std::isnan(plus)) return {plus, 0};
+    const double minus = first_zero(StickCurve(reserve(t, -1).values(), theta), std::fmin(plus, length),
+                                    side_order_[1], samples_, kMaxSamples);
+    return minus == kNoZero ? StickEnd{plus, +1} : StickEnd{minus, -1};
+  }
+
+  S settle_stick_end(const Harmonic<S>& t, const StickEnd& end) const {
+    const Harmonic<S> f = reserve(t, end.iota);
+    S length(end.x);
+    for (int i = 0; i < kDualDepth<S>; ++i) {
+      const S theta = theta_ + length;
+      const SinCos<S> a = twum::sincos(theta);
+      length = newton_step(length, f.at(theta, a), f.slope(a), end.x);
+    }
+    return length;
+  }
+
+  // ---- bookkeeping ------------------------------------------------------------------------------
+
+  static SinCos<double> values(const SinCos<S>& a) { return {value_of(a.sin), value_of(a.cos)}; }
+
+  void advance(const S& length) {
+    // Events that pile up at one place can only come from rounding: move on by less than counts.
+    stalled_ = value_of(length) <= 0 ? stalled_ + 1 : 0;
+    theta_ = theta_ + length + (stalled_ > 4 ? 1e-14 : 0.0);
+    at_ = twum::sincos(theta_);
+    if (!(value_of(theta_) < value_of(n_.half_angle))) reach_exit();
+  }
+
+  void reach_exit() {
+    theta_ = n_.half_angle;
+    at_ = n_.edge;
+    done_ = true;
+  }
+
+  void fail() {
+    lap_.status = LapStatus::unresolved;
+    done_ = true;
+  }
+
+  void mark(std::uint64_t what) {
+    lap_.itinerary = (lap_.itinerary ^ what) * 0x100000001b3ull;
+    if (what < 7) ++lap_.zones;
+  }
+
+  // To be called while state_ is still that of the zone's start.
+  void record(const Phase<S>& from) {
+    if (trace_ && value_of(theta_) > value_of(from.theta)) {
+      trace_->push_back({{zone_, value_of(from.theta), value_of(theta_)},
+                         {value_of(state_.e), value_of(state_.rate)}});
+    }
+  }
+
+  // Free flight to the next entry; the energy the layer brings back is all that it keeps.
+  void leave() {
+    ContactMeans<S>& m = lap_.means;
+    lap_.next = {state_, n_.full, zone_};
+    lap_.exit = state_;
+    if (!n_.full) {
+      const S flight = 2 * kPi - 2.0 * n_.half_angle;
+      lap_.next.layer = layer_.slowest_decay() * value_of(flight) > kForgotten
+                            ? LayerState<S>{S(0.0), S(0.0)}
+                            : layer_.at(layer_.start(state_), flight);
+      m.layer_loss += 0.5 * (layer_.energy(layer_.own_part(state_)) - layer_.energy(lap_.next.layer)) / n_.stick_rate;
+    }
+    const double mean = 1 / (2 * kPi);
+    m.traction *= mean, m.stator_power *= mean, m.friction_power *= mean, m.layer_loss *= mean;
+  }
+
+  const ContactNumbers<S>& n_;
+  const LayerMotion<S>& layer_;
+  LayerMotion<double> values_;
+  std::vector<ZoneTrace>* trace_;
+  S theta_;
+  SinCos<S> at_;
+  LayerState<S> state_{S(0.0), S(0.0)};
+  ZoneState zone_{ZoneState::stick};
+  StartOrder order_{StartOrder::positive};
+  StartOrder side_order_[2]{StartOrder::positive, StartOrder::positive};
+  bool done_{false};
+  int stalled_{0};
+  long samples_{0};
+  Lap<S> lap_{{S(0.0), S(0.0), S(0.0), S(0.0), S(0.0)}, {}, {}, 0xcbf29ce484222325ull, 0, false,
+              ZoneState::stick, LapStatus::ok};
+};
+
+}  // namespace
+
+template <typename S>
+Lap<S> run_lap(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer, const LapEntry<S>& entry,
+               std::vector<ZoneTrace>* trace) {
+  return LapRunner<S>(numbers, layer, trace).run(entry);
+}
+
+#define TWUM_INSTANTIATE(S) \
+  template Lap<S> run_lap(const ContactNumbers<S>&, const LayerMotion<S>&, const LapEntry<S>&, \
+                          std::vector<ZoneTrace>*);
+TWUM_FOR_EACH_CONTACT_SCALAR(TWUM_INSTANTIATE)
+
+}  // namespace twum::contact

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "contact/contact_numbers.hpp"
+#include "contact/layer_motion.hpp"
+
+#include <twum/core/contact/zone.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace twum::contact {
+
+/// Where a lap begins: the layer's state at entry and, in full contact, the zone it is in.
+template <typename S>
+struct LapEntry {
+  LayerState<S> layer;
+  bool carried{false};  ///< full contact: the zone below goes on from the lap before
+  ZoneState zone{ZoneState::stick};
+};
+
+/// A zone with what is needed to draw the fields in it.
+struct ZoneTrace {
+  Zone zone;
+  LayerState<double> start;  ///< layer at `zone.from`
+};
+
+enum class LapStatus : unsigned char { ok, resonance, unresolved };
+
+/// One turn of the wave: from contact entry through all zones and free flight to the next entry.
+template <typename S>
+struct Lap {
+  ContactMeans<S> means;
+  LapEntry<S> next;          ///< state at the next entry
+  LayerState<S> exit;        ///< layer where the contact ends
+  std::uint64_t itinerary;   ///< fingerprint of the sequence of zones
+  int zones;                 ///< number of zones
+  bool one_slip;             ///< the whole contact slips one way
+  ZoneState first;           ///< state of the first zone
+  LapStatus status;
+};
+
+/// Follows the layer through one turn; theory sections 4 and 5. Every zone is in closed form, its end
+/// a root found in double and given its derivatives by the implicit function theorem.
+///
+/// @param trace  if not null, the zones are appended to it (double only).
+template <typename S>
+Lap<S> run_lap(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer, const LapEntry<S>& entry,
+               std::vector<ZoneTrace>* trace = nullptr);
+
+}  // namespace twum::contact

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "contact/contact_numbers.hpp"
+
+#include <cmath>
+
+namespace twum::contact {
+
+/// State of the layer: strain e and its derivative in theta. Without inertia only e counts.
+template <typename S>
+struct LayerState {
+  S e, rate;
+};
+
+/// Homogeneous motion h(x) of the layer, M h'' + C h' + h = 0, x = theta since the zone began.
+///
+/// Oscillating layers: u = h(0), w = h'(0). Otherwise amplitudes of the modes: u of the fast one,
+/// w of the slow one (the only one of a relaxing layer).
+template <typename S>
+struct FreeMotion {
+  S u, w;
+};
+
+/// The layer's equation of motion, M e'' + C e' + e = t, solved for every kind of layer.
+template <typename S>
+class LayerMotion {
+ public:
+  LayerMotion(const S& inertia, const S& damping) : M(inertia), C(damping), D(1.0 - inertia) {
+    using std::sqrt;
+    response = 1.0 / (D * D + C * C);
+    if (value_of(M) == 0) {
+      kind_ = value_of(C) == 0 ? LayerKind::elastic : LayerKind::relaxing;
+      if (kind_ == LayerKind::relaxing) slow_ = -1.0 / C;
+      return;
+    }
+    const S half_rate = C / (2.0 * M);
+    const S square = 1.0 / M - half_rate * half_rate;  // beta^2, negative past critical damping
+    if (value_of(C) * value_of(C) < 9.0 * value_of(M)) {
+      kind_ = LayerKind::oscillating;
+      decay_ = half_rate;
+      square_ = square;
+      // At critical damping beta = 0 has no derivative, and the series below does not need it.
+      if (std::fabs(value_of(square)) > 1e-12) {
+        beta_ = sqrt(value_of(square) > 0 ? square : S(-square));
+      }
+      return;
+    }
+    kind_ = LayerKind::overdamped;
+    fast_ = -half_rate - sqrt(-square);
+    slow_ = 1.0 / (M * fast_);
+    inverse_gap_ = 1.0 / (slow_ - fast_);
+  }
+
+  LayerKind kind() const { return kind_; }
+  bool has_inertia() const { return kind_ == LayerKind::oscillating || kind_ == LayerKind::overdamped; }
+
+  /// A difference of states as far as the layer can hold it: an elastic layer has no state of its own,
+  /// and without inertia the rate follows from e.
+  LayerState<S> own_part(const LayerState<S>& h) const {
+    switch (kind_) {
+      case LayerKind::elastic: return {S(0.0), S(0.0)};
+      case LayerKind::relaxing: return {h.e, slow_ * h.e};
+      default: return h;
+    }
+  }
+
+  /// The homogeneous motion that starts from h = e, h' = rate.
+  FreeMotion<S> start(const LayerState<S>& h) const {
+    switch (kind_) {
+      case LayerKind::oscillating: return {h.e, h.rate};
+      case LayerKind::overdamped:
+        return {(slow_ * h.e - h.rate) * inverse_gap_, (h.rate - fast_ * h.e) * inverse_gap_};
+      case LayerKind::relaxing: return {S(0.0), h.e};
+      default: return {S(0.0), S(0.0)};
+    }
+  }
+
+  /// h and h' after x >= 0.
+  LayerState<S> at(const FreeMotion<S>& motion, const S& x) const {
+    using std::exp;
+    switch (kind_) {
+      case LayerKind::oscillating: {
+        const Propagator p = propagator(x);
+        const S glide = motion.w + decay_ * motion.u;
+        const S h = p.cosine * motion.u + p.sine * glide;
+        return {h, p.cosine * glide - square_ * (p.sine * motion.u) - decay_ * h};
+      }
+      case LayerKind::overdamped: {
+        const S fast = motion.u * exp(fast_ * x), slow = motion.w * exp(slow_ * x);
+        return {fast + slow, fast_ * fast + slow_ * slow};
+      }
+      case LayerKind::relaxing: {
+        const S slow = motion.w * exp(slow_ * x);
+        return {slow, slow_ * slow};
+      }
+      default: return {S(0.0), S(0.0)};
+    }
+  }
+
+  /// Energy M h'^2 + h^2 of a homogeneous state; it falls by 2 C h'^2.
+  S energy(const LayerState<S>& h) const { return M * h.rate * h.rate + h.e * h.e; }
+
+  /// Rates of decay: the real part of the slower mode [1 / rad], for deciding what can be neglected.
+  double slowest_decay() const {
+    if (kind_ == LayerKind::elastic) return HUGE_VAL;
+    if (kind_ != LayerKind::oscillating) return -value_of(slow_);
+    const double square = value_of(square_);
+    return value_of(decay_) - (square < 0 ? std::sqrt(-square) : 0.0);
+  }
+
+  const S& fast() const { return fast_; }
+  const S& slow() const { return slow_; }
+
+  S M, C, D;   ///< of the equation of motion; D = 1 - M
+  S response;  ///< 1 / (D^2 + C^2), response of the layer to the wave's own frequency
+
+ private:
+  // exp(-zeta x) cos(beta x) and exp(-zeta x) sin(beta x) / beta, continued through beta^2 <= 0.
+  struct Propagator {
+    S cosine, sine;
+  };
+
+  Propagator propagator(const S& x) const {
+    using std::exp;
+    const double turn = value_of(square_) * value_of(x) * value_of(x);
+    if (std::fabs(turn) < 0.02) return series(x, exp(-(decay_ * x)));
+    if (turn > 0) {
+      const S envelope = exp(-(decay_ * x));
+      const SinCos<S> at = twum::sincos(S(beta_ * x));
+      return {envelope * at.cos, envelope * at.sin / beta_};
+    }
+    const S up = exp((beta_ - decay_) * x), down = exp(-((beta_ + decay_) * x));
+    return {0.5 * (up + down), 0.5 * (up - down) / beta_};
+  }
+
+  // Taylor series in beta^2 x^2, whose first dropped term is below 0.02^6 / 12! = 1e-19.
+  Propagator series(const S& x, const S& envelope) const {
+    const S q = square_ * x * x;
+    const S c = 1.0 - q * (1.0 / 2) * (1.0 - q * (1.0 / 12) * (1.0 - q * (1.0 / 30) * (1.0 - q * (1.0 / 56) * (1.0 - q * (1.0 / 90)))));
+    const S s = 1.0 - q * (1.0 / 6) * (1.0 - q * (1.0 / 20) * (1.0 - q * (1.0 / 42) * (1.0 - q * (1.0 / 72) * (1.0 - q * (1.0 / 110)))));
+    return {envelope * c, envelope * x * s};
+  }
+
+  LayerKind kind_{LayerKind::elastic};
+  S decay_{0.0}, square_{0.0}, beta_{0.0};      // oscillating: zeta, beta^2, |beta|
+  S fast_{0.0}, slow_{0.0}, inverse_gap_{0.0};  // overdamped and relaxing: rates of the modes
+};
+
+}  // namespace twum::contact

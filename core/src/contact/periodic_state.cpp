@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "contact/periodic_state.hpp"
+
+#include "contact/scalars.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace twum::contact {
+namespace {
+
+constexpr int kMaxLaps = 3000;
+constexpr double kResonance = 1e-16;
+
+struct Matrix2 {
+  double a, b, c, d;
+};
+
+// (I - J)^-1 r; false where the return map has no isolated fixed point.
+bool solve_return(const Matrix2& j, const LayerState<double>& r, LayerState<double>& step) {
+  const double a = 1 - j.a, d = 1 - j.d, det = a * d - j.b * j.c;
+  if (!(std::fabs(det) > 1e-14)) return false;
+  step = {(d * r.e + j.b * r.rate) / det, (j.c * r.e + a * r.rate) / det};
+  return std::isfinite(step.e) && std::isfinite(step.rate);
+}
+
+// Largest eigenvalue below one: laps near the state come back to it.
+bool attracts(const Matrix2& j) {
+  const double trace = j.a + j.d, det = j.a * j.d - j.b * j.c;
+  return std::fabs(det) < 1 && std::fabs(trace) < 1 + det + 1e-12;
+}
+
+ContactNumbers<StateDual> constant(const ContactNumbers<double>& n) {
+  return {n.inertia,   n.damping,     n.stick_rate, n.speed_ratio, n.half_angle, n.edge_cosine,
+          n.kinetic,   n.static_,     {n.edge.sin, n.edge.cos}, n.full};
+}
+
+template <typename S>
+LapEntry<S> constant_entry(const LapEntry<double>& entry) {
+  return {{S(entry.layer.e), S(entry.layer.rate)}, entry.carried, entry.zone};
+}
+
+// Derivative of the state at the next entry in the state at this one.
+Matrix2 return_jacobian(const ContactNumbers<double>& numbers, const LapEntry<double>& at) {
+  const ContactNumbers<StateDual> n = constant(numbers);
+  LapEntry<StateDual> entry = constant_entry<StateDual>(at);
+  entry.layer.e.d[0] = 1;
+  entry.layer.rate.d[1] = 1;
+  const LayerState<StateDual> next = run_lap(n, {n.inertia, n.damping}, entry).next.layer;
+  return {next.e.d[0], next.e.d[1], next.rate.d[0], next.rate.d[1]};
+}
+
+// One Newton step of the fixed point in S; the values are known, only derivatives come in. Where the
+// return map has no isolated fixed point there are none.
+template <typename S>
+void correct(const Matrix2& j, const LayerState<S>& next, LayerState<S>& at, const LayerState<double>& value) {
+  const double a = 1 - j.a, d = 1 - j.d, det = a * d - j.b * j.c;
+  const double inverse = std::fabs(det) > 1e-14 ? 1 / det : std::numeric_limits<double>::quiet_NaN();
+  const S e = next.e - at.e, rate = next.rate - at.rate;
+  at = {with_value(S(at.e + inverse * (d * e + j.b * rate)), value.e),
+        with_value(S(at.rate + inverse * (j.c * e + a * rate)), value.rate)};
+}
+
+class Search {
+ public:
+  Search(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer)
+      : n_(numbers), layer_(layer), monotone_(!(numbers.static_ > numbers.kinetic)),
+        tolerance_(4e-16 * numbers.static_ *
+                   (std::sqrt(layer.response) + std::fabs(numbers.edge_cosine) + 1)) {}
+
+  PeriodicState run() {
+    if (1 / layer_.response < kResonance) return give_up(PeriodicStatus::resonance);
+    turn({{0, 0}, false, ZoneState::stick});
+    for (; s_.laps < kMaxLaps && s_.lap.status == LapStatus::ok;) {
+      if (settled()) return finish();
+      advance();
+    }
+    if (s_.lap.status != LapStatus::ok) return give_up(PeriodicStatus::unresolved);
+    return give_up(monotone_ ? PeriodicStatus::not_converged : PeriodicStatus::no_periodic_state);
+  }
+
+ private:
+  void turn(const LapEntry<double>& entry) {
+    const std::uint64_t before = s_.lap.itinerary;
+    const double gap_before = gap_;
+    s_.entry = entry;
+    s_.lap = run_lap(n_, layer_, entry);
+    ++s_.laps;
+    gap_ = distance(s_.entry.layer, s_.lap.next.layer);
+    repeats_ = s_.lap.itinerary == before ? repeats_ + 1 : 0;
+    contraction_ = gap_before > 0 ? gap_ / gap_before : 1;
+  }
+
+  double distance(const LayerState<double>& a, const LayerState<double>& b) const {
+    const LayerState<double> d{a.e - b.e, a.rate - b.rate};
+    return std::sqrt(layer_.M * d.rate * d.rate + d.e * d.e);
+  }
+
+  bool same_zone() const {
+    return !n_.full || (s_.entry.carried && s_.entry.zone == s_.lap.next.zone);
+  }
+
+  bool settled() const { return same_zone() && gap_ <= tolerance_; }
+
+  PeriodicState finish() {
+    s_.status = PeriodicStatus::ok;
+    s_.remembers = n_.full || s_.lap.next.layer.e != 0 || s_.lap.next.layer.rate != 0;
+    return s_;
+  }
+
+  PeriodicState give_up(PeriodicStatus status) {
+    s_.status = status;
+    return s_;
+  }
+
+  void advance() {
+    if (sticks_all_round()) return turn(after_drift());
+    if (newton_may_help() && newton()) return;
+    turn(s_.lap.next);
+  }
+
+  // Fast contraction needs no help: laps gain four digits each.
+  bool newton_may_help() const {
+    if (!same_zone() || contraction_ < 1e-4) return false;
+    return monotone_ ? true : repeats_ >= patience_;
+  }
+
+  bool newton() {
+    const LapEntry<double> from = s_.entry;
+    const Lap<double> plain = s_.lap;
+    const double gap = gap_;
+    const Matrix2 j = return_jacobian(n_, s_.entry);
+    ++s_.laps;
+    LayerState<double> step;
+    const LayerState<double> r{plain.next.layer.e - from.layer.e, plain.next.layer.rate - from.layer.rate};
+    if (solve_return(j, r, step)) {
+      LapEntry<double> entry = from;
+      entry.layer = {from.layer.e + step.e, from.layer.rate + step.rate};
+      turn(entry);
+      const bool kept = monotone_ || (s_.lap.itinerary == plain.itinerary && attracts(j));
+      if (kept && s_.lap.status == LapStatus::ok && (gap_ < 0.5 * gap || gap_ <= tolerance_)) return true;
+      // At the floor of rounding Newton cannot halve the gap any more.
+      if (kept && gap_ <= 64 * tolerance_ && gap <= 64 * tolerance_) {
+        gap_ = 0;
+        return true;
+      }
+    }
+    patience_ *= 2;
+    s_.entry = from;
+    s_.lap = plain;
+    gap_ = gap;
+    return false;
+  }
+
+  bool sticks_all_round() const {
+    return n_.full && s_.entry.carried && s_.lap.zones == 1 && s_.lap.first == ZoneState::stick;
+  }
+
+  // Full contact that sticks all round only drifts, by the same amount each lap: go on to the last lap
+  // before the traction can reach its threshold.
+  LapEntry<double> after_drift() const {
+    const double s = n_.stick_rate, drift = -2 * std::numbers::pi * s * n_.speed_ratio;
+    LapEntry<double> entry = s_.lap.next;
+    const double iota = drift < 0 ? -1 : 1;
+    const double mean = entry.layer.e - layer_.C * s * n_.speed_ratio;
+    const double swing = std::hypot(n_.static_ - iota * layer_.C * s, layer_.D * s);
+    const double reserve = -n_.static_ * n_.edge_cosine - iota * mean - swing - std::fabs(drift);
+    const double laps = std::floor(reserve / std::fabs(drift)) - 1;
+    if (laps > 0 && std::isfinite(laps)) entry.layer.e += laps * drift;
+    return entry;
+  }
+
+  const ContactNumbers<double>& n_;
+  const LayerMotion<double>& layer_;
+  bool monotone_;
+  double tolerance_;
+  PeriodicState s_{};
+  double gap_{0}, contraction_{1};
+  int repeats_{0}, patience_{4};
+};
+
+}  // namespace
+
+PeriodicState find_periodic_state(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer) {
+  return Search(numbers, layer).run();
+}
+
+template <typename S>
+Lap<S> periodic_lap(const ContactNumbers<S>& numbers, const ContactNumbers<double>& values,
+                    const PeriodicState& state) {
+  const LayerMotion<S> layer(numbers.inertia, numbers.damping);
+  LapEntry<S> entry = constant_entry<S>(state.entry);
+  if (!state.remembers) return run_lap(numbers, layer, entry);
+  const Matrix2 j = return_jacobian(values, state.entry);
+  for (int i = 0; i < kDualDepth<S>; ++i) {
+    const LayerState<S> next = run_lap(numbers, layer, entry).next.layer;
+    correct(j, next, entry.layer, state.entry.layer);
+  }
+  return run_lap(numbers, layer, entry);
+}
+
+template <>
+Lap<double> periodic_lap(const ContactNumbers<double>&, const ContactNumbers<double>&,
+                         const PeriodicState& state) {
+  return state.lap;
+}
+
+#define TWUM_INSTANTIATE(S) \
+  template Lap<S> periodic_lap(const ContactNumbers<S>&, const ContactNumbers<double>&, const PeriodicState&);
+TWUM_FOR_EACH_CONTACT_SCALAR(TWUM_INSTANTIATE)
+
+}  // namespace twum::contact

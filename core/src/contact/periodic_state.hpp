@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "contact/lap.hpp"
+
+namespace twum::contact {
+
+enum class PeriodicStatus : unsigned char { ok, no_periodic_state, not_converged, resonance, unresolved };
+
+/// The state that repeats itself from turn to turn.
+struct PeriodicState {
+  LapEntry<double> entry;           ///< layer at contact entry
+  Lap<double> lap;                  ///< the turn that starts there
+  PeriodicStatus status;
+  bool remembers;                   ///< false: the layer enters at rest whatever happened before
+  int laps;                         ///< turns it took to find, those with derivatives included
+};
+
+/// Finds the periodic state that laps from rest lead to (theory section 10).
+///
+/// With mu_0 = mu the lap never increases the energy of a difference of states, because Coulomb's law
+/// is monotone: the periodic state of a damped layer is unique, and Newton's method on the two-state
+/// return map goes there in a few laps. With mu_0 > mu Newton's method takes over only when the
+/// sequence of zones has settled, must keep it, and must end in an attracting state.
+PeriodicState find_periodic_state(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer);
+
+/// Means over a turn with their derivatives: the periodic state in S by the implicit function theorem.
+template <typename S>
+Lap<S> periodic_lap(const ContactNumbers<S>& numbers, const ContactNumbers<double>& values,
+                    const PeriodicState& state);
+
+}  // namespace twum::contact

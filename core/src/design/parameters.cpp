@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/core/design/parameters.hpp>
+
+#include <twum/base/error.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numbers>
+
+namespace twum {
+namespace {
+
+using P = Parameter;
+constexpr std::optional<Parameter> kNone;
+
+// The admissible ranges are wide: they refuse what cannot be meant, not what is unusual.
+constexpr std::array<ParameterInfo, kParameterCount> kTable{{
+    {P::wavelengths, "wavelengths", "n", "1", "stator.wavelengths", 1, 1000, false, true, true, kNone,
+     "9", "wavelengths round the circumference"},
+    {P::contact_radius, "contact_radius", "r", "m", "stator.contact_radius", 0, 10, true, false, true,
+     kNone, "26.5 mm", "mean radius of the contact track"},
+    {P::contact_width, "contact_width", "b", "m", "stator.contact_width", 0, 10, true, false, true,
+     kNone, "4 mm", "radial width of the contact track"},
+    {P::neutral_plane_distance, "neutral_plane_distance", "a", "m", "stator.neutral_plane_distance", 0,
+     1, true, false, true, kNone, "3 mm", "distance from the neutral plane to the stator surface"},
+    {P::frequency, "frequency", "f", "Hz", "stator.frequency", 0, 1e9, true, false, true, kNone,
+     "40 kHz", "drive frequency"},
+    {P::amplitude, "amplitude", "A", "m", "stator.amplitude", 0, 1e-2, false, false, true, kNone,
+     "1.6 um", "amplitude of the travelling wave"},
+    {P::modal_damping, "modal_damping", "", "N.s/m", "stator.modal_damping", 0, 1e9, false, false, false,
+     kNone, "45 N.s/m", "modal damping of the stator; its loss is c (omega A)^2"},
+    {P::thickness, "thickness", "h", "m", "contact_layer.thickness", 0, 1, true, false, true, kNone,
+     "0.3 mm", "thickness of the contact layer"},
+    {P::youngs_modulus, "youngs_modulus", "E", "Pa", "contact_layer.youngs_modulus", 0, 1e13, true,
+     false, true, kNone, "3 GPa", "Young's modulus of the contact layer"},
+    {P::poisson_ratio, "poisson_ratio", "nu", "1", "contact_layer.poisson_ratio", -1, 0.5, true, false,
+     true, P::shear_modulus, "0.35", "Poisson ratio of the contact layer; gives G = E / (2 (1 + nu))"},
+    {P::density, "density", "rho", "kg/m^3", "contact_layer.density", 0, 1e6, false, false, true,
+     P::inertia, "1800 kg/m^3", "density of the contact layer; gives m = rho h^2 / 3"},
+    {P::loss_factor, "loss_factor", "", "1", "contact_layer.loss_factor", 0, 100, false, false, true,
+     P::shear_viscosity, "0.05", "loss factor of the layer in shear; gives gamma = loss_factor G / omega"},
+    {P::shear_modulus, "shear_modulus", "G", "Pa", "contact_layer.shear_modulus", 0, 1e13, true, false,
+     false, P::poisson_ratio, "1.1 GPa", "shear modulus of the contact layer, given outright"},
+    {P::shear_viscosity, "shear_viscosity", "gamma", "Pa.s", "contact_layer.shear_viscosity", 0, 1e12,
+     false, false, false, P::loss_factor, "220 Pa.s", "shear viscosity of the layer, given outright"},
+    {P::inertia, "inertia", "m", "Pa.s^2", "contact_layer.inertia", 0, 1e6, false, false, false,
+     P::density, "5.4e-5 Pa.s^2", "inertia of the layer in shear, given outright"},
+    {P::kinetic_friction, "kinetic_friction", "mu", "1", "friction.kinetic", 0, 10, false, false, true,
+     kNone, "0.2", "friction coefficient while slipping"},
+    {P::static_friction, "static_friction", "mu_0", "1", "friction.static", 0, 10, false, false, false,
+     kNone, "0.2", "friction coefficient at the threshold of sticking, at least the kinetic one"},
+    {P::preload, "preload", "F_N", "N", "preload", 0, 1e9, false, false, true, kNone, "160 N",
+     "total axial force that presses rotor and stator together"},
+}};
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.10g", value);
+  return text;
+}
+
+std::string with_unit(double value, const ParameterInfo& row) {
+  return row.unit == "1" ? number(value) : number(value) + " " + std::string(row.unit);
+}
+
+// Sets one parameter, its twin gives way. mu_0 follows mu; an own value for mu_0 is set after it.
+void set(MotorDesign& design, Parameter parameter, double value) {
+  ContactLayer& layer = design.layer;
+  Friction& friction = design.friction;
+  switch (parameter) {
+    case P::wavelengths: design.stator.wavelengths = value; break;
+    case P::contact_radius: design.stator.contact_radius = value; break;
+    case P::contact_width: design.stator.contact_width = value; break;
+    case P::neutral_plane_distance: design.stator.neutral_plane_distance = value; break;
+    case P::frequency: design.stator.frequency = value; break;
+    case P::amplitude: design.stator.amplitude = value; break;
+    case P::modal_damping: design.stator.modal_damping = value; break;
+    case P::thickness: layer.thickness = value; break;
+    case P::youngs_modulus: layer.youngs_modulus = value; break;
+    case P::poisson_ratio: layer.poisson_ratio = value, layer.given_shear_modulus.reset(); break;
+    case P::density: layer.density = value, layer.given_inertia.reset(); break;
+    case P::loss_factor: layer.loss_factor = value, layer.given_shear_viscosity.reset(); break;
+    case P::shear_modulus: layer.given_shear_modulus = value; break;
+    case P::shear_viscosity: layer.given_shear_viscosity = value; break;
+    case P::inertia: layer.given_inertia = value; break;
+    case P::kinetic_friction:
+      friction.static_ = friction.kinetic > 0 ? friction.static_ / friction.kinetic * value : value;
+      friction.kinetic = value;
+      break;
+    case P::static_friction: friction.static_ = value; break;
+    case P::preload: design.preload = value; break;
+  }
+}
+
+void require_admissible(Parameter parameter, double value) {
+  const std::string wrong = complaint(parameter, value);
+  if (!wrong.empty()) throw InputError(std::string(info(parameter).name) + " " + wrong);
+}
+
+void require_no_twins(std::span<const ParameterValue> values) {
+  for (const auto& [parameter, value] : values) {
+    for (const auto& [other, other_value] : values) {
+      if (info(parameter).twin == other) {
+        throw InputError(std::string(info(parameter).name) + " and " + std::string(info(other).name) +
+                         " say the same in two ways; give one of them");
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::span<const ParameterInfo> parameter_table() { return kTable; }
+
+const ParameterInfo& info(Parameter parameter) { return kTable[index_of(parameter)]; }
+
+std::optional<Parameter> find_parameter(std::string_view name_or_symbol) {
+  if (name_or_symbol.empty()) return {};
+  for (const ParameterInfo& row : kTable) {
+    if (row.name == name_or_symbol || row.symbol == name_or_symbol) return row.parameter;
+  }
+  return {};
+}
+
+double get(const MotorDesign& design, Parameter parameter) {
+  const Stator& stator = design.stator;
+  const ContactLayer& layer = design.layer;
+  const bool used = in_use(design, parameter);
+  switch (parameter) {
+    case P::wavelengths: return stator.wavelengths;
+    case P::contact_radius: return stator.contact_radius;
+    case P::contact_width: return stator.contact_width;
+    case P::neutral_plane_distance: return stator.neutral_plane_distance;
+    case P::frequency: return stator.frequency;
+    case P::amplitude: return stator.amplitude;
+    case P::modal_damping: return stator.modal_damping;
+    case P::thickness: return layer.thickness;
+    case P::youngs_modulus: return layer.youngs_modulus;
+    case P::poisson_ratio:
+      return used ? layer.poisson_ratio : layer.youngs_modulus / (2 * shear_modulus(design)) - 1;
+    case P::density:
+      return used ? layer.density : 3 * inertia(design) / (layer.thickness * layer.thickness);
+    case P::loss_factor:
+      return used ? layer.loss_factor
+                  : shear_viscosity(design) * 2 * std::numbers::pi * stator.frequency / shear_modulus(design);
+    case P::shear_modulus: return shear_modulus(design);
+    case P::shear_viscosity: return shear_viscosity(design);
+    case P::inertia: return inertia(design);
+    case P::kinetic_friction: return design.friction.kinetic;
+    case P::static_friction: return design.friction.static_;
+    case P::preload: return design.preload;
+  }
+  TWUM_ASSERT(false);
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+bool in_use(const MotorDesign& design, Parameter parameter) {
+  const ContactLayer& layer = design.layer;
+  switch (parameter) {
+    case P::poisson_ratio: return !layer.given_shear_modulus;
+    case P::shear_modulus: return layer.given_shear_modulus.has_value();
+    case P::loss_factor: return !layer.given_shear_viscosity;
+    case P::shear_viscosity: return layer.given_shear_viscosity.has_value();
+    case P::density: return !layer.given_inertia;
+    case P::inertia: return layer.given_inertia.has_value();
+    default: return true;
+  }
+}
+
+std::string complaint(Parameter parameter, double value) {
+  const ParameterInfo& row = info(parameter);
+  const std::string found = ", but is " + with_unit(value, row);
+  if (!std::isfinite(value)) return "must be a finite number" + found;
+  if (row.min_excluded ? !(value > row.min) : !(value >= row.min)) {
+    return std::string(row.min_excluded ? "must be more than " : "must be at least ") +
+           with_unit(row.min, row) + found;
+  }
+  if (!(value <= row.max)) return "must be at most " + with_unit(row.max, row) + found;
+  if (row.integer && value != std::floor(value)) return "must be a whole number" + found;
+  return {};
+}
+
+MotorDesign with(const MotorDesign& design, std::span<const ParameterValue> values) {
+  require_no_twins(values);
+  MotorDesign result = design;
+  for (const auto& [parameter, value] : values) {
+    require_admissible(parameter, value);
+    if (parameter != P::static_friction) set(result, parameter, value);
+  }
+  for (const auto& [parameter, value] : values) {
+    if (parameter == P::static_friction) set(result, parameter, value);
+  }
+  if (result.friction.static_ < result.friction.kinetic) {
+    throw InputError("static_friction must be at least kinetic_friction = " +
+                     number(result.friction.kinetic) + ", but is " + number(result.friction.static_));
+  }
+  return result;
+}
+
+MotorDesign with(const MotorDesign& design, Parameter parameter, double value) {
+  const std::array<ParameterValue, 1> one{{{parameter, value}}};
+  return with(design, one);
+}
+
+std::vector<std::string> complaints(const MotorDesign& design) {
+  std::vector<std::string> found;
+  for (const ParameterInfo& row : kTable) {
+    if (!in_use(design, row.parameter)) continue;
+    const std::string wrong = complaint(row.parameter, get(design, row.parameter));
+    if (!wrong.empty()) found.push_back(std::string(row.name) + " " + wrong);
+  }
+  if (design.friction.static_ < design.friction.kinetic) {
+    found.push_back("static_friction must be at least kinetic_friction = " +
+                    number(design.friction.kinetic) + ", but is " + number(design.friction.static_));
+  }
+  return found;
+}
+
+}  // namespace twum

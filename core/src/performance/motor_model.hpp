@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "contact/contact_numbers.hpp"
+
+#include <twum/base/dual.hpp>
+#include <twum/core/contact/normal_contact.hpp>
+#include <twum/core/design/parameters.hpp>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace twum::performance {
+
+/// A motor's parameters in S, and what follows from them (theory sections 1 to 3).
+template <typename S>
+struct MotorModel {
+  S n, r, b, omega, kappa;
+  S crest_velocity;           ///< V0 = kappa a A omega (T2.2)
+  S thickness, shear, viscosity, inertia;
+  S kinetic, static_, preload, stator_damping, amplitude;
+  NormalContact<S> contact;
+  SinCos<S> edge;             ///< of theta_L
+};
+
+/// Parameter values in the order of the table.
+template <typename S>
+using ParameterArray = std::array<S, kParameterCount>;
+
+// theta_L in S: found in double, its derivatives by the implicit function theorem (T3.2).
+template <typename S>
+S contact_angle(const S& load) {
+  using std::cos, std::sin;
+  const double root = contact_half_angle(value_of(load));
+  S angle(root);
+  if (root == 0) return angle;
+  for (int i = 0; i < kDualDepth<S>; ++i) {
+    const S excess = sin(angle) - angle * cos(angle) - load;
+    angle = with_value(S(angle - with_value(excess, 0.0) / (angle * sin(angle))), root);
+  }
+  return angle;
+}
+
+/// Normal contact of a wave pressed by `preload` (T3.1 to T3.4).
+template <typename S>
+NormalContact<S> normal_contact(const S& preload, const S& n, const S& b, const S& kappa,
+                                const S& pressure_amplitude) {
+  constexpr double kPi = std::numbers::pi;
+  const S mean_pressure = preload * kappa / (2 * kPi * n * b);
+  NormalContact<S> c;
+  c.pressure_amplitude = pressure_amplitude;
+  c.full = !(value_of(mean_pressure) < value_of(pressure_amplitude));
+  if (c.full) {
+    c.half_angle = S(kPi);
+    c.edge_cosine = -(mean_pressure / pressure_amplitude);
+    c.max_pressure = pressure_amplitude + mean_pressure;
+  } else {
+    using std::cos, std::sin;
+    c.half_angle = contact_angle(S(kPi * mean_pressure / pressure_amplitude));
+    c.edge_cosine = cos(c.half_angle);
+    const S half_sine = sin(S(0.5 * c.half_angle));  // 1 - cos without its cancellation
+    c.max_pressure = 2.0 * pressure_amplitude * half_sine * half_sine;
+  }
+  c.half_length = c.half_angle / kappa;
+  c.ratio = c.half_angle / (2 * kPi);
+  return c;
+}
+
+/// The model of a design. `given` says which twins are in use; p holds every parameter's value.
+template <typename S>
+MotorModel<S> motor_model(const MotorDesign& given, const ParameterArray<S>& p) {
+  using P = Parameter;
+  const auto at = [&p](P parameter) -> const S& { return p[index_of(parameter)]; };
+  MotorModel<S> m;
+  m.n = at(P::wavelengths), m.r = at(P::contact_radius), m.b = at(P::contact_width);
+  m.omega = 2 * std::numbers::pi * at(P::frequency);
+  m.kappa = m.n / m.r;
+  m.amplitude = at(P::amplitude);
+  m.crest_velocity = m.kappa * at(P::neutral_plane_distance) * m.amplitude * m.omega;
+  m.thickness = at(P::thickness);
+  const S& E = at(P::youngs_modulus);
+  m.shear = in_use(given, P::shear_modulus) ? at(P::shear_modulus) : S(E / (2.0 * (1.0 + at(P::poisson_ratio))));
+  m.viscosity = in_use(given, P::shear_viscosity) ? at(P::shear_viscosity)
+                                                  : S(at(P::loss_factor) * m.shear / m.omega);
+  m.inertia = in_use(given, P::inertia) ? at(P::inertia)
+                                        : S(at(P::density) * m.thickness * m.thickness / 3.0);
+  m.kinetic = at(P::kinetic_friction), m.static_ = at(P::static_friction);
+  m.preload = at(P::preload), m.stator_damping = at(P::modal_damping);
+  m.contact = normal_contact(m.preload, m.n, m.b, m.kappa, S(E * m.amplitude / m.thickness));
+  m.edge = twum::sincos(m.contact.half_angle);
+  if (m.contact.full) m.edge = {S(0.0), S(-1.0)};
+  return m;
+}
+
+/// Parameter values of a design, derived ones included.
+inline ParameterArray<double> parameter_values(const MotorDesign& design) {
+  ParameterArray<double> values;
+  for (std::size_t i = 0; i < kParameterCount; ++i) values[i] = get(design, static_cast<Parameter>(i));
+  return values;
+}
+
+/// True if nothing moves or nothing rubs: no amplitude, no preload, no friction.
+template <typename S>
+bool is_trivial(const MotorModel<S>& m) {
+  return value_of(m.amplitude) == 0 || value_of(m.preload) == 0 || value_of(m.static_) == 0 ||
+         value_of(m.contact.half_angle) == 0;
+}
+
+/// The contact's seven numbers at rotor speed Omega; R is S or carries more derivatives than S.
+template <typename S, typename R>
+contact::ContactNumbers<R> contact_numbers(const MotorModel<S>& m, const R& speed) {
+  const R surface = m.r * speed;
+  const R W = m.omega + m.kappa * surface;
+  const R rate = W / m.shear;
+  return {m.inertia * W * rate,
+          m.viscosity * rate,
+          m.crest_velocity / (m.thickness * m.contact.pressure_amplitude * rate),
+          surface / m.crest_velocity,
+          R(m.contact.half_angle),
+          R(m.contact.edge_cosine),
+          R(m.kinetic),
+          R(m.static_),
+          {R(m.edge.sin), R(m.edge.cos)},
+          m.contact.full};
+}
+
+/// Torque of one unit of mean traction, 2 pi r^2 b P (T4.5) [N m].
+template <typename S>
+S torque_scale(const MotorModel<S>& m) {
+  return 2 * std::numbers::pi * m.r * m.r * m.b * m.contact.pressure_amplitude;
+}
+
+/// Power of one unit of the contact's mean powers, 2 pi r b P V0 [W].
+template <typename S>
+S power_scale(const MotorModel<S>& m) {
+  return 2 * std::numbers::pi * m.r * m.b * m.contact.pressure_amplitude * m.crest_velocity;
+}
+
+}  // namespace twum::performance

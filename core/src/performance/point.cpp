@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "performance/point.hpp"
+
+#include "contact/zone_curves.hpp"
+#include "performance/scalars.hpp"
+
+#include <cmath>
+
+namespace twum::performance {
+namespace {
+
+using contact::LayerMotion;
+using contact::PeriodicStatus;
+
+PointStatus point_status(PeriodicStatus status) {
+  switch (status) {
+    case PeriodicStatus::ok: return PointStatus::ok;
+    case PeriodicStatus::no_periodic_state: return PointStatus::no_periodic_state;
+    case PeriodicStatus::not_converged: return PointStatus::not_converged;
+    case PeriodicStatus::resonance: return PointStatus::resonance;
+    case PeriodicStatus::unresolved: return PointStatus::unresolved;
+  }
+  return PointStatus::unresolved;
+}
+
+// Without a wave the rotor drags the layer over a flat stator. Released at mu_0 p it slips steadily,
+// unless its own vibration brings it back to rest on the stator: then it sticks and slips in a rhythm
+// that has nothing to do with the turns of the wave.
+bool drags_steadily(const MotorModel<double>& m, double speed) {
+  if (!(m.static_ > m.kinetic) || m.inertia == 0 || speed == 0) return true;
+  const double W = m.omega + m.kappa * m.r * speed;
+  const double pressure = m.contact.max_pressure;
+  const LayerMotion<double> layer(m.inertia * W * W / m.shear, m.viscosity * W / m.shear);
+  const double sigma = speed > 0 ? 1 : -1;
+  const double drift = m.shear * m.r * speed / (m.thickness * W * pressure);
+  const contact::FreeMotion<double> motion = layer.start({-sigma * (m.static_ - m.kinetic), -drift});
+  const contact::SlipCurve curve(layer, motion, {drift, 0, 0, 0}, sigma, 0);
+  long samples = 0;
+  return contact::first_zero(curve, 1e300, contact::StartOrder::zero, samples, 1'000'000) == contact::kNoZero;
+}
+
+// Mean traction of a locked layer as the rotor just begins to drag it forward: the constant part falls
+// until the traction touches -mu_0 p somewhere. Units of P, at rest W = omega.
+template <typename S>
+struct Lock {
+  S low, high, damping_work;
+
+  explicit Lock(const MotorModel<S>& m) {
+    using std::sqrt;
+    const contact::ContactNumbers<S> n = contact_numbers(m, S(0.0));
+    const S mean = -(n.static_ * n.edge_cosine), swing = (1.0 - n.inertia) * n.stick_rate;
+    const S forward = n.static_ + n.damping * n.stick_rate, back = n.static_ - n.damping * n.stick_rate;
+    low = sqrt(forward * forward + swing * swing) - mean;
+    high = mean - sqrt(back * back + swing * swing);
+    damping_work = 0.5 * n.damping * n.stick_rate;
+  }
+};
+
+}  // namespace
+
+template <typename S>
+bool locks_at_rest(const MotorModel<S>& m) {
+  if (value_of(m.static_) == 0 || value_of(m.preload) == 0) return false;
+  if (value_of(m.amplitude) == 0) return true;
+  if (!m.contact.full) return false;
+  const Lock<S> lock(m);
+  return value_of(lock.low) <= value_of(lock.high);
+}
+
+template <typename S, typename R>
+PointNumbers<R> special_point(const MotorModel<S>& m, const R& speed) {
+  const R zero(0.0);
+  if (value_of(m.static_) == 0 || value_of(m.preload) == 0) return {zero, zero, zero, zero, zero};
+  if (value_of(m.amplitude) == 0) {
+    // At rest the limit of forward speeds, as everywhere.
+    const R drag = (value_of(speed) < 0 ? 1.0 : -1.0) * (m.kinetic * m.preload * m.r) + zero;
+    return {drag, zero, -(drag * speed), zero, zero};
+  }
+  const Lock<S> lock(m);
+  const R power = power_scale(m) * lock.damping_work + zero;
+  return {torque_scale(m) * lock.low + zero, power, zero, power, R(1.0)};
+}
+
+SolvedPoint solve_point(const MotorModel<double>& m, double speed) {
+  SolvedPoint point;
+  if (is_trivial(m) || (speed == 0 && m.contact.full && locks_at_rest(m))) {
+    point.special = true;
+    point.numbers = special_point(m, speed);
+    const bool steady = is_trivial(m) ? (m.amplitude != 0 || drags_steadily(m, speed)) : m.static_ == m.kinetic;
+    if (!steady) point.status = PointStatus::no_periodic_state;
+    return point;
+  }
+  const contact::ContactNumbers<double> n = contact_numbers(m, speed);
+  point.state = contact::find_periodic_state(n, LayerMotion<double>(n.inertia, n.damping));
+  point.status = point_status(point.state.status);
+  point.numbers = dimensional(m, point.state.lap.means);
+  return point;
+}
+
+#define TWUM_INSTANTIATE(S, R) \
+  template bool locks_at_rest(const MotorModel<S>&); \
+  template PointNumbers<R> special_point(const MotorModel<S>&, const R&);
+TWUM_FOR_EACH_MODEL_SCALAR(TWUM_INSTANTIATE)
+template PointNumbers<contact::SpeedDual> special_point(const MotorModel<double>&, const contact::SpeedDual&);
+
+}  // namespace twum::performance

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "contact/periodic_state.hpp"
+#include "performance/motor_model.hpp"
+
+#include <twum/core/performance/motor.hpp>
+
+namespace twum::performance {
+
+/// Numbers of an operating point in S; the other powers follow from these (T7.1 to T7.4).
+template <typename S>
+struct PointNumbers {
+  S torque, stator_power, friction_power, layer_loss, stick_fraction;
+};
+
+/// An operating point with what its search found.
+struct SolvedPoint {
+  PointNumbers<double> numbers;
+  PointStatus status{PointStatus::ok};
+  contact::PeriodicState state;  ///< undefined for trivial and locked points
+  bool special{false};           ///< trivial or locked at rest: in closed form, no periodic state behind it
+};
+
+/// Solves one operating point.
+SolvedPoint solve_point(const MotorModel<double>& model, double speed);
+
+/// True if the whole contact sticks at rest (theory section 10).
+template <typename S>
+bool locks_at_rest(const MotorModel<S>& model);
+
+/// Points without a periodic state to search for: trivial motors at any speed, locked ones at rest.
+template <typename S, typename R>
+PointNumbers<R> special_point(const MotorModel<S>& model, const R& speed);
+
+/// Dimensional numbers from the contact's means.
+template <typename S, typename R>
+PointNumbers<R> dimensional(const MotorModel<S>& m, const contact::ContactMeans<R>& means) {
+  const S torque = torque_scale(m), power = power_scale(m);
+  return {torque * means.traction, power * means.stator_power, power * means.friction_power,
+          power * means.layer_loss, means.stick_length / (2.0 * m.contact.half_angle)};
+}
+
+}  // namespace twum::performance
