@@ -287,6 +287,7 @@ class LapRunner {
 
   // To be called while state_ is still that of the zone's start.
   void record(const Phase<S>& from) {
+    lap_.shortest = std::fmin(lap_.shortest, value_of(theta_) - value_of(from.theta));
     if (trace_ && value_of(theta_) > value_of(from.theta)) {
       trace_->push_back({{zone_, value_of(from.theta), value_of(theta_)},
                          {value_of(state_.e), value_of(state_.rate)}});
@@ -322,7 +323,7 @@ class LapRunner {
   bool done_{false};
   int stalled_{0};
   long samples_{0};
-  Lap<S> lap_{{S(0.0), S(0.0), S(0.0), S(0.0), S(0.0)}, {}, {}, 0xcbf29ce484222325ull, 0, false,
+  Lap<S> lap_{{S(0.0), S(0.0), S(0.0), S(0.0), S(0.0)}, {}, {}, 0xcbf29ce484222325ull, 0, false, 2 * kPi,
               ZoneState::stick, LapStatus::ok};
 };
 

@@ -36,6 +36,7 @@ struct Lap {
   std::uint64_t itinerary;   ///< fingerprint of the sequence of zones
   int zones;                 ///< number of zones
   bool one_slip;             ///< the whole contact slips one way
+  double shortest;           ///< length of the shortest zone [rad]
   ZoneState first;           ///< state of the first zone
   LapStatus status;
 };

@@ -93,7 +93,7 @@ SolvedPoint solve_point(const MotorModel<double>& m, double speed) {
   const contact::ContactNumbers<double> n = contact_numbers(m, speed);
   point.state = contact::find_periodic_state(n, LayerMotion<double>(n.inertia, n.damping));
   point.status = point_status(point.state.status);
-  point.numbers = dimensional(m, point.state.lap.means);
+  point.numbers = dimensional(m, point.state.lap.means, point.state.lap);
   return point;
 }
 

@@ -33,12 +33,16 @@ bool locks_at_rest(const MotorModel<S>& model);
 template <typename S, typename R>
 PointNumbers<R> special_point(const MotorModel<S>& model, const R& speed);
 
-/// Dimensional numbers from the contact's means.
-template <typename S, typename R>
-PointNumbers<R> dimensional(const MotorModel<S>& m, const contact::ContactMeans<R>& means) {
-  const S torque = torque_scale(m), power = power_scale(m);
-  return {torque * means.traction, power * means.stator_power, power * means.friction_power,
-          power * means.layer_loss, means.stick_length / (2.0 * m.contact.half_angle)};
+/// Dimensional numbers from the contact's means. Where the whole contact slips one way the torque is
+/// +-mu F_N r, whatever the layer does: then the derivatives of all else are exactly zero.
+template <typename S, typename R, typename L>
+PointNumbers<R> dimensional(const MotorModel<S>& m, const contact::ContactMeans<R>& means,
+                            const contact::Lap<L>& lap) {
+  const S power = power_scale(m);
+  R torque = torque_scale(m) * means.traction;
+  if (lap.one_slip) torque = R(static_cast<double>(lap.first) * (m.kinetic * m.preload * m.r));
+  return {torque, power * means.stator_power, power * means.friction_power, power * means.layer_loss,
+          means.stick_length / (2.0 * m.contact.half_angle)};
 }
 
 }  // namespace twum::performance

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "contact/slip_margin.hpp"
+
+#include "contact/scalars.hpp"
+#include "contact/zone_curves.hpp"
+#include "contact/zone_integrals.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace twum::contact {
+namespace {
+
+constexpr double kDriving = -1;  // sign of v_rel
+constexpr long kMaxSamples = 1'000'000;
+
+// Forced part of e while slipping and driving, and the harmonic part of v_rel s / V0.
+template <typename S>
+Harmonic<S> forced_part(const ContactNumbers<S>& n, const LayerMotion<S>& layer) {
+  const S q = n.kinetic * layer.response;
+  return {-(n.kinetic * n.edge_cosine), S(0.0), q * layer.D, q * layer.C};
+}
+
+template <typename S>
+Harmonic<S> harmonic_rate(const ContactNumbers<S>& n, const Harmonic<S>& f) {
+  return {n.stick_rate * n.speed_ratio, S(0.0), f.ks - n.stick_rate, -f.kc};
+}
+
+template <typename S>
+LayerState<S> state_of(const Harmonic<S>& f, const S& theta, const SinCos<S>& at) {
+  return {f.at(theta, at), f.slope(at)};
+}
+
+template <typename S>
+LayerState<S> moved(const LayerMotion<S>& layer, const LayerState<S>& h, const S& x) {
+  return layer.at(layer.start(layer.own_part(h)), x);
+}
+
+template <typename S>
+LayerState<S> difference(const LayerState<S>& a, const LayerState<S>& b) {
+  return {a.e - b.e, a.rate - b.rate};
+}
+
+// State at entry of a layer that slips all through every turn. The turn is linear, y -> Phi y + c.
+template <typename S>
+LayerState<S> slipping_entry(const ContactNumbers<S>& n, const LayerMotion<S>& layer) {
+  const Harmonic<S> f = forced_part(n, layer);
+  const S zero(0.0);
+  const S start = -n.half_angle;
+  const LayerState<S> f0 = state_of(f, start, {-n.edge.sin, n.edge.cos});
+  if (n.full) return f0;
+  const LayerState<S> f1 = state_of(f, n.half_angle, n.edge);
+  const S length = 2.0 * n.half_angle, flight = 2 * std::numbers::pi - length;
+  if (layer.slowest_decay() * value_of(flight) > 50) return {zero, zero};
+  const auto turn = [&](const LayerState<S>& y) {
+    const LayerState<S> h = moved(layer, difference(y, f0), length);
+    return moved(layer, {h.e + f1.e, h.rate + f1.rate}, flight);
+  };
+  const LayerState<S> c = turn({zero, zero});
+  const LayerState<S> a = difference(turn({S(1.0), zero}), c), b = difference(turn({zero, S(1.0)}), c);
+  const S p = 1.0 - a.e, q = 1.0 - b.rate, det = p * q - b.e * a.rate;
+  return {(q * c.e + b.e * c.rate) / det, (a.rate * c.e + p * c.rate) / det};
+}
+
+// Everything the search needs about the slipping contact.
+struct SlippingContact {
+  LayerMotion<double> layer;
+  Harmonic<double> slow;
+  LayerState<double> own;  // of the layer at entry
+  double start, length;
+
+  CurveSample sample(double x) const { return curve(0, 0).sample(x); }
+
+  // Margin less `level`, from `x` on.
+  SlipCurve curve(double level, double x) const {
+    const LayerState<double> h = layer.at(layer.start(own), x);
+    return {layer, layer.start(h), {slow.k0 - kDriving * level, 0, slow.kc, slow.ks}, kDriving, start + x};
+  }
+};
+
+// Slides down from x to the next minimum; the step cannot pass it. Stops at the exit.
+double next_minimum(const SlippingContact& contact, double x) {
+  for (int i = 0; i < 200000 && x < contact.length; ++i) {
+    const CurveSample c = contact.sample(x);
+    if (!(c.f1 < 0)) break;
+    const bool close = c.f2 > 0 && -c.f1 * c.l3 < 0.25 * c.f2 * c.f2;
+    const double step = close ? -c.f1 / c.f2 : -c.f1 / c.l2;
+    if (!(step > 1e-15)) break;
+    x += step;
+    if (close && step < 1e-9) break;
+  }
+  return std::fmin(x, contact.length);
+}
+
+}  // namespace
+
+SlipMargin slip_margin(const ContactNumbers<double>& n) {
+  const LayerMotion<double> layer(n.inertia, n.damping);
+  const Harmonic<double> f = forced_part(n, layer);
+  const LayerState<double> entry = slipping_entry(n, layer);
+  const LayerState<double> f0 = state_of(f, -n.half_angle, {-n.edge.sin, n.edge.cos});
+  const SlippingContact contact{layer, harmonic_rate(n, f), layer.own_part(difference(entry, f0)), -n.half_angle,
+                                2 * n.half_angle};
+  SlipMargin low{contact.sample(0).f, 0, false, false, entry};
+  const double at_exit = contact.sample(contact.length).f;
+  if (at_exit < low.value) low = {at_exit, contact.length, true, false, entry};
+  const double hair = 1e-14 * (n.stick_rate * (1 + std::fabs(n.speed_ratio)) + n.kinetic);
+  double x = 0;
+  long samples = 0;
+  while (x < contact.length) {
+    const double zero = first_zero(contact.curve(low.value - hair, x), contact.length - x, StartOrder::positive, samples,
+                                   kMaxSamples);
+    if (!(zero < contact.length - x)) break;
+    x = next_minimum(contact, x + zero);
+    const double value = contact.sample(x).f;
+    if (value < low.value) low = {value, x, !(x < contact.length), false, entry};
+  }
+  low.slips = low.value > 0;
+  return low;
+}
+
+template <typename S>
+S slip_margin_at(const ContactNumbers<S>& n, const ContactNumbers<double>&, const SlipMargin& margin) {
+  const LayerMotion<S> layer(n.inertia, n.damping);
+  const Harmonic<S> f = forced_part(n, layer);
+  const S start = -n.half_angle;
+  const LayerState<S> f0 = state_of(f, start, {-n.edge.sin, n.edge.cos});
+  const S x = margin.exit ? S(2.0 * n.half_angle) : S(margin.place);
+  const LayerState<S> h = moved(layer, difference(slipping_entry(n, layer), f0), x);
+  const S theta = start + x;
+  const Harmonic<S> slow = harmonic_rate(n, f);
+  return -(slow.at(theta, twum::sincos(theta)) + h.rate);
+}
+
+#define TWUM_INSTANTIATE(S) \
+  template S slip_margin_at(const ContactNumbers<S>&, const ContactNumbers<double>&, const SlipMargin&);
+TWUM_FOR_EACH_CONTACT_SCALAR(TWUM_INSTANTIATE)
+
+}  // namespace twum::contact

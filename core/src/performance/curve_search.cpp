@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "performance/curve_search.hpp"
+
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace twum::performance {
+namespace {
+
+// Intervals between rest and the crest speed. Between two of them torque is taken to have no more than
+// one maximum (with mu_0 > mu: one in each stretch with the same sequence of zones).
+constexpr int kIntervals = 20;
+constexpr int kRoughIntervals = 40;
+constexpr double kFarthest = 1e4;  // times the crest speed
+
+MetricStatus metric_status(PointStatus status) {
+  switch (status) {
+    case PointStatus::ok: return MetricStatus::ok;
+    case PointStatus::no_periodic_state: return MetricStatus::no_periodic_state;
+    case PointStatus::not_converged: return MetricStatus::not_converged;
+    case PointStatus::resonance: return MetricStatus::resonance;
+    case PointStatus::unresolved: return MetricStatus::unresolved;
+  }
+  return MetricStatus::unresolved;
+}
+
+struct Bracket {
+  double low, high;
+};
+
+// Closes in on a sign change to neighbouring doubles, or to an exact zero.
+template <typename F>
+Bracket close_in(const F& f, double low, double high, double f_low, double f_high) {
+  if (f_low == 0) return {low, low};
+  if (f_high == 0) return {high, high};
+  boost::uintmax_t limit = 120;
+  const auto found = boost::math::tools::toms748_solve(f, low, high, f_low, f_high,
+                                                       boost::math::tools::eps_tolerance<double>(51), limit);
+  return {found.first, found.second};
+}
+
+}  // namespace
+
+CurveSearch::CurveSearch(const MotorModel<double>& model)
+    : m_(model), holding_(model.static_ * model.preload * model.r), crest_(model.crest_velocity / model.r),
+      rough_(model.static_ > model.kinetic) {}
+
+CurveSearch::Node CurveSearch::node(double speed) const {
+  const SolvedPoint p = solve_point(m_, speed);
+  if (p.status != PointStatus::ok) throw SearchFailure{metric_status(p.status)};
+  const bool drives = !p.special && p.state.lap.one_slip && p.state.lap.first == ZoneState::slip_plus;
+  return {speed, p.numbers.torque, p.numbers.stator_power, drives, p.special ? 0 : p.state.lap.itinerary};
+}
+
+double CurveSearch::stall_torque() {
+  if (nodes_.empty()) nodes_.push_back(node(0));
+  return nodes_.front().torque;
+}
+
+void CurveSearch::require_drive() {
+  if (!(stall_torque() > 0)) throw SearchFailure{MetricStatus::undefined};
+}
+
+// Nodes from rest to the first speed at which the torque is not positive.
+void CurveSearch::scan() {
+  if (scan_failure_) throw SearchFailure{*scan_failure_};
+  if (scanned_) return;
+  require_drive();
+  try {
+    double step = crest_ / (rough_ ? kRoughIntervals : kIntervals);
+    for (double speed = step; nodes_.back().torque > 0; speed += step) {
+      if (speed > kFarthest * crest_) throw SearchFailure{MetricStatus::unresolved};
+      if (speed > 2 * crest_) step *= 1.5;
+      nodes_.push_back(node(speed));
+    }
+    scanned_ = true;
+  } catch (const SearchFailure& failure) {
+    scan_failure_ = failure.status;
+    throw;
+  }
+}
+
+Crossing CurveSearch::falls_through(double torque, double low, double high) const {
+  const auto excess = [&](double speed) { return node(speed).torque - torque; };
+  const Bracket b = close_in(excess, low, high, excess(low), excess(high));
+  const double at_low = excess(b.low), at_high = excess(b.high);
+  const bool jump = at_low - at_high > 1e-7 * holding_;
+  return {std::fabs(at_low) <= std::fabs(at_high) || jump ? b.low : b.high, jump};
+}
+
+Crossing CurveSearch::no_load() {
+  if (no_load_) return *no_load_;
+  if (!(stall_torque() > 0)) return *(no_load_ = Crossing{0, false});
+  scan();
+  const std::size_t last = nodes_.size() - 1;
+  return *(no_load_ = falls_through(0, nodes_[last - 1].speed, nodes_[last].speed));
+}
+
+Crossing CurveSearch::speed_at(double torque) {
+  if (torque == 0) return no_load();
+  if (!(torque > 0) || !(stall_torque() > 0)) throw SearchFailure{MetricStatus::unreachable};
+  const Peak top = max_torque();
+  const double carried = torque * (1 - 1e-12);  // a torque typed with rounding, such as the stall torque itself
+  if (!(carried <= top.value)) throw SearchFailure{MetricStatus::unreachable};
+  const std::vector<Node> nodes = working_nodes();
+  std::size_t k = nodes.size() - 1;
+  while (k > 0 && !(nodes[k - 1].torque >= torque)) --k;
+  const double high = nodes[k].speed;
+  if (k > 0 && nodes[k - 1].speed >= top.speed) return falls_through(torque, nodes[k - 1].speed, high);
+  if (top.kind == PeakKind::rest && starts_on_plateau()) return {plateau_end(), false};
+  if (torque >= top.value || top.speed >= high) return {top.speed, false};
+  if (node(top.speed).torque > torque) return falls_through(torque, top.speed, high);
+  return {top.speed, top.kind != PeakKind::smooth};
+}
+
+bool CurveSearch::starts_on_plateau() {
+  stall_torque();
+  return nodes_.front().plateau;
+}
+
+double CurveSearch::plateau_end() {
+  if (plateau_end_) return *plateau_end_;
+  if (!(stall_torque() > 0) || !starts_on_plateau()) return *(plateau_end_ = 0.0);
+  scan();
+  std::size_t k = 1;
+  while (nodes_[k].plateau) ++k;
+  double low = nodes_[k - 1].speed, high = nodes_[k].speed, speed = low;
+  for (int i = 0; i < 60; ++i) {
+    const Margin margin = plateau_margin(m_, speed);
+    (margin.value > 0 ? low : high) = speed;
+    double next = speed - margin.value / margin.slope;
+    if (!(next >= low && next <= high)) next = 0.5 * (low + high);
+    const double step = std::fabs(next - speed);
+    speed = next;
+    if (step <= 2e-16 * crest_ || high - low <= 1e-16 * crest_) break;
+  }
+  // With mu_0 > mu the layer may hold on to sticking where slipping all through would be possible too.
+  if (rough_ && !node(speed * (1 - 1e-9)).plateau) {
+    low = nodes_[k - 1].speed, high = speed;
+    while (high - low > 1e-15 * crest_) {
+      const double middle = 0.5 * (low + high);
+      (node(middle).plateau ? low : high) = middle;
+    }
+    speed = low;
+  }
+  return *(plateau_end_ = speed);
+}
+
+double CurveSearch::value(Goal goal, const Node& n) const {
+  switch (goal) {
+    case Goal::torque: return n.torque;
+    case Goal::power: return n.torque * n.speed;
+    case Goal::efficiency: break;
+  }
+  const double velocity = m_.omega * m_.amplitude;
+  return n.torque * n.speed / (n.stator_power + m_.stator_damping * velocity * velocity);
+}
+
+CurveSearch::Sloped CurveSearch::sloped(Goal goal, double speed) const {
+  const TorqueSlope t = torque_slope(m_, speed);
+  if (t.status != PointStatus::ok) throw SearchFailure{metric_status(t.status)};
+  const double power = t.torque * speed, power_slope = t.torque + speed * t.slope;
+  switch (goal) {
+    case Goal::torque: return {t.torque, t.slope};
+    case Goal::power: return {power, power_slope};
+    case Goal::efficiency: break;
+  }
+  const double velocity = m_.omega * m_.amplitude;
+  const double input = t.stator_power + m_.stator_damping * velocity * velocity;
+  return {power / input, (power_slope * input - power * t.power_slope) / (input * input)};
+}
+
+// Nodes within [0, no-load], the last one at no-load.
+std::vector<CurveSearch::Node> CurveSearch::working_nodes() {
+  scan();
+  std::vector<Node> nodes(nodes_.begin(), nodes_.end() - 1);
+  const double end = no_load().speed;
+  if (end > nodes.back().speed) nodes.push_back(node(end));
+  return nodes;
+}
+
+// A maximum in an interval where the slope goes from + to -; nothing if it does not.
+std::optional<Peak> CurveSearch::peak_between(Goal goal, double low, double high) const {
+  const auto slope = [&](double speed) { return sloped(goal, speed).slope; };
+  double at_low = slope(low), at_high = slope(high);
+  if (!(at_low > 0)) return {};
+  // A dip behind the maximum can hide it: halve towards the higher side.
+  for (int i = 0; i < 50 && !(at_high < 0); ++i) {
+    const double middle = 0.5 * (low + high);
+    const Sloped s = sloped(goal, middle);
+    const bool beyond = s.slope < 0 || s.value < sloped(goal, low).value;
+    (beyond ? high : low) = middle;
+    (beyond ? at_high : at_low) = s.slope;
+  }
+  if (!(at_high < 0)) return {};
+  const Bracket b = close_in(slope, low, high, at_low, at_high);
+  const Sloped left = sloped(goal, b.low), right = sloped(goal, b.high);
+  const double scale = std::fabs(left.value) / crest_;
+  const bool kink = left.slope - right.slope > 1e-4 * scale;
+  return left.value >= right.value ? Peak{b.low, left.value, kink ? PeakKind::kink : PeakKind::smooth}
+                                   : Peak{b.high, right.value, kink ? PeakKind::kink : PeakKind::smooth};
+}
+
+Peak CurveSearch::named(Peak peak) {
+  if (peak.kind == PeakKind::kink && starts_on_plateau() &&
+      std::fabs(peak.speed - plateau_end()) <= 1e-8 * crest_) {
+    peak.kind = PeakKind::plateau_end;
+    peak.speed = plateau_end();
+  }
+  return peak;
+}
+
+Peak CurveSearch::smooth_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top) {
+  const Peak at_node{nodes[top].speed, value(goal, nodes[top]), top == 0 ? PeakKind::rest : PeakKind::smooth};
+  if (nodes.size() == 1) return at_node;
+  const bool rises = sloped(goal, nodes[top].speed).slope > 0;
+  if (!rises && top == 0) return at_node;
+  if (rises && top + 1 == nodes.size()) return at_node;
+  const std::size_t from = rises ? top : top - 1;
+  const std::optional<Peak> inside = peak_between(goal, nodes[from].speed, nodes[from + 1].speed);
+  return inside && inside->value >= at_node.value ? named(*inside) : at_node;
+}
+
+// Torque that may jump: every stretch with the same sequence of zones is searched by itself, its ends
+// located by halving.
+Peak CurveSearch::rough_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top) {
+  Peak best{nodes[top].speed, value(goal, nodes[top]), top == 0 ? PeakKind::rest : PeakKind::kink};
+  const auto consider = [&](const std::optional<Peak>& peak) {
+    if (peak && peak->value > best.value) best = *peak;
+  };
+  const double worth = best.value * (rough_ ? 0.7 : 1.0);
+  for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
+    if (std::max(value(goal, nodes[k]), value(goal, nodes[k + 1])) < worth) continue;
+    Node low = nodes[k];
+    const Node end = nodes[k + 1];
+    for (int stretch = 0; stretch < 8; ++stretch) {
+      if (low.itinerary == end.itinerary) {
+        consider(peak_between(goal, low.speed, end.speed));
+        break;
+      }
+      Node left = low, right = end;
+      while (right.speed - left.speed > 4e-16 * (crest_ + right.speed)) {
+        const Node middle = node(0.5 * (left.speed + right.speed));
+        if (middle.speed <= left.speed || middle.speed >= right.speed) break;
+        (middle.itinerary == low.itinerary ? left : right) = middle;
+      }
+      consider(peak_between(goal, low.speed, left.speed));
+      consider(Peak{left.speed, value(goal, left), PeakKind::kink});
+      consider(Peak{right.speed, value(goal, right), PeakKind::kink});
+      low = right;
+    }
+  }
+  return named(best);
+}
+
+Peak CurveSearch::peak(Goal goal) {
+  std::optional<Peak>& kept = peaks_[static_cast<int>(goal)];
+  if (kept) return *kept;
+  require_drive();
+  // |T| <= mu F_N r: a motor that stalls on its plateau cannot do better.
+  if (goal == Goal::torque && !rough_ && starts_on_plateau()) {
+    return *(kept = Peak{0, stall_torque(), PeakKind::rest});
+  }
+  const std::vector<Node> nodes = working_nodes();
+  std::size_t top = 0;
+  for (std::size_t k = 1; k < nodes.size(); ++k) {
+    if (value(goal, nodes[k]) > value(goal, nodes[top])) top = k;
+  }
+  kept = rough_ ? rough_peak(goal, nodes, top) : smooth_peak(goal, nodes, top);
+  if (goal == Goal::torque && kept->value <= stall_torque() * (1 + 1e-14)) {
+    kept = Peak{0, stall_torque(), PeakKind::rest};
+  }
+  return *kept;
+}
+
+Peak CurveSearch::max_torque() { return peak(Goal::torque); }
+
+Peak CurveSearch::peak_power() {
+  if (!(stall_torque() > 0)) return {0, 0, PeakKind::rest};
+  return peak(Goal::power);
+}
+
+Peak CurveSearch::max_efficiency() {
+  if (!(m_.stator_damping > 0)) throw SearchFailure{MetricStatus::undefined};
+  return peak(Goal::efficiency);
+}
+
+}  // namespace twum::performance

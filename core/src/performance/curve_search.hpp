@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "performance/point_derivatives.hpp"
+
+#include <twum/core/performance/metrics.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace twum::performance {
+
+/// How a supremum over speed is reached.
+enum class PeakKind : unsigned char {
+  smooth,       ///< slope zero inside
+  rest,         ///< at speed 0
+  plateau_end,  ///< where the torque leaves its plateau
+  kink          ///< at another kink or jump: the one-sided limit there
+};
+
+struct Peak {
+  double speed{0}, value{0};
+  PeakKind kind{PeakKind::smooth};
+};
+
+/// A speed where the torque takes a value.
+struct Crossing {
+  double speed{0};
+  bool jump{false};  ///< it jumps past the value there
+};
+
+/// Thrown inside a search when a point has no answer; the metric takes the status.
+struct SearchFailure {
+  MetricStatus status;
+};
+
+/// What is searched for over the torque-speed curve. Each result is found once and kept.
+class CurveSearch {
+ public:
+  explicit CurveSearch(const MotorModel<double>& model);
+
+  double stall_torque();
+  Crossing no_load();
+  double plateau_end();
+  Peak max_torque();
+  Peak peak_power();
+  Peak max_efficiency();
+  Crossing speed_at(double torque);
+
+ private:
+  enum class Goal : unsigned char { torque, power, efficiency };
+  struct Node {
+    double speed, torque, stator_power;
+    bool plateau;
+    std::uint64_t itinerary;
+  };
+  struct Sloped {
+    double value, slope;
+  };
+
+  Node node(double speed) const;
+  void scan();
+  void require_drive();
+  double value(Goal goal, const Node& node) const;
+  Sloped sloped(Goal goal, double speed) const;
+  Peak peak(Goal goal);
+  Peak smooth_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top);
+  Peak rough_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top);
+  std::optional<Peak> peak_between(Goal goal, double low, double high) const;
+  Peak named(Peak peak);
+  std::vector<Node> working_nodes();
+  bool starts_on_plateau();
+  Crossing falls_through(double torque, double low, double high) const;
+
+  const MotorModel<double>& m_;
+  double holding_, crest_;
+  bool rough_;               // mu_0 > mu: torque may jump
+  std::vector<Node> nodes_;  // from rest to the first speed past no-load
+  std::optional<MetricStatus> scan_failure_;
+  bool scanned_{false};
+  std::optional<Crossing> no_load_;
+  std::optional<double> plateau_end_;
+  std::optional<Peak> peaks_[3];
+};
+
+}  // namespace twum::performance

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/core/performance/metrics.hpp>
+
+namespace twum {
+namespace {
+
+using M = Metric;
+using A = Argument;
+
+constexpr std::array<MetricInfo, kMetricCount> kTable{{
+    {M::stall_torque, "stall_torque", "N.m", A::none, "torque as the rotor begins to turn"},
+    {M::max_torque, "max_torque", "N.m", A::none, "largest torque between rest and no-load speed"},
+    {M::holding_torque, "holding_torque", "N.m", A::none, "torque held at rest without drive, mu_0 F_N r"},
+    {M::no_load_speed, "no_load_speed", "rad/s", A::none, "smallest speed at which the torque falls through zero"},
+    {M::plateau_speed, "plateau_speed", "rad/s", A::none,
+     "largest speed up to which the whole contact slips and drives"},
+    {M::peak_power, "peak_power", "W", A::none, "largest output power between rest and no-load speed"},
+    {M::speed_at_peak_power, "speed_at_peak_power", "rad/s", A::none, "speed of the largest output power"},
+    {M::torque_at_peak_power, "torque_at_peak_power", "N.m", A::none, "torque at the largest output power"},
+    {M::contact_efficiency_at_peak_power, "contact_efficiency_at_peak_power", "1", A::none,
+     "output over stator power at the largest output power"},
+    {M::max_efficiency, "max_efficiency", "1", A::none,
+     "largest efficiency, stator loss included; needs modal_damping > 0"},
+    {M::speed_at_max_efficiency, "speed_at_max_efficiency", "rad/s", A::none,
+     "speed of the largest efficiency; needs modal_damping > 0"},
+    {M::contact_half_length, "contact_half_length", "m", A::none, "half length of one contact zone"},
+    {M::contact_ratio, "contact_ratio", "1", A::none, "half length of the contact over the wavelength"},
+    {M::max_pressure, "max_pressure", "Pa", A::none, "pressure at the crest of the wave"},
+    {M::torque_at, "torque_at", "N.m", A::speed, "torque at a speed"},
+    {M::speed_at, "speed_at", "rad/s", A::torque, "largest speed up to no-load at which the motor carries a torque"},
+    {M::output_power_at, "output_power_at", "W", A::speed_or_torque, "output power at a speed or torque"},
+    {M::stator_power_at, "stator_power_at", "W", A::speed_or_torque, "power from the stator to the layer"},
+    {M::friction_power_at, "friction_power_at", "W", A::speed_or_torque, "friction power at a speed or torque"},
+    {M::layer_loss_at, "layer_loss_at", "W", A::speed_or_torque, "viscous loss in the layer at a speed or torque"},
+    {M::efficiency_at, "efficiency_at", "1", A::speed_or_torque, "output over stator power and stator loss"},
+    {M::contact_efficiency_at, "contact_efficiency_at", "1", A::speed_or_torque, "output over stator power"},
+    {M::wear_intensity_at, "wear_intensity_at", "W/m^2", A::speed_or_torque,
+     "friction power per area of the contact track"},
+    {M::stick_fraction_at, "stick_fraction_at", "1", A::speed_or_torque, "share of the contact length that sticks"},
+}};
+
+}  // namespace
+
+std::span<const MetricInfo> metric_table() { return kTable; }
+
+const MetricInfo& info(Metric metric) { return kTable[static_cast<std::size_t>(metric)]; }
+
+std::optional<Metric> find_metric(std::string_view name) {
+  for (const MetricInfo& row : kTable) {
+    if (row.name == name) return row.metric;
+  }
+  return {};
+}
+
+const char* to_string(MetricStatus status) noexcept {
+  switch (status) {
+    case MetricStatus::ok: return "ok";
+    case MetricStatus::undefined: return "undefined";
+    case MetricStatus::unreachable: return "unreachable";
+    case MetricStatus::no_periodic_state: return "no-periodic-state";
+    case MetricStatus::not_converged: return "not-converged";
+    case MetricStatus::resonance: return "resonance";
+    case MetricStatus::unresolved: return "unresolved";
+    case MetricStatus::out_of_range: return "out-of-range";
+  }
+  return "unresolved";
+}
+
+const char* to_string(Smoothness smoothness) noexcept {
+  switch (smoothness) {
+    case Smoothness::smooth: return "smooth";
+    case Smoothness::flat: return "flat";
+    case Smoothness::one_sided: return "one-sided";
+    case Smoothness::undefined: return "undefined";
+  }
+  return "undefined";
+}
+
+}  // namespace twum

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/core/performance/metrics.hpp>
+
+#include "performance/curve_search.hpp"
+
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+namespace twum {
+namespace {
+
+using namespace performance;
+using M = Metric;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+MetricStatus status_of(PointStatus status) {
+  switch (status) {
+    case PointStatus::ok: return MetricStatus::ok;
+    case PointStatus::no_periodic_state: return MetricStatus::no_periodic_state;
+    case PointStatus::not_converged: return MetricStatus::not_converged;
+    case PointStatus::resonance: return MetricStatus::resonance;
+    case PointStatus::unresolved: return MetricStatus::unresolved;
+  }
+  return MetricStatus::unresolved;
+}
+
+// A point metric from the numbers of a point; S is double or carries derivatives. The one place for
+// these formulas (T7.1, T7.6, T7.7, T7.9).
+template <typename S>
+S point_metric(Metric metric, const PointNumbers<S>& n, const S& speed, const MotorModel<S>& m) {
+  const S velocity = m.omega * m.amplitude;
+  const S stator_loss = m.stator_damping * velocity * velocity;
+  switch (metric) {
+    case M::torque_at: return n.torque;
+    case M::output_power_at: return n.torque * speed;
+    case M::stator_power_at: return n.stator_power;
+    case M::friction_power_at: return n.friction_power;
+    case M::layer_loss_at: return n.layer_loss;
+    case M::efficiency_at: return n.torque * speed / (n.stator_power + stator_loss);
+    case M::contact_efficiency_at: return n.torque * speed / n.stator_power;
+    case M::wear_intensity_at: return n.friction_power / (2 * std::numbers::pi * m.r * m.b);
+    default: return n.stick_fraction;
+  }
+}
+
+bool needs_input_power(Metric metric) {
+  return metric == M::efficiency_at || metric == M::contact_efficiency_at;
+}
+
+class Evaluator {
+ public:
+  explicit Evaluator(const Motor& motor) : motor_(motor), m_(motor.model()), search_(m_) {}
+
+  MetricValue evaluate(const MetricRequest& request) {
+    try {
+      return {value(request), MetricStatus::ok};
+    } catch (const SearchFailure& failure) {
+      return {kNaN, failure.status};
+    }
+  }
+
+ protected:
+  double value(const MetricRequest& request) {
+    switch (request.metric) {
+      case M::stall_torque: return search_.stall_torque();
+      case M::max_torque: return search_.max_torque().value;
+      case M::holding_torque: return motor_.holding_torque();
+      case M::no_load_speed: return search_.no_load().speed;
+      case M::plateau_speed: return search_.plateau_end();
+      case M::peak_power: return search_.peak_power().value;
+      case M::speed_at_peak_power: return search_.peak_power().speed;
+      case M::torque_at_peak_power: return point_value(M::torque_at, working_peak());
+      case M::contact_efficiency_at_peak_power: return point_value(M::contact_efficiency_at, working_peak());
+      case M::max_efficiency: return search_.max_efficiency().value;
+      case M::speed_at_max_efficiency: return search_.max_efficiency().speed;
+      case M::contact_half_length: return m_.contact.half_length;
+      case M::contact_ratio: return m_.contact.ratio;
+      case M::max_pressure: return m_.contact.max_pressure;
+      case M::speed_at: return search_.speed_at(request.at).speed;
+      default: return point_value(request.metric, speed_of(request));
+    }
+  }
+
+  double working_peak() {
+    if (!(search_.stall_torque() > 0)) throw SearchFailure{MetricStatus::undefined};
+    return search_.peak_power().speed;
+  }
+
+  double speed_of(const MetricRequest& request) {
+    if (request.argument == Argument::torque) return search_.speed_at(request.at).speed;
+    if (!(request.at > -motor_.wave_speed()) || !std::isfinite(request.at)) {
+      throw SearchFailure{MetricStatus::out_of_range};
+    }
+    return request.at;
+  }
+
+  const SolvedPoint& point(double speed) {
+    for (const auto& [at, kept] : points_) {
+      if (at == speed) return kept;
+    }
+    const SolvedPoint solved = solve_point(m_, speed);
+    if (solved.status != PointStatus::ok) throw SearchFailure{status_of(solved.status)};
+    return points_.emplace_back(speed, solved).second;
+  }
+
+  double point_value(Metric metric, double speed) {
+    const double v = point_metric(metric, point(speed).numbers, speed, m_);
+    if (needs_input_power(metric)) {
+      const double velocity = m_.omega * m_.amplitude;
+      const double loss = metric == M::efficiency_at ? m_.stator_damping * velocity * velocity : 0;
+      if (!(point(speed).numbers.stator_power + loss > 0)) throw SearchFailure{MetricStatus::undefined};
+    }
+    return v;
+  }
+
+  const Motor& motor_;
+  const MotorModel<double>& m_;
+  CurveSearch search_;
+  std::deque<std::pair<double, SolvedPoint>> points_;  // references stay valid
+};
+
+// A number with its derivatives in the parameters, the speed no longer free.
+struct Derived {
+  ModelDual dual;
+  Smoothness smoothness{Smoothness::smooth};
+};
+
+Smoothness worse(Smoothness a, Smoothness b) { return a < b ? b : a; }
+
+class Differentiator : private Evaluator {
+ public:
+  Differentiator(const Motor& motor, bool fixed_static_friction)
+      : Evaluator(motor), fixed_(fixed_static_friction),
+        model_(differentiated_model<ModelDual>(motor.design(), fixed_static_friction)) {}
+
+  MetricDerivative differentiate(const MetricRequest& request) {
+    MetricDerivative result;
+    result.value = evaluate(request);
+    if (result.value.status != MetricStatus::ok) {
+      result.smoothness = Smoothness::undefined;
+      result.gradient.fill(kNaN);
+      return result;
+    }
+    const Derived derived = derive(request);
+    result.smoothness = derived.smoothness;
+    for (std::size_t i = 0; i < kParameterCount; ++i) {
+      result.gradient[i] = derived.dual.d[i];
+      if (!std::isfinite(result.gradient[i])) result.smoothness = Smoothness::undefined;
+    }
+    if (result.smoothness == Smoothness::undefined) result.gradient.fill(kNaN);
+    return result;
+  }
+
+ private:
+  Derived derive(const MetricRequest& request) {
+    switch (request.metric) {
+      case M::holding_torque: return {model_.static_ * model_.preload * model_.r};
+      case M::contact_half_length: return {model_.contact.half_length, of_contact()};
+      case M::contact_ratio:
+        return {model_.contact.ratio, m_.contact.full ? Smoothness::flat : of_contact()};
+      case M::max_pressure: return {model_.contact.max_pressure, of_contact()};
+      case M::stall_torque: return at(M::torque_at, fixed_speed(0));
+      case M::max_torque: return at_peak(M::torque_at, search_.max_torque());
+      case M::no_load_speed: return crossing(search_.no_load(), 0);
+      case M::plateau_speed: return plateau();
+      case M::peak_power: return at_peak(M::output_power_at, search_.peak_power());
+      case M::speed_at_peak_power: return speed_of_peak(M::output_power_at, search_.peak_power());
+      case M::torque_at_peak_power: return at(M::torque_at, peak_speed());
+      case M::contact_efficiency_at_peak_power: return at(M::contact_efficiency_at, peak_speed());
+      case M::max_efficiency: return at_peak(M::efficiency_at, search_.max_efficiency());
+      case M::speed_at_max_efficiency: return speed_of_peak(M::efficiency_at, search_.max_efficiency());
+      case M::speed_at: return crossing(search_.speed_at(request.at), request.at);
+      default:
+        if (request.argument == Argument::torque) {
+          return at(request.metric, crossing(search_.speed_at(request.at), request.at));
+        }
+        return at(request.metric, fixed_speed(request.at));
+    }
+  }
+
+  Derived fixed_speed(double speed) const { return {ModelDual(speed)}; }
+
+  Derived peak_speed() { return speed_of_peak(M::output_power_at, search_.peak_power()); }
+
+  // Where partial turns into full contact the contact angle has no derivative.
+  Smoothness of_contact() const {
+    const double gap = m_.contact.full ? m_.contact.edge_cosine + 1 : m_.contact.half_angle - std::numbers::pi;
+    return std::fabs(gap) < 1e-7 ? Smoothness::one_sided : Smoothness::smooth;
+  }
+
+  Smoothness of_point(double speed) {
+    const SolvedPoint& p = point(speed);
+    if (is_trivial(m_)) return Smoothness::undefined;
+    if (p.special) return Smoothness::one_sided;
+    const bool may_kink = m_.static_ > m_.kinetic || m_.inertia > 0;
+    return may_kink && p.state.lap.shortest < 1e-8 ? Smoothness::one_sided : of_contact();
+  }
+
+  const PointNumbers<ModelDual>& numbers(double speed) {
+    for (const auto& [at, kept] : duals_) {
+      if (at == speed) return kept;
+    }
+    return duals_.emplace_back(speed, differentiate_point(m_, model_, point(speed), speed)).second;
+  }
+
+  ModelDual free_speed_metric(Metric metric, double speed) {
+    return point_metric(metric, numbers(speed), speed_variable<ModelDual>(speed), model_);
+  }
+
+  // A point metric at a speed that moves with the parameters.
+  Derived at(Metric metric, const Derived& speed) {
+    const double omega = value_of(speed.dual);
+    ModelDual f = free_speed_metric(metric, omega);
+    for (int j = 0; j < kSpeedDirection; ++j) f.d[j] += f.d[kSpeedDirection] * speed.dual.d[j];
+    Smoothness smoothness = worse(speed.smoothness, of_point(omega));
+    const SolvedPoint& p = point(omega);
+    const bool plateau = metric == M::torque_at && !p.special && p.state.lap.one_slip;
+    const bool no_stick = metric == M::stick_fraction_at && p.numbers.stick_fraction == 0;
+    if (smoothness == Smoothness::smooth && (plateau || no_stick)) smoothness = Smoothness::flat;
+    return {f, smoothness};
+  }
+
+  // The value of a peak: the speed drops out where the slope is zero.
+  Derived at_peak(Metric metric, const Peak& peak) {
+    if (peak.kind == PeakKind::smooth || peak.kind == PeakKind::rest) return at(metric, fixed_speed(peak.speed));
+    if (peak.kind == PeakKind::kink) return {ModelDual(peak.value), Smoothness::undefined};
+    const Derived speed = plateau();
+    const ModelDual torque = model_.kinetic * model_.preload * model_.r;
+    if (metric == M::output_power_at) return {torque * speed.dual, Smoothness::one_sided};
+    if (metric == M::torque_at) return {torque, Smoothness::flat};
+    Derived efficiency = at(metric, speed);
+    efficiency.smoothness = Smoothness::one_sided;
+    return efficiency;
+  }
+
+  Derived plateau() {
+    const double end = search_.plateau_end();
+    if (!(end > 0)) return {ModelDual(end), Smoothness::flat};
+    return {plateau_end_derivative(m_, model_, end), worse(Smoothness::smooth, of_contact())};
+  }
+
+  // dOmega = -dT / T_Omega at fixed load.
+  Derived crossing(const Crossing& crossing, double torque) {
+    const bool on_plateau = search_.plateau_end() > 0 && crossing.speed == search_.plateau_end();
+    if (on_plateau) {
+      Derived end = plateau();
+      end.smoothness = Smoothness::one_sided;
+      return end;
+    }
+    if (crossing.jump) return {ModelDual(crossing.speed), Smoothness::undefined};
+    if (crossing.speed == 0) return {ModelDual(0.0), Smoothness::one_sided};
+    const ModelDual t = numbers(crossing.speed).torque - torque;
+    ModelDual speed(crossing.speed);
+    for (int j = 0; j < kSpeedDirection; ++j) speed.d[j] = -t.d[j] / t.d[kSpeedDirection];
+    return {speed, of_point(crossing.speed)};
+  }
+
+  // Where the slope f_Omega is zero: dOmega = -df_Omega / f_OmegaOmega.
+  Derived speed_of_peak(Metric metric, const Peak& peak) {
+    if (peak.kind == PeakKind::rest) return {ModelDual(0.0), Smoothness::flat};
+    if (peak.kind == PeakKind::kink) return {ModelDual(peak.speed), Smoothness::undefined};
+    if (peak.kind == PeakKind::plateau_end) {
+      Derived end = plateau();
+      end.smoothness = Smoothness::one_sided;
+      return end;
+    }
+    if (!model2_) model2_ = differentiated_model<ModelDual2>(motor_.design(), fixed_);
+    const PointNumbers<ModelDual2> n = differentiate_point(m_, *model2_, point(peak.speed), peak.speed);
+    const ModelDual2 f = point_metric(metric, n, speed_variable<ModelDual2>(peak.speed), *model2_);
+    ModelDual speed(peak.speed);
+    for (int j = 0; j < kSpeedDirection; ++j) speed.d[j] = -f.d[j].d[0] / f.d[kSpeedDirection].d[0];
+    return {speed, of_point(peak.speed)};
+  }
+
+  bool fixed_;
+  MotorModel<ModelDual> model_;
+  std::optional<MotorModel<ModelDual2>> model2_;
+  std::deque<std::pair<double, PointNumbers<ModelDual>>> duals_;
+};
+
+}  // namespace
+
+std::vector<MetricValue> evaluate(const Motor& motor, std::span<const MetricRequest> requests) {
+  Evaluator evaluator(motor);
+  std::vector<MetricValue> values;
+  values.reserve(requests.size());
+  for (const MetricRequest& request : requests) values.push_back(evaluator.evaluate(request));
+  return values;
+}
+
+MetricValue evaluate(const Motor& motor, const MetricRequest& request) { return Evaluator(motor).evaluate(request); }
+
+std::vector<MetricDerivative> differentiate(const Motor& motor, std::span<const MetricRequest> requests,
+                                            bool fixed_static_friction) {
+  Differentiator differentiator(motor, fixed_static_friction);
+  std::vector<MetricDerivative> derivatives;
+  derivatives.reserve(requests.size());
+  for (const MetricRequest& request : requests) derivatives.push_back(differentiator.differentiate(request));
+  return derivatives;
+}
+
+}  // namespace twum
