@@ -22,19 +22,41 @@ enum class StartOrder : unsigned char {
 
 inline constexpr double kNoZero = std::numeric_limits<double>::infinity();
 
-/// Step over which f stays positive: f + f' t - l2 t^2 / 2 > 0 up to there, which near a simple zero
-/// is Newton's step less a quadratic rest. After an event the next derivative decides.
-inline double zero_free_step(const CurveSample& c, StartOrder order) {
-  if (order == StartOrder::double_zero) return 1.5 * c.f2 / c.l3;
-  if (order == StartOrder::zero) return c.f1 / c.l2;
+/// Step over which f stays positive by the bound l2: f + f' t - l2 t^2 / 2 > 0 up to there.
+inline double quadratic_step(const CurveSample& c) {
   const double root = std::sqrt(c.f1 * c.f1 + 2 * c.l2 * c.f);
   return c.f1 > 0 ? (c.f1 + root) / c.l2 : 2 * c.f / (root - c.f1);
 }
 
-/// True if f is sure to fall through zero once, and monotonically, before the bound l2 allows its
-/// slope to turn.
+/// The same by the bound l3, from a step that is known to be safe: the cubic
+/// q = f + f' t + min(f'', 0) t^2 / 2 - l3 t^3 / 6 is concave, so between a place where it is positive
+/// and its tangent's zero, where it is not, it lies above the chord, whose zero is safe again.
+inline double cubic_step(const CurveSample& c, double t) {
+  const double a = c.f2 < 0 ? c.f2 / 2 : 0, b = c.l3 / 6;
+  for (int i = 0; i < 2; ++i) {
+    const double q = c.f + t * (c.f1 + t * (a - t * b)), slope = c.f1 + t * (2 * a - 3 * t * b);
+    if (!(q > 0 && slope < 0)) return t;
+    const double over = t - q / slope, q_over = c.f + over * (c.f1 + over * (a - over * b));
+    t += (over - t) * q / (q - q_over);
+  }
+  return t;
+}
+
+/// Step over which f stays positive; after an event the next derivative decides.
+inline double zero_free_step(const CurveSample& c, StartOrder order) {
+  if (order == StartOrder::double_zero) return 1.5 * c.f2 / c.l3;
+  if (order == StartOrder::zero) return c.f1 / c.l2;
+  return cubic_step(c, quadratic_step(c));
+}
+
+/// True if f is sure to fall through zero once, and monotonically, a little past the zero of its
+/// parabola.
 inline bool zero_is_bracketed(const CurveSample& c) {
-  return c.f1 < 0 && c.f1 * c.f1 > 2.2 * c.l2 * c.f;
+  const double square = c.f1 * c.f1 - 2 * c.f2 * c.f;
+  if (!(c.f1 < 0 && square > 0)) return false;
+  const double t = 1.1 * 2 * c.f / (std::sqrt(square) - c.f1);
+  const double rest = c.l3 * t * t / 2;
+  return c.f + t * (c.f1 + t * (c.f2 / 2 + c.l3 * t / 6)) < 0 && c.f1 + std::fmax(c.f2, 0.0) * t + rest < 0;
 }
 
 /// Halley's iteration where exactly one zero is ahead. Its error is of third order in the step, so it
@@ -61,7 +83,7 @@ double polish_zero(const Curve& curve, double x, CurveSample c) {
 template <typename Curve>
 double first_zero(const Curve& curve, double length, StartOrder order, long& work, long limit) {
   double x = 0;
-  CurveSample c = curve.sample(x);
+  CurveSample c = curve.first();
   while (++work <= limit) {
     if (order == StartOrder::positive && !(c.f > 0)) return x;
     const double step = std::fmax(zero_free_step(c, order), c.skip);

@@ -15,14 +15,15 @@ constexpr double kPi = std::numbers::pi;
 constexpr long kMaxSamples = 4'000'000;
 constexpr int kMaxZones = 200'000;
 
-// A free layer that has decayed by exp(-50) = 2e-22 enters the next contact at rest.
-constexpr double kForgotten = 50;
+// A free layer that has decayed by exp(-37) = 9e-17 enters the next contact at rest.
+constexpr double kForgotten = 37;
 
 template <typename S>
 class LapRunner {
  public:
-  LapRunner(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer, std::vector<ZoneTrace>* trace)
-      : n_(numbers), layer_(layer), values_(value_of(layer.M), value_of(layer.C)), trace_(trace),
+  LapRunner(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer, const Script* script,
+            std::vector<ZoneTrace>* trace)
+      : n_(numbers), layer_(layer), script_(script && script->complete() ? script : nullptr), trace_(trace),
         theta_(-numbers.half_angle), at_{-numbers.edge.sin, numbers.edge.cos} {}
 
   Lap<S> run(const LapEntry<S>& entry) {
@@ -159,6 +160,7 @@ class LapRunner {
     const Harmonic<S> slow{n_.stick_rate * n_.speed_ratio, S(0.0), f.ks - n_.stick_rate, -f.kc};
     const double x = find_slip_end(motion, slow, sigma);
     if (std::isnan(x)) return fail();
+    note({x, 0});
     const Phase<S> from{theta_, at_};
     S length = n_.half_angle - theta_;
     if (x == kNoZero) {
@@ -176,10 +178,12 @@ class LapRunner {
   }
 
   double find_slip_end(const FreeMotion<S>& motion, const Harmonic<S>& slow, double sigma) {
+    if (script_) return script_->ends[lap_.script.count].length;
     const FreeMotion<double> own{value_of(motion.u), value_of(motion.w)};
     const double length = value_of(n_.half_angle) - value_of(theta_);
-    const SlipCurve curve(values_, own, slow.values(), sigma, value_of(theta_));
-    if (order_ == StartOrder::positive && curve.lasts(length, values(at_), values(n_.edge))) return kNoZero;
+    const auto& layer = layer_.values();  // lives as long as the curve
+    const SlipCurve curve(layer, own, slow.values(), sigma, value_of(theta_), values(at_));
+    if (order_ == StartOrder::positive && curve.lasts(length, values(n_.edge))) return kNoZero;
     return first_zero(curve, length, order_, samples_, kMaxSamples);
   }
 
@@ -211,11 +215,12 @@ class LapRunner {
     // t = M e'' + C e' + e with e' = s (cos theta - V)
     const Harmonic<S> t{state_.e - s * at_.sin + drift * theta_ - layer_.C * drift, -drift, layer_.C * s,
                         layer_.D * s};
-    const StickEnd end = find_stick_end(t);
-    if (std::isnan(end.x)) return fail();
+    const Script::End end = find_stick_end(t);
+    if (std::isnan(end.length)) return fail();
+    note(end);
     const Phase<S> from{theta_, at_};
     const S e0 = state_.e;
-    if (end.x == kNoZero) {
+    if (end.length == kNoZero) {
       reach_exit();
     } else {
       advance(settle_stick_end(t, end));
@@ -225,34 +230,52 @@ class LapRunner {
     state_.e = e0 + s * (at_.sin - from.at.sin) - drift * (theta_ - from.theta);
     if (layer_.has_inertia()) state_.rate = sticking_rate();
     mark(3);
-    if (end.x != kNoZero) after_stick(end.iota);
+    if (end.length != kNoZero) after_stick(end.side);
   }
-
-  struct StickEnd {
-    double x, iota;
-  };
 
   Harmonic<S> reserve(const Harmonic<S>& t, double iota) const {
     return {-(n_.static_ * n_.edge_cosine) - iota * t.k0, -iota * t.kb, n_.static_ - iota * t.kc, -iota * t.ks};
   }
 
-  StickEnd find_stick_end(const Harmonic<S>& t) {
-    const double theta = value_of(theta_), length = value_of(n_.half_angle) - theta;
-    const double plus = first_zero(StickCurve(reserve(t, +1).values(), theta), length, side_order_[0],
-                                   samples_, kMaxSamples);
-    if (std::isnan(plus)) return {plus, 0};
-    const double minus = first_zero(StickCurve(reserve(t, -1).values(), theta), std::fmin(plus, length),
-                                    side_order_[1], samples_, kMaxSamples);
-    return minus == kNoZero ? StickEnd{plus, +1} : StickEnd{minus, -1};
+  // The side that the traction would reach at the exit comes first. The other is mostly ruled out at a
+  // glance: a reserve that is concave and positive at both ends is positive between.
+  Script::End find_stick_end(const Harmonic<S>& t) {
+    if (script_) return script_->ends[lap_.script.count];
+    const Harmonic<double> traction = t.values();
+    const double exit = value_of(n_.half_angle), length = exit - value_of(theta_);
+    const double likely = traction.at(exit, values(n_.edge)) < 0 ? -1 : 1;
+    const StickCurve curve(reserve(t, likely).values(), value_of(theta_), values(at_));
+    double first = side_order(likely) == StartOrder::positive ? curve.only_zero(length, values(n_.edge)) : NAN;
+    if (std::isnan(first)) first = first_zero(curve, length, side_order(likely), samples_, kMaxSamples);
+    if (std::isnan(first)) return {first, 0};
+    const double reach = std::fmin(first, length);
+    if (stays_off(t, -likely, reach)) return {first, likely};
+    const double second = find_stick_end(t, -likely, reach);
+    return second == kNoZero ? Script::End{first, likely} : Script::End{second, -likely};
   }
 
-  S settle_stick_end(const Harmonic<S>& t, const StickEnd& end) const {
-    const Harmonic<S> f = reserve(t, end.iota);
-    S length(end.x);
+  double find_stick_end(const Harmonic<S>& t, double iota, double length) {
+    const StickCurve curve(reserve(t, iota).values(), value_of(theta_), values(at_));
+    return first_zero(curve, length, side_order(iota), samples_, kMaxSamples);
+  }
+
+  bool stays_off(const Harmonic<S>& t, double iota, double reach) const {
+    if (side_order(iota) != StartOrder::positive || reach > 3) return false;
+    const Harmonic<double> f = reserve(t, iota).values();
+    const double from = value_of(theta_), to = from + reach;
+    const SinCos<double> a = values(at_), b = twum::sincos(to);
+    return f.curvature(a) < 0 && f.curvature(b) < 0 && f.at(from, a) > 0 && f.at(to, b) > 0;
+  }
+
+  StartOrder side_order(double iota) const { return side_order_[iota > 0 ? 0 : 1]; }
+
+  S settle_stick_end(const Harmonic<S>& t, const Script::End& end) const {
+    const Harmonic<S> f = reserve(t, end.side);
+    S length(end.length);
     for (int i = 0; i < kDualDepth<S>; ++i) {
       const S theta = theta_ + length;
       const SinCos<S> a = twum::sincos(theta);
-      length = newton_step(length, f.at(theta, a), f.slope(a), end.x);
+      length = newton_step(length, f.at(theta, a), f.slope(a), end.length);
     }
     return length;
   }
@@ -278,6 +301,11 @@ class LapRunner {
   void fail() {
     lap_.status = LapStatus::unresolved;
     done_ = true;
+  }
+
+  void note(const Script::End& end) {
+    if (lap_.script.count < Script::kCapacity) lap_.script.ends[lap_.script.count] = end;
+    ++lap_.script.count;
   }
 
   void mark(std::uint64_t what) {
@@ -312,7 +340,7 @@ class LapRunner {
 
   const ContactNumbers<S>& n_;
   const LayerMotion<S>& layer_;
-  LayerMotion<double> values_;
+  const Script* script_;
   std::vector<ZoneTrace>* trace_;
   S theta_;
   SinCos<S> at_;
@@ -324,20 +352,20 @@ class LapRunner {
   int stalled_{0};
   long samples_{0};
   Lap<S> lap_{{S(0.0), S(0.0), S(0.0), S(0.0), S(0.0)}, {}, {}, 0xcbf29ce484222325ull, 0, false, 2 * kPi,
-              ZoneState::stick, LapStatus::ok};
+              ZoneState::stick, LapStatus::ok, {}};
 };
 
 }  // namespace
 
 template <typename S>
 Lap<S> run_lap(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer, const LapEntry<S>& entry,
-               std::vector<ZoneTrace>* trace) {
-  return LapRunner<S>(numbers, layer, trace).run(entry);
+               const Script* script, std::vector<ZoneTrace>* trace) {
+  return LapRunner<S>(numbers, layer, script, trace).run(entry);
 }
 
 #define TWUM_INSTANTIATE(S) \
   template Lap<S> run_lap(const ContactNumbers<S>&, const LayerMotion<S>&, const LapEntry<S>&, \
-                          std::vector<ZoneTrace>*);
+                          const Script*, std::vector<ZoneTrace>*);
 TWUM_FOR_EACH_CONTACT_SCALAR(TWUM_INSTANTIATE)
 
 }  // namespace twum::contact

@@ -25,6 +25,19 @@ struct ZoneTrace {
   LayerState<double> start;  ///< layer at `zone.from`
 };
 
+/// Where each zone of a lap ends, for following it again without a search.
+struct Script {
+  struct End {
+    double length;  ///< of the zone [rad]; kNoZero if it lasts to the exit
+    double side;    ///< stick: sign of the traction at its threshold
+  };
+  static constexpr int kCapacity = 16;
+  End ends[kCapacity];
+  int count{0};  ///< zones of the lap; more than kCapacity: the script is not complete
+
+  bool complete() const { return count <= kCapacity; }
+};
+
 enum class LapStatus : unsigned char { ok, resonance, unresolved };
 
 /// One turn of the wave: from contact entry through all zones and free flight to the next entry.
@@ -39,14 +52,16 @@ struct Lap {
   double shortest;           ///< length of the shortest zone [rad]
   ZoneState first;           ///< state of the first zone
   LapStatus status;
+  Script script;             ///< of a search in double
 };
 
 /// Follows the layer through one turn; theory sections 4 and 5. Every zone is in closed form, its end
 /// a root found in double and given its derivatives by the implicit function theorem.
 ///
-/// @param trace  if not null, the zones are appended to it (double only).
+/// @param script  ends of the zones if they are known from the same lap in double; else they are searched.
+/// @param trace   if not null, the zones are appended to it.
 template <typename S>
 Lap<S> run_lap(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer, const LapEntry<S>& entry,
-               std::vector<ZoneTrace>* trace = nullptr);
+               const Script* script = nullptr, std::vector<ZoneTrace>* trace = nullptr);
 
 }  // namespace twum::contact

@@ -4,6 +4,7 @@
 #include "contact/contact_numbers.hpp"
 
 #include <cmath>
+#include <type_traits>
 
 namespace twum::contact {
 
@@ -34,6 +35,7 @@ class LayerMotion {
       if (kind_ == LayerKind::relaxing) slow_ = -1.0 / C;
       return;
     }
+    natural_frequency_ = 1 / std::sqrt(value_of(M));
     const S half_rate = C / (2.0 * M);
     const S square = 1.0 / M - half_rate * half_rate;  // beta^2, negative past critical damping
     if (value_of(C) * value_of(C) < 9.0 * value_of(M)) {
@@ -50,6 +52,15 @@ class LayerMotion {
     fast_ = -half_rate - sqrt(-square);
     slow_ = 1.0 / (M * fast_);
     inverse_gap_ = 1.0 / (slow_ - fast_);
+  }
+
+  /// The same motion in double.
+  decltype(auto) values() const {
+    if constexpr (std::is_same_v<S, double>) {
+      return (*this);
+    } else {
+      return LayerMotion<double>(value_of(M), value_of(C));
+    }
   }
 
   LayerKind kind() const { return kind_; }
@@ -109,6 +120,8 @@ class LayerMotion {
     return value_of(decay_) - (square < 0 ? std::sqrt(-square) : 0.0);
   }
 
+  /// 1 / sqrt(M), of an undamped layer, in units of W.
+  double natural_frequency() const { return natural_frequency_; }
   const S& fast() const { return fast_; }
   const S& slow() const { return slow_; }
 
@@ -143,6 +156,7 @@ class LayerMotion {
   }
 
   LayerKind kind_{LayerKind::elastic};
+  double natural_frequency_{0};
   S decay_{0.0}, square_{0.0}, beta_{0.0};      // oscillating: zeta, beta^2, |beta|
   S fast_{0.0}, slow_{0.0}, inverse_gap_{0.0};  // overdamped and relaxing: rates of the modes
 };

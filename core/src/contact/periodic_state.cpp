@@ -42,12 +42,12 @@ LapEntry<S> constant_entry(const LapEntry<double>& entry) {
 }
 
 // Derivative of the state at the next entry in the state at this one.
-Matrix2 return_jacobian(const ContactNumbers<double>& numbers, const LapEntry<double>& at) {
+Matrix2 return_jacobian(const ContactNumbers<double>& numbers, const LapEntry<double>& at, const Script* script) {
   const ContactNumbers<StateDual> n = constant(numbers);
   LapEntry<StateDual> entry = constant_entry<StateDual>(at);
   entry.layer.e.d[0] = 1;
   entry.layer.rate.d[1] = 1;
-  const LayerState<StateDual> next = run_lap(n, {n.inertia, n.damping}, entry).next.layer;
+  const LayerState<StateDual> next = run_lap(n, {n.inertia, n.damping}, entry, script).next.layer;
   return {next.e.d[0], next.e.d[1], next.rate.d[0], next.rate.d[1]};
 }
 
@@ -130,7 +130,7 @@ class Search {
     const LapEntry<double> from = s_.entry;
     const Lap<double> plain = s_.lap;
     const double gap = gap_;
-    const Matrix2 j = return_jacobian(n_, s_.entry);
+    const Matrix2 j = return_jacobian(n_, s_.entry, &s_.lap.script);
     ++s_.laps;
     LayerState<double> step;
     const LayerState<double> r{plain.next.layer.e - from.layer.e, plain.next.layer.rate - from.layer.rate};
@@ -191,13 +191,14 @@ Lap<S> periodic_lap(const ContactNumbers<S>& numbers, const ContactNumbers<doubl
                     const PeriodicState& state) {
   const LayerMotion<S> layer(numbers.inertia, numbers.damping);
   LapEntry<S> entry = constant_entry<S>(state.entry);
-  if (!state.remembers) return run_lap(numbers, layer, entry);
-  const Matrix2 j = return_jacobian(values, state.entry);
+  const Script* script = &state.lap.script;
+  if (!state.remembers) return run_lap(numbers, layer, entry, script);
+  const Matrix2 j = return_jacobian(values, state.entry, script);
   for (int i = 0; i < kDualDepth<S>; ++i) {
-    const LayerState<S> next = run_lap(numbers, layer, entry).next.layer;
+    const LayerState<S> next = run_lap(numbers, layer, entry, script).next.layer;
     correct(j, next, entry.layer, state.entry.layer);
   }
-  return run_lap(numbers, layer, entry);
+  return run_lap(numbers, layer, entry, script);
 }
 
 template <>

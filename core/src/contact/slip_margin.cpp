@@ -74,7 +74,7 @@ struct SlippingContact {
   // Margin less `level`, from `x` on.
   SlipCurve curve(double level, double x) const {
     const LayerState<double> h = layer.at(layer.start(own), x);
-    return {layer, layer.start(h), {slow.k0 - kDriving * level, 0, slow.kc, slow.ks}, kDriving, start + x};
+    return {layer, layer.start(h), {slow.k0 - kDriving * level, 0, slow.kc, slow.ks}, kDriving, start + x, twum::sincos(start + x)};
   }
 };
 

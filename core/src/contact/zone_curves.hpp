@@ -22,17 +22,47 @@ struct Harmonic {
 /// Distance to the end of sticking on one side, f = mu_0 p - iota t, along a stick zone.
 class StickCurve {
  public:
-  StickCurve(const Harmonic<double>& f, double theta)
-      : f_(f), theta_(theta), bound_(std::sqrt(f.kc * f.kc + f.ks * f.ks)) {}
+  StickCurve(const Harmonic<double>& f, double theta, const SinCos<double>& at)
+      : f_(f), theta_(theta), at_(at), bound_(std::sqrt(f.kc * f.kc + f.ks * f.ks)) {}
 
-  CurveSample sample(double x) const {
-    const SinCos<double> a = twum::sincos(theta_ + x);
-    return {f_.at(theta_ + x, a), f_.slope(a), f_.curvature(a), bound_, bound_, 0};
+  CurveSample first() const { return sample(theta_, at_); }
+  CurveSample sample(double x) const { return sample(theta_ + x, twum::sincos(theta_ + x)); }
+
+  /// The only zero on (0, length), if a glance at both ends shows that there is just one: f is concave,
+  /// not negative at first and negative at the end. NaN if that cannot be told.
+  double only_zero(double length, const SinCos<double>& end) const {
+    const CurveSample a = first(), b = sample(theta_ + length, end);
+    if (!(length < 3 && a.f2 < 0 && b.f2 < 0 && b.f < 0 && a.f >= 0)) return NAN;
+    const double guess = std::fmin(taylor_zero(a), length);
+    const CurveSample at = sample(guess);
+    return at.f1 < 0 ? polish_zero(*this, guess, at) : NAN;
   }
 
  private:
+  CurveSample sample(double theta, const SinCos<double>& a) const {
+    return {f_.at(theta, a), f_.slope(a), f_.curvature(a), bound_, bound_, 0};
+  }
+
+  // Zero of the Taylor polynomial of degree 7; the second and third derivative repeat with alternating
+  // signs.
+  double taylor_zero(const CurveSample& a) const {
+    const double f3 = f_.kc * at_.sin - f_.ks * at_.cos;
+    double t = (a.f1 + std::sqrt(a.f1 * a.f1 - 2 * a.f2 * a.f)) / -a.f2;
+    for (int i = 0; i < 3; ++i) {
+      const double q = t * t;
+      const double even = q * (1.0 / 2 - q * (1.0 / 24 - q / 720)), odd = t * q * (1.0 / 6 - q * (1.0 / 120 - q / 5040));
+      const double even1 = t * (1 - q * (1.0 / 6 - q / 120)), odd1 = q * (1.0 / 2 - q * (1.0 / 24 - q / 720));
+      const double slope = a.f1 + a.f2 * even1 + f3 * odd1;
+      if (!(slope < 0)) break;
+      t -= (a.f + a.f1 * t + a.f2 * even + f3 * odd) / slope;
+    }
+    return t;
+  }
+
   Harmonic<double> f_;
-  double theta_, bound_;
+  double theta_;
+  SinCos<double> at_;
+  double bound_;
 };
 
 /// sigma v_rel along a slip zone, f = sigma (h' + harmonic): positive as long as the zone lasts.
@@ -42,26 +72,18 @@ class StickCurve {
 class SlipCurve {
  public:
   SlipCurve(const LayerMotion<double>& layer, const FreeMotion<double>& motion,
-            const Harmonic<double>& slow, double sigma, double theta)
+            const Harmonic<double>& slow, double sigma, double theta, const SinCos<double>& at)
       : layer_(layer), motion_(motion), slow_{sigma * slow.k0, 0, sigma * slow.kc, sigma * slow.ks},
-        sigma_(sigma), theta_(theta), swing_(std::sqrt(slow.kc * slow.kc + slow.ks * slow.ks)) {}
+        sigma_(sigma), theta_(theta), at_(at), swing_(std::sqrt(slow.kc * slow.kc + slow.ks * slow.ks)) {}
 
-  CurveSample sample(double x) const {
-    const SinCos<double> a = twum::sincos(theta_ + x);
-    const double slow = slow_.at(theta_ + x, a), slope = slow_.slope(a);
-    const Own own = own_motion(x);
-    return {slow + sigma_ * own.rate,
-            slope + sigma_ * own.rate1,
-            slow_.curvature(a) + sigma_ * own.rate2,
-            swing_ + own.bound2,
-            swing_ + own.bound3,
-            slow > own.bound0 ? skip(slow, slope, own.bound0) : 0};
-  }
+  CurveSample first() const { return sample(0, at_, own_start()); }
+  CurveSample sample(double x) const { return sample(x, twum::sincos(theta_ + x), own_motion(x)); }
 
   /// True if a glance shows that the zone lasts: the harmonic part stays above what the layer's own
   /// motion can reach.
-  bool lasts(double length, const SinCos<double>& a, const SinCos<double>& b) const {
-    const double bound = own_motion_bound();
+  bool lasts(double length, const SinCos<double>& b) const {
+    const SinCos<double>& a = at_;
+    const double bound = own_start().bound0;
     const bool may_turn = length > 3 || (slow_.slope(a) < 0 && slow_.slope(b) > 0);
     const double low = may_turn ? slow_.k0 - swing_
                                 : std::fmin(slow_.at(theta_, a), slow_.at(theta_, b));
@@ -74,39 +96,48 @@ class SlipCurve {
     double rate, rate1, rate2, bound0, bound2, bound3;
   };
 
+  CurveSample sample(double x, const SinCos<double>& a, const Own& own) const {
+    const double slow = slow_.at(theta_ + x, a), slope = slow_.slope(a);
+    return {slow + sigma_ * own.rate,
+            slope + sigma_ * own.rate1,
+            slow_.curvature(a) + sigma_ * own.rate2,
+            swing_ + own.bound2,
+            swing_ + own.bound3,
+            slow > own.bound0 ? skip(slow, slope, own.bound0) : 0};
+  }
+
   Own own_motion(double x) const {
     switch (layer_.kind()) {
-      case LayerKind::oscillating: return oscillation(x);
+      case LayerKind::oscillating: return oscillation(layer_.at(motion_, x));
       case LayerKind::elastic: return {0, 0, 0, 0, 0, 0};
-      default: return modes(x);
+      default: break;
+    }
+    const double fast = motion_.u == 0 ? 0 : motion_.u * std::exp(layer_.fast() * x);
+    return modes(fast, motion_.w * std::exp(layer_.slow() * x));
+  }
+
+  Own own_start() const {
+    switch (layer_.kind()) {
+      case LayerKind::oscillating: return oscillation({motion_.u, motion_.w});
+      case LayerKind::elastic: return {0, 0, 0, 0, 0, 0};
+      default: return modes(motion_.u, motion_.w);
     }
   }
 
-  Own oscillation(double x) const {
-    const double M = layer_.M, C = layer_.C;
-    const LayerState<double> h = layer_.at(motion_, x);
-    const double h2 = -(C * h.rate + h.e) / M, h3 = -(C * h2 + h.rate) / M;
-    const double reach = std::sqrt(h.rate * h.rate + M * h2 * h2), reach1 = reach / std::sqrt(M);
-    const double bound2 = (C * reach1 + reach) / M;
-    return {h.rate, h2, h3, reach, bound2, (C * bound2 + reach1) / M};
+  Own oscillation(const LayerState<double>& h) const {
+    const double M = layer_.M, C = layer_.C, inverse = 1 / M;
+    const double h2 = -(C * h.rate + h.e) * inverse, h3 = -(C * h2 + h.rate) * inverse;
+    const double reach = std::sqrt(h.rate * h.rate + M * h2 * h2), reach1 = reach * layer_.natural_frequency();
+    const double bound2 = (C * reach1 + reach) * inverse;
+    return {h.rate, h2, h3, reach, bound2, (C * bound2 + reach1) * inverse};
   }
 
-  Own modes(double x) const {
+  Own modes(double u, double w) const {
     const double l1 = layer_.fast(), l2 = layer_.slow();
-    const double fast = motion_.u == 0 ? 0 : motion_.u * std::exp(l1 * x) * l1;
-    const double slow = motion_.w * std::exp(l2 * x) * l2;
-    return {fast + slow, fast * l1 + slow * l2, fast * l1 * l1 + slow * l2 * l2,
-            std::fabs(fast) + std::fabs(slow), std::fabs(fast * l1 * l1) + std::fabs(slow * l2 * l2),
-            std::fabs(fast * l1 * l1 * l1) + std::fabs(slow * l2 * l2 * l2)};
-  }
-
-  double own_motion_bound() const {
-    if (layer_.kind() == LayerKind::elastic) return 0;
-    if (layer_.kind() != LayerKind::oscillating) {
-      return std::fabs(motion_.u * layer_.fast()) + std::fabs(motion_.w * layer_.slow());
-    }
-    const double h2 = -(layer_.C * motion_.w + motion_.u) / layer_.M;
-    return std::sqrt(motion_.w * motion_.w + layer_.M * h2 * h2);
+    const double fast = u * l1, slow = w * l2, fast2 = fast * l1 * l1, slow2 = slow * l2 * l2;
+    return {fast + slow, fast * l1 + slow * l2, fast2 + slow2,
+            std::fabs(fast) + std::fabs(slow), std::fabs(fast2) + std::fabs(slow2),
+            std::fabs(fast2 * l1) + std::fabs(slow2 * l2)};
   }
 
   // How far the harmonic part k0 + rho cos(u) stays above `bound`, from where it is `slow` and falls or
@@ -120,7 +151,9 @@ class SlipCurve {
   const LayerMotion<double>& layer_;
   FreeMotion<double> motion_;
   Harmonic<double> slow_;
-  double sigma_, theta_, swing_;
+  double sigma_, theta_;
+  SinCos<double> at_;
+  double swing_;
 };
 
 }  // namespace twum::contact

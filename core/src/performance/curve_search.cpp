@@ -82,10 +82,14 @@ void CurveSearch::scan() {
   }
 }
 
-Crossing CurveSearch::falls_through(double torque, double low, double high) const {
-  const auto excess = [&](double speed) { return node(speed).torque - torque; };
-  const Bracket b = close_in(excess, low, high, excess(low), excess(high));
-  const double at_low = excess(b.low), at_high = excess(b.high);
+Crossing CurveSearch::falls_through(double torque, const Node& low, const Node& high) const {
+  std::vector<std::pair<double, double>> seen{{low.speed, low.torque - torque}, {high.speed, high.torque - torque}};
+  const auto excess = [&](double speed) { return seen.emplace_back(speed, node(speed).torque - torque).second; };
+  const Bracket b = close_in(excess, low.speed, high.speed, seen[0].second, seen[1].second);
+  const auto at = [&seen](double speed) {
+    return std::find_if(seen.begin(), seen.end(), [speed](const auto& s) { return s.first == speed; })->second;
+  };
+  const double at_low = at(b.low), at_high = at(b.high);
   const bool jump = at_low - at_high > 1e-7 * holding_;
   return {std::fabs(at_low) <= std::fabs(at_high) || jump ? b.low : b.high, jump};
 }
@@ -95,7 +99,7 @@ Crossing CurveSearch::no_load() {
   if (!(stall_torque() > 0)) return *(no_load_ = Crossing{0, false});
   scan();
   const std::size_t last = nodes_.size() - 1;
-  return *(no_load_ = falls_through(0, nodes_[last - 1].speed, nodes_[last].speed));
+  return *(no_load_ = falls_through(0, nodes_[last - 1], nodes_[last]));
 }
 
 Crossing CurveSearch::speed_at(double torque) {
@@ -108,10 +112,10 @@ Crossing CurveSearch::speed_at(double torque) {
   std::size_t k = nodes.size() - 1;
   while (k > 0 && !(nodes[k - 1].torque >= torque)) --k;
   const double high = nodes[k].speed;
-  if (k > 0 && nodes[k - 1].speed >= top.speed) return falls_through(torque, nodes[k - 1].speed, high);
+  if (k > 0 && nodes[k - 1].speed >= top.speed) return falls_through(torque, nodes[k - 1], nodes[k]);
   if (top.kind == PeakKind::rest && starts_on_plateau()) return {plateau_end(), false};
   if (torque >= top.value || top.speed >= high) return {top.speed, false};
-  if (node(top.speed).torque > torque) return falls_through(torque, top.speed, high);
+  if (const Node at_top = node(top.speed); at_top.torque > torque) return falls_through(torque, at_top, nodes[k]);
   return {top.speed, top.kind != PeakKind::smooth};
 }
 
@@ -134,7 +138,7 @@ double CurveSearch::plateau_end() {
     if (!(next >= low && next <= high)) next = 0.5 * (low + high);
     const double step = std::fabs(next - speed);
     speed = next;
-    if (step <= 2e-16 * crest_ || high - low <= 1e-16 * crest_) break;
+    if (step <= 1e-15 * crest_ || high - low <= 1e-15 * crest_) break;
   }
   // With mu_0 > mu the layer may hold on to sticking where slipping all through would be possible too.
   if (rough_ && !node(speed * (1 - 1e-9)).plateau) {
@@ -158,9 +162,17 @@ double CurveSearch::value(Goal goal, const Node& n) const {
   return n.torque * n.speed / (n.stator_power + m_.stator_damping * velocity * velocity);
 }
 
-CurveSearch::Sloped CurveSearch::sloped(Goal goal, double speed) const {
+const TorqueSlope& CurveSearch::torque_slope_at(double speed) {
+  for (const auto& [at, kept] : slopes_) {
+    if (at == speed) return kept;
+  }
   const TorqueSlope t = torque_slope(m_, speed);
   if (t.status != PointStatus::ok) throw SearchFailure{metric_status(t.status)};
+  return slopes_.emplace_back(speed, t).second;
+}
+
+CurveSearch::Sloped CurveSearch::sloped(Goal goal, double speed) {
+  const TorqueSlope& t = torque_slope_at(speed);
   const double power = t.torque * speed, power_slope = t.torque + speed * t.slope;
   switch (goal) {
     case Goal::torque: return {t.torque, t.slope};
@@ -182,7 +194,7 @@ std::vector<CurveSearch::Node> CurveSearch::working_nodes() {
 }
 
 // A maximum in an interval where the slope goes from + to -; nothing if it does not.
-std::optional<Peak> CurveSearch::peak_between(Goal goal, double low, double high) const {
+std::optional<Peak> CurveSearch::peak_between(Goal goal, double low, double high) {
   const auto slope = [&](double speed) { return sloped(goal, speed).slope; };
   double at_low = slope(low), at_high = slope(high);
   if (!(at_low > 0)) return {};
@@ -203,6 +215,28 @@ std::optional<Peak> CurveSearch::peak_between(Goal goal, double low, double high
                                    : Peak{b.high, right.value, kink ? PeakKind::kink : PeakKind::smooth};
 }
 
+// The secant method on the slope, from the vertex of the parabola through three nodes. Mostly four
+// points; nothing if it does not settle at once inside the nodes, as at a kink.
+std::optional<Peak> CurveSearch::peak_near(Goal goal, const Node& a, const Node& b, const Node& c) {
+  const double fa = value(goal, a), fb = value(goal, b), fc = value(goal, c);
+  const double left = (fb - fa) / (b.speed - a.speed), right = (fc - fb) / (c.speed - b.speed);
+  double curvature = 2 * (right - left) / (c.speed - a.speed);
+  double speed = 0.5 * (a.speed + b.speed) - left / curvature;
+  Sloped s{0, 0};
+  double last_speed = speed, last_slope = 0;
+  for (int i = 0; i < 8; ++i) {
+    if (!(speed > a.speed && speed < c.speed)) return {};
+    s = sloped(goal, speed);
+    if (i > 0 && speed != last_speed) curvature = (s.slope - last_slope) / (speed - last_speed);
+    if (!(curvature < 0)) return {};
+    last_speed = speed, last_slope = s.slope;
+    const double step = -s.slope / curvature;
+    if (std::fabs(step) <= 1e-10 * crest_) return Peak{speed, s.value, PeakKind::smooth};
+    speed += step;
+  }
+  return {};
+}
+
 Peak CurveSearch::named(Peak peak) {
   if (peak.kind == PeakKind::kink && starts_on_plateau() &&
       std::fabs(peak.speed - plateau_end()) <= 1e-8 * crest_) {
@@ -215,6 +249,10 @@ Peak CurveSearch::named(Peak peak) {
 Peak CurveSearch::smooth_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top) {
   const Peak at_node{nodes[top].speed, value(goal, nodes[top]), top == 0 ? PeakKind::rest : PeakKind::smooth};
   if (nodes.size() == 1) return at_node;
+  if (top > 0 && top + 1 < nodes.size()) {
+    const std::optional<Peak> near = peak_near(goal, nodes[top - 1], nodes[top], nodes[top + 1]);
+    if (near && near->value >= at_node.value) return *near;
+  }
   const bool rises = sloped(goal, nodes[top].speed).slope > 0;
   if (!rises && top == 0) return at_node;
   if (rises && top + 1 == nodes.size()) return at_node;

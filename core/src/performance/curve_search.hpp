@@ -6,7 +6,9 @@
 #include <twum/core/performance/metrics.hpp>
 
 #include <cstdint>
+#include <deque>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace twum::performance {
@@ -63,15 +65,17 @@ class CurveSearch {
   void scan();
   void require_drive();
   double value(Goal goal, const Node& node) const;
-  Sloped sloped(Goal goal, double speed) const;
+  const TorqueSlope& torque_slope_at(double speed);
+  Sloped sloped(Goal goal, double speed);
   Peak peak(Goal goal);
   Peak smooth_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top);
   Peak rough_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top);
-  std::optional<Peak> peak_between(Goal goal, double low, double high) const;
+  std::optional<Peak> peak_near(Goal goal, const Node& a, const Node& b, const Node& c);
+  std::optional<Peak> peak_between(Goal goal, double low, double high);
   Peak named(Peak peak);
   std::vector<Node> working_nodes();
   bool starts_on_plateau();
-  Crossing falls_through(double torque, double low, double high) const;
+  Crossing falls_through(double torque, const Node& low, const Node& high) const;
 
   const MotorModel<double>& m_;
   double holding_, crest_;
@@ -82,6 +86,7 @@ class CurveSearch {
   std::optional<Crossing> no_load_;
   std::optional<double> plateau_end_;
   std::optional<Peak> peaks_[3];
+  std::deque<std::pair<double, TorqueSlope>> slopes_;  // by speed; references stay valid
 };
 
 }  // namespace twum::performance

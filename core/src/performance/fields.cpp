@@ -65,7 +65,7 @@ Trace trace_of(const ContactNumbers<double>& n, const LayerMotion<double>& layer
   Trace trace;
   // A lap's `next` state in partial contact is that of the next entry; flying back from entry to exit
   // would amplify rounding, so the exit's own state is kept.
-  const contact::Lap<double> lap = contact::run_lap(n, layer, point.state.entry, &trace.zones);
+  const contact::Lap<double> lap = contact::run_lap(n, layer, point.state.entry, &point.state.lap.script, &trace.zones);
   trace.exit = lap.exit;
   return trace;
 }
