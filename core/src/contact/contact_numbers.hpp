@@ -5,12 +5,29 @@
 
 namespace twum::contact {
 
+/// Sine, cosine and versine 1 - cos of a phase. Contacts may be small: pressures are differences of
+/// versines, which keep full relative accuracy where cosines are all nearly one.
+template <typename S>
+struct Trig {
+  S sin, cos, versine;
+};
+
+template <typename S>
+Trig<S> trig_of(const SinCos<S>& a) {
+  return {a.sin, a.cos, value_of(a.cos) > 0 ? S(a.sin * a.sin / (1.0 + a.cos)) : S(1.0 - a.cos)};
+}
+
+template <typename S>
+Trig<S> trig(const S& theta) {
+  return trig_of(twum::sincos(theta));
+}
+
 /// All that the tangential contact depends on, dimensionless. Tractions are in units of the pressure
 /// amplitude P = E A / h, velocities in units of the crest velocity V0, and e = G eps / P stands for
 /// the layer's strain. Theory section 4 then reads, with ' = d / d theta,
 ///
 ///     M e'' + C e' + e = t,        v_rel / V0 = e' / s + V - cos theta,
-///     p = cos theta - c            on |theta| <= theta_L.
+///     p = w_L - (1 - cos theta)    on |theta| <= theta_L.
 ///
 /// Seven numbers; every motor parameter and the speed act through them.
 template <typename S>
@@ -20,10 +37,10 @@ struct ContactNumbers {
   S stick_rate;    ///< s = G V0 / (h W P), traction gained in stick per radian and unit of speed ratio
   S speed_ratio;   ///< V = U / V0
   S half_angle;    ///< theta_L; pi in full contact
-  S edge_cosine;   ///< c = cos theta_L in partial contact, <= -1 in full contact
+  S peak;          ///< w_L = p(0): 1 - cos theta_L in partial contact, >= 2 in full contact
   S kinetic;       ///< mu
   S static_;       ///< mu_0
-  SinCos<S> edge;  ///< sine and cosine of theta_L
+  Trig<S> edge;    ///< of theta_L
   bool full;       ///< full contact: no free zone, theta runs from -pi to pi
 };
 

@@ -37,6 +37,7 @@ inline double cubic_step(const CurveSample& c, double t) {
     const double q = c.f + t * (c.f1 + t * (a - t * b)), slope = c.f1 + t * (2 * a - 3 * t * b);
     if (!(q > 0 && slope < 0)) return t;
     const double over = t - q / slope, q_over = c.f + over * (c.f1 + over * (a - over * b));
+    if (!(q_over < 0)) return t;
     t += (over - t) * q / (q - q_over);
   }
   return t;
@@ -49,29 +50,32 @@ inline double zero_free_step(const CurveSample& c, StartOrder order) {
   return cubic_step(c, quadratic_step(c));
 }
 
-/// True if f is sure to fall through zero once, and monotonically, a little past the zero of its
-/// parabola.
-inline bool zero_is_bracketed(const CurveSample& c) {
+/// Length over which f is sure to fall through zero once, and monotonically: a little past the zero of
+/// its parabola. 0 if that cannot be told.
+inline double zero_bracket(const CurveSample& c) {
   const double square = c.f1 * c.f1 - 2 * c.f2 * c.f;
-  if (!(c.f1 < 0 && square > 0)) return false;
+  if (!(c.f1 < 0 && square > 0)) return 0;
   const double t = 1.1 * 2 * c.f / (std::sqrt(square) - c.f1);
-  const double rest = c.l3 * t * t / 2;
-  return c.f + t * (c.f1 + t * (c.f2 / 2 + c.l3 * t / 6)) < 0 && c.f1 + std::fmax(c.f2, 0.0) * t + rest < 0;
+  const bool falls = c.f1 + std::fmax(c.f2, 0.0) * t + c.l3 * t * t / 2 < 0;
+  return falls && c.f + t * (c.f1 + t * (c.f2 / 2 + c.l3 * t / 6)) < 0 ? t : 0;
 }
 
-/// Halley's iteration where exactly one zero is ahead. Its error is of third order in the step, so it
-/// stops once the step's share of the bends is below 1e-5.
+/// Halley's iteration for the only zero between low, where f > 0, and high, where f < 0; from x in
+/// between with the sample c there. Its error is of third order in the step, so it stops once the
+/// step's share of the bends is below 1e-5.
 template <typename Curve>
-double polish_zero(const Curve& curve, double x, CurveSample c) {
-  for (int i = 0; i < 20; ++i) {
-    const double newton = -c.f / c.f1;
-    const double bend = 1 + 0.5 * newton * c.f2 / c.f1;
-    const double step = bend > 0.5 && bend < 2 ? newton / bend : newton;
-    x += step;
-    const double slope = std::fabs(c.f1);
-    if (std::fabs(step * c.f2) < 1e-5 * slope && c.l3 * step * step < 1e-10 * slope) return x;
+double polish_zero(const Curve& curve, double low, double high, double x, CurveSample c) {
+  for (int i = 0; i < 100; ++i) {
+    (c.f > 0 ? low : high) = x;
+    const double newton = -c.f / c.f1, bend = 1 + 0.5 * newton * c.f2 / c.f1;
+    double next = x + (bend > 0.5 && bend < 2 ? newton / bend : newton);
+    const double step = next - x, slope = std::fabs(c.f1);
+    if (std::fabs(step * c.f2) < 1e-5 * slope && c.l3 * step * step < 1e-10 * slope) return next;
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    if (next == x) return x;
+    x = next;
     c = curve.sample(x);
-    if (!(c.f1 < 0)) return x;
+    if (c.f == 0) return x;
   }
   return x;
 }
@@ -89,8 +93,8 @@ double first_zero(const Curve& curve, double length, StartOrder order, long& wor
     const double step = std::fmax(zero_free_step(c, order), c.skip);
     if (!(step > 0)) return x;
     if (x + step >= length) return kNoZero;
-    if (order == StartOrder::positive && zero_is_bracketed(c)) {
-      const double zero = polish_zero(curve, x, c);
+    if (const double reach = order == StartOrder::positive ? zero_bracket(c) : 0; reach > 0) {
+      const double zero = polish_zero(curve, x, x + reach, x, c);
       return zero < length ? zero : kNoZero;
     }
     order = StartOrder::positive;

@@ -2,6 +2,7 @@
 #include "contact/lap.hpp"
 
 #include "contact/scalars.hpp"
+#include "contact/short_slip.hpp"
 #include "contact/zone_curves.hpp"
 #include "contact/zone_integrals.hpp"
 
@@ -24,7 +25,8 @@ class LapRunner {
   LapRunner(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer, const Script* script,
             std::vector<ZoneTrace>* trace)
       : n_(numbers), layer_(layer), script_(script && script->complete() ? script : nullptr), trace_(trace),
-        theta_(-numbers.half_angle), at_{-numbers.edge.sin, numbers.edge.cos} {}
+        theta_(-numbers.half_angle), at_{-numbers.edge.sin, numbers.edge.cos, numbers.edge.versine},
+        delicate_(is_delicate()) {}
 
   Lap<S> run(const LapEntry<S>& entry) {
     state_ = entry.layer;
@@ -45,17 +47,22 @@ class LapRunner {
     return sign_of_v_rel < 0 ? ZoneState::slip_plus : ZoneState::slip_minus;
   }
 
-  S pressure() const { return at_.cos - n_.edge_cosine; }
+  S pressure() const { return n_.peak - at_.versine; }
   // v_rel = 0: e' = s (cos theta - V)
-  S sticking_rate() const { return n_.stick_rate * (at_.cos - n_.speed_ratio); }
+  S sticking_rate() const { return n_.stick_rate * ((1.0 - n_.speed_ratio) - at_.versine); }
   S sticking_traction() const {
     return state_.e + layer_.C * sticking_rate() - layer_.M * n_.stick_rate * at_.sin;
   }
 
-  // Response e of a layer that slips with v_rel of sign sigma to t = -sigma mu p (theory section 5).
-  Harmonic<S> forced(double sigma) const {
-    const S q = -sigma * n_.kinetic * layer_.response;
-    return {sigma * n_.kinetic * n_.edge_cosine, S(0.0), q * layer_.D, q * layer_.C};
+  // Response e of a layer that slips with v_rel of sign sigma to t = -sigma mu p (T5.1).
+  Harmonic<S> forced(double sigma) const { return forced_response(n_, layer_, sigma); }
+
+  // Own and forced part of the layer's motion cancel in small contacts, which costs the closed forms
+  // eps (1 + response) / (s theta_L^3) of the powers: more than 1e-13 is too much.
+  bool is_delicate() const {
+    const double size = std::fmin(value_of(n_.half_angle), 1.0);
+    return layer_.kind() != LayerKind::elastic &&
+           1 + value_of(layer_.response) > 600 * value_of(n_.stick_rate) * size * size * size;
   }
 
   // ---- which zone begins ------------------------------------------------------------------------
@@ -72,12 +79,25 @@ class LapRunner {
     if (layer_.has_inertia()) state_.rate = sticking_rate();
   }
 
+  // The zone of the lap before goes on, unless a Newton step has moved the state out of it.
   void carry_on(ZoneState zone) {
     if (zone == ZoneState::stick) {
-      begin_stick(StartOrder::positive, StartOrder::positive);
-    } else {
-      begin_slip(sign(zone), StartOrder::positive);
+      const double traction = value_of(sticking_traction());
+      if (std::fabs(traction) <= value_of(n_.static_) * value_of(pressure())) {
+        return begin_stick(StartOrder::positive, StartOrder::positive);
+      }
+      return begin_slip(traction > 0 ? -1 : 1, layer_.has_inertia() ? StartOrder::zero : StartOrder::positive);
     }
+    if (sign(zone) * slip_rate(sign(zone)) > 0) return begin_slip(sign(zone), StartOrder::positive);
+    enter();
+  }
+
+  // v_rel s / V0 of a layer that slips with sign sigma from here.
+  double slip_rate(double sigma) const {
+    const double rate = value_of(sticking_rate()), mu = value_of(n_.kinetic);
+    if (layer_.has_inertia()) return value_of(state_.rate) - rate;
+    if (layer_.kind() == LayerKind::elastic) return sigma * mu * value_of(at_.sin) - rate;
+    return (-sigma * mu * value_of(pressure()) - value_of(state_.e)) / value_of(layer_.C) - rate;
   }
 
   // At the edge p = 0 and the layer comes with what the free flight left: rates decide.
@@ -113,7 +133,11 @@ class LapRunner {
 
   void after_slip(double sigma) {
     if (!layer_.has_inertia()) {
-      const StartOrder touching = has_static_excess() ? StartOrder::positive : StartOrder::zero;
+      // With mu_0 = mu the traction leaves its threshold where slip ends: at once with damping, from rest
+      // relative to it in an elastic layer.
+      const StartOrder touching = has_static_excess()                     ? StartOrder::positive
+                                  : layer_.kind() == LayerKind::elastic ? StartOrder::double_zero
+                                                                        : StartOrder::zero;
       return sigma < 0 ? begin_stick(touching, StartOrder::positive)
                        : begin_stick(StartOrder::positive, touching);
     }
@@ -135,8 +159,7 @@ class LapRunner {
     }
     if (has_static_excess()) snap(iota);
     // The slip branch holds if it gives v_rel its sign; otherwise the layer sticks again.
-    const double relative_rate = sigma * value_of(n_.kinetic) * value_of(at_.sin) - value_of(sticking_rate());
-    if (sigma * relative_rate > 0 || !has_static_excess()) return begin_slip(sigma, StartOrder::positive);
+    if (sigma * slip_rate(sigma) > 0 || !has_static_excess()) return begin_slip(sigma, StartOrder::positive);
     begin_stick(StartOrder::positive, StartOrder::positive);
   }
 
@@ -156,8 +179,7 @@ class LapRunner {
     const LayerState<S> h0 =
         layer_.own_part({state_.e - f.at(theta_, at_), state_.rate - f.slope(at_)});
     const FreeMotion<S> motion = layer_.start(h0);
-    // v_rel s / V0 = h' + f' - s (cos theta - V)
-    const Harmonic<S> slow{n_.stick_rate * n_.speed_ratio, S(0.0), f.ks - n_.stick_rate, -f.kc};
+    const Harmonic<S> slow = relative_rate(n_, f);
     const double x = find_slip_end(motion, slow, sigma);
     if (std::isnan(x)) return fail();
     note({x, 0});
@@ -169,10 +191,18 @@ class LapRunner {
       length = settle_slip_end(motion, slow, x);
       advance(length);
     }
-    const LayerState<S> h1 = layer_.at(motion, length);
     record(from);
-    add(lap_.means, slip_integrals(n_, layer_, sigma, f, from, Phase<S>{theta_, at_}, h0, h1));
-    state_ = {h1.e + f.at(theta_, at_), h1.rate + f.slope(at_)};
+    const Phase<S> to{theta_, at_};
+    const Moments<S> moments(from, to);
+    if (delicate_ && ShortSlip<S>::rate(layer_) * value_of(length) <= ShortSlip<S>::kReach) {
+      const ShortSlip<S> zone(n_, layer_, sigma, from, length, state_, motion.u);
+      add(lap_.means, slip_integrals(n_, sigma, moments, zone.work(from, to)));
+      state_ = zone.end();
+    } else {
+      const LayerState<S> h1 = layer_.at(motion, length);
+      add(lap_.means, slip_integrals(n_, sigma, moments, slip_work(n_, layer_, f, moments, from, to, h0, h1)));
+      state_ = {h1.e + f.at(theta_, at_), h1.rate + f.slope(at_)};
+    }
     mark(sigma < 0 ? 1 : 2);
     if (x != kNoZero) after_slip(sigma);
   }
@@ -192,7 +222,7 @@ class LapRunner {
     S length(x);
     for (int i = 0; i < kDualDepth<S>; ++i) {
       const S theta = theta_ + length;
-      const SinCos<S> a = twum::sincos(theta);
+      const Trig<S> a = trig(theta);
       const LayerState<S> h = layer_.at(motion, length);
       const S rate2 = layer_.kind() == LayerKind::elastic    ? S(0.0)
                       : layer_.kind() == LayerKind::relaxing ? S(-h.rate / layer_.C)
@@ -212,9 +242,9 @@ class LapRunner {
   void stick() {
     const S& s = n_.stick_rate;
     const S drift = s * n_.speed_ratio;
-    // t = M e'' + C e' + e with e' = s (cos theta - V)
-    const Harmonic<S> t{state_.e - s * at_.sin + drift * theta_ - layer_.C * drift, -drift, layer_.C * s,
-                        layer_.D * s};
+    // t = M e'' + C e' + e with e' = s (cos theta - V) (T5.3)
+    const Harmonic<S> t{state_.e - s * at_.sin + drift * theta_ + layer_.C * s * (1.0 - n_.speed_ratio), -drift,
+                        -(layer_.C * s), layer_.D * s};
     const Script::End end = find_stick_end(t);
     if (std::isnan(end.length)) return fail();
     note(end);
@@ -234,7 +264,7 @@ class LapRunner {
   }
 
   Harmonic<S> reserve(const Harmonic<S>& t, double iota) const {
-    return {-(n_.static_ * n_.edge_cosine) - iota * t.k0, -iota * t.kb, n_.static_ - iota * t.kc, -iota * t.ks};
+    return {n_.static_ * n_.peak - iota * t.k0, -iota * t.kb, -n_.static_ - iota * t.kw, -iota * t.ks};
   }
 
   // The side that the traction would reach at the exit comes first. The other is mostly ruled out at a
@@ -263,7 +293,7 @@ class LapRunner {
     if (side_order(iota) != StartOrder::positive || reach > 3) return false;
     const Harmonic<double> f = reserve(t, iota).values();
     const double from = value_of(theta_), to = from + reach;
-    const SinCos<double> a = values(at_), b = twum::sincos(to);
+    const Trig<double> a = values(at_), b = quick_trig(to);
     return f.curvature(a) < 0 && f.curvature(b) < 0 && f.at(from, a) > 0 && f.at(to, b) > 0;
   }
 
@@ -274,7 +304,7 @@ class LapRunner {
     S length(end.length);
     for (int i = 0; i < kDualDepth<S>; ++i) {
       const S theta = theta_ + length;
-      const SinCos<S> a = twum::sincos(theta);
+      const Trig<S> a = trig(theta);
       length = newton_step(length, f.at(theta, a), f.slope(a), end.length);
     }
     return length;
@@ -282,13 +312,15 @@ class LapRunner {
 
   // ---- bookkeeping ------------------------------------------------------------------------------
 
-  static SinCos<double> values(const SinCos<S>& a) { return {value_of(a.sin), value_of(a.cos)}; }
+  static Trig<double> values(const Trig<S>& a) {
+    return {value_of(a.sin), value_of(a.cos), value_of(a.versine)};
+  }
 
   void advance(const S& length) {
     // Events that pile up at one place can only come from rounding: move on by less than counts.
     stalled_ = value_of(length) <= 0 ? stalled_ + 1 : 0;
     theta_ = theta_ + length + (stalled_ > 4 ? 1e-14 : 0.0);
-    at_ = twum::sincos(theta_);
+    at_ = trig(theta_);
     if (!(value_of(theta_) < value_of(n_.half_angle))) reach_exit();
   }
 
@@ -334,6 +366,7 @@ class LapRunner {
                             : layer_.at(layer_.start(state_), flight);
       m.layer_loss += 0.5 * (layer_.energy(layer_.own_part(state_)) - layer_.energy(lap_.next.layer)) / n_.stick_rate;
     }
+    if (value_of(n_.damping) == 0) m.layer_loss = S(0.0);  // what is left is rounding of the layer's energy
     const double mean = 1 / (2 * kPi);
     m.traction *= mean, m.stator_power *= mean, m.friction_power *= mean, m.layer_loss *= mean;
   }
@@ -343,7 +376,8 @@ class LapRunner {
   const Script* script_;
   std::vector<ZoneTrace>* trace_;
   S theta_;
-  SinCos<S> at_;
+  Trig<S> at_;
+  bool delicate_;
   LayerState<S> state_{S(0.0), S(0.0)};
   ZoneState zone_{ZoneState::stick};
   StartOrder order_{StartOrder::positive};

@@ -32,9 +32,10 @@ double contact_half_angle(double load) {
   double t = load < 2.0 ? std::cbrt(3 * load) : kPi - std::sqrt(2 * (kPi - load) / kPi);
   for (int i = 0; i < 60; ++i) {
     const double excess = load_shape(t) - load;
+    if (excess == 0) break;
     (excess > 0 ? high : low) = t;
     double next = t - excess / (t * std::sin(t));
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    if (!(next >= low && next <= high)) next = 0.5 * (low + high);
     const double step = std::fabs(next - t);
     t = next;
     if (step <= 4e-16 * t) break;

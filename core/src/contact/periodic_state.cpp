@@ -11,6 +11,8 @@ namespace twum::contact {
 namespace {
 
 constexpr int kMaxLaps = 3000;
+constexpr long kMaxZonesInAll = 60'000;
+constexpr double kFloor = 1000;
 constexpr double kResonance = 1e-16;
 
 struct Matrix2 {
@@ -32,8 +34,8 @@ bool attracts(const Matrix2& j) {
 }
 
 ContactNumbers<StateDual> constant(const ContactNumbers<double>& n) {
-  return {n.inertia,   n.damping,     n.stick_rate, n.speed_ratio, n.half_angle, n.edge_cosine,
-          n.kinetic,   n.static_,     {n.edge.sin, n.edge.cos}, n.full};
+  return {n.inertia,   n.damping,     n.stick_rate, n.speed_ratio, n.half_angle, n.peak,
+          n.kinetic,   n.static_,     {n.edge.sin, n.edge.cos, n.edge.versine}, n.full};
 }
 
 template <typename S>
@@ -66,13 +68,13 @@ class Search {
  public:
   Search(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer)
       : n_(numbers), layer_(layer), monotone_(!(numbers.static_ > numbers.kinetic)),
-        tolerance_(4e-16 * numbers.static_ *
-                   (std::sqrt(layer.response) + std::fabs(numbers.edge_cosine) + 1)) {}
+        tolerance_(4e-16 * numbers.static_ * (std::sqrt(layer.response) + numbers.peak)),
+        tight_(4e-16 * numbers.static_ * std::fmin(numbers.peak, 1.0) * std::sqrt(layer.response)) {}
 
   PeriodicState run() {
     if (1 / layer_.response < kResonance) return give_up(PeriodicStatus::resonance);
     turn({{0, 0}, false, ZoneState::stick});
-    for (; s_.laps < kMaxLaps && s_.lap.status == LapStatus::ok;) {
+    while (s_.laps < kMaxLaps && zones_ < kMaxZonesInAll && s_.lap.status == LapStatus::ok) {
       if (settled()) return finish();
       advance();
     }
@@ -87,6 +89,7 @@ class Search {
     s_.entry = entry;
     s_.lap = run_lap(n_, layer_, entry);
     ++s_.laps;
+    zones_ += s_.lap.zones;
     gap_ = distance(s_.entry.layer, s_.lap.next.layer);
     repeats_ = s_.lap.itinerary == before ? repeats_ + 1 : 0;
     contraction_ = gap_before > 0 ? gap_ / gap_before : 1;
@@ -101,7 +104,10 @@ class Search {
     return !n_.full || (s_.entry.carried && s_.entry.zone == s_.lap.next.zone);
   }
 
-  bool settled() const { return same_zone() && gap_ <= tolerance_; }
+  // Rounding of the closed forms sets the looser bound; in small contacts series do better.
+  bool settled() const {
+    return same_zone() && (gap_ <= tight_ || (gap_ <= tolerance_ && contraction_ > 0.5));
+  }
 
   PeriodicState finish() {
     s_.status = PeriodicStatus::ok;
@@ -134,17 +140,21 @@ class Search {
     ++s_.laps;
     LayerState<double> step;
     const LayerState<double> r{plain.next.layer.e - from.layer.e, plain.next.layer.rate - from.layer.rate};
-    if (solve_return(j, r, step)) {
+    // Near a threshold that is just touched the full step overshoots: shorten it.
+    double share = solve_return(j, r, step) ? 1 : 0;
+    for (int i = 0; i < 12 && share > 0; ++i, share *= 0.25) {
       LapEntry<double> entry = from;
-      entry.layer = {from.layer.e + step.e, from.layer.rate + step.rate};
+      entry.layer = {from.layer.e + share * step.e, from.layer.rate + share * step.rate};
       turn(entry);
-      const bool kept = monotone_ || (s_.lap.itinerary == plain.itinerary && attracts(j));
-      if (kept && s_.lap.status == LapStatus::ok && (gap_ < 0.5 * gap || gap_ <= tolerance_)) return true;
-      // At the floor of rounding Newton cannot halve the gap any more.
-      if (kept && gap_ <= 64 * tolerance_ && gap <= 64 * tolerance_) {
-        gap_ = 0;
+      if (s_.lap.status != LapStatus::ok) break;
+      // A state that sticks all round drifts: it is no step towards one that slips as much as it drifts.
+      const bool kept = (monotone_ && !sticks_all_round()) || (s_.lap.itinerary == plain.itinerary && attracts(j));
+      if (kept && (gap_ < (1 - 0.5 * share) * gap || gap_ <= tolerance_)) return true;
+      if (kept && gap <= kFloor * tolerance_) {
+        gap_ = 0;  // at the floor of rounding no step can do better
         return true;
       }
+      if (!monotone_) break;
     }
     patience_ *= 2;
     s_.entry = from;
@@ -165,7 +175,7 @@ class Search {
     const double iota = drift < 0 ? -1 : 1;
     const double mean = entry.layer.e - layer_.C * s * n_.speed_ratio;
     const double swing = std::hypot(n_.static_ - iota * layer_.C * s, layer_.D * s);
-    const double reserve = -n_.static_ * n_.edge_cosine - iota * mean - swing - std::fabs(drift);
+    const double reserve = n_.static_ * (n_.peak - 1) - iota * mean - swing - std::fabs(drift);
     const double laps = std::floor(reserve / std::fabs(drift)) - 1;
     if (laps > 0 && std::isfinite(laps)) entry.layer.e += laps * drift;
     return entry;
@@ -174,10 +184,11 @@ class Search {
   const ContactNumbers<double>& n_;
   const LayerMotion<double>& layer_;
   bool monotone_;
-  double tolerance_;
+  double tolerance_, tight_;
   PeriodicState s_{};
   double gap_{0}, contraction_{1};
   int repeats_{0}, patience_{4};
+  long zones_{0};
 };
 
 }  // namespace

@@ -14,20 +14,8 @@ namespace {
 constexpr double kDriving = -1;  // sign of v_rel
 constexpr long kMaxSamples = 1'000'000;
 
-// Forced part of e while slipping and driving, and the harmonic part of v_rel s / V0.
 template <typename S>
-Harmonic<S> forced_part(const ContactNumbers<S>& n, const LayerMotion<S>& layer) {
-  const S q = n.kinetic * layer.response;
-  return {-(n.kinetic * n.edge_cosine), S(0.0), q * layer.D, q * layer.C};
-}
-
-template <typename S>
-Harmonic<S> harmonic_rate(const ContactNumbers<S>& n, const Harmonic<S>& f) {
-  return {n.stick_rate * n.speed_ratio, S(0.0), f.ks - n.stick_rate, -f.kc};
-}
-
-template <typename S>
-LayerState<S> state_of(const Harmonic<S>& f, const S& theta, const SinCos<S>& at) {
+LayerState<S> state_of(const Harmonic<S>& f, const S& theta, const Trig<S>& at) {
   return {f.at(theta, at), f.slope(at)};
 }
 
@@ -44,10 +32,10 @@ LayerState<S> difference(const LayerState<S>& a, const LayerState<S>& b) {
 // State at entry of a layer that slips all through every turn. The turn is linear, y -> Phi y + c.
 template <typename S>
 LayerState<S> slipping_entry(const ContactNumbers<S>& n, const LayerMotion<S>& layer) {
-  const Harmonic<S> f = forced_part(n, layer);
+  const Harmonic<S> f = forced_response(n, layer, kDriving);
   const S zero(0.0);
   const S start = -n.half_angle;
-  const LayerState<S> f0 = state_of(f, start, {-n.edge.sin, n.edge.cos});
+  const LayerState<S> f0 = state_of(f, start, {-n.edge.sin, n.edge.cos, n.edge.versine});
   if (n.full) return f0;
   const LayerState<S> f1 = state_of(f, n.half_angle, n.edge);
   const S length = 2.0 * n.half_angle, flight = 2 * std::numbers::pi - length;
@@ -74,7 +62,7 @@ struct SlippingContact {
   // Margin less `level`, from `x` on.
   SlipCurve curve(double level, double x) const {
     const LayerState<double> h = layer.at(layer.start(own), x);
-    return {layer, layer.start(h), {slow.k0 - kDriving * level, 0, slow.kc, slow.ks}, kDriving, start + x, twum::sincos(start + x)};
+    return {layer, layer.start(h), {slow.k0 - kDriving * level, 0, slow.kw, slow.ks}, kDriving, start + x, trig(start + x)};
   }
 };
 
@@ -96,10 +84,10 @@ double next_minimum(const SlippingContact& contact, double x) {
 
 SlipMargin slip_margin(const ContactNumbers<double>& n) {
   const LayerMotion<double> layer(n.inertia, n.damping);
-  const Harmonic<double> f = forced_part(n, layer);
+  const Harmonic<double> f = forced_response(n, layer, kDriving);
   const LayerState<double> entry = slipping_entry(n, layer);
-  const LayerState<double> f0 = state_of(f, -n.half_angle, {-n.edge.sin, n.edge.cos});
-  const SlippingContact contact{layer, harmonic_rate(n, f), layer.own_part(difference(entry, f0)), -n.half_angle,
+  const LayerState<double> f0 = state_of(f, -n.half_angle, {-n.edge.sin, n.edge.cos, n.edge.versine});
+  const SlippingContact contact{layer, relative_rate(n, f), layer.own_part(difference(entry, f0)), -n.half_angle,
                                 2 * n.half_angle};
   SlipMargin low{contact.sample(0).f, 0, false, false, entry};
   const double at_exit = contact.sample(contact.length).f;
@@ -122,14 +110,14 @@ SlipMargin slip_margin(const ContactNumbers<double>& n) {
 template <typename S>
 S slip_margin_at(const ContactNumbers<S>& n, const ContactNumbers<double>&, const SlipMargin& margin) {
   const LayerMotion<S> layer(n.inertia, n.damping);
-  const Harmonic<S> f = forced_part(n, layer);
+  const Harmonic<S> f = forced_response(n, layer, kDriving);
   const S start = -n.half_angle;
-  const LayerState<S> f0 = state_of(f, start, {-n.edge.sin, n.edge.cos});
+  const LayerState<S> f0 = state_of(f, start, {-n.edge.sin, n.edge.cos, n.edge.versine});
   const S x = margin.exit ? S(2.0 * n.half_angle) : S(margin.place);
   const LayerState<S> h = moved(layer, difference(slipping_entry(n, layer), f0), x);
   const S theta = start + x;
-  const Harmonic<S> slow = harmonic_rate(n, f);
-  return -(slow.at(theta, twum::sincos(theta)) + h.rate);
+  const Harmonic<S> slow = relative_rate(n, f);
+  return -(slow.at(theta, trig(theta)) + h.rate);
 }
 
 #define TWUM_INSTANTIATE(S) \

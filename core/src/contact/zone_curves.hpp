@@ -8,45 +8,66 @@
 
 namespace twum::contact {
 
-/// k0 + kb theta + kc cos theta + ks sin theta: all that is not the layer's own motion.
+/// k0 + kb theta + kw (1 - cos theta) + ks sin theta: all that is not the layer's own motion.
 template <typename S>
 struct Harmonic {
-  S k0, kb, kc, ks;
+  S k0, kb, kw, ks;
 
-  S at(const S& theta, const SinCos<S>& a) const { return k0 + kb * theta + kc * a.cos + ks * a.sin; }
-  S slope(const SinCos<S>& a) const { return kb + ks * a.cos - kc * a.sin; }
-  S curvature(const SinCos<S>& a) const { return -(kc * a.cos + ks * a.sin); }
-  Harmonic<double> values() const { return {value_of(k0), value_of(kb), value_of(kc), value_of(ks)}; }
+  S at(const S& theta, const Trig<S>& a) const { return k0 + kb * theta + kw * a.versine + ks * a.sin; }
+  S slope(const Trig<S>& a) const { return kb + kw * a.sin + ks * a.cos; }
+  S curvature(const Trig<S>& a) const { return kw * a.cos - ks * a.sin; }
+  Harmonic<double> values() const { return {value_of(k0), value_of(kb), value_of(kw), value_of(ks)}; }
 };
+
+/// Response e of a layer that slips with v_rel of sign sigma to t = -sigma mu p (T5.1): its mean, written so
+/// that it is as small as the pressure where the layer is stiff, and its swing.
+template <typename S>
+Harmonic<S> forced_response(const ContactNumbers<S>& n, const LayerMotion<S>& layer, double sigma) {
+  const S q = -sigma * n.kinetic;
+  const S excess = (layer.D * layer.M - layer.C * layer.C) * layer.response;  // D / (D^2 + C^2) - 1
+  return {q * (excess + n.peak), S(0.0), -(q * layer.response * layer.D), q * layer.response * layer.C};
+}
+
+/// f' - s (cos theta - V): v_rel s / V0 without the layer's own motion.
+template <typename S>
+Harmonic<S> relative_rate(const ContactNumbers<S>& n, const Harmonic<S>& f) {
+  return {f.ks - n.stick_rate * (1.0 - n.speed_ratio), S(0.0), n.stick_rate - f.ks, f.kw};
+}
+
+/// For finding events: there 1 - cos theta may be rounded.
+inline Trig<double> quick_trig(double theta) {
+  const SinCos<double> a = twum::sincos(theta);
+  return {a.sin, a.cos, 1 - a.cos};
+}
 
 /// Distance to the end of sticking on one side, f = mu_0 p - iota t, along a stick zone.
 class StickCurve {
  public:
-  StickCurve(const Harmonic<double>& f, double theta, const SinCos<double>& at)
-      : f_(f), theta_(theta), at_(at), bound_(std::sqrt(f.kc * f.kc + f.ks * f.ks)) {}
+  StickCurve(const Harmonic<double>& f, double theta, const Trig<double>& at)
+      : f_(f), theta_(theta), at_(at), bound_(std::sqrt(f.kw * f.kw + f.ks * f.ks)) {}
 
   CurveSample first() const { return sample(theta_, at_); }
-  CurveSample sample(double x) const { return sample(theta_ + x, twum::sincos(theta_ + x)); }
+  CurveSample sample(double x) const { return sample(theta_ + x, quick_trig(theta_ + x)); }
 
   /// The only zero on (0, length), if a glance at both ends shows that there is just one: f is concave,
   /// not negative at first and negative at the end. NaN if that cannot be told.
-  double only_zero(double length, const SinCos<double>& end) const {
+  double only_zero(double length, const Trig<double>& end) const {
     const CurveSample a = first(), b = sample(theta_ + length, end);
     if (!(length < 3 && a.f2 < 0 && b.f2 < 0 && b.f < 0 && a.f >= 0)) return NAN;
-    const double guess = std::fmin(taylor_zero(a), length);
-    const CurveSample at = sample(guess);
-    return at.f1 < 0 ? polish_zero(*this, guess, at) : NAN;
+    const double guess = taylor_zero(a);
+    if (!(guess > 0 && guess < length)) return NAN;
+    return polish_zero(*this, 0, length, guess, sample(guess));
   }
 
  private:
-  CurveSample sample(double theta, const SinCos<double>& a) const {
+  CurveSample sample(double theta, const Trig<double>& a) const {
     return {f_.at(theta, a), f_.slope(a), f_.curvature(a), bound_, bound_, 0};
   }
 
   // Zero of the Taylor polynomial of degree 7; the second and third derivative repeat with alternating
   // signs.
   double taylor_zero(const CurveSample& a) const {
-    const double f3 = f_.kc * at_.sin - f_.ks * at_.cos;
+    const double f3 = -(f_.kw * at_.sin + f_.ks * at_.cos);
     double t = (a.f1 + std::sqrt(a.f1 * a.f1 - 2 * a.f2 * a.f)) / -a.f2;
     for (int i = 0; i < 3; ++i) {
       const double q = t * t;
@@ -61,7 +82,7 @@ class StickCurve {
 
   Harmonic<double> f_;
   double theta_;
-  SinCos<double> at_;
+  Trig<double> at_;
   double bound_;
 };
 
@@ -72,20 +93,20 @@ class StickCurve {
 class SlipCurve {
  public:
   SlipCurve(const LayerMotion<double>& layer, const FreeMotion<double>& motion,
-            const Harmonic<double>& slow, double sigma, double theta, const SinCos<double>& at)
-      : layer_(layer), motion_(motion), slow_{sigma * slow.k0, 0, sigma * slow.kc, sigma * slow.ks},
-        sigma_(sigma), theta_(theta), at_(at), swing_(std::sqrt(slow.kc * slow.kc + slow.ks * slow.ks)) {}
+            const Harmonic<double>& slow, double sigma, double theta, const Trig<double>& at)
+      : layer_(layer), motion_(motion), slow_{sigma * slow.k0, 0, sigma * slow.kw, sigma * slow.ks},
+        sigma_(sigma), theta_(theta), at_(at), swing_(std::sqrt(slow.kw * slow.kw + slow.ks * slow.ks)) {}
 
   CurveSample first() const { return sample(0, at_, own_start()); }
-  CurveSample sample(double x) const { return sample(x, twum::sincos(theta_ + x), own_motion(x)); }
+  CurveSample sample(double x) const { return sample(x, quick_trig(theta_ + x), own_motion(x)); }
 
   /// True if a glance shows that the zone lasts: the harmonic part stays above what the layer's own
   /// motion can reach.
-  bool lasts(double length, const SinCos<double>& b) const {
-    const SinCos<double>& a = at_;
+  bool lasts(double length, const Trig<double>& b) const {
+    const Trig<double>& a = at_;
     const double bound = own_start().bound0;
     const bool may_turn = length > 3 || (slow_.slope(a) < 0 && slow_.slope(b) > 0);
-    const double low = may_turn ? slow_.k0 - swing_
+    const double low = may_turn ? slow_.k0 + slow_.kw - swing_
                                 : std::fmin(slow_.at(theta_, a), slow_.at(theta_, b));
     return low > bound;
   }
@@ -96,7 +117,7 @@ class SlipCurve {
     double rate, rate1, rate2, bound0, bound2, bound3;
   };
 
-  CurveSample sample(double x, const SinCos<double>& a, const Own& own) const {
+  CurveSample sample(double x, const Trig<double>& a, const Own& own) const {
     const double slow = slow_.at(theta_ + x, a), slope = slow_.slope(a);
     return {slow + sigma_ * own.rate,
             slope + sigma_ * own.rate1,
@@ -140,19 +161,19 @@ class SlipCurve {
             std::fabs(fast2 * l1) + std::fabs(slow2 * l2)};
   }
 
-  // How far the harmonic part k0 + rho cos(u) stays above `bound`, from where it is `slow` and falls or
+  // How far the harmonic part mean + rho cos(u) stays above `bound`, from where it is `slow` and falls or
   // rises with `slope` = -rho sin(u).
   double skip(double slow, double slope, double bound) const {
-    const double level = (bound - slow_.k0) / swing_;
+    const double mean = slow_.k0 + slow_.kw, level = (bound - mean) / swing_;
     if (level <= -1) return kNoZero;
-    return std::acos(level) - std::atan2(-slope, slow - slow_.k0);
+    return std::acos(level) - std::atan2(-slope, slow - mean);
   }
 
   const LayerMotion<double>& layer_;
   FreeMotion<double> motion_;
   Harmonic<double> slow_;
   double sigma_, theta_;
-  SinCos<double> at_;
+  Trig<double> at_;
   double swing_;
 };
 

@@ -9,7 +9,7 @@ namespace twum::contact {
 template <typename S>
 struct Phase {
   S theta;
-  SinCos<S> at;
+  Trig<S> at;
 };
 
 /// Integrals of 1, cos, sin and their products over a zone.
@@ -20,7 +20,7 @@ struct Moments {
   Moments(const Phase<S>& from, const Phase<S>& to) {
     one = to.theta - from.theta;
     c = to.at.sin - from.at.sin;
-    s = from.at.cos - to.at.cos;
+    s = to.at.versine - from.at.versine;
     sc = 0.5 * (to.at.sin * to.at.sin - from.at.sin * from.at.sin);
     const S product = to.at.sin * to.at.cos - from.at.sin * from.at.cos;
     cc = 0.5 * (one + product);
@@ -46,26 +46,40 @@ struct RateMoments {
   }
 };
 
-/// Integrals over a slip zone; f is the forced part of e, h0 and h1 the layer's own at the zone's ends.
+/// The two integrals of a slip zone that need the layer's motion: of p e' and C e'^2.
 template <typename S>
-ContactMeans<S> slip_integrals(const ContactNumbers<S>& n, const LayerMotion<S>& layer, double sigma,
-                               const Harmonic<S>& f, const Phase<S>& from, const Phase<S>& to,
-                               const LayerState<S>& h0, const LayerState<S>& h1) {
-  const Moments<S> m(from, to);
+struct SlipWork {
+  S rate_pressure, loss;
+};
+
+/// From the forced part f of e, and the layer's own part h0, h1 at the zone's ends.
+template <typename S>
+SlipWork<S> slip_work(const ContactNumbers<S>& n, const LayerMotion<S>& layer, const Harmonic<S>& f,
+                      const Moments<S>& m, const Phase<S>& from, const Phase<S>& to, const LayerState<S>& h0,
+                      const LayerState<S>& h1) {
   const RateMoments<S> own(layer, from, to, h0, h1);
-  const S& c = n.edge_cosine;
-  const S p = m.c - c * m.one, pc = m.cc - c * m.c;
-  const S p_forced_rate = f.ks * pc - f.kc * (m.sc - c * m.s);
-  const S p_own_rate = own.c - c * (h1.e - h0.e);
-  const S q = sigma * n.kinetic;
+  const S c = 1.0 - n.peak;
+  const S p0 = n.peak - from.at.versine, p1 = n.peak - to.at.versine;
+  const S pc = m.cc - c * m.c, ps = 0.5 * (p0 * p0 - p1 * p1);
+  const S p_forced = f.ks * pc + f.kw * ps;
+  const S p_own = own.c - c * (h1.e - h0.e);
   const S own_loss = 0.5 * (layer.energy(h0) - layer.energy(h1));
-  const S cross_loss = 2.0 * (f.ks * own.c - f.kc * own.s);
-  const S forced_loss = f.ks * f.ks * m.cc - 2.0 * (f.ks * f.kc) * m.sc + f.kc * f.kc * m.ss;
-  return {-(q * p), -(q * pc), q * ((p_own_rate + p_forced_rate) / n.stick_rate - pc + n.speed_ratio * p),
-          (own_loss + layer.C * (cross_loss + forced_loss)) / n.stick_rate, S(0.0)};
+  const S cross_loss = 2.0 * (f.ks * own.c + f.kw * own.s);
+  const S forced_loss = f.ks * f.ks * m.cc + 2.0 * (f.ks * f.kw) * m.sc + f.kw * f.kw * m.ss;
+  return {p_own + p_forced, own_loss + layer.C * (cross_loss + forced_loss)};
 }
 
-/// Integrals over a stick zone with traction t = k0 + kb theta + kc cos theta + ks sin theta.
+/// Integrals over a slip zone.
+template <typename S>
+ContactMeans<S> slip_integrals(const ContactNumbers<S>& n, double sigma, const Moments<S>& m, const SlipWork<S>& work) {
+  const S c = 1.0 - n.peak;
+  const S p = n.peak * m.one - (m.one - m.c), pc = m.cc - c * m.c;
+  const S q = sigma * n.kinetic;
+  return {-(q * p), -(q * pc), q * (work.rate_pressure / n.stick_rate - pc + n.speed_ratio * p),
+          work.loss / n.stick_rate, S(0.0)};
+}
+
+/// Integrals over a stick zone with traction t = k0 + kb theta + kw (1 - cos theta) + ks sin theta.
 template <typename S>
 ContactMeans<S> stick_integrals(const ContactNumbers<S>& n, const LayerMotion<S>& layer, const Harmonic<S>& t,
                                 const Phase<S>& from, const Phase<S>& to) {
@@ -73,8 +87,8 @@ ContactMeans<S> stick_integrals(const ContactNumbers<S>& n, const LayerMotion<S>
   const S theta = 0.5 * (to.theta * to.theta - from.theta * from.theta);
   const S theta_c = to.theta * to.at.sin - from.theta * from.at.sin - m.s;
   const S& V = n.speed_ratio;
-  return {t.k0 * m.one + t.kb * theta + t.kc * m.c + t.ks * m.s,
-          t.k0 * m.c + t.kb * theta_c + t.kc * m.cc + t.ks * m.sc, S(0.0),
+  return {t.k0 * m.one + t.kb * theta + t.kw * (m.one - m.c) + t.ks * m.s,
+          t.k0 * m.c + t.kb * theta_c + t.kw * (m.c - m.cc) + t.ks * m.sc, S(0.0),
           layer.C * n.stick_rate * (m.cc - 2.0 * V * m.c + V * V * m.one), m.one};
 }
 

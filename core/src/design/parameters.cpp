@@ -50,7 +50,7 @@ constexpr std::array<ParameterInfo, kParameterCount> kTable{{
      kNone, "0.2", "friction coefficient while slipping"},
     {P::static_friction, "static_friction", "mu_0", "1", "friction.static", 0, 10, false, false, false,
      kNone, "0.2", "friction coefficient at the threshold of sticking, at least the kinetic one"},
-    {P::preload, "preload", "F_N", "N", "preload", 0, 1e9, false, false, true, kNone, "160 N",
+    {P::preload, "preload", "F_N", "N", "preload", 0, 1e12, false, false, true, kNone, "160 N",
      "total axial force that presses rotor and stator together"},
 }};
 
@@ -170,14 +170,14 @@ bool in_use(const MotorDesign& design, Parameter parameter) {
 
 std::string complaint(Parameter parameter, double value) {
   const ParameterInfo& row = info(parameter);
-  const std::string found = ", but is " + with_unit(value, row);
-  if (!std::isfinite(value)) return "must be a finite number" + found;
+  const auto found = [&] { return ", but is " + with_unit(value, row); };  // rarely needed
+  if (!std::isfinite(value)) return "must be a finite number" + found();
   if (row.min_excluded ? !(value > row.min) : !(value >= row.min)) {
     return std::string(row.min_excluded ? "must be more than " : "must be at least ") +
-           with_unit(row.min, row) + found;
+           with_unit(row.min, row) + found();
   }
-  if (!(value <= row.max)) return "must be at most " + with_unit(row.max, row) + found;
-  if (row.integer && value != std::floor(value)) return "must be a whole number" + found;
+  if (!(value <= row.max)) return "must be at most " + with_unit(row.max, row) + found();
+  if (row.integer && value != std::floor(value)) return "must be a whole number" + found();
   return {};
 }
 

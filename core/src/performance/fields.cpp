@@ -37,13 +37,13 @@ LayerAt slip_at(const ContactNumbers<double>& n, const LayerMotion<double>& laye
   const double traction = static_cast<double>(z.zone.state) * n.kinetic;
   const double q = traction * layer.response, c = std::cos(theta), s = std::sin(theta);
   const auto forced = [&](double cosine, double sine) {
-    return LayerState<double>{q * (layer.D * cosine + layer.C * sine) - traction * n.edge_cosine,
+    return LayerState<double>{q * (layer.D * cosine + layer.C * sine) - traction * (1 - n.peak),
                               q * (layer.C * cosine - layer.D * sine)};
   };
   const LayerState<double> f0 = forced(std::cos(z.zone.from), std::sin(z.zone.from)), f = forced(c, s);
   const LayerState<double> h0 = layer.own_part({z.start.e - f0.e, z.start.rate - f0.rate});
   const LayerState<double> h = layer.at(layer.start(h0), theta - z.zone.from);
-  return {h.e + f.e, h.rate + f.rate, traction * (c - n.edge_cosine)};
+  return {h.e + f.e, h.rate + f.rate, traction * (c - 1 + n.peak)};
 }
 
 LayerAt free_at(const ContactNumbers<double>& n, const LayerMotion<double>& layer, const Trace& trace, double theta) {
@@ -96,10 +96,9 @@ FieldSample dimensional_sample(const MotorModel<double>& m, const ContactNumbers
                                double theta) {
   const double P = m.contact.pressure_amplitude, c = std::cos(theta);
   const bool inside = std::fabs(theta) <= n.half_angle;
-  const double cosine = c;
   const double layer_ratio = n.speed_ratio + at.rate / n.stick_rate;
   return {theta,
-          inside ? P * (cosine - n.edge_cosine) : 0,
+          inside ? P * (n.peak - contact::trig(theta).versine) : 0,
           P * at.traction,
           m.thickness * P * at.e / m.shear,
           m.crest_velocity * c,

@@ -21,7 +21,8 @@ struct MotorModel {
   S thickness, shear, viscosity, inertia;
   S kinetic, static_, preload, stator_damping, amplitude;
   NormalContact<S> contact;
-  SinCos<S> edge;             ///< of theta_L
+  S peak;                     ///< p(0) / P = 1 - c
+  contact::Trig<S> edge;      ///< of theta_L
 };
 
 /// Parameter values in the order of the table.
@@ -88,8 +89,9 @@ MotorModel<S> motor_model(const MotorDesign& given, const ParameterArray<S>& p) 
   m.kinetic = at(P::kinetic_friction), m.static_ = at(P::static_friction);
   m.preload = at(P::preload), m.stator_damping = at(P::modal_damping);
   m.contact = normal_contact(m.preload, m.n, m.b, m.kappa, S(E * m.amplitude / m.thickness));
-  m.edge = twum::sincos(m.contact.half_angle);
-  if (m.contact.full) m.edge = {S(0.0), S(-1.0)};
+  m.edge = contact::trig(m.contact.half_angle);
+  if (m.contact.full) m.edge = {S(0.0), S(-1.0), S(2.0)};
+  m.peak = m.contact.full ? S(1.0 - m.contact.edge_cosine) : m.edge.versine;
   return m;
 }
 
@@ -118,10 +120,10 @@ contact::ContactNumbers<R> contact_numbers(const MotorModel<S>& m, const R& spee
           m.crest_velocity / (m.thickness * m.contact.pressure_amplitude * rate),
           surface / m.crest_velocity,
           R(m.contact.half_angle),
-          R(m.contact.edge_cosine),
+          R(m.peak),
           R(m.kinetic),
           R(m.static_),
-          {R(m.edge.sin), R(m.edge.cos)},
+          {R(m.edge.sin), R(m.edge.cos), R(m.edge.versine)},
           m.contact.full};
 }
 

@@ -34,7 +34,7 @@ bool drags_steadily(const MotorModel<double>& m, double speed) {
   const double sigma = speed > 0 ? 1 : -1;
   const double drift = m.shear * m.r * speed / (m.thickness * W * pressure);
   const contact::FreeMotion<double> motion = layer.start({-sigma * (m.static_ - m.kinetic), -drift});
-  const contact::SlipCurve curve(layer, motion, {drift, 0, 0, 0}, sigma, 0, {0, 1});
+  const contact::SlipCurve curve(layer, motion, {drift, 0, 0, 0}, sigma, 0, {0, 1, 0});
   long samples = 0;
   return contact::first_zero(curve, 1e300, contact::StartOrder::zero, samples, 1'000'000) == contact::kNoZero;
 }
@@ -48,7 +48,7 @@ struct Lock {
   explicit Lock(const MotorModel<S>& m) {
     using std::sqrt;
     const contact::ContactNumbers<S> n = contact_numbers(m, S(0.0));
-    const S mean = -(n.static_ * n.edge_cosine), swing = (1.0 - n.inertia) * n.stick_rate;
+    const S mean = n.static_ * (n.peak - 1.0), swing = (1.0 - n.inertia) * n.stick_rate;
     const S forward = n.static_ + n.damping * n.stick_rate, back = n.static_ - n.damping * n.stick_rate;
     low = sqrt(forward * forward + swing * swing) - mean;
     high = mean - sqrt(back * back + swing * swing);

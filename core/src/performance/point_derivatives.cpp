@@ -27,10 +27,10 @@ struct ContactScalar<ModelDual2> {
   using Outer = NumbersDual2;
 };
 
-// The seven numbers as a list; in partial contact theta_L stands for the edge, in full contact c.
+// The seven numbers as a list; in partial contact theta_L stands for the edge, in full contact its pressure.
 template <typename S>
 std::array<S, 7> listed(const ContactNumbers<S>& n) {
-  return {n.inertia, n.damping, n.stick_rate, n.speed_ratio, n.full ? n.edge_cosine : n.half_angle, n.kinetic, n.static_};
+  return {n.inertia, n.damping, n.stick_rate, n.speed_ratio, n.full ? n.peak : n.half_angle, n.kinetic, n.static_};
 }
 
 // Seeds the seven numbers as independent variables.
@@ -39,15 +39,15 @@ ContactNumbers<K> seeded(const ContactNumbers<S>& n) {
   const std::array<S, 7> x = listed(n);
   const auto variable = [&x](int i) { return K::variable(x[static_cast<std::size_t>(i)].v, i); };
   ContactNumbers<K> k{variable(0), variable(1), variable(2), variable(3), K(0.0), K(0.0), variable(5), variable(6),
-                      {K(0.0), K(0.0)}, n.full};
+                      {K(0.0), K(0.0), K(0.0)}, n.full};
   if (n.full) {
     k.half_angle = K(value_of(n.half_angle));
-    k.edge_cosine = variable(4);
-    k.edge = {K(0.0), K(-1.0)};
+    k.peak = variable(4);
+    k.edge = {K(0.0), K(-1.0), K(2.0)};
   } else {
     k.half_angle = variable(4);
-    k.edge = twum::sincos(k.half_angle);
-    k.edge_cosine = k.edge.cos;
+    k.edge = contact::trig(k.half_angle);
+    k.peak = k.edge.versine;
   }
   return k;
 }

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "contact/zone_integrals.hpp"
+
+namespace twum::contact {
+
+/// A slip zone that is short against the layer's own times, by Taylor series from its start.
+///
+/// There the layer's own and its forced motion nearly cancel, and their difference would have few
+/// digits. The series of e itself has them all: with z = rate * length its terms fall like z^k / k!, and
+/// those of products like (2 z)^k / k!. Only the fast mode of an overdamped layer, which may be over in
+/// no time, stays in closed form beside the series.
+template <typename S>
+class ShortSlip {
+ public:
+  /// Largest rate times length that the series is made for.
+  static constexpr double kReach = 2.5;
+
+  /// Rate that the series has to resolve, at least that of the wave [1 / rad].
+  static double rate(const LayerMotion<S>& layer) {
+    const double M = value_of(layer.M), C = value_of(layer.C);
+    if (layer.kind() != LayerKind::oscillating) return std::fmax(1, std::fabs(value_of(layer.slow())));
+    return std::fmax(1, std::fmax(C / M, layer.natural_frequency()));
+  }
+
+  ShortSlip(const ContactNumbers<S>& n, const LayerMotion<S>& layer, double sigma, const Phase<S>& from,
+            const S& length, const LayerState<S>& start, const S& fast)
+      : n_(n), layer_(layer), q_(-(sigma * n.kinetic)), length_(length), fast_(fast),
+        terms_(count(2 * rate(layer) * value_of(length))) {
+    expand_pressure(from);
+    layer.kind() == LayerKind::oscillating ? expand_oscillation(start) : expand_decay(start, from);
+  }
+
+  /// Integrals of p e' and C e'^2.
+  SlipWork<S> work(const Phase<S>& from, const Phase<S>& to) const {
+    SlipWork<S> w{S(0.0), S(0.0)};
+    for (int k = terms_ - 1; k >= 0; --k) {
+      S a(0.0), b(0.0);
+      for (int i = 0; i <= k; ++i) {
+        a += pressure_[i] * rate_[k - i];
+        b += rate_[i] * rate_[k - i];
+      }
+      w.rate_pressure += a / static_cast<double>(k + 1);
+      w.loss += b / static_cast<double>(k + 1);
+    }
+    w = {w.rate_pressure * length_, layer_.C * (w.loss * length_)};
+    if (layer_.kind() == LayerKind::overdamped) add_fast_mode(w, from, to);
+    return w;
+  }
+
+  /// State of the layer at the zone's end.
+  LayerState<S> end() const {
+    const LayerState<S> e = series_at_end(), h = fast_at(length_);
+    return {e.e + h.e, e.rate + h.rate};
+  }
+
+ private:
+  static constexpr int kTerms = 44;
+
+  static int count(double z) {
+    int terms = 2;
+    for (double term = z * z / 2; term > 1e-17 && terms < kTerms - 1; term *= z / terms) ++terms;
+    return terms + 1;
+  }
+
+  // p = w_L - (1 - cos theta), in powers of x / length.
+  void expand_pressure(const Phase<S>& from) {
+    const S wave[4] = {from.at.cos, -from.at.sin, -from.at.cos, from.at.sin};
+    S power(1.0);
+    pressure_[0] = n_.peak - from.at.versine;
+    for (int k = 1; k < terms_; ++k) {
+      power = power * length_ / static_cast<double>(k);
+      pressure_[k] = wave[k % 4] * power;
+    }
+  }
+
+  // M e'' = t - C e' - e
+  void expand_oscillation(const LayerState<S>& start) {
+    S strain = start.e;
+    strain_ = start.e;
+    rate_[0] = start.rate;
+    for (int k = 0; k + 1 < terms_; ++k) {
+      rate_[k + 1] = (q_ * pressure_[k] - layer_.C * rate_[k] - strain) * length_ / (layer_.M * static_cast<double>(k + 1));
+      strain = rate_[k] * length_ / static_cast<double>(k + 1);
+    }
+  }
+
+  // e' = slow e + r: without inertia r = t / C; else r is what the fast mode's rate makes of t,
+  // M (r' - fast r) = t.
+  void expand_decay(const LayerState<S>& start, const Phase<S>& from) {
+    S strain = start.e - fast_;
+    strain_ = strain;
+    if (layer_.kind() == LayerKind::relaxing) {
+      for (int k = 0; k < terms_; ++k) step(k, S(q_ * pressure_[k] / layer_.C), strain);
+      return;
+    }
+    const S lag = -1.0 / layer_.fast(), g = q_ / (-(layer_.M * layer_.fast()) * (1.0 + lag * lag));
+    const S drive[4] = {g * (from.at.cos + lag * from.at.sin), g * (lag * from.at.cos - from.at.sin),
+                        -(g * (from.at.cos + lag * from.at.sin)), g * (from.at.sin - lag * from.at.cos)};
+    step(0, S(g * (n_.peak - from.at.versine + lag * from.at.sin - lag * lag * (1.0 - n_.peak))), strain);
+    S power(1.0);
+    for (int k = 1; k < terms_; ++k) {
+      power = power * length_ / static_cast<double>(k);
+      step(k, S(drive[k % 4] * power), strain);
+    }
+  }
+
+  void step(int k, const S& drive, S& strain) {
+    rate_[k] = layer_.slow() * strain + drive;
+    strain = rate_[k] * length_ / static_cast<double>(k + 1);
+  }
+
+  LayerState<S> series_at_end() const {
+    S e(0.0), rate(0.0);
+    for (int k = terms_ - 1; k >= 0; --k) {
+      e += rate_[k] / static_cast<double>(k + 1);
+      rate += rate_[k];
+    }
+    return {strain_ + e * length_, rate};
+  }
+
+  LayerState<S> fast_at(const S& x) const {
+    using std::exp;
+    if (layer_.kind() != LayerKind::overdamped) return {S(0.0), S(0.0)};
+    const S h = fast_ * exp(layer_.fast() * x);
+    return {h, layer_.fast() * h};
+  }
+
+  // With e = series + h and M h'' + C h' + h = 0:
+  // 2 C int e' h' = int t h' - [M e' h' + e h] for the series' e.
+  void add_fast_mode(SlipWork<S>& w, const Phase<S>& from, const Phase<S>& to) const {
+    const LayerState<S> h0{fast_, layer_.fast() * fast_}, h1 = fast_at(length_), e1 = series_at_end();
+    const RateMoments<S> own(layer_, from, to, h0, h1);
+    const S p_own = own.c - (1.0 - n_.peak) * (h1.e - h0.e);
+    const S cross = layer_.M * (e1.rate * h1.rate - rate_[0] * h0.rate) + e1.e * h1.e - strain_ * h0.e;
+    w.rate_pressure += p_own;
+    w.loss += 0.5 * (layer_.energy(h0) - layer_.energy(h1)) + q_ * p_own - cross;
+  }
+
+  const ContactNumbers<S>& n_;
+  const LayerMotion<S>& layer_;
+  S q_, length_, fast_, strain_;
+  int terms_;
+  S pressure_[kTerms], rate_[kTerms];  // of p and e', in powers of x / length
+};
+
+}  // namespace twum::contact
