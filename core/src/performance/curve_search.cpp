@@ -13,6 +13,8 @@ namespace {
 // one maximum (with mu_0 > mu: one in each stretch with the same sequence of zones).
 constexpr int kIntervals = 20;
 constexpr int kRoughIntervals = 40;
+constexpr int kMissing = 4;         // points without a periodic state that may follow one another
+constexpr int kStretches = 8;       // sequences of zones between two nodes
 constexpr double kFarthest = 1e4;  // times the crest speed
 
 MetricStatus metric_status(PointStatus status) {
@@ -49,13 +51,19 @@ CurveSearch::CurveSearch(const MotorModel<double>& model)
 
 CurveSearch::Node CurveSearch::node(double speed) const {
   const SolvedPoint p = solve_point(m_, speed);
-  if (p.status != PointStatus::ok) throw SearchFailure{metric_status(p.status)};
+  if (p.status != PointStatus::ok) return {speed, 0, 0, false, kNoState, metric_status(p.status)};
   const bool drives = !p.special && p.state.lap.one_slip && p.state.lap.first == ZoneState::slip_plus;
-  return {speed, p.numbers.torque, p.numbers.stator_power, drives, p.special ? 0 : p.state.lap.itinerary};
+  return {speed, p.numbers.torque, p.numbers.stator_power, drives, p.special ? 0 : p.state.lap.itinerary, MetricStatus::ok};
+}
+
+CurveSearch::Node CurveSearch::answered(double speed) const {
+  const Node n = node(speed);
+  if (!n.ok()) throw SearchFailure{n.status};
+  return n;
 }
 
 double CurveSearch::stall_torque() {
-  if (nodes_.empty()) nodes_.push_back(node(0));
+  if (nodes_.empty()) nodes_.push_back(answered(0));
   return nodes_.front().torque;
 }
 
@@ -63,17 +71,22 @@ void CurveSearch::require_drive() {
   if (!(stall_torque() > 0)) throw SearchFailure{MetricStatus::undefined};
 }
 
-// Nodes from rest to the first speed at which the torque is not positive.
+// Nodes from rest to the first speed at which the torque is not positive. With mu_0 > mu points without
+// a periodic state are passed over, as long as they do not follow one another.
 void CurveSearch::scan() {
   if (scan_failure_) throw SearchFailure{*scan_failure_};
   if (scanned_) return;
   require_drive();
   try {
     double step = crest_ / (rough_ ? kRoughIntervals : kIntervals);
+    int missing = 0;
     for (double speed = step; nodes_.back().torque > 0; speed += step) {
       if (speed > kFarthest * crest_) throw SearchFailure{MetricStatus::unresolved};
       if (speed > 2 * crest_) step *= 1.5;
-      nodes_.push_back(node(speed));
+      const Node next = node(speed);
+      missing = next.ok() ? 0 : missing + 1;
+      if (missing > (rough_ ? kMissing : 0)) throw SearchFailure{next.status};
+      if (next.ok()) nodes_.push_back(next);
     }
     scanned_ = true;
   } catch (const SearchFailure& failure) {
@@ -84,7 +97,7 @@ void CurveSearch::scan() {
 
 Crossing CurveSearch::falls_through(double torque, const Node& low, const Node& high) const {
   std::vector<std::pair<double, double>> seen{{low.speed, low.torque - torque}, {high.speed, high.torque - torque}};
-  const auto excess = [&](double speed) { return seen.emplace_back(speed, node(speed).torque - torque).second; };
+  const auto excess = [&](double speed) { return seen.emplace_back(speed, answered(speed).torque - torque).second; };
   const Bracket b = close_in(excess, low.speed, high.speed, seen[0].second, seen[1].second);
   const auto at = [&seen](double speed) {
     return std::find_if(seen.begin(), seen.end(), [speed](const auto& s) { return s.first == speed; })->second;
@@ -115,7 +128,7 @@ Crossing CurveSearch::speed_at(double torque) {
   if (k > 0 && nodes[k - 1].speed >= top.speed) return falls_through(torque, nodes[k - 1], nodes[k]);
   if (top.kind == PeakKind::rest && starts_on_plateau()) return {plateau_end(), false};
   if (torque >= top.value || top.speed >= high) return {top.speed, false};
-  if (const Node at_top = node(top.speed); at_top.torque > torque) return falls_through(torque, at_top, nodes[k]);
+  if (const Node at_top = answered(top.speed); at_top.torque > torque) return falls_through(torque, at_top, nodes[k]);
   return {top.speed, top.kind != PeakKind::smooth};
 }
 
@@ -189,13 +202,14 @@ std::vector<CurveSearch::Node> CurveSearch::working_nodes() {
   scan();
   std::vector<Node> nodes(nodes_.begin(), nodes_.end() - 1);
   const double end = no_load().speed;
-  if (end > nodes.back().speed) nodes.push_back(node(end));
+  if (end > nodes.back().speed) nodes.push_back(answered(end));
   return nodes;
 }
 
 // A maximum in an interval where the slope goes from + to -; nothing if it does not.
 std::optional<Peak> CurveSearch::peak_between(Goal goal, double low, double high) {
   const auto slope = [&](double speed) { return sloped(goal, speed).slope; };
+  if (!(low < high)) return {};
   double at_low = slope(low), at_high = slope(high);
   if (!(at_low > 0)) return {};
   // A dip behind the maximum can hide it: halve towards the higher side.
@@ -261,36 +275,42 @@ Peak CurveSearch::smooth_peak(Goal goal, const std::vector<Node>& nodes, std::si
   return inside && inside->value >= at_node.value ? named(*inside) : at_node;
 }
 
-// Torque that may jump: every stretch with the same sequence of zones is searched by itself, its ends
-// located by halving.
+// Torque that may jump: every stretch with the same sequence of zones, or without a periodic state, is
+// taken by itself, its ends located by halving.
 Peak CurveSearch::rough_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top) {
   Peak best{nodes[top].speed, value(goal, nodes[top]), top == 0 ? PeakKind::rest : PeakKind::kink};
-  const auto consider = [&](const std::optional<Peak>& peak) {
-    if (peak && peak->value > best.value) best = *peak;
+  const auto consider = [&](const Node& n) {
+    if (n.ok() && value(goal, n) > best.value) best = {n.speed, value(goal, n), PeakKind::kink};
   };
-  const double worth = best.value * (rough_ ? 0.7 : 1.0);
+  const double worth = 0.7 * best.value;
   for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
     if (std::max(value(goal, nodes[k]), value(goal, nodes[k + 1])) < worth) continue;
     Node low = nodes[k];
     const Node end = nodes[k + 1];
-    for (int stretch = 0; stretch < 8; ++stretch) {
-      if (low.itinerary == end.itinerary) {
-        consider(peak_between(goal, low.speed, end.speed));
-        break;
+    for (int stretch = 0; stretch < kStretches; ++stretch) {
+      const auto [left, right] = low.itinerary == end.itinerary ? std::pair(end, end) : stretch_end(low, end);
+      if (low.ok()) {
+        const std::optional<Peak> inside = peak_between(goal, low.speed, left.speed);
+        if (inside && inside->value > best.value) best = *inside;
       }
-      Node left = low, right = end;
-      while (right.speed - left.speed > 4e-16 * (crest_ + right.speed)) {
-        const Node middle = node(0.5 * (left.speed + right.speed));
-        if (middle.speed <= left.speed || middle.speed >= right.speed) break;
-        (middle.itinerary == low.itinerary ? left : right) = middle;
-      }
-      consider(peak_between(goal, low.speed, left.speed));
-      consider(Peak{left.speed, value(goal, left), PeakKind::kink});
-      consider(Peak{right.speed, value(goal, right), PeakKind::kink});
+      consider(left);
+      consider(right);
+      if (right.speed >= end.speed) break;
       low = right;
     }
   }
   return named(best);
+}
+
+// Neighbouring speeds between which the sequence of zones that holds at `low` ends.
+std::pair<CurveSearch::Node, CurveSearch::Node> CurveSearch::stretch_end(const Node& low, const Node& end) const {
+  Node left = low, right = end;
+  while (right.speed - left.speed > 4e-16 * (crest_ + right.speed)) {
+    const Node middle = node(0.5 * (left.speed + right.speed));
+    if (middle.speed <= left.speed || middle.speed >= right.speed) break;
+    (middle.itinerary == low.itinerary ? left : right) = middle;
+  }
+  return {left, right};
 }
 
 Peak CurveSearch::peak(Goal goal) {

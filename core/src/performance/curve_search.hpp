@@ -55,13 +55,17 @@ class CurveSearch {
   struct Node {
     double speed, torque, stator_power;
     bool plateau;
-    std::uint64_t itinerary;
+    std::uint64_t itinerary;  ///< kNoState where the point has no answer
+    MetricStatus status;
+    bool ok() const { return status == MetricStatus::ok; }
   };
+  static constexpr std::uint64_t kNoState = ~std::uint64_t{0};
   struct Sloped {
     double value, slope;
   };
 
   Node node(double speed) const;
+  Node answered(double speed) const;
   void scan();
   void require_drive();
   double value(Goal goal, const Node& node) const;
@@ -72,6 +76,7 @@ class CurveSearch {
   Peak rough_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top);
   std::optional<Peak> peak_near(Goal goal, const Node& a, const Node& b, const Node& c);
   std::optional<Peak> peak_between(Goal goal, double low, double high);
+  std::pair<Node, Node> stretch_end(const Node& low, const Node& end) const;
   Peak named(Peak peak);
   std::vector<Node> working_nodes();
   bool starts_on_plateau();
