@@ -16,6 +16,7 @@ namespace {
 using namespace performance;
 using M = Metric;
 
+constexpr double kVanishing = 1e-8;  // length of a zone that counts as about to vanish [rad]
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 MetricStatus status_of(PointStatus status) {
@@ -132,6 +133,15 @@ struct Derived {
 
 Smoothness worse(Smoothness a, Smoothness b) { return a < b ? b : a; }
 
+// One-sided where a zone is about to vanish, unless the torque is C1 there (theory section 8): elastic
+// layers with mu_0 = mu. Special points are limits (locked at rest) or stand where nothing rubs.
+Smoothness smoothness_of(const MotorModel<double>& m, const SolvedPoint& p) {
+  if (is_trivial(m)) return Smoothness::undefined;
+  if (p.special) return Smoothness::one_sided;
+  const bool may_kink = m.static_ > m.kinetic || m.inertia > 0;
+  return may_kink && p.state.lap.shortest < kVanishing ? Smoothness::one_sided : Smoothness::smooth;
+}
+
 class Differentiator : private Evaluator {
  public:
   Differentiator(const Motor& motor, bool fixed_static_friction)
@@ -193,13 +203,7 @@ class Differentiator : private Evaluator {
     return std::fabs(gap) < 1e-7 ? Smoothness::one_sided : Smoothness::smooth;
   }
 
-  Smoothness of_point(double speed) {
-    const SolvedPoint& p = point(speed);
-    if (is_trivial(m_)) return Smoothness::undefined;
-    if (p.special) return Smoothness::one_sided;
-    const bool may_kink = m_.static_ > m_.kinetic || m_.inertia > 0;
-    return may_kink && p.state.lap.shortest < 1e-8 ? Smoothness::one_sided : of_contact();
-  }
+  Smoothness of_point(double speed) { return worse(smoothness_of(m_, point(speed)), of_contact()); }
 
   const PointNumbers<ModelDual>& numbers(double speed) {
     for (const auto& [at, kept] : duals_) {
@@ -284,6 +288,27 @@ class Differentiator : private Evaluator {
 };
 
 }  // namespace
+
+SpeedDerivative differentiate_in_speed(const Motor& motor, double speed) {
+  SpeedDerivative d;
+  d.point = motor.operating_point(speed);
+  if (d.point.status != PointStatus::ok) {
+    d.torque = d.output_power = d.stator_power = d.friction_power = d.layer_loss = d.stick_fraction = kNaN;
+    d.smoothness = Smoothness::undefined;
+    return d;
+  }
+  const MotorModel<double>& m = motor.model();
+  const SolvedPoint solved = solve_point(m, speed);
+  const PointNumbers<contact::SpeedDual> n = point_in_speed(m, solved, speed);
+  d.torque = n.torque.d[0];
+  d.output_power = d.point.torque + speed * d.torque;
+  d.stator_power = n.stator_power.d[0];
+  d.friction_power = n.friction_power.d[0];
+  d.layer_loss = n.layer_loss.d[0];
+  d.stick_fraction = n.stick_fraction.d[0];
+  d.smoothness = smoothness_of(m, solved);
+  return d;
+}
 
 std::vector<MetricValue> evaluate(const Motor& motor, std::span<const MetricRequest> requests) {
   Evaluator evaluator(motor);

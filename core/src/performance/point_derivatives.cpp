@@ -113,18 +113,18 @@ PointNumbers<S> differentiate_point(const MotorModel<double>& values, const Moto
   return dimensional(model, means, point.state.lap);
 }
 
+PointNumbers<SpeedDual> point_in_speed(const MotorModel<double>& m, const SolvedPoint& point, double speed) {
+  const SpeedDual omega = SpeedDual::variable(speed, 0);
+  if (point.special) return special_point(m, omega);
+  const Lap<SpeedDual> lap = contact::periodic_lap(contact_numbers(m, omega), contact_numbers(m, speed), point.state);
+  return dimensional(m, lap.means, point.state.lap);
+}
+
 TorqueSlope torque_slope(const MotorModel<double>& m, double speed) {
   const SolvedPoint point = solve_point(m, speed);
-  if (point.status != PointStatus::ok) return {0, 0, 0, 0, 0, point.status};
-  const SpeedDual omega = SpeedDual::variable(speed, 0);
-  PointNumbers<SpeedDual> n;
-  if (point.special) {
-    n = special_point(m, omega);
-  } else {
-    const Lap<SpeedDual> lap = contact::periodic_lap(contact_numbers(m, omega), contact_numbers(m, speed), point.state);
-    n = dimensional(m, lap.means, point.state.lap);
-  }
-  return {n.torque.v, n.torque.d[0], n.stator_power.v, n.stator_power.d[0], n.friction_power.d[0], point.status};
+  if (point.status != PointStatus::ok) return {0, 0, 0, 0, point.status};
+  const PointNumbers<SpeedDual> n = point_in_speed(m, point, speed);
+  return {n.torque.v, n.torque.d[0], n.stator_power.v, n.stator_power.d[0], point.status};
 }
 
 Margin plateau_margin(const MotorModel<double>& m, double speed) {

@@ -23,11 +23,13 @@ template <typename S>
 PointNumbers<S> differentiate_point(const MotorModel<double>& values, const MotorModel<S>& model,
                                     const SolvedPoint& point, double speed);
 
+/// Numbers of a solved point with their derivatives in speed.
+PointNumbers<contact::SpeedDual> point_in_speed(const MotorModel<double>& model, const SolvedPoint& point, double speed);
+
 /// Torque and its slope in speed.
 struct TorqueSlope {
   double torque, slope;  ///< [N m], [N m s]
   double stator_power, power_slope;
-  double friction_slope;
   PointStatus status;
 };
 TorqueSlope torque_slope(const MotorModel<double>& model, double speed);

@@ -112,6 +112,22 @@ struct MetricDerivative {
   Smoothness smoothness{Smoothness::smooth};
 };
 
+/// Derivatives of an operating point with respect to the rotor speed. SI units.
+struct SpeedDerivative {
+  OperatingPoint point;
+  double torque{0};          ///< dT / dOmega [N m s]
+  double output_power{0};    ///< [W s]
+  double stator_power{0};    ///< [W s]
+  double friction_power{0};  ///< [W s]
+  double layer_loss{0};      ///< [W s]
+  double stick_fraction{0};  ///< [s]
+  Smoothness smoothness{Smoothness::smooth};
+};
+
+/// Operating point with its derivatives in speed; NaN and `undefined` where the point has no answer.
+/// About twice the cost of the point. @throws InputError as Motor::operating_point.
+SpeedDerivative differentiate_in_speed(const Motor& motor, double speed);
+
 /// Metrics of a motor, in the order asked. Work shared by several metrics is done once.
 /// About 40 microseconds for all metrics without argument.
 std::vector<MetricValue> evaluate(const Motor& motor, std::span<const MetricRequest> requests);
