@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # twum_test(NAME SOURCES ... [LIBRARIES ...] [RAPIDCHECK] [LABELS ...] [TIMEOUT SECONDS])
 #
-# Makes the Catch2 program NAME_tests and one ctest for each of its test cases, named "NAME: case".
+# Makes the Catch2 program NAME_tests and one ctest for each of its test cases, named "NAME.case".
 #
 #  - LIBRARIES  what it links besides Catch2 (with its main) and the project's compile flags.
 #  - RAPIDCHECK links rapidcheck and its Catch2 glue; the seed is fixed, failures print it.
@@ -40,7 +40,7 @@ function(twum_test name)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   # -w NoTests: a name that matches nothing is a failure, not a silent pass.
   catch_discover_tests(${target}
-    TEST_PREFIX "${name}: "
+    TEST_PREFIX "${name}."
     EXTRA_ARGS -w NoTests
     PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${name};${ARG_LABELS}" ENVIRONMENT "RC_PARAMS=seed=42")
   set_property(GLOBAL APPEND PROPERTY TWUM_TEST_PROGRAMS $<TARGET_FILE:${target}>)

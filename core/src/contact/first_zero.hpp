@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -56,7 +57,7 @@ inline double zero_bracket(const CurveSample& c) {
   const double square = c.f1 * c.f1 - 2 * c.f2 * c.f;
   if (!(c.f1 < 0 && square > 0)) return 0;
   const double t = 1.1 * 2 * c.f / (std::sqrt(square) - c.f1);
-  const bool falls = c.f1 + std::fmax(c.f2, 0.0) * t + c.l3 * t * t / 2 < 0;
+  const bool falls = c.f1 + std::max(c.f2, 0.0) * t + c.l3 * t * t / 2 < 0;
   return falls && c.f + t * (c.f1 + t * (c.f2 / 2 + c.l3 * t / 6)) < 0 ? t : 0;
 }
 
@@ -89,16 +90,18 @@ double first_zero(const Curve& curve, double length, StartOrder order, long& wor
   double x = 0;
   CurveSample c = curve.first();
   while (++work <= limit) {
-    if (order == StartOrder::positive && !(c.f > 0)) return x;
-    const double step = std::fmax(zero_free_step(c, order), c.skip);
-    if (!(step > 0)) return x;
-    if (x + step >= length) return kNoZero;
-    if (const double reach = order == StartOrder::positive ? zero_bracket(c) : 0; reach > 0) {
-      const double zero = polish_zero(curve, x, x + reach, x, c);
-      return zero < length ? zero : kNoZero;
+    if (order == StartOrder::positive) {
+      if (!(c.f > 0)) return x;
+      if (const double reach = zero_bracket(c); reach > 0) {
+        const double zero = polish_zero(curve, x, x + reach, x, c);
+        return zero < length ? zero : kNoZero;
+      }
     }
-    order = StartOrder::positive;
+    const double step = std::max(zero_free_step(c, order), c.skip);
+    if (!(step > 0)) return x;
     x += step;
+    if (x >= length) return kNoZero;
+    order = StartOrder::positive;
     c = curve.sample(x);
   }
   return std::numeric_limits<double>::quiet_NaN();

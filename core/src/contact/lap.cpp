@@ -6,6 +6,7 @@
 #include "contact/zone_curves.hpp"
 #include "contact/zone_integrals.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr long kMaxSamples = 4'000'000;
+constexpr double kSamePlace = 1e-14;  // [rad]
 constexpr int kMaxZones = 200'000;
 
 // A free layer that has decayed by exp(-37) = 9e-17 enters the next contact at rest.
@@ -60,7 +62,7 @@ class LapRunner {
   // Own and forced part of the layer's motion cancel in small contacts, which costs the closed forms
   // eps (1 + response) / (s theta_L^3) of the powers: more than 1e-13 is too much.
   bool is_delicate() const {
-    const double size = std::fmin(value_of(n_.half_angle), 1.0);
+    const double size = std::min<double>(value_of(n_.half_angle), 1.0);
     return layer_.kind() != LayerKind::elastic &&
            1 + value_of(layer_.response) > 600 * value_of(n_.stick_rate) * size * size * size;
   }
@@ -278,7 +280,7 @@ class LapRunner {
     double first = side_order(likely) == StartOrder::positive ? curve.only_zero(length, values(n_.edge)) : NAN;
     if (std::isnan(first)) first = first_zero(curve, length, side_order(likely), samples_, kMaxSamples);
     if (std::isnan(first)) return {first, 0};
-    const double reach = std::fmin(first, length);
+    const double reach = std::min<double>(first, length);
     if (stays_off(t, -likely, reach)) return {first, likely};
     const double second = find_stick_end(t, -likely, reach);
     return second == kNoZero ? Script::End{first, likely} : Script::End{second, -likely};
@@ -317,9 +319,9 @@ class LapRunner {
   }
 
   void advance(const S& length) {
-    // Events that pile up at one place can only come from rounding: move on by less than counts.
-    stalled_ = value_of(length) <= 0 ? stalled_ + 1 : 0;
-    theta_ = theta_ + length + (stalled_ > 4 ? 1e-14 : 0.0);
+    // Events that pile up within rounding of one place are one event: pass it by less than counts.
+    stalled_ = value_of(length) < kSamePlace ? stalled_ + 1 : 0;
+    theta_ = theta_ + length + (stalled_ > 4 ? 10 * kSamePlace : 0.0);
     at_ = trig(theta_);
     if (!(value_of(theta_) < value_of(n_.half_angle))) reach_exit();
   }
@@ -347,7 +349,7 @@ class LapRunner {
 
   // To be called while state_ is still that of the zone's start.
   void record(const Phase<S>& from) {
-    lap_.shortest = std::fmin(lap_.shortest, value_of(theta_) - value_of(from.theta));
+    lap_.shortest = std::min<double>(lap_.shortest, value_of(theta_) - value_of(from.theta));
     if (trace_ && value_of(theta_) > value_of(from.theta)) {
       trace_->push_back({{zone_, value_of(from.theta), value_of(theta_)},
                          {value_of(state_.e), value_of(state_.rate)}});

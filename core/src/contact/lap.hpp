@@ -31,7 +31,7 @@ struct Script {
     double length;  ///< of the zone [rad]; kNoZero if it lasts to the exit
     double side;    ///< stick: sign of the traction at its threshold
   };
-  static constexpr int kCapacity = 16;
+  static constexpr int kCapacity = 8;
   End ends[kCapacity];
   int count{0};  ///< zones of the lap; more than kCapacity: the script is not complete
 

@@ -10,9 +10,10 @@
 namespace twum::contact {
 namespace {
 
-constexpr int kMaxLaps = 3000;
+constexpr int kMaxLaps = 1500;
 constexpr long kMaxZonesInAll = 60'000;
-constexpr double kFloor = 1000;
+constexpr double kFloor = 1000;       // of tolerances: where rounding may keep Newton's method
+constexpr double kSameState = 1000;  // of tolerances: a state that came back
 constexpr double kResonance = 1e-16;
 
 struct Matrix2 {
@@ -76,6 +77,7 @@ class Search {
     turn({{0, 0}, false, ZoneState::stick});
     while (s_.laps < kMaxLaps && zones_ < kMaxZonesInAll && s_.lap.status == LapStatus::ok) {
       if (settled()) return finish();
+      if (cycles()) break;
       advance();
     }
     if (s_.lap.status != LapStatus::ok) return give_up(PeriodicStatus::unresolved);
@@ -163,6 +165,19 @@ class Search {
     return false;
   }
 
+  // With mu_0 > mu the laps may end in a cycle of several: the state comes back to a checkpoint, set at
+  // laps 8, 16, 32, ..., while it does not repeat itself from lap to lap.
+  bool cycles() {
+    if (monotone_) return false;
+    const double back = distance(s_.entry.layer, checkpoint_);
+    if (s_.laps > 8 && back <= kSameState * tolerance_ && gap_ > 1e3 * kSameState * tolerance_) return true;
+    if ((s_.laps & (s_.laps - 1)) == 0 || s_.laps - checked_ > s_.laps / 2) {
+      checkpoint_ = s_.entry.layer;
+      checked_ = s_.laps;
+    }
+    return false;
+  }
+
   bool sticks_all_round() const {
     return n_.full && s_.entry.carried && s_.lap.zones == 1 && s_.lap.first == ZoneState::stick;
   }
@@ -187,7 +202,8 @@ class Search {
   double tolerance_, tight_;
   PeriodicState s_{};
   double gap_{0}, contraction_{1};
-  int repeats_{0}, patience_{4};
+  int repeats_{0}, patience_{4}, checked_{0};
+  LayerState<double> checkpoint_{0, 0};
   long zones_{0};
 };
 

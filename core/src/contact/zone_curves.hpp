@@ -4,6 +4,7 @@
 #include "contact/first_zero.hpp"
 #include "contact/layer_motion.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace twum::contact {
@@ -107,7 +108,7 @@ class SlipCurve {
     const double bound = own_start().bound0;
     const bool may_turn = length > 3 || (slow_.slope(a) < 0 && slow_.slope(b) > 0);
     const double low = may_turn ? slow_.k0 + slow_.kw - swing_
-                                : std::fmin(slow_.at(theta_, a), slow_.at(theta_, b));
+                                : std::min<double>(slow_.at(theta_, a), slow_.at(theta_, b));
     return low > bound;
   }
 

@@ -37,6 +37,9 @@ template <typename F>
 Bracket close_in(const F& f, double low, double high, double f_low, double f_high) {
   if (f_low == 0) return {low, low};
   if (f_high == 0) return {high, high};
+  if (!((f_low < 0) != (f_high < 0)) || std::isnan(f_low) || std::isnan(f_high)) {
+    throw SearchFailure{MetricStatus::unresolved};
+  }
   boost::uintmax_t limit = 120;
   const auto found = boost::math::tools::toms748_solve(f, low, high, f_low, f_high,
                                                        boost::math::tools::eps_tolerance<double>(51), limit);
@@ -213,6 +216,7 @@ std::optional<Peak> CurveSearch::peak_between(Goal goal, double low, double high
   double at_low = slope(low), at_high = slope(high);
   if (!(at_low > 0)) return {};
   // A dip behind the maximum can hide it: halve towards the higher side.
+  if (!(at_high < 0) && !(sloped(goal, high).value < sloped(goal, low).value)) return {};
   for (int i = 0; i < 50 && !(at_high < 0); ++i) {
     const double middle = 0.5 * (low + high);
     const Sloped s = sloped(goal, middle);
@@ -289,7 +293,8 @@ Peak CurveSearch::rough_peak(Goal goal, const std::vector<Node>& nodes, std::siz
     const Node end = nodes[k + 1];
     for (int stretch = 0; stretch < kStretches; ++stretch) {
       const auto [left, right] = low.itinerary == end.itinerary ? std::pair(end, end) : stretch_end(low, end);
-      if (low.ok()) {
+      const bool level = goal == Goal::torque && low.plateau;
+      if (low.ok() && !level) {
         const std::optional<Peak> inside = peak_between(goal, low.speed, left.speed);
         if (inside && inside->value > best.value) best = *inside;
       }
