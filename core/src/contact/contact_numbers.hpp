@@ -26,7 +26,8 @@ Trig<S> trig(const S& theta) {
 /// amplitude P = E A / h, velocities in units of the crest velocity V0, and e = G eps / P stands for
 /// the layer's strain. Theory section 4 then reads, with ' = d / d theta,
 ///
-///     M e'' + C e' + e = t,        v_rel / V0 = e' / s + V - cos theta,
+///     M e'' + C e' + e = t                                              (E1.2, T4.1)
+///     v_rel / V0 = e' / s + V - cos theta                               (E1.3, T2.3, T2.4)
 ///     p = w_L - (1 - cos theta)    on |theta| <= theta_L.
 ///
 /// Seven numbers; every motor parameter and the speed act through them.
@@ -53,12 +54,12 @@ enum class LayerKind : unsigned char {
   overdamped    ///< two exponentials of well separated rates
 };
 
-/// Mean values over one turn of the wave, dimensionless, and the state of the layer at the next entry.
+/// Mean values over one turn of the wave, dimensionless. What comes in goes out (T7.10).
 template <typename S>
 struct ContactMeans {
   S traction;        ///< <t>; torque is 2 pi r^2 b P <t>
-  S stator_power;    ///< <t cos theta>; powers are in units of 2 pi r b P V0
-  S friction_power;  ///< <-t v_rel / V0> and the work of snaps
+  S stator_power;    ///< <t cos theta> (T7.2); powers are in units of 2 pi r b P V0
+  S friction_power;  ///< <-t v_rel / V0> and the work of snaps (T7.3)
   S layer_loss;      ///< <C e'^2> / s
   S stick_length;    ///< length of the stick zones [rad]
 };

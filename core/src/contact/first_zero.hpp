@@ -23,13 +23,13 @@ enum class StartOrder : unsigned char {
 
 inline constexpr double kNoZero = std::numeric_limits<double>::infinity();
 
-/// Step over which f stays positive by the bound l2: f + f' t - l2 t^2 / 2 > 0 up to there.
+/// Step over which f stays positive by the bound l2 (E3.1): f + f' t - l2 t^2 / 2 > 0 up to there.
 inline double quadratic_step(const CurveSample& c) {
   const double root = std::sqrt(c.f1 * c.f1 + 2 * c.l2 * c.f);
   return c.f1 > 0 ? (c.f1 + root) / c.l2 : 2 * c.f / (root - c.f1);
 }
 
-/// The same by the bound l3, from a step that is known to be safe: the cubic
+/// The same by the bound l3 (E3.2), from a step that is known to be safe: the cubic
 /// q = f + f' t + min(f'', 0) t^2 / 2 - l3 t^3 / 6 is concave, so between a place where it is positive
 /// and its tangent's zero, where it is not, it lies above the chord, whose zero is safe again.
 inline double cubic_step(const CurveSample& c, double t) {
@@ -44,7 +44,7 @@ inline double cubic_step(const CurveSample& c, double t) {
   return t;
 }
 
-/// Step over which f stays positive; after an event the next derivative decides.
+/// Step over which f stays positive; after an event the next derivative decides (E3.3, E3.4).
 inline double zero_free_step(const CurveSample& c, StartOrder order) {
   if (order == StartOrder::double_zero) return 1.5 * c.f2 / c.l3;
   if (order == StartOrder::zero) return c.f1 / c.l2;
@@ -52,7 +52,7 @@ inline double zero_free_step(const CurveSample& c, StartOrder order) {
 }
 
 /// Length over which f is sure to fall through zero once, and monotonically: a little past the zero of
-/// its parabola. 0 if that cannot be told.
+/// its parabola (E3.5). 0 if that cannot be told.
 inline double zero_bracket(const CurveSample& c) {
   const double square = c.f1 * c.f1 - 2 * c.f2 * c.f;
   if (!(c.f1 < 0 && square > 0)) return 0;

@@ -50,7 +50,7 @@ class LapRunner {
   }
 
   S pressure() const { return n_.peak - at_.versine; }
-  // v_rel = 0: e' = s (cos theta - V)
+  // v_rel = 0 (T4.2): e' = s (cos theta - V)
   S sticking_rate() const { return n_.stick_rate * ((1.0 - n_.speed_ratio) - at_.versine); }
   S sticking_traction() const {
     return state_.e + layer_.C * sticking_rate() - layer_.M * n_.stick_rate * at_.sin;
@@ -165,7 +165,7 @@ class LapRunner {
     begin_stick(StartOrder::positive, StartOrder::positive);
   }
 
-  // Elastic layer: t falls from mu_0 p to mu p at once; all the energy released is friction work.
+  // Elastic layer: t falls from mu_0 p to mu p at once; all the energy released is friction work (T4.4).
   void snap(double iota) {
     const S before = iota * n_.static_ * pressure(), after = iota * n_.kinetic * pressure();
     lap_.means.friction_power += 0.5 * (before * before - after * after) / n_.stick_rate;
@@ -177,7 +177,7 @@ class LapRunner {
 
   void slip() {
     const double sigma = sign(zone_);
-    const Harmonic<S> f = forced(sigma);
+    const Harmonic<S> f = forced(sigma);  // t = -sigma mu p (T4.3)
     const LayerState<S> h0 =
         layer_.own_part({state_.e - f.at(theta_, at_), state_.rate - f.slope(at_)});
     const FreeMotion<S> motion = layer_.start(h0);
@@ -244,7 +244,7 @@ class LapRunner {
   void stick() {
     const S& s = n_.stick_rate;
     const S drift = s * n_.speed_ratio;
-    // t = M e'' + C e' + e with e' = s (cos theta - V) (T5.3)
+    // t = M e'' + C e' + e with e from (T5.2): (T5.3, E2.3)
     const Harmonic<S> t{state_.e - s * at_.sin + drift * theta_ + layer_.C * s * (1.0 - n_.speed_ratio), -drift,
                         -(layer_.C * s), layer_.D * s};
     const Script::End end = find_stick_end(t);
@@ -265,6 +265,7 @@ class LapRunner {
     if (end.length != kNoZero) after_stick(end.side);
   }
 
+  // (E2.4)
   Harmonic<S> reserve(const Harmonic<S>& t, double iota) const {
     return {n_.static_ * n_.peak - iota * t.k0, -iota * t.kb, -n_.static_ - iota * t.kw, -iota * t.ks};
   }

@@ -140,7 +140,7 @@ class Search {
     const double gap = gap_;
     const Matrix2 j = return_jacobian(n_, s_.entry, &s_.lap.script);
     ++s_.laps;
-    LayerState<double> step;
+    LayerState<double> step{0, 0};
     const LayerState<double> r{plain.next.layer.e - from.layer.e, plain.next.layer.rate - from.layer.rate};
     // Near a threshold that is just touched the full step overshoots: shorten it.
     double share = solve_return(j, r, step) ? 1 : 0;
@@ -182,7 +182,7 @@ class Search {
     return n_.full && s_.entry.carried && s_.lap.zones == 1 && s_.lap.first == ZoneState::stick;
   }
 
-  // Full contact that sticks all round only drifts, by the same amount each lap: go on to the last lap
+  // Full contact that sticks all round only drifts, by the same amount each lap (E6.3): go on to the last lap
   // before the traction can reach its threshold.
   LapEntry<double> after_drift() const {
     const double s = n_.stick_rate, drift = -2 * std::numbers::pi * s * n_.speed_ratio;

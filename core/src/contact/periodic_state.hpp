@@ -19,8 +19,8 @@ struct PeriodicState {
 /// Finds the periodic state that laps from rest lead to (theory section 10).
 ///
 /// With mu_0 = mu the lap never increases the energy of a difference of states, because Coulomb's law
-/// is monotone: the periodic state of a damped layer is unique, and Newton's method on the two-state
-/// return map goes there in a few laps. With mu_0 > mu Newton's method takes over only when the
+/// is monotone (E6.1): the periodic state of a damped layer is unique, and Newton's method on the two-state
+/// return map (E6.2) goes there in a few laps. With mu_0 > mu Newton's method takes over only when the
 /// sequence of zones has settled, must keep it, and must end in an attracting state.
 PeriodicState find_periodic_state(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer);
 

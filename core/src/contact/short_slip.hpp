@@ -5,7 +5,7 @@
 
 namespace twum::contact {
 
-/// A slip zone that is short against the layer's own times, by Taylor series from its start.
+/// A slip zone that is short against the layer's own times, by Taylor series (E5.3) from its start.
 ///
 /// There the layer's own and its forced motion nearly cancel, and their difference would have few
 /// digits. The series of e itself has them all: with z = rate * length its terms fall like z^k / k!, and

@@ -20,7 +20,7 @@ struct Harmonic {
   Harmonic<double> values() const { return {value_of(k0), value_of(kb), value_of(kw), value_of(ks)}; }
 };
 
-/// Response e of a layer that slips with v_rel of sign sigma to t = -sigma mu p (T5.1): its mean, written so
+/// Response e of a layer that slips with v_rel of sign sigma to t = -sigma mu p (T5.1, E2.1): its mean, written so
 /// that it is as small as the pressure where the layer is stiff, and its swing.
 template <typename S>
 Harmonic<S> forced_response(const ContactNumbers<S>& n, const LayerMotion<S>& layer, double sigma) {
@@ -29,7 +29,7 @@ Harmonic<S> forced_response(const ContactNumbers<S>& n, const LayerMotion<S>& la
   return {q * (excess + n.peak), S(0.0), -(q * layer.response * layer.D), q * layer.response * layer.C};
 }
 
-/// f' - s (cos theta - V): v_rel s / V0 without the layer's own motion.
+/// f' - s (cos theta - V): v_rel s / V0 without the layer's own motion (E2.2).
 template <typename S>
 Harmonic<S> relative_rate(const ContactNumbers<S>& n, const Harmonic<S>& f) {
   return {f.ks - n.stick_rate * (1.0 - n.speed_ratio), S(0.0), n.stick_rate - f.ks, f.kw};
@@ -41,7 +41,8 @@ inline Trig<double> quick_trig(double theta) {
   return {a.sin, a.cos, 1 - a.cos};
 }
 
-/// Distance to the end of sticking on one side, f = mu_0 p - iota t, along a stick zone.
+/// Distance to the end of sticking on one side, f = mu_0 p - iota t (E2.4), along a stick zone; its bounds
+/// are (E4.5).
 class StickCurve {
  public:
   StickCurve(const Harmonic<double>& f, double theta, const Trig<double>& at)
@@ -89,8 +90,8 @@ class StickCurve {
 
 /// sigma v_rel along a slip zone, f = sigma (h' + harmonic): positive as long as the zone lasts.
 ///
-/// The bounds come from the layer's own motion, which can only lose: an oscillating layer's energy
-/// M h''^2 + h'^2 falls, and so do both modes of an overdamped one.
+/// The bounds (E4.1) come from the layer's own motion, which can only lose: an oscillating layer's energy
+/// M h''^2 + h'^2 falls (E4.2, E4.3), and so do both modes of an overdamped one (E4.4).
 class SlipCurve {
  public:
   SlipCurve(const LayerMotion<double>& layer, const FreeMotion<double>& motion,
@@ -162,7 +163,7 @@ class SlipCurve {
             std::fabs(fast2 * l1) + std::fabs(slow2 * l2)};
   }
 
-  // How far the harmonic part mean + rho cos(u) stays above `bound`, from where it is `slow` and falls or
+  // (E4.6) How far the harmonic part mean + rho cos(u) stays above `bound`, from where it is `slow` and falls or
   // rises with `slope` = -rho sin(u).
   double skip(double slow, double slope, double bound) const {
     const double mean = slow_.k0 + slow_.kw, level = (bound - mean) / swing_;

@@ -29,7 +29,7 @@ struct Moments {
 };
 
 /// Integrals of h' cos and h' sin over a zone, from the layer's states at its ends: its equation times
-/// exp(i theta), integrated by parts, leaves boundary terms only. Holds for every kind of layer.
+/// exp(i theta), integrated by parts, leaves boundary terms only (E5.1). Holds for every kind of layer.
 template <typename S>
 struct RateMoments {
   S c, s;
@@ -52,7 +52,8 @@ struct SlipWork {
   S rate_pressure, loss;
 };
 
-/// From the forced part f of e, and the layer's own part h0, h1 at the zone's ends.
+/// From the forced part f of e, and the layer's own part h0, h1 at the zone's ends; the own part loses
+/// its energy (E5.2).
 template <typename S>
 SlipWork<S> slip_work(const ContactNumbers<S>& n, const LayerMotion<S>& layer, const Harmonic<S>& f,
                       const Moments<S>& m, const Phase<S>& from, const Phase<S>& to, const LayerState<S>& h0,

@@ -31,7 +31,7 @@ MetricStatus status_of(PointStatus status) {
 }
 
 // A point metric from the numbers of a point; S is double or carries derivatives. The one place for
-// these formulas (T7.1, T7.6, T7.7, T7.9).
+// these formulas (T7.1, T7.5, T7.6, T7.7, T7.9).
 template <typename S>
 S point_metric(Metric metric, const PointNumbers<S>& n, const S& speed, const MotorModel<S>& m) {
   const S velocity = m.omega * m.amplitude;
@@ -70,7 +70,7 @@ class Evaluator {
     switch (request.metric) {
       case M::stall_torque: return search_.stall_torque();
       case M::max_torque: return search_.max_torque().value;
-      case M::holding_torque: return motor_.holding_torque();
+      case M::holding_torque: return motor_.holding_torque();  // (T7.8)
       case M::no_load_speed: return search_.no_load().speed;
       case M::plateau_speed: return search_.plateau_end();
       case M::peak_power: return search_.peak_power().value;

@@ -43,7 +43,7 @@ S contact_angle(const S& load) {
   return angle;
 }
 
-/// Normal contact of a wave pressed by `preload` (T3.1 to T3.4).
+/// Normal contact of a wave pressed by `preload` (T3.1, T3.2, T3.4), full contact included (T3.3).
 template <typename S>
 NormalContact<S> normal_contact(const S& preload, const S& n, const S& b, const S& kappa,
                                 const S& pressure_amplitude) {
@@ -76,7 +76,7 @@ MotorModel<S> motor_model(const MotorDesign& given, const ParameterArray<S>& p) 
   MotorModel<S> m;
   m.n = at(P::wavelengths), m.r = at(P::contact_radius), m.b = at(P::contact_width);
   m.omega = 2 * std::numbers::pi * at(P::frequency);
-  m.kappa = m.n / m.r;
+  m.kappa = m.n / m.r;  // (T1.1)
   m.amplitude = at(P::amplitude);
   m.crest_velocity = m.kappa * at(P::neutral_plane_distance) * m.amplitude * m.omega;
   m.thickness = at(P::thickness);
@@ -109,7 +109,7 @@ bool is_trivial(const MotorModel<S>& m) {
          value_of(m.contact.half_angle) == 0;
 }
 
-/// The contact's seven numbers at rotor speed Omega; R is S or carries more derivatives than S.
+/// The contact's seven numbers (E1.1) at rotor speed Omega, with W of (T2.1); R is S or carries more derivatives than S.
 template <typename S, typename R>
 contact::ContactNumbers<R> contact_numbers(const MotorModel<S>& m, const R& speed) {
   const R surface = m.r * speed;
@@ -133,7 +133,8 @@ S torque_scale(const MotorModel<S>& m) {
   return 2 * std::numbers::pi * m.r * m.r * m.b * m.contact.pressure_amplitude;
 }
 
-/// Power of one unit of the contact's mean powers, 2 pi r b P V0 [W].
+/// Power of one unit of the contact's mean powers, 2 pi r b P V0 [W]; the largest that can occur is the
+/// scale of powers (T7.11).
 template <typename S>
 S power_scale(const MotorModel<S>& m) {
   return 2 * std::numbers::pi * m.r * m.b * m.contact.pressure_amplitude * m.crest_velocity;

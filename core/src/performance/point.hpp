@@ -8,7 +8,7 @@
 
 namespace twum::performance {
 
-/// Numbers of an operating point in S; the other powers follow from these (T7.1 to T7.4).
+/// Numbers of an operating point in S; the other powers follow from these (T7.1).
 template <typename S>
 struct PointNumbers {
   S torque, stator_power, friction_power, layer_loss, stick_fraction;

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app.hpp"
+
+#include "command.hpp"
+#include "exit_status.hpp"
+#include "interrupt.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+
+#include <twum/base/error.hpp>
+#include <twum/base/version.hpp>
+#include <twum/studies/diagnostics/diagnostics.hpp>
+#include <twum/studies/text/words.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+namespace twum::cli {
+namespace {
+
+constexpr const char* kExamples = R"text(Examples:
+  twum init motor -o ring.yaml                        a commented motor file to start from
+  twum curve ring.yaml                                torque-speed curve and metrics
+  twum curve ring.yaml --set "preload=140 N" --format csv -o curve.csv
+  twum evaluate ring.yaml --designs designs.csv --metrics "stall_torque, speed_at(0.5 N.m)"
+
+Exit status: 0 done; 1 no feasible or converged answer; 2 the input is wrong;
+3 a file could not be written, or an internal error; 130 interrupted.)text";
+
+// The lines with a caret in red, for a terminal that may show colours.
+std::string with_colour(const std::string& text) {
+  std::string out;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string line = text.substr(begin, end - begin);
+    const bool caret = line.find_first_not_of(" |^") == std::string::npos && line.ends_with('^');
+    out += (caret ? "\033[1;31m" + line + "\033[0m" : line) + (end < text.size() ? "\n" : "");
+    begin = end + 1;
+  }
+  return out;
+}
+
+int complain(const std::string& text, int status) {
+  std::fprintf(stderr, "%s\n", text.c_str());
+  return status;
+}
+
+std::vector<std::string_view> command_names(const CLI::App& app) {
+  std::vector<std::string_view> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  return names;
+}
+
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+int unknown_command(const CLI::App& app, const std::string& word) {
+  const std::vector<std::string_view> names = command_names(app);
+  return complain("twum: unknown command " + studies::quoted(word) + "; " +
+                      studies::did_you_mean(word, names) + "; 'twum --help' says more",
+                  kWrongInput);
+}
+
+// Words that no option and no position takes; of several, the first option is the likeliest culprit.
+int unexpected_words(const CLI::App& command, const std::vector<std::string>& rest) {
+  std::string word = rest.empty() ? "" : rest.front();
+  for (const std::string& one : rest) {
+    if (one.starts_with('-') && !word.starts_with('-')) word = one;
+  }
+  word = word.substr(0, word.find('='));
+  const std::vector<std::string> names = option_names(command);
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  const bool near = word.starts_with('-') && !studies::nearest(word, views).empty();
+  return complain("twum " + command.get_name() + ": unexpected " + studies::quoted(word) + "; " +
+                      (near ? studies::did_you_mean(word, views)
+                            : "see 'twum " + command.get_name() + " --help'"),
+                  kWrongInput);
+}
+
+int explain(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0)
+    return app.exit(error) == 0 ? kDone : kWrongInput;  // --help, --version
+  if (app.get_subcommands().empty()) {
+    const std::vector<std::string> rest = app.remaining(true);
+    if (!rest.empty()) return unknown_command(app, rest.front());
+    return complain("twum: which command?\n\n" + app.help(), kWrongInput);
+  }
+  const CLI::App& command = *app.get_subcommands().front();
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {
+    return unexpected_words(command, app.remaining(true));
+  }
+  return complain("twum " + command.get_name() + ": " + error.what() + "; see 'twum " +
+                      command.get_name() + " --help'",
+                  kWrongInput);
+}
+
+int perform(const Action& action) {
+  try {
+    return action();
+  } catch (const ClosedPipe&) {
+    return kDone;  // the reader has seen enough
+  } catch (const OutputError& error) {
+    return complain(std::string("twum: ") + error.what(), kFailed);
+  } catch (const studies::FileError& error) {
+    return complain(may_colour_errors() ? with_colour(error.what()) : error.what(), kWrongInput);
+  } catch (const InputError& error) {
+    return complain(std::string("twum: ") + error.what(), kWrongInput);
+  } catch (const std::bad_alloc&) {
+    return complain("twum: not enough memory", kFailed);
+  } catch (const std::exception& error) {
+    return complain(std::string("twum: ") + error.what(), kFailed);
+  }
+}
+
+}  // namespace
+
+int run(int argc, char** argv) {
+  install_interrupt_handler();
+  CLI::App app("twum - design of travelling wave ultrasonic motors", "twum");
+  app.set_version_flag("--version", std::string("twum ") + version());
+  app.require_subcommand(1);
+  app.footer(kExamples);
+  Action action;
+  for (const auto add : {add_curve, add_fields, add_evaluate, add_check, add_metrics,
+                         add_parameters, add_schema, add_init}) {
+    add(app, action);
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return explain(app, error);
+  }
+  return perform(action);
+}
+
+}  // namespace twum::cli

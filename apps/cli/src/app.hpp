@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace twum::cli {
+
+/// The whole program: reads the arguments, runs the command, and turns what happens into an exit status.
+/// Results go to standard output or files, everything else to standard error.
+int run(int argc, char** argv);
+
+}  // namespace twum::cli

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace twum::cli {
+
+/// What the chosen command does; returns an exit status.
+using Action = std::function<int()>;
+
+/// Each adds one command with its options; when the command is chosen, `action` becomes what it does.
+void add_curve(CLI::App& app, Action& action);
+void add_fields(CLI::App& app, Action& action);
+void add_evaluate(CLI::App& app, Action& action);
+void add_check(CLI::App& app, Action& action);
+void add_metrics(CLI::App& app, Action& action);
+void add_parameters(CLI::App& app, Action& action);
+void add_schema(CLI::App& app, Action& action);
+void add_init(CLI::App& app, Action& action);
+
+}  // namespace twum::cli

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command.hpp"
+#include "exit_status.hpp"
+#include "formats.hpp"
+#include "interrupt.hpp"
+#include "json_parts.hpp"
+#include "options.hpp"
+#include "output.hpp"
+#include "text_table.hpp"
+
+#include <twum/studies/metrics/expression.hpp>
+#include <twum/studies/text/number.hpp>
+#include <twum/studies/text/words.hpp>
+#include <twum/studies/units/engineering.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace twum::cli {
+namespace {
+
+using studies::MotorFile;
+
+constexpr const char* kExamples = R"text(Examples:
+  twum curve examples/motors/ring-60.yaml
+  twum curve ring-60.yaml --points 200 --format csv -o curve.csv
+  twum curve ring-60.yaml --speeds "0 rpm, 50 rpm, 10 rad/s" --format json
+  twum curve ring-60.yaml --set "amplitude=2 um" --set "preload=140 N")text";
+
+struct CurveOptions {
+  MotorOptions motor;
+  std::string points;
+  std::string speeds;
+  OutputOptions output;
+};
+
+// One quantity of the curve.
+struct CurveColumn {
+  const char* name;
+  const char* unit;
+  double (*value)(const OperatingPoint&);
+};
+
+constexpr CurveColumn kColumns[] = {
+    {"speed", "rad/s", [](const OperatingPoint& p) { return p.speed; }},
+    {"torque", "N.m", [](const OperatingPoint& p) { return p.torque; }},
+    {"output_power", "W", [](const OperatingPoint& p) { return p.output_power; }},
+    {"stator_power", "W", [](const OperatingPoint& p) { return p.stator_power; }},
+    {"friction_power", "W", [](const OperatingPoint& p) { return p.friction_power; }},
+    {"layer_loss", "W", [](const OperatingPoint& p) { return p.layer_loss; }},
+    {"contact_efficiency", "1", [](const OperatingPoint& p) { return p.contact_efficiency(); }},
+    {"wear_intensity", "W/m^2", [](const OperatingPoint& p) { return p.wear_intensity; }},
+    {"stick_fraction", "1", [](const OperatingPoint& p) { return p.stick_fraction; }},
+};
+
+struct Curve {
+  MotorFile file;
+  std::vector<studies::MetricExpression> metrics;
+  std::vector<MetricValue> values;
+  std::vector<OperatingPoint> points;
+  std::vector<std::vector<Zone>> zones;
+};
+
+// Where the curve ends if nobody says: a little beyond no-load, or what comes nearest to that.
+double last_speed(const Motor& motor) {
+  const MetricValue no_load =
+      evaluate(motor, MetricRequest{Metric::no_load_speed, Argument::none, 0});
+  if (no_load.status == MetricStatus::ok && no_load.value > 0) return 1.05 * no_load.value;
+  return motor.crest_speed() > 0 ? 1.2 * motor.crest_speed() : 10;
+}
+
+std::vector<double> speeds_of(const CurveOptions& options, const Motor& motor) {
+  if (!options.speeds.empty() && !options.points.empty())
+    throw InputError("--speeds and --points say the same in two ways; give one of them");
+  std::vector<double> speeds;
+  if (!options.speeds.empty()) {
+    for (const std::string_view one : studies::split_list(options.speeds))
+      speeds.push_back(parse_speed("--speeds", one));
+    return speeds;
+  }
+  const std::size_t points =
+      options.points.empty() ? 51 : parse_count("--points", options.points, 2, 1000000);
+  const double last = last_speed(motor);
+  for (std::size_t i = 0; i < points; ++i)
+    speeds.push_back(last * static_cast<double>(i) / static_cast<double>(points - 1));
+  return speeds;
+}
+
+Curve compute(const CurveOptions& options) {
+  Curve curve;
+  curve.file = load_motor(options.motor);
+  const Motor motor(curve.file.design);
+  const std::vector<double> speeds = speeds_of(options, motor);
+  curve.metrics = studies::plain_metrics();
+  curve.values.resize(curve.metrics.size());
+  studies::ExpressionEvaluator(curve.metrics).evaluate(motor, curve.values);
+  for (const double speed : speeds) {
+    if (interrupted()) break;
+    curve.points.push_back(motor.operating_point(speed));
+    curve.zones.push_back(motor.zones(speed));
+  }
+  return curve;
+}
+
+Json point_json(const OperatingPoint& point, const std::vector<Zone>& zones) {
+  Json json;
+  for (const CurveColumn& column : kColumns) json[column.name] = number_json(column.value(point));
+  json["zones"] = zones_json(zones);
+  if (point.status != PointStatus::ok) json["status"] = to_string(point.status);
+  return json;
+}
+
+std::string as_json(const Curve& curve) {
+  Json json = motor_json(curve.file);
+  json["metrics"] = Json::object();
+  json["units"] = parameter_units_json(curve.file);
+  for (std::size_t i = 0; i < curve.metrics.size(); ++i) {
+    json["metrics"][curve.metrics[i].text] = number_json(curve.values[i].value);
+    json["units"][curve.metrics[i].text] = curve.metrics[i].unit();
+  }
+  for (const CurveColumn& column : kColumns) json["units"][column.name] = column.unit;
+  json["units"]["from"] = json["units"]["to"] = "rad";
+  json["curve"] = Json::array();
+  for (std::size_t i = 0; i < curve.points.size(); ++i) {
+    json["curve"].push_back(point_json(curve.points[i], curve.zones[i]));
+  }
+  return json_text(json);
+}
+
+std::string as_csv(const Curve& curve) {
+  std::vector<std::string> cells;
+  for (const CurveColumn& column : kColumns)
+    cells.push_back(std::string(column.name) + " [" + column.unit + "]");
+  cells.emplace_back("status");
+  std::string text = csv_line(cells);
+  for (const OperatingPoint& point : curve.points) {
+    cells.clear();
+    for (const CurveColumn& column : kColumns) cells.push_back(cell_of(column.value(point)));
+    cells.emplace_back(to_string(point.status));
+    text += csv_line(cells);
+  }
+  return text;
+}
+
+std::string metrics_table(const Curve& curve) {
+  TextTable table;
+  for (std::size_t i = 0; i < curve.metrics.size(); ++i) {
+    const MetricValue& value = curve.values[i];
+    table.rows.push_back(
+        {curve.metrics[i].text, value.status == MetricStatus::ok
+                                    ? studies::engineering(value.value, curve.metrics[i].unit())
+                                    : std::string("- (") + to_string(value.status) + ")"});
+  }
+  return aligned(table);
+}
+
+// "slip+/stick/slip-", or why there is no answer.
+std::string zones_text(const OperatingPoint& point, const std::vector<Zone>& zones) {
+  if (point.status != PointStatus::ok) return to_string(point.status);
+  std::string text;
+  for (const Zone& zone : zones)
+    text += (text.empty() ? "" : "/") + std::string(to_string(zone.state));
+  return text;
+}
+
+studies::DisplayUnit unit_of_column(const CurveColumn& column,
+                                    const std::vector<OperatingPoint>& points) {
+  double largest = 0;
+  for (const OperatingPoint& point : points) {
+    const double size = std::abs(column.value(point));
+    if (std::isfinite(size)) largest = std::max(largest, size);
+  }
+  return studies::display_unit(largest, column.unit);
+}
+
+std::string points_table(const Curve& curve) {
+  TextTable table{{{}, {}}, true};
+  for (const CurveColumn& column : kColumns) {
+    table.rows[0].emplace_back(column.name);
+    const std::string unit = unit_of_column(column, curve.points).text;
+    table.rows[1].push_back(unit.empty() ? "" : "[" + unit + "]");
+  }
+  table.rows[0].emplace_back("zones");
+  for (std::size_t i = 0; i < curve.points.size(); ++i) {
+    std::vector<std::string> row;
+    for (const CurveColumn& column : kColumns) {
+      const double value =
+          column.value(curve.points[i]) / unit_of_column(column, curve.points).divisor;
+      row.push_back(std::isfinite(value) ? studies::rounded_text(value, 4) : "-");
+    }
+    row.push_back(zones_text(curve.points[i], curve.zones[i]));
+    table.rows.push_back(std::move(row));
+  }
+  return aligned(table);
+}
+
+std::string as_table(const Curve& curve) {
+  const std::string name = curve.file.name.empty() ? "motor" : studies::printable(curve.file.name);
+  return name + "\n\n" + metrics_table(curve) + "\n" + points_table(curve);
+}
+
+int run_curve(const CurveOptions& options) {
+  Output output(options.output.path, {options.motor.path});
+  const Curve curve = compute(options);
+  output.write(options.output.format == "json"  ? as_json(curve)
+               : options.output.format == "csv" ? as_csv(curve)
+                                                : as_table(curve));
+  output.finish();
+  if (interrupted()) return kInterrupted;
+  const bool any = std::any_of(curve.points.begin(), curve.points.end(),
+                               [](const OperatingPoint& p) { return p.status == PointStatus::ok; });
+  if (any) return kDone;
+  std::fprintf(stderr, "twum: no point of the curve has an answer: %s\n",
+               curve.points.empty() ? "no speeds" : to_string(curve.points.front().status));
+  return kNoAnswer;
+}
+
+}  // namespace
+
+void add_curve(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<CurveOptions>();
+  CLI::App* command = app.add_subcommand("curve", "Torque-speed curve and metrics of a motor");
+  add_motor_options(*command, options->motor);
+  command->add_option("--points", options->points,
+                      "Number of points from rest to a little beyond no-load (default: 51)");
+  command->add_option("--speeds", options->speeds,
+                      "Rotor speeds between commas, instead of --points");
+  add_output_options(*command, options->output, {"table", "csv", "json"});
+  command->footer(kExamples);
+  command->callback([options, &action] { action = [options] { return run_curve(*options); }; });
+}
+
+}  // namespace twum::cli

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command.hpp"
+#include "exit_status.hpp"
+#include "interrupt.hpp"
+#include "options.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+
+#include <twum/studies/metrics/expression.hpp>
+#include <twum/studies/run/ordered.hpp>
+#include <twum/studies/tables/design_table.hpp>
+#include <twum/studies/text/value_error.hpp>
+#include <twum/studies/text/words.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+namespace twum::cli {
+namespace {
+
+constexpr const char* kExamples = R"text(Examples:
+  twum evaluate ring-60.yaml --designs designs.csv
+  twum evaluate ring-60.yaml --designs designs.csv -o results.csv \
+      --metrics "stall_torque, no_load_speed, wear_intensity_at(80 rpm)" --jobs 4
+
+The table's columns are parameter names with an optional unit, such as "preload [N]";
+other columns are copied. A design that fails gets empty cells and a reason in "status".)text";
+
+struct EvaluateOptions {
+  MotorOptions motor;
+  std::string designs;
+  std::string metrics;
+  std::string jobs;
+  std::string output;
+};
+
+struct CloseFile {
+  void operator()(std::FILE* file) const {
+    if (file != stdin) std::fclose(file);
+  }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+File open_designs(const std::string& path) {
+  std::error_code ignored;
+  if (path == "-") return File(stdin);
+  if (std::filesystem::is_directory(path, ignored))
+    throw InputError(path + ": cannot be read: it is a directory");
+  File file(std::fopen(path.c_str(), "rb"));
+  if (!file) throw InputError(path + ": cannot be read: " + std::strerror(errno));
+  return file;
+}
+
+std::vector<studies::MetricExpression> metrics_of(const EvaluateOptions& options) {
+  if (options.metrics.empty()) return {};
+  try {
+    return studies::parse_metric_list(options.metrics);
+  } catch (const studies::ValueError& error) {
+    const std::string caret = std::string(error.position(), ' ') + "^";
+    throw InputError(std::string("--metrics: ") + error.what() + "\n  " +
+                     studies::printable(options.metrics, 1000) + "\n  " + caret);
+  }
+}
+
+bool needs_stator_loss(const studies::MetricExpression& metric) {
+  const auto& request = std::get<MetricRequest>(metric.what);
+  return request.metric == Metric::max_efficiency ||
+         request.metric == Metric::speed_at_max_efficiency;
+}
+
+// All plain metrics that have a meaning for these designs: efficiency needs a modal damping.
+std::vector<studies::MetricExpression> usual_metrics(const MotorDesign& base,
+                                                     const std::string& header) {
+  std::vector<studies::MetricExpression> metrics = studies::plain_metrics();
+  const bool damped =
+      base.stator.modal_damping > 0 || header.find("modal_damping") != std::string::npos;
+  if (!damped) std::erase_if(metrics, needs_stator_loss);
+  return metrics;
+}
+
+double fraction_read(std::size_t bytes, double size) {
+  return size > 0 ? static_cast<double>(bytes) / size : 0;
+}
+
+int run_evaluate(const EvaluateOptions& options) {
+  Output output(options.output, {options.motor.path, options.designs});
+  const unsigned jobs = studies::job_count(
+      options.jobs.empty() ? 0
+                           : static_cast<unsigned>(parse_count("--jobs", options.jobs, 1, 1024)));
+  std::vector<studies::MetricExpression> metrics = metrics_of(options);
+  const MotorDesign base = load_motor(options.motor).design;
+  const File file = open_designs(options.designs);
+  std::error_code no_size;
+  const auto size = static_cast<double>(std::filesystem::is_regular_file(options.designs, no_size)
+                                            ? std::filesystem::file_size(options.designs, no_size)
+                                            : 0);
+
+  studies::CsvReader reader(options.designs == "-" ? "standard input" : options.designs,
+                            studies::bytes_of(file.get(), options.designs));
+  studies::CsvChunk header;
+  if (!reader.read(header, 1))
+    throw InputError(reader.name() + ":1: no header; expected columns such as 'preload [N]'");
+  if (metrics.empty()) metrics = usual_metrics(base, header.text);
+  const studies::DesignTable table(reader, header, base, std::move(metrics));
+  for (const std::string& warning : table.warnings()) {
+    std::fprintf(stderr, "%s:%zu: warning: %s\n", reader.name().c_str(), header.records[0].line,
+                 warning.c_str());
+  }
+
+  studies::DesignCounts counts;
+  {
+    Progress progress;
+    counts = studies::evaluate_designs(
+        reader, table, jobs, [&](std::string_view text) { output.write(text); },
+        [] { return !interrupted(); },
+        [&](const studies::DesignCounts& now) {
+          progress.show(now.rows, fraction_read(now.bytes, size));
+        });
+  }
+  output.finish();
+  if (counts.failed > 0) {
+    std::fprintf(stderr, "twum: %zu of %zu designs have no full answer, see the column status\n",
+                 counts.failed, counts.rows);
+  }
+  if (!interrupted()) return kDone;
+  std::fprintf(stderr, "twum: interrupted after %zu designs\n", counts.rows);
+  return kInterrupted;
+}
+
+}  // namespace
+
+void add_evaluate(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<EvaluateOptions>();
+  CLI::App* command = app.add_subcommand("evaluate", "Metrics of every design in a CSV table");
+  add_motor_options(*command, options->motor);
+  command
+      ->add_option("--designs", options->designs,
+                   "CSV table, one design a row ('-': standard input)")
+      ->required()
+      ->type_name("FILE");
+  command->add_option("--metrics", options->metrics,
+                      "Metrics between commas (default: all without argument)");
+  command->add_option("--jobs", options->jobs,
+                      "Threads (default: all processors); the result does not depend on it");
+  command->add_option("-o,--output", options->output, "Write the result to this file")
+      ->type_name("FILE");
+  command->footer(kExamples);
+  command->callback([options, &action] { action = [options] { return run_evaluate(*options); }; });
+}
+
+}  // namespace twum::cli

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command.hpp"
+#include "exit_status.hpp"
+#include "formats.hpp"
+#include "json_parts.hpp"
+#include "options.hpp"
+#include "output.hpp"
+#include "text_table.hpp"
+
+#include <twum/core/performance/motor.hpp>
+#include <twum/studies/text/number.hpp>
+#include <twum/studies/text/words.hpp>
+#include <twum/studies/units/engineering.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace twum::cli {
+namespace {
+
+constexpr const char* kExamples = R"text(Examples:
+  twum fields ring-60.yaml --speed "100 rpm"
+  twum fields ring-60.yaml --speed "95 rpm" --samples 721 --format csv -o fields.csv)text";
+
+struct FieldsOptions {
+  MotorOptions motor;
+  std::string speed;
+  std::string samples;
+  OutputOptions output;
+};
+
+struct FieldColumn {
+  const char* name;
+  const char* unit;
+  double FieldSample::*value;
+};
+
+constexpr FieldColumn kColumns[] = {{"phase", "rad", &FieldSample::phase},
+                                    {"pressure", "Pa", &FieldSample::pressure},
+                                    {"traction", "Pa", &FieldSample::traction},
+                                    {"displacement", "m", &FieldSample::displacement},
+                                    {"stator_velocity", "m/s", &FieldSample::stator_velocity},
+                                    {"layer_velocity", "m/s", &FieldSample::layer_velocity}};
+
+struct Fields {
+  studies::MotorFile file;
+  ContactFields contact;
+};
+
+// What the contact does at a phase: "slip+", "stick", "slip-", or "free".
+const char* state_at(const std::vector<Zone>& zones, double phase) {
+  for (const Zone& zone : zones) {
+    if (phase >= zone.from && phase <= zone.to) return to_string(zone.state);
+  }
+  return "free";
+}
+
+std::string as_json(const Fields& fields) {
+  Json json = motor_json(fields.file);
+  const OperatingPoint& point = fields.contact.point;
+  json["units"] = parameter_units_json(fields.file);
+  for (const FieldColumn& column : kColumns) json["units"][column.name] = column.unit;
+  json["units"]["speed"] = "rad/s";
+  json["units"]["torque"] = "N.m";
+  json["units"]["from"] = json["units"]["to"] = "rad";
+  json["speed"] = point.speed;
+  json["torque"] = number_json(point.torque);
+  json["zones"] = zones_json(fields.contact.zones);
+  json["fields"] = Json::array();
+  for (const FieldSample& sample : fields.contact.samples) {
+    Json row;
+    for (const FieldColumn& column : kColumns) row[column.name] = number_json(sample.*column.value);
+    row["state"] = state_at(fields.contact.zones, sample.phase);
+    json["fields"].push_back(std::move(row));
+  }
+  return json_text(json);
+}
+
+std::string as_csv(const Fields& fields) {
+  std::vector<std::string> cells;
+  for (const FieldColumn& column : kColumns)
+    cells.push_back(std::string(column.name) + " [" + column.unit + "]");
+  cells.emplace_back("state");
+  std::string text = csv_line(cells);
+  for (const FieldSample& sample : fields.contact.samples) {
+    cells.clear();
+    for (const FieldColumn& column : kColumns) cells.push_back(cell_of(sample.*column.value));
+    cells.emplace_back(state_at(fields.contact.zones, sample.phase));
+    text += csv_line(cells);
+  }
+  return text;
+}
+
+studies::DisplayUnit unit_of_column(const FieldColumn& column,
+                                    const std::vector<FieldSample>& samples) {
+  double largest = 0;
+  for (const FieldSample& sample : samples)
+    largest = std::max(largest, std::abs(sample.*column.value));
+  if (std::string_view(column.unit) == "rad") return {"rad", 1};
+  return studies::display_unit(largest, column.unit);
+}
+
+std::string as_table(const Fields& fields) {
+  TextTable table{{{}, {}}, true};
+  const auto& samples = fields.contact.samples;
+  for (const FieldColumn& column : kColumns) {
+    table.rows[0].emplace_back(column.name);
+    table.rows[1].push_back("[" + unit_of_column(column, samples).text + "]");
+  }
+  table.rows[0].emplace_back("state");
+  for (const FieldSample& sample : samples) {
+    std::vector<std::string> row;
+    for (const FieldColumn& column : kColumns) {
+      row.push_back(
+          studies::rounded_text(sample.*column.value / unit_of_column(column, samples).divisor, 4));
+    }
+    row.emplace_back(state_at(fields.contact.zones, sample.phase));
+    table.rows.push_back(std::move(row));
+  }
+  const OperatingPoint& point = fields.contact.point;
+  const std::string name =
+      fields.file.name.empty() ? "motor" : studies::printable(fields.file.name);
+  return name + " at " + studies::engineering(point.speed, "rad/s") + ", " +
+         studies::engineering(point.torque, "N.m") + "\n\n" + aligned(table);
+}
+
+int run_fields(const FieldsOptions& options) {
+  Output output(options.output.path, {options.motor.path});
+  const double speed = parse_speed("--speed", options.speed);
+  const std::size_t samples =
+      options.samples.empty() ? 181 : parse_count("--samples", options.samples, 2, 1000000);
+  Fields fields;
+  fields.file = load_motor(options.motor);
+  fields.contact = Motor(fields.file.design).fields(speed, static_cast<int>(samples));
+  if (fields.contact.point.status != PointStatus::ok) {
+    std::fprintf(stderr, "twum: no answer at this speed: %s\n",
+                 to_string(fields.contact.point.status));
+    return kNoAnswer;
+  }
+  const std::string& format = options.output.format;
+  output.write(format == "json"  ? as_json(fields)
+               : format == "csv" ? as_csv(fields)
+                                 : as_table(fields));
+  output.finish();
+  return kDone;
+}
+
+}  // namespace
+
+void add_fields(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<FieldsOptions>();
+  CLI::App* command =
+      app.add_subcommand("fields", "Pressure, traction, velocities and zones along one wave");
+  add_motor_options(*command, options->motor);
+  command->add_option("--speed", options->speed, "Rotor speed, such as \"100 rpm\"")->required();
+  command->add_option("--samples", options->samples,
+                      "Number of phases along the wave (default: 181)");
+  add_output_options(*command, options->output, {"table", "csv", "json"});
+  command->footer(kExamples);
+  command->callback([options, &action] { action = [options] { return run_fields(*options); }; });
+}
+
+}  // namespace twum::cli

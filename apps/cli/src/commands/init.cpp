@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command.hpp"
+#include "exit_status.hpp"
+#include "output.hpp"
+
+#include <twum/studies/motor/motor_file.hpp>
+#include <twum/studies/schema/publish.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <memory>
+
+namespace twum::cli {
+namespace {
+
+constexpr const char* kExamples = R"text(Examples:
+  twum init motor                    prints the file
+  twum init motor -o my-motor.yaml)text";
+
+constexpr const char* kMotorHeading =
+    "# A motor for twum. Values carry their unit; any unit of the right dimension will do.\n"
+    "# Check it with 'twum check FILE', see what it does with 'twum curve FILE'.\n";
+
+struct InitOptions {
+  std::string kind;
+  std::string path;
+};
+
+int run_init(const InitOptions& options) {
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(options.path, ignored)) {
+    throw InputError(options.path + ": exists already; choose another name after -o");
+  }
+  Output output(options.path);
+  output.write(studies::yaml_template(studies::motor_file_schema(), kMotorHeading));
+  output.finish();
+  return kDone;
+}
+
+}  // namespace
+
+void add_init(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<InitOptions>();
+  CLI::App* command = app.add_subcommand("init", "A commented file to start from");
+  command->add_option("KIND", options->kind, "motor")
+      ->required()
+      ->check(CLI::IsMember({"motor"}))
+      ->type_name("");
+  command->add_option("-o,--output", options->path, "Write the result to this new file")
+      ->type_name("FILE");
+  command->footer(kExamples);
+  command->callback([options, &action] { action = [options] { return run_init(*options); }; });
+}
+
+}  // namespace twum::cli

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command.hpp"
+#include "exit_status.hpp"
+#include "formats.hpp"
+#include "listing.hpp"
+#include "output.hpp"
+
+#include <twum/core/design/parameters.hpp>
+#include <twum/core/performance/metrics.hpp>
+#include <twum/studies/units/engineering.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace twum::cli {
+namespace {
+
+constexpr const char* kParametersText =
+    "Names as in studies, CSV headers and `--set`; the symbol is an alias. A parameter name may "
+    "stand wherever a\n"
+    "metric may. Values carry a unit of the same dimension as the one below. Of a parameter and "
+    "its twin a motor\n"
+    "file gives one; an override of one replaces the other. This page is the output of\n"
+    "`twum parameters --format markdown`.";
+
+constexpr const char* kMetricsText =
+    "Names as in studies and `twum evaluate --metrics`. Point metrics take a rotor speed or a load "
+    "torque, and the\n"
+    "unit tells which: `efficiency_at(100 rpm)`, `efficiency_at(0.5 N.m)`. This page is the output "
+    "of\n"
+    "`twum metrics --format markdown`.";
+
+std::string range_text(const ParameterInfo& row) {
+  const auto limit = [&](double value) {
+    return value == 0 ? std::string("0") : studies::engineering(value, row.unit, 10);
+  };
+  return (row.min_excluded ? "more than " : "") + limit(row.min) + " to " + limit(row.max) +
+         (row.integer ? ", whole" : "");
+}
+
+std::string need_text(const ParameterInfo& row) {
+  const std::string twin = row.twin ? std::string(info(*row.twin).name) : "";
+  if (row.required) return twin.empty() ? "yes" : "or " + twin;
+  return twin.empty() ? "no" : "instead of " + twin;
+}
+
+Listing parameters() {
+  Listing listing{"Parameters of a motor",
+                  kParametersText,
+                  {"name", "symbol", "unit", "range", "needed", "entry", "text"},
+                  {}};
+  for (const ParameterInfo& row : parameter_table()) {
+    listing.rows.push_back({std::string(row.name), std::string(row.symbol), std::string(row.unit),
+                            range_text(row), need_text(row), std::string(row.file_entry),
+                            std::string(row.text)});
+  }
+  return listing;
+}
+
+std::string argument_text(Argument argument) {
+  switch (argument) {
+    case Argument::none: return "";
+    case Argument::speed: return "speed";
+    case Argument::torque: return "torque";
+    case Argument::speed_or_torque: break;
+  }
+  return "speed or torque";
+}
+
+Listing metrics() {
+  Listing listing{"Metrics of a motor", kMetricsText, {"name", "unit", "at", "text"}, {}};
+  for (const MetricInfo& row : metric_table()) {
+    listing.rows.push_back({std::string(row.name), std::string(row.unit),
+                            argument_text(row.argument), std::string(row.text)});
+  }
+  return listing;
+}
+
+int print(const Listing& listing, const OutputOptions& options) {
+  Output output(options.path);
+  output.write(to_text(listing, options.format));
+  output.finish();
+  return kDone;
+}
+
+void add_list(CLI::App& app, Action& action, const std::string& name, const char* text,
+              Listing (*list)()) {
+  const auto options = std::make_shared<OutputOptions>();
+  CLI::App* command = app.add_subcommand(name, text);
+  add_output_options(*command, *options, {"table", "csv", "json", "markdown"});
+  command->footer("Examples:\n  twum " + name + "\n  twum " + name + " --format json");
+  command->callback(
+      [options, list, &action] { action = [options, list] { return print(list(), *options); }; });
+}
+
+}  // namespace
+
+void add_metrics(CLI::App& app, Action& action) {
+  add_list(app, action, "metrics", "Lists the metrics, with units and one line each", metrics);
+}
+
+void add_parameters(CLI::App& app, Action& action) {
+  add_list(app, action, "parameters", "Lists the parameters of a motor, with units and ranges",
+           parameters);
+}
+
+}  // namespace twum::cli

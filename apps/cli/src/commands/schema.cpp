@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command.hpp"
+#include "exit_status.hpp"
+#include "output.hpp"
+
+#include <twum/studies/motor/motor_file.hpp>
+#include <twum/studies/schema/publish.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace twum::cli {
+namespace {
+
+constexpr const char* kExamples = R"text(Examples:
+  twum schema motor -o motor.schema.json
+
+In an editor with YAML support, begin a motor file with
+  # yaml-language-server: $schema=motor.schema.json)text";
+
+struct SchemaOptions {
+  std::string kind;
+  std::string path;
+};
+
+int run_schema(const SchemaOptions& options) {
+  Output output(options.path);
+  output.write(
+      studies::json_schema(studies::motor_file_schema(), "twum motor file", "urn:twum:motor:1"));
+  output.finish();
+  return kDone;
+}
+
+}  // namespace
+
+void add_schema(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<SchemaOptions>();
+  CLI::App* command = app.add_subcommand("schema", "JSON Schema of the files, for editors");
+  command->add_option("KIND", options->kind, "motor")
+      ->required()
+      ->check(CLI::IsMember({"motor"}))
+      ->type_name("");
+  command->add_option("-o,--output", options->path, "Write the result to this file")
+      ->type_name("FILE");
+  command->footer(kExamples);
+  command->callback([options, &action] { action = [options] { return run_schema(*options); }; });
+}
+
+}  // namespace twum::cli

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace twum::cli {
+
+/// How the program ends.
+enum ExitStatus : int {
+  kDone = 0,
+  kNoAnswer = 1,  ///< it ran, but found no feasible or converged answer
+  kWrongInput = 2,
+  kFailed = 3,  ///< a file could not be written or read back, or an internal error
+  kInterrupted = 130
+};
+
+}  // namespace twum::cli

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "options.hpp"
+
+#include <twum/studies/motor/settings.hpp>
+#include <twum/studies/text/value_error.hpp>
+#include <twum/studies/text/words.hpp>
+#include <twum/studies/units/units.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+
+namespace twum::cli {
+
+void add_set_option(CLI::App& command, std::vector<std::string>& settings) {
+  command
+      .add_option("--set", settings,
+                  "Override a motor parameter, as in --set \"preload=140 N\" (repeatable)")
+      ->allow_extra_args(false)
+      ->type_name("NAME=VALUE");
+}
+
+void add_motor_options(CLI::App& command, MotorOptions& options) {
+  command.add_option("MOTOR", options.path, "Motor file ('-': standard input)")
+      ->required()
+      ->type_name("FILE");
+  add_set_option(command, options.settings);
+}
+
+studies::MotorFile load_motor(const MotorOptions& options) {
+  studies::MotorFile motor = studies::read_motor_file(options.path);
+  motor.design = studies::with_settings(motor.design, options.settings);
+  return motor;
+}
+
+std::size_t parse_count(const std::string& option, const std::string& text, std::size_t least,
+                        std::size_t most) {
+  std::size_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || value < least || value > most) {
+    throw InputError(option + ": " + studies::quoted(text) +
+                     " cannot be; expected a whole number from " + std::to_string(least) + " to " +
+                     std::to_string(most));
+  }
+  return value;
+}
+
+double parse_speed(const std::string& option, std::string_view text) {
+  try {
+    return studies::parse_quantity(text, studies::Expected{"rad/s", "100 rpm"});
+  } catch (const studies::ValueError& error) {
+    throw InputError(option + ": " + error.what());
+  }
+}
+
+}  // namespace twum::cli

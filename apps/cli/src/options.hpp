@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/studies/motor/motor_file.hpp>
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace twum::cli {
+
+/// MOTOR and --set, which many commands have.
+struct MotorOptions {
+  std::string path;
+  std::vector<std::string> settings;
+};
+
+void add_motor_options(CLI::App& command, MotorOptions& options);
+void add_set_option(CLI::App& command, std::vector<std::string>& settings);
+
+/// The motor file with the settings applied.
+studies::MotorFile load_motor(const MotorOptions& options);
+
+/// A whole number given to an option.
+/// @throws InputError naming the option and the range.
+std::size_t parse_count(const std::string& option, const std::string& text, std::size_t least,
+                        std::size_t most);
+
+/// A speed given to an option [rad/s].
+double parse_speed(const std::string& option, std::string_view text);
+
+}  // namespace twum::cli

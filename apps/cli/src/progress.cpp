@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "progress.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace twum::cli {
+namespace {
+
+bool dumb_terminal() {
+  const char* terminal = std::getenv("TERM");
+  return terminal == nullptr || std::string(terminal) == "dumb";
+}
+
+}  // namespace
+
+Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0), begin_(Clock::now()), last_(begin_) {}
+
+Progress::~Progress() {
+  if (shown_) std::fputs("\r\033[K", stderr);
+}
+
+void Progress::show(std::size_t done, double fraction) {
+  const auto now = Clock::now();
+  if (!terminal_ || dumb_terminal() || now - last_ < std::chrono::milliseconds(200)) return;
+  last_ = now;
+  shown_ = true;
+  const double seconds = std::chrono::duration<double>(now - begin_).count();
+  const double rate = static_cast<double>(done) / seconds;
+  std::string left;
+  if (fraction > 0 && fraction <= 1)
+    left = ", " + duration_text(seconds * (1 - fraction) / fraction) + " left";
+  std::fprintf(stderr, "\r\033[K%zu done, %.0f/s%s", done, rate, left.c_str());
+  std::fflush(stderr);
+}
+
+bool may_colour_errors() {
+  const char* no_color = std::getenv("NO_COLOR");
+  return (no_color == nullptr || *no_color == '\0') && isatty(STDERR_FILENO) != 0 &&
+         !dumb_terminal();
+}
+
+std::string duration_text(double seconds) {
+  const auto whole = static_cast<long>(seconds + 0.5);
+  if (whole < 60) return std::to_string(whole) + " s";
+  const std::string rest = std::to_string(whole % 60);
+  return std::to_string(whole / 60) + " min " + (rest.size() < 2 ? "0" : "") + rest + " s";
+}
+
+}  // namespace twum::cli

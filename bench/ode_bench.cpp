@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// The core against general methods at the same accuracy, in the same run: GSL's Prince-Dormand solver
+// with event location for damped and inertial layers, a fixed grid for the elastic one.
+#include "support/brute_force.hpp"
+#include "support/ode_solver.hpp"
+#include "support/point_checks.hpp"
+#include "support/test_motors.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <twum/core/performance/metrics.hpp>
+#include <twum/core/performance/motor.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <string>
+
+namespace {
+
+using namespace twum;
+using namespace twum::test;
+
+double seconds_of_core(const Motor& motor, double speed) {
+  using Clock = std::chrono::steady_clock;
+  double best = 1e9;
+  for (int r = 0; r < 20; ++r) {
+    const auto start = Clock::now();
+    for (int i = 0; i < 200; ++i) benchmark::DoNotOptimize(motor.operating_point(speed));
+    best = std::min(best, std::chrono::duration<double>(Clock::now() - start).count() / 200);
+  }
+  return best;
+}
+
+// Times `general` and puts the ratio to the core and the difference in torque beside it.
+template <typename General>
+void against(benchmark::State& state, const MotorDesign& design, double share, General general) {
+  using Clock = std::chrono::steady_clock;
+  const Motor motor(design);
+  const double speed = share * evaluate(motor, {Metric::no_load_speed}).value;
+  OracleResult result;
+  double best = 1e9;
+  for (auto _ : state) {
+    const auto start = Clock::now();
+    result = general(design, speed);
+    best = std::min(best, std::chrono::duration<double>(Clock::now() - start).count());
+  }
+  const double core = seconds_of_core(motor, speed);
+  state.counters["core_ns"] = 1e9 * core;
+  state.counters["times_slower"] = best / core;
+  state.counters["laps"] = result.laps;
+  state.counters["difference"] =
+      std::abs(result.torque - motor.operating_point(speed).torque) / torque_scale(design);
+}
+
+void ode(benchmark::State& state, const MotorDesign& design, double share) {
+  against(state, design, share, [](const MotorDesign& d, double speed) { return ode_solver_run(d, speed); });
+}
+
+void grid(benchmark::State& state, const MotorDesign& design, double share, int steps) {
+  against(state, design, share,
+          [steps](const MotorDesign& d, double speed) { return fixed_grid(d, speed, steps); });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  for (const double share : {0.3, 0.85, 0.98, 1.4}) {
+    const std::string at = "/" + std::to_string(share).substr(0, 4) + " no-load";
+    benchmark::RegisterBenchmark(("ODE solver/inertial" + at).c_str(), ode, ring_motor(), share)
+        ->Unit(benchmark::kMicrosecond);
+    benchmark::RegisterBenchmark(("ODE solver/damped" + at).c_str(), ode, damped(ring_motor()), share)
+        ->Unit(benchmark::kMicrosecond);
+    // A second-order scheme needs this many steps for 1e-11 of the torque's scale.
+    benchmark::RegisterBenchmark(("fixed grid/elastic" + at).c_str(), grid, elastic(ring_motor()), share, 300000)
+        ->Unit(benchmark::kMicrosecond);
+  }
+  MotorDesign light = ring_motor();
+  light.layer.loss_factor = 0.005;
+  benchmark::RegisterBenchmark("ODE solver/inertial, loss factor 0.005/0.85 no-load", ode, light, 0.85)
+      ->Unit(benchmark::kMicrosecond);
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/optim/options.hpp>
+
+namespace twum::optim {
+
+/// What keeps an optimum from being a plain one.
+enum class Degeneracy : std::uint8_t {
+  flat_direction,         ///< the objective does not change along it: the optimum is a valley
+  flat_objective,         ///< the objective has no slope in any variable, here nor at the start
+  dependent_constraints,  ///< active limits with dependent gradients: multipliers are not unique
+  kink,                   ///< one-sided derivatives differ
+  negative_curvature,     ///< stationary, but not a minimum
+  undefined_gradient      ///< a derivative that the test needs does not exist
+};
+
+/// The word for it in reports, such as "flat-direction".
+const char* to_string(Degeneracy degeneracy);
+
+struct Finding {
+  Degeneracy kind{};
+  std::string text;                ///< a sentence for a report
+  std::vector<std::string> names;  ///< variables or constraints concerned
+};
+
+enum class Side : std::uint8_t { lower, upper, equal };
+
+/// One limit of a constraint or one bound of a variable, at the design certified. User units.
+struct Activity {
+  std::string name;
+  bool is_bound{false};  ///< of a variable
+  Side side{Side::upper};
+  double value{0.0};
+  double limit{0.0};
+  double violation{0.0};           ///< by how much the limit is broken, >= 0
+  bool active{false};
+  double multiplier{0.0};          ///< improvement of the objective per unit of relaxation, >= 0; for an
+                                   ///< equality the improvement per unit that its target is raised, any sign
+  double one_percent_buys{0.0};    ///< first-order change of the objective's value when the limit is
+                                   ///< relaxed (an equality: raised) by 1 % of itself; by 1 % of the
+                                   ///< response's span over the box where the limit is zero
+};
+
+/// Evidence that a design is a constrained local optimum, from exact gradients alone.
+///
+/// With gradients taken in the unit box and scaled as the solver saw them,
+///
+///     r = grad f - sum_i lambda_i grad c_i,   lambda >= 0 over the active limits and bounds
+///
+/// by non-negative least squares. With several objectives, grad f is sum_k w_k grad f_k with the
+/// best weights w >= 0, sum w = 1: Pareto stationarity.
+struct Certificate {
+  bool passed{false};
+  double infeasibility{0.0};     ///< largest scaled violation
+  double stationarity{0.0};      ///< largest |r|, relative to the objective's gradient here or at the start
+  double complementarity{0.0};   ///< largest lambda times scaled slack
+  double curvature{0.0};         ///< smallest eigenvalue of the reduced Hessian, relative to the largest; NaN: not tested
+  std::vector<double> weights;   ///< of the objectives; {1} with one
+  std::vector<Activity> limits;  ///< every constraint limit, then the active bounds
+  std::vector<Finding> findings;
+  std::string reason;            ///< why it did not pass, in words
+};
+
+/// Certifies any design, whoever found it.
+/// @throws InputError for a problem that cannot be posed or a design of the wrong size.
+Certificate certify(const Problem& problem, std::span<const double> design,
+                    const SolveOptions& options = {});
+
+}  // namespace twum::optim

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/optim/result.hpp>
+
+namespace twum::optim {
+
+struct FrontPoint {
+  std::vector<double> design;
+  Evaluation evaluation;
+  Certificate certificate;  ///< Pareto stationarity; its weights say how the objectives trade
+};
+
+struct ParetoOptions {
+  SolveOptions solve;             ///< starts, tolerances, seed, budget, stop, observer; `solver` is not used
+  std::size_t points{100};        ///< of the front; with three objectives the next number that fills a lattice
+  std::vector<double> reference;  ///< of the hypervolume, user units; empty: a tenth of the front's span beyond its worst
+  std::size_t coarse{12};         ///< points searched from several starts, to find pieces of the front far apart
+  std::size_t coarse_starts{3};   ///< low-discrepancy starts for each of them
+  std::size_t population_evaluations{0};  ///< if > 0, spent on nsga2() first, whose front then gives starts
+};
+
+struct Front {
+  Outcome outcome{Outcome::failed};  ///< optimal: every point certified; feasible: some were not
+  std::vector<FrontPoint> points;    ///< none dominated; in order of the first objective
+  std::vector<double> reference;     ///< user units
+  double hypervolume{0.0};           ///< product of the objectives' units
+  Infeasibility infeasibility;       ///< filled when no design is feasible
+  Counters counters;
+  StopReason stop{StopReason::finished};
+  double seconds{0.0};
+  std::uint64_t stages_used{0};
+};
+
+/// The trade-off between two or three objectives, from gradients.
+///
+/// The ends are found first, each as a lexicographic optimum. Every other point solves
+///
+///     min t   with   F_k(x) - n_k t <= m_k  for every objective k
+///
+/// (Pascoletti and Serafini), warm-started from its neighbours. With two objectives m and n follow
+/// the widest gap between neighbours, which finds the ends of disconnected pieces exactly; of twice
+/// the points asked for, those with the largest hypervolume stay. With three, n runs over a lattice
+/// of directions from the ideal point.
+///
+/// @throws InputError for a problem that cannot be posed, one or more than three objectives, an
+///         integer variable.
+Front pareto_front(const Problem& problem, const ParetoOptions& options = {});
+
+struct Nsga2Options {
+  std::size_t population{100};   ///< even, >= 4
+  std::size_t generations{250};
+  double crossover{0.9};         ///< probability, simulated binary crossover
+  double crossover_index{15.0};  ///< larger: children nearer to their parents
+  double mutation_index{20.0};   ///< polynomial mutation; its probability is 1 over the number of variables
+  std::vector<double> reference; ///< as in ParetoOptions
+  SolveOptions solve;            ///< seed, budget, stop, observer, feasibility_tolerance
+};
+
+/// Deb's NSGA-II with constraint domination: a second way to a front that shares nothing with the
+/// first and needs no gradients. Failed designs rank behind all others. Points carry no
+/// certificate; the outcome is feasible, infeasible, budget or failed.
+/// @throws InputError as pareto_front(), except that integer variables are allowed here
+Front nsga2(const Problem& problem, const Nsga2Options& options = {});
+
+}  // namespace twum::optim

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace twum::optim {
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// How a variable is spread over its bounds: solvers see it as a number in [0, 1].
+enum class Scale : std::uint8_t { linear, log };
+
+/// One design variable, in the user's units.
+struct Variable {
+  std::string name;                                        ///< unique in the problem
+  double lower{0.0};                                       ///< finite; > 0 for a log scale
+  double upper{1.0};                                       ///< finite, >= lower; equal bounds fix the variable
+  double start{std::numeric_limits<double>::quiet_NaN()};  ///< NaN: the middle of the scale; clamped into the bounds
+  Scale scale{Scale::linear};
+  bool integer{false};                                     ///< then only whole numbers are ever evaluated
+};
+
+enum class Sense : std::uint8_t { minimize, maximize };
+
+struct Objective {
+  std::string name;
+  Sense sense{Sense::minimize};
+};
+
+/// lower <= value <= upper; equal limits make an equality. At least one limit is finite.
+struct Constraint {
+  std::string name;
+  double lower{-kInfinity};
+  double upper{kInfinity};
+};
+
+/// What an evaluator knows about a derivative that is not an ordinary one.
+enum class Slope : std::uint8_t {
+  smooth,     ///< the two one-sided derivatives agree
+  one_sided,  ///< they differ here; `left` and `right` of the KinkedEntry hold them
+  undefined   ///< there is none; the Jacobian entry is not to be used
+};
+
+/// A Jacobian entry that is not smooth at this point. Optional: an evaluator that cannot tell
+/// gives none, and the certificate then looks for kinks with gradients nearby.
+struct KinkedEntry {
+  std::size_t response{0};
+  std::size_t variable{0};
+  Slope slope{Slope::undefined};
+  double left{0.0};   ///< derivative towards smaller values of the variable
+  double right{0.0};  ///< derivative towards larger values
+};
+
+/// What one design evaluates to. A design that cannot be evaluated has a failure and nothing else.
+struct Evaluation {
+  std::vector<double> values;       ///< objectives, then constraints, user units
+  std::vector<double> jacobian;     ///< values.size() rows of one entry a variable; empty if not asked for
+  std::vector<KinkedEntry> kinks;   ///< entries of the Jacobian that are not smooth
+  std::string failure;              ///< short reason such as "no-periodic-state"; empty: it worked
+
+  bool ok() const noexcept { return failure.empty(); }
+};
+
+/// Evaluates a design in user units. `gradient` says whether the Jacobian is needed; it may be
+/// given anyway. A design without an answer is returned with a failure, or by throwing
+/// EvaluationError; any other exception ends the solve and reaches its caller.
+/// Must be a pure function of the design, and callable from several threads if a solve is given
+/// more than one.
+using Evaluator = std::function<Evaluation(std::span<const double> design, bool gradient)>;
+
+/// A design problem: what may vary, what is wanted, what must hold.
+struct Problem {
+  std::vector<Variable> variables;
+  std::vector<Objective> objectives;
+  std::vector<Constraint> constraints;
+  Evaluator evaluate;
+
+  std::size_t responses() const noexcept { return objectives.size() + constraints.size(); }
+};
+
+/// Refuses a problem that cannot be posed.
+/// @throws InputError naming the entry: no variable or objective, names missing or twice, bounds
+///         that are not finite or cross, a log scale that reaches zero, an integer variable with
+///         no whole number in its bounds, a constraint without a limit or with crossed limits.
+void validate(const Problem& problem);
+
+/// The design to start from: each start (or middle of the scale) clamped into its bounds.
+std::vector<double> start_design(const Problem& problem);
+
+}  // namespace twum::optim

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/optim/problem.hpp>
+
+namespace twum::optim {
+
+/// What a solver does when a design cannot be evaluated.
+enum class FailurePolicy : std::uint8_t {
+  shorter_step,  ///< goes back and tries a shorter step by itself
+  restart,       ///< is stopped and restarted from the best design in a smaller box
+  rank_last      ///< compares designs only: a failed one is ranked behind every other
+};
+
+/// One solver as users name it, and what it can take.
+struct SolverInfo {
+  std::string name;         ///< such as "nlopt:slsqp"
+  std::string description;  ///< one line
+  bool gradient{false};     ///< needs the Jacobian
+  bool inequality{false};   ///< takes inequality constraints, possibly through an augmented Lagrangian
+  bool equality{false};
+  bool global{false};
+  bool stochastic{false};   ///< follows the seed
+  bool augmented{false};    ///< constraints only through an augmented Lagrangian (nlopt:auglag)
+  bool available{true};     ///< false: not in this build; `description` says why
+  FailurePolicy on_failure{FailurePolicy::restart};
+};
+
+/// Every solver there is, in a fixed order.
+const std::vector<SolverInfo>& solvers();
+
+/// @throws InputError for a name that does not exist, with the nearest one and the list.
+const SolverInfo& find_solver(const std::string& name);
+
+/// One option that a solver takes in SolveOptions::solver_options.
+struct SolverOption {
+  std::string solver;  ///< "ipopt" or "nlopt"
+  std::string name;
+  std::string type;    ///< "number", "integer" or "text"
+  std::string range;
+  std::string text;
+};
+
+/// Every option of every solver.
+const std::vector<SolverOption>& solver_options();
+
+}  // namespace twum::optim

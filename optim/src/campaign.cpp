@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "campaign.hpp"
+
+#include <twum/optim/low_discrepancy.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <thread>
+
+namespace twum::optim {
+
+std::size_t Counters::failed() const {
+  std::size_t sum = 0;
+  for (const auto& [reason, count] : failures) sum += count;
+  return sum;
+}
+
+void Counters::add(const Counters& other) {
+  evaluations += other.evaluations;
+  gradients += other.gradients;
+  reused += other.reused;
+  for (const auto& [reason, count] : other.failures) failures[reason] += count;
+}
+
+void Counters::subtract(const Counters& other) {
+  evaluations -= other.evaluations;
+  gradients -= other.gradients;
+  reused -= other.reused;
+  for (const auto& [reason, count] : other.failures) failures[reason] -= count;
+}
+
+Campaign::Campaign(const Problem& problem, const SolveOptions& options, const Deadline& deadline)
+    : problem_(problem),
+      options_(options),
+      deadline_(deadline),
+      scaling_(problem),
+      start_(start_design(problem)),
+      next_stage_(options.first_stage) {}
+
+std::size_t Campaign::left() const {
+  const std::size_t total = options_.budget.evaluations;
+  return total > counters_.evaluations ? total - counters_.evaluations : 0;
+}
+
+// What a solver may not touch, so that its answer can still be certified.
+std::size_t Campaign::reserve() const {
+  return std::min(2 * certificate_cost(scaling_.size()), left() / 4);
+}
+
+bool Campaign::exhausted() const {
+  return stop_ == StopReason::requested || stop_ == StopReason::seconds || left() == 0 ||
+         options_.stop.stop_requested() || deadline_.passed();
+}
+
+void Campaign::note_stop(StopReason reason) {
+  if (reason != StopReason::finished) stop_ = reason;
+}
+
+bool Campaign::scale() {
+  constexpr std::size_t kTries = 64;
+  Attempt stage;
+  stage.session = std::make_unique<Session>(problem_, options_, deadline_, next_stage_++, left());
+  std::vector<std::vector<double>> tries{start_};
+  bool found = false;
+  try {
+    for (std::size_t i = 0; i < tries.size() && !found; ++i) {
+      const Evaluation& e = stage.session->at(tries[i], true);
+      found = e.ok();
+      if (found) scaling_.scale_responses(tries[i], e);
+      if (!found && i == 0 && scaling_.size() > 0)
+        for (const auto& u : sobol_points(scaling_.size(), kTries, options_.seed))
+          tries.push_back(scaling_.to_design(u));
+    }
+  } catch (const Stop& s) {
+    stage.report.stop = s.reason;
+  }
+  book(stage);
+  return found;
+}
+
+Attempt Campaign::run(const Optimizer& optimizer, std::span<const double> unit_start,
+                      bool last_word) {
+  const std::size_t kept = last_word ? reserve() : 0;
+  const AttemptPlan plan{&optimizer, next_stage_++, left() - kept,
+                         {unit_start.begin(), unit_start.end()}};
+  Attempt attempt = make_attempt(problem_, options_, deadline_, scaling_,
+                                 plain_formulation(problem_, scaling_), plan);
+  book(attempt);
+  return attempt;
+}
+
+Attempt Campaign::run(const Optimizer& optimizer, const Formulation& formulation,
+                      std::span<const double> start) {
+  const AttemptPlan plan{&optimizer, next_stage_++, left(), {start.begin(), start.end()}};
+  Attempt attempt = make_attempt(problem_, options_, deadline_, scaling_, formulation, plan);
+  book(attempt);
+  return attempt;
+}
+
+std::vector<Attempt> Campaign::run_all(const Optimizer& optimizer,
+                                       const std::vector<std::vector<double>>& starts) {
+  // Each start has its own stage and an equal share, so that nothing depends on who is first.
+  const std::size_t share = (left() - reserve()) / starts.size();
+  const Formulation formulation = plain_formulation(problem_, scaling_);
+  std::vector<Attempt> attempts(starts.size());
+  std::vector<std::exception_ptr> errors(starts.size());
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < starts.size(); i = next++) {
+      try {
+        const AttemptPlan plan{&optimizer, next_stage_ + i, share, starts[i]};
+        attempts[i] = make_attempt(problem_, options_, deadline_, scaling_, formulation, plan);
+      } catch (...) {
+        errors[i] = std::current_exception();
+      }
+    }
+  };
+  const std::size_t threads = std::clamp<std::size_t>(options_.threads, 1, starts.size());
+  {
+    std::vector<std::jthread> pool;
+    for (std::size_t t = 1; t < threads; ++t) pool.emplace_back(work);
+    work();
+  }
+  next_stage_ += starts.size();
+  for (const auto& error : errors)
+    if (error) std::rethrow_exception(error);
+  for (Attempt& attempt : attempts) book(attempt);
+  return attempts;
+}
+
+void Campaign::finish(Attempt& attempt) {
+  if (attempt.certified || !attempt.best) return;
+  const std::size_t wanted = 4 * certificate_cost(scaling_.size());
+  const std::size_t open = attempt.session->left();
+  if (open < wanted) attempt.session->extend(std::min(wanted - open, left()));
+  finish_attempt(attempt, scaling_);
+  book(attempt);
+}
+
+void Campaign::book(Attempt& attempt) {
+  const Counters& used = attempt.session->counters();
+  counters_.subtract(attempt.booked);
+  counters_.add(used);
+  attempt.booked = used;
+  note_stop(attempt.report.stop);
+  if (attempt.solver == nullptr) return;
+  StageReport report;
+  if (attempt.reported)
+    std::erase_if(stages_, [&](const StageReport& s) { return s.stage == attempt.session->stage(); });
+  report.stage = attempt.session->stage();
+  report.solver = attempt.solver->name;
+  report.word = attempt.report.word;
+  report.code = attempt.report.code;
+  report.evaluations = used.evaluations;
+  report.objective = std::nan("");
+  if (attempt.best && problem_.objectives.size() == 1) {
+    report.feasible = attempt.best->violation <= options_.feasibility_tolerance;
+    const double sign = problem_.objectives[0].sense == Sense::maximize ? -1.0 : 1.0;
+    report.objective = sign * attempt.best->f / scaling_.factor(0);
+  }
+  attempt.reported = true;
+  stages_.push_back(std::move(report));
+}
+
+void Campaign::book(const Result& nested) {
+  counters_.add(nested.counters);
+  stages_.insert(stages_.end(), nested.stages.begin(), nested.stages.end());
+  next_stage_ += nested.stages_used;
+  note_stop(nested.stop);
+}
+
+}  // namespace twum::optim

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "certify.hpp"
+
+#include "limits_report.hpp"
+
+#include <twum/base/error.hpp>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace twum::optim {
+namespace {
+
+using Eigen::Index;
+
+// Slack (scaled) within which a limit may hold back the objective. Its multiplier times slack is
+// then checked as complementarity.
+constexpr double kActivity = 1e-6;
+constexpr double kNegative = 1e-5;  // relative curvature that central differences cannot fake
+
+class Certifier {
+ public:
+  Certifier(Session& session, const Scaling& scaling)
+      : session_(session),
+        scaling_(scaling),
+        objectives_(session.problem().objectives.size()),
+        options_(session.options()) {}
+
+  std::optional<Certified> run(std::span<const double> design, bool second_order) {
+    auto point = kkt_point(session_, scaling_, design);
+    if (!point) return std::nullopt;
+    result_.point = std::move(*point);
+    if (derivatives_exist()) {
+      first_order(one_sided_gradients(result_.point));
+      if (stalled() && room()) look_for_kinks();
+      name_dependent_limits();
+      name_flat_objective();
+      if (second_order && scaling_.size() > 0 && stationary() && room() && !has(Degeneracy::kink)) second_order_test();
+    }
+    conclude();
+    return std::move(result_);
+  }
+
+ private:
+  Certificate& certificate() { return result_.certificate; }
+  bool room() const { return session_.left() >= 2 * scaling_.size(); }
+  bool stationary() const { return result_.certificate.stationarity <= options_.tolerance; }
+  bool feasible() const { return result_.point.infeasibility <= options_.feasibility_tolerance; }
+  bool stalled() const { return !stationary() && feasible() && objectives_ == 1; }
+  bool has(Degeneracy kind) const {
+    const auto& f = result_.certificate.findings;
+    return std::any_of(f.begin(), f.end(), [&](const Finding& x) { return x.kind == kind; });
+  }
+  const std::string& variable_name(Index k) const {
+    return session_.problem().variables[scaling_.variable(static_cast<std::size_t>(k))].name;
+  }
+
+  bool limit_matters(std::size_t response) const {
+    if (response < objectives_) return true;
+    return std::any_of(result_.point.limits.begin(), result_.point.limits.end(), [&](const Limit& l) {
+      return l.constraint + objectives_ == response && l.slack <= kActivity;
+    });
+  }
+
+  bool derivatives_exist() {
+    if (result_.point.jacobian.allFinite() && !undefined_entry()) return true;
+    certificate().stationarity = std::numeric_limits<double>::infinity();
+    certificate().findings.push_back({Degeneracy::undefined_gradient,
+                                      "a derivative that the test needs does not exist here", {}});
+    return false;
+  }
+
+  bool undefined_entry() const {
+    const auto& kinks = result_.point.evaluation.kinks;
+    return std::any_of(kinks.begin(), kinks.end(), [&](const KinkedEntry& k) {
+      return k.slope == Slope::undefined && limit_matters(k.response);
+    });
+  }
+
+  // Gradients of the objective with one entry taken from the left or the right. A concave kink
+  // mixes nothing: both its sides would have to be stationary.
+  Eigen::MatrixXd one_sided_gradients(const KktPoint& p) {
+    Eigen::MatrixXd g = objective_gradients(p, objectives_);
+    if (objectives_ > 1) return g;
+    for (const KinkedEntry& kink : p.evaluation.kinks) {
+      if (kink.slope != Slope::one_sided || kink.response >= objectives_) continue;
+      add_kink(kink, g);
+    }
+    return g;
+  }
+
+  void add_kink(const KinkedEntry& kink, Eigen::MatrixXd& g) {
+    for (Index k = 0; k < g.rows(); ++k) {
+      const auto at = static_cast<std::size_t>(k);
+      if (scaling_.variable(at) != kink.variable) continue;
+      const bool maximize = session_.problem().objectives[0].sense == Sense::maximize;
+      const double scale = (maximize ? -1.0 : 1.0) * scaling_.factor(0) *
+                           scaling_.slope(at, result_.point.design);
+      name_kink({variable_name(k)});
+      const double left = scale * kink.left;
+      const double right = scale * kink.right;
+      if (left > right) continue;
+      const Index columns = g.cols();
+      g.conservativeResize(Eigen::NoChange, columns + 2);
+      g.col(columns) = g.col(0);
+      g.col(columns + 1) = g.col(0);
+      g(k, columns) = left;
+      g(k, columns + 1) = right;
+    }
+  }
+
+  void name_kink(const std::vector<std::string>& names) {
+    certificate().findings.push_back(
+        {Degeneracy::kink, "one-sided derivatives of the objective differ", names});
+  }
+
+  void first_order(const Eigen::MatrixXd& gradients) {
+    if (gradients.size() == 0) {  // every variable is fixed: the only design is stationary
+      result_.multipliers.weights =
+          Eigen::VectorXd::Constant(gradients.cols(), 1.0 / static_cast<double>(gradients.cols()));
+      return;
+    }
+    result_.multipliers = find_multipliers(result_.point, gradients, objectives_, kActivity);
+    const double here = gradients.cwiseAbs().maxCoeff();
+    const double size = std::max(1.0, here);  // 1: the gradient at the start, by the scaling
+    certificate().stationarity = result_.multipliers.residual.cwiseAbs().maxCoeff() / size;
+    certificate().complementarity = 0.0;
+    for (std::size_t i = 0; i < result_.multipliers.limits.size(); ++i)
+      certificate().complementarity =
+          std::max(certificate().complementarity,
+                   std::abs(result_.multipliers.limit_values[i]) / size *
+                       result_.point.limits[result_.multipliers.limits[i]].slack);
+  }
+
+  // A point that is not stationary may sit on a kink: then gradients on its two sides differ
+  // however near they are taken, and some mixture of them is stationary.
+  void look_for_kinks() {
+    constexpr double kNear = 1e-7;
+    Eigen::MatrixXd mixed = objective_gradients(result_.point, 1);
+    std::vector<std::string> names;
+    const double here = objective(result_.point);
+    for (Index k = 0; k < result_.point.variables(); ++k) {
+      const auto right = neighbour(k, kNear);
+      const auto left = neighbour(k, -kNear);
+      if (!right || !left) return;
+      const double noise = 1e-12 * (1.0 + std::abs(here));
+      for (const auto* side : {&*left, &*right})
+        if (objective(*side) < here - noise && side->infeasibility <= result_.point.infeasibility)
+          return;  // a better design next door: no optimum, kink or not
+      const double jump = (right->jacobian.row(0) - left->jacobian.row(0)).cwiseAbs().maxCoeff();
+      if (jump <= 1e-3 * (1.0 + mixed.cwiseAbs().maxCoeff())) continue;
+      names.push_back(variable_name(k));
+      mixed.conservativeResize(Eigen::NoChange, mixed.cols() + 2);
+      mixed.col(mixed.cols() - 2) = left->jacobian.row(0).transpose();
+      mixed.col(mixed.cols() - 1) = right->jacobian.row(0).transpose();
+    }
+    if (names.empty()) return;
+    name_kink(names);
+    first_order(mixed);
+  }
+
+  double objective(const KktPoint& p) const {
+    const bool maximize = session_.problem().objectives[0].sense == Sense::maximize;
+    return (maximize ? -1.0 : 1.0) * scaling_.factor(0) * p.evaluation.values[0];
+  }
+
+  std::optional<KktPoint> neighbour(Index k, double step) {
+    std::vector<double> unit = result_.point.unit;
+    double& u = unit[static_cast<std::size_t>(k)];
+    u = std::clamp(u + step, 0.0, 1.0);
+    return kkt_point(session_, scaling_, scaling_.to_design(unit));
+  }
+
+  void name_dependent_limits() {
+    const auto& m = result_.multipliers;
+    if (m.active.cols() < 2) return;
+    Eigen::MatrixXd unit = m.active;
+    for (Index j = 0; j < unit.cols(); ++j) unit.col(j).normalize();
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(unit);
+    qr.setThreshold(1e-8);
+    if (qr.rank() == unit.cols()) return;
+    std::vector<std::string> names;
+    for (const std::size_t i : m.limits)
+      names.push_back(session_.problem().constraints[result_.point.limits[i].constraint].name);
+    for (const Index k : m.bounds) names.push_back(variable_name(k));
+    certificate().findings.push_back(
+        {Degeneracy::dependent_constraints,
+         "the gradients of the active limits are dependent: their multipliers are not unique", names});
+  }
+
+  void name_flat_objective() {
+    const Eigen::MatrixXd g = objective_gradients(result_.point, objectives_);
+    std::vector<std::string> names;
+    for (Index k = 0; k < g.rows(); ++k)
+      if (g.row(k).cwiseAbs().maxCoeff() == 0.0) names.push_back(variable_name(k));
+    if (static_cast<Index>(names.size()) == g.rows() && g.rows() > 0 && flat_at_start())
+      certificate().findings.push_back(
+          {Degeneracy::flat_objective, "the objective has no slope in any variable", names});
+  }
+
+  // A response that is flat at the start was scaled by its value, which makes value times factor 1.
+  bool flat_at_start() const {
+    const double scaled = std::abs(result_.point.evaluation.values[0]) * scaling_.factor(0);
+    return objectives_ == 1 && (scaled == 0.0 || std::abs(scaled - 1.0) < 1e-9);
+  }
+
+  void second_order_test() {
+    certificate().curvature = std::numeric_limits<double>::quiet_NaN();
+    const auto curvature =
+        lagrangian_curvature(session_, scaling_, result_.point, result_.multipliers, objectives_);
+    if (!curvature) return;
+    const ReducedCurvature reduced = reduced_curvature(*curvature, result_.multipliers);
+    certificate().curvature = reduced.smallest;
+    if (reduced.smallest < -kNegative)
+      certificate().findings.push_back({Degeneracy::negative_curvature,
+                                        "stationary, but the objective falls to second order", {}});
+    for (Index j = 0; j < reduced.flat.cols(); ++j) name_flat_direction(reduced.flat.col(j));
+  }
+
+  void name_flat_direction(const Eigen::VectorXd& direction) {
+    Finding finding{Degeneracy::flat_direction,
+                    "the objective does not change to second order when these vary together", {}};
+    for (Index k = 0; k < direction.size(); ++k)
+      if (std::abs(direction[k]) > 0.05) finding.names.push_back(variable_name(k));
+    if (!finding.names.empty()) certificate().findings.push_back(std::move(finding));
+  }
+
+  void conclude() {
+    Certificate& c = certificate();
+    c.infeasibility = result_.point.infeasibility;
+    if (result_.multipliers.weights.size() == static_cast<Index>(objectives_))
+      c.weights.assign(result_.multipliers.weights.begin(), result_.multipliers.weights.end());
+    else
+      c.weights.assign(objectives_, objectives_ == 1 ? 1.0 : 0.0);
+    c.limits = report_limits(session_.problem(), scaling_, result_.point, result_.multipliers);
+    if (!feasible()) c.reason = "a constraint is violated";
+    else if (has(Degeneracy::undefined_gradient)) c.reason = "a derivative does not exist";
+    else if (!stationary()) c.reason = "not stationary: the objective can still improve to first order";
+    else if (c.complementarity > options_.tolerance) c.reason = "a limit with a multiplier is not met";
+    else if (has(Degeneracy::negative_curvature)) c.reason = "stationary, but not a minimum";
+    c.passed = c.reason.empty();
+  }
+
+  Session& session_;
+  const Scaling& scaling_;
+  std::size_t objectives_;
+  const SolveOptions& options_;
+  Certified result_;
+};
+
+}  // namespace
+
+const char* to_string(Degeneracy degeneracy) {
+  switch (degeneracy) {
+    case Degeneracy::flat_direction: return "flat-direction";
+    case Degeneracy::flat_objective: return "flat-objective";
+    case Degeneracy::dependent_constraints: return "dependent-constraints";
+    case Degeneracy::kink: return "kink";
+    case Degeneracy::negative_curvature: return "negative-curvature";
+    case Degeneracy::undefined_gradient: return "undefined-gradient";
+  }
+  return "unknown";
+}
+
+std::optional<Certified> certify_in(Session& session, const Scaling& scaling,
+                                    std::span<const double> design, bool second_order) {
+  return Certifier(session, scaling).run(design, second_order);
+}
+
+Certificate certify(const Problem& problem, std::span<const double> design,
+                    const SolveOptions& options) {
+  validate(problem);
+  if (design.size() != problem.variables.size())
+    throw InputError("certify: the design has " + std::to_string(design.size()) + " values for " +
+                     std::to_string(problem.variables.size()) + " variables");
+  const Deadline deadline(options.budget.seconds);
+  Session session(problem, options, deadline, options.first_stage, options.budget.evaluations);
+  Scaling scaling(problem);
+  Certificate failed;
+  failed.reason = "the design cannot be evaluated";
+  try {
+    const std::vector<double> start = start_design(problem);
+    const Evaluation first = session.at(start, true);
+    if (first.ok()) scaling.scale_responses(start, first);
+    const auto certified = certify_in(session, scaling, design);
+    return certified ? certified->certificate : failed;
+  } catch (const Stop&) {
+    failed.reason = "stopped before the test was done";
+    return failed;
+  }
+}
+
+}  // namespace twum::optim

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "kkt.hpp"
+
+namespace twum::optim {
+
+/// Second derivatives of the Lagrangian in the unit box by central differences of exact gradients.
+/// Columns of variables at a bound are left zero. Nothing if a neighbour cannot be evaluated.
+struct Curvature {
+  Eigen::MatrixXd hessian;
+};
+std::optional<Curvature> lagrangian_curvature(Session& session, const Scaling& scaling,
+                                              const KktPoint& point, const Multipliers& multipliers,
+                                              std::size_t objectives);
+
+/// What the reduced Hessian says about a stationary point.
+struct ReducedCurvature {
+  double smallest{0.0};     ///< eigenvalues relative to the Hessian's size; NaN if there is no free direction
+  Eigen::MatrixXd flat;     ///< directions (columns) along which nothing changes to second order
+};
+ReducedCurvature reduced_curvature(const Curvature& curvature, const Multipliers& multipliers);
+
+}  // namespace twum::optim

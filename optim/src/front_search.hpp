@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "campaign.hpp"
+#include "front.hpp"
+
+namespace twum::optim {
+
+/// One design of a front under construction.
+struct Solved {
+  std::vector<double> unit;
+  std::vector<double> scaled;  ///< objectives, minimized and scaled by their gradients
+  std::vector<double> y;       ///< the same between ideal (0) and nadir (1) of the ends
+  Evaluation evaluation;
+  std::vector<double> design;
+};
+
+/// What fronts of two and three objectives share: the ends, and single points between them.
+class FrontSearch {
+ public:
+  FrontSearch(const Problem& problem, const SolveOptions& solve, const ParetoOptions& options,
+              const Deadline& deadline)
+      : campaign_(problem, solve, deadline), options_(options) {}
+
+  Campaign& campaign() { return campaign_; }
+
+  /// Finds the lexicographic optimum of every objective, from the usual starts and those given.
+  /// False if one of them has no feasible design.
+  bool find_ends(std::vector<std::vector<double>> starts);
+
+  /// Solves min t, F - n t <= m in normalized objectives, from the first start that leads anywhere;
+  /// with `all`, from every start, keeping the best.
+  std::optional<Solved> scalarize(const std::vector<double>& m, const std::vector<double>& n,
+                                  const std::vector<std::vector<double>>& starts, bool all);
+
+  /// Adds a design to start from; before find_ends().
+  void add_to_pool(const std::vector<double>& unit, const Evaluation& evaluation);
+
+  /// The pool's unit design nearest to a point in normalized objectives; empty without a pool.
+  std::vector<double> from_pool(const std::vector<double>& y) const;
+
+  const std::vector<Solved>& ends() const { return ends_; }
+  bool exhausted() const { return campaign_.exhausted(); }
+
+ private:
+  std::optional<Solved> best_of(const Formulation& formulation,
+                                const std::vector<std::vector<double>>& starts,
+                                std::vector<double> extra_start, bool all);
+  std::optional<Solved> solved(Attempt& attempt);
+  Formulation lexicographic(std::size_t objective, const Solved& first) const;
+  void normalize(Solved& s) const;
+  double sign(std::size_t k) const;
+
+  Campaign campaign_;
+  const ParetoOptions& options_;
+  std::vector<Solved> ends_;
+  std::vector<Solved> pool_;
+  std::vector<double> ideal_;
+  std::vector<double> span_;
+};
+
+/// The points of a front, in order of the first objective, not yet certified.
+std::vector<Solved> two_objective_front(FrontSearch& search, const ParetoOptions& options);
+std::vector<Solved> three_objective_front(FrontSearch& search, const ParetoOptions& options);
+
+}  // namespace twum::optim

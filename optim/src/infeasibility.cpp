@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "infeasibility.hpp"
+
+#include "polish.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace twum::optim {
+namespace {
+
+// Each finite side of each row gets a slack of its own; only rows for which `soft` holds.
+struct Elastic {
+  Formulation formulation;
+  std::vector<std::size_t> rows;  // of each slack
+};
+
+template <typename Soft>
+Elastic elastic_formulation(const Campaign& campaign, Soft soft) {
+  Elastic e;
+  e.formulation = plain_formulation(campaign.problem(), campaign.scaling());
+  e.formulation.objective.responses.clear();
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < e.formulation.rows.size(); ++i) {
+    Row row = e.formulation.rows[i];
+    if (!soft(i)) {
+      rows.push_back(row);
+      continue;
+    }
+    const auto slack = [&](double sign, double lower, double upper) {
+      Row side = row;
+      side.lower = lower;
+      side.upper = upper;
+      side.extras = {{e.rows.size(), sign}};
+      e.formulation.objective.extras.push_back({e.rows.size(), 1.0});
+      e.rows.push_back(i);
+      rows.push_back(side);
+    };
+    if (std::isfinite(row.lower)) slack(1.0, row.lower, kInfinity);
+    if (std::isfinite(row.upper)) slack(-1.0, -kInfinity, row.upper);
+  }
+  e.formulation.rows = std::move(rows);
+  return e;
+}
+
+// Scaled responses change by about 1 across the box, so slacks begin at 1; their bound leaves room
+// for starts far outside.
+std::vector<double> add_slacks(Elastic& e, std::span<const double> unit) {
+  std::vector<double> z(unit.begin(), unit.end());
+  z.resize(unit.size() + e.rows.size(), 1.0);
+  e.formulation.extra_lower.assign(e.rows.size(), 0.0);
+  e.formulation.extra_upper.assign(e.rows.size(), 1e4);
+  return z;
+}
+
+double total_violation(const KktPoint& p) {
+  double sum = 0.0;
+  for (const Limit& l : p.limits) sum += l.excess;
+  return sum;
+}
+
+}  // namespace
+
+std::optional<Candidate> elastic_search(Campaign& campaign,
+                                        const std::vector<std::vector<double>>& starts) {
+  const Optimizer& slsqp = find_optimizer("nlopt:slsqp");
+  std::optional<Candidate> best;
+  for (const auto& start : starts) {
+    if (campaign.exhausted()) break;
+    Elastic e = elastic_formulation(campaign, [](std::size_t) { return true; });
+    const std::vector<double> z = add_slacks(e, start);
+    const Attempt attempt = campaign.run(slsqp, e.formulation, z);
+    if (!attempt.best) continue;
+    Candidate c = *attempt.best;
+    c.z.resize(campaign.scaling().size());
+    if (!best || better(c, *best, campaign.options().feasibility_tolerance)) best = std::move(c);
+  }
+  return best;
+}
+
+namespace {
+
+// The smallest relaxation of one constraint while all others hold.
+double relaxation_alone(Campaign& campaign, std::size_t row, std::span<const double> unit) {
+  if (campaign.exhausted()) return std::nan("");
+  Elastic e = elastic_formulation(campaign, [&](std::size_t i) { return i == row; });
+  const std::vector<double> z = add_slacks(e, unit);
+  const Attempt attempt = campaign.run(find_optimizer("nlopt:slsqp"), e.formulation, z);
+  const double tolerance = 100.0 * campaign.options().feasibility_tolerance;
+  if (!attempt.best || attempt.best->violation > tolerance) return std::nan("");
+  const std::size_t r = campaign.problem().objectives.size() + row;
+  return attempt.best->f / campaign.scaling().factor(r);
+}
+
+// Stationarity of the summed violation: limits that are broken pull with weight one, limits that
+// are just met push back. Returns the constraints that do either.
+std::set<std::size_t> fighting(const KktPoint& point, std::size_t objectives, double tolerance,
+                               bool& stationary) {
+  KktPoint met = point;
+  met.limits.clear();
+  std::set<std::size_t> names;
+  Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(point.variables(), 1);
+  for (const Limit& l : point.limits) {
+    if (l.excess <= tolerance) {
+      met.limits.push_back(l);
+      continue;
+    }
+    names.insert(l.constraint);
+    const auto row = static_cast<Eigen::Index>(objectives + l.constraint);
+    pull -= (l.side == Side::upper ? -1.0 : 1.0) * point.jacobian.row(row).transpose();
+  }
+  const Multipliers m = find_multipliers(met, pull, objectives, 1e-6);
+  for (std::size_t i = 0; i < m.limits.size(); ++i)
+    if (std::abs(m.limit_values[i]) > 1e-6) names.insert(met.limits[m.limits[i]].constraint);
+  stationary = m.residual.size() == 0 ||
+               m.residual.cwiseAbs().maxCoeff() <= 1e-5 * (1.0 + pull.cwiseAbs().maxCoeff());
+  return names;
+}
+
+}  // namespace
+
+Infeasibility explain_infeasible(Campaign& campaign, std::span<const double> unit) {
+  Infeasibility report;
+  const Problem& problem = campaign.problem();
+  report.design = campaign.scaling().to_design(unit);
+  Attempt look;
+  look.session = std::make_unique<Session>(problem, campaign.options(), campaign.deadline(),
+                                           campaign.take_stage(), campaign.left());
+  std::optional<KktPoint> point;
+  try {
+    point = kkt_point(*look.session, campaign.scaling(), report.design);
+  } catch (const Stop&) {
+  }
+  campaign.book(look);
+  if (!point || total_violation(*point) == 0.0) return report;
+  const double tolerance = campaign.options().feasibility_tolerance;
+  const auto names = fighting(*point, problem.objectives.size(), tolerance, report.certified);
+  for (const std::size_t i : names) report.conflict.push_back(problem.constraints[i].name);
+  for (const Limit& l : point->limits) {
+    if (!names.contains(l.constraint) || (l.excess <= tolerance && l.slack > 1e-6)) continue;
+    const Constraint& c = problem.constraints[l.constraint];
+    const std::size_t r = problem.objectives.size() + l.constraint;
+    report.relaxations.push_back({c.name, l.side, l.side == Side::upper ? c.upper : c.lower,
+                                  l.excess / campaign.scaling().factor(r),
+                                  relaxation_alone(campaign, l.constraint, unit)});
+  }
+  return report;
+}
+
+}  // namespace twum::optim

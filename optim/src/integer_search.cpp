@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "integer_search.hpp"
+
+#include "solve_continuous.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace twum::optim {
+namespace {
+
+using Whole = std::vector<double>;  // one value for each integer variable
+
+class IntegerSearch {
+ public:
+  IntegerSearch(const Problem& problem, const SolveOptions& options, const Deadline& deadline)
+      : problem_(problem), options_(options), deadline_(deadline) {
+    const auto start = start_design(problem);
+    for (std::size_t j = 0; j < problem.variables.size(); ++j) {
+      const Variable& v = problem.variables[j];
+      if (!v.integer) continue;
+      integers_.push_back(j);
+      start_.push_back(start[j]);
+    }
+  }
+
+  Result run() {
+    if (combinations() <= kEnumerate) enumerate();
+    else descend();
+    Result result = std::move(best_);
+    result.counters = total_.counters;
+    result.stages = std::move(total_.stages);
+    result.stages_used = total_.stages_used;
+    result.seconds = deadline_.elapsed();
+    if (!complete_ && result.outcome == Outcome::optimal) {
+      result.outcome = Outcome::budget;
+      result.stop = StopReason::evaluations;
+    }
+    return result;
+  }
+
+ private:
+  static constexpr double kEnumerate = 64;
+
+  double low(std::size_t i) const { return std::ceil(problem_.variables[integers_[i]].lower); }
+  double high(std::size_t i) const { return std::floor(problem_.variables[integers_[i]].upper); }
+
+  double combinations() const {
+    double product = 1.0;
+    for (std::size_t i = 0; i < integers_.size(); ++i) product *= high(i) - low(i) + 1.0;
+    return product;
+  }
+
+  void enumerate() {
+    Whole at;
+    for (std::size_t i = 0; i < integers_.size(); ++i) at.push_back(low(i));
+    while (visit(at)) {
+      std::size_t i = 0;
+      while (i < at.size() && at[i] >= high(i)) {
+        at[i] = low(i);
+        ++i;
+      }
+      if (i == at.size()) return;
+      at[i] += 1.0;
+    }
+    complete_ = false;
+  }
+
+  void descend() {
+    Whole at = start_;
+    if (!visit(at)) complete_ = false;
+    while (complete_) {
+      const Whole from = best_at_;
+      for (std::size_t i = 0; i < at.size() && complete_; ++i) {
+        for (const double step : {-1.0, 1.0}) {
+          Whole next = from;
+          next[i] += step;
+          if (next[i] < low(i) || next[i] > high(i) || seen_.contains(next)) continue;
+          complete_ = visit(next);
+          if (!complete_) break;
+        }
+      }
+      if (best_at_ == from) return;
+    }
+  }
+
+  // False when nothing is left of the budget.
+  bool visit(const Whole& at) {
+    seen_[at] = true;
+    const std::size_t used = total_.counters.evaluations;
+    if (used >= options_.budget.evaluations || deadline_.passed() || options_.stop.stop_requested())
+      return false;
+    Problem fixed = problem_;
+    for (std::size_t i = 0; i < at.size(); ++i)
+      fixed.variables[integers_[i]].lower = fixed.variables[integers_[i]].upper = at[i];
+    SolveOptions options = options_;
+    options.budget.evaluations -= used;
+    options.first_stage += total_.stages_used;
+    options.analyse_infeasible = options_.analyse_infeasible && combinations() == 1.0;
+    Result result = solve_continuous(fixed, options, deadline_);
+    total_.counters.add(result.counters);
+    total_.stages.insert(total_.stages.end(), result.stages.begin(), result.stages.end());
+    total_.stages_used += result.stages_used;
+    if (best_at_.empty() || beats(result)) {
+      best_ = std::move(result);
+      best_at_ = at;
+    }
+    return true;
+  }
+
+  static int rank(const Result& r) {
+    if (r.design.empty() || r.evaluation.values.empty()) return 0;
+    return r.outcome == Outcome::infeasible || r.outcome == Outcome::failed ? 1 : 2;
+  }
+
+  bool beats(const Result& r) const {
+    if (rank(r) != rank(best_)) return rank(r) > rank(best_);
+    if (rank(r) == 0) return false;
+    if (rank(r) == 1) return r.certificate.infeasibility < best_.certificate.infeasibility;
+    const double sign = problem_.objectives[0].sense == Sense::maximize ? -1.0 : 1.0;
+    return sign * r.evaluation.values[0] < sign * best_.evaluation.values[0];
+  }
+
+  const Problem& problem_;
+  const SolveOptions& options_;
+  const Deadline& deadline_;
+  std::vector<std::size_t> integers_;
+  Whole start_;
+  std::map<Whole, bool> seen_;
+  Result best_;
+  Whole best_at_;
+  Result total_;
+  bool complete_{true};
+};
+
+}  // namespace
+
+Result integer_search(const Problem& problem, const SolveOptions& options,
+                      const Deadline& deadline) {
+  return IntegerSearch(problem, options, deadline).run();
+}
+
+}  // namespace twum::optim

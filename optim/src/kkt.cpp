@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kkt.hpp"
+
+#include "nnls.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace twum::optim {
+namespace {
+
+using Eigen::Index;
+
+// Bounds of the unit box are met more exactly than constraints: an interior point method stops
+// about 1e-8 short of them.
+constexpr double kBoundActivity = 1e-6;
+
+void add_limits(KktPoint& point, const Problem& problem, const Scaling& scaling, std::size_t i) {
+  const std::size_t r = problem.objectives.size() + i;
+  const Constraint& c = problem.constraints[i];
+  const double value = point.evaluation.values[r];
+  const double s = scaling.factor(r);
+  const auto add = [&](Side side, double gap) {
+    point.limits.push_back({i, side, std::max(gap, 0.0), std::max(-gap, 0.0)});
+    point.infeasibility = std::max(point.infeasibility, -gap);
+  };
+  if (c.lower == c.upper) return add(Side::equal, -std::abs(s * (value - c.lower)));
+  if (std::isfinite(c.lower)) add(Side::lower, s * (value - c.lower));
+  if (std::isfinite(c.upper)) add(Side::upper, s * (c.upper - value));
+}
+
+// Gradient that points into the feasible side; for an equality towards larger values.
+Eigen::VectorXd inward(const KktPoint& point, const Limit& limit, std::size_t objectives) {
+  const Index row = static_cast<Index>(objectives + limit.constraint);
+  const double sign = limit.side == Side::upper ? -1.0 : 1.0;
+  return sign * point.jacobian.row(row).transpose();
+}
+
+
+void choose_active(const KktPoint& point, double activity, Multipliers& m) {
+  for (std::size_t i = 0; i < point.limits.size(); ++i)
+    if (point.limits[i].slack <= activity) m.limits.push_back(i);
+  for (Index k = 0; k < point.variables(); ++k) {
+    const double u = point.unit[static_cast<std::size_t>(k)];
+    if (std::min(u, 1.0 - u) <= kBoundActivity) m.bounds.push_back(k);
+  }
+}
+
+Eigen::MatrixXd active_columns(const KktPoint& point, std::size_t objectives,
+                               const Multipliers& m) {
+  const Index count = static_cast<Index>(m.limits.size() + m.bounds.size());
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(point.variables(), count);
+  Index at = 0;
+  for (const std::size_t i : m.limits) columns.col(at++) = inward(point, point.limits[i], objectives);
+  for (const Index k : m.bounds)
+    columns(k, at++) = point.unit[static_cast<std::size_t>(k)] < 0.5 ? 1.0 : -1.0;
+  return columns;
+}
+
+}  // namespace
+
+std::optional<KktPoint> kkt_point(Session& session, const Scaling& scaling,
+                                  std::span<const double> design) {
+  KktPoint point;
+  point.design.assign(design.begin(), design.end());
+  point.unit = scaling.to_unit(design);
+  point.evaluation = session.at(design, true);
+  if (!point.evaluation.ok()) return std::nullopt;
+  const Problem& problem = session.problem();
+  const Index n = static_cast<Index>(scaling.size());
+  point.jacobian.resize(static_cast<Index>(problem.responses()), n);
+  for (Index r = 0; r < point.jacobian.rows(); ++r) {
+    const auto response = static_cast<std::size_t>(r);
+    const bool flip = response < problem.objectives.size() &&
+                      problem.objectives[response].sense == Sense::maximize;
+    for (Index k = 0; k < n; ++k) {
+      const double d = scaling.derivative(point.evaluation, response, static_cast<std::size_t>(k),
+                                          point.design);
+      point.jacobian(r, k) = flip ? -d : d;
+    }
+  }
+  for (std::size_t i = 0; i < problem.constraints.size(); ++i) add_limits(point, problem, scaling, i);
+  return point;
+}
+
+Eigen::MatrixXd objective_gradients(const KktPoint& point, std::size_t objectives) {
+  return point.jacobian.topRows(static_cast<Index>(objectives)).transpose();
+}
+
+Multipliers find_multipliers(const KktPoint& point, const Eigen::MatrixXd& gradients,
+                             std::size_t objectives, double activity) {
+  Multipliers m;
+  choose_active(point, activity, m);
+  m.active = active_columns(point, objectives, m);
+  const Index mixed = gradients.cols() > 1 ? gradients.cols() : 0;
+  const Index n = point.variables();
+  const Index rows = n + (mixed > 0 ? 1 : 0);
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(rows, mixed + m.active.cols());
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(rows);
+  a.block(0, mixed, n, m.active.cols()) = m.active;
+  if (mixed > 0) {
+    // sum w = 1 as one more equation; its weight makes the error of the sum a negligible scaling.
+    const double heavy = 1e3 * (1.0 + gradients.cwiseAbs().maxCoeff());
+    a.block(0, 0, n, mixed) = -gradients;
+    a.row(n).head(mixed).setConstant(heavy);
+    b[n] = heavy;
+  } else {
+    b.head(n) = gradients.col(0);
+  }
+  std::vector<bool> free(static_cast<std::size_t>(a.cols()), false);
+  for (std::size_t i = 0; i < m.limits.size(); ++i)
+    free[static_cast<std::size_t>(mixed) + i] = point.limits[m.limits[i]].side == Side::equal;
+  Eigen::VectorXd x = nonnegative_least_squares(a, b, free);
+  if (x.size() == 0) x = Eigen::VectorXd::Zero(a.cols());
+  m.weights = Eigen::VectorXd::Ones(1);
+  if (mixed > 0) {
+    const double sum = x.head(mixed).sum();
+    x /= sum > 0.0 ? sum : 1.0;
+    m.weights = x.head(mixed);
+  }
+  const Eigen::VectorXd lambda = x.tail(m.active.cols());
+  m.residual = gradients * m.weights - m.active * lambda;
+  for (std::size_t i = 0; i < m.limits.size(); ++i)
+    m.limit_values.push_back(lambda[static_cast<Index>(i)]);
+  for (std::size_t i = 0; i < m.bounds.size(); ++i)
+    m.bound_values.push_back(lambda[static_cast<Index>(m.limits.size() + i)]);
+  return m;
+}
+
+}  // namespace twum::optim

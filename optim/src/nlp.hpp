@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "scaling.hpp"
+#include "session.hpp"
+
+#include <optional>
+
+namespace twum::optim {
+
+struct Term {
+  std::size_t index{0};
+  double factor{1.0};
+};
+
+/// lower <= sum of factors times scaled responses, plus sum of factors times extra unknowns <= upper.
+struct Row {
+  std::vector<Term> responses;
+  std::vector<Term> extras;
+  double lower{-kInfinity};
+  double upper{kInfinity};
+};
+
+/// What one solver run is asked: everything is linear in the scaled responses and a few extra
+/// unknowns. That covers the plain problem, the elastic one, and every point of a front.
+struct Formulation {
+  Row objective;  ///< to be minimized; its limits are not used
+  std::vector<Row> rows;
+  std::vector<double> extra_lower;
+  std::vector<double> extra_upper;
+};
+
+/// Minimize one objective under the problem's constraints.
+Formulation plain_formulation(const Problem& problem, const Scaling& scaling,
+                              std::size_t objective = 0);
+
+/// Values and gradients of a formulation at one point z = (unit variables, extra unknowns).
+struct NlpValue {
+  double f{0.0};
+  std::vector<double> c;
+  std::vector<double> df;
+  std::vector<double> dc;  ///< rows() x size(), row-major
+};
+
+/// A point worth keeping.
+struct Candidate {
+  std::vector<double> z;
+  double f{kInfinity};
+  double violation{kInfinity};
+};
+
+/// A formulation as solvers see it, with its own archive of the best point seen.
+class Nlp {
+ public:
+  Nlp(Session& session, const Scaling& scaling, Formulation formulation);
+
+  std::size_t size() const { return lower_.size(); }
+  std::size_t units() const { return scaling_.size(); }
+  std::size_t rows() const { return formulation_.rows.size(); }
+  const Row& row(std::size_t i) const { return formulation_.rows[i]; }
+  const std::vector<double>& lower() const { return lower_; }
+  const std::vector<double>& upper() const { return upper_; }
+  bool equality(std::size_t i) const { return row(i).lower == row(i).upper; }
+  bool has_equality() const;
+
+  /// Null if the design cannot be evaluated or a derivative that is needed does not exist. Points
+  /// are clamped into the bounds first. @throws Stop, and what the evaluator throws.
+  const NlpValue* at(std::span<const double> z, bool gradient);
+
+  double violation(const NlpValue& value) const;
+
+  /// Narrows the box that solvers see, around a point (unit variables only); 0 restores it.
+  void restrict_box(std::span<const double> centre, double radius);
+
+  /// Best point so far: feasible ones before others, then by objective or violation.
+  const std::optional<Candidate>& best() const { return best_; }
+
+  std::vector<double> design(std::span<const double> z) const;
+  const Scaling& scaling() const { return scaling_; }
+  Session& session() { return session_; }
+
+ private:
+  bool fill(const Evaluation& e, std::span<const double> z, bool gradient);
+  double row_value(const Row& row, const Evaluation& e, std::span<const double> z) const;
+  bool row_gradient(const Row& row, const Evaluation& e, double* out) const;
+  void keep(std::span<const double> z);
+
+  Session& session_;
+  const Scaling& scaling_;
+  Formulation formulation_;
+  std::vector<double> lower_;
+  std::vector<double> upper_;
+  std::vector<double> point_;
+  std::vector<double> design_;
+  NlpValue value_;
+  bool known_{false};
+  bool has_gradient_{false};
+  std::optional<Candidate> best_;
+};
+
+/// Whether a is the better candidate: feasible first, then the smaller objective or violation.
+bool better(const Candidate& a, const Candidate& b, double feasibility_tolerance);
+
+}  // namespace twum::optim

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/base/error.hpp>
+#include <twum/optim/hypervolume.hpp>
+#include <twum/optim/low_discrepancy.hpp>
+
+#include "front_search.hpp"
+#include "infeasibility.hpp"
+#include "polish.hpp"
+
+#include <algorithm>
+
+namespace twum::optim {
+namespace {
+
+std::vector<std::vector<double>> usual_starts(Campaign& campaign, std::size_t count) {
+  std::vector<std::vector<double>> starts{campaign.unit_start()};
+  const std::size_t n = campaign.scaling().size();
+  if (n == 0 || count < 2) return starts;
+  for (auto& u : sobol_points(n, count - 1, campaign.options().seed)) starts.push_back(std::move(u));
+  return starts;
+}
+
+// A population's front: some of it as starts for the ends, all of it as a pool for the rest.
+void ask_population(const Problem& problem, const ParetoOptions& options, FrontSearch& search,
+                    std::vector<std::vector<double>>& starts) {
+  if (options.population_evaluations == 0) return;
+  Campaign& campaign = search.campaign();
+  Nsga2Options population;
+  population.solve = campaign.options();
+  population.solve.first_stage = campaign.next_stage();
+  population.solve.budget.evaluations = campaign.left();
+  population.generations = std::max<std::size_t>(1, options.population_evaluations / population.population);
+  const Front front = nsga2(problem, population);
+  Result used;
+  used.counters = front.counters;
+  used.stages_used = front.stages_used;
+  campaign.book(used);
+  const std::size_t step = std::max<std::size_t>(1, front.points.size() / 8);
+  for (std::size_t i = 0; i < front.points.size(); ++i) {
+    const auto unit = campaign.scaling().to_unit(front.points[i].design);
+    search.add_to_pool(unit, front.points[i].evaluation);
+    if (i % step == 0 || i + 1 == front.points.size()) starts.push_back(unit);
+  }
+}
+
+std::vector<Solved> best_spread(const Problem& problem, const ParetoOptions& options,
+                                std::vector<Solved> all) {
+  if (all.size() <= options.points) return all;
+  std::vector<std::vector<double>> values;
+  Front whole;
+  for (const Solved& s : all) {
+    values.push_back(minimized(problem, s.evaluation));
+    whole.points.push_back({s.design, s.evaluation, {}});
+  }
+  measure(whole, problem, options.reference);
+  std::vector<double> reference = whole.reference;
+  for (std::size_t k = 0; k < reference.size(); ++k)
+    if (problem.objectives[k].sense == Sense::maximize) reference[k] = -reference[k];
+  std::vector<Solved> kept;
+  const auto chosen = problem.objectives.size() == 2 ? best_subset(values, options.points, reference)
+                                                     : greedy_subset(values, options.points, reference);
+  for (const std::size_t i : chosen) kept.push_back(std::move(all[i]));
+  return kept;
+}
+
+FrontPoint certified(Session& session, const Scaling& scaling, const std::vector<double>& design,
+                     const Evaluation& evaluation) {
+  FrontPoint point{design, evaluation, {}};
+  if (auto c = certify_in(session, scaling, design, false)) {
+    point.certificate = std::move(c->certificate);
+    point.evaluation = c->point.evaluation;
+  }
+  return point;
+}
+
+// A point that misses its certificate by a little is finished by Newton steps on the sum of the
+// objectives with its own weights: that moves it along the front, if at all, by as little.
+FrontPoint finished(Session& session, const Scaling& scaling, FrontPoint point) {
+  const Certificate& c = point.certificate;
+  if (c.passed || c.weights.empty() || c.stationarity > 1e-2 || session.left() == 0) return point;
+  const auto better = polish(session, scaling, point.design, c.weights);
+  if (!better) return point;
+  FrontPoint second = certified(session, scaling, *better, point.evaluation);
+  return second.certificate.passed ? second : point;
+}
+
+void certify_points(FrontSearch& search, const std::vector<Solved>& solved, Front& front) {
+  Campaign& campaign = search.campaign();
+  const std::size_t quota = std::max(campaign.left(), solved.size());
+  Attempt stage;
+  stage.session = std::make_unique<Session>(campaign.problem(), campaign.options(), campaign.deadline(),
+                                            campaign.take_stage(), quota);
+  for (const Solved& s : solved) {
+    stage.session->remember(s.design, s.evaluation);
+    FrontPoint point{s.design, s.evaluation, {}};
+    try {
+      point = certified(*stage.session, campaign.scaling(), s.design, s.evaluation);
+      point = finished(*stage.session, campaign.scaling(), point);
+    } catch (const Stop& stop) {
+      stage.report.stop = stop.reason;
+    }
+    front.points.push_back(std::move(point));
+  }
+  campaign.book(stage);
+}
+
+// Finishing moves points a little: none may end up behind another.
+void drop_dominated(const Problem& problem, Front& front) {
+  std::vector<std::vector<double>> values;
+  for (const auto& p : front.points) values.push_back(minimized(problem, p.evaluation));
+  std::vector<FrontPoint> kept;
+  for (const std::size_t i : nondominated(values)) kept.push_back(std::move(front.points[i]));
+  front.points = std::move(kept);
+}
+
+void explain(FrontSearch& search, Front& front) {
+  Campaign& campaign = search.campaign();
+  const bool evaluable = campaign.counters().failed() < campaign.counters().evaluations;
+  front.outcome = evaluable ? Outcome::infeasible : Outcome::failed;
+  if (campaign.exhausted()) front.outcome = Outcome::budget;
+  if (front.outcome != Outcome::infeasible) return;
+  const auto least = elastic_search(campaign, usual_starts(campaign, campaign.options().starts));
+  if (least && campaign.options().analyse_infeasible)
+    front.infeasibility = explain_infeasible(campaign, least->z);
+}
+
+void conclude(Campaign& campaign, Front& front) {
+  const bool all = std::all_of(front.points.begin(), front.points.end(),
+                               [](const FrontPoint& p) { return p.certificate.passed; });
+  if (!front.points.empty()) {
+    front.outcome = all ? Outcome::optimal : Outcome::feasible;
+    if (campaign.exhausted()) front.outcome = Outcome::budget;
+  }
+  if (front.outcome == Outcome::budget)
+    front.stop = campaign.stop_reason() == StopReason::finished ? StopReason::evaluations : campaign.stop_reason();
+  front.counters.add(campaign.counters());
+  front.stages_used = campaign.next_stage() - campaign.options().first_stage;
+  front.seconds = campaign.deadline().elapsed();
+}
+
+}  // namespace
+
+Front pareto_front(const Problem& problem, const ParetoOptions& options) {
+  validate_front(problem, options.reference);
+  for (const Variable& v : problem.variables)
+    if (v.integer && v.lower < v.upper)
+      throw InputError("variable '" + v.name + "': a front by gradients takes no integer variables; nsga2 does");
+  SolveOptions solve = options.solve;
+  const Deadline deadline(solve.budget.seconds);
+  FrontSearch search(problem, solve, options, deadline);
+  Campaign& campaign = search.campaign();
+  Front front;
+  if (!campaign.scale()) {
+    front.outcome = campaign.exhausted() ? Outcome::budget : Outcome::failed;
+    conclude(campaign, front);
+    return front;
+  }
+  auto starts = usual_starts(campaign, solve.starts);
+  ask_population(problem, options, search, starts);
+  if (search.find_ends(starts)) {
+    auto solved = problem.objectives.size() == 2 ? two_objective_front(search, options)
+                                                 : three_objective_front(search, options);
+    certify_points(search, best_spread(problem, options, std::move(solved)), front);
+    drop_dominated(problem, front);
+    measure(front, problem, options.reference);
+  } else {
+    explain(search, front);
+  }
+  conclude(campaign, front);
+  return front;
+}
+
+}  // namespace twum::optim

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/optim/solve.hpp>
+
+#include <twum/optim/low_discrepancy.hpp>
+
+#include "infeasibility.hpp"
+#include "integer_search.hpp"
+#include "solve_continuous.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <twum/base/error.hpp>
+
+namespace twum::optim {
+namespace {
+
+// One solve on continuous variables (integer ones are fixed by their bounds).
+class ContinuousSolve {
+ public:
+  ContinuousSolve(const Problem& problem, const SolveOptions& options, const Deadline& deadline)
+      : campaign_(problem, options, deadline), options_(options) {}
+
+  Result run() {
+    if (campaign_.scale()) {
+      if (options_.solver == "auto") automatic();
+      else named(find_optimizer(options_.solver));
+    }
+    return conclude();
+  }
+
+ private:
+  static constexpr int kAgain = 5;
+
+  bool feasible(const Attempt& a) const {
+    return a.best && a.best->violation <= options_.feasibility_tolerance;
+  }
+  bool passed() const { return best_.certified && best_.certified->certificate.passed; }
+
+  void named(const Optimizer& optimizer) {
+    best_ = campaign_.run(optimizer, campaign_.unit_start(), true);
+    campaign_.finish(best_);
+    // A local solver that stopped short is begun again where it stopped: its memory of the way
+    // (asymptotes, Hessian) is often what held it back.
+    for (int again = 0; again < kAgain && !optimizer.info.global; ++again) {
+      if (passed() || cut_short() || !best_.best) return;
+      Attempt attempt = campaign_.run(optimizer, campaign_.scaling().to_unit(best_.design), true);
+      campaign_.finish(attempt);
+      const bool better = attempt.best && clearly_better(*attempt.best, *best_.best);
+      offer(std::move(attempt));
+      if (!better) return;
+    }
+  }
+
+  void automatic() {
+    if (!options_.global.empty()) globally();
+    Attempt first = best_of(campaign_.run_all(find_optimizer("nlopt:slsqp"), starts()));
+    campaign_.finish(first);
+    offer(std::move(first));
+    climb();
+    if (!feasible(best_)) restore();
+  }
+
+  // The global search leaves half of the budget to those who finish its work.
+  void globally() {
+    const Optimizer& optimizer = find_optimizer(options_.global);
+    if (!optimizer.info.global)
+      throw InputError("solver '" + options_.global + "' does not search globally");
+    const AttemptPlan plan{&optimizer, campaign_.take_stage(), campaign_.left() / 2,
+                           campaign_.unit_start()};
+    best_ = make_attempt(campaign_.problem(), options_, campaign_.deadline(), campaign_.scaling(),
+                         plain_formulation(campaign_.problem(), campaign_.scaling()), plan);
+    best_.report.stop = StopReason::finished;  // its share was used up, not the budget
+    campaign_.book(best_);
+  }
+
+  std::vector<std::vector<double>> starts() const {
+    std::vector<std::vector<double>> list{campaign_.unit_start()};
+    if (best_.best) list.insert(list.begin(), campaign_.scaling().to_unit(best_.design));
+    const std::size_t n = campaign_.scaling().size();
+    if (n == 0) return list;
+    const std::size_t more = std::max<std::size_t>(options_.starts, 1) - 1;
+    for (auto& u : sobol_points(n, more, options_.seed)) list.push_back(std::move(u));
+    return list;
+  }
+
+  Attempt best_of(std::vector<Attempt> attempts) const {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < attempts.size(); ++i) {
+      if (!attempts[i].best) continue;
+      if (!attempts[best].best || clearly_better(*attempts[i].best, *attempts[best].best)) best = i;
+    }
+    return std::move(attempts[best]);
+  }
+
+  // Differences within the solvers' own accuracy do not count: the first of equals wins.
+  bool clearly_better(const Candidate& a, const Candidate& b) const {
+    const double t = options_.feasibility_tolerance;
+    if (a.violation <= t && b.violation <= t) return a.f < b.f - 1e-10 * (1.0 + std::abs(b.f));
+    return better(a, b, t);
+  }
+
+  void offer(Attempt attempt) {
+    if (!attempt.best) return;
+    const bool first = !best_.best;
+    const bool certifies = attempt.certified && attempt.certified->certificate.passed;
+    const bool equal = !first && !clearly_better(*best_.best, *attempt.best);
+    if (first || clearly_better(*attempt.best, *best_.best) || (certifies && !passed() && equal))
+      best_ = std::move(attempt);
+  }
+
+  // Each rung starts where the best design is; the first that can be certified ends the climb.
+  void climb() {
+    for (const char* name : {"nlopt:slsqp", "nlopt:ccsaq", "ipopt", "nlopt:auglag", "nlopt:cobyla"}) {
+      if (passed() || campaign_.exhausted() || campaign_.scaling().size() == 0) return;
+      const Optimizer& optimizer = find_optimizer(name);
+      if (!optimizer.info.available) continue;
+      const auto start = best_.best ? campaign_.scaling().to_unit(best_.design) : campaign_.unit_start();
+      Attempt attempt = campaign_.run(optimizer, start, true);
+      campaign_.finish(attempt);
+      offer(std::move(attempt));
+      if (!feasible(best_) && std::string(name) == "ipopt") return;  // feasibility comes first
+    }
+  }
+
+  // Nothing feasible yet: search for feasibility alone, and go on from there.
+  void restore() {
+    if (campaign_.exhausted()) return;
+    auto from = starts();
+    if (best_.best) from.insert(from.begin(), campaign_.scaling().to_unit(best_.design));
+    const auto found = elastic_search(campaign_, from);
+    if (!found) return;
+    least_infeasible_ = found->z;
+    if (campaign_.exhausted()) return;
+    Attempt attempt = campaign_.run(find_optimizer("nlopt:slsqp"), found->z, true);
+    if (!feasible(attempt)) return;
+    campaign_.finish(attempt);
+    offer(std::move(attempt));
+    climb();
+  }
+
+  Outcome outcome() const {
+    if (!best_.best) return campaign_.exhausted() && campaign_.counters().failed() < campaign_.counters().evaluations ? Outcome::budget : Outcome::failed;
+    const bool ok = feasible(best_) || (best_.certified && best_.certified->certificate.infeasibility <= options_.feasibility_tolerance);
+    if (ok && passed()) return Outcome::optimal;
+    if (cut_short()) return Outcome::budget;
+    return ok ? Outcome::feasible : Outcome::infeasible;
+  }
+
+  bool cut_short() const {
+    return campaign_.exhausted() || (options_.solver != "auto" && campaign_.stop_reason() != StopReason::finished);
+  }
+
+  Result conclude() {
+    Result result;
+    result.outcome = outcome();
+    if (result.outcome == Outcome::infeasible && options_.analyse_infeasible) explain(result);
+    result.stop = result.outcome == Outcome::budget ? campaign_.stop_reason() : StopReason::finished;
+    if (result.outcome == Outcome::budget && result.stop == StopReason::finished)
+      result.stop = StopReason::evaluations;
+    result.design = best_.design;
+    if (best_.certified) {
+      result.certificate = best_.certified->certificate;
+      result.evaluation = best_.certified->point.evaluation;
+    } else {
+      result.certificate.reason = best_.best ? "stopped before the test was done" : "no design could be evaluated";
+    }
+    if (best_.solver != nullptr) result.solver = best_.solver->name;
+    result.counters = campaign_.counters();
+    std::erase_if(result.counters.failures, [](const auto& f) { return f.second == 0; });
+    result.stages = campaign_.stages();
+    result.stages_used = campaign_.next_stage() - options_.first_stage;
+    result.seconds = campaign_.deadline().elapsed();
+    return result;
+  }
+
+  void explain(Result& result) {
+    std::vector<double> unit = least_infeasible_;
+    if (unit.empty()) {  // a named solver: its answer is where the elastic solve begins
+      const auto found = elastic_search(campaign_, {campaign_.scaling().to_unit(best_.design)});
+      if (!found) return;
+      unit = found->z;
+    }
+    result.infeasibility = explain_infeasible(campaign_, unit);
+    if (!result.infeasibility.relaxations.empty()) move_to(result.infeasibility.design);
+    else result.outcome = Outcome::feasible;  // the elastic solve found what the solver did not
+  }
+
+  // The least infeasible design is the one to show.
+  void move_to(const std::vector<double>& design) {
+    best_.design = design;
+    best_.certified.reset();
+    Attempt look;
+    look.session = std::make_unique<Session>(campaign_.problem(), options_, campaign_.deadline(),
+                                             campaign_.take_stage(), campaign_.left());
+    try {
+      best_.certified = certify_in(*look.session, campaign_.scaling(), design, false);
+    } catch (const Stop&) {
+    }
+    campaign_.book(look);
+  }
+
+  Campaign campaign_;
+  const SolveOptions& options_;
+  Attempt best_;
+  std::vector<double> least_infeasible_;
+};
+
+// Observers need not be safe for threads: one lock puts their calls one after another.
+Observer serialized(const Observer& observer) {
+  if (!observer) return {};
+  auto lock = std::make_shared<std::mutex>();
+  return [observer, lock](const Observation& o) {
+    const std::lock_guard<std::mutex> guard(*lock);
+    observer(o);
+  };
+}
+
+}  // namespace
+
+const char* to_string(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::optimal: return "optimal";
+    case Outcome::feasible: return "feasible";
+    case Outcome::infeasible: return "infeasible";
+    case Outcome::budget: return "budget";
+    case Outcome::failed: return "failed";
+  }
+  return "unknown";
+}
+
+Result solve_continuous(const Problem& problem, const SolveOptions& options,
+                        const Deadline& deadline) {
+  return ContinuousSolve(problem, options, deadline).run();
+}
+
+Result solve(const Problem& problem, const SolveOptions& options) {
+  validate(problem);
+  if (problem.objectives.size() != 1)
+    throw InputError("solve: the problem has " + std::to_string(problem.objectives.size()) +
+                     " objectives; a front needs pareto_front");
+  if (options.solver != "auto") find_optimizer(options.solver);
+  if (!options.global.empty()) find_optimizer(options.global);
+  SolveOptions own = options;
+  own.observer = serialized(options.observer);
+  const Deadline deadline(options.budget.seconds);
+  const bool integers = std::any_of(problem.variables.begin(), problem.variables.end(),
+                                    [](const Variable& v) { return v.integer; });
+  return integers ? integer_search(problem, own, deadline) : solve_continuous(problem, own, deadline);
+}
+
+}  // namespace twum::optim

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/base/error.hpp>
+#include <twum/studies/diagnostics/source.hpp>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace twum::studies {
+
+/// One thing that is wrong in a file: where, which entry, what was found, what would be right.
+struct Diagnostic {
+  SourceMark mark;
+  std::string entry;                ///< path such as "motor.contact_layer.thickness"; may be empty
+  std::string found;                ///< "'3 N' is a force [N]"
+  std::string expected;             ///< "expected a length [m] such as '0.3 mm'"
+  std::optional<SourceMark> other;  ///< a second place that belongs to it
+  std::string other_text;           ///< what is there, such as "first given here"
+};
+
+/// "file:line:column: entry: found; expected", the source line with a caret, and the second place.
+std::string to_string(const Diagnostic& diagnostic, const Source& source);
+
+/// Everything that is wrong with one file. what() is the text of all of it.
+class FileError : public InputError {
+ public:
+  FileError(const Source& source, std::vector<Diagnostic> diagnostics);
+  const std::vector<Diagnostic>& diagnostics() const noexcept { return *diagnostics_; }
+
+ private:
+  std::shared_ptr<const std::vector<Diagnostic>> diagnostics_;  // shared: exceptions are copied
+};
+
+/// Collects what is wrong with one file, so that all of it is said in one pass.
+class Diagnostics {
+ public:
+  explicit Diagnostics(const Source& source) : source_(source) {}
+
+  const Source& source() const noexcept { return source_; }
+  void add(Diagnostic diagnostic) { found_.push_back(std::move(diagnostic)); }
+  void add(SourceMark mark, std::string entry, std::string found, std::string expected) {
+    add({mark, std::move(entry), std::move(found), std::move(expected), {}, {}});
+  }
+  bool empty() const noexcept { return found_.empty(); }
+  /// @throws FileError with all of them, in the order of the file, if there are any.
+  void throw_if_any() const;
+
+ private:
+  const Source& source_;
+  std::vector<Diagnostic> found_;
+};
+
+}  // namespace twum::studies

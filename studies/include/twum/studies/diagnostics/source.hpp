@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace twum::studies {
+
+/// A place in a text, counted from 1 in characters, as editors do.
+struct SourceMark {
+  int line{1};
+  int column{1};
+};
+
+/// A text with a name, that errors can point into.
+class Source {
+ public:
+  Source(std::string name, std::string text);
+
+  const std::string& name() const noexcept { return name_; }
+  const std::string& text() const noexcept { return text_; }
+
+  /// One line without its end, counted from 1; empty beyond the text.
+  std::string_view line(int number) const;
+  /// The mark of a place given by line and byte, both counted from 0.
+  SourceMark mark(int line, int byte) const;
+
+ private:
+  std::string name_;
+  std::string text_;
+  std::vector<std::size_t> line_begins_;
+};
+
+/// Largest file that is read into memory whole [bytes].
+inline constexpr std::size_t kLargestFile = std::size_t{4} << 20U;
+
+/// Reads a whole file; "-" is standard input.
+/// @throws InputError if it cannot be read or is larger than kLargestFile.
+Source read_source(const std::string& path);
+
+}  // namespace twum::studies

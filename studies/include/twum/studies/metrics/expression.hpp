@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/core/performance/metrics.hpp>
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace twum::studies {
+
+/// What a study or table may ask of a motor: a metric ("stall_torque"), a point metric
+/// ("torque_at(100 rpm)", "efficiency_at(0.5 N.m)"; the dimension tells speed from torque), or a
+/// parameter ("preload"; its value is the design's own).
+struct MetricExpression {
+  std::string text;  ///< as typed, blanks trimmed
+  std::variant<MetricRequest, Parameter> what;
+
+  /// SI unit of its value, "1" if dimensionless.
+  std::string_view unit() const;
+};
+
+/// @throws ValueError with the position in the text, what was found and what would be right.
+MetricExpression parse_metric(std::string_view text);
+
+/// Reads expressions between commas: "stall_torque, torque_at(100 rpm)".
+/// @throws ValueError also if one is there twice or the list is empty.
+std::vector<MetricExpression> parse_metric_list(std::string_view text);
+
+/// Metrics without argument, in the order of the metric table.
+std::vector<MetricExpression> plain_metrics();
+
+/// Values of expressions for one motor, in their order. Work that several share is done once.
+/// Keep one evaluator for many motors; it is constant, and safe from any number of threads.
+class ExpressionEvaluator {
+ public:
+  explicit ExpressionEvaluator(std::span<const MetricExpression> expressions);
+  /// `values` has room for one value for each expression.
+  void evaluate(const Motor& motor, std::span<MetricValue> values) const;
+  std::size_t size() const noexcept { return places_.size(); }
+
+ private:
+  std::vector<MetricRequest> requests_;
+  std::vector<std::variant<std::size_t, Parameter>>
+      places_;  // index into requests_, or a parameter
+};
+
+}  // namespace twum::studies

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/core/design/motor_design.hpp>
+#include <twum/core/design/parameters.hpp>
+#include <twum/studies/diagnostics/diagnostics.hpp>
+#include <twum/studies/schema/schema.hpp>
+#include <twum/studies/yaml/node.hpp>
+
+#include <optional>
+#include <string>
+
+namespace twum::studies {
+
+/// Version of the file formats that this program reads and writes: `twum: 1`.
+inline constexpr int kFileVersion = 1;
+
+/// A motor as it stands in a file.
+struct MotorFile {
+  std::string name;
+  MotorDesign design;
+};
+
+/// Shape of a value of one parameter: unit, range and example of the parameter table.
+Schema parameter_schema(const ParameterInfo& parameter);
+
+/// Shape of what stands below `motor:`, made from the parameter table.
+Schema motor_schema();
+
+/// Shape of a motor file.
+const Schema& motor_file_schema();
+
+/// Reads a motor file; "-" is standard input.
+/// @throws FileError with everything that is wrong in it; InputError if it cannot be read.
+MotorFile read_motor_file(const std::string& path);
+MotorFile read_motor(const Source& source);
+
+/// The motor of a mapping that validate() was asked about with motor_schema(): adds what only a look at
+/// several entries shows; nothing if the diagnostics are not empty then.
+std::optional<MotorFile> motor_from(const YamlNode& motor, const std::string& path,
+                                    Diagnostics& diagnostics);
+
+/// A motor as the text of a motor file, SI values to the last digit; twins as they are in use.
+std::string motor_text(const MotorFile& motor);
+
+/// Adds the error that a whole file is of another kind, if it is; true if so.
+bool refuse_other_kind(const YamlNode& root, std::string_view kind, Diagnostics& diagnostics);
+
+}  // namespace twum::studies

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/core/design/parameters.hpp>
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace twum::studies {
+
+/// The parameter of a name or symbol.
+/// @throws ValueError with the nearest names if there is none.
+Parameter parse_parameter(std::string_view name);
+
+/// Reads "thickness=0.3 mm".
+/// @throws ValueError if the name is unknown, or the value has a wrong unit or is out of range.
+ParameterValue parse_setting(std::string_view text);
+
+/// The design with "NAME=VALUE" settings applied; the last of two for one parameter holds.
+/// @throws InputError with everything that is wrong, one line each.
+MotorDesign with_settings(const MotorDesign& design, std::span<const std::string> settings);
+
+}  // namespace twum::studies

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <condition_variable>
+#include <cstddef>
+#include <exception>
+#include <limits>
+#include <map>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace twum::studies {
+
+/// Threads to use for a request: 0 means one for each processor.
+unsigned job_count(unsigned requested);
+
+/// Reads, works on, and writes items, the work on several threads, the writing in the order of the
+/// reading. No more than a few items for each thread exist at a time.
+///
+///     bool read(Item&)   fills the next item, one call at a time; false if there is none
+///     void work(Item&)   on any thread, several at a time
+///     void write(Item&)  one call at a time, in the order of reading
+///
+/// When a callback throws, every item before that one is still written; then the exception comes out.
+template <typename Item, typename Read, typename Work, typename Write>
+class OrderedRun {
+ public:
+  OrderedRun(unsigned jobs, Read read, Work work, Write write)
+      : jobs_(jobs), read_(std::move(read)), work_(std::move(work)), write_(std::move(write)) {}
+
+  void run() {
+    std::vector<std::thread> threads;
+    try {
+      for (unsigned i = 1; i < jobs_; ++i) threads.emplace_back([this] { serve(); });
+    } catch (const std::system_error&) {
+      // No more threads to be had: those that are there do the work.
+    }
+    serve();
+    for (std::thread& thread : threads) thread.join();
+    if (error_) std::rethrow_exception(error_);
+  }
+
+ private:
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+  void serve() {
+    while (true) {
+      std::size_t index = kNone;
+      try {
+        Item item;
+        index = next(item);
+        if (index == kNone) return;
+        work_(item);
+        deliver(index, std::move(item));
+      } catch (...) {
+        fail(index);
+      }
+    }
+  }
+
+  // Reads the next item; kNone at the end. Waits while too many are unwritten.
+  std::size_t next(Item& item) {
+    const std::lock_guard reading(read_mutex_);
+    {
+      std::unique_lock lock(mutex_);
+      written_one_.wait(
+          lock, [&] { return ended_ || next_read_ - next_write_ < 4 * std::size_t{jobs_}; });
+      if (ended_) return kNone;
+    }
+    const bool more = read_(item);
+    const std::lock_guard lock(mutex_);
+    if (!more) ended_ = true;
+    return more ? next_read_++ : kNone;
+  }
+
+  // Parks the item, and writes what is due unless another thread is at it.
+  void deliver(std::size_t index, Item item) {
+    std::unique_lock lock(mutex_);
+    done_.emplace(index, std::move(item));
+    if (writing_) return;
+    writing_ = true;
+    for (auto due = done_.find(next_write_); due != done_.end() && next_write_ < failed_;
+         due = done_.find(next_write_)) {
+      auto node = done_.extract(due);
+      lock.unlock();
+      try {
+        write_(node.mapped());
+      } catch (...) {
+        fail(node.key());
+      }
+      lock.lock();
+      ++next_write_;
+      written_one_.notify_all();
+    }
+    writing_ = false;
+  }
+
+  // Ends reading; items from `index` on are not written any more.
+  void fail(std::size_t index) {
+    const std::lock_guard lock(mutex_);
+    const std::size_t at = index == kNone ? next_read_ : index;
+    if (at < failed_) {
+      failed_ = at;
+      error_ = std::current_exception();
+    }
+    ended_ = true;
+    written_one_.notify_all();
+  }
+
+  unsigned jobs_;
+  Read read_;
+  Work work_;
+  Write write_;
+
+  std::mutex read_mutex_;
+  std::mutex mutex_;  // guards what follows
+  std::condition_variable written_one_;
+  std::map<std::size_t, Item> done_;
+  std::size_t next_read_{0};
+  std::size_t next_write_{0};
+  std::size_t failed_{kNone};
+  bool writing_{false};
+  bool ended_{false};
+  std::exception_ptr error_;
+};
+
+/// OrderedRun in one call.
+template <typename Item, typename Read, typename Work, typename Write>
+void run_ordered(unsigned jobs, Read read, Work work, Write write) {
+  OrderedRun<Item, Read, Work, Write>(std::max(jobs, 1U), std::move(read), std::move(work),
+                                      std::move(write))
+      .run();
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/studies/schema/schema.hpp>
+
+#include <string>
+#include <string_view>
+
+namespace twum::studies {
+
+/// A schema as JSON Schema (draft 2020-12), for editors and other programs.
+/// @param id  address that names it
+std::string json_schema(const Schema& schema, std::string_view title, std::string_view id);
+
+/// A commented YAML file to start from: every entry with its example, optional ones commented out.
+std::string yaml_template(const Schema& schema, std::string_view heading);
+
+}  // namespace twum::studies

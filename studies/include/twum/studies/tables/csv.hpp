@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace twum::studies {
+
+/// One record of a CSV text, with the line on which it begins, counted from 1.
+struct CsvRecord {
+  std::size_t begin;  ///< place in the text of its chunk
+  std::size_t length;
+  std::size_t line;
+};
+
+/// Some consecutive records and the text they stand in.
+struct CsvChunk {
+  std::string text;
+  std::vector<CsvRecord> records;
+
+  std::string_view record(std::size_t i) const {
+    return std::string_view(text).substr(records[i].begin, records[i].length);
+  }
+};
+
+/// Cuts a stream of bytes into CSV records (RFC 4180: commas, "" quoting, line ends LF or CRLF, line
+/// breaks inside quotes). Blank lines and a byte order mark are skipped. Holds one block of the stream
+/// and one record, however long the stream.
+class CsvReader {
+ public:
+  /// Fills up to `size` bytes and returns how many, 0 at the end.
+  using Bytes = std::function<std::size_t(char* to, std::size_t size)>;
+
+  CsvReader(std::string name, Bytes bytes) : name_(std::move(name)), bytes_(std::move(bytes)) {}
+
+  /// Replaces the chunk by the next records, at most `most` and about 256 KiB; false at the end.
+  /// @throws InputError if a quotation does not end or a record is longer than 64 MiB.
+  bool read(CsvChunk& chunk, std::size_t most);
+
+  const std::string& name() const noexcept { return name_; }
+  /// Bytes taken from the stream so far.
+  std::size_t bytes_read() const noexcept { return bytes_read_; }
+
+ private:
+  bool fill();
+  bool find_record(std::size_t& length, std::size_t& lines);
+  bool next(CsvChunk& chunk);
+
+  std::string name_;
+  Bytes bytes_;
+  std::string buffer_;
+  std::size_t at_{0};
+  std::size_t line_{1};
+  std::size_t bytes_read_{0};
+  bool at_start_{true};
+  bool at_end_{false};
+};
+
+/// The bytes of a C file, which must outlive them.
+/// @throws InputError (when read from) if reading fails.
+CsvReader::Bytes bytes_of(std::FILE* file, const std::string& name);
+
+/// Cuts a record into cells as they stand, quotation marks included; views into the record.
+/// @return false if a quotation mark stands where none may.
+bool split_record(std::string_view record, std::vector<std::string_view>& cells);
+
+/// The text of a cell: blanks, quotation marks and doubled quotation marks removed.
+std::string cell_text(std::string_view cell);
+
+/// A text as a cell: quoted if it has to be.
+void append_cell(std::string& out, std::string_view text);
+
+}  // namespace twum::studies

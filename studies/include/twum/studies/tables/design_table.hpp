@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/core/design/motor_design.hpp>
+#include <twum/studies/metrics/expression.hpp>
+#include <twum/studies/tables/csv.hpp>
+#include <twum/studies/units/units.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace twum::studies {
+
+/// A table of designs, one a row: columns named like parameters (with an optional "[unit]") replace
+/// the parameters of a base motor, the others are carried along.
+class DesignTable {
+ public:
+  /// @param header  the first record of the table
+  /// @throws InputError with everything that is wrong with the header: an unknown or wrong unit, a
+  ///         parameter twice or together with its twin, no parameter at all.
+  DesignTable(const CsvReader& reader, const CsvChunk& header, const MotorDesign& base,
+              std::vector<MetricExpression> metrics);
+
+  /// Header of the result: the table's own, one column for each metric, and "status"; with line end.
+  std::string result_header() const;
+
+  /// What a user may want to know about the columns, such as one that looks like a mistyped parameter.
+  const std::vector<std::string>& warnings() const noexcept { return warnings_; }
+  std::size_t columns() const noexcept { return columns_.size(); }
+  bool has(Parameter parameter) const;
+
+  /// Buffers of one thread.
+  struct Scratch {
+    std::vector<std::string_view> cells;
+    std::vector<ParameterValue> values;
+    std::vector<MetricValue> metrics;
+    std::string reason;
+    bool well_formed{true};
+  };
+
+  /// Evaluates one row and appends it to `out` with its metrics and status; true if its status is ok.
+  /// A row that is malformed or has no answer gets empty metrics and the reason; it never throws for it.
+  bool append_result(std::string_view record, std::size_t line, Scratch& scratch,
+                     std::string& out) const;
+
+ private:
+  struct Column {
+    std::string name;                    // of a parameter column: as typed
+    std::optional<Parameter> parameter;  // nothing: carried along
+    Scale scale;
+  };
+
+  Column read_column(const std::string& text);
+  void check_twins(std::vector<std::string>& wrong) const;
+  bool compute(std::string_view record, std::size_t line, Scratch& scratch) const;
+  bool read_values(std::size_t line, Scratch& scratch) const;
+  void append_as_columns(const Scratch& scratch, std::string& out) const;
+
+  MotorDesign base_;
+  std::vector<MetricExpression> metrics_;
+  ExpressionEvaluator evaluator_;
+  std::string header_;
+  std::vector<Column> columns_;
+  std::vector<std::string> warnings_;
+};
+
+/// What evaluate_designs() did.
+struct DesignCounts {
+  std::size_t rows{0};
+  std::size_t failed{0};  ///< rows whose status is not ok
+  std::size_t bytes{0};   ///< of the table read up to these rows
+};
+
+/// Evaluates every row of a table and writes the result, on `jobs` threads, in the order of the rows;
+/// the text does not depend on the number of threads.
+/// @param write     takes the result piece by piece
+/// @param proceed   asked between blocks of rows; false ends the run after what is in flight
+/// @param progress  told the counts now and then
+DesignCounts evaluate_designs(CsvReader& reader, const DesignTable& table, unsigned jobs,
+                              const std::function<void(std::string_view)>& write,
+                              const std::function<bool()>& proceed,
+                              const std::function<void(const DesignCounts&)>& progress);
+
+}  // namespace twum::studies

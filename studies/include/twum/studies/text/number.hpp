@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace twum::studies {
+
+/// The number that is the whole text, such as "1.5", "+2", ".5", "5." or "1e-6"; nothing if the text
+/// is anything else, hexadecimal, infinite, not a number, or beyond the range of a double.
+/// The same under every locale.
+std::optional<double> parse_number(std::string_view text) noexcept;
+
+/// parse_number(text) times 10^power, rounded once: "26.5" with power -3 is exactly 0.0265.
+std::optional<double> parse_decimal(std::string_view text, int power) noexcept;
+
+/// Length of the number that `text` begins with (sign and exponent included), 0 if there is none.
+std::size_t number_prefix(std::string_view text) noexcept;
+
+/// The shortest text that reads back as the same double; nothing is appended for NaN.
+void append_number(std::string& out, double value);
+std::string number_text(double value);
+
+/// The value to a number of significant digits, without trailing zeros.
+std::string rounded_text(double value, int digits);
+
+}  // namespace twum::studies

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/base/error.hpp>
+
+#include <cstddef>
+#include <string>
+
+namespace twum::studies {
+
+/// A text that is not what it should be: what was found and what would be right, apart from each
+/// other so that a reader of files can add the place, and the command line the option.
+class ValueError : public InputError {
+ public:
+  ValueError(std::string found, std::string expected, std::size_t position = 0)
+      : InputError(found + "; " + expected),
+        found_(std::move(found)),
+        expected_(std::move(expected)),
+        position_(position) {}
+
+  /// What stands there, such as "'3 N' is a force [N]".
+  const std::string& found() const noexcept { return found_; }
+  /// What would be right, such as "expected a length [m] such as '0.3 mm'".
+  const std::string& expected() const noexcept { return expected_; }
+  /// Where in the text it went wrong, in bytes from its start.
+  std::size_t position() const noexcept { return position_; }
+
+ private:
+  std::string found_;
+  std::string expected_;
+  std::size_t position_;
+};
+
+}  // namespace twum::studies

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace twum::studies {
+
+/// Number of insertions, deletions, replacements and swaps of neighbours between two words; stops
+/// counting above `limit` and then returns limit + 1.
+int edit_distance(std::string_view a, std::string_view b, int limit);
+
+/// The candidate nearest to a word, at edit distance <= 2 and less than half its length (a word that
+/// differs in case only always counts); empty if there is none.
+std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
+
+/// "did you mean 'x'?" or, where nothing is near, "expected one of a, b, c".
+std::string did_you_mean(std::string_view word, std::span<const std::string_view> candidates);
+
+/// The text without blanks at its ends (no-break spaces included).
+std::string_view trimmed(std::string_view text);
+
+/// A user's text made safe to print: control characters as \xNN, at most `limit` characters.
+std::string printable(std::string_view text, std::size_t limit = 60);
+
+/// printable() between single quotes.
+std::string quoted(std::string_view text);
+
+/// Pieces between commas that stand outside parentheses, blanks removed from their ends; views into text.
+std::vector<std::string_view> split_list(std::string_view text);
+
+}  // namespace twum::studies

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace twum::studies {
+
+/// An SI value as people say it: "1.6 um", "3 GPa", "100 rpm" (speeds [rad/s] in rpm), "0.35".
+std::string engineering(double value, std::string_view si_unit, int digits = 4);
+
+/// The unit in which a column of values is shown, and what to divide SI values by.
+struct DisplayUnit {
+  std::string text;  ///< "rpm", "mN.m"; empty if dimensionless
+  double divisor;    ///< SI value of one such unit
+};
+
+/// Unit in which a value of this size has one to three digits before the point.
+DisplayUnit display_unit(double size, std::string_view si_unit);
+
+}  // namespace twum::studies

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/studies/diagnostics/source.hpp>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace twum::studies {
+
+struct YamlEntry;
+
+/// A YAML value with the place where it stands. Scalars stay text: what they mean is for the schema.
+struct YamlNode {
+  enum class Kind : unsigned char {
+    empty,   ///< nothing, "~" or "null"
+    scalar,  ///< one word or text
+    list,
+    mapping,
+    refused  ///< already reported as wrong; nobody complains about it again
+  };
+
+  Kind kind{Kind::empty};
+  SourceMark mark;
+  std::string scalar;
+  std::vector<YamlNode> items;     ///< of a list
+  std::vector<YamlEntry> entries;  ///< of a mapping, in the order of the file, each key once
+
+  /// The value of a key of a mapping; null if it has none.
+  const YamlNode* find(std::string_view key) const;
+};
+
+/// One "key: value" of a mapping.
+struct YamlEntry {
+  std::string key;
+  SourceMark key_mark;
+  YamlNode value;
+};
+
+/// "a text", "a list", ...: how error texts speak of a node.
+std::string_view kind_phrase(YamlNode::Kind kind);
+
+}  // namespace twum::studies

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/studies/diagnostics/source.hpp>
+
+#include <twum/base/error.hpp>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+namespace twum::studies {
+namespace {
+
+struct CloseFile {
+  void operator()(std::FILE* file) const {
+    if (file != stdin) std::fclose(file);
+  }
+};
+
+[[noreturn]] void unreadable(const std::string& path, const char* why) {
+  throw InputError(path + ": cannot be read: " + why);
+}
+
+}  // namespace
+
+Source::Source(std::string name, std::string text)
+    : name_(std::move(name)), text_(std::move(text)), line_begins_{0} {
+  for (std::size_t at = text_.find('\n'); at != std::string::npos; at = text_.find('\n', at + 1)) {
+    line_begins_.push_back(at + 1);
+  }
+}
+
+std::string_view Source::line(int number) const {
+  const auto index = static_cast<std::size_t>(number - 1);
+  if (number < 1 || index >= line_begins_.size()) return {};
+  std::string_view rest = std::string_view(text_).substr(line_begins_[index]);
+  rest = rest.substr(0, rest.find('\n'));
+  if (rest.ends_with('\r')) rest.remove_suffix(1);
+  return rest;
+}
+
+SourceMark Source::mark(int line_from_0, int byte) const {
+  const std::string_view before =
+      line(line_from_0 + 1).substr(0, static_cast<std::size_t>(std::max(byte, 0)));
+  int column = 1;
+  for (const char c : before) column += (static_cast<unsigned char>(c) & 0xC0U) == 0x80U ? 0 : 1;
+  return {line_from_0 + 1, column};
+}
+
+Source read_source(const std::string& path) {
+  std::error_code ignored;
+  if (path != "-" && std::filesystem::is_directory(path, ignored))
+    unreadable(path, "it is a directory");
+  const std::unique_ptr<std::FILE, CloseFile> file(path == "-" ? stdin
+                                                               : std::fopen(path.c_str(), "rb"));
+  if (!file) unreadable(path, std::strerror(errno));
+  std::string text;
+  char buffer[1 << 16];
+  while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, file.get())) {
+    text.append(buffer, got);
+    if (text.size() > kLargestFile) unreadable(path, "it is larger than 4 MiB");
+  }
+  if (std::ferror(file.get()) != 0) unreadable(path, std::strerror(errno));
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  return {path == "-" ? "standard input" : path, std::move(text)};
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/studies/motor/settings.hpp>
+
+#include "schema/scalar_checks.hpp"
+
+#include <twum/studies/motor/motor_file.hpp>
+#include <twum/studies/text/value_error.hpp>
+#include <twum/studies/text/words.hpp>
+
+#include <vector>
+
+namespace twum::studies {
+
+Parameter parse_parameter(std::string_view name) {
+  name = trimmed(name);
+  if (const auto parameter = find_parameter(name)) return *parameter;
+  std::vector<std::string_view> names;
+  for (const ParameterInfo& row : parameter_table()) names.push_back(row.name);
+  throw ValueError("unknown parameter " + quoted(name), did_you_mean(name, names));
+}
+
+ParameterValue parse_setting(std::string_view text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string_view::npos) {
+    throw ValueError(quoted(text) + " has no '='", "expected NAME=VALUE such as 'preload=140 N'");
+  }
+  const Parameter parameter = parse_parameter(text.substr(0, equals));
+  return {parameter,
+          read_number(trimmed(text.substr(equals + 1)), parameter_schema(info(parameter)))};
+}
+
+MotorDesign with_settings(const MotorDesign& design, std::span<const std::string> settings) {
+  std::vector<ParameterValue> values;
+  std::string wrong;
+  for (const std::string& setting : settings) {
+    try {
+      values.push_back(parse_setting(setting));
+    } catch (const ValueError& error) {
+      const std::string name(trimmed(std::string_view(setting).substr(0, setting.find('='))));
+      wrong += (wrong.empty() ? "--set " : "\n--set ") + printable(name) + ": " + error.what();
+    }
+  }
+  if (!wrong.empty()) throw InputError(wrong);
+  try {
+    return with(design, values);
+  } catch (const InputError& error) {
+    throw InputError(std::string("--set: ") + error.what());
+  }
+}
+
+}  // namespace twum::studies

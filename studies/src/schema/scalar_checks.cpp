@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "schema/scalar_checks.hpp"
+
+#include <twum/studies/text/number.hpp>
+#include <twum/studies/text/value_error.hpp>
+#include <twum/studies/text/words.hpp>
+#include <twum/studies/units/engineering.hpp>
+#include <twum/studies/units/units.hpp>
+
+#include <cmath>
+
+namespace twum::studies {
+namespace {
+
+std::string limit_text(double limit, const Schema& schema) {
+  // Zero keeps its unit, and other limits are round numbers.
+  return limit == 0 && schema.unit != "1" ? "0 " + schema.unit
+                                          : engineering(limit, schema.unit, 10);
+}
+
+std::string such_as(const Schema& schema) {
+  return schema.example.empty() ? "" : " such as '" + schema.example + "'";
+}
+
+void check_range(double value, std::string_view text, const Schema& schema) {
+  if (schema.min_excluded ? !(value > schema.min) : !(value >= schema.min)) {
+    throw ValueError(quoted(text) + " is too small",
+                     (schema.min_excluded ? "must be more than " : "must be at least ") +
+                         limit_text(schema.min, schema) + "," + such_as(schema));
+  }
+  if (!(value <= schema.max)) {
+    throw ValueError(quoted(text) + " is too large",
+                     "must be at most " + limit_text(schema.max, schema) + "," + such_as(schema));
+  }
+  if ((schema.whole || schema.kind == ValueKind::count) && value != std::floor(value)) {
+    throw ValueError(quoted(text) + " is not a whole number", expectation(schema));
+  }
+}
+
+void check_word(std::string_view text, const Schema& schema) {
+  std::vector<std::string_view> choices(schema.words.begin(), schema.words.end());
+  for (const std::string_view choice : choices) {
+    if (choice == text) return;
+  }
+  throw ValueError(quoted(text) + " is not known here",
+                   choices.size() == 1 ? expectation(schema) : did_you_mean(text, choices));
+}
+
+void check_text(std::string_view text, const Schema& schema) {
+  if (text.empty()) throw ValueError("nothing", expectation(schema));
+  if (schema.complaint == nullptr) return;
+  const std::string wrong = schema.complaint(text);
+  if (wrong.empty()) return;
+  const std::size_t cut = wrong.find("; ");
+  throw ValueError(wrong.substr(0, cut), cut == std::string::npos ? "" : wrong.substr(cut + 2));
+}
+
+std::string alternatives_text(const Schema& schema) {
+  std::string text;
+  for (const Schema& one : schema.alternatives) {
+    const std::string each = expectation(one);
+    text += text.empty() ? each : " or " + each.substr(std::string_view("expected ").size());
+  }
+  return text;
+}
+
+}  // namespace
+
+double read_number(std::string_view text, const Schema& schema) {
+  const double value = schema.kind == ValueKind::count
+                           ? parse_quantity(text, Expected{"1", schema.example})
+                           : parse_quantity(text, Expected{schema.unit, schema.example});
+  check_range(value, text, schema);
+  return value;
+}
+
+void check_scalar(std::string_view text, const Schema& schema) {
+  switch (schema.kind) {
+    case ValueKind::quantity:
+    case ValueKind::count: read_number(text, schema); break;
+    case ValueKind::word: check_word(text, schema); break;
+    default: check_text(text, schema); break;
+  }
+}
+
+std::string expectation(const Schema& schema) {
+  std::string text = "expected ";
+  switch (schema.kind) {
+    case ValueKind::quantity:
+      text += schema.whole ? "a whole number" : dimension_phrase(schema.unit);
+      break;
+    case ValueKind::count: text += "a whole number"; break;
+    case ValueKind::text: text += "a text"; break;
+    case ValueKind::word:
+      text += schema.words.size() == 1 ? "" : "one of ";
+      for (const std::string& word : schema.words)
+        text += (&word == schema.words.data() ? "" : ", ") + word;
+      return text;
+    case ValueKind::mapping:
+      text += "a mapping with";
+      for (const SchemaEntry& entry : schema.entries) {
+        text += (&entry == schema.entries.data() ? " " : ", ") + entry.name;
+      }
+      return text;
+    case ValueKind::list: text += "a list"; break;
+    case ValueKind::any_of: return alternatives_text(schema);
+  }
+  return text + such_as(schema);
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/studies/schema/publish.hpp>
+
+#include <algorithm>
+
+namespace twum::studies {
+namespace {
+
+constexpr std::size_t kCommentColumn = 36;
+
+class TemplateWriter {
+ public:
+  std::string take() { return std::move(text_); }
+
+  void mapping(const Schema& schema, std::size_t depth) {
+    for (const SchemaEntry& entry : schema.entries) {
+      if (entry.schema.kind == ValueKind::mapping) {
+        line(depth, false, entry.name + ":", entry.schema.text);
+        mapping(entry.schema, depth + 1);
+      } else {
+        value(entry, depth);
+      }
+    }
+  }
+
+ private:
+  void value(const SchemaEntry& entry, std::size_t depth) {
+    std::string comment = entry.schema.text;
+    if (!entry.fallback.empty()) comment += " (optional; left out: " + entry.fallback + ")";
+    if (!entry.twin.empty() && !entry.required) comment += " (instead of " + entry.twin + ")";
+    line(depth, !entry.required && !entry.twin.empty(), entry.name + ": " + entry.schema.example,
+         comment);
+  }
+
+  void line(std::size_t depth, bool commented_out, const std::string& content,
+            const std::string& comment) {
+    std::string out(2 * depth, ' ');
+    if (commented_out) out += "# ";
+    out += content;
+    if (!comment.empty()) {
+      out += std::string(out.size() < kCommentColumn ? kCommentColumn - out.size() : 1, ' ') +
+             "# " + comment;
+    }
+    text_ += out + "\n";
+  }
+
+  std::string text_;
+};
+
+}  // namespace
+
+std::string yaml_template(const Schema& schema, std::string_view heading) {
+  TemplateWriter writer;
+  writer.mapping(schema, 0);
+  return std::string(heading) + writer.take();
+}
+
+}  // namespace twum::studies

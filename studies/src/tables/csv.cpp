@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/studies/tables/csv.hpp>
+
+#include <twum/base/error.hpp>
+#include <twum/studies/text/words.hpp>
+
+#include <cerrno>
+#include <cstring>
+
+namespace twum::studies {
+namespace {
+
+constexpr std::size_t kBlock = std::size_t{1} << 18U;  // bytes read at a time, and of a chunk
+constexpr std::size_t kLongestRecord = std::size_t{1} << 26U;
+
+// Follows quotation marks through the bytes of a record: a mark opens a quotation only where a cell
+// begins, and a doubled one inside stands for itself (it closes and opens again).
+class QuoteState {
+ public:
+  // Place of the line feed that ends the record, npos if it is not in the text from `from` on.
+  std::size_t find_end(std::string_view text) {
+    for (; at_ < text.size(); ++at_) {
+      const char c = text[at_];
+      if (c == '"') {
+        if (inside_ || cell_begins_) inside_ = !inside_;
+      } else if (c == '\n' && !inside_) {
+        return at_;
+      }
+      // After a closing mark another mark would reopen: it is the doubled one.
+      cell_begins_ = !inside_ && (c == ',' || c == '"');
+    }
+    return std::string_view::npos;
+  }
+  bool inside() const { return inside_; }
+
+ private:
+  std::size_t at_{0};
+  bool inside_{false};
+  bool cell_begins_{true};
+};
+
+}  // namespace
+
+bool CsvReader::fill() {
+  if (at_end_) return false;
+  buffer_.erase(0, at_);
+  at_ = 0;
+  const std::size_t old = buffer_.size();
+  // A long record grows the block, so that it is not copied over and over.
+  const std::size_t room = std::max(kBlock, old);
+  buffer_.resize(old + room);
+  const std::size_t got = bytes_(buffer_.data() + old, room);
+  buffer_.resize(old + got);
+  bytes_read_ += got;
+  at_end_ = got == 0;
+  if (at_start_ && !at_end_) {
+    at_start_ = false;
+    if (buffer_.starts_with("\xEF\xBB\xBF")) at_ = 3;
+  }
+  return !at_end_;
+}
+
+// Finds the record that begins at at_: its length with the line end, and its number of lines.
+bool CsvReader::find_record(std::size_t& length, std::size_t& lines) {
+  QuoteState quotes;
+  while (true) {
+    const std::string_view rest = std::string_view(buffer_).substr(at_);
+    const std::size_t feed = rest.find('\n');
+    const bool simple =
+        feed != std::string_view::npos && rest.substr(0, feed).find('"') == std::string_view::npos;
+    const std::size_t end = simple ? feed : quotes.find_end(rest);
+    if (end != std::string_view::npos) {
+      length = end + 1;
+      break;
+    }
+    if (rest.size() > kLongestRecord) {
+      throw InputError(name_ + ":" + std::to_string(line_) +
+                       ":1: a row longer than 64 MiB; is a quotation mark missing?");
+    }
+    if (!fill()) {
+      length = buffer_.size() - at_;
+      break;
+    }
+  }
+  if (quotes.inside()) {
+    throw InputError(name_ + ":" + std::to_string(line_) +
+                     ":1: a quotation that does not end; close it with '\"'");
+  }
+  lines = 0;
+  for (std::size_t i = 0; i < length; ++i) lines += buffer_[at_ + i] == '\n' ? 1 : 0;
+  return length > 0;
+}
+
+// Appends the next record to the chunk; false at the end.
+bool CsvReader::next(CsvChunk& chunk) {
+  std::size_t length = 0;
+  std::size_t lines = 0;
+  while (find_record(length, lines)) {
+    std::string_view record = std::string_view(buffer_).substr(at_, length);
+    if (record.ends_with('\n')) record.remove_suffix(1);
+    if (record.ends_with('\r')) record.remove_suffix(1);
+    const std::size_t line = line_;
+    const bool blank = trimmed(record).empty();
+    if (!blank) {
+      chunk.records.push_back({chunk.text.size(), record.size(), line});
+      chunk.text.append(record);
+    }
+    at_ += length;
+    line_ += lines;
+    if (!blank) return true;
+  }
+  return false;
+}
+
+bool CsvReader::read(CsvChunk& chunk, std::size_t most) {
+  chunk.text.clear();
+  chunk.records.clear();
+  while (chunk.records.size() < most && chunk.text.size() < kBlock) {
+    if (!next(chunk)) break;
+  }
+  return !chunk.records.empty();
+}
+
+CsvReader::Bytes bytes_of(std::FILE* file, const std::string& name) {
+  return [file, name](char* to, std::size_t size) {
+    const std::size_t got = std::fread(to, 1, size, file);
+    if (got == 0 && std::ferror(file) != 0) {
+      throw InputError(name + ": cannot be read: " + std::strerror(errno));
+    }
+    return got;
+  };
+}
+
+bool split_record(std::string_view record, std::vector<std::string_view>& cells) {
+  cells.clear();
+  std::size_t begin = 0;
+  if (record.find('"') == std::string_view::npos) {
+    for (std::size_t comma = record.find(','); comma != std::string_view::npos;
+         comma = record.find(',', begin)) {
+      cells.push_back(record.substr(begin, comma - begin));
+      begin = comma + 1;
+    }
+    cells.push_back(record.substr(begin));
+    return true;
+  }
+  bool well_formed = true;
+  bool inside = false;
+  bool closed = false;
+  for (std::size_t i = 0; i < record.size(); ++i) {
+    const char c = record[i];
+    if (c == '"') {
+      const bool may = inside || i == begin || (closed && record[i - 1] == '"');
+      if (may) {
+        closed = inside;
+        inside = !inside;
+      } else {
+        well_formed = false;
+      }
+    } else if (c == ',' && !inside) {
+      cells.push_back(record.substr(begin, i - begin));
+      begin = i + 1;
+      closed = false;
+    } else if (closed && !inside) {
+      well_formed = false;
+    }
+  }
+  cells.push_back(record.substr(begin));
+  return well_formed && !inside;
+}
+
+std::string cell_text(std::string_view cell) {
+  cell = trimmed(cell);
+  if (cell.size() < 2 || !cell.starts_with('"') || !cell.ends_with('"')) return std::string(cell);
+  std::string text;
+  for (std::size_t i = 1; i + 1 < cell.size(); ++i) {
+    text += cell[i];
+    if (cell[i] == '"' && cell[i + 1] == '"' && i + 2 < cell.size()) ++i;
+  }
+  return std::string(trimmed(text));
+}
+
+void append_cell(std::string& out, std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
+    out += text;
+    return;
+  }
+  out += '"';
+  for (const char c : text) {
+    if (c == '"') out += '"';
+    out += c;
+  }
+  out += '"';
+}
+
+}  // namespace twum::studies

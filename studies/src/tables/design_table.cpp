@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/studies/tables/design_table.hpp>
+
+#include <twum/studies/motor/settings.hpp>
+#include <twum/studies/text/number.hpp>
+#include <twum/studies/text/value_error.hpp>
+#include <twum/studies/text/words.hpp>
+
+#include <algorithm>
+
+namespace twum::studies {
+namespace {
+
+struct Heading {
+  std::string_view name;
+  std::string_view unit;
+  bool has_unit;
+};
+
+// "thickness [mm]" -> thickness, mm
+Heading split_heading(std::string_view text) {
+  text = trimmed(text);
+  const std::size_t open = text.find('[');
+  if (open == std::string_view::npos || !text.ends_with(']')) return {text, {}, false};
+  return {trimmed(text.substr(0, open)), trimmed(text.substr(open + 1, text.size() - open - 2)),
+          true};
+}
+
+std::string at_line(std::size_t line) { return "line " + std::to_string(line) + ": "; }
+
+}  // namespace
+
+DesignTable::DesignTable(const CsvReader& reader, const CsvChunk& header, const MotorDesign& base,
+                         std::vector<MetricExpression> metrics)
+    : base_(base), metrics_(std::move(metrics)), evaluator_(metrics_), header_(header.record(0)) {
+  const std::string place = reader.name() + ":" + std::to_string(header.records[0].line) + ": ";
+  std::vector<std::string> wrong;
+  std::vector<std::string_view> cells;
+  if (!split_record(header_, cells))
+    wrong.emplace_back("a quotation mark that cannot stand there; quote whole cells");
+  for (const std::string_view cell : cells) {
+    try {
+      columns_.push_back(read_column(cell_text(cell)));
+    } catch (const ValueError& error) {
+      columns_.push_back({cell_text(cell), {}, {}});
+      wrong.push_back("column " + quoted(cell_text(cell)) + ": " + error.what());
+    }
+  }
+  check_twins(wrong);
+  const auto is_parameter = [](const Column& c) { return c.parameter.has_value(); };
+  if (wrong.empty() && std::none_of(columns_.begin(), columns_.end(), is_parameter)) {
+    const bool other_separator =
+        cells.size() == 1 && header_.find_first_of(";\t") != std::string::npos;
+    wrong.push_back(
+        "no column is a parameter; " +
+        std::string(other_separator
+                        ? "columns are separated by commas"
+                        : "name columns like 'preload [N]' ('twum parameters' lists the names)"));
+  }
+  if (wrong.empty()) return;
+  std::string text;
+  for (const std::string& one : wrong) text += (text.empty() ? place : "\n" + place) + one;
+  throw InputError(text);
+}
+
+DesignTable::Column DesignTable::read_column(const std::string& text) {
+  const Heading heading = split_heading(text);
+  const auto parameter = find_parameter(heading.name);
+  if (!parameter) {
+    std::vector<std::string_view> names;
+    for (const ParameterInfo& row : parameter_table()) names.push_back(row.name);
+    if (const auto meant = nearest(heading.name, names); !meant.empty()) {
+      warnings_.push_back("column " + quoted(text) +
+                          " is no parameter and is only copied; did you mean '" +
+                          std::string(meant) + "'?");
+    }
+    return {text, {}, {}};
+  }
+  const ParameterInfo& row = info(*parameter);
+  const Scale scale =
+      heading.has_unit ? parse_unit(heading.unit, {row.unit, row.example}) : Scale();
+  return {std::string(heading.name), parameter, scale};
+}
+
+void DesignTable::check_twins(std::vector<std::string>& wrong) const {
+  for (const Column& column : columns_) {
+    if (!column.parameter) continue;
+    for (const Column* before = columns_.data(); before != &column; ++before) {
+      if (before->parameter == column.parameter) {
+        wrong.push_back("column " + quoted(column.name) +
+                        ": the parameter is there twice; leave one of them out");
+      }
+      if (before->parameter && info(*before->parameter).twin == column.parameter) {
+        wrong.push_back("column " + quoted(column.name) + ": says the same as " +
+                        quoted(before->name) + " in another way; give one of the two");
+      }
+    }
+  }
+}
+
+bool DesignTable::has(Parameter parameter) const {
+  return std::any_of(columns_.begin(), columns_.end(),
+                     [&](const Column& c) { return c.parameter == parameter; });
+}
+
+std::string DesignTable::result_header() const {
+  std::string text = header_;
+  for (const MetricExpression& metric : metrics_) {
+    text += ',';
+    append_cell(text, metric.text + " [" + std::string(metric.unit()) + "]");
+  }
+  return text + ",status\n";
+}
+
+bool DesignTable::read_values(std::size_t line, Scratch& scratch) const {
+  scratch.values.clear();
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    const Column& column = columns_[i];
+    if (!column.parameter) continue;
+    std::string_view cell = trimmed(scratch.cells[i]);
+    if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
+      cell = trimmed(cell.substr(1, cell.size() - 2));
+    const auto value = column.scale.read(cell);
+    if (!value) {
+      scratch.reason = at_line(line) + column.name +
+                       (cell.empty() ? ": no number" : ": " + quoted(cell) + " is not a number");
+      return false;
+    }
+    scratch.values.emplace_back(*column.parameter, *value);
+  }
+  return true;
+}
+
+// Fills scratch.metrics, and scratch.reason with what went wrong.
+bool DesignTable::compute(std::string_view record, std::size_t line, Scratch& scratch) const {
+  scratch.well_formed = split_record(record, scratch.cells);
+  if (!scratch.well_formed || scratch.cells.size() != columns_.size()) {
+    scratch.reason =
+        at_line(line) + (scratch.well_formed
+                             ? std::to_string(scratch.cells.size()) + " cells, the header has " +
+                                   std::to_string(columns_.size())
+                             : std::string("a quotation mark that cannot stand there"));
+    return false;
+  }
+  if (!read_values(line, scratch)) return false;
+  try {
+    evaluator_.evaluate(Motor(with(base_, scratch.values)), scratch.metrics);
+  } catch (const InputError& error) {
+    scratch.reason = at_line(line) + error.what();
+    return false;
+  } catch (const std::exception& error) {
+    scratch.reason = error.what();
+    return false;
+  }
+  for (std::size_t i = 0; i < metrics_.size(); ++i) {
+    if (scratch.metrics[i].status == MetricStatus::ok) continue;
+    scratch.reason += (scratch.reason.empty() ? "" : "; ") + metrics_[i].text + ": " +
+                      to_string(scratch.metrics[i].status);
+  }
+  return scratch.reason.empty();
+}
+
+// As many cells as the header has, so that the columns stay in step.
+void DesignTable::append_as_columns(const Scratch& scratch, std::string& out) const {
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (i > 0) out += ',';
+    if (i >= scratch.cells.size()) continue;
+    if (scratch.well_formed) {
+      out += scratch.cells[i];
+    } else {
+      append_cell(out, scratch.cells[i]);
+    }
+  }
+}
+
+bool DesignTable::append_result(std::string_view record, std::size_t line, Scratch& scratch,
+                                std::string& out) const {
+  scratch.reason.clear();
+  scratch.metrics.assign(metrics_.size(), {0, MetricStatus::undefined});
+  const bool ok = compute(record, line, scratch);
+  if (scratch.well_formed && scratch.cells.size() == columns_.size()) {
+    out += record;
+  } else {
+    append_as_columns(scratch, out);
+  }
+  for (const MetricValue& metric : scratch.metrics) {
+    out += ',';
+    if (metric.status == MetricStatus::ok) append_number(out, metric.value);
+  }
+  out += ',';
+  append_cell(out, ok ? std::string_view("ok") : std::string_view(scratch.reason));
+  out += '\n';
+  return ok;
+}
+
+}  // namespace twum::studies

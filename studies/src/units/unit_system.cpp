@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "units/unit_system.hpp"
+
+#include "units/unit_definitions.hpp"
+
+#include <twum/base/error.hpp>
+
+#include <udunits2.h>
+
+#include <cmath>
+#include <memory>
+#include <mutex>
+
+namespace twum::studies {
+namespace {
+
+struct FreeUnit {
+  void operator()(ut_unit* unit) const { ut_free(unit); }
+};
+using UnitPointer = std::unique_ptr<ut_unit, FreeUnit>;
+
+struct FreeConverter {
+  void operator()(cv_converter* converter) const { cv_free(converter); }
+};
+
+// The unit system; lives as long as the process.
+class UnitSystem {
+ public:
+  static UnitSystem& instance() {
+    static UnitSystem system;
+    return system;
+  }
+
+  UnitPointer parse(std::string_view text) const {
+    return UnitPointer(ut_parse(system_, std::string(text).c_str(), UT_UTF8));
+  }
+
+  // SI value of `unit` in terms of `target`. Through their quotient, because UDUNITS also converts
+  // between a unit and its reciprocal: a period of 25 us would pass for 40 kHz.
+  std::optional<double> ratio(const ut_unit* unit, const ut_unit* target) const {
+    const UnitPointer quotient(ut_divide(unit, target));
+    const UnitPointer one(ut_get_dimensionless_unit_one(system_));
+    if (!quotient || !ut_are_convertible(quotient.get(), one.get())) return {};
+    const std::unique_ptr<cv_converter, FreeConverter> converter(
+        ut_get_converter(quotient.get(), one.get()));
+    if (!converter) return {};
+    return cv_convert_double(converter.get(), 1.0);
+  }
+
+ private:
+  UnitSystem() : system_(ut_new_system()) {
+    ut_set_error_message_handler(ut_ignore);
+    for (const BaseUnit& base : kBaseUnits) add_base(base);
+    for (const UnitPrefix& prefix : kPrefixes) {
+      TWUM_ASSERT(ut_add_symbol_prefix(system_, prefix.symbol, prefix.value) == UT_SUCCESS);
+    }
+    for (const DerivedUnit& derived : kDerivedUnits) {
+      const UnitPointer definition = parse(derived.definition);
+      TWUM_ASSERT(definition != nullptr);
+      const UnitPointer scaled(ut_scale(derived.factor, definition.get()));
+      map(derived.symbol, scaled.get());
+    }
+    const UnitPointer one(ut_get_dimensionless_unit_one(system_));
+    const UnitPointer percent(ut_scale(0.01, one.get()));
+    map("%", percent.get());
+  }
+
+  void add_base(const BaseUnit& base) {
+    const UnitPointer unit(ut_new_base_unit(system_));
+    map(base.symbol, unit.get());
+    map(base.name, unit.get());
+    if (std::string_view(base.symbol) == "s") ut_set_second(unit.get());
+  }
+
+  static void map(const char* symbol, const ut_unit* unit) {
+    TWUM_ASSERT(unit != nullptr && ut_map_symbol_to_unit(symbol, UT_UTF8, unit) == UT_SUCCESS);
+  }
+
+  ut_system* system_;
+};
+
+std::mutex& units_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
+}
+
+// A number in a unit may only be an exponent: after a letter, or after ^, **, + or -.
+bool numbers_are_exponents(std::string_view unit) {
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    if (!is_digit(unit[i])) continue;
+    std::size_t begin = i;
+    while (i + 1 < unit.size() && is_digit(unit[i + 1])) ++i;
+    if (i - begin > 1) return false;  // powers of a hundred mean nothing here
+    if (begin > 0 && (unit[begin - 1] == '-' || unit[begin - 1] == '+')) --begin;
+    if (begin == 0) return false;
+    const char before = unit[begin - 1];
+    const bool power = before == '^' || (before == '*' && begin > 1 && unit[begin - 2] == '*');
+    if (!is_letter(before) && !power) return false;
+  }
+  return true;
+}
+
+// "W/m.K" is W.K/m to UDUNITS and W/(m.K) to most people.
+bool product_after_slash(std::string_view unit) {
+  bool slash = false;
+  int depth = 0;
+  for (const char c : unit) {
+    if (c == '(') ++depth;
+    if (c == ')') --depth;
+    if (c == '/' && depth == 0) slash = true;
+    if (slash && depth == 0 && (c == '.' || c == '*' || c == ' ')) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string unit_form_complaint(std::string_view unit) {
+  constexpr std::size_t kLongestUnit = 60;
+  const bool starts_well =
+      !unit.empty() && (is_letter(unit[0]) || unit[0] == '%' || unit[0] == '(');
+  const bool shift =
+      unit.find('@') != std::string_view::npos || unit.find(" from ") != std::string_view::npos;
+  if (unit.size() > kLongestUnit || !starts_well || shift || !numbers_are_exponents(unit)) {
+    return "is not a unit";
+  }
+  if (product_after_slash(unit))
+    return "is ambiguous, put parentheses round what stands below the line";
+  return {};
+}
+
+bool is_unit(std::string_view unit) {
+  if (!unit_form_complaint(unit).empty()) return false;
+  const std::lock_guard lock(units_mutex());
+  return UnitSystem::instance().parse(unit) != nullptr;
+}
+
+std::optional<double> factor_to(std::string_view unit, std::string_view si_unit) {
+  const std::lock_guard lock(units_mutex());
+  const UnitSystem& system = UnitSystem::instance();
+  const UnitPointer from = system.parse(unit);
+  const UnitPointer to = system.parse(si_unit);
+  TWUM_ASSERT(from != nullptr && to != nullptr);
+  return system.ratio(from.get(), to.get());
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace twum::studies {
+
+/// What UDUNITS-2 says about units; internal. Every call is serialized, because its parser is not
+/// safe from several threads.
+
+/// SI value of one `unit` if it has the dimension of `si_unit` ("1": none); nothing if not.
+/// Both must be known units.
+std::optional<double> factor_to(std::string_view unit, std::string_view si_unit);
+
+/// True if the text is a unit that can mean only one thing.
+bool is_unit(std::string_view unit);
+
+/// Why a text that looks like a unit is refused: "5 mm" as a unit, "W/m.K"; empty if it is well formed.
+std::string unit_form_complaint(std::string_view unit);
+
+}  // namespace twum::studies

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/studies/units/units.hpp>
+
+#include "units/unit_definitions.hpp"
+#include "units/unit_system.hpp"
+
+#include <twum/studies/text/number.hpp>
+#include <twum/studies/text/value_error.hpp>
+#include <twum/studies/text/words.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace twum::studies {
+namespace {
+
+// Units people mean when they mistype one.
+constexpr std::array<std::string_view, 40> kUsualUnits{
+    "nm",   "um",     "mm",  "cm",    "m",       "Pa",     "kPa",    "MPa",    "GPa",    "N",
+    "mN",   "kN",     "N.m", "mN.m",  "N.cm",    "rpm",    "rad/s",  "Hz",     "kHz",    "MHz",
+    "W",    "mW",     "kW",  "W/m^2", "kW/m^2",  "W/cm^2", "W/mm^2", "kg/m^3", "g/cm^3", "N.s/m",
+    "Pa.s", "Pa.s^2", "deg", "rad",   "rev/min", "N/mm^2", "bar",    "s",      "ms",     "%"};
+
+bool dimensionless(std::string_view unit) { return unit == "1"; }
+
+std::string article(std::string_view noun) {
+  const bool vowel = std::string_view("aeiou").find(noun.front()) != std::string_view::npos;
+  return (vowel ? "an " : "a ") + std::string(noun);
+}
+
+// "expected a length [m] such as '0.3 mm'"
+std::string expectation(std::span<const Expected> expected) {
+  std::string text = "expected ";
+  for (const Expected& one : expected) {
+    if (&one != expected.data()) text += " or ";
+    text += dimension_phrase(one.unit);
+    if (!one.example.empty()) text += " such as '" + std::string(one.example) + "'";
+  }
+  return text;
+}
+
+// What a known unit measures: "a force [N]".
+std::string phrase_of_unit(std::string_view unit) {
+  if (factor_to(unit, "1")) return "a number without dimension";
+  for (const NamedDimension& named : kDimensions) {
+    if (factor_to(unit, named.unit)) return dimension_phrase(named.unit);
+  }
+  return "something in " + quoted(unit);
+}
+
+// A usual unit of the right dimension that the text may stand for; empty if there is none.
+std::string_view usual_unit_near(std::string_view unit, std::span<const Expected> expected) {
+  std::vector<std::string_view> candidates;
+  for (const std::string_view usual : kUsualUnits) {
+    const bool fits = std::any_of(expected.begin(), expected.end(), [&](const Expected& one) {
+      return factor_to(usual, one.unit).has_value();
+    });
+    if (fits) candidates.push_back(usual);
+  }
+  return nearest(unit, candidates);
+}
+
+// The scale of a unit to the first expected dimension that it has.
+struct Match {
+  Scale scale;
+  std::size_t which;
+};
+
+Match match_unit(std::string_view unit, std::string_view whole, std::size_t at,
+                 std::span<const Expected> expected) {
+  if (const std::string wrong = unit_form_complaint(unit); !wrong.empty()) {
+    throw ValueError(quoted(whole) + ": " + quoted(unit) + " " + wrong, expectation(expected), at);
+  }
+  if (!is_unit(unit)) {
+    const std::string_view meant = usual_unit_near(unit, expected);
+    throw ValueError(quoted(whole) + ": unknown unit " + quoted(unit) +
+                         (meant.empty() ? "" : ", did you mean '" + std::string(meant) + "'?"),
+                     expectation(expected), at);
+  }
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    if (const auto factor = factor_to(unit, expected[i].unit)) return {Scale(*factor), i};
+  }
+  throw ValueError(quoted(whole) + " is " + phrase_of_unit(unit), expectation(expected), at);
+}
+
+[[noreturn]] void no_number(std::string_view text, std::span<const Expected> expected) {
+  if (text.empty()) throw ValueError("nothing", expectation(expected));
+  const std::size_t comma = text.find(',');
+  if (comma != std::string_view::npos) {
+    std::string pointed(text);
+    pointed[comma] = '.';
+    if (number_prefix(pointed) > comma) {
+      throw ValueError(quoted(text) + " has a decimal comma", "write " + quoted(pointed), comma);
+    }
+  }
+  throw ValueError(quoted(text) + " is not a number", expectation(expected));
+}
+
+}  // namespace
+
+Scale::Scale(double factor) : factor_(factor), power_() {
+  const double power = std::round(std::log10(factor));
+  // UDUNITS multiplies prefixes and powers one by one; a few roundings of 1e-16 each.
+  if (std::abs(power) < 300 && std::abs(factor / std::pow(10.0, power) - 1) < 4e-15) {
+    power_ = static_cast<int>(power);
+    factor_ = std::pow(10.0, power);
+  }
+}
+
+std::optional<double> Scale::read(std::string_view number) const noexcept {
+  if (power_) return parse_decimal(number, *power_);
+  const auto value = parse_number(number);
+  if (!value || !std::isfinite(*value * factor_)) return {};
+  return *value * factor_;
+}
+
+Quantity parse_quantity(std::string_view text, std::span<const Expected> expected) {
+  text = trimmed(text);
+  const std::size_t length = number_prefix(text);
+  if (length == 0) no_number(text, expected);
+  const std::string_view number = text.substr(0, length);
+  const std::string_view unit = trimmed(text.substr(length));
+  if (!unit.empty() && unit.front() == ',') no_number(text, expected);
+
+  Match match{Scale(), 0};
+  if (unit.empty()) {
+    while (match.which < expected.size() && !dimensionless(expected[match.which].unit))
+      ++match.which;
+    if (match.which == expected.size()) {
+      throw ValueError(quoted(text) + " has no unit", expectation(expected), length);
+    }
+  } else {
+    match = match_unit(unit, text, text.size() - unit.size(), expected);
+  }
+  const auto value = match.scale.read(number);
+  if (!value)
+    throw ValueError(quoted(text) + " is beyond the range of numbers", expectation(expected));
+  return {*value, match.which};
+}
+
+double parse_quantity(std::string_view text, const Expected& expected) {
+  return parse_quantity(text, std::span(&expected, 1)).value;
+}
+
+Scale parse_unit(std::string_view unit, const Expected& expected) {
+  unit = trimmed(unit);
+  if (unit.empty() || unit == "1" || unit == "-") {
+    if (dimensionless(expected.unit)) return {};
+    throw ValueError(quoted(unit) + " is no unit", expectation(std::span(&expected, 1)));
+  }
+  return match_unit(unit, unit, 0, std::span(&expected, 1)).scale;
+}
+
+std::string_view dimension_name(std::string_view si_unit) {
+  const auto* found = std::find_if(std::begin(kDimensions), std::end(kDimensions),
+                                   [&](const NamedDimension& d) { return d.unit == si_unit; });
+  return found == std::end(kDimensions) ? std::string_view() : found->name;
+}
+
+std::string dimension_phrase(std::string_view si_unit) {
+  if (dimensionless(si_unit)) return "a number without unit";
+  const std::string bracketed = " [" + std::string(si_unit) + "]";
+  const std::string_view name = dimension_name(si_unit);
+  return (name.empty() ? std::string("a quantity") : article(name)) + bracketed;
+}
+
+}  // namespace twum::studies

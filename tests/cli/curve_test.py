@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: Apache-2.0
+"""curve and fields: formats and what they hold."""
+import csv
+import io
+import json
+import math
+
+import program
+from program import RING
+
+POINT = ["speed", "torque", "output_power", "stator_power", "friction_power", "layer_loss", "contact_efficiency",
+         "wear_intensity", "stick_fraction", "zones"]
+METRICS = ["stall_torque", "max_torque", "holding_torque", "no_load_speed", "plateau_speed", "peak_power",
+           "speed_at_peak_power", "torque_at_peak_power", "contact_efficiency_at_peak_power", "max_efficiency",
+           "speed_at_max_efficiency", "contact_half_length", "contact_ratio", "max_pressure"]
+
+
+class Curve(program.Case):
+    def test_json_has_the_agreed_shape(self):
+        result = json.loads(self.ok("curve", RING, "--points", 9, "--format", "json"))
+        self.assertRegex(result["twum"], r"^\d+\.\d+\.\d+$")
+        self.assertEqual(result["motor"]["thickness"], 0.3e-3)
+        self.assertEqual(result["motor"]["amplitude"], 1.6e-6)
+        self.assertEqual(list(result["metrics"]), METRICS)
+        self.assertEqual(len(result["curve"]), 9)
+        for point in result["curve"]:
+            self.assertEqual(list(point), POINT)
+            for zone in point["zones"]:
+                self.assertIn(zone["state"], ("slip+", "stick", "slip-"))
+                self.assertLess(zone["from"], zone["to"])
+        for name in [*result["motor"], *METRICS, *POINT[:-1], "from", "to"]:
+            self.assertIn(name, result["units"])
+
+    def test_the_curve_goes_from_rest_to_beyond_no_load(self):
+        result = json.loads(self.ok("curve", RING, "--format", "json"))
+        speeds = [p["speed"] for p in result["curve"]]
+        self.assertEqual(speeds[0], 0)
+        self.assertEqual(speeds, sorted(speeds))
+        self.assertGreater(speeds[-1], result["metrics"]["no_load_speed"])
+        self.assertLess(result["curve"][-1]["torque"], 0)
+        self.assertAlmostEqual(result["curve"][0]["torque"], result["metrics"]["stall_torque"], delta=1e-9)
+
+    def test_given_speeds_in_mixed_units(self):
+        result = json.loads(self.ok("curve", RING, "--speeds", "60 rpm, -2 rad/s, 0 rpm", "--format", "json"))
+        self.assertEqual([p["speed"] for p in result["curve"]], [60 * (2 * math.pi / 60), -2, 0])
+
+    def test_csv_is_si_with_units_in_the_header(self):
+        rows = list(csv.reader(io.StringIO(self.ok("curve", RING, "--points", 5, "--format", "csv"))))
+        self.assertEqual(rows[0][:2], ["speed [rad/s]", "torque [N.m]"])
+        self.assertEqual(len(rows), 6)
+        exact = json.loads(self.ok("curve", RING, "--points", 5, "--format", "json"))["curve"]
+        self.assertEqual([float(r[1]) for r in rows[1:]], [p["torque"] for p in exact])
+
+    def test_table_shows_engineering_units(self):
+        text = self.ok("curve", RING, "--points", 5)
+        self.assertTrue(text.startswith("ring-60\n"))
+        self.assertRegex(text, r"no_load_speed +[\d.]+ rpm\n")
+        self.assertRegex(text, r"max_pressure +[\d.]+ MPa\n")
+
+    def test_undefined_metrics_are_null(self):
+        result = json.loads(self.ok("curve", RING, "--set", "modal_damping=0 N.s/m", "--format", "json"))
+        self.assertIsNone(result["metrics"]["max_efficiency"])
+
+    def test_settings_change_the_motor_and_replace_twins(self):
+        motor = json.loads(self.ok("curve", RING, "--set", "preload=140 N", "--set", "G=1 GPa", "--format", "json"))["motor"]
+        self.assertEqual(motor["preload"], 140)
+        self.assertEqual(motor["shear_modulus"], 1e9)
+        self.assertNotIn("poisson_ratio", motor)
+
+    def test_motors_at_the_edge_have_a_curve(self):
+        for setting in ("preload=0 N", "amplitude=0 m", "mu=0", "mu_0=0.4", "E=500 GPa", "preload=1e6 N",
+                        "inertia=0 Pa.s^2", "loss_factor=0"):
+            with self.subTest(setting):
+                done = program.twum("curve", RING, "--set", setting, "--format", "json")
+                self.assertIn(done.returncode, (0, 1), done.stderr)
+                json.loads(done.stdout)
+
+
+class Fields(program.Case):
+    def test_formats_agree(self):
+        result = json.loads(self.ok("fields", RING, "--speed", "130 rpm", "--samples", 25, "--format", "json"))
+        rows = list(csv.reader(io.StringIO(
+            self.ok("fields", RING, "--speed", "130 rpm", "--samples", 25, "--format", "csv"))))
+        self.assertEqual(rows[0], ["phase [rad]", "pressure [Pa]", "traction [Pa]", "displacement [m]",
+                                   "stator_velocity [m/s]", "layer_velocity [m/s]", "state"])
+        self.assertEqual(len(rows), 26)
+        for row, sample in zip(rows[1:], result["fields"]):
+            self.assertEqual([float(x) for x in row[:6]], [sample[n] for n in (
+                "phase", "pressure", "traction", "displacement", "stator_velocity", "layer_velocity")])
+        self.assertIn("free", {sample["state"] for sample in result["fields"]})
+        self.assertTrue(self.ok("fields", RING, "--speed", "130 rpm").startswith("ring-60 at 130 rpm"))
+
+
+if __name__ == "__main__":
+    program.main()

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: Apache-2.0
+"""evaluate: tables of designs in, tables with metrics out."""
+import csv
+import io
+import json
+import random
+
+import program
+from program import RING
+
+
+def table(rows, seed=1):
+    numbers = random.Random(seed)
+    text = "id,preload [N],amplitude [um],thickness [mm]\n"
+    for i in range(rows):
+        text += f"{i},{numbers.uniform(60, 300):.4f},{numbers.uniform(0.8, 2.2):.5f},{numbers.uniform(0.1, 1):.5f}\n"
+    return text
+
+
+class Evaluate(program.Case):
+    def test_values_are_those_of_the_curve_command(self):
+        designs = self.write("designs.csv", "preload [N],note\n140,light\n")
+        rows = list(csv.DictReader(io.StringIO(self.ok(
+            "evaluate", RING, "--designs", designs, "--metrics", "stall_torque, torque_at(100 rpm), preload"))))
+        curve = json.loads(self.ok("curve", RING, "--set", "preload=140 N", "--speeds", "100 rpm", "--format", "json"))
+        self.assertEqual(float(rows[0]["stall_torque [N.m]"]), curve["metrics"]["stall_torque"])
+        self.assertEqual(float(rows[0]["torque_at(100 rpm) [N.m]"]), curve["curve"][0]["torque"])
+        self.assertEqual((rows[0]["note"], rows[0]["preload [N]"], rows[0]["status"]), ("light", "140", "ok"))
+
+    def test_any_number_of_jobs_gives_the_same_bytes(self):
+        designs = self.write("designs.csv", table(3000) + "x\n1,2,3,\n")
+        results = [self.ok("evaluate", RING, "--designs", designs, "--metrics", "stall_torque, speed_at(0.3 N.m)",
+                           "--jobs", jobs) for jobs in (1, 2, 8)]
+        self.assertEqual(results[0], results[1])
+        self.assertEqual(results[0], results[2])
+        self.assertEqual(len(results[0].splitlines()), 3003)
+
+    def test_default_metrics(self):
+        designs = self.write("designs.csv", "preload\n160\n")
+        header = self.ok("evaluate", RING, "--designs", designs).splitlines()[0]
+        self.assertIn("max_efficiency [1]", header)
+        undamped = self.ok("evaluate", RING, "--set", "modal_damping=0 N.s/m", "--designs", designs).splitlines()
+        self.assertNotIn("max_efficiency", undamped[0])
+        self.assertTrue(undamped[1].endswith(",ok"))
+
+    def test_output_file_and_standard_input(self):
+        out = self.folder / "ergebnis größe.csv"
+        self.assertEqual(self.ok("evaluate", RING, "--designs", "-", "--metrics", "preload", "-o", out,
+                                 stdin=b"\xef\xbb\xbfF_N [kN]\r\n0.1\r\n"), "")
+        self.assertEqual(out.read_text(), "F_N [kN],preload [N],status\n0.1,100,ok\n")
+
+    def test_failing_designs_do_not_stop_the_others(self):
+        designs = self.write("designs.csv", "preload\n160\nabc\n-1\n\n1,2\n80\n")
+        done = program.twum("evaluate", RING, "--designs", designs, "--metrics", "preload, speed_at(0.6 N.m)")
+        self.assertEqual(done.returncode, 0)
+        rows = list(csv.reader(io.StringIO(done.stdout.decode())))
+        self.assertEqual([row[-1] for row in rows], [
+            "status", "ok", "line 3: preload: 'abc' is not a number",
+            "line 4: preload must be at least 0 N, but is -1 N", "line 6: 2 cells, the header has 1",
+            "speed_at(0.6 N.m): unreachable"])
+        self.assertEqual({len(row) for row in rows}, {4})
+        self.assertIn("4 of 5 designs have no full answer", done.stderr)
+
+    def test_wrong_tables_are_refused(self):
+        for text in ("", "\n\n", "id\n1\n", "preload [m]\n1\n", "preload,F_N\n1,2\n", "nu,G\n1,2\n", "preload;h\n1;2\n",
+                     'preload,"x\n1,2\n', b"\x00\x01\x02\n1\n"):
+            with self.subTest(text):
+                self.refused("evaluate", RING, "--designs", self.write("designs.csv", text))
+        self.refused("evaluate", RING, "--designs", self.folder / "absent.csv")
+        self.refused("evaluate", RING, "--designs", self.folder)
+
+    def test_wrong_expressions_are_refused_with_a_caret(self):
+        designs = self.write("designs.csv", "preload\n160\n")
+        self.assertEqual(self.refused("evaluate", RING, "--designs", designs, "--metrics", "stall_torque, torque_at(1 N)"),
+                         "twum: --metrics: torque_at: '1 N' is a force [N]; expected an angular speed [rad/s] such as "
+                         "'100 rpm'\n  stall_torque, torque_at(1 N)\n                            ^\n")
+        for jobs in ("0", "-1", "x", "99999"):
+            self.refused("evaluate", RING, "--designs", designs, "--jobs", jobs)
+
+    def test_an_input_is_never_overwritten(self):
+        designs = self.write("designs.csv", "preload\n160\n")
+        self.assertIn("would be overwritten", self.refused("evaluate", RING, "--designs", designs, "-o", designs))
+        self.assertEqual(designs.read_text(), "preload\n160\n")
+
+    def test_a_refused_table_leaves_an_old_result_alone(self):
+        old = self.write("result.csv", "precious\n")
+        self.refused("evaluate", RING, "--designs", self.write("designs.csv", "colour\nred\n"), "-o", old)
+        self.assertEqual(old.read_text(), "precious\n")
+
+    def test_very_wide_rows(self):
+        names = ",".join(f"c{i}" for i in range(20000))
+        designs = self.write("designs.csv", f"{names},preload\n" + ("1," * 20000 + "160\n") * 20)
+        lines = self.ok("evaluate", RING, "--designs", designs, "--metrics", "preload").splitlines()
+        self.assertEqual(len(lines), 21)
+        self.assertTrue(lines[20].endswith("1,160,160,ok"))
+
+
+if __name__ == "__main__":
+    program.main()

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The program among other processes: locales, pipes, full disks, signals, terminals."""
+import os
+import pty
+import select
+import signal
+import subprocess
+import time
+
+import program
+from program import RING
+
+
+class Surroundings(program.Case):
+    def test_locales_change_nothing(self):
+        plain = self.ok("curve", RING, "--points", 5)
+        for locale in ("C", "C.UTF-8", "de_DE.UTF-8", "tr_TR.UTF-8", "no-such-locale"):
+            self.assertEqual(self.ok("curve", RING, "--points", 5, env={"LC_ALL": locale, "LANG": locale}), plain)
+
+    def test_no_output_can_be_lost_unnoticed(self):
+        if not os.path.exists("/dev/full"):
+            self.skipTest("no /dev/full here")
+        designs = self.write("designs.csv", "preload\n" + "160\n" * 20000)
+        for arguments in (["curve", RING], ["metrics"], ["schema", "motor"], ["check", RING], ["fields", RING, "--speed", "1 rpm"],
+                          ["evaluate", RING, "--designs", designs, "--metrics", "preload"]):
+            with self.subTest(arguments[0]):
+                with open("/dev/full", "wb") as full:
+                    done = subprocess.run([program.PROGRAM, *map(str, arguments)], stdout=full, stderr=subprocess.PIPE)
+                self.assertEqual(done.returncode, 3)
+                self.assertIn(b"No space left", done.stderr)
+        self.assertIn("No space left", self.refused("curve", RING, "-o", "/dev/full", status=3))
+
+    def test_places_that_cannot_be_written(self):
+        self.assertIn("No such file", self.refused("curve", RING, "-o", self.folder / "a/b.csv", status=3))
+        self.refused("curve", RING, "-o", self.folder, status=3)
+
+    def test_closed_standard_output(self):
+        done = subprocess.run(["sh", "-c", '"$0" metrics >&-', program.PROGRAM], stderr=subprocess.PIPE)
+        self.assertEqual(done.returncode, 3)
+
+    def test_a_reader_that_has_seen_enough_is_no_error(self):
+        designs = self.write("designs.csv", "preload\n" + "160\n" * 200000)
+        process = subprocess.Popen([program.PROGRAM, "evaluate", RING, "--designs", designs, "--metrics", "preload"],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.assertIn(b"preload", process.stdout.readline())
+        process.stdout.close()
+        self.assertEqual(process.stderr.read(), b"")
+        self.assertEqual(process.wait(60), 0)
+        process.stderr.close()
+
+
+class Interrupts(program.Case):
+    def start(self, **options):
+        designs = self.write("designs.csv", "preload,amplitude [um]\n" + "160,1.6\n" * 400000)
+        self.result = self.folder / "result.csv"
+        return subprocess.Popen([program.PROGRAM, "evaluate", RING, "--designs", designs, "-o", self.result], **options)
+
+    def test_the_first_interrupt_finishes_what_is_in_flight(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            process = self.start(stderr=subprocess.PIPE)
+            while not (self.result.exists() and self.result.stat().st_size > 0):
+                time.sleep(0.01)
+            process.send_signal(number)
+            _, errors = process.communicate(timeout=60)
+            self.assertEqual(process.returncode, 130)
+            self.assertIn(b"interrupted after", errors)
+            lines = self.result.read_text().splitlines()
+            self.assertEqual(len(lines) - 1, int(errors.split(b"interrupted after ")[1].split()[0]))
+            self.assertLess(len(lines), 400001)
+            self.assertTrue(all(line.endswith(",ok") for line in lines[1:]))
+            self.result.unlink()
+
+    def read_terminal(self, process, terminal, seconds):
+        text = b""
+        until = time.monotonic() + seconds
+        while time.monotonic() < until and process.poll() is None:
+            if select.select([terminal], [], [], 0.1)[0]:
+                text += os.read(terminal, 4096)
+        return text
+
+    def test_progress_shows_on_a_terminal_only(self):
+        terminal, other_end = pty.openpty()
+        process = self.start(stderr=other_end, env={**os.environ, "TERM": "xterm"})
+        text = self.read_terminal(process, terminal, 2)
+        process.send_signal(signal.SIGINT)
+        process.wait(60)
+        os.close(other_end)
+        os.close(terminal)
+        self.assertRegex(text, rb"\d+ done, \d+/s, .*left")
+
+    def test_colours_only_on_a_terminal_and_without_no_color(self):
+        wrong = self.write("wrong.yaml", "twum: 2\n")
+        for environment, coloured in (({"NO_COLOR": ""}, True), ({"NO_COLOR": "1"}, False)):
+            terminal, other_end = pty.openpty()
+            subprocess.run([program.PROGRAM, "check", wrong], stderr=other_end, env={**os.environ, "TERM": "xterm", **environment})
+            os.close(other_end)
+            text = os.read(terminal, 4096)
+            os.close(terminal)
+            self.assertEqual(b"\033[" in text, coloured)
+        self.assertNotIn("\033", self.refused("check", wrong))
+
+
+if __name__ == "__main__":
+    program.main()

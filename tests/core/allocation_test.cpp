@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "support/test_motors.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <twum/core/performance/motor.hpp>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+// Counts what the program takes from the heap.
+namespace {
+std::atomic<long> taken{0};
+}
+
+void* operator new(std::size_t size) {
+  taken.fetch_add(1, std::memory_order_relaxed);
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+void* operator new[](std::size_t size) { return ::operator new(size); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  taken.fetch_add(1, std::memory_order_relaxed);
+  const auto align = static_cast<std::size_t>(alignment);
+  if (void* memory = std::aligned_alloc(align, (size + align - 1) / align * align)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace {
+
+using namespace twum;
+using namespace twum::test;
+
+long taken_by_points(const Motor& motor) {
+  double sum = 0;
+  const long before = taken.load();
+  for (int i = -20; i <= 150; ++i) sum += motor.operating_point(0.01 * i * motor.crest_speed()).speed;
+  const long after = taken.load();
+  CHECK(std::isfinite(sum));
+  return after - before;
+}
+
+}  // namespace
+
+TEST_CASE("the counter counts", "[core][performance][work]") {
+  const long before = taken.load();
+  const auto box = std::make_unique<double>(1.0);
+  CHECK(taken.load() > before);
+  CHECK(*box == 1.0);
+}
+
+TEST_CASE("an operating point takes nothing from the heap", "[core][performance][work]") {
+  MotorDesign design = GENERATE(ring_motor(), damped(ring_motor()), elastic(ring_motor()));
+  const double load = GENERATE(0.0, 0.3, 0.95, 2.0);  // 0: the ring's own
+  const double threshold = GENERATE(1.0, 1.6);
+  if (load > 0) design.preload = load * full_contact_load(design);
+  design.friction.static_ = threshold * design.friction.kinetic;
+  CAPTURE(load, threshold);
+  CHECK(taken_by_points(Motor(design)) == 0);
+}
+
+TEST_CASE("no design of the box makes an operating point take from the heap", "[core][performance][work]") {
+  Uniform random(11);
+  long sum = 0;
+  for (int i = 0; i < 500; ++i) {
+    const BoxPoint box = random_box_point(random);
+    const Motor motor(box.design);
+    const long before = taken.load();
+    motor.operating_point(box.speed);
+    sum += taken.load() - before;
+  }
+  CHECK(sum == 0);
+}

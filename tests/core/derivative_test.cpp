@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "support/deviations.hpp"
+#include "support/expect_derivatives.hpp"
+#include "support/test_motors.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <twum/core/design/parameters.hpp>
+#include <twum/core/performance/metrics.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+// Every metric of the table against every parameter of the table: a new row of either is tested
+// without anyone remembering.
+namespace {
+
+using namespace twum;
+using namespace twum::test;
+
+// Each metric at each kind of argument it takes, at points of ordinary use.
+std::vector<MetricRequest> all_requests(const Motor& motor) {
+  const double load = 0.4 * evaluate(motor, {Metric::stall_torque}).value;
+  std::vector<MetricRequest> requests;
+  for (const MetricInfo& row : metric_table()) {
+    const bool either = row.argument == Argument::speed_or_torque;
+    if (row.argument == Argument::none) requests.push_back({row.metric, Argument::none, 0});
+    if (row.argument == Argument::speed || either) {
+      requests.push_back({row.metric, Argument::speed, 0.8 * motor.crest_speed()});
+    }
+    if (row.argument == Argument::torque || either) requests.push_back({row.metric, Argument::torque, load});
+  }
+  return requests;
+}
+
+std::vector<double> values_at(const MotorDesign& design, Parameter parameter, double x,
+                              const std::vector<MetricRequest>& requests) {
+  std::vector<double> values;
+  for (const MetricValue& value : evaluate(Motor(with(design, parameter, x)), requests)) values.push_back(value.value);
+  return values;
+}
+
+// Parameters that can be moved to both sides: not whole numbers, not at the border of their range.
+bool movable(const MotorDesign& design, const ParameterInfo& row) {
+  if (row.integer || !in_use(design, row.parameter) || get(design, row.parameter) == 0) return false;
+  return row.parameter != Parameter::static_friction || design.friction.static_ > 1.05 * design.friction.kinetic;
+}
+
+// mu_0 moves with mu, which with() sees to; on its own it is a parameter like any other.
+MotorDesign design_of(Uniform& random, int index) {
+  MotorDesign design = realistic_design(random);
+  design.stator.modal_damping = random(20, 80);
+  const bool threshold = index % 3 == 2;
+  design.friction.static_ = design.friction.kinetic * (threshold ? 1.2 : 1.0);
+  if (index % 4 == 1) design = damped(design);
+  if (index % 4 == 2) design = elastic(design);
+  if (index % 4 == 3) {  // constants given outright are parameters in use instead of their twins
+    design.layer.given_shear_modulus = 0.9 * shear_modulus(design);
+    design.layer.given_shear_viscosity = shear_viscosity(design);
+    design.layer.given_inertia = inertia(design);
+  }
+  return design;
+}
+
+struct Tally {
+  std::map<std::string, int> sharp;  // metric name -> comparisons at full sharpness
+  int blunt{0};                      // differences too noisy or across a kink
+  int wrong{0};
+  std::vector<std::string> examples;
+};
+
+// Does an exact derivative agree with the differences? `unit` is |f / x|, what a relative change means.
+bool agrees(double exact, const DifferenceQuotient& found, double unit) {
+  return std::abs(exact - found.value) <= 1e-7 * std::max(std::abs(found.value), unit) + 3 * found.error;
+}
+
+bool agrees_on_a_side(const MotorDesign& design, const ParameterInfo& row, const MetricRequest& request, double exact,
+                      double unit) {
+  const double x = get(design, row.parameter);
+  const Functions one = [&](double at) { return values_at(design, row.parameter, at, {request}); };
+  for (const int side : {-1, 1}) {
+    if (agrees(exact, one_sided_differences(one, x, std::abs(x), side)[0], 10 * unit)) return true;
+  }
+  return false;
+}
+
+void check_parameter(const MotorDesign& design, const ParameterInfo& row, const std::vector<MetricRequest>& requests,
+                     const std::vector<MetricDerivative>& exact, Tally& tally, Deviation& deviation) {
+  const double x = get(design, row.parameter);
+  const Functions all = [&](double at) { return values_at(design, row.parameter, at, requests); };
+  const auto differences = central_differences(all, x, std::abs(x));
+  for (std::size_t k = 0; k < requests.size(); ++k) {
+    if (exact[k].value.status != MetricStatus::ok || exact[k].smoothness == Smoothness::undefined) continue;
+    const double unit = std::abs(exact[k].value.value / x);
+    const double gradient = exact[k].gradient[index_of(row.parameter)];
+    const bool sharp = differences[k].error <= 1e-8 * std::max(unit, std::abs(differences[k].value));
+    if (!sharp) {
+      ++tally.blunt;
+      continue;
+    }
+    const std::string name(info(requests[k].metric).name);
+    ++tally.sharp[name];
+    bool good = agrees(gradient, differences[k], unit);
+    if (good) deviation.add(gradient, differences[k].value, std::max({unit, std::abs(differences[k].value), 1e-300}));
+    if (!good && exact[k].smoothness == Smoothness::one_sided) {
+      good = agrees_on_a_side(design, row, requests[k], gradient, unit);
+    }
+    if (good) continue;
+    ++tally.wrong;
+    if (tally.examples.size() < 12) {
+      tally.examples.push_back(name + " by " + std::string(row.name) + " (" + to_string(exact[k].smoothness) +
+                               "): " + std::to_string(gradient * x) + " instead of " +
+                               std::to_string(differences[k].value * x) + " per unit of relative change");
+    }
+  }
+}
+
+Tally check_designs(std::uint64_t seed, int count) {
+  Tally tally;
+  Deviation deviation("metric derivatives against Richardson differences, relative", 1e-7);
+  Uniform random(seed);
+  for (int i = 0; i < count; ++i) {
+    const MotorDesign design = design_of(random, i);
+    const Motor motor(design);
+    const auto requests = all_requests(motor);
+    const auto exact = differentiate(motor, requests);
+    for (const ParameterInfo& row : parameter_table()) {
+      if (movable(design, row)) check_parameter(design, row, requests, exact, tally, deviation);
+    }
+  }
+  return tally;
+}
+
+}  // namespace
+
+TEST_CASE("differences with extrapolation find known derivatives", "[core][derivative][oracle]") {
+  const Functions functions = [](double x) {
+    return std::vector<double>{std::sin(3 * x) * std::exp(x), x < 1 ? x * x : 3 * x - 2};
+  };
+  const auto smooth = central_differences(functions, 0.7, 0.7)[0];
+  const double exact = std::exp(0.7) * (std::sin(2.1) + 3 * std::cos(2.1));
+  CHECK(std::abs(smooth.value - exact) <= 1e-10 * std::abs(exact));
+  CHECK(std::abs(smooth.value - exact) <= 10 * smooth.error + 1e-11);
+  // a kink has two one-sided derivatives, and shows in the error of the central one
+  CHECK(one_sided_differences(functions, 1, 1, -1)[1].value == Approx(2).epsilon(1e-8));
+  CHECK(one_sided_differences(functions, 1, 1, 1)[1].value == Approx(3).epsilon(1e-8));
+}
+
+TEST_CASE("values beside derivatives are the values to the bit", "[core][derivative][identity]") {
+  Uniform random(9);
+  for (int i = 0; i < 40; ++i) {
+    const Motor motor(design_of(random, i));
+    const auto requests = all_requests(motor);
+    const auto plain = evaluate(motor, requests);
+    const auto derived = differentiate(motor, requests);
+    REQUIRE(derived.size() == plain.size());
+    for (std::size_t k = 0; k < plain.size(); ++k) {
+      CAPTURE(i, info(requests[k].metric).name);
+      CHECK(derived[k].value.status == plain[k].status);
+      const bool both_nan = std::isnan(derived[k].value.value) && std::isnan(plain[k].value);
+      CHECK((both_nan || derived[k].value.value == plain[k].value));
+    }
+  }
+}
+
+TEST_CASE("every metric's derivative by every parameter is that of differences", "[core][derivative][differential]") {
+  // 1e-7 of |f / x| or of the derivative, plus three times the difference's own error estimate;
+  // differences that know themselves worse than 1e-8 do not count.
+  const Tally tally = check_designs(20250101, 36);
+  std::string sharp;
+  for (const auto& [name, count] : tally.sharp) sharp += name + " " + std::to_string(count) + "  ";
+  CAPTURE(sharp, tally.blunt, tally.examples);
+  CHECK(tally.wrong == 0);
+  CHECK(tally.sharp.size() >= kMetricCount - 2);
+  int total = 0;
+  for (const auto& [name, count] : tally.sharp) total += count;
+  CHECK(total > 4000);
+}
+
+TEST_CASE("derivatives of hundreds of designs are those of differences", "[.long][core][derivative][differential]") {
+  const Tally tally = check_designs(7, 600);
+  CAPTURE(tally.blunt, tally.examples);
+  CHECK(tally.wrong == 0);
+}
+
+TEST_CASE("a parameter that is not in use has no derivative", "[core][derivative][identity]") {
+  MotorDesign design = ring_motor();
+  design.layer.given_shear_modulus = 1.1e9;
+  const Motor motor(design);
+  const auto requests = all_requests(motor);
+  for (const MetricDerivative& found : differentiate(motor, requests)) {
+    if (found.smoothness == Smoothness::undefined) continue;
+    CHECK(found.gradient[index_of(Parameter::poisson_ratio)] == 0);
+  }
+}
+
+TEST_CASE("stall torque of a plateau is flat in amplitude, thickness and modulus (C8.5)",
+          "[core][derivative][closed_form]") {
+  const Motor motor(ring_motor());
+  const auto found = differentiate(motor, std::vector<MetricRequest>{{Metric::stall_torque}});
+  REQUIRE(found.size() == 1);
+  const double full = 0.2 * 160 * 0.0265;
+  CHECK(found[0].smoothness == Smoothness::flat);
+  for (const Parameter p : {Parameter::amplitude, Parameter::thickness, Parameter::youngs_modulus}) {
+    // zero but for rounding of mu F_N r through the pressure's integral
+    CHECK(std::abs(found[0].gradient[index_of(p)]) * get(motor.design(), p) <= 1e-12 * full);
+  }
+  CHECK(found[0].gradient[index_of(Parameter::preload)] == Approx(full / 160).epsilon(1e-12));
+  CHECK(found[0].gradient[index_of(Parameter::kinetic_friction)] == Approx(full / 0.2).epsilon(1e-12));
+  CHECK(found[0].gradient[index_of(Parameter::contact_radius)] == Approx(full / 0.0265).epsilon(1e-12));
+}
+
+TEST_CASE("static friction held fixed has its own derivative", "[core][derivative][identity]") {
+  MotorDesign design = ring_motor();
+  design.friction.static_ = 0.3;
+  const Motor motor(design);
+  const std::vector<MetricRequest> requests{{Metric::holding_torque}};
+  const auto moving = differentiate(motor, requests, false);
+  const auto fixed = differentiate(motor, requests, true);
+  const auto mu = index_of(Parameter::kinetic_friction);
+  const auto mu0 = index_of(Parameter::static_friction);
+  // holding torque mu_0 F_N r: by mu it is ratio times F_N r if mu_0 moves along, else zero (T7.8)
+  CHECK(moving[0].gradient[mu] == Approx(1.5 * 160 * 0.0265).epsilon(1e-14));
+  CHECK(fixed[0].gradient[mu] == 0);
+  CHECK(fixed[0].gradient[mu0] == Approx(160 * 0.0265).epsilon(1e-14));
+}

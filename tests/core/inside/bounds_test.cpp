@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "random_contact.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <vector>
+
+using namespace twum;
+using namespace twum::contact;
+using namespace twum::test;
+
+// 1e-12: samples and bounds are sums of a few terms of their own size.
+constexpr double kSlack = 1 + 1e-12;
+
+TEST_CASE("the bounds of a slip zone (E4.1 - E4.4) hold at every later place", "[core][events][identity]") {
+  Dice dice(11);
+  for (int i = 0; i < 500; ++i) {
+    const ContactNumbers<double> n = random_contact(dice, i);
+    const RandomSlip slip(n, dice);
+    std::vector<CurveSample> samples;
+    for (int k = 0; k <= 60; ++k) samples.push_back(slip.curve().sample(slip.length * k / 60));
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      for (std::size_t later = k; later < samples.size(); ++later) {
+        REQUIRE(std::fabs(samples[later].f2) <= samples[k].l2 * kSlack);
+      }
+    }
+  }
+}
+
+TEST_CASE("the slip curve (E2.1, E2.2) has the derivatives it states", "[core][events][derivative]") {
+  Dice dice(12);
+  for (int i = 0; i < 300; ++i) {
+    const RandomSlip slip(random_contact(dice, i), dice);
+    const SlipCurve curve = slip.curve();
+    const double x = dice.uniform(0.1, 0.9) * slip.length;
+    const CurveSample c = curve.sample(x);
+    // Central differences over d err by l3 d^2 / 6 and by rounding of f over d.
+    const double d = 1e-4 * std::min(1.0, std::sqrt((1 + std::fabs(c.f)) / c.l3));
+    const CurveSample a = curve.sample(x - d), b = curve.sample(x + d);
+    const double rounding = 4e-15 * (1 + std::fabs(c.f) + std::sqrt(c.l2)) / d;
+    CHECK(std::fabs((b.f - a.f) / (2 * d) - c.f1) <= a.l3 * d * d / 3 + rounding);
+    CHECK(std::fabs((b.f1 - a.f1) / (2 * d) - c.f2) <= 2 * a.l3 * d + rounding * (1 + std::fabs(c.f1) + c.l2));
+  }
+}
+
+TEST_CASE("the skip (E4.6) passes no zero of the slip curve", "[core][events][identity]") {
+  Dice dice(13);
+  int skips = 0;
+  for (int i = 0; i < 500; ++i) {
+    const RandomSlip slip(random_contact(dice, i), dice);
+    const double x = dice.uniform(0, 0.5) * slip.length;
+    const CurveSample c = slip.curve().sample(x);
+    if (!(c.skip > 0)) continue;
+    ++skips;
+    const double reach = std::min(c.skip, slip.length - x);
+    for (int k = 0; k < 200; ++k) REQUIRE(slip.curve().sample(x + reach * k / 200).f > 0);
+  }
+  CHECK(skips > 50);
+}
+
+TEST_CASE("the bounds of the stick curve (E2.4, E4.5) hold everywhere", "[core][events][identity]") {
+  Dice dice(14);
+  for (int i = 0; i < 200; ++i) {
+    const Harmonic<double> f{dice.uniform(-1, 1), dice.uniform(-1, 1), dice.uniform(-1, 1), dice.uniform(-1, 1)};
+    const double start = dice.uniform(-3, 0);
+    const StickCurve curve(f, start, trig(start));
+    const CurveSample first = curve.first();
+    for (int k = 0; k <= 50; ++k) {
+      const CurveSample c = curve.sample(3.0 * k / 50);
+      REQUIRE(std::fabs(c.f2) <= first.l2 * kSlack);
+      REQUIRE(std::fabs(c.f2 - first.f2) <= first.l3 * 3.0 * k / 50 + 1e-15);
+    }
+  }
+}

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "random_contact.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace twum;
+using namespace twum::contact;
+using namespace twum::test;
+
+namespace {
+
+// f = (x - a)^2 (x - b)^2 ... is not what zones have, but its zeros are known: a product of two parabolas
+// about a and b, lifted by `floor`.
+struct TwoDips {
+  double a, b, floor;
+  CurveSample first() const { return sample(0); }
+  CurveSample sample(double x) const {
+    const double p = x - a, q = x - b;
+    const double f2 = 2 * (p * p + q * q) + 8 * p * q;
+    return {p * p * q * q + floor, 2 * p * q * (p + q), f2, 60, 60, 0};  // on 0 .. 2
+  }
+};
+
+// The first place where the curve is not positive, on a fine grid: an oracle that knows no bounds.
+template <typename Curve>
+double first_on_grid(const Curve& curve, double length, int steps) {
+  for (int k = 1; k <= steps; ++k) {
+    if (curve.sample(length * k / steps).f <= 0) return length * k / steps;
+  }
+  return kNoZero;
+}
+
+}  // namespace
+
+TEST_CASE("steps (E3.1, E3.2) stay where the curve is positive", "[core][events][identity]") {
+  Dice dice(21);
+  for (int i = 0; i < 1000; ++i) {
+    const RandomSlip slip(random_contact(dice, i), dice);
+    const SlipCurve curve = slip.curve();
+    const double x = dice.uniform(0, 0.9) * slip.length;
+    const CurveSample c = curve.sample(x);
+    if (!(c.f > 1e-9)) continue;
+    const double step = zero_free_step(c, StartOrder::positive);
+    // The bounds hold with rounding of about 1e-15 of the curve's largest terms.
+    for (int k = 0; k <= 100; ++k) REQUIRE(curve.sample(x + step * k / 100).f > -1e-14);
+  }
+}
+
+TEST_CASE("steps after an event (E3.3, E3.4) stay where the curve is positive", "[core][events][identity]") {
+  const TwoDips rising{0, 1.5, 0};  // f = f' = 0 at 0
+  const double step = zero_free_step(rising.first(), StartOrder::double_zero);
+  CHECK(step > 0);
+  for (int k = 1; k <= 100; ++k) CHECK(rising.sample(step * k / 100).f > 0);
+  const CurveSample simple{0, 1, -3, 3, 0, 0};  // f = t - 1.5 t^2
+  CHECK(zero_free_step(simple, StartOrder::zero) <= 1.0 / 1.5);
+}
+
+TEST_CASE("a bracket (E3.5) holds exactly one zero", "[core][events][identity]") {
+  Dice dice(22);
+  int brackets = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const RandomSlip slip(random_contact(dice, i), dice);
+    const SlipCurve curve = slip.curve();
+    const double x = dice.uniform(0, 1) * slip.length;
+    const CurveSample c = curve.sample(x);
+    const double reach = c.f > 0 ? zero_bracket(c) : 0;
+    if (!(reach > 0)) continue;
+    ++brackets;
+    int changes = 0;
+    double last = c.f;
+    for (int k = 1; k <= 200; ++k) {
+      const double f = curve.sample(x + reach * k / 200).f;
+      changes += (f > 0) != (last > 0);
+      last = f;
+    }
+    REQUIRE(changes == 1);
+  }
+  CHECK(brackets > 100);
+}
+
+TEST_CASE("the march finds the zero that a fine grid finds, never a later one", "[core][events][differential]") {
+  Dice dice(23);
+  int zeros = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const RandomSlip slip(random_contact(dice, i), dice);
+    const SlipCurve curve = slip.curve();
+    if (!(curve.first().f > 1e-6)) continue;
+    long work = 0;
+    const double zero = first_zero(curve, slip.length, StartOrder::positive, work, 1'000'000);
+    const double seen = first_on_grid(curve, slip.length, 20000);
+    // The grid may miss a dip that the march finds, never the other way round.
+    REQUIRE(zero <= seen);
+    if (zero == kNoZero) continue;
+    ++zeros;
+    const CurveSample c = curve.sample(zero);
+    // A root is good to a few units of rounding over the slope.
+    CHECK(std::fabs(c.f) <= 1e-13 * (1 + std::fabs(c.f1)));
+  }
+  CHECK(zeros > 500);
+}
+
+TEST_CASE("dips are told from zeros however shallow", "[core][events][closed_form]") {
+  for (const double depth : {1e-3, 1e-6, 1e-9, 1e-12}) {
+    long work = 0;
+    CHECK(first_zero(TwoDips{0.5, 1.3, depth}, 2, StartOrder::positive, work, 1'000'000) == kNoZero);
+    const double zero = first_zero(TwoDips{0.5, 1.3, -depth}, 2, StartOrder::positive, work, 1'000'000);
+    // Near 0.5 f = 0.64 (x - 0.5)^2 - depth (1 + ...): the first zero lies sqrt(depth) / 0.8 before it, with
+    // a correction of the order of depth.
+    CHECK(std::fabs(zero - (0.5 - std::sqrt(depth) / 0.8)) <= 2 * depth + 1e-9);
+  }
+}
+
+TEST_CASE("the march gives up with a word, not with a wrong zero", "[core][events][range]") {
+  long work = 0;
+  CHECK(std::isnan(first_zero(TwoDips{0.5, 1.3, 1e-12}, 2, StartOrder::positive, work, 3)));
+}

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "support/deviations.hpp"
+#include "support/point_checks.hpp"
+#include "support/test_motors.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <twum/core/performance/metrics.hpp>
+#include <twum/core/performance/motor.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <vector>
+
+// Metrics against their definitions in theory section 7, by scanning operating points.
+namespace {
+
+using namespace twum;
+using namespace twum::test;
+
+MetricValue ask(const Motor& motor, Metric which) { return evaluate(motor, MetricRequest{which}); }
+MetricValue at_speed(const Motor& motor, Metric which, double speed) {
+  return evaluate(motor, {which, Argument::speed, speed});
+}
+MetricValue at_torque(const Motor& motor, Metric which, double torque) {
+  return evaluate(motor, {which, Argument::torque, torque});
+}
+
+struct Scan {
+  std::vector<OperatingPoint> points;  // from rest to the no-load speed
+  double free;
+};
+
+Scan scan(const Motor& motor, int count) {
+  Scan found{{}, ask(motor, Metric::no_load_speed).value};
+  for (int i = 1; i < count; ++i) found.points.push_back(motor.operating_point(found.free * i / count));
+  return found;
+}
+
+// Motors with an ordinary characteristic, every kind of layer.
+std::vector<Motor> motors(std::uint64_t seed, int count, bool threshold) {
+  Uniform random(seed);
+  std::vector<Motor> made;
+  for (int i = 0; i < count; ++i) {
+    MotorDesign design = realistic_design(random);
+    if (!threshold) design.friction.static_ = design.friction.kinetic;
+    if (i % 3 == 1) design = damped(design);
+    if (i % 3 == 2) design = elastic(design);
+    made.emplace_back(design);
+  }
+  return made;
+}
+
+}  // namespace
+
+TEST_CASE("the metric table has one row for each metric, in order", "[core][metrics][identity]") {
+  REQUIRE(metric_table().size() == kMetricCount);
+  std::set<std::string_view> names;
+  for (std::size_t i = 0; i < kMetricCount; ++i) {
+    const MetricInfo& row = metric_table()[i];
+    CHECK(static_cast<std::size_t>(row.metric) == i);
+    CHECK(&info(row.metric) == &row);
+    CHECK(find_metric(row.name) == row.metric);
+    CHECK(names.insert(row.name).second);
+    CHECK_FALSE(row.text.empty());
+    CHECK_FALSE(row.unit.empty());
+  }
+  CHECK_FALSE(find_metric("torque").has_value());
+}
+
+TEST_CASE("torque falls through zero at the no-load speed (T7.14)", "[core][metrics][identity]") {
+  Deviation torque("torque at the no-load speed", 1e-9);
+  for (const Motor& motor : motors(1, 60, false)) {
+    const MetricValue free = ask(motor, Metric::no_load_speed);
+    REQUIRE(free.status == MetricStatus::ok);
+    REQUIRE(free.value > 0);
+    // The root is found to a few eps of the speed; torque falls by up to its scale within 1e-4 of it
+    // for the narrowest contacts, hence 1e-16 * 1e4, and a margin.
+    CHECK(torque.add(motor.operating_point(free.value).torque, 0, motor.holding_torque()) <= 1e-9);
+    CHECK(motor.operating_point(free.value * (1 - 1e-6)).torque > 0);
+    CHECK(motor.operating_point(free.value * (1 + 1e-6)).torque < 0);
+    for (const OperatingPoint& point : scan(motor, 200).points) CHECK(point.torque > 0);
+  }
+  CHECK(torque.holds());
+}
+
+TEST_CASE("stall torque is the torque just above rest (T7.12)", "[core][metrics][limit]") {
+  for (const Motor& motor : motors(2, 60, true)) {
+    const MetricValue stall = ask(motor, Metric::stall_torque);
+    REQUIRE(stall.status == MetricStatus::ok);
+    const double near = motor.operating_point(1e-9 * motor.crest_speed()).torque;
+    // torque changes by at most some hundred scales per V0 / r
+    CHECK(std::abs(stall.value - near) <= 1e-6 * motor.holding_torque());
+  }
+}
+
+TEST_CASE("no point of a scan exceeds the suprema, and one comes near (T7.13, T7.16)",
+          "[core][metrics][identity]") {
+  const bool threshold = GENERATE(false, true);
+  for (const Motor& motor : motors(3, 45, threshold)) {
+    const double scale = motor.holding_torque();
+    const MetricValue torque = ask(motor, Metric::max_torque);
+    const MetricValue power = ask(motor, Metric::peak_power);
+    REQUIRE(torque.status == MetricStatus::ok);
+    REQUIRE(power.status == MetricStatus::ok);
+    double best_torque = ask(motor, Metric::stall_torque).value;
+    double best_power = 0;
+    const Scan found = scan(motor, 2000);
+    for (const OperatingPoint& point : found.points) {
+      best_torque = std::max(best_torque, point.torque);
+      best_power = std::max(best_power, point.output_power);
+    }
+    CAPTURE(best_torque / scale, best_power, threshold);
+    CHECK(torque.value >= best_torque * (1 - 1e-12));
+    CHECK(power.value >= best_power * (1 - 1e-12));
+    // a grid of 2000 speeds misses a smooth peak by 1e-6, a kink by up to a step's worth
+    CHECK(torque.value <= best_torque + 5e-3 * scale);
+    CHECK(power.value <= best_power * (1 + 5e-3));
+  }
+}
+
+TEST_CASE("peak power is torque times speed there (T7.16)", "[core][metrics][identity]") {
+  for (const Motor& motor : motors(4, 45, true)) {
+    const double speed = ask(motor, Metric::speed_at_peak_power).value;
+    const double torque = ask(motor, Metric::torque_at_peak_power).value;
+    CHECK(ask(motor, Metric::peak_power).value == Approx(speed * torque).epsilon(1e-12));
+    CHECK(speed <= ask(motor, Metric::no_load_speed).value);
+    const double efficiency = ask(motor, Metric::contact_efficiency_at_peak_power).value;
+    CHECK(efficiency > 0);
+    CHECK(efficiency <= 1);
+  }
+}
+
+TEST_CASE("peak power is stationary where the characteristic is smooth (T7.16)", "[core][metrics][identity]") {
+  const Motor motor(ring_motor());
+  const double speed = ask(motor, Metric::speed_at_peak_power).value;
+  const double step = 1e-5 * speed;
+  const double slope = (motor.operating_point(speed + step).output_power -
+                        motor.operating_point(speed - step).output_power) / (2 * step);
+  // the difference quotient of the parabola is exact but for rounding of 1e-15 / 1e-5
+  CHECK(std::abs(slope) * speed <= 1e-6 * ask(motor, Metric::peak_power).value);
+}
+
+TEST_CASE("speed_at undoes torque_at on the stable side (T7.15)", "[core][metrics][identity]") {
+  for (const Motor& motor : motors(5, 45, false)) {
+    const double free = ask(motor, Metric::no_load_speed).value;
+    const double stall = ask(motor, Metric::stall_torque).value;
+    for (const double share : {0.1, 0.5, 0.9}) {
+      const MetricValue speed = at_torque(motor, Metric::speed_at, share * stall);
+      REQUIRE(speed.status == MetricStatus::ok);
+      CHECK(speed.value >= 0);
+      CHECK(speed.value <= free * (1 + 1e-12));
+      CHECK(std::abs(motor.operating_point(speed.value).torque - share * stall) <= 1e-9 * motor.holding_torque());
+      // nothing beyond carries as much
+      for (int i = 1; i <= 50; ++i) {
+        const double beyond = speed.value + (free - speed.value) * i / 50;
+        CHECK(motor.operating_point(beyond).torque <= share * stall + 1e-9 * motor.holding_torque());
+      }
+    }
+  }
+}
+
+TEST_CASE("no load at all runs at the no-load speed (T7.14, T7.15)", "[core][metrics][limit]") {
+  const Motor motor(ring_motor());
+  CHECK(at_torque(motor, Metric::speed_at, 0).value ==
+        Approx(ask(motor, Metric::no_load_speed).value).epsilon(1e-10));
+}
+
+TEST_CASE("more than the motor can carry is unreachable, not an error (T7.15)", "[core][metrics][limit]") {
+  const Motor motor(ring_motor());
+  for (const Metric which : {Metric::speed_at, Metric::output_power_at, Metric::contact_efficiency_at}) {
+    const MetricValue value = at_torque(motor, which, 1.01 * motor.holding_torque());
+    CHECK(value.status == MetricStatus::unreachable);
+    CHECK(std::isnan(value.value));
+  }
+}
+
+TEST_CASE("point metrics are the numbers of the operating point", "[core][metrics][identity]") {
+  MotorDesign design = ring_motor();
+  design.stator.modal_damping = 45;
+  const Motor motor(design);
+  for (const double share : {0.2, 0.8, 0.93}) {
+    const double speed = share * motor.crest_speed();
+    const auto point = motor.operating_point(speed);
+    CHECK(at_speed(motor, Metric::torque_at, speed).value == point.torque);
+    CHECK(at_speed(motor, Metric::output_power_at, speed).value == point.output_power);
+    CHECK(at_speed(motor, Metric::stator_power_at, speed).value == point.stator_power);
+    CHECK(at_speed(motor, Metric::friction_power_at, speed).value == point.friction_power);
+    CHECK(at_speed(motor, Metric::layer_loss_at, speed).value == point.layer_loss);
+    CHECK(at_speed(motor, Metric::efficiency_at, speed).value == point.efficiency());
+    CHECK(at_speed(motor, Metric::contact_efficiency_at, speed).value == point.contact_efficiency());
+    CHECK(at_speed(motor, Metric::wear_intensity_at, speed).value == point.wear_intensity);
+    CHECK(at_speed(motor, Metric::stick_fraction_at, speed).value == point.stick_fraction);
+  }
+}
+
+TEST_CASE("point metrics at a torque are those at its speed (T7.15)", "[core][metrics][identity]") {
+  const Motor motor(ring_motor());
+  const double load = 0.5 * ask(motor, Metric::stall_torque).value;
+  const double speed = at_torque(motor, Metric::speed_at, load).value;
+  for (const Metric which : {Metric::output_power_at, Metric::stator_power_at, Metric::friction_power_at,
+                             Metric::layer_loss_at, Metric::wear_intensity_at, Metric::stick_fraction_at}) {
+    CAPTURE(info(which).name);
+    CHECK(at_torque(motor, which, load).value == Approx(at_speed(motor, which, speed).value).epsilon(1e-10));
+  }
+}
+
+TEST_CASE("geometry metrics are those of the normal contact (T3.4)", "[core][metrics][identity]") {
+  for (const Motor& motor : motors(6, 20, true)) {
+    CHECK(ask(motor, Metric::contact_half_length).value == motor.contact().half_length);
+    CHECK(ask(motor, Metric::contact_ratio).value == motor.contact().ratio);
+    CHECK(ask(motor, Metric::max_pressure).value == motor.contact().max_pressure);
+    CHECK(ask(motor, Metric::holding_torque).value == motor.holding_torque());
+  }
+}
+
+TEST_CASE("efficiency has a maximum only if the stator loses power (T7.18)", "[core][metrics][limit]") {
+  const MetricValue none = ask(Motor(ring_motor()), Metric::max_efficiency);
+  CHECK(none.status == MetricStatus::undefined);
+  CHECK(std::isnan(none.value));
+  MotorDesign design = ring_motor();
+  design.stator.modal_damping = 45;
+  const Motor motor(design);
+  const double best = ask(motor, Metric::max_efficiency).value;
+  const double speed = ask(motor, Metric::speed_at_max_efficiency).value;
+  CHECK(motor.operating_point(speed).efficiency() == Approx(best).epsilon(1e-10));
+  double seen = 0;
+  for (const OperatingPoint& point : scan(motor, 3000).points) seen = std::max(seen, point.efficiency());
+  CHECK(best >= seen * (1 - 1e-12));
+  CHECK(best <= seen * (1 + 1e-5));
+}
+
+TEST_CASE("plateau speed is where the contact stops slipping one way (T7.17)", "[core][metrics][identity]") {
+  for (const Motor& motor : motors(7, 45, true)) {
+    const MetricValue plateau = ask(motor, Metric::plateau_speed);
+    REQUIRE(plateau.status == MetricStatus::ok);
+    const auto slips_one_way = [&](double speed) {
+      const auto zones = motor.zones(speed);
+      return zones.size() == 1 && zones[0].state == ZoneState::slip_plus;
+    };
+    CAPTURE(plateau.value / motor.crest_speed());
+    if (plateau.value > 0) {
+      for (int i = 0; i < 50; ++i) CHECK(slips_one_way(plateau.value * i / 50));
+      CHECK(slips_one_way(plateau.value * (1 - 1e-9)));
+    }
+    CHECK_FALSE(slips_one_way(plateau.value * (1 + 1e-6) + 1e-6 * motor.crest_speed()));
+  }
+}
+
+TEST_CASE("metrics asked together are those asked alone", "[core][metrics][identity]") {
+  MotorDesign design = ring_motor();
+  design.stator.modal_damping = 45;
+  const Motor motor(design);
+  std::vector<MetricRequest> requests;
+  for (const MetricInfo& row : metric_table()) {
+    if (row.argument == Argument::none) requests.push_back({row.metric, Argument::none, 0});
+    if (row.argument == Argument::speed || row.argument == Argument::speed_or_torque) {
+      requests.push_back({row.metric, Argument::speed, 0.9 * motor.crest_speed()});
+    }
+    if (row.argument == Argument::torque || row.argument == Argument::speed_or_torque) {
+      requests.push_back({row.metric, Argument::torque, 0.3});
+    }
+  }
+  const auto values = evaluate(motor, requests);
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    const MetricValue alone = evaluate(motor, requests[i]);
+    CAPTURE(info(requests[i].metric).name);
+    CHECK(values[i].status == alone.status);
+    CHECK(values[i].value == alone.value);
+  }
+}

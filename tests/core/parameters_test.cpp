@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "support/test_motors.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <twum/base/error.hpp>
+#include <twum/core/design/parameters.hpp>
+
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+
+namespace {
+
+using namespace twum;
+using P = Parameter;
+
+MotorDesign ring() { return test::ring_motor(); }
+
+}  // namespace
+
+TEST_CASE("the parameter table has one row for each parameter, in order", "[core][design][identity]") {
+  REQUIRE(parameter_table().size() == kParameterCount);
+  std::set<std::string_view> words;
+  for (std::size_t i = 0; i < kParameterCount; ++i) {
+    const ParameterInfo& row = parameter_table()[i];
+    CAPTURE(row.name);
+    CHECK(index_of(row.parameter) == i);
+    CHECK(&info(row.parameter) == &row);
+    CHECK(words.insert(row.name).second);
+    if (!row.symbol.empty()) CHECK(words.insert(row.symbol).second);
+    CHECK(find_parameter(row.name) == row.parameter);
+    if (!row.symbol.empty()) CHECK(find_parameter(row.symbol) == row.parameter);
+    if (row.twin) CHECK(info(*row.twin).twin == row.parameter);
+    CHECK(row.min < row.max);
+    CHECK_FALSE(row.text.empty());
+    CHECK_FALSE(row.example.empty());
+  }
+  CHECK_FALSE(find_parameter("no such thing").has_value());
+  CHECK_FALSE(find_parameter("").has_value());
+}
+
+TEST_CASE("every parameter of the ring motor can be set and read back", "[core][design][identity]") {
+  for (const ParameterInfo& row : parameter_table()) {
+    CAPTURE(row.name);
+    const double now = get(ring(), row.parameter);
+    const double value = row.integer ? now + 1 : row.parameter == P::static_friction ? 0.3 : now * 0.9 + 1e-9;
+    const MotorDesign changed = with(ring(), row.parameter, value);
+    CHECK(get(changed, row.parameter) == Approx(value).epsilon(1e-15));
+    CHECK(in_use(changed, row.parameter));
+    if (row.twin) CHECK_FALSE(in_use(changed, *row.twin));
+  }
+}
+
+TEST_CASE("a parameter's twin says the same (T1.2, T1.3, T1.4)", "[core][design][identity]") {
+  const MotorDesign given = with(ring(), P::shear_modulus, 1.2e9);
+  CHECK(get(given, P::poisson_ratio) == Approx(3e9 / 2.4e9 - 1).epsilon(1e-14));
+  CHECK(get(with(given, P::poisson_ratio, 0.25), P::shear_modulus) == Approx(1.2e9).epsilon(1e-15));
+  const double omega = 251327.41228718346;
+  const MotorDesign viscous = with(ring(), P::shear_viscosity, 100);
+  CHECK(get(viscous, P::loss_factor) == Approx(100 * omega / shear_modulus(viscous)).epsilon(1e-14));
+  const MotorDesign heavy = with(ring(), P::inertia, 6e-5);
+  CHECK(get(heavy, P::density) == Approx(3 * 6e-5 / (0.3e-3 * 0.3e-3)).epsilon(1e-14));
+}
+
+TEST_CASE("static friction keeps its ratio unless it is set itself", "[core][design][identity]") {
+  MotorDesign design = ring();
+  design.friction = {0.2, 0.25};
+  const MotorDesign more = with(design, P::kinetic_friction, 0.3);
+  CHECK(more.friction.kinetic == 0.3);
+  CHECK(more.friction.static_ == Approx(0.375).epsilon(1e-15));
+  const std::array<ParameterValue, 2> both{{{P::static_friction, 0.5}, {P::kinetic_friction, 0.3}}};
+  CHECK(with(design, both).friction.static_ == 0.5);  // whatever the order
+  CHECK(with(design, both).friction.kinetic == 0.3);
+  CHECK_THROWS_AS(with(design, P::static_friction, 0.1), InputError);
+}
+
+TEST_CASE("setting both of a pair is refused", "[core][design][error]") {
+  const std::array<ParameterValue, 2> both{{{P::poisson_ratio, 0.3}, {P::shear_modulus, 1e9}}};
+  CHECK_THROWS_AS(with(ring(), both), InputError);
+}
+
+TEST_CASE("values outside their range are refused for every parameter", "[core][design][error]") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const ParameterInfo& row : parameter_table()) {
+    CAPTURE(row.name);
+    const double below = row.min_excluded ? row.min : row.min - 1e-3 * (row.max - row.min);
+    for (const double value : {below, 2 * row.max, std::nan(""), infinity, -infinity}) {
+      CHECK_FALSE(complaint(row.parameter, value).empty());
+      CHECK_THROWS_AS(with(ring(), row.parameter, value), InputError);
+    }
+    CHECK(complaint(row.parameter, get(ring(), row.parameter)).empty());
+  }
+  CHECK_FALSE(complaint(P::wavelengths, 8.5).empty());
+}
+
+TEST_CASE("a design's complaints are complete", "[core][design][error]") {
+  MotorDesign design = ring();
+  CHECK(complaints(design).empty());
+  design.preload = -3;
+  design.stator.wavelengths = 2.5;
+  design.layer.given_inertia = std::nan("");
+  CHECK(complaints(design).size() == 3);
+}

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "support/deviations.hpp"
+#include "support/point_checks.hpp"
+#include "support/test_motors.hpp"
+
+#include <rapidcheck/catch.h>
+
+#include <catch2/catch.hpp>
+
+#include <twum/core/performance/metrics.hpp>
+#include <twum/core/performance/motor.hpp>
+
+#include <array>
+#include <chrono>
+#include <map>
+#include <ostream>
+#include <string>
+
+// Properties over the whole box of theory section 10: an answer with every law kept, or a typed reason.
+namespace twum::test {
+
+// A point of the box, drawn on a grid of 2^-20 so that shrinking moves towards the box's lower corner.
+struct Drawn {
+  std::array<int, kBoxDimension> grid;
+
+  BoxPoint point() const {
+    std::array<double, kBoxDimension> unit;
+    for (std::size_t i = 0; i < kBoxDimension; ++i) unit[i] = grid[i] * 0x1p-20;
+    return box_point(unit);
+  }
+};
+
+std::ostream& operator<<(std::ostream& out, const Drawn& drawn) {
+  const BoxPoint point = drawn.point();
+  out.precision(17);
+  for (const ParameterInfo& row : parameter_table()) {
+    out << row.name << "=" << get(point.design, row.parameter) << " ";
+  }
+  return out << "speed=" << point.speed;
+}
+
+}  // namespace twum::test
+
+namespace rc {
+template <>
+struct Arbitrary<twum::test::Drawn> {
+  static Gen<twum::test::Drawn> arbitrary() {
+    using Grid = std::array<int, twum::test::kBoxDimension>;
+    return gen::map(gen::container<Grid>(gen::inRange(0, 1 << 20)),
+                    [](const Grid& grid) { return twum::test::Drawn{grid}; });
+  }
+};
+}  // namespace rc
+
+namespace {
+
+using namespace twum;
+using namespace twum::test;
+
+// Empty if the point keeps every law, else the law it breaks.
+std::string broken_law(const Motor& motor, const OperatingPoint& point) {
+  if (point.status != PointStatus::ok) return std::isnan(point.torque) ? "" : "a number beside a reason";
+  if (!all_finite(point)) return "a number is not finite";
+  // 1e-10 of the scale: rounding of the zone integrals times the condition of the periodic state,
+  // whose worst case over the box (loss factors of 1e-3 near resonance) is some 1e5.
+  if (!(std::abs(imbalance(point)) <= 1e-10 * power_scale(motor, point.speed))) return "identity";
+  if (!(std::abs(point.torque) <= motor.holding_torque() * (1 + 1e-12))) return "bound";
+  if (point.friction_power < -1e-11 * power_scale(motor, point.speed)) return "friction gives power";
+  if (point.layer_loss < -1e-11 * power_scale(motor, point.speed)) return "layer gives power";
+  if (!(point.stick_fraction >= 0 && point.stick_fraction <= 1 + 1e-12)) return "stick fraction";
+  return {};
+}
+
+void check_point(const Drawn& drawn) {
+  const BoxPoint box = drawn.point();
+  const Motor motor(box.design);
+  const auto start = std::chrono::steady_clock::now();
+  const OperatingPoint point = motor.operating_point(box.speed);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  RC_ASSERT(broken_law(motor, point) == "");
+  RC_ASSERT(taken.count() < 2.0);  // "finishes": far above the slowest point, far below a hang
+  RC_TAG(to_string(point.status));
+}
+
+struct Survey {
+  std::map<std::string, int> statuses;
+  std::map<std::string, int> broken;
+  std::vector<std::string> examples;
+  double slowest{0};
+};
+
+Survey survey(std::uint64_t seed, int count) {
+  Survey result;
+  Deviation identity("identity on " + std::to_string(count) + " points of the whole box", 1e-10);
+  Uniform random(seed);
+  for (int i = 0; i < count; ++i) {
+    const BoxPoint box = random_box_point(random);
+    const Motor motor(box.design);
+    const auto start = std::chrono::steady_clock::now();
+    const OperatingPoint point = motor.operating_point(box.speed);
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    result.slowest = std::max(result.slowest, taken.count());
+    ++result.statuses[to_string(point.status)];
+    if (point.status == PointStatus::ok) identity.add(imbalance(point), 0, power_scale(motor, point.speed));
+    const std::string law = broken_law(motor, point);
+    if (law.empty()) continue;
+    ++result.broken[law];
+    if (result.examples.size() < 20) result.examples.push_back(law + " at " + std::to_string(i));
+  }
+  return result;
+}
+
+void report(const Survey& found) {
+  std::string text;
+  for (const auto& [status, count] : found.statuses) text += status + ": " + std::to_string(count) + "  ";
+  text += "slowest [ms]: " + std::to_string(1e3 * found.slowest);
+  for (const auto& [law, count] : found.broken) text += "\nbroken: " + law + ": " + std::to_string(count);
+  for (const auto& example : found.examples) text += "\n" + example;
+  WARN(text);
+}
+
+}  // namespace
+
+TEST_CASE("every point of the box keeps the laws or names a reason (T7.10, C8.1)",
+          "[core][property][identity]") {
+  rc::prop("one operating point", check_point);
+}
+
+TEST_CASE("twenty thousand points of the box keep the laws or name a reason (T7.10, C8.1)",
+          "[core][property][identity]") {
+  const Survey found = survey(1, 20000);
+  CAPTURE(found.statuses, found.broken, found.examples, found.slowest);
+  CHECK(found.broken.empty());
+  CHECK(found.slowest < 2.0);
+  CHECK(found.statuses.at("ok") > 17000);  // most of the rest: mu_0 > mu in full contact or undamped
+}
+
+TEST_CASE("a million points of the box keep the laws or name a reason (T7.10, C8.1)",
+          "[.long][core][property][identity]") {
+  const Survey found = survey(2, 1000000);
+  report(found);
+  CHECK(found.broken.empty());
+  CHECK(found.slowest < 2.0);
+}
+
+TEST_CASE("metrics of every design of the box are numbers or have a status", "[core][property][identity]") {
+  Uniform random(3);
+  for (int i = 0; i < 300; ++i) {
+    const Motor motor(random_box_point(random).design);
+    std::vector<MetricRequest> requests;
+    for (const MetricInfo& row : metric_table()) {
+      if (row.argument == Argument::none) requests.push_back({row.metric, Argument::none, 0});
+    }
+    const auto values = evaluate(motor, requests);
+    REQUIRE(values.size() == requests.size());
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      CAPTURE(i, info(requests[k].metric).name, to_string(values[k].status));
+      CHECK(std::isfinite(values[k].value) == (values[k].status == MetricStatus::ok));
+    }
+  }
+}

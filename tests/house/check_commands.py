@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs the commands that the Markdown pages show, and compares what they print.
+
+    check_commands.py TWUM             runs every marked block
+    check_commands.py TWUM --update    rewrites the outputs shown instead
+
+A block marked ```sh run is run by bash in a scratch folder that holds a copy of examples/, the blocks
+of one page one after the other in the same folder; twum is on PATH. It must exit with 0, or as the
+mark says (```sh run exit=2). If the next block of the page is marked ```text output, it is what the
+commands print on standard output; a line ... in it stands for any lines (with --update, one such line
+is kept with as many lines before and after it).
+
+generated_pages.txt lists pages that are, as a whole, the output of a command.
+"""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import tree
+
+BLOCK = re.compile(r"^```(?P<info>[^\n`]*)\n(?P<body>.*?)^```[ \t]*$", re.M | re.S)
+SECONDS = 120
+
+
+def environment(program):
+    kept = {key: os.environ[key] for key in ("HOME", "TMPDIR", "ASAN_OPTIONS", "UBSAN_OPTIONS", "TSAN_OPTIONS")
+            if key in os.environ}
+    return kept | {"PATH": f"{program.parent}:/usr/local/bin:/usr/bin:/bin", "LC_ALL": "C.UTF-8", "NO_COLOR": "1"}
+
+
+def agrees(printed, shown):
+    pattern = "".join(r"(?:.*\n)*?" if line == "..." else re.escape(line) + r"\n" for line in shown.splitlines())
+    return re.fullmatch(pattern, printed) is not None
+
+
+def abridged(printed, shown):
+    """What the page is to show: all of it, or as many first and last lines as now round a line '...'."""
+    lines, now = printed.splitlines(), shown.splitlines()
+    if now.count("...") != 1:
+        return printed
+    head, tail = now.index("..."), len(now) - now.index("...") - 1
+    if head + tail >= len(lines):
+        return printed
+    return "\n".join(lines[:head] + ["..."] + lines[len(lines) - tail:]) + "\n"
+
+
+def run_page(page, program, update):
+    """Number of blocks run, complaints."""
+    content = tree.text(page)
+    blocks = list(BLOCK.finditer(content))
+    complaints, edits, count = [], [], 0
+    with tempfile.TemporaryDirectory() as folder:
+        shutil.copytree(tree.ROOT / "examples", pathlib.Path(folder) / "examples")
+        for block, following in zip(blocks, blocks[1:] + [None]):
+            marks = block["info"].split()
+            if marks[:2] != ["sh", "run"]:
+                continue
+            count += 1
+            place = f"{tree.name(page)}:{content.count(chr(10), 0, block.start()) + 1}"
+            expected = next((int(m[5:]) for m in marks if m.startswith("exit=")), 0)
+            try:
+                done = subprocess.run(["bash", "-e", "-c", block["body"]], cwd=folder, env=environment(program),
+                                      capture_output=True, text=True, timeout=SECONDS, stdin=subprocess.DEVNULL)
+            except subprocess.TimeoutExpired:
+                complaints.append(f"{place}: still running after {SECONDS} s")
+                continue
+            if done.returncode != expected:
+                complaints.append(f"{place}: exit {done.returncode}, expected {expected}\n{done.stderr}")
+            if following is None or following["info"].split() != ["text", "output"]:
+                continue
+            if update:
+                edits.append((following.start("body"), following.end("body"),
+                              abridged(done.stdout, following["body"])))
+            elif not agrees(done.stdout, following["body"]):
+                complaints.append(f"{place}: prints something else than the page shows:\n{done.stdout}")
+    if edits:
+        for start, end, printed in reversed(edits):
+            content = content[:start] + printed + content[end:]
+        page.write_text(content, encoding="utf-8")
+    return count, complaints
+
+
+def generated_pages(program, update):
+    """Number of pages compared, complaints."""
+    listed = [line.split(": ", 1) for line in tree.text(tree.ROOT / "tests/house/generated_pages.txt").splitlines()
+              if line and not line.startswith("#")]
+    complaints = []
+    for page, command in listed:
+        done = subprocess.run(command, shell=True, cwd=tree.ROOT, env=environment(program), capture_output=True,
+                              text=True, timeout=SECONDS)
+        path = tree.ROOT / page
+        if done.returncode:
+            complaints.append(f"{page}: '{command}' exits with {done.returncode}\n{done.stderr}")
+        elif update:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(done.stdout, encoding="utf-8")
+        elif not path.is_file() or tree.text(path) != done.stdout:
+            complaints.append(f"{page}: is not what '{command}' prints; build the target update-docs")
+    return len(listed), complaints
+
+
+if __name__ == "__main__":
+    twum = pathlib.Path(sys.argv[1]).resolve()
+    counts, found = generated_pages(twum, "--update" in sys.argv)
+    for markdown in tree.files("README.md", "CONTRIBUTING.md", "docs", "examples", suffixes={".md"}):
+        ran, wrong = run_page(markdown, twum, "--update" in sys.argv)
+        counts += ran
+        found += wrong
+    tree.finish(found, counts)

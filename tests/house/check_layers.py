@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Includes follow the layers: left may never see right (CONTRIBUTING.md, Layout)."""
+import re
+
+import tree
+
+# Layer -> layers of ours it may include. tests/core and tests/optim are held to their layer, so that
+# the physics is tested without solvers and the optimization without motors.
+CORE = ["core/base", "core/design", "core/contact", "core/performance"]
+ALLOWED = {
+    "core/base": CORE[:1],
+    "core/design": CORE[:2],
+    "core/contact": CORE[:3],
+    "core/performance": CORE,
+    "optim": ["core/base", "optim"],
+    "studies": CORE + ["optim", "studies"],
+    "apps": CORE + ["optim", "studies", "apps"],
+    "bindings": CORE + ["optim", "studies", "bindings"],
+    "tests/core": CORE + ["tests/core", "tests/support"],
+    "tests/optim": ["core/base", "optim", "tests/optim", "tests/support"],
+}
+
+# Where a quoted include may start, besides the folder of the file itself.
+PRIVATE_ROOTS = ["core/src", "core/base/src", "optim/src", "studies/src", "apps/cli", "apps/cli/src",
+                 "bindings", "tests", ""]
+
+# Third-party headers that may appear only in .cpp files, and in which layers.
+ONLY_IN_SOURCES = {
+    r"nlopt\.hpp?": {"optim"},
+    r"(coin/)?Ip\w+\.hpp": {"optim"},
+    r"gsl/.*": {"optim", "studies", "bench"},
+    r"yaml-cpp/.*": {"studies"},
+    r"udunits2\.h": {"studies"},
+    r"sqlite3\.h": {"studies"},
+}
+
+# A browser build has no file, thread or solver library: core stands on the standard library, on that
+# part of it which every toolchain of ours has, and inside its .cpp files on header-only Boost.
+CORE_INCLUDES = re.compile(r"(twum/|[a-z_]+$)")  # ours or standard
+CORE_SOURCE_INCLUDES = re.compile(r"(twum/|[a-z_]+$|boost/(math|numeric|random)/)")
+CORE_LACKS = re.compile(r"<(format|source_location|stop_token|ranges|print|expected)>|std::views|"
+                        r"std::(to|from)_chars")
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+
+
+def layer(path):
+    """Layer of a file, from its path; None for folders with no rule (bench, examples, ...)."""
+    parts = tree.name(path).split("/")
+    if parts[0] == "core":
+        if parts[1] == "base":
+            return "core/base"
+        for folder in ("design", "contact", "performance"):
+            if folder in parts:
+                return "core/" + folder
+        return "core/performance"  # umbrella headers
+    if parts[0] == "tests":
+        return "/".join(parts[:2])
+    return parts[0]
+
+
+def resolve(path, spelled):
+    """File of ours that an include means; None if it is not ours."""
+    candidates = [path.parent / spelled]
+    candidates += [tree.ROOT / root / spelled for root in PRIVATE_ROOTS]
+    candidates += [tree.ROOT / base / "include" / spelled
+                   for base in ("core/base", "core", "optim", "studies")]
+    return next((c.resolve() for c in candidates if c.is_file()), None)
+
+
+def check(path):
+    here = layer(path)
+    allowed = ALLOWED.get(here)
+    for number, line in enumerate(tree.text(path).splitlines(), 1):
+        place = f"{tree.name(path)}:{number}"
+        if here.startswith("core") and CORE_LACKS.search(line):
+            yield f"{place}: core must do without {CORE_LACKS.search(line).group(0)}"
+        match = INCLUDE.match(line)
+        if not match:
+            continue
+        quote, spelled = match.groups()
+        if quote == '"' and spelled.startswith("../"):
+            yield f"{place}: include \"{spelled}\" by its path from the layer's root, without '..'"
+        target = resolve(path, spelled) if quote == '"' or spelled.startswith("twum/") else None
+        if target is not None:
+            if allowed is not None and layer(target) not in allowed:
+                yield f"{place}: {here} may not include {layer(target)} ({spelled})"
+            continue
+        if quote == '"' or spelled.startswith("twum/"):
+            yield f"{place}: no file of ours is called {spelled}"
+            continue
+        admitted = CORE_SOURCE_INCLUDES if path.suffix == ".cpp" else CORE_INCLUDES
+        if here.startswith("core") and not admitted.match(spelled):
+            yield f"{place}: core stands on the standard library (and Boost in a .cpp), not on <{spelled}>"
+        for pattern, layers in ONLY_IN_SOURCES.items():
+            if not re.fullmatch(pattern, spelled) or here.startswith("tests"):
+                continue
+            if path.suffix != ".cpp":
+                yield f"{place}: <{spelled}> belongs in a .cpp file"
+            if here not in layers:
+                yield f"{place}: <{spelled}> is for {', '.join(sorted(layers))}, not for {here}"
+
+
+if __name__ == "__main__":
+    sources = tree.files("core", "optim", "studies", "apps", "bindings", "bench", "tests", "examples",
+                         suffixes=tree.CPP)
+    tree.finish([c for path in sources for c in check(path)], len(sources))

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The house checks see what they are meant to see: each fault planted in a small tree is reported,
+and the same tree without it is clean."""
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HOUSE = pathlib.Path(__file__).resolve().parent
+SPDX = "// SPDX-License-Identifier: Apache-2.0\n"
+
+CLEAN = {
+    "CMakeLists.txt": "# SPDX-License-Identifier: Apache-2.0\nproject(twum VERSION 1.2.3)\n",
+    "CHANGELOG.md": "# Change log\n\n## 1.2.3\n\n### Added\n\n- Everything.\n",
+    "README.md": "# twum\n\nSee [theory](docs/theory/a.md#one).\n\n```sh run\ncat examples/x\n```\n\n```text output\n5\n```\n",
+    "docs/theory/a.md": "# One\n\n    a = b        (T1.1)\n\n    c < d        (C1.1)\n",
+    "docs/page.md": "# Page\n",
+    "examples/x": "5\n",
+    ".ci/run": '#!/bin/sh\nexec "$(dirname "$0")/../scripts/test.sh"\n',
+    "scripts/install-deps.sh": "#!/bin/sh\n# SPDX-License-Identifier: Apache-2.0\napt-get install g++\n",
+    "core/CMakeLists.txt": "# SPDX-License-Identifier: Apache-2.0\nsrc/contact/a.cpp include/twum/core/contact/a.hpp "
+                           "include/twum/core/design/d.hpp\n",
+    "core/include/twum/core/contact/a.hpp": SPDX + "#pragma once\n",
+    "core/include/twum/core/design/d.hpp": SPDX + "#pragma once\n#include <vector>\n",
+    "core/src/contact/a.cpp": SPDX + "#include <twum/core/contact/a.hpp>\n#include <cmath>\n// T1.1\n",
+    "optim/CMakeLists.txt": "# SPDX-License-Identifier: Apache-2.0\nsrc/n.cpp include/twum/optim/o.hpp\n",
+    "optim/include/twum/optim/o.hpp": SPDX + "#pragma once\n",
+    "optim/src/n.cpp": SPDX + "#include <twum/optim/o.hpp>\n#include <nlopt.hpp>\n",
+    "tests/core/CMakeLists.txt": "# SPDX-License-Identifier: Apache-2.0\na_test.cpp\n",
+    "tests/core/a_test.cpp": SPDX + "#include <twum/core/contact/a.hpp>\n// T1.1 C1.1\n",
+}
+
+# check, file, text added to it (or None: the file is left out), part of the report
+FAULTS = [
+    ("layers", "core/include/twum/core/design/d.hpp", "#include <twum/core/contact/a.hpp>\n", "core/design may not include core/contact"),
+    ("layers", "optim/src/n.cpp", "#include <twum/core/contact/a.hpp>\n", "optim may not include core/contact"),
+    ("layers", "core/src/contact/a.cpp", "#include <twum/optim/o.hpp>\n", "core/contact may not include optim"),
+    ("layers", "core/src/contact/a.cpp", "#include <gsl/gsl_math.h>\n", "stands on the standard library"),
+    ("layers", "core/include/twum/core/design/d.hpp", "#include <boost/math/x.hpp>\n", "stands on the standard library"),
+    ("layers", "core/src/contact/a.cpp", "#include <format>\n", "core must do without"),
+    ("layers", "core/src/contact/a.cpp", "#include \"contact/gone.hpp\"\n", "no file of ours"),
+    ("layers", "optim/include/twum/optim/o.hpp", "#include <nlopt.hpp>\n", "belongs in a .cpp file"),
+    ("layers", "optim/src/n.cpp", "#include <sqlite3.h>\n", "is for studies"),
+    ("layers", "tests/core/a_test.cpp", "#include <twum/optim/o.hpp>\n", "tests/core may not include optim"),
+    ("sources", "core/src/contact/b.cpp", SPDX, "named in no CMakeLists.txt"),
+    ("sources", "core/include/twum/core/contact/b.hpp", SPDX + "#pragma once\n", "public header"),
+    ("sources", "scripts/x.py", "print()\n", "first three lines"),
+    ("sources", "README.md", "see /home/" + "me/x\n", "points outside"),
+    ("sources", "tests/core/a_test.cpp", 'TEST_CASE("one; two") {}\n', "must do without"),
+    ("links", "README.md", "[gone](docs/gone.md)\n", "does not exist"),
+    ("links", "README.md", "[gone](docs/theory/a.md#two)\n", "no heading #two"),
+    ("links", "README.md", "`core/src/gone.cpp`\n", "does not exist"),
+    ("equations", "core/src/contact/a.cpp", "// (T9.9)\n", "cites T9.9"),
+    ("equations", "docs/theory/a.md", "\n    e = f   (T1.2)\n", "T1.2 is not cited by code nor by a test"),
+    ("equations", "docs/theory/a.md", "\n    e = f   (C1.2)\n", "C1.2 is not cited by a test"),
+    ("equations", "docs/theory/a.md", "\n    e = f   (T1.1)\n", "already the number"),
+    ("changelog", "CHANGELOG.md", "\n### Broken\n", "not one of"),
+    ("changelog", "CHANGELOG.md", "\n- lower case\n", "capital letter"),
+    ("scripts", "scripts/install-deps.sh", "if\n", "yntax error"),
+    ("scripts", ".ci/run", "echo more\n", "nothing else"),
+    ("commands", "docs/page.md", "by hand\n", "is not what"),
+    ("commands", "examples/x", "6\n", "something else"),
+    ("commands", "README.md", "\n```sh run\nfalse\n```\n", "exit 1, expected 0"),
+]
+
+
+def plant(root, extra=None):
+    for name, content in CLEAN.items():
+        path = root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(content)
+    if extra:
+        path = root / extra[0]
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with path.open("a") as file:
+            file.write(extra[1])
+    for script in ("scripts/install-deps.sh", ".ci/run"):
+        (root / script).chmod(0o755)
+    shutil.copytree(HOUSE, root / "tests/house", ignore=shutil.ignore_patterns("__pycache__", "self_test.py"))
+    (root / "tests/house/generated_pages.txt").write_text("docs/page.md: echo '# Page'\n")
+
+
+def report(check, extra=None):
+    """Exit status and text of a check on the small tree."""
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder)
+        plant(root, extra)
+        arguments = [root / "bin/twum"] if check == "commands" else []
+        done = subprocess.run([sys.executable, root / f"tests/house/check_{check}.py", *arguments],
+                              capture_output=True, text=True, env=os.environ | {"PYTHONDONTWRITEBYTECODE": "1"})
+        return done.returncode, done.stdout + done.stderr
+
+
+if __name__ == "__main__":
+    failures = []
+    for check in sorted({fault[0] for fault in FAULTS}):
+        status, text = report(check)
+        if status:
+            failures.append(f"check_{check}.py complains about a clean tree:\n{text}")
+    for check, file, added, expected in FAULTS:
+        status, text = report(check, (file, added))
+        if status != 1 or expected not in text:
+            failures.append(f"check_{check}.py misses {added!r} in {file}:\n{text}")
+    print("\n".join(failures))
+    print(f"{len(FAULTS)} faults planted, {len(failures)} missed")
+    sys.exit(1 if failures else 0)

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/core/performance/motor.hpp>
+#include <twum/studies/motor/motor_file.hpp>
+#include <twum/studies/schema/publish.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+
+using namespace twum;
+using namespace twum::studies;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  for (std::size_t at = text.find(what); at != std::string::npos;
+       at = text.find(what, at + by.size())) {
+    text.replace(at, what.size(), by);
+  }
+  return text;
+}
+
+std::string ring_60() {
+  return read_source(TWUM_SOURCE_DIR "/examples/motors/ring-60.yaml").text();
+}
+
+MotorDesign read(const std::string& text) { return read_motor(Source("m.yaml", text)).design; }
+
+void check_equal(const MotorDesign& a, const MotorDesign& b) {
+  for (const ParameterInfo& row : parameter_table()) {
+    CAPTURE(row.name);
+    CHECK(get(a, row.parameter) == get(b, row.parameter));
+    CHECK(in_use(a, row.parameter) == in_use(b, row.parameter));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("ring-60 is read to the last digit", "[studies][motor]") {
+  MotorDesign expected;  // the same motor, as the core's default
+  expected.stator.modal_damping = 45;
+  const MotorFile motor = read_motor_file(TWUM_SOURCE_DIR "/examples/motors/ring-60.yaml");
+  CHECK(motor.name == "ring-60");
+  check_equal(motor.design, expected);
+}
+
+TEST_CASE("line ends and a byte order mark make no difference", "[studies][motor]") {
+  const fs::path file = fs::temp_directory_path() / "twum bom µ.yaml";
+  {
+    std::FILE* out = std::fopen(file.c_str(), "wb");
+    const std::string text = "\xEF\xBB\xBF" + replaced(ring_60(), "\n", "\r\n");
+    std::fwrite(text.data(), 1, text.size(), out);
+    std::fclose(out);
+  }
+  check_equal(read_motor_file(file.string()).design, read(ring_60()));
+  fs::remove(file);
+}
+
+TEST_CASE("what may be left out has its stated default", "[studies][motor]") {
+  std::string text = replaced(ring_60(), "    static: 0.2 ", "    # ");
+  text = replaced(text, "    modal_damping: 45 N.s/m ", "    # ");
+  text = replaced(text, "kinetic: 0.2", "kinetic: 0.3");
+  const MotorDesign design = read(text);
+  CHECK(design.friction.static_ == 0.3);
+  CHECK(design.stator.modal_damping == 0);
+  CHECK(read(replaced(text, "kinetic: 0.3", "kinetic: 0")).friction.static_ == 0);
+}
+
+TEST_CASE("twins may be given outright, zero included", "[studies][motor]") {
+  std::string text = replaced(ring_60(), "poisson_ratio: 0.35 ", "shear_modulus: 1 GPa ");
+  text = replaced(text, "density: 1800 kg/m^3", "inertia: 0 Pa.s^2");
+  const MotorDesign design = read(replaced(text, "loss_factor: 0.05", "shear_viscosity: 0 Pa.s"));
+  CHECK(shear_modulus(design) == 1e9);
+  CHECK(inertia(design) == 0);
+  CHECK(shear_viscosity(design) == 0);
+}
+
+TEST_CASE("a motor that is written reads back the same", "[studies][motor]") {
+  MotorFile motor = read_motor_file(TWUM_SOURCE_DIR "/examples/motors/ring-60.yaml");
+  motor.name = "a \"name\": with \\ and µ";
+  motor.design = with(motor.design, Parameter::shear_modulus, 1.0 / 3 * 1e9);
+  motor.design = with(motor.design, Parameter::static_friction, 0.1 + 0.2);
+  const MotorFile again = read_motor(Source("m.yaml", motor_text(motor)));
+  CHECK(again.name == motor.name);
+  check_equal(again.design, motor.design);
+}
+
+TEST_CASE("the file that init writes is valid", "[studies][motor]") {
+  const MotorDesign design = read(yaml_template(motor_file_schema(), "# a comment\n"));
+  CHECK_NOTHROW(Motor(design));
+}
+
+TEST_CASE("all example motors can be read and built", "[studies][motor]") {
+  int count = 0;
+  for (const auto& entry : fs::directory_iterator(TWUM_SOURCE_DIR "/examples/motors")) {
+    CAPTURE(entry.path());
+    CHECK_NOTHROW(Motor(read_motor_file(entry.path().string()).design));
+    ++count;
+  }
+  CHECK(count >= 3);
+}
+
+TEST_CASE("a file that cannot be read says why", "[studies][motor][error]") {
+  CHECK_THROWS_WITH(read_motor_file("no such file.yaml"),
+                    "no such file.yaml: cannot be read: No such file or directory");
+  CHECK_THROWS_WITH(read_motor_file(TWUM_SOURCE_DIR),
+                    Catch::EndsWith("cannot be read: it is a directory"));
+  CHECK_THROWS_WITH(read_motor_file("/dev/zero"),
+                    "/dev/zero: cannot be read: it is larger than 4 MiB");
+}
