@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Costs of the optimization layer. `optim_bench --fronts` prints the table of fronts instead:
 // gradients, our NSGA-II and pagmo's on the same problems.
-#include "tests/optim/bank/fronts.hpp"
-#include "tests/optim/bank/hock_schittkowski.hpp"
+#include "optim/bank/fronts.hpp"
+#include "optim/bank/hock_schittkowski.hpp"
 
 #include <benchmark/benchmark.h>
 #include <cstdio>
@@ -106,7 +106,8 @@ struct PagmoProblem {
 
 double pagmo_hypervolume(const Problem& problem, const std::vector<double>& reference) {
   pagmo::population population(pagmo::problem(PagmoProblem{problem}), 100, 1U);
-  population = pagmo::algorithm(pagmo::nsga2(250, 0.95, 10.0, 0.01, 50.0, 1U)).evolve(population);
+  const double mutation = 1.0 / static_cast<double>(problem.variables.size());  // as ours
+  population = pagmo::algorithm(pagmo::nsga2(250, 0.9, 15.0, mutation, 20.0, 1U)).evolve(population);
   return hypervolume(population.get_f(), reference);
 }
 

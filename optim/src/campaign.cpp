@@ -134,7 +134,8 @@ void Campaign::finish(Attempt& attempt) {
   if (attempt.certified || !attempt.best) return;
   const std::size_t wanted = 4 * certificate_cost(scaling_.size());
   const std::size_t open = attempt.session->left();
-  if (open < wanted) attempt.session->extend(std::min(wanted - open, left()));
+  const std::size_t allowed = std::min(wanted, left());
+  if (open < allowed) attempt.session->extend(allowed - open);
   finish_attempt(attempt, scaling_);
   book(attempt);
 }

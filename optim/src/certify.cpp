@@ -123,8 +123,7 @@ class Certifier {
       return;
     }
     result_.multipliers = find_multipliers(result_.point, gradients, objectives_, kActivity);
-    const double here = gradients.cwiseAbs().maxCoeff();
-    const double size = std::max(1.0, here);  // 1: the gradient at the start, by the scaling
+    const double size = gradient_size(gradients);
     certificate().stationarity = result_.multipliers.residual.cwiseAbs().maxCoeff() / size;
     certificate().complementarity = 0.0;
     for (std::size_t i = 0; i < result_.multipliers.limits.size(); ++i)
@@ -132,6 +131,17 @@ class Certifier {
           std::max(certificate().complementarity,
                    std::abs(result_.multipliers.limit_values[i]) / size *
                        result_.point.limits[result_.multipliers.limits[i]].slack);
+  }
+
+  // Of the gradient here or at the start (1, by the scaling), over the variables that no bound holds:
+  // a steep slope into a bound says nothing about the others.
+  double gradient_size(const Eigen::MatrixXd& gradients) const {
+    const auto& bounds = result_.multipliers.bounds;
+    double size = 1.0;
+    for (Index k = 0; k < gradients.rows(); ++k)
+      if (std::find(bounds.begin(), bounds.end(), k) == bounds.end())
+        size = std::max(size, gradients.row(k).cwiseAbs().maxCoeff());
+    return size;
   }
 
   // A point that is not stationary may sit on a kink: then gradients on its two sides differ

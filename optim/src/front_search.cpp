@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <twum/optim/hypervolume.hpp>
+
 #include "front_search.hpp"
 
 #include <algorithm>
@@ -16,19 +18,44 @@ std::optional<Solved> FrontSearch::solved(Attempt& attempt) {
   Solved s;
   s.unit.assign(attempt.best->z.begin(),
                 attempt.best->z.begin() + static_cast<std::ptrdiff_t>(campaign_.scaling().size()));
-  s.design = attempt.design;
+  if (!fill(attempt, s)) return std::nullopt;
+  snap_to_bounds(attempt, s);
+  campaign_.book(attempt);
+  return s;
+}
+
+// Evaluates s.unit, which is usually still remembered.
+bool FrontSearch::fill(Attempt& attempt, Solved& s) {
+  s.design = campaign_.scaling().to_design(s.unit);
   try {
     if (attempt.session->left() == 0) attempt.session->extend(std::min<std::size_t>(1, campaign_.left()));
-    s.evaluation = attempt.session->at(s.design, true);  // usually still remembered
+    s.evaluation = attempt.session->at(s.design, true);
   } catch (const Stop&) {
-    return std::nullopt;
+    return false;
   }
-  campaign_.book(attempt);
-  if (!s.evaluation.ok()) return std::nullopt;
+  if (!s.evaluation.ok()) return false;
+  s.scaled.clear();
   for (std::size_t k = 0; k < campaign_.problem().objectives.size(); ++k)
     s.scaled.push_back(sign(k) * campaign_.scaling().factor(k) * s.evaluation.values[k]);
   normalize(s);
-  return s;
+  return true;
+}
+
+// A variable that stopped just short of its bound is put on it if that is no worse in anything:
+// where an objective is steep at the bound, the last 1e-9 of the box can matter.
+void FrontSearch::snap_to_bounds(Attempt& attempt, Solved& s) {
+  constexpr double kNear = 1e-7;
+  Solved snapped = s;
+  for (double& u : snapped.unit) u = u < kNear ? 0.0 : u > 1.0 - kNear ? 1.0 : u;
+  if (snapped.unit == s.unit || !fill(attempt, snapped) || !dominates(snapped.y, s.y)) return;
+  const Problem& p = campaign_.problem();
+  for (std::size_t i = 0; i < p.constraints.size(); ++i) {
+    const std::size_t r = p.objectives.size() + i;
+    const double room = campaign_.options().feasibility_tolerance / campaign_.scaling().factor(r);
+    const double value = snapped.evaluation.values[r];
+    if (value < p.constraints[i].lower - room || value > p.constraints[i].upper + room) return;
+  }
+  s = std::move(snapped);
 }
 
 void FrontSearch::normalize(Solved& s) const {

@@ -47,6 +47,8 @@ class FrontSearch {
                                 const std::vector<std::vector<double>>& starts,
                                 std::vector<double> extra_start, bool all);
   std::optional<Solved> solved(Attempt& attempt);
+  bool fill(Attempt& attempt, Solved& s);
+  void snap_to_bounds(Attempt& attempt, Solved& s);
   Formulation lexicographic(std::size_t objective, const Solved& first) const;
   void normalize(Solved& s) const;
   double sign(std::size_t k) const;

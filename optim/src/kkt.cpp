@@ -97,21 +97,25 @@ Multipliers find_multipliers(const KktPoint& point, const Eigen::MatrixXd& gradi
   const Index rows = n + (mixed > 0 ? 1 : 0);
   Eigen::MatrixXd a = Eigen::MatrixXd::Zero(rows, mixed + m.active.cols());
   Eigen::VectorXd b = Eigen::VectorXd::Zero(rows);
-  a.block(0, mixed, n, m.active.cols()) = m.active;
-  if (mixed > 0) {
-    // sum w = 1 as one more equation; its weight makes the error of the sum a negligible scaling.
-    const double heavy = 1e3 * (1.0 + gradients.cwiseAbs().maxCoeff());
-    a.block(0, 0, n, mixed) = -gradients;
-    a.row(n).head(mixed).setConstant(heavy);
-    b[n] = heavy;
-  } else {
-    b.head(n) = gradients.col(0);
+  a.topRightCorner(n, m.active.cols()) = m.active;
+  if (mixed > 0) a.topLeftCorner(n, mixed) = -gradients;
+  else b.head(n) = gradients.col(0);
+  // Columns of unit length: sizes may differ by many orders, and rounding must not choose for us.
+  Eigen::VectorXd size(a.cols());
+  for (Index j = 0; j < a.cols(); ++j) {
+    size[j] = a.col(j).norm() > 0.0 ? a.col(j).norm() : 1.0;
+    a.col(j) /= size[j];
+  }
+  if (mixed > 0) {  // not all weights zero: their sum is 1, as one more equation
+    a.row(n).head(mixed).setOnes();
+    b[n] = 1.0;
   }
   std::vector<bool> free(static_cast<std::size_t>(a.cols()), false);
   for (std::size_t i = 0; i < m.limits.size(); ++i)
     free[static_cast<std::size_t>(mixed) + i] = point.limits[m.limits[i]].side == Side::equal;
   Eigen::VectorXd x = nonnegative_least_squares(a, b, free);
   if (x.size() == 0) x = Eigen::VectorXd::Zero(a.cols());
+  x = x.cwiseQuotient(size).eval();
   m.weights = Eigen::VectorXd::Ones(1);
   if (mixed > 0) {
     const double sum = x.head(mixed).sum();

@@ -30,7 +30,7 @@ class Solver {
 
   Eigen::VectorXd run() {
     if (!passive_.empty()) settle();
-    const double tolerance = 1e-14 * (1.0 + a_.cwiseAbs().maxCoeff()) * (1.0 + b_.norm());
+    const double tolerance = 1e-14 * b_.norm();  // of columns of about unit length
     for (Index turn = 0; turn < 3 * a_.cols() + 3; ++turn) {
       const Index j = most_wanted(tolerance);
       if (j < 0) break;

@@ -8,6 +8,7 @@
 #include "polish.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace twum::optim {
 namespace {
@@ -73,13 +74,20 @@ FrontPoint certified(Session& session, const Scaling& scaling, const std::vector
   return point;
 }
 
+bool near(const std::vector<double>& a, const std::vector<double>& b) {
+  constexpr double kLittle = 1e-3;  // of the box
+  for (std::size_t k = 0; k < a.size(); ++k)
+    if (std::abs(a[k] - b[k]) > kLittle) return false;
+  return true;
+}
+
 // A point that misses its certificate by a little is finished by Newton steps on the sum of the
 // objectives with its own weights: that moves it along the front, if at all, by as little.
 FrontPoint finished(Session& session, const Scaling& scaling, FrontPoint point) {
   const Certificate& c = point.certificate;
   if (c.passed || c.weights.empty() || c.stationarity > 1e-2 || session.left() == 0) return point;
   const auto better = polish(session, scaling, point.design, c.weights);
-  if (!better) return point;
+  if (!better || !near(scaling.to_unit(point.design), scaling.to_unit(*better))) return point;
   FrontPoint second = certified(session, scaling, *better, point.evaluation);
   return second.certificate.passed ? second : point;
 }
@@ -110,6 +118,9 @@ void drop_dominated(const Problem& problem, Front& front) {
   for (const auto& p : front.points) values.push_back(minimized(problem, p.evaluation));
   std::vector<FrontPoint> kept;
   for (const std::size_t i : nondominated(values)) kept.push_back(std::move(front.points[i]));
+  std::stable_sort(kept.begin(), kept.end(), [&](const auto& a, const auto& b) {
+    return minimized(problem, a.evaluation) < minimized(problem, b.evaluation);
+  });
   front.points = std::move(kept);
 }
 

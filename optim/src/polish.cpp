@@ -58,7 +58,7 @@ void sign_equalities(const Problem& problem, const Scaling& scaling, KktPoint& p
 }
 
 Eigen::VectorXd newton_step(const Eigen::MatrixXd& hessian, const Eigen::VectorXd& gradient,
-                            const Equations& eq) {
+                            const Equations& eq, double flat) {
   const Index n = hessian.rows();
   const Index m = eq.gaps.size();
   Eigen::MatrixXd kkt = Eigen::MatrixXd::Zero(n + m, n + m);
@@ -68,7 +68,7 @@ Eigen::VectorXd newton_step(const Eigen::MatrixXd& hessian, const Eigen::VectorX
   Eigen::VectorXd rhs(n + m);
   rhs << -gradient, eq.gaps;
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> qr;
-  qr.setThreshold(1e-10);  // flat directions are not moved along
+  qr.setThreshold(flat);
   return qr.compute(kkt).solve(rhs).head(n);
 }
 
@@ -84,7 +84,10 @@ std::optional<KktPoint> step(Session& session, const Scaling& scaling, KktPoint 
   sign_equalities(session.problem(), scaling, point);
   const Eigen::VectorXd gradient = weighted_gradient(point, m.weights);
   const Equations eq = equations(point, m);
-  const Eigen::VectorXd d = newton_step(curvature->hessian, gradient, eq);
+  // Flat directions are not moved along. Differences leave 1e-9 of noise in their curvature; with
+  // several objectives the front itself is one, up to the error of the weights.
+  const double flat = m.weights.size() > 1 ? 1e-4 : 1e-7;
+  const Eigen::VectorXd d = newton_step(curvature->hessian, gradient, eq, flat);
   if (!d.allFinite() || d.cwiseAbs().maxCoeff() > kLongest) return std::nullopt;
   std::vector<double> unit = point.unit;
   for (std::size_t k = 0; k < unit.size(); ++k) {

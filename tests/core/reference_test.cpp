@@ -72,9 +72,16 @@ TEST_CASE("stick fraction of the reference motors", "[core][contact][differentia
   CHECK(fraction.holds());
 }
 
+// Motors whose plateau ends in a jump or kink that carries the maximum. There the slip velocity dips through
+// zero for a moment, and the reference program sees the dip once it is deep enough: its plateau ends up to 7e-8
+// late (see "the plateau ends where the slip velocity first dips through zero"). The slope of torque beyond
+// makes that 6e-7 of the maximum, and 2e-5 of the efficiency, which jumps.
+bool maximum_at_a_jump(int number) { return number == 1 || number == 16 || number == 22 || number == 25; }
+
 TEST_CASE("metrics of the reference motors (T7.12, T7.13, T7.14, T7.16)",
           "[core][metrics][differential]") {
   Deviation metrics("metrics of the reference cases", 1e-8);
+  Deviation at_jumps("metrics of the reference cases where a maximum lies at a jump", 1e-6);
   Deviation speeds("speed at peak power of the reference cases", 1e-5);
   for (const ReferenceCase& entry : reference()) {
     const Motor motor(entry.design);
@@ -90,7 +97,10 @@ TEST_CASE("metrics of the reference motors (T7.12, T7.13, T7.14, T7.16)",
         CHECK(speeds.add(found.value, expected, std::abs(expected)) <= 1e-5);
       } else if (name == "contact_efficiency_at_peak_power") {
         // It has a slope at the peak, so it inherits the relative error of the speed there, 1e-7.
-        CHECK(std::abs(found.value - expected) <= 1e-6 * std::abs(expected));
+        const double tolerance = maximum_at_a_jump(entry.number) ? 3e-5 : 1e-6;
+        CHECK(std::abs(found.value - expected) <= tolerance * std::abs(expected));
+      } else if (maximum_at_a_jump(entry.number)) {
+        CHECK(at_jumps.add(found.value, expected, std::abs(expected)) <= 1e-6);
       } else {
         CHECK(metrics.add(found.value, expected, std::abs(expected)) <= 1e-8);
       }
@@ -98,6 +108,27 @@ TEST_CASE("metrics of the reference motors (T7.12, T7.13, T7.14, T7.16)",
   }
   CHECK(metrics.holds());
   CHECK(speeds.holds());
+}
+
+TEST_CASE("the plateau ends where the slip velocity first dips through zero (T7.17, E3.1, E3.4)",
+          "[core][metrics][differential]") {
+  // The ODE solver takes steps so short that a dip of 1e-8 of V0, 1e-4 rad wide, spans several.
+  OdeOptions fine;
+  fine.max_step = 2e-5;
+  Deviation torque("torque beside the plateau's end against the ODE solver", 1e-10);
+  for (const ReferenceCase& entry : reference()) {
+    if (!maximum_at_a_jump(entry.number)) continue;
+    const Motor motor(entry.design);
+    const double end = evaluate(motor, MetricRequest{Metric::plateau_speed}).value;
+    for (const double offset : {-1e-7, -1e-8, 1e-8, 1e-7}) {
+      const double speed = end * (1 + offset);
+      CAPTURE(entry.number, offset);
+      CHECK((motor.zones(speed).size() == 1) == (offset < 0));
+      const auto oracle = ode_solver_run(entry.design, speed, fine);
+      CHECK(torque.add(motor.operating_point(speed).torque, oracle.torque, torque_scale(entry.design)) <= 1e-10);
+    }
+  }
+  CHECK(torque.holds());
 }
 
 TEST_CASE("the brute-force oracle finds the reference torques", "[core][oracle][differential]") {

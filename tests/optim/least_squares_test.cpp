@@ -25,6 +25,12 @@ D power(const D& base, const D& exponent) {
   return r;
 }
 
+D arctan(const D& x) {
+  D r(std::atan(x.v));
+  for (int i = 0; i < 7; ++i) r.d[i] = x.d[i] / (1.0 + x.v * x.v);
+  return r;
+}
+
 struct DataSet {
   std::string name;
   Model model;
@@ -61,6 +67,21 @@ std::vector<DataSet> nist() {
   const Model saturation = [](const D* b, double x) -> D { return b[0] * (1.0 - exp(-x * b[1])); };
   return {read("Misra1a", saturation),
           read("BoxBOD", saturation),
+          read("Misra1b", [](const D* b, double x) -> D {
+            const D s = 1.0 + 0.5 * x * b[1];
+            return b[0] * (1.0 - 1.0 / (s * s));
+          }),
+          read("Misra1c", [](const D* b, double x) -> D { return b[0] * (1.0 - 1.0 / sqrt(1.0 + 2.0 * x * b[1])); }),
+          read("Misra1d", [](const D* b, double x) -> D { return b[0] * b[1] * x / (1.0 + b[1] * x); }),
+          read("DanWood", [](const D* b, double x) -> D { return b[0] * exp(b[1] * std::log(x)); }),
+          read("Rat42", [](const D* b, double x) -> D { return b[0] / (1.0 + exp(b[1] - x * b[2])); }),
+          read("Eckerle4", [](const D* b, double x) -> D {
+            const D s = (x - b[2]) / b[1];
+            return b[0] / b[1] * exp(-0.5 * (s * s));
+          }),
+          read("Roszman1", [](const D* b, double x) -> D {
+            return b[0] - x * b[1] - arctan(b[2] / (x - b[3])) * (1.0 / 3.14159265358979323846);
+          }),
           read("MGH09", [](const D* b, double x) -> D { return b[0] * (x * x + x * b[1]) / (x * x + x * b[2] + b[3]); }),
           read("MGH10", [](const D* b, double x) -> D { return b[0] * exp(b[1] / (x + b[2])); }),
           read("MGH17", [](const D* b, double x) -> D { return b[0] + b[1] * exp(-x * b[3]) + b[2] * exp(-x * b[4]); }),
@@ -124,14 +145,14 @@ Digits fitted(const DataSet& set, const std::string& start) {
 
 }  // namespace
 
-TEST_CASE("NIST reference fits: six digits of the parameters, four of their deviations",
+TEST_CASE("NIST reference fits, from the nearer start: six digits of the parameters, four of their deviations",
           "[optim][least_squares][published]") {
   for (const DataSet& set : nist()) {
     const Digits found = fitted(set, "start2");
     CAPTURE(set.name, found.parameters, found.deviations);
     CHECK(found.parameters >= 6.0);
     // Lanczos1 has residuals of 1e-13 in data of 1: in double they keep no more than three digits.
-    if (set.name != "Lanczos1") CHECK(found.deviations >= 4.0);
+    CHECK(found.deviations >= (set.name == "Lanczos1" ? 3.0 : 4.0));
   }
 }
 

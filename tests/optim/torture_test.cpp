@@ -182,7 +182,7 @@ TEST_CASE("the top of a hill and a saddle are not taken for minima", "[optim][to
   }
 }
 
-TEST_CASE("a kink is found and named; a point beside it is no optimum", "[optim][certificate][degenerate]") {
+TEST_CASE("a kink is found and named, and a point beside it is no optimum", "[optim][certificate][degenerate]") {
   Problem p = two_variables(bowl);
   p.evaluate = [](std::span<const double> x, bool) {
     Evaluation e;

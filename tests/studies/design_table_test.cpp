@@ -43,7 +43,7 @@ std::string result_of(const std::string& table, const std::string& metrics) {
 
 }  // namespace
 
-TEST_CASE("columns replace parameters, in SI or in their unit; others are copied",
+TEST_CASE("columns replace parameters in SI or in their unit, others are copied",
           "[studies][tables]") {
   CHECK(result_of("id,preload,thickness [mm],note\n7,100,0.25,\"a, b\"\n8,1.2e2,0.5,\n",
                   "preload, h") ==

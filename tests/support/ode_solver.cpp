@@ -59,7 +59,7 @@ class OdeMarch {
                        velocity / p_.strain_velocity * std::max(1.0, p_.half_angle));
     const double mean = 2 * kPi * p_.torque_scale / (p_.radius * p_.track_area);
     scales_ = {strain_, strain_ * frequency, mean, mean * velocity, mean * velocity, mean * velocity};
-    max_step_ = std::min(0.1, 0.5 / frequency);
+    max_step_ = std::min(options_.max_step, 0.5 / frequency);
   }
 
   static int derivative(double theta, const double y[], double dydt[], void* self) {

@@ -9,6 +9,9 @@ struct OdeOptions {
   double tolerance{1e-13};  ///< error per step of each component, relative to its scale
   double repeat{1e-12};     ///< the state at entry repeats to this, relative to its scale
   int max_laps{5000};
+  /// Longest step [rad]. Events show as a change of sign between steps, so a slip velocity that only dips
+  /// through zero within one is missed; a shorter step misses less.
+  double max_step{0.1};
 };
 
 /// Periodic state of a damped or inertial layer by a general ODE solver with event location.

@@ -60,7 +60,7 @@ struct ContactMeans {
   S traction;        ///< <t>; torque is 2 pi r^2 b P <t>
   S stator_power;    ///< <t cos theta> (T7.2); powers are in units of 2 pi r b P V0
   S friction_power;  ///< <-t v_rel / V0> and the work of snaps (T7.3)
-  S layer_loss;      ///< <C e'^2> / s
+  S layer_loss;      ///< <C e'^2> / s (T7.4)
   S stick_length;    ///< length of the stick zones [rad]
 };
 

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kDriving = -1;  // sign of v_rel
 constexpr long kMaxSamples = 1'000'000;
+constexpr int kMaxSlides = 200'000;
 
 template <typename S>
 LayerState<S> state_of(const Harmonic<S>& f, const S& theta, const Trig<S>& at) {
@@ -66,16 +67,16 @@ struct SlippingContact {
   }
 };
 
-// Slides down from x to the next minimum; the step cannot pass it. Stops at the exit.
+// Slides down from x to the next minimum by steps that cannot pass it, and ends with Newton's method on
+// the slope where the bound l3 makes that safe. Stops at the exit.
 double next_minimum(const SlippingContact& contact, double x) {
-  for (int i = 0; i < 200000 && x < contact.length; ++i) {
+  for (int i = 0; i < kMaxSlides && x < contact.length; ++i) {
     const CurveSample c = contact.sample(x);
-    if (!(c.f1 < 0)) break;
-    const bool close = c.f2 > 0 && -c.f1 * c.l3 < 0.25 * c.f2 * c.f2;
+    const bool close = c.f2 > 0 && std::fabs(c.f1) * c.l3 < 0.25 * c.f2 * c.f2;
+    if (!close && !(c.f1 < 0)) break;
     const double step = close ? -c.f1 / c.f2 : -c.f1 / c.l2;
-    if (!(step > 1e-15)) break;
     x += step;
-    if (close && step < 1e-9) break;
+    if (std::fabs(step) < 1e-13) break;
   }
   return std::fmin(x, contact.length);
 }

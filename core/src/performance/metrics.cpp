@@ -232,7 +232,9 @@ class Differentiator : private Evaluator {
   // The value of a peak: the speed drops out where the slope is zero.
   Derived at_peak(Metric metric, const Peak& peak) {
     if (peak.kind == PeakKind::smooth || peak.kind == PeakKind::rest) return at(metric, fixed_speed(peak.speed));
-    if (peak.kind == PeakKind::kink) return {ModelDual(peak.value), Smoothness::undefined};
+    // A jump that lifts the value above the plateau's: its limit moves with a speed that is not smooth.
+    const bool above = peak.value > plateau_value(metric, peak.speed) * (1 + 1e-9);
+    if (peak.kind == PeakKind::kink || above) return {ModelDual(peak.value), Smoothness::undefined};
     const Derived speed = plateau();
     const ModelDual torque = model_.kinetic * model_.preload * model_.r;
     if (metric == M::output_power_at) return {torque * speed.dual, Smoothness::one_sided};
@@ -240,6 +242,13 @@ class Differentiator : private Evaluator {
     Derived efficiency = at(metric, speed);
     efficiency.smoothness = Smoothness::one_sided;
     return efficiency;
+  }
+
+  // What a metric is on the plateau, where T = mu F_N r.
+  double plateau_value(Metric metric, double speed) {
+    const double torque = m_.kinetic * m_.preload * m_.r;
+    if (metric == M::torque_at) return torque;
+    return metric == M::output_power_at ? torque * speed : HUGE_VAL;
   }
 
   Derived plateau() {

@@ -77,6 +77,10 @@ FileError::FileError(const Source& source, std::vector<Diagnostic> diagnostics)
     : InputError(all_of(source, diagnostics)),
       diagnostics_(std::make_shared<const std::vector<Diagnostic>>(std::move(diagnostics))) {}
 
+FileError::FileError(const FileError& first, const FileError& second)
+    : InputError(std::string(first.what()) + "\n" + second.what()),
+      diagnostics_(first.diagnostics_) {}
+
 void Diagnostics::throw_if_any() const {
   if (found_.empty()) return;
   std::vector<Diagnostic> sorted = found_;

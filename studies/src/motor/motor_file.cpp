@@ -27,15 +27,14 @@ void check_friction(const YamlNode& motor, const std::string& path, Diagnostics&
        "must be at least " + number_text(*mu), kinetic->mark, "kinetic friction given here"});
 }
 
-}  // namespace
-
-bool refuse_other_kind(const YamlNode& root, std::string_view kind, Diagnostics& diagnostics) {
-  const bool study = root.find("study") != nullptr;
-  if (kind != "motor" || !study) return false;
+bool refuse_study(const YamlNode& root, Diagnostics& diagnostics) {
+  if (root.find("study") == nullptr) return false;
   diagnostics.add({1, 1}, "study", "a study file",
                   "expected a motor file; a study is run with 'twum run'");
   return true;
 }
+
+}  // namespace
 
 std::optional<MotorFile> motor_from(const YamlNode& motor, const std::string& path,
                                     Diagnostics& diagnostics) {
@@ -60,8 +59,7 @@ std::optional<MotorFile> motor_from(const YamlNode& motor, const std::string& pa
 MotorFile read_motor(const Source& source) {
   Diagnostics diagnostics(source);
   const YamlNode root = load_yaml(diagnostics);
-  if (!refuse_other_kind(root, "motor", diagnostics))
-    validate(root, motor_file_schema(), diagnostics);
+  if (!refuse_study(root, diagnostics)) validate(root, motor_file_schema(), diagnostics);
   std::optional<MotorFile> motor;
   if (const YamlNode* node = root.find("motor")) motor = motor_from(*node, "motor", diagnostics);
   diagnostics.throw_if_any();

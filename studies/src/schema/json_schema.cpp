@@ -69,6 +69,9 @@ Json mapping(const Schema& schema) {
   Json rules = Json::array();
   for (const SchemaEntry& entry : schema.entries) {
     json["properties"][entry.name] = convert(entry.schema);
+    if (entry.alias_counts && !entry.alias.empty()) {
+      json["properties"][entry.alias] = json["properties"][entry.name];
+    }
     if (entry.required && entry.twin.empty()) required.push_back(entry.name);
     if (needs_rule(schema, entry)) rules.push_back(pair_rule(entry));
   }
@@ -77,14 +80,28 @@ Json mapping(const Schema& schema) {
   return json;
 }
 
+Json list(const Schema& schema) {
+  Json json{
+      {"type", "array"}, {"minItems", schema.min_items}, {"items", convert(schema.items.front())}};
+  if (schema.max_items < 1000000) json["maxItems"] = schema.max_items;
+  return json;
+}
+
+// Each alternative fixes the word of its selector, so at most one of them fits.
+Json variant(const Schema& schema) {
+  Json choices = Json::array();
+  for (const Schema& one : schema.alternatives) choices.push_back(convert(one));
+  return {{"type", "object"}, {"required", Json::array({schema.selector})}, {"oneOf", choices}};
+}
+
 Json bare(const Schema& schema) {
   switch (schema.kind) {
     case ValueKind::quantity: return schema.unit == "1" ? bare_number(schema) : with_unit(schema);
     case ValueKind::count: return bare_number(schema);
     case ValueKind::word: return one_of_words(schema);
     case ValueKind::mapping: return mapping(schema);
-    case ValueKind::list:
-      return {{"type", "array"}, {"minItems", 1}, {"items", convert(schema.items.front())}};
+    case ValueKind::list: return list(schema);
+    case ValueKind::variant: return variant(schema);
     case ValueKind::any_of: {
       Json choices = Json::array();
       for (const Schema& one : schema.alternatives) choices.push_back(convert(one));

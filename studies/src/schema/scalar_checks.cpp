@@ -48,11 +48,7 @@ void check_word(std::string_view text, const Schema& schema) {
 
 void check_text(std::string_view text, const Schema& schema) {
   if (text.empty()) throw ValueError("nothing", expectation(schema));
-  if (schema.complaint == nullptr) return;
-  const std::string wrong = schema.complaint(text);
-  if (wrong.empty()) return;
-  const std::size_t cut = wrong.find("; ");
-  throw ValueError(wrong.substr(0, cut), cut == std::string::npos ? "" : wrong.substr(cut + 2));
+  if (schema.check != nullptr) schema.check(text);
 }
 
 std::string alternatives_text(const Schema& schema) {
@@ -104,6 +100,12 @@ std::string expectation(const Schema& schema) {
       return text;
     case ValueKind::list: text += "a list"; break;
     case ValueKind::any_of: return alternatives_text(schema);
+    case ValueKind::variant:
+      text += "a mapping with " + schema.selector + ": ";
+      for (const std::string& word : schema.words) {
+        text += (&word == schema.words.data() ? "" : ", ") + word;
+      }
+      return text;
   }
   return text + such_as(schema);
 }

@@ -15,6 +15,23 @@ std::string join(const std::string& path, const std::string& name) {
   return path.empty() ? name : path + "." + name;
 }
 
+// The entry that a key names, by its name or by an alias that counts.
+const SchemaEntry* entry_of(const Schema& mapping, std::string_view key) {
+  for (const SchemaEntry& entry : mapping.entries) {
+    if (entry.name == key || (entry.alias_counts && entry.alias == key)) return &entry;
+  }
+  return nullptr;
+}
+
+// The key of an entry in a mapping; null if it is not given.
+const YamlEntry* given(const YamlNode& node, const Schema& mapping, std::string_view name) {
+  for (const YamlEntry& entry : node.entries) {
+    const SchemaEntry* known = entry_of(mapping, entry.key);
+    if (known != nullptr && known->name == name) return &entry;
+  }
+  return nullptr;
+}
+
 class Validator {
  public:
   explicit Validator(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
@@ -27,6 +44,7 @@ class Validator {
       case ValueKind::mapping: return check_mapping(node, schema, path, place);
       case ValueKind::list: return check_list(node, schema, path, place);
       case ValueKind::any_of: return check_any_of(node, schema, path, place);
+      case ValueKind::variant: return check_variant(node, schema, path, place);
       default: return check_value(node, schema, path, place);
     }
   }
@@ -53,8 +71,11 @@ class Validator {
   void check_list(const YamlNode& node, const Schema& schema, const std::string& path,
                   SourceMark place) {
     if (node.kind != YamlNode::Kind::list) return wrong_kind(node, schema, path, place);
-    if (node.items.empty()) {
-      diagnostics_.add(node.mark, path, "an empty list", expectation(schema.items.front()));
+    const std::size_t count = node.items.size();
+    if (count < schema.min_items || count > schema.max_items) {
+      diagnostics_.add(node.mark, path,
+                       count == 0 ? "an empty list" : std::to_string(count) + " items",
+                       count == 0 ? expectation(schema.items.front()) : items_allowed(schema));
     }
     for (std::size_t i = 0; i < node.items.size(); ++i) {
       check(node.items[i], schema.items.front(), path + "[" + std::to_string(i) + "]",
@@ -73,24 +94,54 @@ class Validator {
     wrong_kind(node, schema, path, place);
   }
 
+  static std::string items_allowed(const Schema& schema) {
+    const std::string least = std::to_string(schema.min_items);
+    if (schema.max_items > 1000000) return "expected at least " + least;
+    if (schema.min_items == schema.max_items) return "expected " + least;
+    return "expected " + least + " to " + std::to_string(schema.max_items);
+  }
+
+  void check_variant(const YamlNode& node, const Schema& schema, const std::string& path,
+                     SourceMark place) {
+    if (node.kind != YamlNode::Kind::mapping) return wrong_kind(node, schema, path, place);
+    const YamlNode* word = node.find(schema.selector);
+    for (std::size_t i = 0; word != nullptr && i < schema.words.size(); ++i) {
+      if (word->kind == YamlNode::Kind::scalar && word->scalar == schema.words[i]) {
+        return check_mapping(node, schema.alternatives[i], path, place);
+      }
+    }
+    Schema words;
+    words.kind = ValueKind::word;
+    words.words = schema.words;
+    if (word != nullptr) return check(*word, words, join(path, schema.selector), word->mark);
+    diagnostics_.add(place, join(path, schema.selector), "missing", expectation(words));
+  }
+
   void check_mapping(const YamlNode& node, const Schema& schema, const std::string& path,
                      SourceMark place) {
     if (node.kind != YamlNode::Kind::mapping) return wrong_kind(node, schema, path, place);
     std::vector<std::string_view> meant;  // entries that a mistyped name stands for
     for (const YamlEntry& entry : node.entries) {
-      const auto known = std::find_if(schema.entries.begin(), schema.entries.end(),
-                                      [&](const SchemaEntry& e) { return e.name == entry.key; });
-      if (known == schema.entries.end()) {
-        meant.push_back(unknown(entry, schema, path));
-      } else {
+      if (const SchemaEntry* known = entry_of(schema, entry.key)) {
         check(entry.value, known->schema, join(path, entry.key), entry.key_mark);
+        const YamlEntry* first = given(node, schema, known->name);
+        if (first != &entry) given_twice(entry, *first, path);
+      } else {
+        meant.push_back(unknown(entry, schema, path));
       }
     }
     for (const SchemaEntry& entry : schema.entries) {
       if (std::find(meant.begin(), meant.end(), entry.name) == meant.end()) {
-        check_presence(node, entry, path, place);
+        check_presence(node, schema, entry, path, place);
       }
     }
+  }
+
+  // By its name and by its alias; the same key twice was noticed by the reader of YAML.
+  void given_twice(const YamlEntry& second, const YamlEntry& first, const std::string& path) {
+    diagnostics_.add({second.key_mark, join(path, second.key),
+                      "the same as '" + first.key + "', given twice", "leave one of them out",
+                      first.key_mark, "'" + first.key + "' given here"});
   }
 
   // Returns the name that was meant, empty if there is no telling.
@@ -108,29 +159,23 @@ class Validator {
     return meant;
   }
 
-  void check_presence(const YamlNode& node, const SchemaEntry& entry, const std::string& path,
-                      SourceMark place) {
-    const YamlNode* own = node.find(entry.name);
-    const YamlNode* twin = entry.twin.empty() ? nullptr : node.find(entry.twin);
-    if (own != nullptr && twin != nullptr) return both_given(node, entry, path);
+  void check_presence(const YamlNode& node, const Schema& schema, const SchemaEntry& entry,
+                      const std::string& path, SourceMark place) {
+    const YamlEntry* own = given(node, schema, entry.name);
+    const YamlEntry* twin = entry.twin.empty() ? nullptr : given(node, schema, entry.twin);
+    if (own != nullptr && twin != nullptr) return both_given(*own, *twin, path);
     if (own != nullptr || twin != nullptr || !entry.required) return;
     std::string remedy = expectation(entry.schema);
-    if (!entry.twin.empty()) remedy += ", or its twin '" + entry.twin + "'";
+    if (!entry.twin.empty()) remedy += ", or '" + entry.twin + "' instead";
     diagnostics_.add(place, join(path, entry.name), "missing", remedy);
   }
 
   // Reported once, at the later of the two.
-  void both_given(const YamlNode& node, const SchemaEntry& entry, const std::string& path) {
-    const auto key = [&](const std::string& name) {
-      return std::find_if(node.entries.begin(), node.entries.end(),
-                          [&](const YamlEntry& e) { return e.key == name; });
-    };
-    const auto own = key(entry.name);
-    const auto twin = key(entry.twin);
-    if (own < twin) return;
-    diagnostics_.add({own->key_mark, join(path, entry.name),
-                      "says the same as '" + entry.twin + "' in another way", "give one of the two",
-                      twin->key_mark, "'" + entry.twin + "' given here"});
+  void both_given(const YamlEntry& own, const YamlEntry& twin, const std::string& path) {
+    if (&own < &twin) return;
+    diagnostics_.add({own.key_mark, join(path, own.key),
+                      "says the same as '" + twin.key + "' in another way", "give one of the two",
+                      twin.key_mark, "'" + twin.key + "' given here"});
   }
 
   Diagnostics& diagnostics_;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/studies/schema/publish.hpp>
 
-#include <algorithm>
+#include <sstream>
+#include <utility>
 
 namespace twum::studies {
 namespace {
@@ -14,7 +15,8 @@ class TemplateWriter {
 
   void mapping(const Schema& schema, std::size_t depth) {
     for (const SchemaEntry& entry : schema.entries) {
-      if (entry.schema.kind == ValueKind::mapping) {
+      const bool nested = entry.schema.kind == ValueKind::mapping && entry.schema.sample.empty();
+      if (nested) {
         line(depth, false, entry.name + ":", entry.schema.text);
         mapping(entry.schema, depth + 1);
       } else {
@@ -24,12 +26,19 @@ class TemplateWriter {
   }
 
  private:
+  // An entry with its example behind it, or its sample below it.
   void value(const SchemaEntry& entry, std::size_t depth) {
+    const bool hidden = !entry.shown || (!entry.required && !entry.twin.empty());
     std::string comment = entry.schema.text;
     if (!entry.fallback.empty()) comment += " (optional; left out: " + entry.fallback + ")";
     if (!entry.twin.empty() && !entry.required) comment += " (instead of " + entry.twin + ")";
-    line(depth, !entry.required && !entry.twin.empty(), entry.name + ": " + entry.schema.example,
-         comment);
+    if (entry.schema.sample.empty()) {
+      line(depth, hidden, entry.name + ": " + entry.schema.example, comment);
+      return;
+    }
+    line(depth, hidden, entry.name + ":", comment);
+    std::istringstream sample(entry.schema.sample);
+    for (std::string one; std::getline(sample, one);) line(depth + 1, hidden, one, "");
   }
 
   void line(std::size_t depth, bool commented_out, const std::string& content,

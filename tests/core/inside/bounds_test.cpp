@@ -12,7 +12,7 @@ using namespace twum::test;
 // 1e-12: samples and bounds are sums of a few terms of their own size.
 constexpr double kSlack = 1 + 1e-12;
 
-TEST_CASE("the bounds of a slip zone (E4.1 - E4.4) hold at every later place", "[core][events][identity]") {
+TEST_CASE("the bounds of a slip zone (E4.1, E4.2, E4.3, E4.4) hold at every later place", "[core][events][identity]") {
   Dice dice(11);
   for (int i = 0; i < 500; ++i) {
     const ContactNumbers<double> n = random_contact(dice, i);

@@ -59,7 +59,7 @@ TEST_CASE("a layer that sticks all round drifts by 2 pi s V a lap (E6.3)", "[cor
   CHECK(std::fabs(lap.next.layer.e + 2 * std::numbers::pi * n.stick_rate * n.speed_ratio) < 1e-15);
 }
 
-TEST_CASE("strain and traction while sticking are those of (T5.2, T5.3)", "[core][contact][quadrature]") {
+TEST_CASE("strain and traction while sticking are those of (T5.2, T5.3, E2.3)", "[core][contact][quadrature]") {
   // A lap that sticks all round: the mean traction is that of M e'' + C e' + e with
   // e' = s (cos theta - V), integrated by hand: e'' and the cosine of e' have no mean.
   ContactNumbers<double> n{0.3, 0.4, 0.2, 1e-3, std::numbers::pi, 9, 0.3, 0.3, {0, -1, 2}, true};
@@ -72,7 +72,7 @@ TEST_CASE("strain and traction while sticking are those of (T5.2, T5.3)", "[core
   CHECK(std::fabs(lap.means.layer_loss - n.damping * s * (0.5 + V * V)) < 1e-15);
 }
 
-TEST_CASE("slip responds to the wave as (T5.1) says, with v_rel of (T2.4)", "[core][contact][identity]") {
+TEST_CASE("slip responds to the wave as (T5.1, E1.2) says, with v_rel of (T2.4)", "[core][contact][identity]") {
   Dice dice(43);
   for (int i = 0; i < 200; ++i) {
     const ContactNumbers<double> n = random_contact(dice, i);

@@ -27,7 +27,7 @@ Dual<double, N> mapped(const Dual<double, N>& x, double value, double slope) {
 // used in its place.
 template <int N>
 Dual<double, N> power(const Dual<double, N>& x, double p) {
-  const double base = std::max(x.v, 1e-12);
+  const double base = std::max(x.v, 1e-6);
   return mapped(x, std::pow(std::max(x.v, 0.0), p), p * std::pow(base, p - 1.0));
 }
 

@@ -5,6 +5,7 @@
 #include "output.hpp"
 
 #include <twum/core/performance/motor.hpp>
+#include <twum/studies/study/study_file.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -15,12 +16,24 @@ namespace {
 
 constexpr const char* kExamples = R"text(Examples:
   twum check ring-60.yaml
+  twum check study.yaml
   twum check ring-60.yaml --set "thickness=0.2 mm")text";
 
-int run_check(const MotorOptions& options) {
+// One line about a file that is right; throws what is wrong with it.
+std::string verdict(const MotorOptions& options) {
+  if (options.path != "-" && studies::is_study(studies::read_source(options.path))) {
+    const studies::StudyFile study = studies::read_study_file(options.path, options.settings);
+    const Motor motor(study.motor.design);
+    return "a valid study file (" + std::string(studies::to_string(study.kind)) + ")";
+  }
   const Motor motor(load_motor(options).design);
+  return "a valid motor file";
+}
+
+int run_check(const MotorOptions& options) {
+  const std::string found = verdict(options);
   Output output("");
-  output.write(options.path + ": a valid motor file\n");
+  output.write(options.path + ": " + found + "\n");
   output.finish();
   return kDone;
 }

@@ -5,6 +5,7 @@
 
 #include <twum/studies/motor/motor_file.hpp>
 #include <twum/studies/schema/publish.hpp>
+#include <twum/studies/study/study_file.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -16,6 +17,8 @@ namespace {
 
 constexpr const char* kExamples = R"text(Examples:
   twum init motor                    prints the file
+  twum init optimize -o study.yaml   a study: curve, sweep, sensitivity, optimize, pareto,
+                                     size, uncertainty or calibrate
   twum init motor -o my-motor.yaml)text";
 
 constexpr const char* kMotorHeading =
@@ -27,13 +30,25 @@ struct InitOptions {
   std::string path;
 };
 
+std::vector<std::string> kinds() {
+  std::vector<std::string> names{"motor"};
+  for (const std::string_view kind : studies::study_kinds()) names.emplace_back(kind);
+  return names;
+}
+
+std::string template_of(const std::string& kind) {
+  const auto study = studies::find_study_kind(kind);
+  return study ? studies::study_template(*study)
+               : studies::yaml_template(studies::motor_file_schema(), kMotorHeading);
+}
+
 int run_init(const InitOptions& options) {
   std::error_code ignored;
   if (std::filesystem::is_regular_file(options.path, ignored)) {
     throw InputError(options.path + ": exists already; choose another name after -o");
   }
   Output output(options.path);
-  output.write(studies::yaml_template(studies::motor_file_schema(), kMotorHeading));
+  output.write(template_of(options.kind));
   output.finish();
   return kDone;
 }
@@ -43,9 +58,9 @@ int run_init(const InitOptions& options) {
 void add_init(CLI::App& app, Action& action) {
   const auto options = std::make_shared<InitOptions>();
   CLI::App* command = app.add_subcommand("init", "A commented file to start from");
-  command->add_option("KIND", options->kind, "motor")
+  command->add_option("KIND", options->kind, "motor, or a kind of study")
       ->required()
-      ->check(CLI::IsMember({"motor"}))
+      ->check(CLI::IsMember(kinds()))
       ->type_name("");
   command->add_option("-o,--output", options->path, "Write the result to this new file")
       ->type_name("FILE");

@@ -5,6 +5,7 @@
 
 #include <twum/studies/motor/motor_file.hpp>
 #include <twum/studies/schema/publish.hpp>
+#include <twum/studies/study/study_file.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -26,8 +27,11 @@ struct SchemaOptions {
 
 int run_schema(const SchemaOptions& options) {
   Output output(options.path);
-  output.write(
-      studies::json_schema(studies::motor_file_schema(), "twum motor file", "urn:twum:motor:1"));
+  output.write(options.kind == "motor"
+                   ? studies::json_schema(studies::motor_file_schema(), "twum motor file",
+                                          "urn:twum:motor:1")
+                   : studies::json_schema(studies::study_file_schema(), "twum study file",
+                                          "urn:twum:study:1"));
   output.finish();
   return kDone;
 }
@@ -37,9 +41,9 @@ int run_schema(const SchemaOptions& options) {
 void add_schema(CLI::App& app, Action& action) {
   const auto options = std::make_shared<SchemaOptions>();
   CLI::App* command = app.add_subcommand("schema", "JSON Schema of the files, for editors");
-  command->add_option("KIND", options->kind, "motor")
+  command->add_option("KIND", options->kind, "motor or study")
       ->required()
-      ->check(CLI::IsMember({"motor"}))
+      ->check(CLI::IsMember({"motor", "study"}))
       ->type_name("");
   command->add_option("-o,--output", options->path, "Write the result to this file")
       ->type_name("FILE");

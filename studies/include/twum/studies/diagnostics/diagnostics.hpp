@@ -28,6 +28,10 @@ std::string to_string(const Diagnostic& diagnostic, const Source& source);
 class FileError : public InputError {
  public:
   FileError(const Source& source, std::vector<Diagnostic> diagnostics);
+  /// What is wrong with a file and with another one that it names; the text is that of both.
+  FileError(const FileError& first, const FileError& second);
+
+  /// Of the (first) file.
   const std::vector<Diagnostic>& diagnostics() const noexcept { return *diagnostics_; }
 
  private:

@@ -43,7 +43,4 @@ std::optional<MotorFile> motor_from(const YamlNode& motor, const std::string& pa
 /// A motor as the text of a motor file, SI values to the last digit; twins as they are in use.
 std::string motor_text(const MotorFile& motor);
 
-/// Adds the error that a whole file is of another kind, if it is; true if so.
-bool refuse_other_kind(const YamlNode& root, std::string_view kind, Diagnostics& diagnostics);
-
 }  // namespace twum::studies

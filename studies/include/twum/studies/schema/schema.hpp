@@ -17,7 +17,8 @@ enum class ValueKind : unsigned char {
   word,      ///< one of a few words
   mapping,   ///< entries with fixed names
   list,      ///< any number of the same
-  any_of     ///< one of several, told apart by their kind
+  any_of,    ///< one of several, told apart by their kind
+  variant    ///< one of several mappings, told apart by the word in one of their entries
 };
 
 struct SchemaEntry;
@@ -28,6 +29,7 @@ struct Schema {
   ValueKind kind{ValueKind::text};
   std::string text;     ///< what it is, in one line
   std::string example;  ///< a valid value, as one would type it
+  std::string sample;   ///< mapping or list: lines of YAML to show in a file to start from
 
   std::string unit{"1"};  ///< quantity: SI unit, "1" if dimensionless
   double min{-std::numeric_limits<double>::infinity()};  ///< quantity, count: in SI
@@ -38,8 +40,11 @@ struct Schema {
   std::vector<std::string> words;    ///< word: the choices
   std::vector<SchemaEntry> entries;  ///< mapping
   std::vector<Schema> items;         ///< list: one element, what the items are
-  std::vector<Schema> alternatives;  ///< any_of
-  std::string (*complaint)(std::string_view text){nullptr};  ///< text: "found; expected" or empty
+  std::size_t min_items{1};          ///< list
+  std::size_t max_items{std::numeric_limits<std::size_t>::max()};  ///< list
+  std::vector<Schema> alternatives;  ///< any_of; variant: one mapping for each of the words
+  std::string selector;              ///< variant: the entry whose word decides
+  void (*check)(std::string_view text){nullptr};  ///< text: throws ValueError if it is wrong
 };
 
 /// One entry of a mapping.
@@ -49,8 +54,10 @@ struct SchemaEntry {
   bool required{false};
   std::string twin{};   ///< entry that says the same in another way: exactly one of both is needed
                         ///< if `required`, at most one if not
-  std::string alias{};  ///< another name people may type; understood only in `did you mean`
-  std::string fallback{};  ///< what holds if it is left out, in words
+  std::string alias{};  ///< another name people may type, understood in `did you mean`
+  bool alias_counts{false};  ///< the alias is as good as the name
+  bool shown{true};          ///< in a file to start from; otherwise commented out there
+  std::string fallback{};    ///< what holds if it is left out, in words
 };
 
 }  // namespace twum::studies

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/study_checks.hpp"
+
+#include <twum/core/design/parameters.hpp>
+#include <twum/studies/motor/motor_file.hpp>
+#include <twum/studies/schema/validate.hpp>
+#include <twum/studies/text/words.hpp>
+
+#include <string>
+
+namespace twum::studies {
+namespace {
+
+// Two values of one parameter in one mapping, both there and valid.
+struct Pair {
+  const YamlNode* first{nullptr};
+  const YamlNode* second{nullptr};
+  double a{0};
+  double b{0};
+
+  Pair(const YamlNode& node, const char* first_name, const char* second_name, const Schema& value)
+      : first(node.find(first_name)), second(node.find(second_name)) {
+    const auto low = first != nullptr ? quantity_of(*first, value) : std::nullopt;
+    const auto high = second != nullptr ? quantity_of(*second, value) : std::nullopt;
+    if (!low || !high) first = second = nullptr;
+    a = low.value_or(0);
+    b = high.value_or(0);
+  }
+  explicit operator bool() const { return first != nullptr; }
+};
+
+class StudyChecker {
+ public:
+  explicit StudyChecker(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+  void check_variables(const YamlNode& variables, const std::string& path) {
+    for (const YamlEntry& entry : variables.entries) {
+      const auto parameter = find_parameter(entry.key);
+      if (parameter)
+        check_variable(entry.value, parameter_schema(info(*parameter)), path + "." + entry.key);
+    }
+    if (variables.kind == YamlNode::Kind::mapping && variables.entries.empty()) {
+      diagnostics_.add(variables.mark, path, "no variable", "name at least one parameter");
+    }
+  }
+
+  void check_family(const YamlNode& family) {
+    if (family.kind != YamlNode::Kind::mapping || family.entries.size() == 1) return;
+    diagnostics_.add(family.mark, "study.family",
+                     std::to_string(family.entries.size()) + " parameters",
+                     "a family is over one parameter");
+  }
+
+ private:
+  void check_variable(const YamlNode& node, const Schema& value, const std::string& path) {
+    rising(node, "min", "max", value, path);
+    rising(node, "min", "mode", value, path);
+    rising(node, "mode", "max", value, path);
+    inside(node, value, path);
+    const YamlNode* scale = node.find("scale");
+    const YamlNode* min = node.find("min");
+    if (scale == nullptr || min == nullptr || scale->scalar != "log") return;
+    const auto least = quantity_of(*min, value);
+    if (least && !(*least > 0)) {
+      diagnostics_.add({min->mark, path + ".min", quoted(min->scalar) + " with a logarithmic scale",
+                        "must be more than 0", scale->mark, "logarithmic scale asked for here"});
+    }
+  }
+
+  void rising(const YamlNode& node, const char* low, const char* high, const Schema& value,
+              const std::string& path) {
+    const Pair pair(node, low, high, value);
+    if (!pair || pair.a < pair.b || (std::string_view(low) == "mode" && pair.a == pair.b) ||
+        (std::string_view(high) == "mode" && pair.a == pair.b)) {
+      return;
+    }
+    diagnostics_.add({pair.second->mark, path + "." + high,
+                      quoted(pair.second->scalar) + " is not above " + low,
+                      "must be more than " + printable(pair.first->scalar), pair.first->mark,
+                      std::string(low) + " given here"});
+  }
+
+  void inside(const YamlNode& node, const Schema& value, const std::string& path) {
+    const Pair above(node, "min", "start", value);
+    const Pair below(node, "start", "max", value);
+    if ((!above || above.a <= above.b) && (!below || below.a <= below.b)) return;
+    const YamlNode* start = node.find("start");
+    diagnostics_.add(start->mark, path + ".start", quoted(start->scalar) + " is outside the range",
+                     "must lie between min and max");
+  }
+
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+void check_study(const YamlNode& study, Diagnostics& diagnostics) {
+  StudyChecker checker(diagnostics);
+  if (const YamlNode* variables = study.find("variables"))
+    checker.check_variables(*variables, "study.variables");
+  if (const YamlNode* family = study.find("family")) checker.check_family(*family);
+}
+
+}  // namespace twum::studies

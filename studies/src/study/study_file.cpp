@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/studies/study/study_file.hpp>
+
+#include "study/study_checks.hpp"
+
+#include <twum/studies/motor/settings.hpp>
+#include <twum/studies/schema/validate.hpp>
+#include <twum/studies/text/words.hpp>
+#include <twum/studies/yaml/loader.hpp>
+
+#include <filesystem>
+
+namespace twum::studies {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A motor file is no study, and says so better than a list of missing entries.
+bool refuse_motor(const YamlNode& root, Diagnostics& diagnostics) {
+  const YamlNode* motor = root.find("motor");
+  const bool is_motor =
+      root.find("study") == nullptr && motor != nullptr && motor->kind == YamlNode::Kind::mapping;
+  if (is_motor) {
+    diagnostics.add({1, 1}, "study", "a motor file without a study",
+                    "expected a study file; 'twum init optimize' writes one to start from");
+  }
+  return is_motor;
+}
+
+// The motor that a study names, without the errors of that file: those come out as a FileError.
+std::optional<MotorFile> named_motor(const YamlNode& name, const std::string& folder,
+                                     Diagnostics& diagnostics) {
+  const std::string path = (fs::path(folder) / name.scalar).string();
+  try {
+    return read_motor_file(path);
+  } catch (const FileError&) {
+    throw;
+  } catch (const InputError& error) {
+    diagnostics.add(name.mark, "motor", error.what(),
+                    "expected the path of a motor file, from the folder of this file");
+    return {};
+  }
+}
+
+void apply_overrides(const YamlNode& root, MotorFile& motor, Diagnostics& diagnostics) {
+  const YamlNode* overrides = root.find("set");
+  if (overrides == nullptr) return;
+  std::vector<ParameterValue> values;
+  for (const YamlEntry& entry : overrides->entries) {
+    const auto parameter = find_parameter(entry.key);
+    const auto value =
+        parameter ? quantity_of(entry.value, parameter_schema(info(*parameter))) : std::nullopt;
+    if (value) values.emplace_back(*parameter, *value);
+  }
+  try {
+    motor.design = with(motor.design, values);
+  } catch (const InputError& error) {
+    diagnostics.add(overrides->mark, "set", error.what(), "change one of them");
+  }
+}
+
+std::optional<MotorFile> motor_of(const YamlNode& root, const std::string& folder,
+                                  Diagnostics& diagnostics) {
+  const YamlNode* node = root.find("motor");
+  if (node == nullptr) return {};
+  std::optional<MotorFile> motor = node->kind == YamlNode::Kind::scalar
+                                       ? named_motor(*node, folder, diagnostics)
+                                       : motor_from(*node, "motor", diagnostics);
+  if (motor) apply_overrides(root, *motor, diagnostics);
+  return motor;
+}
+
+// Both the study's errors and those of the motor file it names.
+[[noreturn]] void throw_both(const Diagnostics& diagnostics, const FileError& motor) {
+  try {
+    diagnostics.throw_if_any();
+  } catch (const FileError& study) {
+    throw FileError(study, motor);
+  }
+  throw motor;
+}
+
+}  // namespace
+
+bool is_study(const Source& source) {
+  Diagnostics ignored(source);
+  return load_yaml(ignored).find("study") != nullptr;
+}
+
+StudyFile read_study_file(const std::string& path, std::span<const std::string> settings) {
+  const Source source = read_source(path);
+  Diagnostics diagnostics(source);
+  YamlNode root = load_yaml(diagnostics);
+  if (!refuse_motor(root, diagnostics)) validate(root, study_file_schema(), diagnostics);
+  if (const YamlNode* study = root.find("study")) check_study(*study, diagnostics);
+  const std::string folder = path == "-" ? "" : fs::path(path).parent_path().string();
+  std::optional<MotorFile> motor;
+  try {
+    motor = motor_of(root, folder, diagnostics);
+  } catch (const FileError& error) {
+    throw_both(diagnostics, error);
+  }
+  diagnostics.throw_if_any();
+  TWUM_ASSERT(motor.has_value());
+  motor->design = with_settings(motor->design, settings);
+  const auto kind = find_study_kind(find_path(root, "study.kind")->scalar);
+  return {*kind, *motor, *root.find("study"), folder};
+}
+
+}  // namespace twum::studies
