@@ -97,6 +97,11 @@ TEST_CASE("every wrong study file is refused with place, entry, finding and reme
   fs::current_path(before);
 }
 
+TEST_CASE("a motor file is not taken for a study", "[studies][study][error]") {
+  CHECK_THROWS_WITH(read_study_file(TWUM_SOURCE_DIR "/examples/motors/ring-60.yaml"),
+                    Catch::Contains("expected a study file"));
+}
+
 TEST_CASE("a constraint limits a metric or a parameter in its own unit", "[studies][metrics]") {
   const Constraint wear = parse_constraint(" wear_intensity_at(80 rpm) <= 5 kW/m^2 ");
   CHECK(wear.limit == 5000);

@@ -15,6 +15,7 @@ constexpr int kIntervals = 20;
 constexpr int kRoughIntervals = 40;
 constexpr int kMissing = 4;         // points without a periodic state that may follow one another
 constexpr int kStretches = 8;       // sequences of zones between two nodes
+constexpr double kInset = 1e-7;      // share of a stretch left out at its ends, which stand for themselves
 constexpr double kFarthest = 1e4;  // times the crest speed
 
 MetricStatus metric_status(PointStatus status) {
@@ -292,10 +293,14 @@ Peak CurveSearch::rough_peak(Goal goal, const std::vector<Node>& nodes, std::siz
     Node low = nodes[k];
     const Node end = nodes[k + 1];
     for (int stretch = 0; stretch < kStretches; ++stretch) {
-      const auto [left, right] = low.itinerary == end.itinerary ? std::pair(end, end) : stretch_end(low, end);
+      // Where zones are born, rounding can tell many sequences apart: the rest counts as one stretch.
+      const bool rest = low.itinerary == end.itinerary || stretch + 1 == kStretches;
+      const auto [left, right] = rest ? std::pair(end, end) : stretch_end(low, end);
       const bool level = goal == Goal::torque && low.plateau;
       if (low.ok() && !level) {
-        const std::optional<Peak> inside = peak_between(goal, low.speed, left.speed);
+        // A zone that is just born has an end without slope: look for the maximum a little inside.
+        const double inset = kInset * (left.speed - low.speed);
+        const std::optional<Peak> inside = peak_between(goal, low.speed + inset, left.speed - inset);
         if (inside && inside->value > best.value) best = *inside;
       }
       consider(left);

@@ -28,12 +28,13 @@ Constraint parse_constraint(std::string_view text) {
     throw ValueError(quoted(text) + " limits nothing", kUsage, text.size());
   const bool at_least = is_at_least(text, at);
   MetricExpression metric = parse_metric(text.substr(0, at));
-  const std::string_view limit = text.substr(at + 2);
+  const std::string_view limit = trimmed(text.substr(at + 2));
   try {
     const double value = parse_quantity(limit, Expected{metric.unit(), ""});
     return {std::string(text), std::move(metric), at_least, value};
   } catch (const ValueError& error) {
-    throw ValueError(error.found(), error.expected(), at + 2 + error.position());
+    const auto begin = static_cast<std::size_t>(limit.data() - text.data());
+    throw ValueError(error.found(), error.expected(), begin + error.position());
   }
 }
 

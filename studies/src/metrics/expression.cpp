@@ -79,7 +79,8 @@ MetricRequest parse_request(const MetricInfo& metric, std::string_view text, std
                      open);
   }
   const std::size_t close = closing(text, open);
-  return parse_argument(metric, text.substr(open + 1, close - open - 1), open + 1);
+  const std::string_view argument = trimmed(text.substr(open + 1, close - open - 1));
+  return parse_argument(metric, argument, static_cast<std::size_t>(argument.data() - text.data()));
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace twum::studies {
 namespace {
@@ -11,8 +13,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kNumber = R"([+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?)";
-
-Json convert(const Schema& schema);
 
 void add_limits(Json& json, const Schema& schema) {
   if (std::isfinite(schema.min))
@@ -47,84 +47,121 @@ Json one_of_words(const Schema& schema) {
   return {{"enum", choices}};
 }
 
-// Exactly one of a needed pair, at most one of any other pair.
-Json pair_rule(const SchemaEntry& entry) {
-  const auto has = [](const std::string& name) { return Json{{"required", Json::array({name})}}; };
-  if (entry.required) return {{"oneOf", Json::array({has(entry.name), has(entry.twin)})}};
-  return {{"not", {{"required", Json::array({entry.name, entry.twin})}}}};
+Json has(const std::string& name) { return {{"required", Json::array({name})}}; }
+
+// That an entry is given, by its name or by an alias that counts.
+Json is_given(const SchemaEntry& entry) {
+  if (!entry.alias_counts || entry.alias.empty()) return has(entry.name);
+  return {{"anyOf", Json::array({has(entry.name), has(entry.alias)})}};
 }
 
-bool needs_rule(const Schema& mapping, const SchemaEntry& entry) {
-  if (entry.twin.empty()) return false;
-  if (entry.required) return true;
+const SchemaEntry* twin_of(const Schema& mapping, const SchemaEntry& entry) {
   for (const SchemaEntry& other : mapping.entries) {
-    if (other.name == entry.twin) return !other.required && entry.name < other.name;
+    if (!entry.twin.empty() && other.name == entry.twin) return &other;
   }
-  return false;
+  return nullptr;
 }
 
-Json mapping(const Schema& schema) {
-  Json json{{"type", "object"}, {"additionalProperties", false}};
-  Json required = Json::array();
-  Json rules = Json::array();
-  for (const SchemaEntry& entry : schema.entries) {
-    json["properties"][entry.name] = convert(entry.schema);
-    if (entry.alias_counts && !entry.alias.empty()) {
-      json["properties"][entry.alias] = json["properties"][entry.name];
+// Exactly one of a needed pair, at most one of any other pair; said once for a pair.
+void add_pair_rule(Json& rules, const Schema& mapping, const SchemaEntry& entry) {
+  const SchemaEntry* twin = twin_of(mapping, entry);
+  if (twin == nullptr) return;
+  const Json both = Json::array({is_given(entry), is_given(*twin)});
+  if (entry.required) {
+    rules.push_back({{"oneOf", both}});
+  } else if (!twin->required && entry.name < twin->name) {
+    rules.push_back({{"not", {{"allOf", both}}}});
+  }
+}
+
+// Converts schemas, and keeps the long pieces that it meets more than once: most shapes of a study
+// repeat for every parameter.
+class Converter {
+ public:
+  Json convert(const Schema& schema) {
+    Json json = bare(schema);
+    if (!schema.text.empty() && !json.contains("description")) json["description"] = schema.text;
+    if (!schema.example.empty()) json["examples"] = Json::array({schema.example});
+    return json;
+  }
+
+  // The pieces, by the name they are referred to.
+  const Json& definitions() const { return definitions_; }
+
+ private:
+  Json shared(const Schema& schema) {
+    constexpr std::size_t kLong = 300;  // characters
+    Json json = convert(schema);
+    const std::string text = json.dump();
+    if (text.size() < kLong) return json;
+    const auto [place, fresh] = names_.emplace(text, "part" + std::to_string(names_.size() + 1));
+    if (fresh) definitions_[place->second] = std::move(json);
+    return {{"$ref", "#/$defs/" + place->second}};
+  }
+
+  Json mapping(const Schema& schema) {
+    Json json{{"type", "object"}, {"additionalProperties", false}};
+    Json required = Json::array();
+    Json rules = Json::array();
+    for (const SchemaEntry& entry : schema.entries) {
+      json["properties"][entry.name] = shared(entry.schema);
+      if (entry.alias_counts && !entry.alias.empty()) {
+        json["properties"][entry.alias] = json["properties"][entry.name];
+      }
+      if (entry.required && entry.twin.empty()) required.push_back(entry.name);
+      add_pair_rule(rules, schema, entry);
     }
-    if (entry.required && entry.twin.empty()) required.push_back(entry.name);
-    if (needs_rule(schema, entry)) rules.push_back(pair_rule(entry));
+    if (!required.empty()) json["required"] = required;
+    if (!rules.empty()) json["allOf"] = rules;
+    return json;
   }
-  if (!required.empty()) json["required"] = required;
-  if (!rules.empty()) json["allOf"] = rules;
-  return json;
-}
 
-Json list(const Schema& schema) {
-  Json json{
-      {"type", "array"}, {"minItems", schema.min_items}, {"items", convert(schema.items.front())}};
-  if (schema.max_items < 1000000) json["maxItems"] = schema.max_items;
-  return json;
-}
+  Json list(const Schema& schema) {
+    Json json{
+        {"type", "array"}, {"minItems", schema.min_items}, {"items", shared(schema.items.front())}};
+    if (schema.max_items < 1000000) json["maxItems"] = schema.max_items;
+    return json;
+  }
 
-// Each alternative fixes the word of its selector, so at most one of them fits.
-Json variant(const Schema& schema) {
-  Json choices = Json::array();
-  for (const Schema& one : schema.alternatives) choices.push_back(convert(one));
-  return {{"type", "object"}, {"required", Json::array({schema.selector})}, {"oneOf", choices}};
-}
+  // Each alternative fixes the word of its selector, so at most one of them fits.
+  Json variant(const Schema& schema) {
+    Json choices = Json::array();
+    for (const Schema& one : schema.alternatives) choices.push_back(shared(one));
+    return {{"type", "object"}, {"required", Json::array({schema.selector})}, {"oneOf", choices}};
+  }
 
-Json bare(const Schema& schema) {
-  switch (schema.kind) {
-    case ValueKind::quantity: return schema.unit == "1" ? bare_number(schema) : with_unit(schema);
-    case ValueKind::count: return bare_number(schema);
-    case ValueKind::word: return one_of_words(schema);
-    case ValueKind::mapping: return mapping(schema);
-    case ValueKind::list: return list(schema);
-    case ValueKind::variant: return variant(schema);
-    case ValueKind::any_of: {
-      Json choices = Json::array();
-      for (const Schema& one : schema.alternatives) choices.push_back(convert(one));
-      return {{"anyOf", choices}};
+  Json any_of(const Schema& schema) {
+    Json choices = Json::array();
+    for (const Schema& one : schema.alternatives) choices.push_back(shared(one));
+    return {{"anyOf", choices}};
+  }
+
+  Json bare(const Schema& schema) {
+    switch (schema.kind) {
+      case ValueKind::quantity: return schema.unit == "1" ? bare_number(schema) : with_unit(schema);
+      case ValueKind::count: return bare_number(schema);
+      case ValueKind::word: return one_of_words(schema);
+      case ValueKind::mapping: return mapping(schema);
+      case ValueKind::list: return list(schema);
+      case ValueKind::variant: return variant(schema);
+      case ValueKind::any_of: return any_of(schema);
+      case ValueKind::text: break;
     }
-    case ValueKind::text: break;
+    return {{"type", Json::array({"string", "number"})}};
   }
-  return {{"type", Json::array({"string", "number"})}};
-}
 
-Json convert(const Schema& schema) {
-  Json json = bare(schema);
-  if (!schema.text.empty() && !json.contains("description")) json["description"] = schema.text;
-  if (!schema.example.empty()) json["examples"] = Json::array({schema.example});
-  return json;
-}
+  std::map<std::string, std::string> names_;
+  Json definitions_ = Json::object();
+};
 
 }  // namespace
 
 std::string json_schema(const Schema& schema, std::string_view title, std::string_view id) {
   Json json{
       {"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"$id", id}, {"title", title}};
-  json.update(convert(schema));
+  Converter converter;
+  json.update(converter.convert(schema));
+  if (!converter.definitions().empty()) json["$defs"] = converter.definitions();
   return json.dump(2) + "\n";
 }
 

@@ -98,7 +98,9 @@ std::string expectation(const Schema& schema) {
         text += (&entry == schema.entries.data() ? " " : ", ") + entry.name;
       }
       return text;
-    case ValueKind::list: text += "a list"; break;
+    case ValueKind::list:
+      return "expected a list, each item " +
+             expectation(schema.items.front()).substr(std::string_view("expected ").size());
     case ValueKind::any_of: return alternatives_text(schema);
     case ValueKind::variant:
       text += "a mapping with " + schema.selector + ": ";

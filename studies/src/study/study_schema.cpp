@@ -104,14 +104,15 @@ Schema size_study() {
 }
 
 Schema uncertainty_study() {
+  Schema quantiles = list("probabilities", fraction("a probability", "0.05"));
+  quantiles.example = "[0.05, 0.5, 0.95]";
   return mapping(
       "spread and yield under tolerances",
       {needed("variables", by_parameter(distribution, "what is uncertain", kTolerances)),
        needed("metrics", metrics()), optional("samples", samples(), "10000"),
        optional("limits", constraints(), "no yield"),
-       optional("quantiles", list("probabilities", fraction("a probability", "0.05")),
-                "0.05, 0.5, 0.95"),
-       optional("seed", seed(), "1"), hidden(optional("start", folder(), "the motor as it is"))});
+       optional("quantiles", quantiles, "0.05, 0.5, 0.95"), optional("seed", seed(), "1"),
+       hidden(optional("start", folder(), "the motor as it is"))});
 }
 
 Schema calibrate_study() {
