@@ -34,14 +34,10 @@ inline double quadratic_step(const CurveSample& c) {
 /// and its tangent's zero, where it is not, it lies above the chord, whose zero is safe again.
 inline double cubic_step(const CurveSample& c, double t) {
   const double a = c.f2 < 0 ? c.f2 / 2 : 0, b = c.l3 / 6;
-  for (int i = 0; i < 2; ++i) {
-    const double q = c.f + t * (c.f1 + t * (a - t * b)), slope = c.f1 + t * (2 * a - 3 * t * b);
-    if (!(q > 0 && slope < 0)) return t;
-    const double over = t - q / slope, q_over = c.f + over * (c.f1 + over * (a - over * b));
-    if (!(q_over < 0)) return t;
-    t += (over - t) * q / (q - q_over);
-  }
-  return t;
+  const double q = c.f + t * (c.f1 + t * (a - t * b)), slope = c.f1 + t * (2 * a - 3 * t * b);
+  if (!(q > 0 && slope < 0)) return t;
+  const double over = t - q / slope, q_over = c.f + over * (c.f1 + over * (a - over * b));
+  return q_over < 0 ? t + (over - t) * q / (q - q_over) : t;
 }
 
 /// Step over which f stays positive; after an event the next derivative decides (E3.3, E3.4).
@@ -55,7 +51,9 @@ inline double zero_free_step(const CurveSample& c, StartOrder order) {
 /// its parabola (E3.5). 0 if that cannot be told.
 inline double zero_bracket(const CurveSample& c) {
   const double square = c.f1 * c.f1 - 2 * c.f2 * c.f;
-  if (!(c.f1 < 0 && square > 0)) return 0;
+  // No zero lies before f / |f'| unless f bends down; where l3 may turn the slope by then, none is sure.
+  const bool hopeless = c.f2 > 0 && c.l3 * c.f * c.f > -2 * c.f1 * c.f1 * c.f1;
+  if (!(c.f1 < 0 && square > 0) || hopeless) return 0;
   const double t = 1.1 * 2 * c.f / (std::sqrt(square) - c.f1);
   const bool falls = c.f1 + std::max(c.f2, 0.0) * t + c.l3 * t * t / 2 < 0;
   return falls && c.f + t * (c.f1 + t * (c.f2 / 2 + c.l3 * t / 6)) < 0 ? t : 0;

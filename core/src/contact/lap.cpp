@@ -25,12 +25,12 @@ template <typename S>
 class LapRunner {
  public:
   LapRunner(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer, const Script* script,
-            std::vector<ZoneTrace>* trace)
-      : n_(numbers), layer_(layer), script_(script && script->complete() ? script : nullptr), trace_(trace),
+            std::vector<ZoneTrace>* trace, Lap<S>& lap)
+      : lap_(lap), n_(numbers), layer_(layer), script_(script && script->complete() ? script : nullptr), trace_(trace),
         theta_(-numbers.half_angle), at_{-numbers.edge.sin, numbers.edge.cos, numbers.edge.versine},
         delicate_(is_delicate()) {}
 
-  Lap<S> run(const LapEntry<S>& entry) {
+  void run(const LapEntry<S>& entry) {
     state_ = entry.layer;
     entry.carried ? carry_on(entry.zone) : enter();
     lap_.first = zone_;
@@ -40,7 +40,6 @@ class LapRunner {
     }
     lap_.one_slip = lap_.zones == 1 && zone_ != ZoneState::stick;
     leave();
-    return lap_;
   }
 
  private:
@@ -374,6 +373,7 @@ class LapRunner {
     m.traction *= mean, m.stator_power *= mean, m.friction_power *= mean, m.layer_loss *= mean;
   }
 
+  Lap<S>& lap_;
   const ContactNumbers<S>& n_;
   const LayerMotion<S>& layer_;
   const Script* script_;
@@ -388,8 +388,6 @@ class LapRunner {
   bool done_{false};
   int stalled_{0};
   long samples_{0};
-  Lap<S> lap_{{S(0.0), S(0.0), S(0.0), S(0.0), S(0.0)}, {}, {}, 0xcbf29ce484222325ull, 0, false, 2 * kPi,
-              ZoneState::stick, LapStatus::ok, {}};
 };
 
 }  // namespace
@@ -397,7 +395,9 @@ class LapRunner {
 template <typename S>
 Lap<S> run_lap(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer, const LapEntry<S>& entry,
                const Script* script, std::vector<ZoneTrace>* trace) {
-  return LapRunner<S>(numbers, layer, script, trace).run(entry);
+  Lap<S> lap;
+  LapRunner<S>(numbers, layer, script, trace, lap).run(entry);
+  return lap;
 }
 
 #define TWUM_INSTANTIATE(S) \

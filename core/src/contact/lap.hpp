@@ -7,6 +7,7 @@
 #include <twum/core/contact/zone.hpp>
 
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
 namespace twum::contact {
@@ -32,6 +33,8 @@ struct Script {
     double side;    ///< stick: sign of the traction at its threshold
   };
   static constexpr int kCapacity = 8;
+  Script() {}  // the ends are not initialised: laps are many
+
   End ends[kCapacity];
   int count{0};  ///< zones of the lap; more than kCapacity: the script is not complete
 
@@ -43,15 +46,15 @@ enum class LapStatus : unsigned char { ok, resonance, unresolved };
 /// One turn of the wave: from contact entry through all zones and free flight to the next entry.
 template <typename S>
 struct Lap {
-  ContactMeans<S> means;
+  ContactMeans<S> means{S(0.0), S(0.0), S(0.0), S(0.0), S(0.0)};
   LapEntry<S> next;          ///< state at the next entry
   LayerState<S> exit;        ///< layer where the contact ends
-  std::uint64_t itinerary;   ///< fingerprint of the sequence of zones
-  int zones;                 ///< number of zones
-  bool one_slip;             ///< the whole contact slips one way
-  double shortest;           ///< length of the shortest zone [rad]
-  ZoneState first;           ///< state of the first zone
-  LapStatus status;
+  std::uint64_t itinerary{0xcbf29ce484222325ull};  ///< fingerprint of the sequence of zones
+  int zones{0};              ///< number of zones
+  bool one_slip{false};      ///< the whole contact slips one way
+  double shortest{2 * std::numbers::pi};  ///< length of the shortest zone [rad]
+  ZoneState first{ZoneState::stick};      ///< state of the first zone
+  LapStatus status{LapStatus::ok};
   Script script;             ///< of a search in double
 };
 

@@ -36,6 +36,7 @@ class LayerMotion {
       return;
     }
     natural_frequency_ = 1 / std::sqrt(value_of(M));
+    inverse_inertia_ = 1 / value_of(M);
     const S half_rate = C / (2.0 * M);
     const S square = 1.0 / M - half_rate * half_rate;  // beta^2, negative past critical damping
     if (value_of(C) * value_of(C) < 9.0 * value_of(M)) {
@@ -122,6 +123,8 @@ class LayerMotion {
 
   /// 1 / sqrt(M), of an undamped layer, in units of W.
   double natural_frequency() const { return natural_frequency_; }
+  /// 1 / M
+  double inverse_inertia() const { return inverse_inertia_; }
   const S& fast() const { return fast_; }
   const S& slow() const { return slow_; }
 
@@ -156,7 +159,7 @@ class LayerMotion {
   }
 
   LayerKind kind_{LayerKind::elastic};
-  double natural_frequency_{0};
+  double natural_frequency_{0}, inverse_inertia_{0};
   S decay_{0.0}, square_{0.0}, beta_{0.0};      // oscillating: zeta, beta^2, |beta|
   S fast_{0.0}, slow_{0.0}, inverse_gap_{0.0};  // overdamped and relaxing: rates of the modes
 };

@@ -67,12 +67,12 @@ void correct(const Matrix2& j, const LayerState<S>& next, LayerState<S>& at, con
 
 class Search {
  public:
-  Search(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer)
-      : n_(numbers), layer_(layer), monotone_(!(numbers.static_ > numbers.kinetic)),
+  Search(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer, PeriodicState& state)
+      : s_(state), n_(numbers), layer_(layer), monotone_(!(numbers.static_ > numbers.kinetic)),
         tolerance_(4e-16 * numbers.static_ * (std::sqrt(layer.response) + numbers.peak)),
         tight_(4e-16 * numbers.static_ * std::fmin(numbers.peak, 1.0) * std::sqrt(layer.response)) {}
 
-  PeriodicState run() {
+  void run() {
     if (1 / layer_.response < kResonance) return give_up(PeriodicStatus::resonance);
     turn({{0, 0}, false, ZoneState::stick});
     while (s_.laps < kMaxLaps && zones_ < kMaxZonesInAll && s_.lap.status == LapStatus::ok) {
@@ -111,16 +111,12 @@ class Search {
     return same_zone() && (gap_ <= tight_ || (gap_ <= tolerance_ && contraction_ > 0.5));
   }
 
-  PeriodicState finish() {
+  void finish() {
     s_.status = PeriodicStatus::ok;
     s_.remembers = n_.full || s_.lap.next.layer.e != 0 || s_.lap.next.layer.rate != 0;
-    return s_;
   }
 
-  PeriodicState give_up(PeriodicStatus status) {
-    s_.status = status;
-    return s_;
-  }
+  void give_up(PeriodicStatus status) { s_.status = status; }
 
   void advance() {
     if (sticks_all_round()) return turn(after_drift());
@@ -196,11 +192,11 @@ class Search {
     return entry;
   }
 
+  PeriodicState& s_;
   const ContactNumbers<double>& n_;
   const LayerMotion<double>& layer_;
   bool monotone_;
   double tolerance_, tight_;
-  PeriodicState s_{};
   double gap_{0}, contraction_{1};
   int repeats_{0}, patience_{4}, checked_{0};
   LayerState<double> checkpoint_{0, 0};
@@ -210,7 +206,9 @@ class Search {
 }  // namespace
 
 PeriodicState find_periodic_state(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer) {
-  return Search(numbers, layer).run();
+  PeriodicState state;
+  Search(numbers, layer, state).run();
+  return state;
 }
 
 template <typename S>

@@ -10,10 +10,10 @@ enum class PeriodicStatus : unsigned char { ok, no_periodic_state, not_converged
 /// The state that repeats itself from turn to turn.
 struct PeriodicState {
   LapEntry<double> entry;           ///< layer at contact entry
-  Lap<double> lap;                  ///< the turn that starts there
-  PeriodicStatus status;
-  bool remembers;                   ///< false: the layer enters at rest whatever happened before
-  int laps;                         ///< turns it took to find, those with derivatives included
+  Lap<double> lap{};                ///< the turn that starts there
+  PeriodicStatus status{};
+  bool remembers{false};            ///< false: the layer enters at rest whatever happened before
+  int laps{0};                      ///< turns it took to find, those with derivatives included
 };
 
 /// Finds the periodic state that laps from rest lead to (theory section 10).

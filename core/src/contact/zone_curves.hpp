@@ -148,7 +148,7 @@ class SlipCurve {
   }
 
   Own oscillation(const LayerState<double>& h) const {
-    const double M = layer_.M, C = layer_.C, inverse = 1 / M;
+    const double M = layer_.M, C = layer_.C, inverse = layer_.inverse_inertia();
     const double h2 = -(C * h.rate + h.e) * inverse, h3 = -(C * h2 + h.rate) * inverse;
     const double reach = std::sqrt(h.rate * h.rate + M * h2 * h2), reach1 = reach * layer_.natural_frequency();
     const double bound2 = (C * reach1 + reach) * inverse;

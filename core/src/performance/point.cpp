@@ -81,17 +81,19 @@ PointNumbers<R> special_point(const MotorModel<S>& m, const R& speed) {
   return {torque_scale(m) * lock.low + zero, power, zero, power, R(1.0)};
 }
 
-SolvedPoint solve_point(const MotorModel<double>& m, double speed) {
+static SolvedPoint solve_special(const MotorModel<double>& m, double speed) {
   SolvedPoint point;
-  if (is_trivial(m) || (speed == 0 && m.contact.full && locks_at_rest(m))) {
-    point.special = true;
-    point.numbers = special_point(m, speed);
-    const bool steady = is_trivial(m) ? (m.amplitude != 0 || drags_steadily(m, speed)) : m.static_ == m.kinetic;
-    if (!steady) point.status = PointStatus::no_periodic_state;
-    return point;
-  }
+  point.special = true;
+  point.numbers = special_point(m, speed);
+  const bool steady = is_trivial(m) ? (m.amplitude != 0 || drags_steadily(m, speed)) : m.static_ == m.kinetic;
+  if (!steady) point.status = PointStatus::no_periodic_state;
+  return point;
+}
+
+SolvedPoint solve_point(const MotorModel<double>& m, double speed) {
+  if (is_trivial(m) || (speed == 0 && m.contact.full && locks_at_rest(m))) return solve_special(m, speed);
   const contact::ContactNumbers<double> n = contact_numbers(m, speed);
-  point.state = contact::find_periodic_state(n, LayerMotion<double>(n.inertia, n.damping));
+  SolvedPoint point{{}, PointStatus::ok, contact::find_periodic_state(n, LayerMotion<double>(n.inertia, n.damping))};
   point.status = point_status(point.state.status);
   point.numbers = dimensional(m, point.state.lap.means, point.state.lap);
   return point;
