@@ -23,7 +23,9 @@ struct Layer {
 };
 
 std::vector<Layer> layers() {
-  return {{"elastic", elastic(ring_motor())}, {"damped", damped(ring_motor())}, {"inertial", ring_motor()}};
+  return {{"elastic", elastic(ring_motor())},
+          {"damped", damped(ring_motor())},
+          {"inertial", ring_motor()}};
 }
 
 double no_load_speed(const Motor& motor) { return evaluate(motor, {Metric::no_load_speed}).value; }
@@ -69,7 +71,8 @@ void points_over_speed(benchmark::State& state, const MotorDesign& design) {
     seconds.clear();
     for (int i = 0; i <= 120; ++i) {
       const double speed = 0.01 * i * free;
-      seconds.push_back(seconds_per_call([&] { benchmark::DoNotOptimize(motor.operating_point(speed)); }));
+      seconds.push_back(
+          seconds_per_call([&] { benchmark::DoNotOptimize(motor.operating_point(speed)); }));
     }
   }
   report(state, seconds);
@@ -87,7 +90,8 @@ void points_over_designs(benchmark::State& state) {
       const Motor motor(realistic_design(random));
       const double speed = motor.crest_speed() * random(-0.2, 1.3);
       failures += motor.operating_point(speed).status != PointStatus::ok;
-      seconds.push_back(seconds_per_call([&] { benchmark::DoNotOptimize(motor.operating_point(speed)); }, 20, 3));
+      seconds.push_back(
+          seconds_per_call([&] { benchmark::DoNotOptimize(motor.operating_point(speed)); }, 20, 3));
     }
   }
   report(state, seconds);
@@ -141,9 +145,11 @@ void metric(benchmark::State& state, Metric which) {
 void metrics_with_gradient(benchmark::State& state) {
   const Motor motor(damped_stator());
   const auto requests = all_metrics();
-  const double plain = seconds_per_call([&] { benchmark::DoNotOptimize(evaluate(motor, requests)); }, 50);
+  const double plain =
+      seconds_per_call([&] { benchmark::DoNotOptimize(evaluate(motor, requests)); }, 50);
   for (auto _ : state) benchmark::DoNotOptimize(differentiate(motor, requests));
-  const double with = seconds_per_call([&] { benchmark::DoNotOptimize(differentiate(motor, requests)); }, 50);
+  const double with =
+      seconds_per_call([&] { benchmark::DoNotOptimize(differentiate(motor, requests)); }, 50);
   state.counters["times_metrics_alone"] = with / plain;
 }
 
@@ -156,8 +162,9 @@ void register_points() {
       const std::string full = std::string("point/") + layer.name + "/regime " + name;
       benchmark::RegisterBenchmark(full.c_str(), operating_point, layer.design, share);
     }
-    benchmark::RegisterBenchmark((std::string("point over speeds 0..1.2 no-load/") + layer.name).c_str(),
-                                 points_over_speed, layer.design)
+    benchmark::RegisterBenchmark(
+        (std::string("point over speeds 0..1.2 no-load/") + layer.name).c_str(), points_over_speed,
+        layer.design)
         ->Iterations(1);
   }
 }
@@ -167,8 +174,10 @@ void register_points() {
 int main(int argc, char** argv) {
   register_points();
   benchmark::RegisterBenchmark("point over realistic designs", points_over_designs)->Iterations(1);
-  benchmark::RegisterBenchmark("point, loss factor 0.005, over speeds", light_damping, 0.005)->Iterations(1);
-  benchmark::RegisterBenchmark("point, loss factor 0.001, over speeds", light_damping, 0.001)->Iterations(1);
+  benchmark::RegisterBenchmark("point, loss factor 0.005, over speeds", light_damping, 0.005)
+      ->Iterations(1);
+  benchmark::RegisterBenchmark("point, loss factor 0.001, over speeds", light_damping, 0.001)
+      ->Iterations(1);
   benchmark::RegisterBenchmark("motor from a design", make_motor);
   benchmark::RegisterBenchmark("curve of 100 points", curve);
   benchmark::RegisterBenchmark("all metrics", metrics)->Unit(benchmark::kMicrosecond);
@@ -177,7 +186,8 @@ int main(int argc, char** argv) {
     benchmark::RegisterBenchmark(("metric/" + std::string(row.name)).c_str(), metric, row.metric)
         ->Unit(benchmark::kMicrosecond);
   }
-  benchmark::RegisterBenchmark("all metrics with gradient in every parameter", metrics_with_gradient)
+  benchmark::RegisterBenchmark("all metrics with gradient in every parameter",
+                               metrics_with_gradient)
       ->Unit(benchmark::kMicrosecond);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;

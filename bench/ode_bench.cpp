@@ -54,7 +54,8 @@ void against(benchmark::State& state, const MotorDesign& design, double share, G
 }
 
 void ode(benchmark::State& state, const MotorDesign& design, double share) {
-  against(state, design, share, [](const MotorDesign& d, double speed) { return ode_solver_run(d, speed); });
+  against(state, design, share,
+          [](const MotorDesign& d, double speed) { return ode_solver_run(d, speed); });
 }
 
 void grid(benchmark::State& state, const MotorDesign& design, double share, int steps) {
@@ -69,15 +70,18 @@ int main(int argc, char** argv) {
     const std::string at = "/" + std::to_string(share).substr(0, 4) + " no-load";
     benchmark::RegisterBenchmark(("ODE solver/inertial" + at).c_str(), ode, ring_motor(), share)
         ->Unit(benchmark::kMicrosecond);
-    benchmark::RegisterBenchmark(("ODE solver/damped" + at).c_str(), ode, damped(ring_motor()), share)
+    benchmark::RegisterBenchmark(("ODE solver/damped" + at).c_str(), ode, damped(ring_motor()),
+                                 share)
         ->Unit(benchmark::kMicrosecond);
     // A second-order scheme needs this many steps for 1e-11 of the torque's scale.
-    benchmark::RegisterBenchmark(("fixed grid/elastic" + at).c_str(), grid, elastic(ring_motor()), share, 300000)
+    benchmark::RegisterBenchmark(("fixed grid/elastic" + at).c_str(), grid, elastic(ring_motor()),
+                                 share, 300000)
         ->Unit(benchmark::kMicrosecond);
   }
   MotorDesign light = ring_motor();
   light.layer.loss_factor = 0.005;
-  benchmark::RegisterBenchmark("ODE solver/inertial, loss factor 0.005/0.85 no-load", ode, light, 0.85)
+  benchmark::RegisterBenchmark("ODE solver/inertial, loss factor 0.005/0.85 no-load", ode, light,
+                               0.85)
       ->Unit(benchmark::kMicrosecond);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;

@@ -41,7 +41,8 @@ using namespace twum::test;
 long taken_by_points(const Motor& motor) {
   double sum = 0;
   const long before = taken.load();
-  for (int i = -20; i <= 150; ++i) sum += motor.operating_point(0.01 * i * motor.crest_speed()).speed;
+  for (int i = -20; i <= 150; ++i)
+    sum += motor.operating_point(0.01 * i * motor.crest_speed()).speed;
   const long after = taken.load();
   CHECK(std::isfinite(sum));
   return after - before;
@@ -66,7 +67,8 @@ TEST_CASE("an operating point takes nothing from the heap", "[core][performance]
   CHECK(taken_by_points(Motor(design)) == 0);
 }
 
-TEST_CASE("no design of the box makes an operating point take from the heap", "[core][performance][work]") {
+TEST_CASE("no design of the box makes an operating point take from the heap",
+          "[core][performance][work]") {
   Uniform random(11);
   long sum = 0;
   for (int i = 0; i < 500; ++i) {

@@ -48,7 +48,8 @@ TEST_CASE("time stepping finds the same torque and powers (T4.1, T4.2, T4.3, T4.
       const double speed = motor.crest_speed() * (k == 0 ? random(0.02, 0.9) : random(0.85, 1.3));
       const auto point = motor.operating_point(speed);
       const auto oracle = brute_force(design, speed, {2000, 3000});
-      CAPTURE(i, speed, motor.contact().half_angle, to_string(point.status), oracle.laps, oracle.converged);
+      CAPTURE(i, speed, motor.contact().half_angle, to_string(point.status), oracle.laps,
+              oracle.converged);
       if (point.status == PointStatus::no_periodic_state) {
         CHECK_FALSE(oracle.converged);
         ++absent;
@@ -58,7 +59,8 @@ TEST_CASE("time stepping finds the same torque and powers (T4.1, T4.2, T4.3, T4.
       if (!oracle.converged) continue;
       ++compared;
       absolute.add(point.torque, oracle.torque, torque_scale(design));
-      CAPTURE(oracle.torque_error / torque_scale(design), (point.torque - oracle.torque) / torque_scale(design));
+      CAPTURE(oracle.torque_error / torque_scale(design),
+              (point.torque - oracle.torque) / torque_scale(design));
       CHECK(torque.add(point.torque, oracle.torque, oracle.torque_error) <= 1);
       CHECK(powers.add(point.stator_power, oracle.stator_power, oracle.power_error) <= 1);
       CHECK(powers.add(point.friction_power, oracle.friction_power, oracle.power_error) <= 1);
@@ -71,7 +73,8 @@ TEST_CASE("time stepping finds the same torque and powers (T4.1, T4.2, T4.3, T4.
   CHECK(absolute.holds());
 }
 
-TEST_CASE("time stepping converges with second order to the core's torque", "[core][oracle][limit]") {
+TEST_CASE("time stepping converges with second order to the core's torque",
+          "[core][oracle][limit]") {
   const Motor motor(damped(ring_motor()));
   const double speed = 0.9 * motor.crest_speed();
   const double exact = motor.operating_point(speed).torque;

@@ -40,7 +40,8 @@ inline std::vector<IdentityCase> read_identity_cases(const std::string& path) {
     entry.design = with(entry.design, values);
     if (load > 0) entry.design.preload = load * full_contact_load(entry.design);
     const double unit = crest_speed_of(entry.design);
-    for (const double speed : node["speeds"].as<std::vector<double>>()) entry.speeds.push_back(speed * unit);
+    for (const double speed : node["speeds"].as<std::vector<double>>())
+      entry.speeds.push_back(speed * unit);
     cases.push_back(std::move(entry));
   }
   return cases;

@@ -52,7 +52,9 @@ ElasticMotor elastic_motor(double phi, double compliance) {
 }
 
 // NaN, which no comparison accepts, if the metric has no value.
-double metric(const Motor& motor, Metric which) { return evaluate(motor, MetricRequest{which}).value; }
+double metric(const Motor& motor, Metric which) {
+  return evaluate(motor, MetricRequest{which}).value;
+}
 
 // Speeds V = U / V0 from the implicit conditions of (C8.5) and (C8.7), S depending on V through W.
 double plateau_end(const ElasticMotor& m) {
@@ -63,7 +65,8 @@ double braking_begin(const ElasticMotor& m) {
   const double s0 = m.at_rest;
   const double k = s0 * m.coupling;
   // V^2 = 1 + S^2 with S = s0 + k V, from the first branch
-  const double v = (s0 * k + std::sqrt(s0 * s0 * k * k + (1 - k * k) * (1 + s0 * s0))) / (1 - k * k);
+  const double v =
+      (s0 * k + std::sqrt(s0 * s0 * k * k + (1 - k * k) * (1 + s0 * s0))) / (1 - k * k);
   if (std::atan(m.compliance(v)) < m.phi) return v;
   return (std::cos(m.phi) + s0 * std::sin(m.phi)) / (1 - k * std::sin(m.phi));
 }
@@ -81,7 +84,8 @@ TEST_CASE("elastic layer drives with full friction up to the plateau speed (C8.5
       const double end = plateau_end(m);
       CAPTURE(phi, compliance, end);
       if (end <= 0) continue;
-      for (const double v : {0.0, 0.5 * end, end - 1e-9}) CHECK(plateau.add(m.share(motor, v), 1, 1) <= 1e-10);
+      for (const double v : {0.0, 0.5 * end, end - 1e-9})
+        CHECK(plateau.add(m.share(motor, v), 1, 1) <= 1e-10);
       // beyond, torque falls: by a cubic, so go a good way
       CHECK(m.share(motor, end + 0.2 * (1 - end)) < 1 - 1e-6);
       // phi carries the rounding of the preload, 1e-15 relative, and of its inversion
@@ -193,13 +197,15 @@ TEST_CASE("stiff layers follow the rigid law (C8.2, C8.3)", "[core][performance]
       CAPTURE(phi, v);
       const double star = std::acos(std::clamp(v, -1.0, 1.0));
       const double expected = v <= c ? 1 : v >= 1 ? -1 : (2 * (std::sin(star) - star * c) - g) / g;
-      const double width = std::sqrt(4 * compliance * std::max(v - c, 0.0) / std::max(std::sin(star), 1e-3));
+      const double width =
+          std::sqrt(4 * compliance * std::max(v - c, 0.0) / std::max(std::sin(star), 1e-3));
       const double bound = 2 * std::max(v - c, 0.0) * width / g + 10 * compliance / g + 1e-10;
       CHECK(rigid.add(m.share(motor, v), expected, bound) <= 1);
     }
     const double free = metric(motor, Metric::no_load_speed) / motor.crest_speed();
     const double star = std::acos(free);
-    CHECK(std::abs(std::sin(star) - star * c - g / 2) <= 1e-3 * g);  // the same bound, below 1e-3 for all of these
+    CHECK(std::abs(std::sin(star) - star * c - g / 2) <=
+          1e-3 * g);  // the same bound, below 1e-3 for all of these
   }
   CHECK(rigid.holds());
 }

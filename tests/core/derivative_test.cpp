@@ -31,7 +31,8 @@ std::vector<MetricRequest> all_requests(const Motor& motor) {
     if (row.argument == Argument::speed || either) {
       requests.push_back({row.metric, Argument::speed, 0.8 * motor.crest_speed()});
     }
-    if (row.argument == Argument::torque || either) requests.push_back({row.metric, Argument::torque, load});
+    if (row.argument == Argument::torque || either)
+      requests.push_back({row.metric, Argument::torque, load});
   }
   return requests;
 }
@@ -39,14 +40,17 @@ std::vector<MetricRequest> all_requests(const Motor& motor) {
 std::vector<double> values_at(const MotorDesign& design, Parameter parameter, double x,
                               const std::vector<MetricRequest>& requests) {
   std::vector<double> values;
-  for (const MetricValue& value : evaluate(Motor(with(design, parameter, x)), requests)) values.push_back(value.value);
+  for (const MetricValue& value : evaluate(Motor(with(design, parameter, x)), requests))
+    values.push_back(value.value);
   return values;
 }
 
 // Parameters that can be moved to both sides: not whole numbers, not at the border of their range.
 bool movable(const MotorDesign& design, const ParameterInfo& row) {
-  if (row.integer || !in_use(design, row.parameter) || get(design, row.parameter) == 0) return false;
-  return row.parameter != Parameter::static_friction || design.friction.static_ > 1.05 * design.friction.kinetic;
+  if (row.integer || !in_use(design, row.parameter) || get(design, row.parameter) == 0)
+    return false;
+  return row.parameter != Parameter::static_friction ||
+         design.friction.static_ > 1.05 * design.friction.kinetic;
 }
 
 // mu_0 moves with mu, which with() sees to; on its own it is a parameter like any other.
@@ -74,11 +78,12 @@ struct Tally {
 
 // Does an exact derivative agree with the differences? `unit` is |f / x|, what a relative change means.
 bool agrees(double exact, const DifferenceQuotient& found, double unit) {
-  return std::abs(exact - found.value) <= 1e-7 * std::max(std::abs(found.value), unit) + 3 * found.error;
+  return std::abs(exact - found.value) <=
+         1e-7 * std::max(std::abs(found.value), unit) + 3 * found.error;
 }
 
-bool agrees_on_a_side(const MotorDesign& design, const ParameterInfo& row, const MetricRequest& request, double exact,
-                      double unit) {
+bool agrees_on_a_side(const MotorDesign& design, const ParameterInfo& row,
+                      const MetricRequest& request, double exact, double unit) {
   const double x = get(design, row.parameter);
   const Functions one = [&](double at) { return values_at(design, row.parameter, at, {request}); };
   for (const int side : {-1, 1}) {
@@ -87,16 +92,20 @@ bool agrees_on_a_side(const MotorDesign& design, const ParameterInfo& row, const
   return false;
 }
 
-void check_parameter(const MotorDesign& design, const ParameterInfo& row, const std::vector<MetricRequest>& requests,
-                     const std::vector<MetricDerivative>& exact, Tally& tally, Deviation& deviation) {
+void check_parameter(const MotorDesign& design, const ParameterInfo& row,
+                     const std::vector<MetricRequest>& requests,
+                     const std::vector<MetricDerivative>& exact, Tally& tally,
+                     Deviation& deviation) {
   const double x = get(design, row.parameter);
   const Functions all = [&](double at) { return values_at(design, row.parameter, at, requests); };
   const auto differences = central_differences(all, x, std::abs(x));
   for (std::size_t k = 0; k < requests.size(); ++k) {
-    if (exact[k].value.status != MetricStatus::ok || exact[k].smoothness == Smoothness::undefined) continue;
+    if (exact[k].value.status != MetricStatus::ok || exact[k].smoothness == Smoothness::undefined)
+      continue;
     const double unit = std::abs(exact[k].value.value / x);
     const double gradient = exact[k].gradient[index_of(row.parameter)];
-    const bool sharp = differences[k].error <= 1e-8 * std::max(unit, std::abs(differences[k].value));
+    const bool sharp =
+        differences[k].error <= 1e-8 * std::max(unit, std::abs(differences[k].value));
     if (!sharp) {
       ++tally.blunt;
       continue;
@@ -104,16 +113,19 @@ void check_parameter(const MotorDesign& design, const ParameterInfo& row, const 
     const std::string name(info(requests[k].metric).name);
     ++tally.sharp[name];
     bool good = agrees(gradient, differences[k], unit);
-    if (good) deviation.add(gradient, differences[k].value, std::max({unit, std::abs(differences[k].value), 1e-300}));
+    if (good)
+      deviation.add(gradient, differences[k].value,
+                    std::max({unit, std::abs(differences[k].value), 1e-300}));
     if (!good && exact[k].smoothness == Smoothness::one_sided) {
       good = agrees_on_a_side(design, row, requests[k], gradient, unit);
     }
     if (good) continue;
     ++tally.wrong;
     if (tally.examples.size() < 12) {
-      tally.examples.push_back(name + " by " + std::string(row.name) + " (" + to_string(exact[k].smoothness) +
-                               "): " + std::to_string(gradient * x) + " instead of " +
-                               std::to_string(differences[k].value * x) + " per unit of relative change");
+      tally.examples.push_back(
+          name + " by " + std::string(row.name) + " (" + to_string(exact[k].smoothness) +
+          "): " + std::to_string(gradient * x) + " instead of " +
+          std::to_string(differences[k].value * x) + " per unit of relative change");
     }
   }
 }
@@ -166,7 +178,8 @@ TEST_CASE("values beside derivatives are the values to the bit", "[core][derivat
   }
 }
 
-TEST_CASE("every metric's derivative by every parameter is that of differences", "[core][derivative][differential]") {
+TEST_CASE("every metric's derivative by every parameter is that of differences",
+          "[core][derivative][differential]") {
   // 1e-7 of |f / x| or of the derivative, plus three times the difference's own error estimate;
   // differences that know themselves worse than 1e-8 do not count.
   const Tally tally = check_designs(20250101, 8);
@@ -180,7 +193,8 @@ TEST_CASE("every metric's derivative by every parameter is that of differences",
   CHECK(total > 1000);
 }
 
-TEST_CASE("derivatives of hundreds of designs are those of differences", "[.long][core][derivative][differential]") {
+TEST_CASE("derivatives of hundreds of designs are those of differences",
+          "[.long][core][derivative][differential]") {
   const Tally tally = check_designs(7, 200);
   CAPTURE(tally.blunt, tally.examples);
   CHECK(tally.wrong == 0);
@@ -204,13 +218,16 @@ TEST_CASE("stall torque of a plateau is flat in amplitude, thickness and modulus
   REQUIRE(found.size() == 1);
   const double full = 0.2 * 160 * 0.0265;
   CHECK(found[0].smoothness == Smoothness::flat);
-  for (const Parameter p : {Parameter::amplitude, Parameter::thickness, Parameter::youngs_modulus}) {
+  for (const Parameter p :
+       {Parameter::amplitude, Parameter::thickness, Parameter::youngs_modulus}) {
     // zero but for rounding of mu F_N r through the pressure's integral
     CHECK(std::abs(found[0].gradient[index_of(p)]) * get(motor.design(), p) <= 1e-12 * full);
   }
   CHECK(found[0].gradient[index_of(Parameter::preload)] == Approx(full / 160).epsilon(1e-12));
-  CHECK(found[0].gradient[index_of(Parameter::kinetic_friction)] == Approx(full / 0.2).epsilon(1e-12));
-  CHECK(found[0].gradient[index_of(Parameter::contact_radius)] == Approx(full / 0.0265).epsilon(1e-12));
+  CHECK(found[0].gradient[index_of(Parameter::kinetic_friction)] ==
+        Approx(full / 0.2).epsilon(1e-12));
+  CHECK(found[0].gradient[index_of(Parameter::contact_radius)] ==
+        Approx(full / 0.0265).epsilon(1e-12));
 }
 
 TEST_CASE("static friction held fixed has its own derivative", "[core][derivative][identity]") {

@@ -24,7 +24,9 @@ MotorDesign at_load(MotorDesign design, double load) {
   return design;
 }
 
-MetricValue metric(const Motor& motor, Metric which) { return evaluate(motor, MetricRequest{which}); }
+MetricValue metric(const Motor& motor, Metric which) {
+  return evaluate(motor, MetricRequest{which});
+}
 
 // Full contact and soft in shear: at rest the wave's motion stays inside the friction cone everywhere.
 MotorDesign locked_motor() {
@@ -36,7 +38,8 @@ MotorDesign locked_motor() {
 
 }  // namespace
 
-TEST_CASE("a motor in full contact that sticks all round is locked at rest", "[core][edge][limit]") {
+TEST_CASE("a motor in full contact that sticks all round is locked at rest",
+          "[core][edge][limit]") {
   const Motor motor(locked_motor());
   REQUIRE(motor.contact().full);
   CHECK(motor.locks_at_rest());
@@ -125,8 +128,9 @@ TEST_CASE("without amplitude the contact is full and brakes any motion", "[core]
   CHECK(metric(motor, Metric::no_load_speed).value == 0);
 }
 
-TEST_CASE("an elastic layer with a static threshold snaps, and the work of every snap counts (T4.4)",
-          "[core][edge][identity]") {
+TEST_CASE(
+    "an elastic layer with a static threshold snaps, and the work of every snap counts (T4.4)",
+    "[core][edge][identity]") {
   MotorDesign design = at_load(elastic(ring_motor()), 0.15);
   design.friction.static_ = 1.8 * design.friction.kinetic;
   const Motor motor(design);
@@ -142,12 +146,14 @@ TEST_CASE("an elastic layer with a static threshold snaps, and the work of every
     CHECK(std::abs(point.friction_power - oracle.friction_power) <= oracle.power_error);
     MotorDesign kinetic = design;
     kinetic.friction.static_ = kinetic.friction.kinetic;
-    differing += std::abs(Motor(kinetic).operating_point(speed).torque - point.torque) > 1e-3 * motor.holding_torque();
+    differing += std::abs(Motor(kinetic).operating_point(speed).torque - point.torque) >
+                 1e-3 * motor.holding_torque();
   }
   CHECK(differing >= 3);  // the threshold matters at these speeds
 }
 
-TEST_CASE("a period-one state that does not exist is reported, not invented", "[core][edge][limit]") {
+TEST_CASE("a period-one state that does not exist is reported, not invented",
+          "[core][edge][limit]") {
   // Full contact, elastic, mu_0 > mu: the layer's state at "entry" depends on where it last snapped.
   MotorDesign design = GENERATE(damped(ring_motor()), elastic(ring_motor()));
   design.layer.given_shear_modulus = 0.3 * shear_modulus(design);
@@ -160,7 +166,8 @@ TEST_CASE("a period-one state that does not exist is reported, not invented", "[
     const auto point = motor.operating_point(speed);
     CAPTURE(i);
     // laps by time stepping settle if and only if the core has a state
-    if (i % 4 == 1) CHECK(fixed_grid(design, speed, 1000, 400).converged == (point.status == PointStatus::ok));
+    if (i % 4 == 1)
+      CHECK(fixed_grid(design, speed, 1000, 400).converged == (point.status == PointStatus::ok));
     if (point.status == PointStatus::ok) {
       CHECK(all_finite(point));
       CHECK(std::abs(imbalance(point)) <= 1e-11 * power_scale(motor, speed));
@@ -197,7 +204,8 @@ TEST_CASE("an undamped layer with inertia has an answer or a typed reason", "[co
   }
 }
 
-TEST_CASE("an undamped layer driven at its own resonance is refused by name", "[core][edge][limit]") {
+TEST_CASE("an undamped layer driven at its own resonance is refused by name",
+          "[core][edge][limit]") {
   // Full slip with M = m W^2 = G: the forced response has no bound.
   MotorDesign design = at_load(ring_motor(), 2.0);
   const double omega = 2 * 3.14159265358979323846 * design.stator.frequency;
@@ -220,7 +228,8 @@ TEST_CASE("overhauling and backward running are operating points", "[core][edge]
   for (const double share : {-5.0, -0.5, -0.01}) {
     const auto point = motor.operating_point(share * motor.crest_speed());
     REQUIRE(point.status == PointStatus::ok);
-    CHECK(point.torque == Approx(full).epsilon(1e-12));  // the wave drives a rotor that runs backward
+    CHECK(point.torque ==
+          Approx(full).epsilon(1e-12));  // the wave drives a rotor that runs backward
     CHECK(point.output_power < 0);
   }
   for (const double share : {1.5, 5.0, 40.0}) {
@@ -231,7 +240,8 @@ TEST_CASE("overhauling and backward running are operating points", "[core][edge]
   }
 }
 
-TEST_CASE("speeds down to just above the negative wave speed are answered (T2.1)", "[core][edge][limit]") {
+TEST_CASE("speeds down to just above the negative wave speed are answered (T2.1)",
+          "[core][edge][limit]") {
   const Motor motor(ring_motor());
   const auto point = motor.operating_point(-motor.wave_speed() * (1 - 1e-6));
   REQUIRE(point.status == PointStatus::ok);
@@ -241,17 +251,20 @@ TEST_CASE("speeds down to just above the negative wave speed are answered (T2.1)
 TEST_CASE("a speed at or below the negative wave speed is refused", "[core][edge][error]") {
   const Motor motor(ring_motor());
   const double infinity = std::numeric_limits<double>::infinity();
-  for (const double speed : {-motor.wave_speed(), -1.01 * motor.wave_speed(), -infinity, infinity, std::nan("")}) {
+  for (const double speed :
+       {-motor.wave_speed(), -1.01 * motor.wave_speed(), -infinity, infinity, std::nan("")}) {
     CAPTURE(speed);
     CHECK_THROWS_AS(motor.operating_point(speed), InputError);
     CHECK_THROWS_AS(motor.zones(speed), InputError);
   }
-  const MetricValue value = evaluate(motor, {Metric::torque_at, Argument::speed, -1.01 * motor.wave_speed()});
+  const MetricValue value =
+      evaluate(motor, {Metric::torque_at, Argument::speed, -1.01 * motor.wave_speed()});
   CHECK(value.status == MetricStatus::out_of_range);
   CHECK(std::isnan(value.value));
 }
 
-TEST_CASE("full contact is answered at very low speed, where laps hardly differ", "[core][edge][differential]") {
+TEST_CASE("full contact is answered at very low speed, where laps hardly differ",
+          "[core][edge][differential]") {
   for (const MotorDesign& base : {ring_motor(), damped(ring_motor()), elastic(ring_motor())}) {
     const Motor motor(at_load(base, 1.2));
     for (const double share : {1e-7, 1e-5, 1e-4, 1e-3}) {

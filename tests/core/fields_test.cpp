@@ -39,13 +39,14 @@ MotorDesign with_threshold(MotorDesign design, double ratio) {
 
 std::vector<Probe> probes() {
   const std::vector<double> speeds{0.0, 0.8, 0.93, 1.1};
-  return {{"inertial", ring_motor(), speeds},
-          {"damped", damped(ring_motor()), speeds},
-          {"elastic", elastic(ring_motor()), speeds},
-          {"inertial, threshold", with_threshold(with_load(ring_motor(), 0.3), 1.5), speeds},
-          {"damped, threshold", with_threshold(with_load(damped(ring_motor()), 0.3), 1.5), speeds},
-          {"elastic, threshold", with_threshold(with_load(elastic(ring_motor()), 0.15), 1.5), speeds},
-          {"full contact", with_load(ring_motor(), 1.5), {0.1, 0.5, 1.1}}};
+  return {
+      {"inertial", ring_motor(), speeds},
+      {"damped", damped(ring_motor()), speeds},
+      {"elastic", elastic(ring_motor()), speeds},
+      {"inertial, threshold", with_threshold(with_load(ring_motor(), 0.3), 1.5), speeds},
+      {"damped, threshold", with_threshold(with_load(damped(ring_motor()), 0.3), 1.5), speeds},
+      {"elastic, threshold", with_threshold(with_load(elastic(ring_motor()), 0.15), 1.5), speeds},
+      {"full contact", with_load(ring_motor(), 1.5), {0.1, 0.5, 1.1}}};
 }
 
 template <typename Check>
@@ -80,7 +81,8 @@ double mean(const ContactFields& fields, Integrand integrand) {
 
 }  // namespace
 
-TEST_CASE("samples are equally spaced over one wave, both ends included", "[core][fields][identity]") {
+TEST_CASE("samples are equally spaced over one wave, both ends included",
+          "[core][fields][identity]") {
   for_each_probe(100, [](const Motor&, const ContactFields& fields) {
     const double step = fields.samples[1].phase - fields.samples[0].phase;
     for (std::size_t i = 1; i < fields.samples.size(); ++i) {
@@ -100,11 +102,14 @@ TEST_CASE("the point of the fields is the operating point", "[core][fields][iden
   });
 }
 
-TEST_CASE("the fields' mean traction gives the torque, and their power the powers (T4.5, T7.2, T7.3)",
-          "[core][fields][quadrature]") {
+TEST_CASE(
+    "the fields' mean traction gives the torque, and their power the powers (T4.5, T7.2, T7.3)",
+    "[core][fields][quadrature]") {
   constexpr int kSamples = 400000;
-  Deviation torque("torque by quadrature of the fields, in units of the quadrature's error bound", 1);
-  Deviation powers("powers by quadrature of the fields, in units of the quadrature's error bound", 1);
+  Deviation torque("torque by quadrature of the fields, in units of the quadrature's error bound",
+                   1);
+  Deviation powers("powers by quadrature of the fields, in units of the quadrature's error bound",
+                   1);
   for_each_probe(kSamples, [&](const Motor& motor, const ContactFields& fields) {
     const ContactProblem problem = contact_problem(motor.design(), fields.point.speed);
     const double wave = problem.track_area;
@@ -116,18 +121,21 @@ TEST_CASE("the fields' mean traction gives the torque, and their power the power
     const double velocity = std::max(problem.crest_velocity, std::abs(problem.rotor_velocity));
     const double traction = wave * mean(fields, [](const FieldSample& s) { return s.traction; });
     torque.add(traction * problem.radius, fields.point.torque, bound * problem.radius);
-    const double in = wave * mean(fields, [](const FieldSample& s) { return s.traction * s.stator_velocity; });
+    const double in =
+        wave * mean(fields, [](const FieldSample& s) { return s.traction * s.stator_velocity; });
     powers.add(in, fields.point.stator_power, bound * velocity);
-    const double slip =
-        wave * mean(fields, [](const FieldSample& s) { return -s.traction * (s.layer_velocity - s.stator_velocity); });
+    const double slip = wave * mean(fields, [](const FieldSample& s) {
+                          return -s.traction * (s.layer_velocity - s.stator_velocity);
+                        });
     const bool snaps = problem.damping == 0 && problem.threshold > problem.kinetic;
     // the work of a snap is no integral; without damping it is what remains
     if (!snaps) powers.add(slip, fields.point.friction_power, 3 * bound * velocity);
     if (snaps) CHECK(slip <= fields.point.friction_power + 3 * bound * velocity);
     const double loss = wave * mean(fields, [&](const FieldSample& s) {
-      const double rate = (s.layer_velocity - problem.rotor_velocity) / problem.strain_velocity;
-      return problem.damping * problem.strain_velocity * rate * rate;
-    });
+                          const double rate =
+                              (s.layer_velocity - problem.rotor_velocity) / problem.strain_velocity;
+                          return problem.damping * problem.strain_velocity * rate * rate;
+                        });
     powers.add(loss, fields.point.layer_loss, 3 * bound * velocity);
   });
   CHECK(torque.holds());
@@ -149,7 +157,8 @@ TEST_CASE("Coulomb's law holds at every phase (T4.2, T4.3)", "[core][fields][ide
       const double slip = s.layer_velocity - s.stator_velocity;
       if (zone->state == ZoneState::stick) {
         law.add(slip, 0, velocity);
-        law.add(std::max(std::abs(s.traction), friction.static_ * s.pressure), friction.static_ * s.pressure, peak);
+        law.add(std::max(std::abs(s.traction), friction.static_ * s.pressure),
+                friction.static_ * s.pressure, peak);
       } else {
         const double sign = static_cast<double>(zone->state);
         law.add(s.traction, sign * friction.kinetic * s.pressure, peak);
@@ -174,7 +183,8 @@ TEST_CASE("outside the contact nothing touches and nothing pulls", "[core][field
   });
 }
 
-TEST_CASE("pressure and stator velocity are those of the wave (T2.2, T3.1, T3.3)", "[core][fields][closed_form]") {
+TEST_CASE("pressure and stator velocity are those of the wave (T2.2, T3.1, T3.3)",
+          "[core][fields][closed_form]") {
   for_each_probe(500, [](const Motor& motor, const ContactFields& fields) {
     const ContactProblem problem = contact_problem(motor.design(), fields.point.speed);
     const double peak = problem.pressure(0);
@@ -203,16 +213,21 @@ TEST_CASE("displacement obeys the layer's equation by finite differences (T2.3, 
     for (std::size_t i = 3; i + 3 < s.size(); ++i) {
       const Zone* zone = zone_at(fields.zones, s[i].phase);
       // all five points in one zone, or all outside
-      if (zone_at(fields.zones, s[i - 3].phase) != zone || zone_at(fields.zones, s[i + 3].phase) != zone) continue;
+      if (zone_at(fields.zones, s[i - 3].phase) != zone ||
+          zone_at(fields.zones, s[i + 3].phase) != zone)
+        continue;
       const auto q = [&](std::size_t k) { return s[k].displacement / h; };
       const double first = (8 * (q(i + 1) - q(i - 1)) - (q(i + 2) - q(i - 2))) / (12 * d);
-      const double second = (16 * (q(i + 1) + q(i - 1)) - (q(i + 2) + q(i - 2)) - 30 * q(i)) / (12 * d * d);
+      const double second =
+          (16 * (q(i + 1) + q(i - 1)) - (q(i + 2) + q(i - 2)) - 30 * q(i)) / (12 * d * d);
       // Truncation (w d)^4 / 30 of a layer w = 14 times faster than the wave, d = 3e-4: 1e-11. Right
       // after an event of a damped layer w = G / C = 20, the same. Rounding of eps' strain / d^2:
       // 16 eps M / (G d^2) = 2e-10 of the stress. Both are far below the tolerances, which allow for layers
       // that relax a hundred times faster.
-      velocity.add(problem.rotor_velocity + problem.strain_velocity * first, s[i].layer_velocity, speed);
-      const double tau = problem.inertia * second + problem.damping * first + problem.stiffness * q(i);
+      velocity.add(problem.rotor_velocity + problem.strain_velocity * first, s[i].layer_velocity,
+                   speed);
+      const double tau =
+          problem.inertia * second + problem.damping * first + problem.stiffness * q(i);
       equation.add(tau, s[i].traction, stress);
     }
   });
@@ -220,8 +235,9 @@ TEST_CASE("displacement obeys the layer's equation by finite differences (T2.3, 
   CHECK(velocity.holds());
 }
 
-TEST_CASE("displacement is continuous where damping or inertia keep it so, periodic included (T2.3)",
-          "[core][fields][identity]") {
+TEST_CASE(
+    "displacement is continuous where damping or inertia keep it so, periodic included (T2.3)",
+    "[core][fields][identity]") {
   constexpr int kSamples = 20000;
   for_each_probe(kSamples, [](const Motor& motor, const ContactFields& fields) {
     const ContactProblem problem = contact_problem(motor.design(), fields.point.speed);
@@ -236,7 +252,8 @@ TEST_CASE("displacement is continuous where damping or inertia keep it so, perio
     }
     for (std::size_t i = 0; i < fields.samples.size(); ++i) {
       const auto& next = fields.samples[(i + 1) % fields.samples.size()];
-      REQUIRE(std::abs(next.displacement - fields.samples[i].displacement) <= 2 * fastest / rate * step + 1e-18);
+      REQUIRE(std::abs(next.displacement - fields.samples[i].displacement) <=
+              2 * fastest / rate * step + 1e-18);
     }
   });
 }

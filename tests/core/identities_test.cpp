@@ -48,7 +48,8 @@ TEST_CASE("input power is output plus losses (T7.10)", "[core][performance][iden
   CHECK(identity.holds());
 }
 
-TEST_CASE("the identity outlasts the digits of a narrow contact (T7.10)", "[core][performance][limit]") {
+TEST_CASE("the identity outlasts the digits of a narrow contact (T7.10)",
+          "[core][performance][limit]") {
   for (const double load : {1e-8, 1e-10, 1e-12}) {
     MotorDesign design = ring_motor();
     design.preload = load * full_contact_load(design);
@@ -60,7 +61,8 @@ TEST_CASE("the identity outlasts the digits of a narrow contact (T7.10)", "[core
       REQUIRE(point.status == PointStatus::ok);
       // Speeds 1 - V are of the order theta_L, known to eps; cos theta - c is of the order
       // theta_L^2: a relative error of 10 eps / theta_L^2.
-      CHECK(std::abs(imbalance(point)) <= (1e-11 + 2e-15 / (half * half)) * power_scale(motor, point.speed));
+      CHECK(std::abs(imbalance(point)) <=
+            (1e-11 + 2e-15 / (half * half)) * power_scale(motor, point.speed));
       CHECK(std::abs(point.torque) <= motor.holding_torque() * (1 + 2e-15 / (half * half)));
     }
   }
@@ -113,9 +115,11 @@ TEST_CASE("the numbers of a point fit together (T7.1, T7.5, T7.6, T7.7, T7.9)",
   // Products of a handful of factors: a few eps each.
   CHECK(point.speed == 12.0);
   CHECK(point.output_power == Approx(point.torque * 12.0).epsilon(1e-15));
-  CHECK(point.stator_loss == Approx(45 * std::pow(omega * design.stator.amplitude, 2)).epsilon(1e-14));
+  CHECK(point.stator_loss ==
+        Approx(45 * std::pow(omega * design.stator.amplitude, 2)).epsilon(1e-14));
   CHECK(point.wear_intensity == Approx(point.friction_power / track).epsilon(1e-14));
-  CHECK(point.contact_efficiency() == Approx(point.output_power / point.stator_power).epsilon(1e-15));
+  CHECK(point.contact_efficiency() ==
+        Approx(point.output_power / point.stator_power).epsilon(1e-15));
   CHECK(point.efficiency() ==
         Approx(point.output_power / (point.stator_power + point.stator_loss)).epsilon(1e-15));
 }
@@ -159,7 +163,8 @@ TEST_CASE("a curve is its points", "[core][performance][identity]") {
   for (std::size_t i = 0; i < speeds.size(); ++i) {
     CHECK(curve[i].speed == speeds[i]);
     // A neighbour's state may serve as starting guess, so equality holds to the accuracy of the state.
-    CHECK(std::abs(curve[i].torque - motor.operating_point(speeds[i]).torque) <= 1e-12 * motor.holding_torque());
+    CHECK(std::abs(curve[i].torque - motor.operating_point(speeds[i]).torque) <=
+          1e-12 * motor.holding_torque());
   }
 }
 

@@ -34,7 +34,8 @@ struct Scan {
 
 Scan scan(const Motor& motor, int count) {
   Scan found{{}, ask(motor, Metric::no_load_speed).value};
-  for (int i = 1; i < count; ++i) found.points.push_back(motor.operating_point(found.free * i / count));
+  for (int i = 1; i < count; ++i)
+    found.points.push_back(motor.operating_point(found.free * i / count));
   return found;
 }
 
@@ -132,12 +133,14 @@ TEST_CASE("peak power is torque times speed there (T7.16)", "[core][metrics][ide
   }
 }
 
-TEST_CASE("peak power is stationary where the characteristic is smooth (T7.16)", "[core][metrics][identity]") {
+TEST_CASE("peak power is stationary where the characteristic is smooth (T7.16)",
+          "[core][metrics][identity]") {
   const Motor motor(ring_motor());
   const double speed = ask(motor, Metric::speed_at_peak_power).value;
   const double step = 1e-5 * speed;
   const double slope = (motor.operating_point(speed + step).output_power -
-                        motor.operating_point(speed - step).output_power) / (2 * step);
+                        motor.operating_point(speed - step).output_power) /
+                       (2 * step);
   // the difference quotient of the parabola is exact but for rounding of 1e-15 / 1e-5
   CHECK(std::abs(slope) * speed <= 1e-6 * ask(motor, Metric::peak_power).value);
 }
@@ -151,11 +154,13 @@ TEST_CASE("speed_at undoes torque_at on the stable side (T7.15)", "[core][metric
       REQUIRE(speed.status == MetricStatus::ok);
       CHECK(speed.value >= 0);
       CHECK(speed.value <= free * (1 + 1e-12));
-      CHECK(std::abs(motor.operating_point(speed.value).torque - share * stall) <= 1e-9 * motor.holding_torque());
+      CHECK(std::abs(motor.operating_point(speed.value).torque - share * stall) <=
+            1e-9 * motor.holding_torque());
       // nothing beyond carries as much
       for (int i = 1; i <= 50; ++i) {
         const double beyond = speed.value + (free - speed.value) * i / 50;
-        CHECK(motor.operating_point(beyond).torque <= share * stall + 1e-9 * motor.holding_torque());
+        CHECK(motor.operating_point(beyond).torque <=
+              share * stall + 1e-9 * motor.holding_torque());
       }
     }
   }
@@ -167,9 +172,11 @@ TEST_CASE("no load at all runs at the no-load speed (T7.14, T7.15)", "[core][met
         Approx(ask(motor, Metric::no_load_speed).value).epsilon(1e-10));
 }
 
-TEST_CASE("more than the motor can carry is unreachable, not an error (T7.15)", "[core][metrics][limit]") {
+TEST_CASE("more than the motor can carry is unreachable, not an error (T7.15)",
+          "[core][metrics][limit]") {
   const Motor motor(ring_motor());
-  for (const Metric which : {Metric::speed_at, Metric::output_power_at, Metric::contact_efficiency_at}) {
+  for (const Metric which :
+       {Metric::speed_at, Metric::output_power_at, Metric::contact_efficiency_at}) {
     const MetricValue value = at_torque(motor, which, 1.01 * motor.holding_torque());
     CHECK(value.status == MetricStatus::unreachable);
     CHECK(std::isnan(value.value));
@@ -189,7 +196,8 @@ TEST_CASE("point metrics are the numbers of the operating point", "[core][metric
     CHECK(at_speed(motor, Metric::friction_power_at, speed).value == point.friction_power);
     CHECK(at_speed(motor, Metric::layer_loss_at, speed).value == point.layer_loss);
     CHECK(at_speed(motor, Metric::efficiency_at, speed).value == point.efficiency());
-    CHECK(at_speed(motor, Metric::contact_efficiency_at, speed).value == point.contact_efficiency());
+    CHECK(at_speed(motor, Metric::contact_efficiency_at, speed).value ==
+          point.contact_efficiency());
     CHECK(at_speed(motor, Metric::wear_intensity_at, speed).value == point.wear_intensity);
     CHECK(at_speed(motor, Metric::stick_fraction_at, speed).value == point.stick_fraction);
   }
@@ -199,10 +207,12 @@ TEST_CASE("point metrics at a torque are those at its speed (T7.15)", "[core][me
   const Motor motor(ring_motor());
   const double load = 0.5 * ask(motor, Metric::stall_torque).value;
   const double speed = at_torque(motor, Metric::speed_at, load).value;
-  for (const Metric which : {Metric::output_power_at, Metric::stator_power_at, Metric::friction_power_at,
-                             Metric::layer_loss_at, Metric::wear_intensity_at, Metric::stick_fraction_at}) {
+  for (const Metric which :
+       {Metric::output_power_at, Metric::stator_power_at, Metric::friction_power_at,
+        Metric::layer_loss_at, Metric::wear_intensity_at, Metric::stick_fraction_at}) {
     CAPTURE(info(which).name);
-    CHECK(at_torque(motor, which, load).value == Approx(at_speed(motor, which, speed).value).epsilon(1e-10));
+    CHECK(at_torque(motor, which, load).value ==
+          Approx(at_speed(motor, which, speed).value).epsilon(1e-10));
   }
 }
 
@@ -215,7 +225,8 @@ TEST_CASE("geometry metrics are those of the normal contact (T3.4)", "[core][met
   }
 }
 
-TEST_CASE("efficiency has a maximum only if the stator loses power (T7.18)", "[core][metrics][limit]") {
+TEST_CASE("efficiency has a maximum only if the stator loses power (T7.18)",
+          "[core][metrics][limit]") {
   const MetricValue none = ask(Motor(ring_motor()), Metric::max_efficiency);
   CHECK(none.status == MetricStatus::undefined);
   CHECK(std::isnan(none.value));
@@ -226,12 +237,14 @@ TEST_CASE("efficiency has a maximum only if the stator loses power (T7.18)", "[c
   const double speed = ask(motor, Metric::speed_at_max_efficiency).value;
   CHECK(motor.operating_point(speed).efficiency() == Approx(best).epsilon(1e-10));
   double seen = 0;
-  for (const OperatingPoint& point : scan(motor, 3000).points) seen = std::max(seen, point.efficiency());
+  for (const OperatingPoint& point : scan(motor, 3000).points)
+    seen = std::max(seen, point.efficiency());
   CHECK(best >= seen * (1 - 1e-12));
   CHECK(best <= seen * (1 + 1e-5));
 }
 
-TEST_CASE("plateau speed is where the contact stops slipping one way (T7.17)", "[core][metrics][identity]") {
+TEST_CASE("plateau speed is where the contact stops slipping one way (T7.17)",
+          "[core][metrics][identity]") {
   for (const Motor& motor : motors(7, 45, true)) {
     const MetricValue plateau = ask(motor, Metric::plateau_speed);
     REQUIRE(plateau.status == MetricStatus::ok);

@@ -43,7 +43,8 @@ double preload_by_quadrature(const Motor& motor) {
     const double theta = half * (2.0 * i / panels - 1);
     const double pressure =
         contact.full ? contact.pressure_amplitude * (std::cos(theta) - contact.edge_cosine)
-                     : 2 * contact.pressure_amplitude * std::sin((half + theta) / 2) * std::sin((half - theta) / 2);
+                     : 2 * contact.pressure_amplitude * std::sin((half + theta) / 2) *
+                           std::sin((half - theta) / 2);
     sum += (i == 0 || i == panels ? 1 : i % 2 == 1 ? 4 : 2) * pressure;
   }
   return problem.track_area / (2 * kPi) * sum * 2 * half / panels / 3;
@@ -70,7 +71,8 @@ TEST_CASE("the half angle is found to full relative accuracy from 1e-12 to pi (T
   CHECK(contact_half_angle(std::nextafter(kPi, 0)) <= kPi);
 }
 
-TEST_CASE("contact pressure adds up to the preload (T3.1, T3.2, T3.3)", "[core][contact][quadrature]") {
+TEST_CASE("contact pressure adds up to the preload (T3.1, T3.2, T3.3)",
+          "[core][contact][quadrature]") {
   Deviation deviation("preload by quadrature", 1e-11);
   for (const double load : {1e-18, 1e-9, 1e-3, 0.1, 0.5, 0.99, 1.01, 1.5, 10.0}) {
     MotorDesign design = ring_motor();
@@ -102,7 +104,8 @@ TEST_CASE("contact length, ratio and pressure follow from the half angle (T3.4)"
   }
 }
 
-TEST_CASE("partial contact passes into full contact without a step (T3.3)", "[core][contact][limit]") {
+TEST_CASE("partial contact passes into full contact without a step (T3.3)",
+          "[core][contact][limit]") {
   MotorDesign design = ring_motor();
   const double limit = full_contact_load(design);
   // The load's slope theta_L sin theta_L vanishes at pi: a load short of the limit by a share d leaves theta_L

@@ -20,7 +20,8 @@ MotorDesign ring() { return test::ring_motor(); }
 
 }  // namespace
 
-TEST_CASE("the parameter table has one row for each parameter, in order", "[core][design][identity]") {
+TEST_CASE("the parameter table has one row for each parameter, in order",
+          "[core][design][identity]") {
   REQUIRE(parameter_table().size() == kParameterCount);
   std::set<std::string_view> words;
   for (std::size_t i = 0; i < kParameterCount; ++i) {
@@ -41,11 +42,14 @@ TEST_CASE("the parameter table has one row for each parameter, in order", "[core
   CHECK_FALSE(find_parameter("").has_value());
 }
 
-TEST_CASE("every parameter of the ring motor can be set and read back", "[core][design][identity]") {
+TEST_CASE("every parameter of the ring motor can be set and read back",
+          "[core][design][identity]") {
   for (const ParameterInfo& row : parameter_table()) {
     CAPTURE(row.name);
     const double now = get(ring(), row.parameter);
-    const double value = row.integer ? now + 1 : row.parameter == P::static_friction ? 0.3 : now * 0.9 + 1e-9;
+    const double value = row.integer                           ? now + 1
+                         : row.parameter == P::static_friction ? 0.3
+                                                               : now * 0.9 + 1e-9;
     const MotorDesign changed = with(ring(), row.parameter, value);
     CHECK(get(changed, row.parameter) == Approx(value).epsilon(1e-15));
     CHECK(in_use(changed, row.parameter));
@@ -59,7 +63,8 @@ TEST_CASE("a parameter's twin says the same (T1.2, T1.3, T1.4)", "[core][design]
   CHECK(get(with(given, P::poisson_ratio, 0.25), P::shear_modulus) == Approx(1.2e9).epsilon(1e-15));
   const double omega = 251327.41228718346;
   const MotorDesign viscous = with(ring(), P::shear_viscosity, 100);
-  CHECK(get(viscous, P::loss_factor) == Approx(100 * omega / shear_modulus(viscous)).epsilon(1e-14));
+  CHECK(get(viscous, P::loss_factor) ==
+        Approx(100 * omega / shear_modulus(viscous)).epsilon(1e-14));
   const MotorDesign heavy = with(ring(), P::inertia, 6e-5);
   CHECK(get(heavy, P::density) == Approx(3 * 6e-5 / (0.3e-3 * 0.3e-3)).epsilon(1e-14));
 }

@@ -59,13 +59,15 @@ using namespace twum::test;
 
 // Empty if the point keeps every law, else the law it breaks.
 std::string broken_law(const Motor& motor, const OperatingPoint& point) {
-  if (point.status != PointStatus::ok) return std::isnan(point.torque) ? "" : "a number beside a reason";
+  if (point.status != PointStatus::ok)
+    return std::isnan(point.torque) ? "" : "a number beside a reason";
   if (!all_finite(point)) return "a number is not finite";
   // 1e-10 of the scale: rounding of the zone integrals times the condition of the periodic state,
   // whose worst case over the box (loss factors of 1e-3 near resonance) is some 1e5.
   if (!(std::abs(imbalance(point)) <= 1e-10 * power_scale(motor, point.speed))) return "identity";
   if (!(std::abs(point.torque) <= motor.holding_torque() * (1 + 1e-12))) return "bound";
-  if (point.friction_power < -1e-11 * power_scale(motor, point.speed)) return "friction gives power";
+  if (point.friction_power < -1e-11 * power_scale(motor, point.speed))
+    return "friction gives power";
   if (point.layer_loss < -1e-11 * power_scale(motor, point.speed)) return "layer gives power";
   if (!(point.stick_fraction >= 0 && point.stick_fraction <= 1 + 1e-12)) return "stick fraction";
   return {};
@@ -101,7 +103,8 @@ Survey survey(std::uint64_t seed, int count) {
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
     result.slowest = std::max(result.slowest, taken.count());
     ++result.statuses[to_string(point.status)];
-    if (point.status == PointStatus::ok) identity.add(imbalance(point), 0, power_scale(motor, point.speed));
+    if (point.status == PointStatus::ok)
+      identity.add(imbalance(point), 0, power_scale(motor, point.speed));
     const std::string law = broken_law(motor, point);
     if (law.empty()) continue;
     ++result.broken[law];
@@ -112,9 +115,11 @@ Survey survey(std::uint64_t seed, int count) {
 
 void report(const Survey& found) {
   std::string text;
-  for (const auto& [status, count] : found.statuses) text += status + ": " + std::to_string(count) + "  ";
+  for (const auto& [status, count] : found.statuses)
+    text += status + ": " + std::to_string(count) + "  ";
   text += "slowest [ms]: " + std::to_string(1e3 * found.slowest);
-  for (const auto& [law, count] : found.broken) text += "\nbroken: " + law + ": " + std::to_string(count);
+  for (const auto& [law, count] : found.broken)
+    text += "\nbroken: " + law + ": " + std::to_string(count);
   for (const auto& example : found.examples) text += "\n" + example;
   WARN(text);
 }
@@ -132,7 +137,8 @@ TEST_CASE("twenty thousand points of the box keep the laws or name a reason (T7.
   CAPTURE(found.statuses, found.broken, found.examples, found.slowest);
   CHECK(found.broken.empty());
   CHECK(found.slowest < 2.0);
-  CHECK(found.statuses.at("ok") > 17000);  // most of the rest: mu_0 > mu in full contact or undamped
+  CHECK(found.statuses.at("ok") >
+        17000);  // most of the rest: mu_0 > mu in full contact or undamped
 }
 
 TEST_CASE("a million points of the box keep the laws or name a reason (T7.10, C8.1)",
@@ -143,7 +149,8 @@ TEST_CASE("a million points of the box keep the laws or name a reason (T7.10, C8
   CHECK(found.slowest < 2.0);
 }
 
-TEST_CASE("metrics of every design of the box are numbers or have a status", "[core][property][identity]") {
+TEST_CASE("metrics of every design of the box are numbers or have a status",
+          "[core][property][identity]") {
   Uniform random(3);
   for (int i = 0; i < 300; ++i) {
     const Motor motor(random_box_point(random).design);

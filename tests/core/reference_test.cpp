@@ -45,7 +45,8 @@ TEST_CASE("torque of the reference motors (T4.5)", "[core][performance][differen
   CHECK(torque.holds());
 }
 
-TEST_CASE("powers of the reference motors (T7.1, T7.2, T7.3, T7.4)", "[core][performance][differential]") {
+TEST_CASE("powers of the reference motors (T7.1, T7.2, T7.3, T7.4)",
+          "[core][performance][differential]") {
   Deviation powers("powers of the reference cases", 1e-8);
   for_each_point([&](const MotorDesign& design, const Row& row) {
     const Motor motor(design);
@@ -76,7 +77,9 @@ TEST_CASE("stick fraction of the reference motors", "[core][contact][differentia
 // zero for a moment, and the reference program sees the dip once it is deep enough: its plateau ends up to 7e-8
 // late (see "the plateau ends where the slip velocity first dips through zero"). The slope of torque beyond
 // makes that 6e-7 of the maximum, and 2e-5 of the efficiency, which jumps.
-bool maximum_at_a_jump(int number) { return number == 1 || number == 16 || number == 22 || number == 25; }
+bool maximum_at_a_jump(int number) {
+  return number == 1 || number == 16 || number == 22 || number == 25;
+}
 
 TEST_CASE("metrics of the reference motors (T7.12, T7.13, T7.14, T7.16)",
           "[core][metrics][differential]") {
@@ -125,14 +128,16 @@ TEST_CASE("the plateau ends where the slip velocity first dips through zero (T7.
       CAPTURE(entry.number, offset);
       CHECK((motor.zones(speed).size() == 1) == (offset < 0));
       const auto oracle = ode_solver_run(entry.design, speed, fine);
-      CHECK(torque.add(motor.operating_point(speed).torque, oracle.torque, torque_scale(entry.design)) <= 1e-10);
+      CHECK(torque.add(motor.operating_point(speed).torque, oracle.torque,
+                       torque_scale(entry.design)) <= 1e-10);
     }
   }
   CHECK(torque.holds());
 }
 
 TEST_CASE("the brute-force oracle finds the reference torques", "[core][oracle][differential]") {
-  Deviation torque("brute force against the reference cases, in units of its own error estimate", 1);
+  Deviation torque("brute force against the reference cases, in units of its own error estimate",
+                   1);
   for_each_point([&](const MotorDesign& design, const Row& row) {
     if (row.at("design") >= 12) return;  // a share is enough, chosen by number
     const auto found = brute_force(design, row.at("speed"));
@@ -147,7 +152,8 @@ TEST_CASE("the ODE oracle finds the reference torques", "[core][oracle][differen
   for_each_point([&](const MotorDesign& design, const Row& row) {
     const auto problem = contact_problem(design, row.at("speed"));
     if (problem.damping == 0 && problem.inertia == 0) return;
-    if (problem.inertia > 0 && problem.stiffness > 1e4 * problem.inertia) return;  // slow, same path
+    if (problem.inertia > 0 && problem.stiffness > 1e4 * problem.inertia)
+      return;  // slow, same path
     const auto found = ode_solver_run(design, row.at("speed"));
     CHECK(found.converged);
     // A lap takes some hundreds of steps of 1e-13 each.

@@ -43,15 +43,16 @@ TEST_CASE("a 60 mm motor passes the four regimes of the paper", "[core][contact]
   CHECK(sequence(motor, 0.85 * free) == "slip+ stick slip+");
   const std::string third = sequence(motor, 0.97 * free);
   CAPTURE(third);
-  CHECK((third == "slip- stick slip+" || third == "slip- stick slip-" || third == "slip+ stick slip+" ||
-         third == "stick slip+" || third == "stick slip-"));
+  CHECK((third == "slip- stick slip+" || third == "slip- stick slip-" ||
+         third == "slip+ stick slip+" || third == "stick slip+" || third == "stick slip-"));
   const std::string beyond = sequence(motor, 1.05 * free);
   CAPTURE(beyond);
   CHECK((beyond == "slip- stick slip-" || beyond == "stick slip-"));
   CHECK(sequence(motor, 1.4 * free) == "slip-");
 }
 
-TEST_CASE("a wide contact of a stiff layer has the paper's five zones", "[core][contact][published]") {
+TEST_CASE("a wide contact of a stiff layer has the paper's five zones",
+          "[core][contact][published]") {
   // Rigid limit: v_rel changes sign at cos theta = U / V0 on either side of the crest; a stiff layer
   // sticks for a short while at both. Contact reaches past both, as theta_L = 2.2.
   MotorDesign design = ring_motor();

@@ -45,7 +45,8 @@ void check_scaling(const char* name, double torque_factor, double speed_factor, 
       if (point.status != PointStatus::ok) continue;
       CHECK(deviation.add(scaled.torque, torque_factor * point.torque,
                           torque_factor * torque_scale(design)) <= 1e-11);
-      CHECK(deviation.add(scaled.friction_power, torque_factor * speed_factor * point.friction_power,
+      CHECK(deviation.add(scaled.friction_power,
+                          torque_factor * speed_factor * point.friction_power,
                           torque_factor * speed_factor * power_scale(motor, speed)) <= 1e-11);
     }
   }
@@ -54,7 +55,8 @@ void check_scaling(const char* name, double torque_factor, double speed_factor, 
 
 }  // namespace
 
-TEST_CASE("stresses and forces scaled alike scale the torque (C8.9)", "[core][performance][scaling]") {
+TEST_CASE("stresses and forces scaled alike scale the torque (C8.9)",
+          "[core][performance][scaling]") {
   const double c = 3.7;
   check_scaling("scaling of stresses", c, 1, [c](MotorDesign d) {
     d.layer.youngs_modulus *= c;
@@ -121,7 +123,8 @@ TEST_CASE("the layer's constants follow the material unless given (T1.2, T1.3, T
   CHECK(inertia(design) == 0);
 }
 
-TEST_CASE("drive velocities of the ring motor (T1.1, T2.1, T2.2)", "[core][performance][closed_form]") {
+TEST_CASE("drive velocities of the ring motor (T1.1, T2.1, T2.2)",
+          "[core][performance][closed_form]") {
   const Motor motor(ring_motor());
   // n = 9, r = 26.5 mm, a = 3 mm, A = 1.6 um, f = 40 kHz: V0 = kappa a A omega
   const double omega = 251327.41228718346;

@@ -16,7 +16,9 @@ enum class Mode : signed char { slip_minus = -1, stick = 0, slip_plus = 1, open 
 
 // sign of the slip velocity: a driven layer (slip+) is slower than the stator
 double slip_sign(Mode mode) { return mode == Mode::slip_plus ? -1.0 : 1.0; }
-Mode mode_for_traction(double traction) { return traction > 0 ? Mode::slip_plus : Mode::slip_minus; }
+Mode mode_for_traction(double traction) {
+  return traction > 0 ? Mode::slip_plus : Mode::slip_minus;
+}
 
 struct State {
   double strain{0};  // y = eps
@@ -95,7 +97,8 @@ class Stepper {
       return mode_of(p_.slip_velocity(theta, -p_.stiffness * state.strain / p_.damping));
     }
     for (const Mode mode : {Mode::slip_plus, Mode::slip_minus}) {
-      if (slips_on(state, elastic_slip(state, mode, theta, length), mode, theta, length)) return mode;
+      if (slips_on(state, elastic_slip(state, mode, theta, length), mode, theta, length))
+        return mode;
     }
     return Mode::stick;
   }
@@ -144,11 +147,14 @@ class Stepper {
   }
 
   bool slips_on(const State& from, const State& to, Mode mode, double theta, double length) const {
-    return slip_sign(mode) * p_.slip_velocity(theta + length, end_rate(from, to, mode, theta, length)) >= 0;
+    return slip_sign(mode) *
+               p_.slip_velocity(theta + length, end_rate(from, to, mode, theta, length)) >=
+           0;
   }
 
   // eps' at the end of a slip step
-  double end_rate(const State& from, const State& to, Mode mode, double theta, double length) const {
+  double end_rate(const State& from, const State& to, Mode mode, double theta,
+                  double length) const {
     const double end = theta + length;
     if (has_inertia()) return to.rate;
     if (has_damping()) return p_.stiffness / p_.damping * (on_cone(mode, end) - to.strain);
@@ -202,7 +208,8 @@ class Stepper {
       end.strain = state.strain + length * (state.rate + end.rate) / 2;
     } else if (has_damping()) {
       const double viscous = p_.damping / length;
-      end.strain = (traction + (viscous - p_.stiffness / 2) * state.strain) / (viscous + p_.stiffness / 2);
+      end.strain =
+          (traction + (viscous - p_.stiffness / 2) * state.strain) / (viscous + p_.stiffness / 2);
     }
     return end;
   }
@@ -219,9 +226,8 @@ class Stepper {
     }
     const double elastic_start =
         from.mode == step.state.mode ? from.strain : on_cone(step.state.mode, theta);
-    const double rate = has_inertia() || has_damping()
-                            ? mean_rate
-                            : (step.state.strain - elastic_start) / length;
+    const double rate =
+        has_inertia() || has_damping() ? mean_rate : (step.state.strain - elastic_start) / length;
     sums_.friction += -step.traction * p_.slip_velocity(middle, rate) * length +
                       step.released / 2 * p_.strain_velocity;
   }
@@ -255,7 +261,8 @@ class PeriodicMarch {
  private:
   bool repeats(const State& before) const {
     const double tolerance = 1e-14 * strain_scale_;
-    const double frequency = p_.inertia > 0 ? std::max(1.0, std::sqrt(p_.stiffness / p_.inertia)) : 1.0;
+    const double frequency =
+        p_.inertia > 0 ? std::max(1.0, std::sqrt(p_.stiffness / p_.inertia)) : 1.0;
     return before.mode == state_.mode && std::abs(state_.strain - before.strain) <= tolerance &&
            (p_.inertia == 0 || std::abs(state_.rate - before.rate) <= tolerance * frequency);
   }
@@ -294,7 +301,8 @@ OracleResult fixed_grid(const MotorDesign& design, double speed, int steps, int 
   return march.run(steps, max_laps);
 }
 
-OracleResult brute_force(const MotorDesign& design, double speed, const BruteForceOptions& options) {
+OracleResult brute_force(const MotorDesign& design, double speed,
+                         const BruteForceOptions& options) {
   const ContactProblem problem = contact_problem(design, speed);
   PeriodicMarch march(problem);
   std::array<OracleResult, 3> grids;

@@ -7,7 +7,7 @@ namespace twum::test {
 
 /// How finely and how long the brute-force oracle integrates.
 struct BruteForceOptions {
-  int steps{2000};      ///< steps over the contact on the coarsest of the three grids; as many outside
+  int steps{2000};  ///< steps over the contact on the coarsest of the three grids; as many outside
   int max_laps{20000};  ///< laps until the state must repeat
 };
 
@@ -32,7 +32,8 @@ struct BruteForceOptions {
 /// quarter, else 4 |f(H/4) - f(H/2)|; plus 1e-12 of the scale for rounding and incomplete repetition.
 /// (Events fall anywhere between grid points, which makes the error jump by its own size from grid to
 /// grid; hence the factors.)
-OracleResult brute_force(const MotorDesign& design, double speed, const BruteForceOptions& options = {});
+OracleResult brute_force(const MotorDesign& design, double speed,
+                         const BruteForceOptions& options = {});
 
 /// The same scheme on one grid of given size, without extrapolation: the yardstick of the benchmarks.
 OracleResult fixed_grid(const MotorDesign& design, double speed, int steps, int max_laps = 20000);

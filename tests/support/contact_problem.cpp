@@ -51,9 +51,11 @@ void set_normal_contact(ContactProblem& problem, const MotorDesign& design, doub
 
 void set_layer(ContactProblem& problem, const MotorDesign& design, double omega, double rate) {
   const auto& layer = design.layer;
-  const double g = layer.given_shear_modulus.value_or(layer.youngs_modulus / (2 + 2 * layer.poisson_ratio));
+  const double g =
+      layer.given_shear_modulus.value_or(layer.youngs_modulus / (2 + 2 * layer.poisson_ratio));
   const double viscosity = layer.given_shear_viscosity.value_or(layer.loss_factor * g / omega);
-  const double mass = layer.given_inertia.value_or(layer.density * layer.thickness * layer.thickness / 3);
+  const double mass =
+      layer.given_inertia.value_or(layer.density * layer.thickness * layer.thickness / 3);
   problem.stiffness = g;
   problem.damping = viscosity * rate;
   problem.inertia = mass * rate * rate;
@@ -65,7 +67,8 @@ void set_layer(ContactProblem& problem, const MotorDesign& design, double omega,
 double ContactProblem::pressure(double theta) const {
   if (full) return pressure_amplitude * (std::cos(theta) - edge_cosine);
   // cos a - cos b as a product: no cancellation near the edges.
-  return 2 * pressure_amplitude * std::sin((half_angle + theta) / 2) * std::sin((half_angle - theta) / 2);
+  return 2 * pressure_amplitude * std::sin((half_angle + theta) / 2) *
+         std::sin((half_angle - theta) / 2);
 }
 
 double ContactProblem::sticking_rate(double theta) const {

@@ -20,15 +20,15 @@ struct ContactProblem {
   double threshold;           ///< mu_0 [1]
   double rotor_velocity;      ///< U [m/s]
   double crest_velocity;      ///< V0 [m/s]
-  double strain_velocity;     ///< h W: layer surface speed against the rotor for a unit of eps' [m/s]
-  double track_area;          ///< 2 pi r b [m^2]
-  double radius;              ///< r [m]
-  double speed;               ///< Omega [rad/s]
-  double power_scale;         ///< mu_0 F_N max(V0, |U|) [W] (T7.11)
-  double torque_scale;        ///< mu_0 F_N r [N m] (T7.8)
+  double strain_velocity;  ///< h W: layer surface speed against the rotor for a unit of eps' [m/s]
+  double track_area;       ///< 2 pi r b [m^2]
+  double radius;           ///< r [m]
+  double speed;            ///< Omega [rad/s]
+  double power_scale;      ///< mu_0 F_N max(V0, |U|) [W] (T7.11)
+  double torque_scale;     ///< mu_0 F_N r [N m] (T7.8)
 
-  double pressure(double theta) const;        ///< p [Pa]; only inside the contact
-  double sticking_rate(double theta) const;   ///< eps' of a layer that sticks [1]
+  double pressure(double theta) const;                    ///< p [Pa]; only inside the contact
+  double sticking_rate(double theta) const;               ///< eps' of a layer that sticks [1]
   double slip_velocity(double theta, double rate) const;  ///< v_rel for eps' = rate [m/s]
 };
 

@@ -32,7 +32,8 @@ DifferenceQuotient extrapolate(const Quotients& quotients, int order) {
 
 // quotients(step) gives one quotient for each function
 template <typename QuotientsOf>
-void try_first_step(std::vector<DifferenceQuotient>& best, QuotientsOf quotients, double step, int order) {
+void try_first_step(std::vector<DifferenceQuotient>& best, QuotientsOf quotients, double step,
+                    int order) {
   std::vector<Quotients> rows;
   for (std::size_t i = 0; i < kRows; ++i) {
     const std::vector<double> found = quotients(step * std::pow(kShrink, -static_cast<double>(i)));
@@ -46,7 +47,8 @@ void try_first_step(std::vector<DifferenceQuotient>& best, QuotientsOf quotients
   }
 }
 
-std::vector<double> quotients_of(const std::vector<double>& high, const std::vector<double>& low, double distance) {
+std::vector<double> quotients_of(const std::vector<double>& high, const std::vector<double>& low,
+                                 double distance) {
   std::vector<double> quotients(high.size());
   for (std::size_t k = 0; k < high.size(); ++k) quotients[k] = (high[k] - low[k]) / distance;
   return quotients;
@@ -54,18 +56,23 @@ std::vector<double> quotients_of(const std::vector<double>& high, const std::vec
 
 }  // namespace
 
-std::vector<DifferenceQuotient> central_differences(const Functions& functions, double x, double scale) {
+std::vector<DifferenceQuotient> central_differences(const Functions& functions, double x,
+                                                    double scale) {
   std::vector<DifferenceQuotient> best;
-  const auto quotients = [&](double h) { return quotients_of(functions(x + h), functions(x - h), 2 * h); };
+  const auto quotients = [&](double h) {
+    return quotients_of(functions(x + h), functions(x - h), 2 * h);
+  };
   for (const double first : {3e-2, 3e-3, 3e-4}) try_first_step(best, quotients, first * scale, 2);
   return best;
 }
 
-std::vector<DifferenceQuotient> one_sided_differences(const Functions& functions, double x, double scale,
-                                                      int side) {
+std::vector<DifferenceQuotient> one_sided_differences(const Functions& functions, double x,
+                                                      double scale, int side) {
   std::vector<DifferenceQuotient> best;
   const std::vector<double> here = functions(x);
-  const auto quotients = [&](double h) { return quotients_of(functions(x + side * h), here, side * h); };
+  const auto quotients = [&](double h) {
+    return quotients_of(functions(x + side * h), here, side * h);
+  };
   for (const double first : {1e-2, 1e-3, 1e-4}) try_first_step(best, quotients, first * scale, 1);
   return best;
 }

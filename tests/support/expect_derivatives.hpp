@@ -21,10 +21,11 @@ using Functions = std::function<std::vector<double>(double)>;
 /// tried. The error is the disagreement of the neighbours; a kink within reach makes it large, and noise
 /// of f shows in it too.
 /// @param scale  a change of x over which the functions change smoothly, usually |x|
-std::vector<DifferenceQuotient> central_differences(const Functions& functions, double x, double scale);
+std::vector<DifferenceQuotient> central_differences(const Functions& functions, double x,
+                                                    double scale);
 
 /// The same from one side: `side` is +1 or -1.
-std::vector<DifferenceQuotient> one_sided_differences(const Functions& functions, double x, double scale,
-                                                      int side);
+std::vector<DifferenceQuotient> one_sided_differences(const Functions& functions, double x,
+                                                      double scale, int side);
 
 }  // namespace twum::test

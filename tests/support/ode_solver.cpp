@@ -25,7 +25,8 @@ class OdeMarch {
       : p_(problem), options_(options), step_(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, kSize)) {
     system_ = {&OdeMarch::derivative, nullptr, kSize, this};
     set_scales();
-    control_.reset(gsl_odeiv2_control_scaled_new(options.tolerance, 0, 1, 0, scales_.data(), kSize));
+    control_.reset(
+        gsl_odeiv2_control_scaled_new(options.tolerance, 0, 1, 0, scales_.data(), kSize));
   }
 
   OracleResult run() {
@@ -54,11 +55,14 @@ class OdeMarch {
 
   void set_scales() {
     const double velocity = std::max(p_.crest_velocity, std::abs(p_.rotor_velocity));
-    const double frequency = p_.inertia > 0 ? std::max(1.0, std::sqrt(p_.stiffness / p_.inertia)) : 1.0;
-    strain_ = std::min(p_.threshold * p_.pressure(0) / p_.stiffness + velocity / p_.strain_velocity / frequency,
-                       velocity / p_.strain_velocity * std::max(1.0, p_.half_angle));
+    const double frequency =
+        p_.inertia > 0 ? std::max(1.0, std::sqrt(p_.stiffness / p_.inertia)) : 1.0;
+    strain_ = std::min(
+        p_.threshold * p_.pressure(0) / p_.stiffness + velocity / p_.strain_velocity / frequency,
+        velocity / p_.strain_velocity * std::max(1.0, p_.half_angle));
     const double mean = 2 * kPi * p_.torque_scale / (p_.radius * p_.track_area);
-    scales_ = {strain_, strain_ * frequency, mean, mean * velocity, mean * velocity, mean * velocity};
+    scales_ = {strain_,         strain_ * frequency, mean,
+               mean * velocity, mean * velocity,     mean * velocity};
     max_step_ = std::min(options_.max_step, 0.5 / frequency);
   }
 
@@ -145,11 +149,12 @@ class OdeMarch {
   bool try_step(double theta, double tried, Vector& next, double& length) {
     Vector error{};
     gsl_odeiv2_step_reset(step_.get());
-    gsl_odeiv2_step_apply(step_.get(), theta, tried, next.data(), error.data(), nullptr, nullptr, &system_);
+    gsl_odeiv2_step_apply(step_.get(), theta, tried, next.data(), error.data(), nullptr, nullptr,
+                          &system_);
     Vector slope{};
     length = tried;
-    const int verdict = gsl_odeiv2_control_hadjust(control_.get(), step_.get(), next.data(), error.data(),
-                                                   slope.data(), &length);
+    const int verdict = gsl_odeiv2_control_hadjust(control_.get(), step_.get(), next.data(),
+                                                   error.data(), slope.data(), &length);
     length = std::min(length, max_step_);
     return verdict != GSL_ODEIV_HADJ_DEC || tried < 1e-12;
   }
@@ -171,8 +176,9 @@ class OdeMarch {
     Vector state = y_;
     double at_high = margin_after(theta, high, state);
     for (int i = 0; i < 80 && high - low > 4e-16 * std::max(1.0, std::abs(theta)); ++i) {
-      const double middle = i % 3 == 2 || at_low <= 0 ? (low + high) / 2
-                                                      : low + (high - low) * at_low / (at_low - at_high);
+      const double middle = i % 3 == 2 || at_low <= 0
+                                ? (low + high) / 2
+                                : low + (high - low) * at_low / (at_low - at_high);
       const double value = margin_after(theta, middle, state);
       if (value >= 0) {
         low = middle;
@@ -191,7 +197,8 @@ class OdeMarch {
     if (length > 0) {
       Vector error{};
       gsl_odeiv2_step_reset(step_.get());
-      gsl_odeiv2_step_apply(step_.get(), theta, length, state.data(), error.data(), nullptr, nullptr, &system_);
+      gsl_odeiv2_step_apply(step_.get(), theta, length, state.data(), error.data(), nullptr,
+                            nullptr, &system_);
     }
     return margin(theta + length, state);
   }

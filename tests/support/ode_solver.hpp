@@ -29,6 +29,7 @@ struct OdeOptions {
 OracleResult ode_solver(const MotorDesign& design, double speed, const OdeOptions& options = {});
 
 /// One run without the error estimate: what the benchmarks time.
-OracleResult ode_solver_run(const MotorDesign& design, double speed, const OdeOptions& options = {});
+OracleResult ode_solver_run(const MotorDesign& design, double speed,
+                            const OdeOptions& options = {});
 
 }  // namespace twum::test

@@ -36,8 +36,12 @@ std::vector<Row> read_numbers(const std::string& path) {
 
 MotorDesign design_from_row(const Row& row) {
   MotorDesign design;
-  design.stator = {row.at("wavelengths"),            row.at("contact_radius"), row.at("contact_width"),
-                   row.at("neutral_plane_distance"), row.at("frequency"),      row.at("amplitude"),
+  design.stator = {row.at("wavelengths"),
+                   row.at("contact_radius"),
+                   row.at("contact_width"),
+                   row.at("neutral_plane_distance"),
+                   row.at("frequency"),
+                   row.at("amplitude"),
                    0.0};
   design.layer.thickness = row.at("thickness");
   design.layer.youngs_modulus = row.at("youngs_modulus");

@@ -42,7 +42,8 @@ double full_contact_load(const MotorDesign& design) {
 double crest_speed_of(const MotorDesign& design) {
   const auto& s = design.stator;
   const double wave_number = s.wavelengths / s.contact_radius;
-  return wave_number * s.neutral_plane_distance * s.amplitude * 2 * kPi * s.frequency / s.contact_radius;
+  return wave_number * s.neutral_plane_distance * s.amplitude * 2 * kPi * s.frequency /
+         s.contact_radius;
 }
 
 MotorDesign realistic_design(Uniform& random) {
@@ -80,13 +81,16 @@ BoxPoint box_point(std::span<const double, kBoxDimension> u) {
   layer.youngs_modulus = log_between(u[7], 1e6, 500e9);
   layer.poisson_ratio = between(u[8], 0.0, 0.49);
   layer.density = u[9] < 0.25 ? 0.0 : log_between(u[10], 500, 8000);
-  layer.loss_factor = u[11] < 0.15 ? 0.0 : u[11] < 0.5 ? between(u[12], 0, 2) : log_between(u[12], 1e-3, 2);
+  layer.loss_factor = u[11] < 0.15  ? 0.0
+                      : u[11] < 0.5 ? between(u[12], 0, 2)
+                                    : log_between(u[12], 1e-3, 2);
   const double kinetic = u[13] < 0.02 ? 0.0 : u[13];
   const double ratio = u[14] < 0.4 ? 1.0 : between(u[15], 1, 2);
   point.design.friction = {kinetic, kinetic * ratio};
   const double load = u[16] < 0.3 ? log_between(u[17], 0.1, 10) : log_between(u[17], 1e-6, 1);
   point.design.preload = load * full_contact_load(point.design);
-  point.speed = crest_speed_of(point.design) * (u[18] < 0.1 ? 1e-3 * u[19] : between(u[19], -0.3, 1.5));
+  point.speed =
+      crest_speed_of(point.design) * (u[18] < 0.1 ? 1e-3 * u[19] : between(u[19], -0.3, 1.5));
   // short waves far from the neutral plane: -0.3 V0 may lie beyond the backward wave speed
   const double wave_speed = 2 * kPi * s.frequency / s.wavelengths;
   point.speed = std::max(point.speed, -0.9 * wave_speed);

@@ -33,16 +33,16 @@ Trig<S> trig(const S& theta) {
 /// Seven numbers; every motor parameter and the speed act through them.
 template <typename S>
 struct ContactNumbers {
-  S inertia;       ///< M = m W^2 / G, square of wave frequency over the layer's own
-  S damping;       ///< C = gamma W / G
-  S stick_rate;    ///< s = G V0 / (h W P), traction gained in stick per radian and unit of speed ratio
-  S speed_ratio;   ///< V = U / V0
-  S half_angle;    ///< theta_L; pi in full contact
-  S peak;          ///< w_L = p(0): 1 - cos theta_L in partial contact, >= 2 in full contact
-  S kinetic;       ///< mu
-  S static_;       ///< mu_0
-  Trig<S> edge;    ///< of theta_L
-  bool full;       ///< full contact: no free zone, theta runs from -pi to pi
+  S inertia;     ///< M = m W^2 / G, square of wave frequency over the layer's own
+  S damping;     ///< C = gamma W / G
+  S stick_rate;  ///< s = G V0 / (h W P), traction gained in stick per radian and unit of speed ratio
+  S speed_ratio;  ///< V = U / V0
+  S half_angle;   ///< theta_L; pi in full contact
+  S peak;         ///< w_L = p(0): 1 - cos theta_L in partial contact, >= 2 in full contact
+  S kinetic;      ///< mu
+  S static_;      ///< mu_0
+  Trig<S> edge;   ///< of theta_L
+  bool full;      ///< full contact: no free zone, theta runs from -pi to pi
 };
 
 /// How the layer moves when left alone.

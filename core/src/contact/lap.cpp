@@ -26,8 +26,13 @@ class LapRunner {
  public:
   LapRunner(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer, const Script* script,
             std::vector<ZoneTrace>* trace, Lap<S>& lap)
-      : lap_(lap), n_(numbers), layer_(layer), script_(script && script->complete() ? script : nullptr), trace_(trace),
-        theta_(-numbers.half_angle), at_{-numbers.edge.sin, numbers.edge.cos, numbers.edge.versine},
+      : lap_(lap),
+        n_(numbers),
+        layer_(layer),
+        script_(script && script->complete() ? script : nullptr),
+        trace_(trace),
+        theta_(-numbers.half_angle),
+        at_{-numbers.edge.sin, numbers.edge.cos, numbers.edge.versine},
         delicate_(is_delicate()) {}
 
   void run(const LapEntry<S>& entry) {
@@ -87,7 +92,8 @@ class LapRunner {
       if (std::fabs(traction) <= value_of(n_.static_) * value_of(pressure())) {
         return begin_stick(StartOrder::positive, StartOrder::positive);
       }
-      return begin_slip(traction > 0 ? -1 : 1, layer_.has_inertia() ? StartOrder::zero : StartOrder::positive);
+      return begin_slip(traction > 0 ? -1 : 1,
+                        layer_.has_inertia() ? StartOrder::zero : StartOrder::positive);
     }
     if (sign(zone) * slip_rate(sign(zone)) > 0) return begin_slip(sign(zone), StartOrder::positive);
     enter();
@@ -103,12 +109,14 @@ class LapRunner {
 
   // At the edge p = 0 and the layer comes with what the free flight left: rates decide.
   void enter() {
-    if (layer_.has_inertia()) return enter_at_rate(value_of(state_.rate) - value_of(sticking_rate()));
+    if (layer_.has_inertia())
+      return enter_at_rate(value_of(state_.rate) - value_of(sticking_rate()));
     if (n_.full) return enter_under_pressure();
     if (layer_.kind() == LayerKind::relaxing) {
       return enter_at_rate(-value_of(state_.e) / value_of(layer_.C) - value_of(sticking_rate()));
     }
-    const double gain = value_of(sticking_rate()), allowed = value_of(n_.kinetic) * value_of(n_.edge.sin);
+    const double gain = value_of(sticking_rate()),
+                 allowed = value_of(n_.kinetic) * value_of(n_.edge.sin);
     if (gain > allowed) return begin_slip(-1, StartOrder::positive);
     if (gain < -allowed) return begin_slip(+1, StartOrder::positive);
     begin_stick(StartOrder::zero, StartOrder::zero);
@@ -136,7 +144,7 @@ class LapRunner {
     if (!layer_.has_inertia()) {
       // With mu_0 = mu the traction leaves its threshold where slip ends: at once with damping, from rest
       // relative to it in an elastic layer.
-      const StartOrder touching = has_static_excess()                     ? StartOrder::positive
+      const StartOrder touching = has_static_excess()                   ? StartOrder::positive
                                   : layer_.kind() == LayerKind::elastic ? StartOrder::double_zero
                                                                         : StartOrder::zero;
       return sigma < 0 ? begin_stick(touching, StartOrder::positive)
@@ -160,7 +168,8 @@ class LapRunner {
     }
     if (has_static_excess()) snap(iota);
     // The slip branch holds if it gives v_rel its sign; otherwise the layer sticks again.
-    if (sigma * slip_rate(sigma) > 0 || !has_static_excess()) return begin_slip(sigma, StartOrder::positive);
+    if (sigma * slip_rate(sigma) > 0 || !has_static_excess())
+      return begin_slip(sigma, StartOrder::positive);
     begin_stick(StartOrder::positive, StartOrder::positive);
   }
 
@@ -201,7 +210,8 @@ class LapRunner {
       state_ = zone.end();
     } else {
       const LayerState<S> h1 = layer_.at(motion, length);
-      add(lap_.means, slip_integrals(n_, sigma, moments, slip_work(n_, layer_, f, moments, from, to, h0, h1)));
+      add(lap_.means,
+          slip_integrals(n_, sigma, moments, slip_work(n_, layer_, f, moments, from, to, h0, h1)));
       state_ = {h1.e + f.at(theta_, at_), h1.rate + f.slope(at_)};
     }
     mark(sigma < 0 ? 1 : 2);
@@ -225,9 +235,10 @@ class LapRunner {
       const S theta = theta_ + length;
       const Trig<S> a = trig(theta);
       const LayerState<S> h = layer_.at(motion, length);
-      const S rate2 = layer_.kind() == LayerKind::elastic    ? S(0.0)
-                      : layer_.kind() == LayerKind::relaxing ? S(-h.rate / layer_.C)
-                                                             : S(-(layer_.C * h.rate + h.e) / layer_.M);
+      const S rate2 = layer_.kind() == LayerKind::elastic ? S(0.0)
+                      : layer_.kind() == LayerKind::relaxing
+                          ? S(-h.rate / layer_.C)
+                          : S(-(layer_.C * h.rate + h.e) / layer_.M);
       length = newton_step(length, S(slow.at(theta, a) + h.rate), S(slow.slope(a) + rate2), x);
     }
     return length;
@@ -244,8 +255,9 @@ class LapRunner {
     const S& s = n_.stick_rate;
     const S drift = s * n_.speed_ratio;
     // t = M e'' + C e' + e with e from (T5.2): (T5.3, E2.3)
-    const Harmonic<S> t{state_.e - s * at_.sin + drift * theta_ + layer_.C * s * (1.0 - n_.speed_ratio), -drift,
-                        -(layer_.C * s), layer_.D * s};
+    const Harmonic<S> t{
+        state_.e - s * at_.sin + drift * theta_ + layer_.C * s * (1.0 - n_.speed_ratio), -drift,
+        -(layer_.C * s), layer_.D * s};
     const Script::End end = find_stick_end(t);
     if (std::isnan(end.length)) return fail();
     note(end);
@@ -266,7 +278,8 @@ class LapRunner {
 
   // (E2.4)
   Harmonic<S> reserve(const Harmonic<S>& t, double iota) const {
-    return {n_.static_ * n_.peak - iota * t.k0, -iota * t.kb, -n_.static_ - iota * t.kw, -iota * t.ks};
+    return {n_.static_ * n_.peak - iota * t.k0, -iota * t.kb, -n_.static_ - iota * t.kw,
+            -iota * t.ks};
   }
 
   // The side that the traction would reach at the exit comes first. The other is mostly ruled out at a
@@ -277,8 +290,10 @@ class LapRunner {
     const double exit = value_of(n_.half_angle), length = exit - value_of(theta_);
     const double likely = traction.at(exit, values(n_.edge)) < 0 ? -1 : 1;
     const StickCurve curve(reserve(t, likely).values(), value_of(theta_), values(at_));
-    double first = side_order(likely) == StartOrder::positive ? curve.only_zero(length, values(n_.edge)) : NAN;
-    if (std::isnan(first)) first = first_zero(curve, length, side_order(likely), samples_, kMaxSamples);
+    double first =
+        side_order(likely) == StartOrder::positive ? curve.only_zero(length, values(n_.edge)) : NAN;
+    if (std::isnan(first))
+      first = first_zero(curve, length, side_order(likely), samples_, kMaxSamples);
     if (std::isnan(first)) return {first, 0};
     const double reach = std::min<double>(first, length);
     if (stays_off(t, -likely, reach)) return {first, likely};
@@ -366,9 +381,12 @@ class LapRunner {
       lap_.next.layer = layer_.slowest_decay() * value_of(flight) > kForgotten
                             ? LayerState<S>{S(0.0), S(0.0)}
                             : layer_.at(layer_.start(state_), flight);
-      m.layer_loss += 0.5 * (layer_.energy(layer_.own_part(state_)) - layer_.energy(lap_.next.layer)) / n_.stick_rate;
+      m.layer_loss += 0.5 *
+                      (layer_.energy(layer_.own_part(state_)) - layer_.energy(lap_.next.layer)) /
+                      n_.stick_rate;
     }
-    if (value_of(n_.damping) == 0) m.layer_loss = S(0.0);  // what is left is rounding of the layer's energy
+    if (value_of(n_.damping) == 0)
+      m.layer_loss = S(0.0);  // what is left is rounding of the layer's energy
     const double mean = 1 / (2 * kPi);
     m.traction *= mean, m.stator_power *= mean, m.friction_power *= mean, m.layer_loss *= mean;
   }
@@ -393,14 +411,14 @@ class LapRunner {
 }  // namespace
 
 template <typename S>
-Lap<S> run_lap(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer, const LapEntry<S>& entry,
-               const Script* script, std::vector<ZoneTrace>* trace) {
+Lap<S> run_lap(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
+               const LapEntry<S>& entry, const Script* script, std::vector<ZoneTrace>* trace) {
   Lap<S> lap;
   LapRunner<S>(numbers, layer, script, trace, lap).run(entry);
   return lap;
 }
 
-#define TWUM_INSTANTIATE(S) \
+#define TWUM_INSTANTIATE(S)                                                                    \
   template Lap<S> run_lap(const ContactNumbers<S>&, const LayerMotion<S>&, const LapEntry<S>&, \
                           const Script*, std::vector<ZoneTrace>*);
 TWUM_FOR_EACH_CONTACT_SCALAR(TWUM_INSTANTIATE)

@@ -47,15 +47,15 @@ enum class LapStatus : unsigned char { ok, resonance, unresolved };
 template <typename S>
 struct Lap {
   ContactMeans<S> means{S(0.0), S(0.0), S(0.0), S(0.0), S(0.0)};
-  LapEntry<S> next;          ///< state at the next entry
-  LayerState<S> exit;        ///< layer where the contact ends
+  LapEntry<S> next;                                ///< state at the next entry
+  LayerState<S> exit;                              ///< layer where the contact ends
   std::uint64_t itinerary{0xcbf29ce484222325ull};  ///< fingerprint of the sequence of zones
-  int zones{0};              ///< number of zones
-  bool one_slip{false};      ///< the whole contact slips one way
-  double shortest{2 * std::numbers::pi};  ///< length of the shortest zone [rad]
-  ZoneState first{ZoneState::stick};      ///< state of the first zone
+  int zones{0};                                    ///< number of zones
+  bool one_slip{false};                            ///< the whole contact slips one way
+  double shortest{2 * std::numbers::pi};           ///< length of the shortest zone [rad]
+  ZoneState first{ZoneState::stick};               ///< state of the first zone
   LapStatus status{LapStatus::ok};
-  Script script;             ///< of a search in double
+  Script script;  ///< of a search in double
 };
 
 /// Follows the layer through one turn; theory sections 4 and 5. Every zone is in closed form, its end
@@ -64,7 +64,8 @@ struct Lap {
 /// @param script  ends of the zones if they are known from the same lap in double; else they are searched.
 /// @param trace   if not null, the zones are appended to it.
 template <typename S>
-Lap<S> run_lap(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer, const LapEntry<S>& entry,
-               const Script* script = nullptr, std::vector<ZoneTrace>* trace = nullptr);
+Lap<S> run_lap(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
+               const LapEntry<S>& entry, const Script* script = nullptr,
+               std::vector<ZoneTrace>* trace = nullptr);
 
 }  // namespace twum::contact

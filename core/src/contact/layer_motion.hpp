@@ -65,7 +65,9 @@ class LayerMotion {
   }
 
   LayerKind kind() const { return kind_; }
-  bool has_inertia() const { return kind_ == LayerKind::oscillating || kind_ == LayerKind::overdamped; }
+  bool has_inertia() const {
+    return kind_ == LayerKind::oscillating || kind_ == LayerKind::overdamped;
+  }
 
   /// A difference of states as far as the layer can hold it: an elastic layer has no state of its own,
   /// and without inertia the rate follows from e.
@@ -153,8 +155,16 @@ class LayerMotion {
   // Taylor series in beta^2 x^2, whose first dropped term is below 0.02^6 / 12! = 1e-19.
   Propagator series(const S& x, const S& envelope) const {
     const S q = square_ * x * x;
-    const S c = 1.0 - q * (1.0 / 2) * (1.0 - q * (1.0 / 12) * (1.0 - q * (1.0 / 30) * (1.0 - q * (1.0 / 56) * (1.0 - q * (1.0 / 90)))));
-    const S s = 1.0 - q * (1.0 / 6) * (1.0 - q * (1.0 / 20) * (1.0 - q * (1.0 / 42) * (1.0 - q * (1.0 / 72) * (1.0 - q * (1.0 / 110)))));
+    const S c =
+        1.0 -
+        q * (1.0 / 2) *
+            (1.0 - q * (1.0 / 12) *
+                       (1.0 - q * (1.0 / 30) * (1.0 - q * (1.0 / 56) * (1.0 - q * (1.0 / 90)))));
+    const S s =
+        1.0 -
+        q * (1.0 / 6) *
+            (1.0 - q * (1.0 / 20) *
+                       (1.0 - q * (1.0 / 42) * (1.0 - q * (1.0 / 72) * (1.0 - q * (1.0 / 110)))));
     return {envelope * c, envelope * x * s};
   }
 

@@ -18,7 +18,8 @@ double load_shape(double t) {
   const double q = t * t;
   const double tail = 1.0 / 518918400 - q / 93405312000;
   const double series =
-      1.0 / 3 - q * (1.0 / 30 - q * (1.0 / 840 - q * (1.0 / 45360 - q * (1.0 / 3991680 - q * tail))));
+      1.0 / 3 -
+      q * (1.0 / 30 - q * (1.0 / 840 - q * (1.0 / 45360 - q * (1.0 / 3991680 - q * tail))));
   return t * q * series;
 }
 

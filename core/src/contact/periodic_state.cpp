@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kMaxLaps = 1500;
 constexpr long kMaxZonesInAll = 60'000;
-constexpr double kFloor = 1000;       // of tolerances: where rounding may keep Newton's method
+constexpr double kFloor = 1000;      // of tolerances: where rounding may keep Newton's method
 constexpr double kSameState = 1000;  // of tolerances: a state that came back
 constexpr double kResonance = 1e-16;
 
@@ -35,8 +35,10 @@ bool attracts(const Matrix2& j) {
 }
 
 ContactNumbers<StateDual> constant(const ContactNumbers<double>& n) {
-  return {n.inertia,   n.damping,     n.stick_rate, n.speed_ratio, n.half_angle, n.peak,
-          n.kinetic,   n.static_,     {n.edge.sin, n.edge.cos, n.edge.versine}, n.full};
+  return {n.inertia,     n.damping,    n.stick_rate,
+          n.speed_ratio, n.half_angle, n.peak,
+          n.kinetic,     n.static_,    {n.edge.sin, n.edge.cos, n.edge.versine},
+          n.full};
 }
 
 template <typename S>
@@ -45,7 +47,8 @@ LapEntry<S> constant_entry(const LapEntry<double>& entry) {
 }
 
 // Derivative of the state at the next entry in the state at this one.
-Matrix2 return_jacobian(const ContactNumbers<double>& numbers, const LapEntry<double>& at, const Script* script) {
+Matrix2 return_jacobian(const ContactNumbers<double>& numbers, const LapEntry<double>& at,
+                        const Script* script) {
   const ContactNumbers<StateDual> n = constant(numbers);
   LapEntry<StateDual> entry = constant_entry<StateDual>(at);
   entry.layer.e.d[0] = 1;
@@ -57,9 +60,11 @@ Matrix2 return_jacobian(const ContactNumbers<double>& numbers, const LapEntry<do
 // One Newton step of the fixed point in S; the values are known, only derivatives come in. Where the
 // return map has no isolated fixed point there are none.
 template <typename S>
-void correct(const Matrix2& j, const LayerState<S>& next, LayerState<S>& at, const LayerState<double>& value) {
+void correct(const Matrix2& j, const LayerState<S>& next, LayerState<S>& at,
+             const LayerState<double>& value) {
   const double a = 1 - j.a, d = 1 - j.d, det = a * d - j.b * j.c;
-  const double inverse = std::fabs(det) > 1e-14 ? 1 / det : std::numeric_limits<double>::quiet_NaN();
+  const double inverse =
+      std::fabs(det) > 1e-14 ? 1 / det : std::numeric_limits<double>::quiet_NaN();
   const S e = next.e - at.e, rate = next.rate - at.rate;
   at = {with_value(S(at.e + inverse * (d * e + j.b * rate)), value.e),
         with_value(S(at.rate + inverse * (j.c * e + a * rate)), value.rate)};
@@ -67,10 +72,15 @@ void correct(const Matrix2& j, const LayerState<S>& next, LayerState<S>& at, con
 
 class Search {
  public:
-  Search(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer, PeriodicState& state)
-      : s_(state), n_(numbers), layer_(layer), monotone_(!(numbers.static_ > numbers.kinetic)),
+  Search(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
+         PeriodicState& state)
+      : s_(state),
+        n_(numbers),
+        layer_(layer),
+        monotone_(!(numbers.static_ > numbers.kinetic)),
         tolerance_(4e-16 * numbers.static_ * (std::sqrt(layer.response) + numbers.peak)),
-        tight_(4e-16 * numbers.static_ * std::fmin(numbers.peak, 1.0) * std::sqrt(layer.response)) {}
+        tight_(4e-16 * numbers.static_ * std::fmin(numbers.peak, 1.0) * std::sqrt(layer.response)) {
+  }
 
   void run() {
     if (1 / layer_.response < kResonance) return give_up(PeriodicStatus::resonance);
@@ -137,7 +147,8 @@ class Search {
     const Matrix2 j = return_jacobian(n_, s_.entry, &s_.lap.script);
     ++s_.laps;
     LayerState<double> step{0, 0};
-    const LayerState<double> r{plain.next.layer.e - from.layer.e, plain.next.layer.rate - from.layer.rate};
+    const LayerState<double> r{plain.next.layer.e - from.layer.e,
+                               plain.next.layer.rate - from.layer.rate};
     // Near a threshold that is just touched the full step overshoots: shorten it.
     double share = solve_return(j, r, step) ? 1 : 0;
     for (int i = 0; i < 12 && share > 0; ++i, share *= 0.25) {
@@ -146,7 +157,8 @@ class Search {
       turn(entry);
       if (s_.lap.status != LapStatus::ok) break;
       // A state that sticks all round drifts: it is no step towards one that slips as much as it drifts.
-      const bool kept = (monotone_ && !sticks_all_round()) || (s_.lap.itinerary == plain.itinerary && attracts(j));
+      const bool kept = (monotone_ && !sticks_all_round()) ||
+                        (s_.lap.itinerary == plain.itinerary && attracts(j));
       if (kept && (gap_ < (1 - 0.5 * share) * gap || gap_ <= tolerance_)) return true;
       if (kept && gap <= kFloor * tolerance_) {
         gap_ = 0;  // at the floor of rounding no step can do better
@@ -166,7 +178,8 @@ class Search {
   bool cycles() {
     if (monotone_) return false;
     const double back = distance(s_.entry.layer, checkpoint_);
-    if (s_.laps > 8 && back <= kSameState * tolerance_ && gap_ > 1e3 * kSameState * tolerance_) return true;
+    if (s_.laps > 8 && back <= kSameState * tolerance_ && gap_ > 1e3 * kSameState * tolerance_)
+      return true;
     if ((s_.laps & (s_.laps - 1)) == 0 || s_.laps - checked_ > s_.laps / 2) {
       checkpoint_ = s_.entry.layer;
       checked_ = s_.laps;
@@ -205,7 +218,8 @@ class Search {
 
 }  // namespace
 
-PeriodicState find_periodic_state(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer) {
+PeriodicState find_periodic_state(const ContactNumbers<double>& numbers,
+                                  const LayerMotion<double>& layer) {
   PeriodicState state;
   Search(numbers, layer, state).run();
   return state;
@@ -232,8 +246,9 @@ Lap<double> periodic_lap(const ContactNumbers<double>&, const ContactNumbers<dou
   return state.lap;
 }
 
-#define TWUM_INSTANTIATE(S) \
-  template Lap<S> periodic_lap(const ContactNumbers<S>&, const ContactNumbers<double>&, const PeriodicState&);
+#define TWUM_INSTANTIATE(S)                                                             \
+  template Lap<S> periodic_lap(const ContactNumbers<S>&, const ContactNumbers<double>&, \
+                               const PeriodicState&);
 TWUM_FOR_EACH_CONTACT_SCALAR(TWUM_INSTANTIATE)
 
 }  // namespace twum::contact

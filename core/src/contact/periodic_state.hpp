@@ -5,15 +5,21 @@
 
 namespace twum::contact {
 
-enum class PeriodicStatus : unsigned char { ok, no_periodic_state, not_converged, resonance, unresolved };
+enum class PeriodicStatus : unsigned char {
+  ok,
+  no_periodic_state,
+  not_converged,
+  resonance,
+  unresolved
+};
 
 /// The state that repeats itself from turn to turn.
 struct PeriodicState {
-  LapEntry<double> entry;           ///< layer at contact entry
-  Lap<double> lap{};                ///< the turn that starts there
+  LapEntry<double> entry;  ///< layer at contact entry
+  Lap<double> lap{};       ///< the turn that starts there
   PeriodicStatus status{};
-  bool remembers{false};            ///< false: the layer enters at rest whatever happened before
-  int laps{0};                      ///< turns it took to find, those with derivatives included
+  bool remembers{false};  ///< false: the layer enters at rest whatever happened before
+  int laps{0};            ///< turns it took to find, those with derivatives included
 };
 
 /// Finds the periodic state that laps from rest lead to (theory section 10).
@@ -22,7 +28,8 @@ struct PeriodicState {
 /// is monotone (E6.1): the periodic state of a damped layer is unique, and Newton's method on the two-state
 /// return map (E6.2) goes there in a few laps. With mu_0 > mu Newton's method takes over only when the
 /// sequence of zones has settled, must keep it, and must end in an attracting state.
-PeriodicState find_periodic_state(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer);
+PeriodicState find_periodic_state(const ContactNumbers<double>& numbers,
+                                  const LayerMotion<double>& layer);
 
 /// Means over a turn with their derivatives: the periodic state in S by the implicit function theorem.
 template <typename S>

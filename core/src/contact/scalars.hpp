@@ -5,10 +5,10 @@
 
 namespace twum::contact {
 
-using SpeedDual = Dual<double, 1>;         ///< derivative along the speed
-using StateDual = Dual<double, 2>;         ///< derivatives in the layer's state at entry
-using NumbersDual = Dual<double, 7>;       ///< derivatives in the seven contact numbers
-using NumbersDual2 = Dual<SpeedDual, 7>;   ///< and theirs along the speed
+using SpeedDual = Dual<double, 1>;        ///< derivative along the speed
+using StateDual = Dual<double, 2>;        ///< derivatives in the layer's state at entry
+using NumbersDual = Dual<double, 7>;      ///< derivatives in the seven contact numbers
+using NumbersDual2 = Dual<SpeedDual, 7>;  ///< and theirs along the speed
 
 }  // namespace twum::contact
 

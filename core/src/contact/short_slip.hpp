@@ -20,13 +20,18 @@ class ShortSlip {
   /// Rate that the series has to resolve, at least that of the wave [1 / rad].
   static double rate(const LayerMotion<S>& layer) {
     const double M = value_of(layer.M), C = value_of(layer.C);
-    if (layer.kind() != LayerKind::oscillating) return std::fmax(1, std::fabs(value_of(layer.slow())));
+    if (layer.kind() != LayerKind::oscillating)
+      return std::fmax(1, std::fabs(value_of(layer.slow())));
     return std::fmax(1, std::fmax(C / M, layer.natural_frequency()));
   }
 
-  ShortSlip(const ContactNumbers<S>& n, const LayerMotion<S>& layer, double sigma, const Phase<S>& from,
-            const S& length, const LayerState<S>& start, const S& fast)
-      : n_(n), layer_(layer), q_(-(sigma * n.kinetic)), length_(length), fast_(fast),
+  ShortSlip(const ContactNumbers<S>& n, const LayerMotion<S>& layer, double sigma,
+            const Phase<S>& from, const S& length, const LayerState<S>& start, const S& fast)
+      : n_(n),
+        layer_(layer),
+        q_(-(sigma * n.kinetic)),
+        length_(length),
+        fast_(fast),
         terms_(count(2 * rate(layer) * value_of(length))) {
     expand_pressure(from);
     layer.kind() == LayerKind::oscillating ? expand_oscillation(start) : expand_decay(start, from);
@@ -81,7 +86,8 @@ class ShortSlip {
     strain_ = start.e;
     rate_[0] = start.rate;
     for (int k = 0; k + 1 < terms_; ++k) {
-      rate_[k + 1] = (q_ * pressure_[k] - layer_.C * rate_[k] - strain) * length_ / (layer_.M * static_cast<double>(k + 1));
+      rate_[k + 1] = (q_ * pressure_[k] - layer_.C * rate_[k] - strain) * length_ /
+                     (layer_.M * static_cast<double>(k + 1));
       strain = rate_[k] * length_ / static_cast<double>(k + 1);
     }
   }
@@ -96,9 +102,11 @@ class ShortSlip {
       return;
     }
     const S lag = -1.0 / layer_.fast(), g = q_ / (-(layer_.M * layer_.fast()) * (1.0 + lag * lag));
-    const S drive[4] = {g * (from.at.cos + lag * from.at.sin), g * (lag * from.at.cos - from.at.sin),
-                        -(g * (from.at.cos + lag * from.at.sin)), g * (from.at.sin - lag * from.at.cos)};
-    step(0, S(g * (n_.peak - from.at.versine + lag * from.at.sin - lag * lag * (1.0 - n_.peak))), strain);
+    const S drive[4] = {
+        g * (from.at.cos + lag * from.at.sin), g * (lag * from.at.cos - from.at.sin),
+        -(g * (from.at.cos + lag * from.at.sin)), g * (from.at.sin - lag * from.at.cos)};
+    step(0, S(g * (n_.peak - from.at.versine + lag * from.at.sin - lag * lag * (1.0 - n_.peak))),
+         strain);
     S power(1.0);
     for (int k = 1; k < terms_; ++k) {
       power = power * length_ / static_cast<double>(k);
@@ -130,10 +138,12 @@ class ShortSlip {
   // With e = series + h and M h'' + C h' + h = 0:
   // 2 C int e' h' = int t h' - [M e' h' + e h] for the series' e.
   void add_fast_mode(SlipWork<S>& w, const Phase<S>& from, const Phase<S>& to) const {
-    const LayerState<S> h0{fast_, layer_.fast() * fast_}, h1 = fast_at(length_), e1 = series_at_end();
+    const LayerState<S> h0{fast_, layer_.fast() * fast_}, h1 = fast_at(length_),
+                                                          e1 = series_at_end();
     const RateMoments<S> own(layer_, from, to, h0, h1);
     const S p_own = own.c - (1.0 - n_.peak) * (h1.e - h0.e);
-    const S cross = layer_.M * (e1.rate * h1.rate - rate_[0] * h0.rate) + e1.e * h1.e - strain_ * h0.e;
+    const S cross =
+        layer_.M * (e1.rate * h1.rate - rate_[0] * h0.rate) + e1.e * h1.e - strain_ * h0.e;
     w.rate_pressure += p_own;
     w.loss += 0.5 * (layer_.energy(h0) - layer_.energy(h1)) + q_ * p_own - cross;
   }

@@ -46,7 +46,8 @@ LayerState<S> slipping_entry(const ContactNumbers<S>& n, const LayerMotion<S>& l
     return moved(layer, {h.e + f1.e, h.rate + f1.rate}, flight);
   };
   const LayerState<S> c = turn({zero, zero});
-  const LayerState<S> a = difference(turn({S(1.0), zero}), c), b = difference(turn({zero, S(1.0)}), c);
+  const LayerState<S> a = difference(turn({S(1.0), zero}), c),
+                      b = difference(turn({zero, S(1.0)}), c);
   const S p = 1.0 - a.e, q = 1.0 - b.rate, det = p * q - b.e * a.rate;
   return {(q * c.e + b.e * c.rate) / det, (a.rate * c.e + p * c.rate) / det};
 }
@@ -63,7 +64,8 @@ struct SlippingContact {
   // Margin less `level`, from `x` on.
   SlipCurve curve(double level, double x) const {
     const LayerState<double> h = layer.at(layer.start(own), x);
-    return {layer, layer.start(h), {slow.k0 - kDriving * level, 0, slow.kw, slow.ks}, kDriving, start + x, trig(start + x)};
+    return {layer,    layer.start(h), {slow.k0 - kDriving * level, 0, slow.kw, slow.ks},
+            kDriving, start + x,      trig(start + x)};
   }
 };
 
@@ -87,9 +89,10 @@ SlipMargin slip_margin(const ContactNumbers<double>& n) {
   const LayerMotion<double> layer(n.inertia, n.damping);
   const Harmonic<double> f = forced_response(n, layer, kDriving);
   const LayerState<double> entry = slipping_entry(n, layer);
-  const LayerState<double> f0 = state_of(f, -n.half_angle, {-n.edge.sin, n.edge.cos, n.edge.versine});
-  const SlippingContact contact{layer, relative_rate(n, f), layer.own_part(difference(entry, f0)), -n.half_angle,
-                                2 * n.half_angle};
+  const LayerState<double> f0 =
+      state_of(f, -n.half_angle, {-n.edge.sin, n.edge.cos, n.edge.versine});
+  const SlippingContact contact{layer, relative_rate(n, f), layer.own_part(difference(entry, f0)),
+                                -n.half_angle, 2 * n.half_angle};
   SlipMargin low{contact.sample(0).f, 0, false, false, entry};
   const double at_exit = contact.sample(contact.length).f;
   if (at_exit < low.value) low = {at_exit, contact.length, true, false, entry};
@@ -97,8 +100,8 @@ SlipMargin slip_margin(const ContactNumbers<double>& n) {
   double x = 0;
   long samples = 0;
   while (x < contact.length) {
-    const double zero = first_zero(contact.curve(low.value - hair, x), contact.length - x, StartOrder::positive, samples,
-                                   kMaxSamples);
+    const double zero = first_zero(contact.curve(low.value - hair, x), contact.length - x,
+                                   StartOrder::positive, samples, kMaxSamples);
     if (!(zero < contact.length - x)) break;
     x = next_minimum(contact, x + zero);
     const double value = contact.sample(x).f;
@@ -109,7 +112,8 @@ SlipMargin slip_margin(const ContactNumbers<double>& n) {
 }
 
 template <typename S>
-S slip_margin_at(const ContactNumbers<S>& n, const ContactNumbers<double>&, const SlipMargin& margin) {
+S slip_margin_at(const ContactNumbers<S>& n, const ContactNumbers<double>&,
+                 const SlipMargin& margin) {
   const LayerMotion<S> layer(n.inertia, n.damping);
   const Harmonic<S> f = forced_response(n, layer, kDriving);
   const S start = -n.half_angle;
@@ -121,8 +125,9 @@ S slip_margin_at(const ContactNumbers<S>& n, const ContactNumbers<double>&, cons
   return -(slow.at(theta, trig(theta)) + h.rate);
 }
 
-#define TWUM_INSTANTIATE(S) \
-  template S slip_margin_at(const ContactNumbers<S>&, const ContactNumbers<double>&, const SlipMargin&);
+#define TWUM_INSTANTIATE(S)                                                          \
+  template S slip_margin_at(const ContactNumbers<S>&, const ContactNumbers<double>&, \
+                            const SlipMargin&);
 TWUM_FOR_EACH_CONTACT_SCALAR(TWUM_INSTANTIATE)
 
 }  // namespace twum::contact

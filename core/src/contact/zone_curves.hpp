@@ -14,10 +14,14 @@ template <typename S>
 struct Harmonic {
   S k0, kb, kw, ks;
 
-  S at(const S& theta, const Trig<S>& a) const { return k0 + kb * theta + kw * a.versine + ks * a.sin; }
+  S at(const S& theta, const Trig<S>& a) const {
+    return k0 + kb * theta + kw * a.versine + ks * a.sin;
+  }
   S slope(const Trig<S>& a) const { return kb + kw * a.sin + ks * a.cos; }
   S curvature(const Trig<S>& a) const { return kw * a.cos - ks * a.sin; }
-  Harmonic<double> values() const { return {value_of(k0), value_of(kb), value_of(kw), value_of(ks)}; }
+  Harmonic<double> values() const {
+    return {value_of(k0), value_of(kb), value_of(kw), value_of(ks)};
+  }
 };
 
 /// Response e of a layer that slips with v_rel of sign sigma to t = -sigma mu p (T5.1, E2.1): its mean, written so
@@ -26,7 +30,8 @@ template <typename S>
 Harmonic<S> forced_response(const ContactNumbers<S>& n, const LayerMotion<S>& layer, double sigma) {
   const S q = -sigma * n.kinetic;
   const S excess = (layer.D * layer.M - layer.C * layer.C) * layer.response;  // D / (D^2 + C^2) - 1
-  return {q * (excess + n.peak), S(0.0), -(q * layer.response * layer.D), q * layer.response * layer.C};
+  return {q * (excess + n.peak), S(0.0), -(q * layer.response * layer.D),
+          q * layer.response * layer.C};
 }
 
 /// f' - s (cos theta - V): v_rel s / V0 without the layer's own motion (E2.2).
@@ -73,8 +78,10 @@ class StickCurve {
     double t = (a.f1 + std::sqrt(a.f1 * a.f1 - 2 * a.f2 * a.f)) / -a.f2;
     for (int i = 0; i < 3; ++i) {
       const double q = t * t;
-      const double even = q * (1.0 / 2 - q * (1.0 / 24 - q / 720)), odd = t * q * (1.0 / 6 - q * (1.0 / 120 - q / 5040));
-      const double even1 = t * (1 - q * (1.0 / 6 - q / 120)), odd1 = q * (1.0 / 2 - q * (1.0 / 24 - q / 720));
+      const double even = q * (1.0 / 2 - q * (1.0 / 24 - q / 720)),
+                   odd = t * q * (1.0 / 6 - q * (1.0 / 120 - q / 5040));
+      const double even1 = t * (1 - q * (1.0 / 6 - q / 120)),
+                   odd1 = q * (1.0 / 2 - q * (1.0 / 24 - q / 720));
       const double slope = a.f1 + a.f2 * even1 + f3 * odd1;
       if (!(slope < 0)) break;
       t -= (a.f + a.f1 * t + a.f2 * even + f3 * odd) / slope;
@@ -96,8 +103,13 @@ class SlipCurve {
  public:
   SlipCurve(const LayerMotion<double>& layer, const FreeMotion<double>& motion,
             const Harmonic<double>& slow, double sigma, double theta, const Trig<double>& at)
-      : layer_(layer), motion_(motion), slow_{sigma * slow.k0, 0, sigma * slow.kw, sigma * slow.ks},
-        sigma_(sigma), theta_(theta), at_(at), swing_(std::sqrt(slow.kw * slow.kw + slow.ks * slow.ks)) {}
+      : layer_(layer),
+        motion_(motion),
+        slow_{sigma * slow.k0, 0, sigma * slow.kw, sigma * slow.ks},
+        sigma_(sigma),
+        theta_(theta),
+        at_(at),
+        swing_(std::sqrt(slow.kw * slow.kw + slow.ks * slow.ks)) {}
 
   CurveSample first() const { return sample(0, at_, own_start()); }
   CurveSample sample(double x) const { return sample(x, quick_trig(theta_ + x), own_motion(x)); }
@@ -150,7 +162,8 @@ class SlipCurve {
   Own oscillation(const LayerState<double>& h) const {
     const double M = layer_.M, C = layer_.C, inverse = layer_.inverse_inertia();
     const double h2 = -(C * h.rate + h.e) * inverse, h3 = -(C * h2 + h.rate) * inverse;
-    const double reach = std::sqrt(h.rate * h.rate + M * h2 * h2), reach1 = reach * layer_.natural_frequency();
+    const double reach = std::sqrt(h.rate * h.rate + M * h2 * h2),
+                 reach1 = reach * layer_.natural_frequency();
     const double bound2 = (C * reach1 + reach) * inverse;
     return {h.rate, h2, h3, reach, bound2, (C * bound2 + reach1) * inverse};
   }
@@ -158,8 +171,11 @@ class SlipCurve {
   Own modes(double u, double w) const {
     const double l1 = layer_.fast(), l2 = layer_.slow();
     const double fast = u * l1, slow = w * l2, fast2 = fast * l1 * l1, slow2 = slow * l2 * l2;
-    return {fast + slow, fast * l1 + slow * l2, fast2 + slow2,
-            std::fabs(fast) + std::fabs(slow), std::fabs(fast2) + std::fabs(slow2),
+    return {fast + slow,
+            fast * l1 + slow * l2,
+            fast2 + slow2,
+            std::fabs(fast) + std::fabs(slow),
+            std::fabs(fast2) + std::fabs(slow2),
             std::fabs(fast2 * l1) + std::fabs(slow2 * l2)};
   }
 

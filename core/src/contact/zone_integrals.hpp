@@ -56,8 +56,8 @@ struct SlipWork {
 /// its energy (E5.2).
 template <typename S>
 SlipWork<S> slip_work(const ContactNumbers<S>& n, const LayerMotion<S>& layer, const Harmonic<S>& f,
-                      const Moments<S>& m, const Phase<S>& from, const Phase<S>& to, const LayerState<S>& h0,
-                      const LayerState<S>& h1) {
+                      const Moments<S>& m, const Phase<S>& from, const Phase<S>& to,
+                      const LayerState<S>& h0, const LayerState<S>& h1) {
   const RateMoments<S> own(layer, from, to, h0, h1);
   const S c = 1.0 - n.peak;
   const S p0 = n.peak - from.at.versine, p1 = n.peak - to.at.versine;
@@ -72,7 +72,8 @@ SlipWork<S> slip_work(const ContactNumbers<S>& n, const LayerMotion<S>& layer, c
 
 /// Integrals over a slip zone.
 template <typename S>
-ContactMeans<S> slip_integrals(const ContactNumbers<S>& n, double sigma, const Moments<S>& m, const SlipWork<S>& work) {
+ContactMeans<S> slip_integrals(const ContactNumbers<S>& n, double sigma, const Moments<S>& m,
+                               const SlipWork<S>& work) {
   const S c = 1.0 - n.peak;
   const S p = n.peak * m.one - (m.one - m.c), pc = m.cc - c * m.c;
   const S q = sigma * n.kinetic;
@@ -82,8 +83,8 @@ ContactMeans<S> slip_integrals(const ContactNumbers<S>& n, double sigma, const M
 
 /// Integrals over a stick zone with traction t = k0 + kb theta + kw (1 - cos theta) + ks sin theta.
 template <typename S>
-ContactMeans<S> stick_integrals(const ContactNumbers<S>& n, const LayerMotion<S>& layer, const Harmonic<S>& t,
-                                const Phase<S>& from, const Phase<S>& to) {
+ContactMeans<S> stick_integrals(const ContactNumbers<S>& n, const LayerMotion<S>& layer,
+                                const Harmonic<S>& t, const Phase<S>& from, const Phase<S>& to) {
   const Moments<S> m(from, to);
   const S theta = 0.5 * (to.theta * to.theta - from.theta * from.theta);
   const S theta_c = to.theta * to.at.sin - from.theta * from.at.sin - m.s;

@@ -16,40 +16,46 @@ constexpr std::optional<Parameter> kNone;
 
 // The admissible ranges are wide: they refuse what cannot be meant, not what is unusual.
 constexpr std::array<ParameterInfo, kParameterCount> kTable{{
-    {P::wavelengths, "wavelengths", "n", "1", "stator.wavelengths", 1, 1000, false, true, true, kNone,
-     "9", "wavelengths round the circumference"},
-    {P::contact_radius, "contact_radius", "r", "m", "stator.contact_radius", 0, 10, true, false, true,
-     kNone, "26.5 mm", "mean radius of the contact track"},
+    {P::wavelengths, "wavelengths", "n", "1", "stator.wavelengths", 1, 1000, false, true, true,
+     kNone, "9", "wavelengths round the circumference"},
+    {P::contact_radius, "contact_radius", "r", "m", "stator.contact_radius", 0, 10, true, false,
+     true, kNone, "26.5 mm", "mean radius of the contact track"},
     {P::contact_width, "contact_width", "b", "m", "stator.contact_width", 0, 10, true, false, true,
      kNone, "4 mm", "radial width of the contact track"},
-    {P::neutral_plane_distance, "neutral_plane_distance", "a", "m", "stator.neutral_plane_distance", 0,
-     1, true, false, true, kNone, "3 mm", "distance from the neutral plane to the stator surface"},
+    {P::neutral_plane_distance, "neutral_plane_distance", "a", "m", "stator.neutral_plane_distance",
+     0, 1, true, false, true, kNone, "3 mm",
+     "distance from the neutral plane to the stator surface"},
     {P::frequency, "frequency", "f", "Hz", "stator.frequency", 0, 1e9, true, false, true, kNone,
      "40 kHz", "drive frequency"},
     {P::amplitude, "amplitude", "A", "m", "stator.amplitude", 0, 1e-2, false, false, true, kNone,
      "1.6 um", "amplitude of the travelling wave"},
-    {P::modal_damping, "modal_damping", "", "N.s/m", "stator.modal_damping", 0, 1e9, false, false, false,
-     kNone, "45 N.s/m", "modal damping of the stator; its loss is c (omega A)^2"},
+    {P::modal_damping, "modal_damping", "", "N.s/m", "stator.modal_damping", 0, 1e9, false, false,
+     false, kNone, "45 N.s/m", "modal damping of the stator; its loss is c (omega A)^2"},
     {P::thickness, "thickness", "h", "m", "contact_layer.thickness", 0, 1, true, false, true, kNone,
      "0.3 mm", "thickness of the contact layer"},
     {P::youngs_modulus, "youngs_modulus", "E", "Pa", "contact_layer.youngs_modulus", 0, 1e13, true,
      false, true, kNone, "3 GPa", "Young's modulus of the contact layer"},
-    {P::poisson_ratio, "poisson_ratio", "nu", "1", "contact_layer.poisson_ratio", -1, 0.5, true, false,
-     true, P::shear_modulus, "0.35", "Poisson ratio of the contact layer; gives G = E / (2 (1 + nu))"},
+    {P::poisson_ratio, "poisson_ratio", "nu", "1", "contact_layer.poisson_ratio", -1, 0.5, true,
+     false, true, P::shear_modulus, "0.35",
+     "Poisson ratio of the contact layer; gives G = E / (2 (1 + nu))"},
     {P::density, "density", "rho", "kg/m^3", "contact_layer.density", 0, 1e6, false, false, true,
      P::inertia, "1800 kg/m^3", "density of the contact layer; gives m = rho h^2 / 3"},
-    {P::loss_factor, "loss_factor", "", "1", "contact_layer.loss_factor", 0, 100, false, false, true,
-     P::shear_viscosity, "0.05", "loss factor of the layer in shear; gives gamma = loss_factor G / omega"},
-    {P::shear_modulus, "shear_modulus", "G", "Pa", "contact_layer.shear_modulus", 0, 1e13, true, false,
-     false, P::poisson_ratio, "1.1 GPa", "shear modulus of the contact layer, given outright"},
-    {P::shear_viscosity, "shear_viscosity", "gamma", "Pa.s", "contact_layer.shear_viscosity", 0, 1e12,
-     false, false, false, P::loss_factor, "220 Pa.s", "shear viscosity of the layer, given outright"},
+    {P::loss_factor, "loss_factor", "", "1", "contact_layer.loss_factor", 0, 100, false, false,
+     true, P::shear_viscosity, "0.05",
+     "loss factor of the layer in shear; gives gamma = loss_factor G / omega"},
+    {P::shear_modulus, "shear_modulus", "G", "Pa", "contact_layer.shear_modulus", 0, 1e13, true,
+     false, false, P::poisson_ratio, "1.1 GPa",
+     "shear modulus of the contact layer, given outright"},
+    {P::shear_viscosity, "shear_viscosity", "gamma", "Pa.s", "contact_layer.shear_viscosity", 0,
+     1e12, false, false, false, P::loss_factor, "220 Pa.s",
+     "shear viscosity of the layer, given outright"},
     {P::inertia, "inertia", "m", "Pa.s^2", "contact_layer.inertia", 0, 1e6, false, false, false,
      P::density, "5.4e-5 Pa.s^2", "inertia of the layer in shear, given outright"},
-    {P::kinetic_friction, "kinetic_friction", "mu", "1", "friction.kinetic", 0, 10, false, false, true,
-     kNone, "0.2", "friction coefficient while slipping"},
-    {P::static_friction, "static_friction", "mu_0", "1", "friction.static", 0, 10, false, false, false,
-     kNone, "0.2", "friction coefficient at the threshold of sticking, at least the kinetic one"},
+    {P::kinetic_friction, "kinetic_friction", "mu", "1", "friction.kinetic", 0, 10, false, false,
+     true, kNone, "0.2", "friction coefficient while slipping"},
+    {P::static_friction, "static_friction", "mu_0", "1", "friction.static", 0, 10, false, false,
+     false, kNone, "0.2",
+     "friction coefficient at the threshold of sticking, at least the kinetic one"},
     {P::preload, "preload", "F_N", "N", "preload", 0, 1e12, false, false, true, kNone, "160 N",
      "total axial force that presses rotor and stator together"},
 }};
@@ -102,7 +108,8 @@ void require_no_twins(std::span<const ParameterValue> values) {
   for (const auto& [parameter, value] : values) {
     for (const auto& [other, other_value] : values) {
       if (info(parameter).twin == other) {
-        throw InputError(std::string(info(parameter).name) + " and " + std::string(info(other).name) +
+        throw InputError(std::string(info(parameter).name) + " and " +
+                         std::string(info(other).name) +
                          " say the same in two ways; give one of them");
       }
     }
@@ -143,7 +150,8 @@ double get(const MotorDesign& design, Parameter parameter) {
       return used ? layer.density : 3 * inertia(design) / (layer.thickness * layer.thickness);
     case P::loss_factor:
       return used ? layer.loss_factor
-                  : shear_viscosity(design) * 2 * std::numbers::pi * stator.frequency / shear_modulus(design);
+                  : shear_viscosity(design) * 2 * std::numbers::pi * stator.frequency /
+                        shear_modulus(design);
     case P::shear_modulus: return shear_modulus(design);
     case P::shear_viscosity: return shear_viscosity(design);
     case P::inertia: return inertia(design);
@@ -192,8 +200,9 @@ MotorDesign with(const MotorDesign& design, std::span<const ParameterValue> valu
     if (parameter == P::static_friction) set(result, parameter, value);
   }
   if (result.friction.static_ < result.friction.kinetic) {
-    throw InputError("static_friction must be at least kinetic_friction = " +
-                     number(result.friction.kinetic) + ", but is " + number(result.friction.static_));
+    throw InputError(
+        "static_friction must be at least kinetic_friction = " + number(result.friction.kinetic) +
+        ", but is " + number(result.friction.static_));
   }
   return result;
 }
@@ -211,8 +220,9 @@ std::vector<std::string> complaints(const MotorDesign& design) {
     if (!wrong.empty()) found.push_back(std::string(row.name) + " " + wrong);
   }
   if (design.friction.static_ < design.friction.kinetic) {
-    found.push_back("static_friction must be at least kinetic_friction = " +
-                    number(design.friction.kinetic) + ", but is " + number(design.friction.static_));
+    found.push_back(
+        "static_friction must be at least kinetic_friction = " + number(design.friction.kinetic) +
+        ", but is " + number(design.friction.static_));
   }
   return found;
 }

@@ -25,7 +25,8 @@ void require_admissible(std::span<const MotorDesign> designs) {
 }  // namespace
 
 std::vector<std::vector<MetricValue>> evaluate_designs(std::span<const MotorDesign> designs,
-                                                       std::span<const MetricRequest> requests, unsigned jobs) {
+                                                       std::span<const MetricRequest> requests,
+                                                       unsigned jobs) {
   require_admissible(designs);
   std::vector<std::vector<MetricValue>> rows(designs.size());
   std::atomic<std::size_t> next{0};

@@ -13,9 +13,10 @@ namespace {
 // one maximum (with mu_0 > mu: one in each stretch with the same sequence of zones).
 constexpr int kIntervals = 20;
 constexpr int kRoughIntervals = 40;
-constexpr int kMissing = 4;         // points without a periodic state that may follow one another
-constexpr int kStretches = 8;       // sequences of zones between two nodes
-constexpr double kInset = 1e-7;      // share of a stretch left out at its ends, which stand for themselves
+constexpr int kMissing = 4;    // points without a periodic state that may follow one another
+constexpr int kStretches = 8;  // sequences of zones between two nodes
+constexpr double kInset =
+    1e-7;  // share of a stretch left out at its ends, which stand for themselves
 constexpr double kFarthest = 1e4;  // times the crest speed
 
 MetricStatus metric_status(PointStatus status) {
@@ -42,22 +43,30 @@ Bracket close_in(const F& f, double low, double high, double f_low, double f_hig
     throw SearchFailure{MetricStatus::unresolved};
   }
   boost::uintmax_t limit = 120;
-  const auto found = boost::math::tools::toms748_solve(f, low, high, f_low, f_high,
-                                                       boost::math::tools::eps_tolerance<double>(51), limit);
+  const auto found = boost::math::tools::toms748_solve(
+      f, low, high, f_low, f_high, boost::math::tools::eps_tolerance<double>(51), limit);
   return {found.first, found.second};
 }
 
 }  // namespace
 
 CurveSearch::CurveSearch(const MotorModel<double>& model)
-    : m_(model), holding_(model.static_ * model.preload * model.r), crest_(model.crest_velocity / model.r),
+    : m_(model),
+      holding_(model.static_ * model.preload * model.r),
+      crest_(model.crest_velocity / model.r),
       rough_(model.static_ > model.kinetic) {}
 
 CurveSearch::Node CurveSearch::node(double speed) const {
   const SolvedPoint p = solve_point(m_, speed);
   if (p.status != PointStatus::ok) return {speed, 0, 0, false, kNoState, metric_status(p.status)};
-  const bool drives = !p.special && p.state.lap.one_slip && p.state.lap.first == ZoneState::slip_plus;
-  return {speed, p.numbers.torque, p.numbers.stator_power, drives, p.special ? 0 : p.state.lap.itinerary, MetricStatus::ok};
+  const bool drives =
+      !p.special && p.state.lap.one_slip && p.state.lap.first == ZoneState::slip_plus;
+  return {speed,
+          p.numbers.torque,
+          p.numbers.stator_power,
+          drives,
+          p.special ? 0 : p.state.lap.itinerary,
+          MetricStatus::ok};
 }
 
 CurveSearch::Node CurveSearch::answered(double speed) const {
@@ -100,11 +109,16 @@ void CurveSearch::scan() {
 }
 
 Crossing CurveSearch::falls_through(double torque, const Node& low, const Node& high) const {
-  std::vector<std::pair<double, double>> seen{{low.speed, low.torque - torque}, {high.speed, high.torque - torque}};
-  const auto excess = [&](double speed) { return seen.emplace_back(speed, answered(speed).torque - torque).second; };
+  std::vector<std::pair<double, double>> seen{{low.speed, low.torque - torque},
+                                              {high.speed, high.torque - torque}};
+  const auto excess = [&](double speed) {
+    return seen.emplace_back(speed, answered(speed).torque - torque).second;
+  };
   const Bracket b = close_in(excess, low.speed, high.speed, seen[0].second, seen[1].second);
   const auto at = [&seen](double speed) {
-    return std::find_if(seen.begin(), seen.end(), [speed](const auto& s) { return s.first == speed; })->second;
+    return std::find_if(seen.begin(), seen.end(),
+                        [speed](const auto& s) { return s.first == speed; })
+        ->second;
   };
   const double at_low = at(b.low), at_high = at(b.high);
   const bool jump = at_low - at_high > 1e-7 * holding_;
@@ -123,16 +137,19 @@ Crossing CurveSearch::speed_at(double torque) {
   if (torque == 0) return no_load();
   if (!(torque > 0) || !(stall_torque() > 0)) throw SearchFailure{MetricStatus::unreachable};
   const Peak top = max_torque();
-  const double carried = torque * (1 - 1e-12);  // a torque typed with rounding, such as the stall torque itself
+  const double carried =
+      torque * (1 - 1e-12);  // a torque typed with rounding, such as the stall torque itself
   if (!(carried <= top.value)) throw SearchFailure{MetricStatus::unreachable};
   const std::vector<Node> nodes = working_nodes();
   std::size_t k = nodes.size() - 1;
   while (k > 0 && !(nodes[k - 1].torque >= torque)) --k;
   const double high = nodes[k].speed;
-  if (k > 0 && nodes[k - 1].speed >= top.speed) return falls_through(torque, nodes[k - 1], nodes[k]);
+  if (k > 0 && nodes[k - 1].speed >= top.speed)
+    return falls_through(torque, nodes[k - 1], nodes[k]);
   if (top.kind == PeakKind::rest && starts_on_plateau()) return {plateau_end(), false};
   if (torque >= top.value || top.speed >= high) return {top.speed, false};
-  if (const Node at_top = answered(top.speed); at_top.torque > torque) return falls_through(torque, at_top, nodes[k]);
+  if (const Node at_top = answered(top.speed); at_top.torque > torque)
+    return falls_through(torque, at_top, nodes[k]);
   return {top.speed, top.kind != PeakKind::smooth};
 }
 
@@ -230,8 +247,9 @@ std::optional<Peak> CurveSearch::peak_between(Goal goal, double low, double high
   const Sloped left = sloped(goal, b.low), right = sloped(goal, b.high);
   const double scale = std::fabs(left.value) / crest_;
   const bool kink = left.slope - right.slope > 1e-4 * scale;
-  return left.value >= right.value ? Peak{b.low, left.value, kink ? PeakKind::kink : PeakKind::smooth}
-                                   : Peak{b.high, right.value, kink ? PeakKind::kink : PeakKind::smooth};
+  return left.value >= right.value
+             ? Peak{b.low, left.value, kink ? PeakKind::kink : PeakKind::smooth}
+             : Peak{b.high, right.value, kink ? PeakKind::kink : PeakKind::smooth};
 }
 
 // The secant method on the slope, from the vertex of the parabola through three nodes. Mostly four
@@ -266,7 +284,8 @@ Peak CurveSearch::named(Peak peak) {
 }
 
 Peak CurveSearch::smooth_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top) {
-  const Peak at_node{nodes[top].speed, value(goal, nodes[top]), top == 0 ? PeakKind::rest : PeakKind::smooth};
+  const Peak at_node{nodes[top].speed, value(goal, nodes[top]),
+                     top == 0 ? PeakKind::rest : PeakKind::smooth};
   if (nodes.size() == 1) return at_node;
   if (top > 0 && top + 1 < nodes.size()) {
     const std::optional<Peak> near = peak_near(goal, nodes[top - 1], nodes[top], nodes[top + 1]);
@@ -300,7 +319,8 @@ Peak CurveSearch::rough_peak(Goal goal, const std::vector<Node>& nodes, std::siz
       if (low.ok() && !level) {
         // A zone that is just born has an end without slope: look for the maximum a little inside.
         const double inset = kInset * (left.speed - low.speed);
-        const std::optional<Peak> inside = peak_between(goal, low.speed + inset, left.speed - inset);
+        const std::optional<Peak> inside =
+            peak_between(goal, low.speed + inset, left.speed - inset);
         if (inside && inside->value > best.value) best = *inside;
       }
       consider(left);
@@ -313,7 +333,8 @@ Peak CurveSearch::rough_peak(Goal goal, const std::vector<Node>& nodes, std::siz
 }
 
 // Neighbouring speeds between which the sequence of zones that holds at `low` ends.
-std::pair<CurveSearch::Node, CurveSearch::Node> CurveSearch::stretch_end(const Node& low, const Node& end) const {
+std::pair<CurveSearch::Node, CurveSearch::Node> CurveSearch::stretch_end(const Node& low,
+                                                                         const Node& end) const {
   Node left = low, right = end;
   while (right.speed - left.speed > 4e-16 * (crest_ + right.speed)) {
     const Node middle = node(0.5 * (left.speed + right.speed));

@@ -42,13 +42,13 @@ class CurveSearch {
  public:
   explicit CurveSearch(const MotorModel<double>& model);
 
-  double stall_torque();            ///< (T7.12)
-  Crossing no_load();               ///< (T7.14)
-  double plateau_end();             ///< (T7.17)
-  Peak max_torque();                ///< (T7.13)
-  Peak peak_power();                ///< (T7.16)
-  Peak max_efficiency();            ///< (T7.18)
-  Crossing speed_at(double torque); ///< (T7.15)
+  double stall_torque();             ///< (T7.12)
+  Crossing no_load();                ///< (T7.14)
+  double plateau_end();              ///< (T7.17)
+  Peak max_torque();                 ///< (T7.13)
+  Peak peak_power();                 ///< (T7.16)
+  Peak max_efficiency();             ///< (T7.18)
+  Crossing speed_at(double torque);  ///< (T7.15)
 
  private:
   enum class Goal : unsigned char { torque, power, efficiency };

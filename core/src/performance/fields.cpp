@@ -26,46 +26,54 @@ struct LayerAt {
   double e, rate, traction;
 };
 
-LayerAt stick_at(const ContactNumbers<double>& n, const LayerMotion<double>& layer, const ZoneTrace& z, double theta) {
+LayerAt stick_at(const ContactNumbers<double>& n, const LayerMotion<double>& layer,
+                 const ZoneTrace& z, double theta) {
   const double s = n.stick_rate, e = z.start.e + s * (std::sin(theta) - std::sin(z.zone.from)) -
                                      s * n.speed_ratio * (theta - z.zone.from);
   const double rate = s * (std::cos(theta) - n.speed_ratio);
   return {e, rate, e + layer.C * rate - layer.M * s * std::sin(theta)};
 }
 
-LayerAt slip_at(const ContactNumbers<double>& n, const LayerMotion<double>& layer, const ZoneTrace& z, double theta) {
+LayerAt slip_at(const ContactNumbers<double>& n, const LayerMotion<double>& layer,
+                const ZoneTrace& z, double theta) {
   const double traction = static_cast<double>(z.zone.state) * n.kinetic;
   const double q = traction * layer.response, c = std::cos(theta), s = std::sin(theta);
   const auto forced = [&](double cosine, double sine) {
     return LayerState<double>{q * (layer.D * cosine + layer.C * sine) - traction * (1 - n.peak),
                               q * (layer.C * cosine - layer.D * sine)};
   };
-  const LayerState<double> f0 = forced(std::cos(z.zone.from), std::sin(z.zone.from)), f = forced(c, s);
+  const LayerState<double> f0 = forced(std::cos(z.zone.from), std::sin(z.zone.from)),
+                           f = forced(c, s);
   const LayerState<double> h0 = layer.own_part({z.start.e - f0.e, z.start.rate - f0.rate});
   const LayerState<double> h = layer.at(layer.start(h0), theta - z.zone.from);
   return {h.e + f.e, h.rate + f.rate, traction * (c - 1 + n.peak)};
 }
 
-LayerAt free_at(const ContactNumbers<double>& n, const LayerMotion<double>& layer, const Trace& trace, double theta) {
+LayerAt free_at(const ContactNumbers<double>& n, const LayerMotion<double>& layer,
+                const Trace& trace, double theta) {
   const double flight = theta > 0 ? theta - n.half_angle : theta + 2 * kPi - n.half_angle;
   const LayerState<double> h = layer.at(layer.start(layer.own_part(trace.exit)), flight);
   return {h.e, h.rate, 0};
 }
 
-LayerAt layer_at(const ContactNumbers<double>& n, const LayerMotion<double>& layer, const Trace& trace, double theta) {
+LayerAt layer_at(const ContactNumbers<double>& n, const LayerMotion<double>& layer,
+                 const Trace& trace, double theta) {
   for (const ZoneTrace& z : trace.zones) {
     if (theta >= z.zone.from && theta <= z.zone.to) {
-      return z.zone.state == ZoneState::stick ? stick_at(n, layer, z, theta) : slip_at(n, layer, z, theta);
+      return z.zone.state == ZoneState::stick ? stick_at(n, layer, z, theta)
+                                              : slip_at(n, layer, z, theta);
     }
   }
   return free_at(n, layer, trace, theta);
 }
 
-Trace trace_of(const ContactNumbers<double>& n, const LayerMotion<double>& layer, const SolvedPoint& point) {
+Trace trace_of(const ContactNumbers<double>& n, const LayerMotion<double>& layer,
+               const SolvedPoint& point) {
   Trace trace;
   // A lap's `next` state in partial contact is that of the next entry; flying back from entry to exit
   // would amplify rounding, so the exit's own state is kept.
-  const contact::Lap<double> lap = contact::run_lap(n, layer, point.state.entry, &point.state.lap.script, &trace.zones);
+  const contact::Lap<double> lap =
+      contact::run_lap(n, layer, point.state.entry, &point.state.lap.script, &trace.zones);
   trace.exit = lap.exit;
   return trace;
 }
@@ -73,7 +81,8 @@ Trace trace_of(const ContactNumbers<double>& n, const LayerMotion<double>& layer
 double phase_of(int i, int samples) { return -kPi + 2 * kPi * i / (samples - 1); }
 
 // Points in closed form: at rest the locked layer sticks all round; a flat stator is dragged over.
-FieldSample special_sample(const MotorModel<double>& m, const SolvedPoint& point, double speed, double theta) {
+FieldSample special_sample(const MotorModel<double>& m, const SolvedPoint& point, double speed,
+                           double theta) {
   const double area = 2 * kPi * m.r * m.b;
   FieldSample s{theta, 0, 0, 0, m.crest_velocity * std::cos(theta), m.r * speed};
   const double mean_pressure = m.preload / area;
@@ -85,15 +94,16 @@ FieldSample special_sample(const MotorModel<double>& m, const SolvedPoint& point
     const ContactNumbers<double> n = contact_numbers(m, 0.0);
     const double P = m.contact.pressure_amplitude, swing = n.stick_rate;
     const double mean = point.numbers.torque / (area * m.r);
-    s.traction = mean + P * swing * (n.damping * std::cos(theta) + (1 - n.inertia) * std::sin(theta));
+    s.traction =
+        mean + P * swing * (n.damping * std::cos(theta) + (1 - n.inertia) * std::sin(theta));
     s.displacement = m.thickness * (mean + P * swing * std::sin(theta)) / m.shear;
     s.layer_velocity = s.stator_velocity;
   }
   return s;
 }
 
-FieldSample dimensional_sample(const MotorModel<double>& m, const ContactNumbers<double>& n, const LayerAt& at,
-                               double theta) {
+FieldSample dimensional_sample(const MotorModel<double>& m, const ContactNumbers<double>& n,
+                               const LayerAt& at, double theta) {
   const double P = m.contact.pressure_amplitude, c = std::cos(theta);
   const bool inside = std::fabs(theta) <= n.half_angle;
   const double layer_ratio = n.speed_ratio + at.rate / n.stick_rate;
@@ -113,9 +123,11 @@ std::vector<Zone> zones(const MotorModel<double>& m, double speed) {
   const double edge = m.contact.half_angle;
   if (point.special) {
     if (edge == 0) return {};
-    if (m.amplitude != 0 && m.contact.full && m.static_ > 0) return {{ZoneState::stick, -edge, edge}};
+    if (m.amplitude != 0 && m.contact.full && m.static_ > 0)
+      return {{ZoneState::stick, -edge, edge}};
     const bool drags = m.amplitude == 0 && speed < 0;
-    return {{drags || m.amplitude != 0 ? ZoneState::slip_plus : ZoneState::slip_minus, -edge, edge}};
+    return {
+        {drags || m.amplitude != 0 ? ZoneState::slip_plus : ZoneState::slip_minus, -edge, edge}};
   }
   const ContactNumbers<double> n = contact_numbers(m, speed);
   std::vector<Zone> result;
@@ -131,7 +143,8 @@ std::vector<FieldSample> sample_fields(const MotorModel<double>& m, double speed
   if (point.status != PointStatus::ok) return result;
   result.reserve(static_cast<std::size_t>(samples));
   if (point.special) {
-    for (int i = 0; i < samples; ++i) result.push_back(special_sample(m, point, speed, phase_of(i, samples)));
+    for (int i = 0; i < samples; ++i)
+      result.push_back(special_sample(m, point, speed, phase_of(i, samples)));
     return result;
   }
   const ContactNumbers<double> n = contact_numbers(m, speed);

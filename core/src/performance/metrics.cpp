@@ -76,7 +76,8 @@ class Evaluator {
       case M::peak_power: return search_.peak_power().value;
       case M::speed_at_peak_power: return search_.peak_power().speed;
       case M::torque_at_peak_power: return point_value(M::torque_at, working_peak());
-      case M::contact_efficiency_at_peak_power: return point_value(M::contact_efficiency_at, working_peak());
+      case M::contact_efficiency_at_peak_power:
+        return point_value(M::contact_efficiency_at, working_peak());
       case M::max_efficiency: return search_.max_efficiency().value;
       case M::speed_at_max_efficiency: return search_.max_efficiency().speed;
       case M::contact_half_length: return m_.contact.half_length;
@@ -114,7 +115,8 @@ class Evaluator {
     if (needs_input_power(metric)) {
       const double velocity = m_.omega * m_.amplitude;
       const double loss = metric == M::efficiency_at ? m_.stator_damping * velocity * velocity : 0;
-      if (!(point(speed).numbers.stator_power + loss > 0)) throw SearchFailure{MetricStatus::undefined};
+      if (!(point(speed).numbers.stator_power + loss > 0))
+        throw SearchFailure{MetricStatus::undefined};
     }
     return v;
   }
@@ -145,7 +147,8 @@ Smoothness smoothness_of(const MotorModel<double>& m, const SolvedPoint& p) {
 class Differentiator : private Evaluator {
  public:
   Differentiator(const Motor& motor, bool fixed_static_friction)
-      : Evaluator(motor), fixed_(fixed_static_friction),
+      : Evaluator(motor),
+        fixed_(fixed_static_friction),
         model_(differentiated_model<ModelDual>(motor.design(), fixed_static_friction)) {}
 
   MetricDerivative differentiate(const MetricRequest& request) {
@@ -183,7 +186,8 @@ class Differentiator : private Evaluator {
       case M::torque_at_peak_power: return at(M::torque_at, peak_speed());
       case M::contact_efficiency_at_peak_power: return at(M::contact_efficiency_at, peak_speed());
       case M::max_efficiency: return at_peak(M::efficiency_at, search_.max_efficiency());
-      case M::speed_at_max_efficiency: return speed_of_peak(M::efficiency_at, search_.max_efficiency());
+      case M::speed_at_max_efficiency:
+        return speed_of_peak(M::efficiency_at, search_.max_efficiency());
       case M::speed_at: return crossing(search_.speed_at(request.at), request.at);
       default:
         if (request.argument == Argument::torque) {
@@ -199,7 +203,8 @@ class Differentiator : private Evaluator {
 
   // Where partial turns into full contact the contact angle has no derivative.
   Smoothness of_contact() const {
-    const double gap = m_.contact.full ? m_.contact.edge_cosine + 1 : m_.contact.half_angle - std::numbers::pi;
+    const double gap =
+        m_.contact.full ? m_.contact.edge_cosine + 1 : m_.contact.half_angle - std::numbers::pi;
     return std::fabs(gap) < 1e-7 ? Smoothness::one_sided : Smoothness::smooth;
   }
 
@@ -231,7 +236,8 @@ class Differentiator : private Evaluator {
 
   // The value of a peak: the speed drops out where the slope is zero.
   Derived at_peak(Metric metric, const Peak& peak) {
-    if (peak.kind == PeakKind::smooth || peak.kind == PeakKind::rest) return at(metric, fixed_speed(peak.speed));
+    if (peak.kind == PeakKind::smooth || peak.kind == PeakKind::rest)
+      return at(metric, fixed_speed(peak.speed));
     // A jump that lifts the value above the plateau's: its limit moves with a speed that is not smooth.
     const bool above = peak.value > plateau_value(metric, peak.speed) * (1 + 1e-9);
     if (peak.kind == PeakKind::kink || above) return {ModelDual(peak.value), Smoothness::undefined};
@@ -283,7 +289,8 @@ class Differentiator : private Evaluator {
       return end;
     }
     if (!model2_) model2_ = differentiated_model<ModelDual2>(motor_.design(), fixed_);
-    const PointNumbers<ModelDual2> n = differentiate_point(m_, *model2_, point(peak.speed), peak.speed);
+    const PointNumbers<ModelDual2> n =
+        differentiate_point(m_, *model2_, point(peak.speed), peak.speed);
     const ModelDual2 f = point_metric(metric, n, speed_variable<ModelDual2>(peak.speed), *model2_);
     ModelDual speed(peak.speed);
     for (int j = 0; j < kSpeedDirection; ++j) speed.d[j] = -f.d[j].d[0] / f.d[kSpeedDirection].d[0];
@@ -302,7 +309,8 @@ SpeedDerivative differentiate_in_speed(const Motor& motor, double speed) {
   SpeedDerivative d;
   d.point = motor.operating_point(speed);
   if (d.point.status != PointStatus::ok) {
-    d.torque = d.output_power = d.stator_power = d.friction_power = d.layer_loss = d.stick_fraction = kNaN;
+    d.torque = d.output_power = d.stator_power = d.friction_power = d.layer_loss =
+        d.stick_fraction = kNaN;
     d.smoothness = Smoothness::undefined;
     return d;
   }
@@ -327,14 +335,18 @@ std::vector<MetricValue> evaluate(const Motor& motor, std::span<const MetricRequ
   return values;
 }
 
-MetricValue evaluate(const Motor& motor, const MetricRequest& request) { return Evaluator(motor).evaluate(request); }
+MetricValue evaluate(const Motor& motor, const MetricRequest& request) {
+  return Evaluator(motor).evaluate(request);
+}
 
-std::vector<MetricDerivative> differentiate(const Motor& motor, std::span<const MetricRequest> requests,
+std::vector<MetricDerivative> differentiate(const Motor& motor,
+                                            std::span<const MetricRequest> requests,
                                             bool fixed_static_friction) {
   Differentiator differentiator(motor, fixed_static_friction);
   std::vector<MetricDerivative> derivatives;
   derivatives.reserve(requests.size());
-  for (const MetricRequest& request : requests) derivatives.push_back(differentiator.differentiate(request));
+  for (const MetricRequest& request : requests)
+    derivatives.push_back(differentiator.differentiate(request));
   return derivatives;
 }
 

@@ -63,14 +63,17 @@ double Motor::crest_speed() const noexcept { return model_->crest_velocity / mod
 
 double Motor::wave_speed() const noexcept { return model_->omega / model_->kappa / model_->r; }
 
-double Motor::holding_torque() const noexcept { return model_->static_ * model_->preload * model_->r; }
+double Motor::holding_torque() const noexcept {
+  return model_->static_ * model_->preload * model_->r;
+}
 
 bool Motor::locks_at_rest() const noexcept { return performance::locks_at_rest(*model_); }
 
 void Motor::require_speed(double speed) const {
   if (!(speed > -wave_speed()) || !std::isfinite(speed)) {
     throw InputError("rotor speed must be more than the wave's backward speed " +
-                     std::to_string(-wave_speed()) + " rad/s, but is " + std::to_string(speed) + " rad/s");
+                     std::to_string(-wave_speed()) + " rad/s, but is " + std::to_string(speed) +
+                     " rad/s");
   }
 }
 
@@ -99,11 +102,14 @@ std::vector<Zone> Motor::zones(double speed) const {
 }
 
 ContactFields Motor::fields(double speed, int samples) const {
-  if (samples < 2) throw InputError("fields need at least 2 samples, not " + std::to_string(samples));
-  return {operating_point(speed), zones(speed), performance::sample_fields(*model_, speed, samples)};
+  if (samples < 2)
+    throw InputError("fields need at least 2 samples, not " + std::to_string(samples));
+  return {operating_point(speed), zones(speed),
+          performance::sample_fields(*model_, speed, samples)};
 }
 
-std::vector<OperatingPoint> torque_speed_curve(const Motor& motor, const std::vector<double>& speeds) {
+std::vector<OperatingPoint> torque_speed_curve(const Motor& motor,
+                                               const std::vector<double>& speeds) {
   std::vector<OperatingPoint> curve;
   curve.reserve(speeds.size());
   for (const double speed : speeds) curve.push_back(motor.operating_point(speed));

@@ -17,12 +17,12 @@ namespace twum::performance {
 template <typename S>
 struct MotorModel {
   S n, r, b, omega, kappa;
-  S crest_velocity;           ///< V0 = kappa a A omega (T2.2)
+  S crest_velocity;  ///< V0 = kappa a A omega (T2.2)
   S thickness, shear, viscosity, inertia;
   S kinetic, static_, preload, stator_damping, amplitude;
   NormalContact<S> contact;
-  S peak;                     ///< p(0) / P = 1 - c
-  contact::Trig<S> edge;      ///< of theta_L
+  S peak;                 ///< p(0) / P = 1 - c
+  contact::Trig<S> edge;  ///< of theta_L
 };
 
 /// Parameter values in the order of the table.
@@ -81,7 +81,8 @@ MotorModel<S> motor_model(const MotorDesign& given, const ParameterArray<S>& p) 
   m.crest_velocity = m.kappa * at(P::neutral_plane_distance) * m.amplitude * m.omega;
   m.thickness = at(P::thickness);
   const S& E = at(P::youngs_modulus);
-  m.shear = in_use(given, P::shear_modulus) ? at(P::shear_modulus) : S(E / (2.0 * (1.0 + at(P::poisson_ratio))));
+  m.shear = in_use(given, P::shear_modulus) ? at(P::shear_modulus)
+                                            : S(E / (2.0 * (1.0 + at(P::poisson_ratio))));
   m.viscosity = in_use(given, P::shear_viscosity) ? at(P::shear_viscosity)
                                                   : S(at(P::loss_factor) * m.shear / m.omega);
   m.inertia = in_use(given, P::inertia) ? at(P::inertia)
@@ -98,7 +99,8 @@ MotorModel<S> motor_model(const MotorDesign& given, const ParameterArray<S>& p) 
 /// Parameter values of a design, derived ones included.
 inline ParameterArray<double> parameter_values(const MotorDesign& design) {
   ParameterArray<double> values;
-  for (std::size_t i = 0; i < kParameterCount; ++i) values[i] = get(design, static_cast<Parameter>(i));
+  for (std::size_t i = 0; i < kParameterCount; ++i)
+    values[i] = get(design, static_cast<Parameter>(i));
   return values;
 }
 

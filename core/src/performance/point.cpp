@@ -33,10 +33,12 @@ bool drags_steadily(const MotorModel<double>& m, double speed) {
   const LayerMotion<double> layer(m.inertia * W * W / m.shear, m.viscosity * W / m.shear);
   const double sigma = speed > 0 ? 1 : -1;
   const double drift = m.shear * m.r * speed / (m.thickness * W * pressure);
-  const contact::FreeMotion<double> motion = layer.start({-sigma * (m.static_ - m.kinetic), -drift});
+  const contact::FreeMotion<double> motion =
+      layer.start({-sigma * (m.static_ - m.kinetic), -drift});
   const contact::SlipCurve curve(layer, motion, {drift, 0, 0, 0}, sigma, 0, {0, 1, 0});
   long samples = 0;
-  return contact::first_zero(curve, 1e300, contact::StartOrder::zero, samples, 1'000'000) == contact::kNoZero;
+  return contact::first_zero(curve, 1e300, contact::StartOrder::zero, samples, 1'000'000) ==
+         contact::kNoZero;
 }
 
 // Mean traction of a locked layer as the rotor just begins to drag it forward: the constant part falls
@@ -49,7 +51,8 @@ struct Lock {
     using std::sqrt;
     const contact::ContactNumbers<S> n = contact_numbers(m, S(0.0));
     const S mean = n.static_ * (n.peak - 1.0), swing = (1.0 - n.inertia) * n.stick_rate;
-    const S forward = n.static_ + n.damping * n.stick_rate, back = n.static_ - n.damping * n.stick_rate;
+    const S forward = n.static_ + n.damping * n.stick_rate,
+            back = n.static_ - n.damping * n.stick_rate;
     low = sqrt(forward * forward + swing * swing) - mean;
     high = mean - sqrt(back * back + swing * swing);
     damping_work = 0.5 * n.damping * n.stick_rate;
@@ -85,24 +88,29 @@ static SolvedPoint solve_special(const MotorModel<double>& m, double speed) {
   SolvedPoint point;
   point.special = true;
   point.numbers = special_point(m, speed);
-  const bool steady = is_trivial(m) ? (m.amplitude != 0 || drags_steadily(m, speed)) : m.static_ == m.kinetic;
+  const bool steady =
+      is_trivial(m) ? (m.amplitude != 0 || drags_steadily(m, speed)) : m.static_ == m.kinetic;
   if (!steady) point.status = PointStatus::no_periodic_state;
   return point;
 }
 
 SolvedPoint solve_point(const MotorModel<double>& m, double speed) {
-  if (is_trivial(m) || (speed == 0 && m.contact.full && locks_at_rest(m))) return solve_special(m, speed);
+  if (is_trivial(m) || (speed == 0 && m.contact.full && locks_at_rest(m)))
+    return solve_special(m, speed);
   const contact::ContactNumbers<double> n = contact_numbers(m, speed);
-  SolvedPoint point{{}, PointStatus::ok, contact::find_periodic_state(n, LayerMotion<double>(n.inertia, n.damping))};
+  SolvedPoint point{{},
+                    PointStatus::ok,
+                    contact::find_periodic_state(n, LayerMotion<double>(n.inertia, n.damping))};
   point.status = point_status(point.state.status);
   point.numbers = dimensional(m, point.state.lap.means, point.state.lap);
   return point;
 }
 
-#define TWUM_INSTANTIATE(S, R) \
+#define TWUM_INSTANTIATE(S, R)                       \
   template bool locks_at_rest(const MotorModel<S>&); \
   template PointNumbers<R> special_point(const MotorModel<S>&, const R&);
 TWUM_FOR_EACH_MODEL_SCALAR(TWUM_INSTANTIATE)
-template PointNumbers<contact::SpeedDual> special_point(const MotorModel<double>&, const contact::SpeedDual&);
+template PointNumbers<contact::SpeedDual> special_point(const MotorModel<double>&,
+                                                        const contact::SpeedDual&);
 
 }  // namespace twum::performance

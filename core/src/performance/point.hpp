@@ -19,7 +19,7 @@ struct SolvedPoint {
   PointNumbers<double> numbers;
   PointStatus status{PointStatus::ok};
   contact::PeriodicState state;  ///< undefined for trivial and locked points
-  bool special{false};           ///< trivial or locked at rest: in closed form, no periodic state behind it
+  bool special{false};  ///< trivial or locked at rest: in closed form, no periodic state behind it
 };
 
 /// Solves one operating point.
@@ -41,8 +41,8 @@ PointNumbers<R> dimensional(const MotorModel<S>& m, const contact::ContactMeans<
   const S power = power_scale(m);
   R torque = torque_scale(m) * means.traction;
   if (lap.one_slip) torque = R(static_cast<double>(lap.first) * (m.kinetic * m.preload * m.r));
-  return {torque, power * means.stator_power, power * means.friction_power, power * means.layer_loss,
-          means.stick_length / (2.0 * m.contact.half_angle)};
+  return {torque, power * means.stator_power, power * means.friction_power,
+          power * means.layer_loss, means.stick_length / (2.0 * m.contact.half_angle)};
 }
 
 }  // namespace twum::performance

@@ -30,7 +30,8 @@ struct ContactScalar<ModelDual2> {
 // The seven numbers as a list; in partial contact theta_L stands for the edge, in full contact its pressure.
 template <typename S>
 std::array<S, 7> listed(const ContactNumbers<S>& n) {
-  return {n.inertia, n.damping, n.stick_rate, n.speed_ratio, n.full ? n.peak : n.half_angle, n.kinetic, n.static_};
+  return {n.inertia, n.damping, n.stick_rate, n.speed_ratio, n.full ? n.peak : n.half_angle,
+          n.kinetic, n.static_};
 }
 
 // Seeds the seven numbers as independent variables.
@@ -38,8 +39,10 @@ template <typename K, typename S>
 ContactNumbers<K> seeded(const ContactNumbers<S>& n) {
   const std::array<S, 7> x = listed(n);
   const auto variable = [&x](int i) { return K::variable(x[static_cast<std::size_t>(i)].v, i); };
-  ContactNumbers<K> k{variable(0), variable(1), variable(2), variable(3), K(0.0), K(0.0), variable(5), variable(6),
-                      {K(0.0), K(0.0), K(0.0)}, n.full};
+  ContactNumbers<K> k{variable(0), variable(1), variable(2),
+                      variable(3), K(0.0),      K(0.0),
+                      variable(5), variable(6), {K(0.0), K(0.0), K(0.0)},
+                      n.full};
   if (n.full) {
     k.half_angle = K(value_of(n.half_angle));
     k.peak = variable(4);
@@ -104,7 +107,8 @@ PointNumbers<S> differentiate_point(const MotorModel<double>& values, const Moto
   const S omega = speed_variable<S>(speed);
   if (point.special) return special_point(model, omega);
   const ContactNumbers<S> n = contact_numbers(model, omega);
-  const Lap<K> lap = contact::periodic_lap(seeded<K>(n), contact_numbers(values, speed), point.state);
+  const Lap<K> lap =
+      contact::periodic_lap(seeded<K>(n), contact_numbers(values, speed), point.state);
   const std::array<S, 7> x = listed(n);
   const contact::ContactMeans<K>& m = lap.means;
   const contact::ContactMeans<S> means{chained(m.traction, x), chained(m.stator_power, x),
@@ -113,10 +117,12 @@ PointNumbers<S> differentiate_point(const MotorModel<double>& values, const Moto
   return dimensional(model, means, point.state.lap);
 }
 
-PointNumbers<SpeedDual> point_in_speed(const MotorModel<double>& m, const SolvedPoint& point, double speed) {
+PointNumbers<SpeedDual> point_in_speed(const MotorModel<double>& m, const SolvedPoint& point,
+                                       double speed) {
   const SpeedDual omega = SpeedDual::variable(speed, 0);
   if (point.special) return special_point(m, omega);
-  const Lap<SpeedDual> lap = contact::periodic_lap(contact_numbers(m, omega), contact_numbers(m, speed), point.state);
+  const Lap<SpeedDual> lap =
+      contact::periodic_lap(contact_numbers(m, omega), contact_numbers(m, speed), point.state);
   return dimensional(m, lap.means, point.state.lap);
 }
 
@@ -135,20 +141,22 @@ Margin plateau_margin(const MotorModel<double>& m, double speed) {
   return {at.v, at.d[0], low.place, low.exit, low.slips};
 }
 
-ModelDual plateau_end_derivative(const MotorModel<double>& values, const MotorModel<ModelDual>& model, double speed) {
+ModelDual plateau_end_derivative(const MotorModel<double>& values,
+                                 const MotorModel<ModelDual>& model, double speed) {
   const ContactNumbers<double> n = contact_numbers(values, speed);
   const contact::SlipMargin low = contact::slip_margin(n);
   const ContactNumbers<ModelDual> x = contact_numbers(model, speed_variable<ModelDual>(speed));
-  const ModelDual margin = chained(contact::slip_margin_at(seeded<NumbersDual>(x), n, low), listed(x));
+  const ModelDual margin =
+      chained(contact::slip_margin_at(seeded<NumbersDual>(x), n, low), listed(x));
   // margin(Omega(p), p) = 0
   ModelDual end(speed);
   for (int j = 0; j < kSpeedDirection; ++j) end.d[j] = -margin.d[j] / margin.d[kSpeedDirection];
   return end;
 }
 
-#define TWUM_INSTANTIATE(S)                                                                       \
-  template MotorModel<S> differentiated_model(const MotorDesign&, bool);                          \
-  template PointNumbers<S> differentiate_point(const MotorModel<double>&, const MotorModel<S>&,   \
+#define TWUM_INSTANTIATE(S)                                                                     \
+  template MotorModel<S> differentiated_model(const MotorDesign&, bool);                        \
+  template PointNumbers<S> differentiate_point(const MotorModel<double>&, const MotorModel<S>&, \
                                                const SolvedPoint&, double);
 TWUM_INSTANTIATE(ModelDual)
 TWUM_INSTANTIATE(ModelDual2)

@@ -24,7 +24,8 @@ PointNumbers<S> differentiate_point(const MotorModel<double>& values, const Moto
                                     const SolvedPoint& point, double speed);
 
 /// Numbers of a solved point with their derivatives in speed.
-PointNumbers<contact::SpeedDual> point_in_speed(const MotorModel<double>& model, const SolvedPoint& point, double speed);
+PointNumbers<contact::SpeedDual> point_in_speed(const MotorModel<double>& model,
+                                                const SolvedPoint& point, double speed);
 
 /// Torque and its slope in speed.
 struct TorqueSlope {
@@ -37,15 +38,16 @@ TorqueSlope torque_slope(const MotorModel<double>& model, double speed);
 /// Smallest v_rel margin -v_rel s / V0 of a contact that slips and drives all through, at `speed`:
 /// positive on the plateau of the torque, zero at its end (T7.17).
 struct Margin {
-  double value;     ///< smallest margin, in units of P
-  double slope;     ///< its derivative in speed
-  double place;     ///< phase since entry where it is smallest [rad]
-  bool exit;        ///< the smallest place is the exit edge
-  bool slips;       ///< the contact does slip and drive all through there
+  double value;  ///< smallest margin, in units of P
+  double slope;  ///< its derivative in speed
+  double place;  ///< phase since entry where it is smallest [rad]
+  bool exit;     ///< the smallest place is the exit edge
+  bool slips;    ///< the contact does slip and drive all through there
 };
 Margin plateau_margin(const MotorModel<double>& model, double speed);
 
 /// End of the plateau with derivatives in every parameter.
-ModelDual plateau_end_derivative(const MotorModel<double>& values, const MotorModel<ModelDual>& model, double speed);
+ModelDual plateau_end_derivative(const MotorModel<double>& values,
+                                 const MotorModel<ModelDual>& model, double speed);
 
 }  // namespace twum::performance

@@ -12,7 +12,8 @@ using namespace twum::test;
 // 1e-12: samples and bounds are sums of a few terms of their own size.
 constexpr double kSlack = 1 + 1e-12;
 
-TEST_CASE("the bounds of a slip zone (E4.1, E4.2, E4.3, E4.4) hold at every later place", "[core][events][identity]") {
+TEST_CASE("the bounds of a slip zone (E4.1, E4.2, E4.3, E4.4) hold at every later place",
+          "[core][events][identity]") {
   Dice dice(11);
   for (int i = 0; i < 500; ++i) {
     const ContactNumbers<double> n = random_contact(dice, i);
@@ -27,7 +28,8 @@ TEST_CASE("the bounds of a slip zone (E4.1, E4.2, E4.3, E4.4) hold at every late
   }
 }
 
-TEST_CASE("the slip curve (E2.1, E2.2) has the derivatives it states", "[core][events][derivative]") {
+TEST_CASE("the slip curve (E2.1, E2.2) has the derivatives it states",
+          "[core][events][derivative]") {
   Dice dice(12);
   for (int i = 0; i < 300; ++i) {
     const RandomSlip slip(random_contact(dice, i), dice);
@@ -39,7 +41,8 @@ TEST_CASE("the slip curve (E2.1, E2.2) has the derivatives it states", "[core][e
     const CurveSample a = curve.sample(x - d), b = curve.sample(x + d);
     const double rounding = 4e-15 * (1 + std::fabs(c.f) + std::sqrt(c.l2)) / d;
     CHECK(std::fabs((b.f - a.f) / (2 * d) - c.f1) <= a.l3 * d * d / 3 + rounding);
-    CHECK(std::fabs((b.f1 - a.f1) / (2 * d) - c.f2) <= 2 * a.l3 * d + rounding * (1 + std::fabs(c.f1) + c.l2));
+    CHECK(std::fabs((b.f1 - a.f1) / (2 * d) - c.f2) <=
+          2 * a.l3 * d + rounding * (1 + std::fabs(c.f1) + c.l2));
   }
 }
 
@@ -58,10 +61,12 @@ TEST_CASE("the skip (E4.6) passes no zero of the slip curve", "[core][events][id
   CHECK(skips > 50);
 }
 
-TEST_CASE("the bounds of the stick curve (E2.4, E4.5) hold everywhere", "[core][events][identity]") {
+TEST_CASE("the bounds of the stick curve (E2.4, E4.5) hold everywhere",
+          "[core][events][identity]") {
   Dice dice(14);
   for (int i = 0; i < 200; ++i) {
-    const Harmonic<double> f{dice.uniform(-1, 1), dice.uniform(-1, 1), dice.uniform(-1, 1), dice.uniform(-1, 1)};
+    const Harmonic<double> f{dice.uniform(-1, 1), dice.uniform(-1, 1), dice.uniform(-1, 1),
+                             dice.uniform(-1, 1)};
     const double start = dice.uniform(-3, 0);
     const StickCurve curve(f, start, trig(start));
     const CurveSample first = curve.first();

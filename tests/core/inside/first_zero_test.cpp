@@ -48,7 +48,8 @@ TEST_CASE("steps (E3.1, E3.2) stay where the curve is positive", "[core][events]
   }
 }
 
-TEST_CASE("steps after an event (E3.3, E3.4) stay where the curve is positive", "[core][events][identity]") {
+TEST_CASE("steps after an event (E3.3, E3.4) stay where the curve is positive",
+          "[core][events][identity]") {
   const TwoDips rising{0, 1.5, 0};  // f = f' = 0 at 0
   const double step = zero_free_step(rising.first(), StartOrder::double_zero);
   CHECK(step > 0);
@@ -80,7 +81,8 @@ TEST_CASE("a bracket (E3.5) holds exactly one zero", "[core][events][identity]")
   CHECK(brackets > 100);
 }
 
-TEST_CASE("the march finds the zero that a fine grid finds, never a later one", "[core][events][differential]") {
+TEST_CASE("the march finds the zero that a fine grid finds, never a later one",
+          "[core][events][differential]") {
   Dice dice(23);
   int zeros = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -104,8 +106,10 @@ TEST_CASE("the march finds the zero that a fine grid finds, never a later one", 
 TEST_CASE("dips are told from zeros however shallow", "[core][events][closed_form]") {
   for (const double depth : {1e-3, 1e-6, 1e-9, 1e-12}) {
     long work = 0;
-    CHECK(first_zero(TwoDips{0.5, 1.3, depth}, 2, StartOrder::positive, work, 1'000'000) == kNoZero);
-    const double zero = first_zero(TwoDips{0.5, 1.3, -depth}, 2, StartOrder::positive, work, 1'000'000);
+    CHECK(first_zero(TwoDips{0.5, 1.3, depth}, 2, StartOrder::positive, work, 1'000'000) ==
+          kNoZero);
+    const double zero =
+        first_zero(TwoDips{0.5, 1.3, -depth}, 2, StartOrder::positive, work, 1'000'000);
     // Near 0.5 f = 0.64 (x - 0.5)^2 - depth (1 + ...): the first zero lies sqrt(depth) / 0.8 before it, with
     // a correction of the order of depth.
     CHECK(std::fabs(zero - (0.5 - std::sqrt(depth) / 0.8)) <= 2 * depth + 1e-9);

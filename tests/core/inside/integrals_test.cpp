@@ -30,15 +30,20 @@ struct Zone {
   double length;
 
   Zone(Dice& dice, int index, double longest)
-      : n(random_contact(dice, index)), layer(n.inertia, n.damping), f(forced_response(n, layer, 1)),
-        from{dice.uniform(-1, 0.2) * n.half_angle, {}}, to{},
+      : n(random_contact(dice, index)),
+        layer(n.inertia, n.damping),
+        f(forced_response(n, layer, 1)),
+        from{dice.uniform(-1, 0.2) * n.half_angle, {}},
+        to{},
         h0(layer.own_part({dice.uniform(-0.2, 0.2), dice.uniform(-0.5, 0.5)})),
         length(std::min(longest, dice.uniform(0.1, 0.75) * n.half_angle)) {
     from.at = trig(from.theta);
     to = {from.theta + length, trig(from.theta + length)};
   }
 
-  LayerState<double> own(double theta) const { return layer.at(layer.start(h0), theta - from.theta); }
+  LayerState<double> own(double theta) const {
+    return layer.at(layer.start(h0), theta - from.theta);
+  }
   double rate(double theta) const { return own(theta).rate + f.slope(trig(theta)); }
   double pressure(double theta) const { return n.peak - trig(theta).versine; }
 };
@@ -49,7 +54,8 @@ constexpr int kPanels = 10000;
 
 }  // namespace
 
-TEST_CASE("integrals over a slip zone follow from its end states (E5.1, E5.2)", "[core][contact][quadrature]") {
+TEST_CASE("integrals over a slip zone follow from its end states (E5.1, E5.2)",
+          "[core][contact][quadrature]") {
   Dice dice(31);
   int checked = 0;
   for (int i = 0; i < 100; ++i) {
@@ -59,13 +65,15 @@ TEST_CASE("integrals over a slip zone follow from its end states (E5.1, E5.2)", 
     if (zone.layer.natural_frequency() > 100) continue;
     ++checked;
     const Moments<double> m(zone.from, zone.to);
-    const SlipWork<double> work =
-        slip_work(zone.n, zone.layer, zone.f, m, zone.from, zone.to, zone.h0, zone.own(zone.to.theta));
+    const SlipWork<double> work = slip_work(zone.n, zone.layer, zone.f, m, zone.from, zone.to,
+                                            zone.h0, zone.own(zone.to.theta));
     const auto pressure_rate = [&](double x) { return zone.pressure(x) * zone.rate(x); };
     const auto square = [&](double x) { return zone.layer.C * zone.rate(x) * zone.rate(x); };
     const double scale = 1 + zone.layer.response;
-    CHECK(std::fabs(work.rate_pressure - simpson(pressure_rate, zone.from.theta, zone.to.theta, kPanels)) < 1e-9 * scale);
-    CHECK(std::fabs(work.loss - simpson(square, zone.from.theta, zone.to.theta, kPanels)) < 1e-9 * scale * scale);
+    CHECK(std::fabs(work.rate_pressure - simpson(pressure_rate, zone.from.theta, zone.to.theta,
+                                                 kPanels)) < 1e-9 * scale);
+    CHECK(std::fabs(work.loss - simpson(square, zone.from.theta, zone.to.theta, kPanels)) <
+          1e-9 * scale * scale);
   }
   CHECK(checked > 40);
 }
@@ -81,10 +89,12 @@ TEST_CASE("the series of short slip zones (E5.3) agree with the closed forms whe
     const LayerState<double> h1 = zone.own(zone.to.theta);
     const LayerState<double> start{zone.h0.e + zone.f.at(zone.from.theta, zone.from.at),
                                    zone.h0.rate + zone.f.slope(zone.from.at)};
-    const double fast = zone.layer.kind() == LayerKind::overdamped ? zone.layer.start(zone.h0).u : 0;
+    const double fast =
+        zone.layer.kind() == LayerKind::overdamped ? zone.layer.start(zone.h0).u : 0;
     const ShortSlip<double> series(zone.n, zone.layer, 1, zone.from, zone.length, start, fast);
     const Moments<double> m(zone.from, zone.to);
-    const SlipWork<double> closed = slip_work(zone.n, zone.layer, zone.f, m, zone.from, zone.to, zone.h0, h1);
+    const SlipWork<double> closed =
+        slip_work(zone.n, zone.layer, zone.f, m, zone.from, zone.to, zone.h0, h1);
     const SlipWork<double> work = series.work(zone.from, zone.to);
     // The closed forms lose eps times the square of own and forced part, which the response sets.
     const double size = 1 + zone.layer.response, loss = 1e-14 * size * size;
@@ -95,7 +105,8 @@ TEST_CASE("the series of short slip zones (E5.3) agree with the closed forms whe
   }
 }
 
-TEST_CASE("the layer's own motion obeys its equation and loses its energy", "[core][contact][identity]") {
+TEST_CASE("the layer's own motion obeys its equation and loses its energy",
+          "[core][contact][identity]") {
   Dice dice(33);
   for (int i = 0; i < 300; ++i) {
     const Zone zone(dice, i, 3);
@@ -107,8 +118,10 @@ TEST_CASE("the layer's own motion obeys its equation and loses its energy", "[co
     const LayerState<double> a = zone.own(x - d), c = zone.own(x), b = zone.own(x + d);
     // Differences over d of a motion with that rate err by 1e-6 / 6 of its acceleration.
     const double acceleration = (b.rate - a.rate) / (2 * d);
-    const double terms = std::fabs(zone.layer.C * c.rate) + std::fabs(c.e) + std::fabs(zone.layer.M * acceleration);
-    CHECK(std::fabs(zone.layer.M * acceleration + zone.layer.C * c.rate + c.e) < 1e-5 * terms + 1e-12);
+    const double terms =
+        std::fabs(zone.layer.C * c.rate) + std::fabs(c.e) + std::fabs(zone.layer.M * acceleration);
+    CHECK(std::fabs(zone.layer.M * acceleration + zone.layer.C * c.rate + c.e) <
+          1e-5 * terms + 1e-12);
     CHECK(zone.layer.energy(b) <= zone.layer.energy(a) * (1 + 1e-13));
   }
 }

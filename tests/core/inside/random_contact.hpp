@@ -26,14 +26,26 @@ class Dice {
 
 /// Contact numbers (E1.1) of layers of every kind: elastic, relaxing, oscillating, near critical damping
 /// and overdamped in turn.
-inline contact::ContactNumbers<double> random_contact(Dice& dice, int index, bool threshold = false) {
+inline contact::ContactNumbers<double> random_contact(Dice& dice, int index,
+                                                      bool threshold = false) {
   const double M = index % 5 < 2 ? 0 : dice.log_uniform(1e-4, 4);
-  const double ratio = index % 5 == 2 ? dice.log_uniform(1e-3, 0.9) : index % 5 == 3 ? dice.uniform(0.98, 1.02)
-                                                                                   : dice.uniform(1.6, 40);
-  const double C = index % 5 == 0 ? 0 : M == 0 ? dice.log_uniform(1e-3, 3) : 2 * ratio * std::sqrt(M);
+  const double ratio = index % 5 == 2   ? dice.log_uniform(1e-3, 0.9)
+                       : index % 5 == 3 ? dice.uniform(0.98, 1.02)
+                                        : dice.uniform(1.6, 40);
+  const double C = index % 5 == 0 ? 0
+                   : M == 0       ? dice.log_uniform(1e-3, 3)
+                                  : 2 * ratio * std::sqrt(M);
   const double half_angle = dice.uniform(0.1, 3.0), mu = dice.uniform(0.05, 0.6);
-  contact::ContactNumbers<double> n{M, C, dice.log_uniform(0.02, 3), dice.uniform(-0.3, 1.5), half_angle, 0, mu,
-                                    mu * (threshold ? dice.uniform(1, 1.6) : 1.0), contact::trig(half_angle), false};
+  contact::ContactNumbers<double> n{M,
+                                    C,
+                                    dice.log_uniform(0.02, 3),
+                                    dice.uniform(-0.3, 1.5),
+                                    half_angle,
+                                    0,
+                                    mu,
+                                    mu * (threshold ? dice.uniform(1, 1.6) : 1.0),
+                                    contact::trig(half_angle),
+                                    false};
   n.peak = n.edge.versine;
   return n;
 }
@@ -48,10 +60,14 @@ struct RandomSlip {
   RandomSlip(const contact::ContactNumbers<double>& n, Dice& dice)
       : layer(n.inertia, n.damping),
         motion(layer.start(layer.own_part({dice.uniform(-0.3, 0.3), dice.uniform(-1, 1)}))),
-        slow(contact::relative_rate(n, contact::forced_response(n, layer, sigma_of(dice)))), sigma(last_), 
-        start(-n.half_angle), length(2 * n.half_angle) {}
+        slow(contact::relative_rate(n, contact::forced_response(n, layer, sigma_of(dice)))),
+        sigma(last_),
+        start(-n.half_angle),
+        length(2 * n.half_angle) {}
 
-  contact::SlipCurve curve() const { return {layer, motion, slow, sigma, start, contact::trig(start)}; }
+  contact::SlipCurve curve() const {
+    return {layer, motion, slow, sigma, start, contact::trig(start)};
+  }
 
  private:
   double sigma_of(Dice& dice) { return last_ = dice.uniform(-1, 1) < 0 ? -1 : 1; }

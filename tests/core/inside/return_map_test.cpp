@@ -11,7 +11,8 @@ using namespace twum;
 using namespace twum::contact;
 using namespace twum::test;
 
-TEST_CASE("with mu_0 = mu no lap increases the energy of a difference of states (E6.1)", "[core][contact][identity]") {
+TEST_CASE("with mu_0 = mu no lap increases the energy of a difference of states (E6.1)",
+          "[core][contact][identity]") {
   Dice dice(41);
   for (int i = 0; i < 1000; ++i) {
     const ContactNumbers<double> n = random_contact(dice, i);
@@ -19,8 +20,10 @@ TEST_CASE("with mu_0 = mu no lap increases the energy of a difference of states 
     if (!layer.has_inertia()) continue;
     const LayerState<double> a{dice.uniform(-0.3, 0.3), dice.uniform(-1, 1)};
     const LayerState<double> b{dice.uniform(-0.3, 0.3), dice.uniform(-1, 1)};
-    const LayerState<double> fa = run_lap<double>(n, layer, {a, false, ZoneState::stick}).next.layer;
-    const LayerState<double> fb = run_lap<double>(n, layer, {b, false, ZoneState::stick}).next.layer;
+    const LayerState<double> fa =
+        run_lap<double>(n, layer, {a, false, ZoneState::stick}).next.layer;
+    const LayerState<double> fb =
+        run_lap<double>(n, layer, {b, false, ZoneState::stick}).next.layer;
     const double before = layer.energy({a.e - b.e, a.rate - b.rate});
     const double after = layer.energy({fa.e - fb.e, fa.rate - fb.rate});
     // Rounding of states of order one.
@@ -50,7 +53,8 @@ TEST_CASE("the periodic state repeats itself and Newton's steps (E6.2) keep it f
   CHECK(most <= 100);
 }
 
-TEST_CASE("a layer that sticks all round drifts by 2 pi s V a lap (E6.3)", "[core][contact][closed_form]") {
+TEST_CASE("a layer that sticks all round drifts by 2 pi s V a lap (E6.3)",
+          "[core][contact][closed_form]") {
   ContactNumbers<double> n{0.01, 0.05, 0.2, 1e-4, std::numbers::pi, 9, 0.3, 0.3, {0, -1, 2}, true};
   const LayerMotion<double> layer(n.inertia, n.damping);
   const LapEntry<double> entry{{0, n.stick_rate * (-1 - n.speed_ratio)}, true, ZoneState::stick};
@@ -59,20 +63,24 @@ TEST_CASE("a layer that sticks all round drifts by 2 pi s V a lap (E6.3)", "[cor
   CHECK(std::fabs(lap.next.layer.e + 2 * std::numbers::pi * n.stick_rate * n.speed_ratio) < 1e-15);
 }
 
-TEST_CASE("strain and traction while sticking are those of (T5.2, T5.3, E2.3)", "[core][contact][quadrature]") {
+TEST_CASE("strain and traction while sticking are those of (T5.2, T5.3, E2.3)",
+          "[core][contact][quadrature]") {
   // A lap that sticks all round: the mean traction is that of M e'' + C e' + e with
   // e' = s (cos theta - V), integrated by hand: e'' and the cosine of e' have no mean.
   ContactNumbers<double> n{0.3, 0.4, 0.2, 1e-3, std::numbers::pi, 9, 0.3, 0.3, {0, -1, 2}, true};
   const LayerMotion<double> layer(n.inertia, n.damping);
   const double e0 = 0.1, s = n.stick_rate, V = n.speed_ratio;
-  const Lap<double> lap = run_lap(n, layer, LapEntry<double>{{e0, s * (-1 - V)}, true, ZoneState::stick});
+  const Lap<double> lap =
+      run_lap(n, layer, LapEntry<double>{{e0, s * (-1 - V)}, true, ZoneState::stick});
   REQUIRE(lap.zones == 1);
   // e = e0 + s sin theta - s V (theta + pi): its mean is e0 - s V pi.
-  CHECK(std::fabs(lap.means.traction - (e0 - s * V * std::numbers::pi - n.damping * s * V)) < 1e-15);
+  CHECK(std::fabs(lap.means.traction - (e0 - s * V * std::numbers::pi - n.damping * s * V)) <
+        1e-15);
   CHECK(std::fabs(lap.means.layer_loss - n.damping * s * (0.5 + V * V)) < 1e-15);
 }
 
-TEST_CASE("slip responds to the wave as (T5.1, E1.2) says, with v_rel of (T2.4)", "[core][contact][identity]") {
+TEST_CASE("slip responds to the wave as (T5.1, E1.2) says, with v_rel of (T2.4)",
+          "[core][contact][identity]") {
   Dice dice(43);
   for (int i = 0; i < 200; ++i) {
     const ContactNumbers<double> n = random_contact(dice, i);
@@ -81,10 +89,12 @@ TEST_CASE("slip responds to the wave as (T5.1, E1.2) says, with v_rel of (T2.4)"
     const Harmonic<double> f = forced_response(n, layer, sigma);
     const Trig<double> a = trig(theta);
     const double p = n.peak - a.versine;
-    const double residual = n.inertia * f.curvature(a) + n.damping * f.slope(a) + f.at(theta, a) + sigma * n.kinetic * p;
+    const double residual = n.inertia * f.curvature(a) + n.damping * f.slope(a) + f.at(theta, a) +
+                            sigma * n.kinetic * p;
     CHECK(std::fabs(residual) <= 1e-14 * (1 + layer.response) * (1 + n.inertia + n.damping));
     // (E1.3) times s, the layer's own motion left out
-    CHECK(std::fabs(relative_rate(n, f).at(theta, a) - (f.slope(a) - n.stick_rate * (std::cos(theta) - n.speed_ratio))) <=
+    CHECK(std::fabs(relative_rate(n, f).at(theta, a) -
+                    (f.slope(a) - n.stick_rate * (std::cos(theta) - n.speed_ratio))) <=
           1e-14 * (1 + layer.response + n.stick_rate));
   }
 }

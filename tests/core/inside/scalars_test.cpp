@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "contact/periodic_state.hpp"
 #include "contact/scalars.hpp"
+#include "contact/periodic_state.hpp"
 #include "random_contact.hpp"
 
 #include <catch2/catch.hpp>
@@ -16,10 +16,19 @@ namespace {
 // The numbers in S, number k an independent variable where S has a direction for it.
 template <typename S>
 ContactNumbers<S> in_scalar(const ContactNumbers<double>& n) {
-  ContactNumbers<S> k{S(n.inertia), S(n.damping), S(n.stick_rate), S(n.speed_ratio), S(n.half_angle), S(0.0),
-                      S(n.kinetic), S(n.static_), {}, n.full};
+  ContactNumbers<S> k{S(n.inertia),
+                      S(n.damping),
+                      S(n.stick_rate),
+                      S(n.speed_ratio),
+                      S(n.half_angle),
+                      S(0.0),
+                      S(n.kinetic),
+                      S(n.static_),
+                      {},
+                      n.full};
   if constexpr (std::is_same_v<S, NumbersDual> || std::is_same_v<S, NumbersDual2>) {
-    S* const list[] = {&k.inertia, &k.damping, &k.stick_rate, &k.speed_ratio, &k.half_angle, &k.kinetic, &k.static_};
+    S* const list[] = {&k.inertia,    &k.damping, &k.stick_rate, &k.speed_ratio,
+                       &k.half_angle, &k.kinetic, &k.static_};
     for (int i = 0; i < 7; ++i) list[i]->d[i] = 1.0;
   }
   k.edge = trig(k.half_angle);
@@ -65,8 +74,10 @@ TEST_CASE("dual numbers obey the rules of differentiation", "[core][derivative][
   check(x * y, 0.91, 1.3, 0.7);
   check(x / y, 0.7 / 1.3, 1 / 1.3, -0.7 / (1.3 * 1.3));
   check(1.0 / x - y, 1 / 0.7 - 1.3, -1 / 0.49, -1);
-  check(sin(x) * exp(y), std::sin(0.7) * std::exp(1.3), std::cos(0.7) * std::exp(1.3), std::sin(0.7) * std::exp(1.3));
-  check(sqrt(x) + cos(y) * 2.0, std::sqrt(0.7) + 2 * std::cos(1.3), 0.5 / std::sqrt(0.7), -2 * std::sin(1.3));
+  check(sin(x) * exp(y), std::sin(0.7) * std::exp(1.3), std::cos(0.7) * std::exp(1.3),
+        std::sin(0.7) * std::exp(1.3));
+  check(sqrt(x) + cos(y) * 2.0, std::sqrt(0.7) + 2 * std::cos(1.3), 0.5 / std::sqrt(0.7),
+        -2 * std::sin(1.3));
   check(-(3.0 - x) + y / 2.0, -2.3 + 0.65, 1, 0.5);
 }
 

@@ -10,13 +10,13 @@ namespace twum {
 /// and in full contact the same with theta_L = pi and c = -F_N kappa / (2 pi n b P) <= -1.
 template <typename Scalar>
 struct NormalContact {
-  Scalar half_angle;         ///< theta_L = kappa L [rad], 0 .. pi
-  Scalar edge_cosine;        ///< c [1]; below -1 in full contact
-  Scalar pressure_amplitude; ///< P = E A / h [Pa]
-  Scalar half_length;        ///< L = theta_L / kappa [m]
-  Scalar ratio;              ///< alpha = L / lambda = theta_L / (2 pi) [1], 0 .. 0.5
-  Scalar max_pressure;       ///< p(0) [Pa]
-  bool full;                 ///< the layer nowhere leaves the stator
+  Scalar half_angle;          ///< theta_L = kappa L [rad], 0 .. pi
+  Scalar edge_cosine;         ///< c [1]; below -1 in full contact
+  Scalar pressure_amplitude;  ///< P = E A / h [Pa]
+  Scalar half_length;         ///< L = theta_L / kappa [m]
+  Scalar ratio;               ///< alpha = L / lambda = theta_L / (2 pi) [1], 0 .. 0.5
+  Scalar max_pressure;        ///< p(0) [Pa]
+  bool full;                  ///< the layer nowhere leaves the stator
 };
 
 /// Half angle theta_L of partial contact that carries a load.

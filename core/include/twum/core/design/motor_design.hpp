@@ -21,11 +21,11 @@ struct Stator {
 ///
 /// G, gamma and m follow from the material unless they are given outright.
 struct ContactLayer {
-  double thickness{0.3e-3};     ///< h [m]
-  double youngs_modulus{3e9};   ///< E [Pa]
-  double poisson_ratio{0.35};   ///< nu [1], used when G is not given
-  double density{1800};         ///< rho [kg/m^3], used when m is not given
-  double loss_factor{0.05};     ///< [1], used when gamma is not given
+  double thickness{0.3e-3};                     ///< h [m]
+  double youngs_modulus{3e9};                   ///< E [Pa]
+  double poisson_ratio{0.35};                   ///< nu [1], used when G is not given
+  double density{1800};                         ///< rho [kg/m^3], used when m is not given
+  double loss_factor{0.05};                     ///< [1], used when gamma is not given
   std::optional<double> given_shear_modulus;    ///< G [Pa]; otherwise E / (2 (1 + nu))
   std::optional<double> given_shear_viscosity;  ///< gamma [Pa s]; otherwise loss_factor G / omega
   std::optional<double> given_inertia;          ///< m [Pa s^2]; otherwise rho h^2 / 3

@@ -14,6 +14,7 @@ namespace twum {
 /// @param jobs  threads; 0 takes one for each core.
 /// @throws InputError naming the first design that is not admissible, before anything is computed.
 std::vector<std::vector<MetricValue>> evaluate_designs(std::span<const MotorDesign> designs,
-                                                       std::span<const MetricRequest> requests, unsigned jobs = 0);
+                                                       std::span<const MetricRequest> requests,
+                                                       unsigned jobs = 0);
 
 }  // namespace twum

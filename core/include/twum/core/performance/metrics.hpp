@@ -73,7 +73,7 @@ struct MetricRequest {
 
 enum class MetricStatus : unsigned char {
   ok,
-  undefined,          ///< has no meaning for this motor: no stall torque, no stator damping, no input power
+  undefined,  ///< has no meaning for this motor: no stall torque, no stator damping, no input power
   unreachable,        ///< the motor cannot carry the torque asked for
   no_periodic_state,  ///< needs a point without a periodic state
   not_converged,      ///< needs a point that did not converge

@@ -49,12 +49,12 @@ struct OperatingPoint {
 
 /// State of the contact at one phase of the wave; theory sections 2 to 4.
 struct FieldSample {
-  double phase;             ///< theta, crest at 0 [rad], -pi .. pi
-  double pressure;          ///< p [Pa]
-  double traction;          ///< tau on the layer, positive in drive direction [Pa]
-  double displacement;      ///< h eps, of the layer surface against the rotor [m]
-  double stator_velocity;   ///< v_s [m/s]
-  double layer_velocity;    ///< v_r [m/s]
+  double phase;            ///< theta, crest at 0 [rad], -pi .. pi
+  double pressure;         ///< p [Pa]
+  double traction;         ///< tau on the layer, positive in drive direction [Pa]
+  double displacement;     ///< h eps, of the layer surface against the rotor [m]
+  double stator_velocity;  ///< v_s [m/s]
+  double layer_velocity;   ///< v_r [m/s]
 };
 
 /// Fields along one wave in the periodic state.
@@ -106,6 +106,7 @@ class Motor {
 };
 
 /// Operating points at the given speeds [rad/s], in their order.
-std::vector<OperatingPoint> torque_speed_curve(const Motor& motor, const std::vector<double>& speeds);
+std::vector<OperatingPoint> torque_speed_curve(const Motor& motor,
+                                               const std::vector<double>& speeds);
 
 }  // namespace twum
