@@ -112,8 +112,7 @@ SlipMargin slip_margin(const ContactNumbers<double>& n) {
 }
 
 template <typename S>
-S slip_margin_at(const ContactNumbers<S>& n, const ContactNumbers<double>&,
-                 const SlipMargin& margin) {
+S slip_margin_at(const ContactNumbers<S>& n, const SlipMargin& margin) {
   const LayerMotion<S> layer(n.inertia, n.damping);
   const Harmonic<S> f = forced_response(n, layer, kDriving);
   const S start = -n.half_angle;
@@ -126,8 +125,7 @@ S slip_margin_at(const ContactNumbers<S>& n, const ContactNumbers<double>&,
 }
 
 #define TWUM_INSTANTIATE(S)                                                          \
-  template S slip_margin_at(const ContactNumbers<S>&, const ContactNumbers<double>&, \
-                            const SlipMargin&);
+  template S slip_margin_at(const ContactNumbers<S>&, const SlipMargin&);
 TWUM_FOR_EACH_CONTACT_SCALAR(TWUM_INSTANTIATE)
 
 }  // namespace twum::contact

@@ -20,7 +20,6 @@ SlipMargin slip_margin(const ContactNumbers<double>& numbers);
 
 /// The margin at a given place, with derivatives. At an inner minimum the place may be held fixed.
 template <typename S>
-S slip_margin_at(const ContactNumbers<S>& numbers, const ContactNumbers<double>& values,
-                 const SlipMargin& margin);
+S slip_margin_at(const ContactNumbers<S>& numbers, const SlipMargin& margin);
 
 }  // namespace twum::contact

@@ -19,17 +19,6 @@ constexpr double kInset =
     1e-7;  // share of a stretch left out at its ends, which stand for themselves
 constexpr double kFarthest = 1e4;  // times the crest speed
 
-MetricStatus metric_status(PointStatus status) {
-  switch (status) {
-    case PointStatus::ok: return MetricStatus::ok;
-    case PointStatus::no_periodic_state: return MetricStatus::no_periodic_state;
-    case PointStatus::not_converged: return MetricStatus::not_converged;
-    case PointStatus::resonance: return MetricStatus::resonance;
-    case PointStatus::unresolved: return MetricStatus::unresolved;
-  }
-  return MetricStatus::unresolved;
-}
-
 struct Bracket {
   double low, high;
 };
@@ -49,6 +38,17 @@ Bracket close_in(const F& f, double low, double high, double f_low, double f_hig
 }
 
 }  // namespace
+
+MetricStatus metric_status(PointStatus status) {
+  switch (status) {
+    case PointStatus::ok: return MetricStatus::ok;
+    case PointStatus::no_periodic_state: return MetricStatus::no_periodic_state;
+    case PointStatus::not_converged: return MetricStatus::not_converged;
+    case PointStatus::resonance: return MetricStatus::resonance;
+    case PointStatus::unresolved: return MetricStatus::unresolved;
+  }
+  return MetricStatus::unresolved;
+}
 
 CurveSearch::CurveSearch(const MotorModel<double>& model)
     : m_(model),

@@ -13,6 +13,9 @@
 
 namespace twum::performance {
 
+/// What a metric says that needs a point without an answer.
+MetricStatus metric_status(PointStatus status);
+
 /// How a supremum over speed is reached.
 enum class PeakKind : unsigned char {
   smooth,       ///< slope zero inside

@@ -19,17 +19,6 @@ using M = Metric;
 constexpr double kVanishing = 1e-8;  // length of a zone that counts as about to vanish [rad]
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-MetricStatus status_of(PointStatus status) {
-  switch (status) {
-    case PointStatus::ok: return MetricStatus::ok;
-    case PointStatus::no_periodic_state: return MetricStatus::no_periodic_state;
-    case PointStatus::not_converged: return MetricStatus::not_converged;
-    case PointStatus::resonance: return MetricStatus::resonance;
-    case PointStatus::unresolved: return MetricStatus::unresolved;
-  }
-  return MetricStatus::unresolved;
-}
-
 // A point metric from the numbers of a point; S is double or carries derivatives. The one place for
 // these formulas (T7.1, T7.5, T7.6, T7.7, T7.9).
 template <typename S>
@@ -106,7 +95,7 @@ class Evaluator {
       if (at == speed) return kept;
     }
     const SolvedPoint solved = solve_point(m_, speed);
-    if (solved.status != PointStatus::ok) throw SearchFailure{status_of(solved.status)};
+    if (solved.status != PointStatus::ok) throw SearchFailure{metric_status(solved.status)};
     return points_.emplace_back(speed, solved).second;
   }
 

@@ -137,7 +137,7 @@ Margin plateau_margin(const MotorModel<double>& m, double speed) {
   const SpeedDual omega = SpeedDual::variable(speed, 0);
   const ContactNumbers<double> n = contact_numbers(m, speed);
   const contact::SlipMargin low = contact::slip_margin(n);
-  const SpeedDual at = contact::slip_margin_at(contact_numbers(m, omega), n, low);
+  const SpeedDual at = contact::slip_margin_at(contact_numbers(m, omega), low);
   return {at.v, at.d[0], low.place, low.exit, low.slips};
 }
 
@@ -147,7 +147,7 @@ ModelDual plateau_end_derivative(const MotorModel<double>& values,
   const contact::SlipMargin low = contact::slip_margin(n);
   const ContactNumbers<ModelDual> x = contact_numbers(model, speed_variable<ModelDual>(speed));
   const ModelDual margin =
-      chained(contact::slip_margin_at(seeded<NumbersDual>(x), n, low), listed(x));
+      chained(contact::slip_margin_at(seeded<NumbersDual>(x), low), listed(x));
   // margin(Omega(p), p) = 0
   ModelDual end(speed);
   for (int j = 0; j < kSpeedDirection; ++j) end.d[j] = -margin.d[j] / margin.d[kSpeedDirection];
