@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <numbers>
 #include <sstream>
 #include <twum/base/dual.hpp>
 #include <twum/base/error.hpp>
@@ -14,20 +15,21 @@ using namespace twum::optim;
 
 namespace {
 
-using D = Dual<double, 7>;
-using Model = D (*)(const D* b, double x);
+constexpr int kMost = 9;  // parameters
+using D = Dual<double, kMost>;
+using Model = D (*)(const D* b, double x, double z);  // z: the second predictor, where there is one
 
 D power(const D& base, const D& exponent) {
   const double value = std::pow(base.v, exponent.v);
   D r(value);
-  for (int i = 0; i < 7; ++i)
+  for (int i = 0; i < kMost; ++i)
     r.d[i] = value * (exponent.d[i] * std::log(base.v) + exponent.v * base.d[i] / base.v);
   return r;
 }
 
 D arctan(const D& x) {
   D r(std::atan(x.v));
-  for (int i = 0; i < 7; ++i) r.d[i] = x.d[i] / (1.0 + x.v * x.v);
+  for (int i = 0; i < kMost; ++i) r.d[i] = x.d[i] / (1.0 + x.v * x.v);
   return r;
 }
 
@@ -36,11 +38,12 @@ struct DataSet {
   Model model;
   std::map<std::string, std::vector<double>> entries;  // start1, start2, certified, deviation
   std::vector<double> x;
+  std::vector<double> z;
   std::vector<double> y;
 };
 
 DataSet read(const std::string& name, Model model) {
-  DataSet set{name, model, {}, {}, {}};
+  DataSet set{name, model, {}, {}, {}, {}};
   std::ifstream file(std::string(TWUM_TEST_DATA "/nist/").append(name).append(".txt"));
   REQUIRE(file);
   bool data = false;
@@ -51,8 +54,11 @@ DataSet read(const std::string& name, Model model) {
       double y = 0.0;
       double x = 0.0;
       words >> y >> x;
+      double z = 0.0;
+      words >> z;
       set.y.push_back(y);
       set.x.push_back(x);
+      set.z.push_back(z);
       continue;
     }
     std::string key;
@@ -63,36 +69,73 @@ DataSet read(const std::string& name, Model model) {
   return set;
 }
 
+D wave(const D& even, const D& odd, const D& period, double x) {
+  const D angle = 2.0 * std::numbers::pi * x / period;
+  return even * cos(angle) + odd * sin(angle);
+}
+
+D peak(const D& height, const D& centre, const D& width, double x) {
+  const D s = (x - centre) / width;
+  return height * exp(-(s * s));
+}
+
+// Nelson's model is that of the logarithm of its response.
+DataSet of_logarithms(DataSet set) {
+  for (double& y : set.y) y = std::log(y);
+  return set;
+}
+
 std::vector<DataSet> nist() {
-  const Model saturation = [](const D* b, double x) -> D { return b[0] * (1.0 - exp(-x * b[1])); };
+  const Model exponentials = [](const D* b, double x, double) -> D {
+    return b[0] * exp(-x * b[1]) + b[2] * exp(-x * b[3]) + b[4] * exp(-x * b[5]);
+  };
+  const Model echo = [](const D* b, double x, double) -> D { return exp(-x * b[0]) / (b[1] + x * b[2]); };
+  const Model cubics = [](const D* b, double x, double) -> D {
+    return (b[0] + x * b[1] + x * x * b[2] + x * x * x * b[3]) / (1.0 + x * b[4] + x * x * b[5] + x * x * x * b[6]);
+  };
+  const Model peaks = [](const D* b, double x, double) -> D {
+    return b[0] * exp(-x * b[1]) + peak(b[2], b[3], b[4], x) + peak(b[5], b[6], b[7], x);
+  };
+  const Model saturation = [](const D* b, double x, double) -> D { return b[0] * (1.0 - exp(-x * b[1])); };
   return {read("Misra1a", saturation),
           read("BoxBOD", saturation),
-          read("Misra1b", [](const D* b, double x) -> D {
+          read("Misra1b", [](const D* b, double x, double) -> D {
             const D s = 1.0 + 0.5 * x * b[1];
             return b[0] * (1.0 - 1.0 / (s * s));
           }),
-          read("Misra1c", [](const D* b, double x) -> D { return b[0] * (1.0 - 1.0 / sqrt(1.0 + 2.0 * x * b[1])); }),
-          read("Misra1d", [](const D* b, double x) -> D { return b[0] * b[1] * x / (1.0 + b[1] * x); }),
-          read("DanWood", [](const D* b, double x) -> D { return b[0] * exp(b[1] * std::log(x)); }),
-          read("Rat42", [](const D* b, double x) -> D { return b[0] / (1.0 + exp(b[1] - x * b[2])); }),
-          read("Eckerle4", [](const D* b, double x) -> D {
+          read("Misra1c", [](const D* b, double x, double) -> D { return b[0] * (1.0 - 1.0 / sqrt(1.0 + 2.0 * x * b[1])); }),
+          read("Misra1d", [](const D* b, double x, double) -> D { return b[0] * b[1] * x / (1.0 + b[1] * x); }),
+          read("DanWood", [](const D* b, double x, double) -> D { return b[0] * exp(b[1] * std::log(x)); }),
+          read("Rat42", [](const D* b, double x, double) -> D { return b[0] / (1.0 + exp(b[1] - x * b[2])); }),
+          read("Eckerle4", [](const D* b, double x, double) -> D {
             const D s = (x - b[2]) / b[1];
             return b[0] / b[1] * exp(-0.5 * (s * s));
           }),
-          read("Roszman1", [](const D* b, double x) -> D {
+          read("Roszman1", [](const D* b, double x, double) -> D {
             return b[0] - x * b[1] - arctan(b[2] / (x - b[3])) * (1.0 / 3.14159265358979323846);
           }),
-          read("MGH09", [](const D* b, double x) -> D { return b[0] * (x * x + x * b[1]) / (x * x + x * b[2] + b[3]); }),
-          read("MGH10", [](const D* b, double x) -> D { return b[0] * exp(b[1] / (x + b[2])); }),
-          read("MGH17", [](const D* b, double x) -> D { return b[0] + b[1] * exp(-x * b[3]) + b[2] * exp(-x * b[4]); }),
-          read("Rat43", [](const D* b, double x) -> D { return b[0] / power(1.0 + exp(b[1] - x * b[2]), 1.0 / b[3]); }),
-          read("Thurber", [](const D* b, double x) -> D {
-            return (b[0] + x * b[1] + x * x * b[2] + x * x * x * b[3]) /
-                   (1.0 + x * b[4] + x * x * b[5] + x * x * x * b[6]);
+          read("MGH09", [](const D* b, double x, double) -> D { return b[0] * (x * x + x * b[1]) / (x * x + x * b[2] + b[3]); }),
+          read("MGH10", [](const D* b, double x, double) -> D { return b[0] * exp(b[1] / (x + b[2])); }),
+          read("MGH17", [](const D* b, double x, double) -> D { return b[0] + b[1] * exp(-x * b[3]) + b[2] * exp(-x * b[4]); }),
+          read("Rat43", [](const D* b, double x, double) -> D { return b[0] / power(1.0 + exp(b[1] - x * b[2]), 1.0 / b[3]); }),
+          read("Thurber", cubics),
+          read("Hahn1", cubics),
+          read("Kirby2", [](const D* b, double x, double) -> D {
+            return (b[0] + x * b[1] + x * x * b[2]) / (1.0 + x * b[3] + x * x * b[4]);
           }),
-          read("Lanczos1", [](const D* b, double x) -> D {
-            return b[0] * exp(-x * b[1]) + b[2] * exp(-x * b[3]) + b[4] * exp(-x * b[5]);
-          })};
+          read("Chwirut1", echo),
+          read("Chwirut2", echo),
+          read("Gauss1", peaks),
+          read("Gauss2", peaks),
+          read("Gauss3", peaks),
+          read("Bennett5", [](const D* b, double x, double) -> D { return b[0] * power(b[1] + x, -1.0 / b[2]); }),
+          read("ENSO", [](const D* b, double x, double) -> D {
+            return b[0] + wave(b[1], b[2], D(12.0), x) + wave(b[4], b[5], b[3], x) + wave(b[7], b[8], b[6], x);
+          }),
+          of_logarithms(read("Nelson", [](const D* b, double x, double z) -> D { return b[0] - x * b[1] * exp(-z * b[2]); })),
+          read("Lanczos1", exponentials),
+          read("Lanczos2", exponentials),
+          read("Lanczos3", exponentials)};
 }
 
 ResidualFunction residuals_of(const DataSet& set) {
@@ -101,7 +144,7 @@ ResidualFunction residuals_of(const DataSet& set) {
     for (std::size_t j = 0; j < b.size(); ++j) d.push_back(D::variable(b[j], static_cast<int>(j)));
     Residuals r;
     for (std::size_t i = 0; i < set.x.size(); ++i) {
-      const D y = set.model(d.data(), set.x[i]);
+      const D y = set.model(d.data(), set.x[i], set.z[i]);
       r.values.push_back(y.v - set.y[i]);
       r.jacobian.insert(r.jacobian.end(), y.d, y.d + b.size());
     }
