@@ -7,7 +7,7 @@ motor=examples/motors/ring-60.yaml
 
 scripts/install-deps.sh
 configure release -DTWUM_BUILD_TESTS=OFF -DTWUM_BUILD_BENCH=OFF >&2
-cmake --build --preset release -j "$(jobs)" >&2
+cmake --build --preset release --target twum -j "$(jobs)" >&2
 
 echo "\$ twum curve $motor"
 build/release/bin/twum curve "$motor"

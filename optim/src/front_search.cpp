@@ -141,10 +141,7 @@ std::vector<double> FrontSearch::from_pool(const std::vector<double>& y) const {
   return best == nullptr ? std::vector<double>{} : best->unit;
 }
 
-std::optional<Solved> FrontSearch::scalarize(const std::vector<double>& m,
-                                             const std::vector<double>& n,
-                                             const std::vector<std::vector<double>>& starts,
-                                             bool all) {
+Formulation FrontSearch::ray(const std::vector<double>& m, const std::vector<double>& n) const {
   Formulation f = plain_formulation(campaign_.problem(), campaign_.scaling());
   f.objective.responses.clear();
   f.objective.extras = {{0, 1.0}};
@@ -157,7 +154,30 @@ std::optional<Solved> FrontSearch::scalarize(const std::vector<double>& m,
     row.upper = m[k] + ideal_[k] / span_[k];
     f.rows.push_back(std::move(row));
   }
-  return best_of(f, starts, {0.0}, all);
+  return f;
+}
+
+std::optional<Solved> FrontSearch::scalarize(const std::vector<double>& m,
+                                             const std::vector<double>& n,
+                                             const std::vector<std::vector<double>>& starts,
+                                             bool all) {
+  return best_of(ray(m, n), starts, {0.0}, all);
+}
+
+std::optional<Solved> FrontSearch::scalarize_within(const std::vector<double>& m,
+                                                    const std::vector<double>& n,
+                                                    const std::vector<double>& start,
+                                                    const Solved& a, const Solved& b) {
+  Formulation f = ray(m, n);
+  f.unit_lower.assign(start.size(), 0.0);
+  f.unit_upper.assign(start.size(), 1.0);
+  bool any = false;
+  for (std::size_t k = 0; k < start.size(); ++k) {
+    if (a.unit[k] != b.unit[k] || (a.unit[k] > 0.0 && a.unit[k] < 1.0)) continue;
+    f.unit_lower[k] = f.unit_upper[k] = a.unit[k];
+    any = true;
+  }
+  return any ? best_of(f, {start}, {0.0}, false) : std::nullopt;
 }
 
 }  // namespace twum::optim

@@ -33,6 +33,12 @@ class FrontSearch {
   std::optional<Solved> scalarize(const std::vector<double>& m, const std::vector<double>& n,
                                   const std::vector<std::vector<double>>& starts, bool all);
 
+  /// The same from one start, with the variables where both neighbours are on one bound held there.
+  /// Nothing if there are none.
+  std::optional<Solved> scalarize_within(const std::vector<double>& m, const std::vector<double>& n,
+                                         const std::vector<double>& start, const Solved& a,
+                                         const Solved& b);
+
   /// Adds a design to start from; before find_ends().
   void add_to_pool(const std::vector<double>& unit, const Evaluation& evaluation);
 
@@ -46,6 +52,7 @@ class FrontSearch {
   std::optional<Solved> best_of(const Formulation& formulation,
                                 const std::vector<std::vector<double>>& starts,
                                 std::vector<double> extra_start, bool all);
+  Formulation ray(const std::vector<double>& m, const std::vector<double>& n) const;
   std::optional<Solved> solved(Attempt& attempt);
   bool fill(Attempt& attempt, Solved& s);
   void snap_to_bounds(Attempt& attempt, Solved& s);

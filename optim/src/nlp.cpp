@@ -28,8 +28,10 @@ bool better(const Candidate& a, const Candidate& b, double tolerance) {
 
 Nlp::Nlp(Session& session, const Scaling& scaling, Formulation formulation)
     : session_(session), scaling_(scaling), formulation_(std::move(formulation)) {
-  lower_.assign(units(), 0.0);
-  upper_.assign(units(), 1.0);
+  if (formulation_.unit_lower.empty()) formulation_.unit_lower.assign(units(), 0.0);
+  if (formulation_.unit_upper.empty()) formulation_.unit_upper.assign(units(), 1.0);
+  lower_ = formulation_.unit_lower;
+  upper_ = formulation_.unit_upper;
   lower_.insert(lower_.end(), formulation_.extra_lower.begin(), formulation_.extra_lower.end());
   upper_.insert(upper_.end(), formulation_.extra_upper.begin(), formulation_.extra_upper.end());
   value_.c.resize(rows());
@@ -49,8 +51,10 @@ std::vector<double> Nlp::design(std::span<const double> z) const {
 
 void Nlp::restrict_box(std::span<const double> centre, double radius) {
   for (std::size_t k = 0; k < units(); ++k) {
-    lower_[k] = radius > 0.0 ? std::max(0.0, centre[k] - radius) : 0.0;
-    upper_[k] = radius > 0.0 ? std::min(1.0, centre[k] + radius) : 1.0;
+    const double least = formulation_.unit_lower[k];
+    const double most = formulation_.unit_upper[k];
+    lower_[k] = radius > 0.0 ? std::max(least, centre[k] - radius) : least;
+    upper_[k] = radius > 0.0 ? std::min(most, centre[k] + radius) : most;
   }
 }
 

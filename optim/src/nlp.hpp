@@ -28,6 +28,8 @@ struct Formulation {
   std::vector<Row> rows;
   std::vector<double> extra_lower;
   std::vector<double> extra_upper;
+  std::vector<double> unit_lower;  ///< a smaller box for the unit variables; empty: all of it
+  std::vector<double> unit_upper;
 };
 
 /// Minimize one objective under the problem's constraints.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace twum::optim {
 namespace {
@@ -92,6 +93,10 @@ class TwoObjectives {
     std::vector<double> middle = a.unit;
     for (std::size_t k = 0; k < middle.size(); ++k) middle[k] = 0.5 * (a.unit[k] + b.unit[k]);
     auto found = search_.scalarize(m, n, {middle}, false);
+    // Where the problem is steep at a bound, a solver's rounding there can throw it off: first
+    // without the variables that the neighbours agree to have on a bound.
+    for (const std::vector<double>* start : {&std::as_const(middle), &a.unit, &b.unit})
+      if (!found || !between(*found, a, b)) found = search_.scalarize_within(m, n, *start, a, b);
     if (!found || !between(*found, a, b)) found = search_.scalarize(m, n, {a.unit, b.unit}, true);
     // A wide gap is worth a look from elsewhere: its ends may lie in other valleys than its middle.
     if ((!found || !between(*found, a, b)) && length > kWide) found = search_.scalarize(m, n, elsewhere(m), true);
