@@ -24,7 +24,10 @@ Problem small_problem() {
   Problem p;
   for (const char* name : {"a", "b", "c", "d", "e"}) p.variables.push_back({name, 0.0, 2.0, 0.5});
   p.objectives = {{"f"}};
-  p.constraints = {{"c1", -kInfinity, 3.0}, {"c2", -kInfinity, 2.0}, {"c3", 0.1, kInfinity}, {"c4", -kInfinity, 6.0}};
+  p.constraints = {{"c1", -kInfinity, 3.0},
+                   {"c2", -kInfinity, 2.0},
+                   {"c3", 0.1, kInfinity},
+                   {"c4", -kInfinity, 6.0}};
   p.evaluate = [](std::span<const double> x, bool) {
     Evaluation e;
     e.values.assign(5, 0.0);
@@ -78,10 +81,12 @@ void ipopt_iteration(benchmark::State& state) {
     const Result r = solve(known.problem, options);
     int count = 0;
     const auto at = r.stages.front().word.find("after ");
-    if (at != std::string::npos) std::sscanf(r.stages.front().word.c_str() + at, "after %d", &count);
+    if (at != std::string::npos)
+      std::sscanf(r.stages.front().word.c_str() + at, "after %d", &count);
     iterations += count;
   }
-  state.counters["s_per_iteration"] = benchmark::Counter(iterations, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["s_per_iteration"] =
+      benchmark::Counter(iterations, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
 // A problem of ours as pagmo wants it.
@@ -107,12 +112,13 @@ struct PagmoProblem {
 double pagmo_hypervolume(const Problem& problem, const std::vector<double>& reference) {
   pagmo::population population(pagmo::problem(PagmoProblem{problem}), 100, 1U);
   const double mutation = 1.0 / static_cast<double>(problem.variables.size());  // as ours
-  population = pagmo::algorithm(pagmo::nsga2(250, 0.9, 15.0, mutation, 20.0, 1U)).evolve(population);
+  population =
+      pagmo::algorithm(pagmo::nsga2(250, 0.9, 15.0, mutation, 20.0, 1U)).evolve(population);
   return hypervolume(population.get_f(), reference);
 }
 
-void row(const char* name, const Problem& problem, const std::vector<double>& reference, double best,
-         bool population_first) {
+void row(const char* name, const Problem& problem, const std::vector<double>& reference,
+         double best, bool population_first) {
   ParetoOptions gradients;
   gradients.reference = reference;
   gradients.solve.budget.evaluations = 200000;
@@ -124,15 +130,19 @@ void row(const char* name, const Problem& problem, const std::vector<double>& re
   const Front second = nsga2(problem, evolution);
   std::size_t certified = 0;
   for (const auto& p : ours.points) certified += p.certificate.passed ? 1U : 0U;
-  std::printf("%-6s %11.6g %11.6g %6zu %4zu %4zu %7.3f  %11.6g %6zu %7.3f  ", name, best, ours.hypervolume,
-              ours.counters.evaluations, ours.points.size(), certified, ours.seconds, second.hypervolume,
-              second.counters.evaluations, second.seconds);
-  if (problem.constraints.empty()) std::printf("%11.6g\n", pagmo_hypervolume(problem, reference));
-  else std::printf("%11s\n", "-");
+  std::printf("%-6s %11.6g %11.6g %6zu %4zu %4zu %7.3f  %11.6g %6zu %7.3f  ", name, best,
+              ours.hypervolume, ours.counters.evaluations, ours.points.size(), certified,
+              ours.seconds, second.hypervolume, second.counters.evaluations, second.seconds);
+  if (problem.constraints.empty())
+    std::printf("%11.6g\n", pagmo_hypervolume(problem, reference));
+  else
+    std::printf("%11s\n", "-");
 }
 
 void print_fronts() {
-  std::printf("name   best of 100   gradients  evals  pts cert       s      nsga2  evals       s        pagmo\n");
+  std::printf(
+      "name   best of 100   gradients  evals  pts cert       s      nsga2  evals       s        "
+      "pagmo\n");
   for (const auto& known : test::known_fronts(1000))
     row(known.name.c_str(), known.problem, known.reference,
         test::best_hypervolume(known.front, 100, known.reference), known.many_local_fronts);

@@ -81,7 +81,8 @@ void finish_attempt(Attempt& attempt, const Scaling& scaling) {
     if (good_enough(attempt.certified->certificate)) return;
     polish_from(attempt, scaling, attempt.design);
     if (attempt.certified->certificate.passed || attempt.report.z.empty()) return;
-    const auto own = scaling.to_design(std::span<const double>(attempt.report.z).first(scaling.size()));
+    const auto own =
+        scaling.to_design(std::span<const double>(attempt.report.z).first(scaling.size()));
     if (own != attempt.design) polish_from(attempt, scaling, own);
   } catch (const Stop& s) {
     attempt.report.stop = s.reason;

@@ -15,9 +15,9 @@ struct Attempt {
   std::unique_ptr<Session> session;
   RunReport report;
   std::optional<Candidate> best;
-  std::vector<double> design;        ///< of `best`
+  std::vector<double> design;  ///< of `best`
   std::optional<Certified> certified;
-  Counters booked;                   ///< what of this stage the solve's counters hold already
+  Counters booked;  ///< what of this stage the solve's counters hold already
   bool reported{false};
 };
 

@@ -83,8 +83,8 @@ bool Campaign::scale() {
 Attempt Campaign::run(const Optimizer& optimizer, std::span<const double> unit_start,
                       bool last_word) {
   const std::size_t kept = last_word ? reserve() : 0;
-  const AttemptPlan plan{&optimizer, next_stage_++, left() - kept,
-                         {unit_start.begin(), unit_start.end()}};
+  const AttemptPlan plan{
+      &optimizer, next_stage_++, left() - kept, {unit_start.begin(), unit_start.end()}};
   Attempt attempt = make_attempt(problem_, options_, deadline_, scaling_,
                                  plain_formulation(problem_, scaling_), plan);
   book(attempt);
@@ -149,7 +149,8 @@ void Campaign::book(Attempt& attempt) {
   if (attempt.solver == nullptr) return;
   StageReport report;
   if (attempt.reported)
-    std::erase_if(stages_, [&](const StageReport& s) { return s.stage == attempt.session->stage(); });
+    std::erase_if(stages_,
+                  [&](const StageReport& s) { return s.stage == attempt.session->stage(); });
   report.stage = attempt.session->stage();
   report.solver = attempt.solver->name;
   report.word = attempt.report.word;

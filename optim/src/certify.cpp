@@ -37,7 +37,8 @@ class Certifier {
       if (stalled() && room()) look_for_kinks();
       name_dependent_limits();
       name_flat_objective();
-      if (second_order && scaling_.size() > 0 && stationary() && room() && !has(Degeneracy::kink)) second_order_test();
+      if (second_order && scaling_.size() > 0 && stationary() && room() && !has(Degeneracy::kink))
+        second_order_test();
     }
     conclude();
     return std::move(result_);
@@ -59,16 +60,18 @@ class Certifier {
 
   bool limit_matters(std::size_t response) const {
     if (response < objectives_) return true;
-    return std::any_of(result_.point.limits.begin(), result_.point.limits.end(), [&](const Limit& l) {
-      return l.constraint + objectives_ == response && l.slack <= kActivity;
-    });
+    return std::any_of(result_.point.limits.begin(), result_.point.limits.end(),
+                       [&](const Limit& l) {
+                         return l.constraint + objectives_ == response && l.slack <= kActivity;
+                       });
   }
 
   bool derivatives_exist() {
     if (result_.point.jacobian.allFinite() && !undefined_entry()) return true;
     certificate().stationarity = std::numeric_limits<double>::infinity();
     certificate().findings.push_back({Degeneracy::undefined_gradient,
-                                      "a derivative that the test needs does not exist here", {}});
+                                      "a derivative that the test needs does not exist here",
+                                      {}});
     return false;
   }
 
@@ -96,8 +99,8 @@ class Certifier {
       const auto at = static_cast<std::size_t>(k);
       if (scaling_.variable(at) != kink.variable) continue;
       const bool maximize = session_.problem().objectives[0].sense == Sense::maximize;
-      const double scale = (maximize ? -1.0 : 1.0) * scaling_.factor(0) *
-                           scaling_.slope(at, result_.point.design);
+      const double scale =
+          (maximize ? -1.0 : 1.0) * scaling_.factor(0) * scaling_.slope(at, result_.point.design);
       name_kink({variable_name(k)});
       const double left = scale * kink.left;
       const double right = scale * kink.right;
@@ -197,7 +200,8 @@ class Certifier {
     for (const Index k : m.bounds) names.push_back(variable_name(k));
     certificate().findings.push_back(
         {Degeneracy::dependent_constraints,
-         "the gradients of the active limits are dependent: their multipliers are not unique", names});
+         "the gradients of the active limits are dependent: their multipliers are not unique",
+         names});
   }
 
   void name_flat_objective() {
@@ -225,13 +229,15 @@ class Certifier {
     certificate().curvature = reduced.smallest;
     if (reduced.smallest < -kNegative)
       certificate().findings.push_back({Degeneracy::negative_curvature,
-                                        "stationary, but the objective falls to second order", {}});
+                                        "stationary, but the objective falls to second order",
+                                        {}});
     for (Index j = 0; j < reduced.flat.cols(); ++j) name_flat_direction(reduced.flat.col(j));
   }
 
   void name_flat_direction(const Eigen::VectorXd& direction) {
     Finding finding{Degeneracy::flat_direction,
-                    "the objective does not change to second order when these vary together", {}};
+                    "the objective does not change to second order when these vary together",
+                    {}};
     for (Index k = 0; k < direction.size(); ++k)
       if (std::abs(direction[k]) > 0.05) finding.names.push_back(variable_name(k));
     if (!finding.names.empty()) certificate().findings.push_back(std::move(finding));
@@ -245,11 +251,16 @@ class Certifier {
     else
       c.weights.assign(objectives_, objectives_ == 1 ? 1.0 : 0.0);
     c.limits = report_limits(session_.problem(), scaling_, result_.point, result_.multipliers);
-    if (!feasible()) c.reason = "a constraint is violated";
-    else if (has(Degeneracy::undefined_gradient)) c.reason = "a derivative does not exist";
-    else if (!stationary()) c.reason = "not stationary: the objective can still improve to first order";
-    else if (c.complementarity > options_.tolerance) c.reason = "a limit with a multiplier is not met";
-    else if (has(Degeneracy::negative_curvature)) c.reason = "stationary, but not a minimum";
+    if (!feasible())
+      c.reason = "a constraint is violated";
+    else if (has(Degeneracy::undefined_gradient))
+      c.reason = "a derivative does not exist";
+    else if (!stationary())
+      c.reason = "not stationary: the objective can still improve to first order";
+    else if (c.complementarity > options_.tolerance)
+      c.reason = "a limit with a multiplier is not met";
+    else if (has(Degeneracy::negative_curvature))
+      c.reason = "stationary, but not a minimum";
     c.passed = c.reason.empty();
   }
 

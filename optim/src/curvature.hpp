@@ -16,8 +16,9 @@ std::optional<Curvature> lagrangian_curvature(Session& session, const Scaling& s
 
 /// What the reduced Hessian says about a stationary point.
 struct ReducedCurvature {
-  double smallest{0.0};     ///< eigenvalues relative to the Hessian's size; NaN if there is no free direction
-  Eigen::MatrixXd flat;     ///< directions (columns) along which nothing changes to second order
+  double smallest{
+      0.0};  ///< eigenvalues relative to the Hessian's size; NaN if there is no free direction
+  Eigen::MatrixXd flat;  ///< directions (columns) along which nothing changes to second order
 };
 ReducedCurvature reduced_curvature(const Curvature& curvature, const Multipliers& multipliers);
 

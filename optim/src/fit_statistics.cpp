@@ -34,7 +34,8 @@ void name_undetermined(const Eigen::MatrixXd& v, Index rank, const std::vector<I
     std::vector<std::string> names;
     for (Index j = 0; j < v.rows(); ++j)
       if (std::abs(v(j, k)) > 0.05)
-        names.push_back(result.estimates[static_cast<std::size_t>(free[static_cast<std::size_t>(j)])].name);
+        names.push_back(
+            result.estimates[static_cast<std::size_t>(free[static_cast<std::size_t>(j)])].name);
     result.undetermined.push_back(std::move(names));
   }
 }
@@ -76,8 +77,8 @@ void fill_estimates(const Eigen::MatrixXd& covariance, const std::vector<Index>&
       const auto column = static_cast<Index>(k);
       result.covariance[a * n + b] = covariance(row, column);
       if (a != b)
-        result.correlation[a * n + b] =
-            covariance(row, column) / std::sqrt(covariance(row, row)) / std::sqrt(covariance(column, column));
+        result.correlation[a * n + b] = covariance(row, column) / std::sqrt(covariance(row, row)) /
+                                        std::sqrt(covariance(column, column));
     }
   }
 }
@@ -93,9 +94,11 @@ void fit_statistics(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& resi
   result.residual_deviation = freedom > 0.0 ? residuals.stableNorm() / std::sqrt(freedom) : kNan;
   if (n == 0) return fill_estimates({}, free, 0.0, result);
   const Scaled scaled = scaled_columns(jacobian);
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled.columns, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled.columns,
+                                              Eigen::ComputeThinU | Eigen::ComputeThinV);
   Index rank = 0;
-  while (rank < n && svd.singularValues()[rank] > options.rank_tolerance * svd.singularValues()[0]) ++rank;
+  while (rank < n && svd.singularValues()[rank] > options.rank_tolerance * svd.singularValues()[0])
+    ++rank;
   result.rank = static_cast<std::size_t>(rank);
   name_undetermined(svd.matrixV(), rank, free, result);
   const double variance = result.residual_deviation * result.residual_deviation;

@@ -10,8 +10,9 @@
 namespace twum::optim {
 
 std::vector<double> minimized(const Problem& problem, const Evaluation& evaluation) {
-  std::vector<double> f(evaluation.values.begin(),
-                        evaluation.values.begin() + static_cast<std::ptrdiff_t>(problem.objectives.size()));
+  std::vector<double> f(
+      evaluation.values.begin(),
+      evaluation.values.begin() + static_cast<std::ptrdiff_t>(problem.objectives.size()));
   for (std::size_t k = 0; k < f.size(); ++k)
     if (problem.objectives[k].sense == Sense::maximize) f[k] = -f[k];
   return f;
@@ -23,8 +24,8 @@ void validate_front(const Problem& problem, const std::vector<double>& reference
   if (k != 2 && k != 3)
     throw InputError("a front needs two or three objectives; the problem has " + std::to_string(k));
   if (!reference.empty() && reference.size() != k)
-    throw InputError("the reference point has " + std::to_string(reference.size()) + " values for " +
-                     std::to_string(k) + " objectives");
+    throw InputError("the reference point has " + std::to_string(reference.size()) +
+                     " values for " + std::to_string(k) + " objectives");
 }
 
 void measure(Front& front, const Problem& problem, const std::vector<double>& reference) {

@@ -28,7 +28,8 @@ std::optional<Solved> FrontSearch::solved(Attempt& attempt) {
 bool FrontSearch::fill(Attempt& attempt, Solved& s) {
   s.design = campaign_.scaling().to_design(s.unit);
   try {
-    if (attempt.session->left() == 0) attempt.session->extend(std::min<std::size_t>(1, campaign_.left()));
+    if (attempt.session->left() == 0)
+      attempt.session->extend(std::min<std::size_t>(1, campaign_.left()));
     s.evaluation = attempt.session->at(s.design, true);
   } catch (const Stop&) {
     return false;
@@ -91,14 +92,16 @@ Formulation FrontSearch::lexicographic(std::size_t objective, const Solved& firs
   for (std::size_t k = 0; k < campaign_.problem().objectives.size(); ++k)
     if (k != objective) f.objective.responses.push_back({k, sign(k)});
   const double best = first.scaled[objective];
-  f.rows.push_back({{{objective, sign(objective)}}, {}, -kInfinity, best + 1e-8 * (1.0 + std::abs(best))});
+  f.rows.push_back(
+      {{{objective, sign(objective)}}, {}, -kInfinity, best + 1e-8 * (1.0 + std::abs(best))});
   return f;
 }
 
 bool FrontSearch::find_ends(std::vector<std::vector<double>> starts) {
   const std::size_t objectives = campaign_.problem().objectives.size();
   for (std::size_t k = 0; k < objectives; ++k) {
-    const auto first = best_of(plain_formulation(campaign_.problem(), campaign_.scaling(), k), starts, {}, true);
+    const auto first =
+        best_of(plain_formulation(campaign_.problem(), campaign_.scaling(), k), starts, {}, true);
     if (!first) return false;
     const auto second = best_of(lexicographic(k, *first), {first->unit}, {}, true);
     ends_.push_back(second ? *second : *first);

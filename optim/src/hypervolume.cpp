@@ -12,9 +12,11 @@ using Points = std::vector<std::vector<double>>;
 
 void check_sizes(const Points& points, std::size_t dimension) {
   if (dimension != 2 && dimension != 3)
-    throw InputError("hypervolume: there are " + std::to_string(dimension) + " objectives; 2 or 3 are possible");
+    throw InputError("hypervolume: there are " + std::to_string(dimension) +
+                     " objectives; 2 or 3 are possible");
   for (const auto& p : points)
-    if (p.size() != dimension) throw InputError("hypervolume: a point and the reference differ in size");
+    if (p.size() != dimension)
+      throw InputError("hypervolume: a point and the reference differ in size");
 }
 
 Points inside(const Points& points, const std::vector<double>& reference) {
@@ -49,7 +51,8 @@ double volume(Points points, const std::vector<double>& reference) {
     const auto at = std::upper_bound(section.begin(), section.end(), points[i]);
     section.insert(at, points[i]);
     const double next = i + 1 < points.size() ? points[i + 1][2] : reference[2];
-    if (next > points[i][2]) sum += (next - points[i][2]) * area(section, reference[0], reference[1]);
+    if (next > points[i][2])
+      sum += (next - points[i][2]) * area(section, reference[0], reference[1]);
   }
   return sum;
 }
@@ -123,7 +126,8 @@ std::vector<std::size_t> best_subset(const Points& front, std::size_t count,
 std::vector<std::size_t> greedy_subset(const Points& front, std::size_t count,
                                        const std::vector<double>& reference) {
   std::vector<std::pair<double, std::size_t>> bounds;
-  for (std::size_t i = 0; i < front.size(); ++i) bounds.emplace_back(hypervolume({front[i]}, reference), i);
+  for (std::size_t i = 0; i < front.size(); ++i)
+    bounds.emplace_back(hypervolume({front[i]}, reference), i);
   Points chosen;
   std::vector<std::size_t> order;
   double total = 0.0;

@@ -26,8 +26,10 @@ class IntegerSearch {
   }
 
   Result run() {
-    if (combinations() <= kEnumerate) enumerate();
-    else descend();
+    if (combinations() <= kEnumerate)
+      enumerate();
+    else
+      descend();
     Result result = std::move(best_);
     result.counters = total_.counters;
     result.stages = std::move(total_.stages);

@@ -2,9 +2,9 @@
 #include "ipopt_options.hpp"
 #include "optimizer.hpp"
 
+#include <cmath>
 #include <coin/IpIpoptApplication.hpp>
 #include <coin/IpTNLP.hpp>
-#include <cmath>
 #include <exception>
 #include <mutex>
 
@@ -200,7 +200,8 @@ RunReport run_ipopt(const SolverInfo&, Nlp& nlp, std::span<const double> start,
 std::vector<Optimizer> ipopt_optimizers() {
   SolverInfo info;
   info.name = "ipopt";
-  info.description = "interior point method with limited-memory Hessian; about a millisecond an iteration";
+  info.description =
+      "interior point method with limited-memory Hessian; about a millisecond an iteration";
   info.gradient = true;
   info.inequality = true;
   info.equality = true;

@@ -28,16 +28,24 @@ struct Entry {
 
 const std::vector<Entry>& table() {
   static const std::vector<Entry> entries{
-      {"tol", Kind::number, 1e-14, 1e-1, "", "1e-9", "relative error of the optimality conditions at which to stop"},
-      {"acceptable_tol", Kind::number, 1e-14, 1.0, "", "1e-7", "looser error that will do if it lasts"},
-      {"constr_viol_tol", Kind::number, 1e-14, 1.0, "", "1e-9", "scaled violation that counts as none"},
+      {"tol", Kind::number, 1e-14, 1e-1, "", "1e-9",
+       "relative error of the optimality conditions at which to stop"},
+      {"acceptable_tol", Kind::number, 1e-14, 1.0, "", "1e-7",
+       "looser error that will do if it lasts"},
+      {"constr_viol_tol", Kind::number, 1e-14, 1.0, "", "1e-9",
+       "scaled violation that counts as none"},
       {"max_iter", Kind::integer, 0, 1e6, "", "500", "iterations"},
-      {"mu_strategy", Kind::text, 0, 0, "monotone adaptive", "adaptive", "how the barrier parameter falls"},
+      {"mu_strategy", Kind::text, 0, 0, "monotone adaptive", "adaptive",
+       "how the barrier parameter falls"},
       {"mu_init", Kind::number, 1e-12, 1e6, "", "", "first barrier parameter"},
-      {"bound_relax_factor", Kind::number, 0, 1e-2, "", "0", "by how much bounds are widened inside"},
-      {"limited_memory_max_history", Kind::integer, 1, 1000, "", "12", "gradients kept for the Hessian"},
-      {"nlp_scaling_method", Kind::text, 0, 0, "none gradient-based", "none", "ours is done before"},
-      {"print_level", Kind::integer, 0, 12, "", "0", "what Ipopt itself prints to standard output"}};
+      {"bound_relax_factor", Kind::number, 0, 1e-2, "", "0",
+       "by how much bounds are widened inside"},
+      {"limited_memory_max_history", Kind::integer, 1, 1000, "", "12",
+       "gradients kept for the Hessian"},
+      {"nlp_scaling_method", Kind::text, 0, 0, "none gradient-based", "none",
+       "ours is done before"},
+      {"print_level", Kind::integer, 0, 12, "", "0",
+       "what Ipopt itself prints to standard output"}};
   return entries;
 }
 
@@ -53,8 +61,8 @@ std::string text_option(const RunSettings& settings, const Entry& e) {
   std::istringstream choices(e.choices);
   using Words = std::istream_iterator<std::string>;
   if (std::find(Words(choices), Words(), value) == Words())
-    throw InputError("solver option '" + std::string(e.name) + "': '" + value +
-                     "' is none of " + choices_of(e));
+    throw InputError("solver option '" + std::string(e.name) + "': '" + value + "' is none of " +
+                     choices_of(e));
   return value;
 }
 
@@ -84,9 +92,12 @@ IpoptSettings check_ipopt_settings(const RunSettings& settings) {
       checked.texts.emplace_back(e.name, text_option(settings, e));
       continue;
     }
-    const double value = number_option(settings, e.name, given ? 0.0 : std::stod(e.standard), e.least, e.most);
-    if (e.kind == Kind::integer) checked.integers.emplace_back(e.name, static_cast<int>(value));
-    else checked.numbers.emplace_back(e.name, value);
+    const double value =
+        number_option(settings, e.name, given ? 0.0 : std::stod(e.standard), e.least, e.most);
+    if (e.kind == Kind::integer)
+      checked.integers.emplace_back(e.name, static_cast<int>(value));
+    else
+      checked.numbers.emplace_back(e.name, value);
   }
   checked.texts.emplace_back("hessian_approximation", "limited-memory");
   checked.texts.emplace_back("sb", "yes");  // no banner

@@ -36,7 +36,6 @@ Eigen::VectorXd inward(const KktPoint& point, const Limit& limit, std::size_t ob
   return sign * point.jacobian.row(row).transpose();
 }
 
-
 void choose_active(const KktPoint& point, double activity, Multipliers& m) {
   for (std::size_t i = 0; i < point.limits.size(); ++i)
     if (point.limits[i].slack <= activity) m.limits.push_back(i);
@@ -51,7 +50,8 @@ Eigen::MatrixXd active_columns(const KktPoint& point, std::size_t objectives,
   const Index count = static_cast<Index>(m.limits.size() + m.bounds.size());
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(point.variables(), count);
   Index at = 0;
-  for (const std::size_t i : m.limits) columns.col(at++) = inward(point, point.limits[i], objectives);
+  for (const std::size_t i : m.limits)
+    columns.col(at++) = inward(point, point.limits[i], objectives);
   for (const Index k : m.bounds)
     columns(k, at++) = point.unit[static_cast<std::size_t>(k)] < 0.5 ? 1.0 : -1.0;
   return columns;
@@ -74,12 +74,13 @@ std::optional<KktPoint> kkt_point(Session& session, const Scaling& scaling,
     const bool flip = response < problem.objectives.size() &&
                       problem.objectives[response].sense == Sense::maximize;
     for (Index k = 0; k < n; ++k) {
-      const double d = scaling.derivative(point.evaluation, response, static_cast<std::size_t>(k),
-                                          point.design);
+      const double d =
+          scaling.derivative(point.evaluation, response, static_cast<std::size_t>(k), point.design);
       point.jacobian(r, k) = flip ? -d : d;
     }
   }
-  for (std::size_t i = 0; i < problem.constraints.size(); ++i) add_limits(point, problem, scaling, i);
+  for (std::size_t i = 0; i < problem.constraints.size(); ++i)
+    add_limits(point, problem, scaling, i);
   return point;
 }
 
@@ -98,8 +99,10 @@ Multipliers find_multipliers(const KktPoint& point, const Eigen::MatrixXd& gradi
   Eigen::MatrixXd a = Eigen::MatrixXd::Zero(rows, mixed + m.active.cols());
   Eigen::VectorXd b = Eigen::VectorXd::Zero(rows);
   a.topRightCorner(n, m.active.cols()) = m.active;
-  if (mixed > 0) a.topLeftCorner(n, mixed) = -gradients;
-  else b.head(n) = gradients.col(0);
+  if (mixed > 0)
+    a.topLeftCorner(n, mixed) = -gradients;
+  else
+    b.head(n) = gradients.col(0);
   // Columns of unit length: sizes may differ by many orders, and rounding must not choose for us.
   Eigen::VectorXd size(a.cols());
   for (Index j = 0; j < a.cols(); ++j) {

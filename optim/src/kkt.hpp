@@ -35,13 +35,14 @@ std::optional<KktPoint> kkt_point(Session& session, const Scaling& scaling,
 
 /// Multipliers of the active limits and bounds that leave the smallest gradient.
 struct Multipliers {
-  std::vector<std::size_t> limits;   ///< active ones, positions in KktPoint::limits
-  std::vector<double> limit_values;  ///< >= 0; any sign for an equality (positive: pushes the value up)
+  std::vector<std::size_t> limits;  ///< active ones, positions in KktPoint::limits
+  std::vector<double>
+      limit_values;  ///< >= 0; any sign for an equality (positive: pushes the value up)
   std::vector<Eigen::Index> bounds;  ///< free variables at a bound
   std::vector<double> bound_values;  ///< >= 0
   Eigen::VectorXd weights;           ///< of the gradients given, sum 1
   Eigen::VectorXd residual;
-  Eigen::MatrixXd active;            ///< inward gradients of limits, then bounds, as columns
+  Eigen::MatrixXd active;  ///< inward gradients of limits, then bounds, as columns
 };
 
 /// Scaled gradients of the objectives as columns.

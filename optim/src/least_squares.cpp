@@ -154,7 +154,8 @@ class Fit {
       const Eigen::VectorXd d = step(free, damping);
       const Eigen::VectorXd next = (t_ + d).cwiseMax(lower_).cwiseMin(upper_);
       const Eigen::VectorXd moved = next - t_;
-      if (moved.cwiseProduct(scale_).norm() <= 1e-16 * t_.cwiseProduct(scale_).norm() || free.empty()) {
+      if (moved.cwiseProduct(scale_).norm() <= 1e-16 * t_.cwiseProduct(scale_).norm() ||
+          free.empty()) {
         result.word = "no step changes the parameters";
         return;
       }
@@ -166,8 +167,9 @@ class Fit {
       const double predicted = before - (r_ + j_ * moved).squaredNorm();
       const double ratio = predicted > 0.0 ? (before - after) / predicted : -1.0;
       if (ok && after <= before && (ratio > 1e-4 || predicted <= 1e-13 * before)) {
-        const bool tiny = before - after <= options_.tolerance * before &&
-                          moved.cwiseProduct(scale_).norm() <= 1e-9 * (t_.cwiseProduct(scale_).norm() + 1e-300);
+        const bool tiny =
+            before - after <= options_.tolerance * before &&
+            moved.cwiseProduct(scale_).norm() <= 1e-9 * (t_.cwiseProduct(scale_).norm() + 1e-300);
         t_ = next;
         r_ = r;
         j_ = jacobian;
@@ -215,7 +217,8 @@ class Fit {
     Eigen::MatrixXd jacobian(r_.size(), static_cast<Index>(free.size()));
     for (std::size_t i = 0; i < free.size(); ++i) {
       const Index j = free[i];
-      const double chain = parameter(j).scale == Scale::log ? 1.0 / b[static_cast<std::size_t>(j)] : 1.0;
+      const double chain =
+          parameter(j).scale == Scale::log ? 1.0 / b[static_cast<std::size_t>(j)] : 1.0;
       jacobian.col(static_cast<Index>(i)) = j_.col(j) * chain;
     }
     fit_statistics(jacobian, r_, free, options_, result);
@@ -223,8 +226,9 @@ class Fit {
     const bool exact = r_.norm() <= 1e-13 * j_.norm() * (1.0 + t_.norm());
     const bool stationary = result.gradient <= 1e-5 || exact;
     result.outcome = stationary ? Outcome::optimal
-                     : stopped_ || counters_.evaluations >= options_.max_evaluations ? Outcome::budget
-                                                                                     : Outcome::feasible;
+                     : stopped_ || counters_.evaluations >= options_.max_evaluations
+                         ? Outcome::budget
+                         : Outcome::feasible;
   }
 
   const std::vector<Variable>& parameters_;
@@ -245,7 +249,8 @@ LeastSquaresResult least_squares(const std::vector<Variable>& parameters,
   for (std::size_t j = 0; j < parameters.size(); ++j)
     for (std::size_t i = 0; i <= j; ++i)
       if (parameters[j].name.empty() || (i < j && parameters[i].name == parameters[j].name))
-        throw InputError("parameter '" + parameters[j].name + "': the name is empty or there twice");
+        throw InputError("parameter '" + parameters[j].name +
+                         "': the name is empty or there twice");
   return Fit(parameters, residuals, options).run();
 }
 

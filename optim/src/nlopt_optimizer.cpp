@@ -142,8 +142,8 @@ Opt make(nlopt_algorithm id, std::size_t n, const RunSettings& settings) {
 // AUGLAG and MLSL crash without a subsidiary, so they always get one with its own limits.
 Opt build(const NloptAlgorithm& a, const Bridge& b, const RunSettings& settings) {
   const std::size_t n = b.nlp->size();
-  const auto inner_calls = static_cast<int>(
-      number_option(settings, "inner_evaluations", 200.0 + 100.0 * static_cast<double>(n), 1.0, 1e9));
+  const auto inner_calls = static_cast<int>(number_option(
+      settings, "inner_evaluations", 200.0 + 100.0 * static_cast<double>(n), 1.0, 1e9));
   const auto with_subsidiary = [&](nlopt_algorithm outer, Opt inner, double tolerance) {
     nlopt_set_maxeval(inner.get(), inner_calls);
     if (tolerance > 0.0) nlopt_set_xtol_rel(inner.get(), tolerance);
@@ -160,7 +160,8 @@ Opt build(const NloptAlgorithm& a, const Bridge& b, const RunSettings& settings)
   if (!b.inequalities.empty() && !a.inequality)
     return with_subsidiary(a.gradient ? NLOPT_LD_AUGLAG : NLOPT_LN_AUGLAG, std::move(own), 0.0);
   if (!b.equalities.empty() && !a.equality)
-    return with_subsidiary(a.gradient ? NLOPT_LD_AUGLAG_EQ : NLOPT_LN_AUGLAG_EQ, std::move(own), 0.0);
+    return with_subsidiary(a.gradient ? NLOPT_LD_AUGLAG_EQ : NLOPT_LN_AUGLAG_EQ, std::move(own),
+                           0.0);
   return own;
 }
 
@@ -201,11 +202,15 @@ RunReport run_once(const NloptAlgorithm& a, Bridge& b, std::vector<double> z,
   nlopt_set_min_objective(opt.get(), objective, &b);
   add_rows(opt.get(), b, settings);
   apply_options(opt.get(), settings);
-  for (std::size_t k = 0; k < z.size(); ++k) z[k] = std::clamp(z[k], b.nlp->lower()[k], b.nlp->upper()[k]);
+  for (std::size_t k = 0; k < z.size(); ++k)
+    z[k] = std::clamp(z[k], b.nlp->lower()[k], b.nlp->upper()[k]);
   double f = 0.0;
   const nlopt_result code = nlopt_optimize(opt.get(), z.data(), &f);
-  RunReport report{b.out_of_calls ? "MAXEVAL_REACHED" : word_of(code), static_cast<int>(code), b.stop, std::move(z)};
-  if (code == NLOPT_INVALID_ARGS) report.word += std::string(": ") + (nlopt_get_errmsg(opt.get()) ? nlopt_get_errmsg(opt.get()) : "");
+  RunReport report{b.out_of_calls ? "MAXEVAL_REACHED" : word_of(code), static_cast<int>(code),
+                   b.stop, std::move(z)};
+  if (code == NLOPT_INVALID_ARGS)
+    report.word +=
+        std::string(": ") + (nlopt_get_errmsg(opt.get()) ? nlopt_get_errmsg(opt.get()) : "");
   b.opt = nullptr;
   return report;
 }
@@ -231,11 +236,13 @@ bool box_holds_back(const Nlp& nlp, std::span<const double> z, double radius) {
 // wall of its box, the box grows again.
 class Restarts {
  public:
-  Restarts(Nlp& nlp, std::span<const double> start) : nlp_(nlp), from_(start.begin(), start.end()) {}
+  Restarts(Nlp& nlp, std::span<const double> start)
+      : nlp_(nlp), from_(start.begin(), start.end()) {}
 
   /// The next start, or nothing when there is no use in another run.
   bool next(Bridge& b, const RunReport& report) {
-    if (b.error || b.stop != StopReason::finished || b.out_of_calls || ++count_ > kMostRestarts) return false;
+    if (b.error || b.stop != StopReason::finished || b.out_of_calls || ++count_ > kMostRestarts)
+      return false;
     if (nlp_.best()) from_ = nlp_.best()->z;
     if (!b.failed_at.empty()) return shrink(b);
     if (!box_holds_back(nlp_, report.z, radius_)) return false;
@@ -268,7 +275,9 @@ class Restarts {
     ++nudges_;
     const double part = std::min(0.5, 1e-4 * std::pow(4.0, nudges_));
     for (std::size_t k = 0; k < nlp_.units(); ++k)
-      from_[k] = failed[k] + part * ((k + static_cast<std::size_t>(nudges_)) % 2 == 0 ? 0.45 - failed[k] : 0.55 - failed[k]);
+      from_[k] =
+          failed[k] + part * ((k + static_cast<std::size_t>(nudges_)) % 2 == 0 ? 0.45 - failed[k]
+                                                                               : 0.55 - failed[k]);
   }
 
   Nlp& nlp_;
@@ -280,8 +289,9 @@ class Restarts {
 
 const NloptAlgorithm& algorithm(const std::string& solver) {
   const auto& table = nlopt_algorithms();
-  const auto it = std::find_if(table.begin(), table.end(),
-                               [&](const auto& a) { return solver == std::string("nlopt:") + a.name; });
+  const auto it = std::find_if(table.begin(), table.end(), [&](const auto& a) {
+    return solver == std::string("nlopt:") + a.name;
+  });
   TWUM_ASSERT(it != table.end());
   return *it;
 }
@@ -331,13 +341,19 @@ std::vector<Optimizer> nlopt_optimizers() {
 }
 
 std::vector<SolverOption> nlopt_options() {
-  return {{"nlopt", "xtol_rel", "number", "0 to 1", "relative change of the variables at which to stop"},
-          {"nlopt", "ftol_rel", "number", "0 to 1", "relative change of the objective at which to stop"},
-          {"nlopt", "constraint_tolerance", "number", "0 to 1", "scaled violation that counts as none"},
-          {"nlopt", "population", "integer", "0 to 1e6", "size of the population; 0: the algorithm's own"},
-          {"nlopt", "vector_storage", "integer", "0 to 1e4", "gradients that lbfgs and var keep; 0: its own"},
-          {"nlopt", "initial_step", "number", "0 to 1", "first step in the unit box; 0: its own"},
-          {"nlopt", "inner_evaluations", "integer", "1 to 1e9", "limit of each subsidiary search of auglag and mlsl"}};
+  return {
+      {"nlopt", "xtol_rel", "number", "0 to 1",
+       "relative change of the variables at which to stop"},
+      {"nlopt", "ftol_rel", "number", "0 to 1",
+       "relative change of the objective at which to stop"},
+      {"nlopt", "constraint_tolerance", "number", "0 to 1", "scaled violation that counts as none"},
+      {"nlopt", "population", "integer", "0 to 1e6",
+       "size of the population; 0: the algorithm's own"},
+      {"nlopt", "vector_storage", "integer", "0 to 1e4",
+       "gradients that lbfgs and var keep; 0: its own"},
+      {"nlopt", "initial_step", "number", "0 to 1", "first step in the unit box; 0: its own"},
+      {"nlopt", "inner_evaluations", "integer", "1 to 1e9",
+       "limit of each subsidiary search of auglag and mlsl"}};
 }
 
 }  // namespace twum::optim

@@ -17,9 +17,9 @@ struct NloptAlgorithm {
   bool equality;
   bool global;
   bool stochastic;
-  bool compares_only;         ///< ranks designs, so that a failed one can be ranked last
-  nlopt_algorithm subsidiary; ///< that it cannot do without, or NLOPT_NUM_ALGORITHMS
-  const char* refusal;        ///< why it is not offered; empty: it is
+  bool compares_only;          ///< ranks designs, so that a failed one can be ranked last
+  nlopt_algorithm subsidiary;  ///< that it cannot do without, or NLOPT_NUM_ALGORITHMS
+  const char* refusal;         ///< why it is not offered; empty: it is
 };
 
 const std::vector<NloptAlgorithm>& nlopt_algorithms();

@@ -14,7 +14,8 @@ Formulation plain_formulation(const Problem& problem, const Scaling& scaling,
   for (std::size_t i = 0; i < problem.constraints.size(); ++i) {
     const std::size_t r = problem.objectives.size() + i;
     const double s = scaling.factor(r);
-    f.rows.push_back({{{r, 1.0}}, {}, s * problem.constraints[i].lower, s * problem.constraints[i].upper});
+    f.rows.push_back(
+        {{{r, 1.0}}, {}, s * problem.constraints[i].lower, s * problem.constraints[i].upper});
   }
   return f;
 }
@@ -60,7 +61,8 @@ void Nlp::restrict_box(std::span<const double> centre, double radius) {
 
 double Nlp::row_value(const Row& row, const Evaluation& e, std::span<const double> z) const {
   double sum = 0.0;
-  for (const Term& t : row.responses) sum += t.factor * scaling_.factor(t.index) * e.values[t.index];
+  for (const Term& t : row.responses)
+    sum += t.factor * scaling_.factor(t.index) * e.values[t.index];
   for (const Term& t : row.extras) sum += t.factor * z[units() + t.index];
   return sum;
 }

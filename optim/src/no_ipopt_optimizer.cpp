@@ -13,7 +13,8 @@ std::vector<Optimizer> ipopt_optimizers() {
   info.inequality = true;
   info.equality = true;
   info.available = false;
-  return {{info, [](const SolverInfo& i, Nlp&, std::span<const double>, const RunSettings&) -> RunReport {
+  return {{info,
+           [](const SolverInfo& i, Nlp&, std::span<const double>, const RunSettings&) -> RunReport {
              throw InputError("solver '" + i.name + "' cannot be used: " + i.description);
            }}};
 }

@@ -53,7 +53,8 @@ class Nsga2 {
 
  private:
   void begin() {
-    for (const auto& u : sobol_points(std::max<std::size_t>(scaling_.size(), 1), options_.population, options_.solve.seed)) {
+    for (const auto& u : sobol_points(std::max<std::size_t>(scaling_.size(), 1),
+                                      options_.population, options_.solve.seed)) {
       Individual one;
       one.unit.assign(u.begin(), u.begin() + static_cast<std::ptrdiff_t>(scaling_.size()));
       evaluate(one);
@@ -66,7 +67,8 @@ class Nsga2 {
     one.design = scaling_.to_design(one.unit);
     for (std::size_t j = 0; j < one.design.size(); ++j)
       if (const Variable& v = problem_.variables[j]; v.integer)
-        one.design[j] = std::clamp(std::round(one.design[j]), std::ceil(v.lower), std::floor(v.upper));
+        one.design[j] =
+            std::clamp(std::round(one.design[j]), std::ceil(v.lower), std::floor(v.upper));
     one.evaluation = session_.at(one.design, false);
     if (!one.evaluation.ok()) return;
     one.objectives = minimized(problem_, one.evaluation);
@@ -123,7 +125,8 @@ class Nsga2 {
       if (high - low < 1e-14) continue;
       const double u = random.uniform();
       const double first = 0.5 * (low + high - spread(u, 2.0 * low / (high - low)) * (high - low));
-      const double second = 0.5 * (low + high + spread(u, 2.0 * (1.0 - high) / (high - low)) * (high - low));
+      const double second =
+          0.5 * (low + high + spread(u, 2.0 * (1.0 - high) / (high - low)) * (high - low));
       const bool swap = random.uniform() < 0.5;
       a.unit[k] = std::clamp(swap ? second : first, 0.0, 1.0);
       b.unit[k] = std::clamp(swap ? first : second, 0.0, 1.0);
@@ -143,8 +146,10 @@ class Nsga2 {
     for (double& u : one.unit) {
       if (random.uniform() * static_cast<double>(scaling_.size()) > 1.0) continue;
       const double r = random.uniform();
-      if (r < 0.5) u += std::pow(2.0 * r + (1.0 - 2.0 * r) * std::pow(1.0 - u, power), 1.0 / power) - 1.0;
-      else u += 1.0 - std::pow(2.0 * (1.0 - r) + 2.0 * (r - 0.5) * std::pow(u, power), 1.0 / power);
+      if (r < 0.5)
+        u += std::pow(2.0 * r + (1.0 - 2.0 * r) * std::pow(1.0 - u, power), 1.0 / power) - 1.0;
+      else
+        u += 1.0 - std::pow(2.0 * (1.0 - r) + 2.0 * (r - 0.5) * std::pow(u, power), 1.0 / power);
       u = std::clamp(u, 0.0, 1.0);
     }
   }
@@ -156,8 +161,10 @@ class Nsga2 {
     std::vector<std::size_t> betters(n, 0);
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = i + 1; j < n; ++j) {
-        if (precedes(population_[i], population_[j])) worse[i].push_back(j), ++betters[j];
-        else if (precedes(population_[j], population_[i])) worse[j].push_back(i), ++betters[i];
+        if (precedes(population_[i], population_[j]))
+          worse[i].push_back(j), ++betters[j];
+        else if (precedes(population_[j], population_[i]))
+          worse[j].push_back(i), ++betters[i];
       }
     std::vector<std::size_t> front;
     for (std::size_t i = 0; i < n; ++i)
@@ -184,7 +191,8 @@ class Nsga2 {
       const auto value = [&](std::size_t i) {
         return population_[i].objectives.empty() ? kInfinity : population_[i].objectives[k];
       };
-      std::stable_sort(front.begin(), front.end(), [&](auto a, auto b) { return value(a) < value(b); });
+      std::stable_sort(front.begin(), front.end(),
+                       [&](auto a, auto b) { return value(a) < value(b); });
       const double span = value(front.back()) - value(front.front());
       population_[front.front()].crowding = kInfinity;
       population_[front.back()].crowding = kInfinity;

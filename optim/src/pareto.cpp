@@ -17,7 +17,8 @@ std::vector<std::vector<double>> usual_starts(Campaign& campaign, std::size_t co
   std::vector<std::vector<double>> starts{campaign.unit_start()};
   const std::size_t n = campaign.scaling().size();
   if (n == 0 || count < 2) return starts;
-  for (auto& u : sobol_points(n, count - 1, campaign.options().seed)) starts.push_back(std::move(u));
+  for (auto& u : sobol_points(n, count - 1, campaign.options().seed))
+    starts.push_back(std::move(u));
   return starts;
 }
 
@@ -30,7 +31,8 @@ void ask_population(const Problem& problem, const ParetoOptions& options, FrontS
   population.solve = campaign.options();
   population.solve.first_stage = campaign.next_stage();
   population.solve.budget.evaluations = campaign.left();
-  population.generations = std::max<std::size_t>(1, options.population_evaluations / population.population);
+  population.generations =
+      std::max<std::size_t>(1, options.population_evaluations / population.population);
   const Front front = nsga2(problem, population);
   Result used;
   used.counters = front.counters;
@@ -58,8 +60,9 @@ std::vector<Solved> best_spread(const Problem& problem, const ParetoOptions& opt
   for (std::size_t k = 0; k < reference.size(); ++k)
     if (problem.objectives[k].sense == Sense::maximize) reference[k] = -reference[k];
   std::vector<Solved> kept;
-  const auto chosen = problem.objectives.size() == 2 ? best_subset(values, options.points, reference)
-                                                     : greedy_subset(values, options.points, reference);
+  const auto chosen = problem.objectives.size() == 2
+                          ? best_subset(values, options.points, reference)
+                          : greedy_subset(values, options.points, reference);
   for (const std::size_t i : chosen) kept.push_back(std::move(all[i]));
   return kept;
 }
@@ -96,8 +99,8 @@ void certify_points(FrontSearch& search, const std::vector<Solved>& solved, Fron
   Campaign& campaign = search.campaign();
   const std::size_t quota = std::max(campaign.left(), solved.size());
   Attempt stage;
-  stage.session = std::make_unique<Session>(campaign.problem(), campaign.options(), campaign.deadline(),
-                                            campaign.take_stage(), quota);
+  stage.session = std::make_unique<Session>(campaign.problem(), campaign.options(),
+                                            campaign.deadline(), campaign.take_stage(), quota);
   for (const Solved& s : solved) {
     stage.session->remember(s.design, s.evaluation);
     FrontPoint point{s.design, s.evaluation, {}};
@@ -143,7 +146,8 @@ void conclude(Campaign& campaign, Front& front) {
     if (campaign.exhausted()) front.outcome = Outcome::budget;
   }
   if (front.outcome == Outcome::budget)
-    front.stop = campaign.stop_reason() == StopReason::finished ? StopReason::evaluations : campaign.stop_reason();
+    front.stop = campaign.stop_reason() == StopReason::finished ? StopReason::evaluations
+                                                                : campaign.stop_reason();
   front.counters.add(campaign.counters());
   front.stages_used = campaign.next_stage() - campaign.options().first_stage;
   front.seconds = campaign.deadline().elapsed();
@@ -155,7 +159,8 @@ Front pareto_front(const Problem& problem, const ParetoOptions& options) {
   validate_front(problem, options.reference);
   for (const Variable& v : problem.variables)
     if (v.integer && v.lower < v.upper)
-      throw InputError("variable '" + v.name + "': a front by gradients takes no integer variables; nsga2 does");
+      throw InputError("variable '" + v.name +
+                       "': a front by gradients takes no integer variables; nsga2 does");
   SolveOptions solve = options.solve;
   const Deadline deadline(solve.budget.seconds);
   FrontSearch search(problem, solve, options, deadline);

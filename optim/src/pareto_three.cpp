@@ -56,12 +56,15 @@ std::vector<Solved> three_objective_front(FrontSearch& search, const ParetoOptio
   // More candidates than points: the best of them are chosen by hypervolume.
   const auto directions = lattice(5 * options.points / 2);
   const std::size_t n = search.campaign().scaling().size();
-  const auto far = sobol_points(n, options.coarse * options.coarse_starts + 1, options.solve.seed + 7);
-  const std::size_t stride = std::max<std::size_t>(1, directions.size() / std::max<std::size_t>(options.coarse, 1));
+  const auto far =
+      sobol_points(n, options.coarse * options.coarse_starts + 1, options.solve.seed + 7);
+  const std::size_t stride =
+      std::max<std::size_t>(1, directions.size() / std::max<std::size_t>(options.coarse, 1));
   std::size_t used = 1;
   for (std::size_t i = 0; i < directions.size() && !search.exhausted(); ++i) {
     std::vector<std::vector<double>> starts{nearest(known, directions[i]).unit};
-    if (auto pooled = search.from_pool(directions[i]); !pooled.empty()) starts.push_back(std::move(pooled));
+    if (auto pooled = search.from_pool(directions[i]); !pooled.empty())
+      starts.push_back(std::move(pooled));
     const bool coarse = i % stride == stride / 2;
     for (std::size_t s = 0; coarse && s < options.coarse_starts && used < far.size(); ++s)
       starts.push_back(far[used++]);

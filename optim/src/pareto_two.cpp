@@ -34,7 +34,8 @@ class TwoObjectives {
   // is found here.
   void coarse() {
     const std::size_t n = search_.campaign().scaling().size();
-    const auto far = sobol_points(n, options_.coarse * options_.coarse_starts + 1, options_.solve.seed + 7);
+    const auto far =
+        sobol_points(n, options_.coarse * options_.coarse_starts + 1, options_.solve.seed + 7);
     for (std::size_t i = 1; i <= options_.coarse && !search_.exhausted(); ++i) {
       const double part = static_cast<double>(i) / static_cast<double>(options_.coarse + 1);
       const std::vector<double> m{part, 1.0 - part};
@@ -50,8 +51,9 @@ class TwoObjectives {
 
   const Solved& nearest(const std::vector<double>& y) const {
     const auto distance = [&](const Solved& s) { return std::hypot(s.y[0] - y[0], s.y[1] - y[1]); };
-    return *std::min_element(front_.begin(), front_.end(),
-                             [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+    return *std::min_element(front_.begin(), front_.end(), [&](const auto& a, const auto& b) {
+      return distance(a) < distance(b);
+    });
   }
 
   // Always halves the gap whose rectangle is largest: there the hypervolume has most to gain.
@@ -65,14 +67,16 @@ class TwoObjectives {
   }
 
   bool closed(const Solved& a, const Solved& b) const {
-    return std::any_of(closed_.begin(), closed_.end(), [&](const auto& c) { return c.first == a.y && c.second == b.y; });
+    return std::any_of(closed_.begin(), closed_.end(),
+                       [&](const auto& c) { return c.first == a.y && c.second == b.y; });
   }
 
   std::size_t widest() const {
     std::size_t best = front_.size();
     double largest = kSame * kSame;
     for (std::size_t i = 0; i + 1 < front_.size(); ++i) {
-      const double area = (front_[i + 1].y[0] - front_[i].y[0]) * (front_[i].y[1] - front_[i + 1].y[1]);
+      const double area =
+          (front_[i + 1].y[0] - front_[i].y[0]) * (front_[i].y[1] - front_[i + 1].y[1]);
       if (area <= largest || closed(front_[i], front_[i + 1])) continue;
       largest = area;
       best = i;
@@ -99,7 +103,8 @@ class TwoObjectives {
       if (!found || !between(*found, a, b)) found = search_.scalarize_within(m, n, *start, a, b);
     if (!found || !between(*found, a, b)) found = search_.scalarize(m, n, {a.unit, b.unit}, true);
     // A wide gap is worth a look from elsewhere: its ends may lie in other valleys than its middle.
-    if ((!found || !between(*found, a, b)) && length > kWide) found = search_.scalarize(m, n, elsewhere(m), true);
+    if ((!found || !between(*found, a, b)) && length > kWide)
+      found = search_.scalarize(m, n, elsewhere(m), true);
     if (found && between(*found, a, b)) {
       front_.push_back(std::move(*found));
       tidy();
@@ -119,7 +124,8 @@ class TwoObjectives {
   static bool between(const Solved& s, const Solved& a, const Solved& b) {
     const double dx = 1e-3 * (b.y[0] - a.y[0]);
     const double dy = 1e-3 * (a.y[1] - b.y[1]);
-    return s.y[0] > a.y[0] + dx && s.y[0] < b.y[0] - dx && s.y[1] < a.y[1] - dy && s.y[1] > b.y[1] + dy;
+    return s.y[0] > a.y[0] + dx && s.y[0] < b.y[0] - dx && s.y[1] < a.y[1] - dy &&
+           s.y[1] > b.y[1] + dy;
   }
 
   // A hole: the piece on its right begins where the second objective gets below that on the left,
@@ -151,7 +157,8 @@ class TwoObjectives {
 
   // Sorts by the first objective and drops what is dominated or repeated.
   void tidy() {
-    std::stable_sort(front_.begin(), front_.end(), [](const auto& a, const auto& b) { return a.y < b.y; });
+    std::stable_sort(front_.begin(), front_.end(),
+                     [](const auto& a, const auto& b) { return a.y < b.y; });
     std::vector<Solved> kept;
     for (Solved& s : front_)
       if (kept.empty() || s.y[1] < kept.back().y[1] - 1e-9) kept.push_back(std::move(s));

@@ -10,8 +10,8 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kActivity = 1e-3;   // how near a limit must be to be a guess at the active set
-constexpr double kLongest = 0.05;    // of the box; a longer step would not be a finishing touch
+constexpr double kActivity = 1e-3;  // how near a limit must be to be a guess at the active set
+constexpr double kLongest = 0.05;   // of the box; a longer step would not be a finishing touch
 constexpr double kDone = 1e-11;
 constexpr int kSteps = 5;
 
@@ -57,19 +57,34 @@ void sign_equalities(const Problem& problem, const Scaling& scaling, KktPoint& p
   }
 }
 
-Eigen::VectorXd newton_step(const Eigen::MatrixXd& hessian, const Eigen::VectorXd& gradient,
-                            const Equations& eq, double flat) {
+struct NewtonStep {
+  Eigen::VectorXd unit;
+  Eigen::VectorXd weights;
+};
+
+// With several objectives their weights are unknowns as well: of the front's points near this one,
+// the shortest step leads to the nearest.
+NewtonStep newton_step(const Eigen::MatrixXd& hessian, const Eigen::MatrixXd& objectives,
+                       const Eigen::VectorXd& weights, const Equations& eq, double flat) {
   const Index n = hessian.rows();
   const Index m = eq.gaps.size();
-  Eigen::MatrixXd kkt = Eigen::MatrixXd::Zero(n + m, n + m);
+  const Index free = weights.size() - 1;  // the last follows from their sum
+  const Eigen::VectorXd gradient = objectives * weights;
+  Eigen::MatrixXd kkt = Eigen::MatrixXd::Zero(n + m, n + m + free);
   kkt.topLeftCorner(n, n) = hessian;
-  kkt.topRightCorner(n, m) = eq.gradients;
+  kkt.block(0, n, n, m) = eq.gradients;
   kkt.bottomLeftCorner(m, n) = eq.gradients.transpose();
+  for (Index k = 0; k < free; ++k)
+    kkt.col(n + m + k).head(n) = objectives.col(k) - objectives.col(free);
   Eigen::VectorXd rhs(n + m);
   rhs << -gradient, eq.gaps;
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> qr;
   qr.setThreshold(flat);
-  return qr.compute(kkt).solve(rhs).head(n);
+  const Eigen::VectorXd solution = qr.compute(kkt).solve(rhs);
+  NewtonStep step{solution.head(n), weights};
+  step.weights.head(free) += solution.tail(free);
+  step.weights[free] -= solution.tail(free).sum();
+  return step;
 }
 
 Eigen::VectorXd weighted_gradient(const KktPoint& p, const Eigen::VectorXd& weights) {
@@ -77,17 +92,21 @@ Eigen::VectorXd weighted_gradient(const KktPoint& p, const Eigen::VectorXd& weig
 }
 
 std::optional<KktPoint> step(Session& session, const Scaling& scaling, KktPoint point,
-                             const Multipliers& m) {
-  const auto curvature = lagrangian_curvature(session, scaling, point, m,
-                                              static_cast<std::size_t>(m.weights.size()));
+                             const Multipliers& m, Eigen::VectorXd& weights) {
+  const auto curvature =
+      lagrangian_curvature(session, scaling, point, m, static_cast<std::size_t>(m.weights.size()));
   if (!curvature) return std::nullopt;
   sign_equalities(session.problem(), scaling, point);
-  const Eigen::VectorXd gradient = weighted_gradient(point, m.weights);
+  const Eigen::MatrixXd objectives =
+      objective_gradients(point, static_cast<std::size_t>(m.weights.size()));
   const Equations eq = equations(point, m);
   // Flat directions are not moved along. Differences leave 1e-9 of noise in their curvature; with
   // several objectives the front itself is one, up to the error of the weights.
   const double flat = m.weights.size() > 1 ? 1e-4 : 1e-7;
-  const Eigen::VectorXd d = newton_step(curvature->hessian, gradient, eq, flat);
+  const NewtonStep newton = newton_step(curvature->hessian, objectives, m.weights, eq, flat);
+  const Eigen::VectorXd& d = newton.unit;
+  if (!newton.weights.allFinite() || newton.weights.minCoeff() < 0.0) return std::nullopt;
+  weights = newton.weights;
   if (!d.allFinite() || d.cwiseAbs().maxCoeff() > kLongest) return std::nullopt;
   std::vector<double> unit = point.unit;
   for (std::size_t k = 0; k < unit.size(); ++k) {
@@ -111,7 +130,7 @@ std::optional<std::vector<double>> polish(Session& session, const Scaling& scali
                                           std::span<const double> design,
                                           const std::vector<double>& weights) {
   if (scaling.size() == 0) return std::nullopt;
-  const Eigen::VectorXd w =
+  Eigen::VectorXd w =
       Eigen::Map<const Eigen::VectorXd>(weights.data(), static_cast<Index>(weights.size()));
   auto point = kkt_point(session, scaling, design);
   if (!point || !point->jacobian.allFinite()) return std::nullopt;
@@ -119,7 +138,7 @@ std::optional<std::vector<double>> polish(Session& session, const Scaling& scali
   bool improved = false;
   for (int i = 0; i < kSteps && merit(*point, m) > kDone; ++i) {
     if (session.left() < 2 * scaling.size() + 1) break;
-    auto next = step(session, scaling, *point, m);
+    auto next = step(session, scaling, *point, m, w);
     if (!next || !next->jacobian.allFinite()) break;
     Multipliers next_m = multipliers(*next, w);
     if (!(merit(*next, next_m) < 0.5 * merit(*point, m))) break;

@@ -63,8 +63,7 @@ std::vector<double> Scaling::to_design(std::span<const double> unit) const {
 
 double Scaling::slope(std::size_t k, std::span<const double> design) const {
   const Variable& v = variables_[free_[k]];
-  return v.scale == Scale::log ? design[free_[k]] * std::log(v.upper / v.lower)
-                               : v.upper - v.lower;
+  return v.scale == Scale::log ? design[free_[k]] * std::log(v.upper / v.lower) : v.upper - v.lower;
 }
 
 double Scaling::derivative(const Evaluation& e, std::size_t response, std::size_t k,

@@ -23,8 +23,10 @@ class ContinuousSolve {
 
   Result run() {
     if (campaign_.scale()) {
-      if (options_.solver == "auto") automatic();
-      else named(find_optimizer(options_.solver));
+      if (options_.solver == "auto")
+        automatic();
+      else
+        named(find_optimizer(options_.solver));
     }
     return conclude();
   }
@@ -111,11 +113,13 @@ class ContinuousSolve {
 
   // Each rung starts where the best design is; the first that can be certified ends the climb.
   void climb() {
-    for (const char* name : {"nlopt:slsqp", "nlopt:ccsaq", "ipopt", "nlopt:auglag", "nlopt:cobyla"}) {
+    for (const char* name :
+         {"nlopt:slsqp", "nlopt:ccsaq", "ipopt", "nlopt:auglag", "nlopt:cobyla"}) {
       if (passed() || campaign_.exhausted() || campaign_.scaling().size() == 0) return;
       const Optimizer& optimizer = find_optimizer(name);
       if (!optimizer.info.available) continue;
-      const auto start = best_.best ? campaign_.scaling().to_unit(best_.design) : campaign_.unit_start();
+      const auto start =
+          best_.best ? campaign_.scaling().to_unit(best_.design) : campaign_.unit_start();
       Attempt attempt = campaign_.run(optimizer, start, true);
       campaign_.finish(attempt);
       offer(std::move(attempt));
@@ -140,22 +144,30 @@ class ContinuousSolve {
   }
 
   Outcome outcome() const {
-    if (!best_.best) return campaign_.exhausted() && campaign_.counters().failed() < campaign_.counters().evaluations ? Outcome::budget : Outcome::failed;
-    const bool ok = feasible(best_) || (best_.certified && best_.certified->certificate.infeasibility <= options_.feasibility_tolerance);
+    if (!best_.best)
+      return campaign_.exhausted() &&
+                     campaign_.counters().failed() < campaign_.counters().evaluations
+                 ? Outcome::budget
+                 : Outcome::failed;
+    const bool ok = feasible(best_) ||
+                    (best_.certified &&
+                     best_.certified->certificate.infeasibility <= options_.feasibility_tolerance);
     if (ok && passed()) return Outcome::optimal;
     if (cut_short()) return Outcome::budget;
     return ok ? Outcome::feasible : Outcome::infeasible;
   }
 
   bool cut_short() const {
-    return campaign_.exhausted() || (options_.solver != "auto" && campaign_.stop_reason() != StopReason::finished);
+    return campaign_.exhausted() ||
+           (options_.solver != "auto" && campaign_.stop_reason() != StopReason::finished);
   }
 
   Result conclude() {
     Result result;
     result.outcome = outcome();
     if (result.outcome == Outcome::infeasible && options_.analyse_infeasible) explain(result);
-    result.stop = result.outcome == Outcome::budget ? campaign_.stop_reason() : StopReason::finished;
+    result.stop =
+        result.outcome == Outcome::budget ? campaign_.stop_reason() : StopReason::finished;
     if (result.outcome == Outcome::budget && result.stop == StopReason::finished)
       result.stop = StopReason::evaluations;
     result.design = best_.design;
@@ -163,7 +175,8 @@ class ContinuousSolve {
       result.certificate = best_.certified->certificate;
       result.evaluation = best_.certified->point.evaluation;
     } else {
-      result.certificate.reason = best_.best ? "stopped before the test was done" : "no design could be evaluated";
+      result.certificate.reason =
+          best_.best ? "stopped before the test was done" : "no design could be evaluated";
     }
     if (best_.solver != nullptr) result.solver = best_.solver->name;
     result.counters = campaign_.counters();
@@ -182,8 +195,10 @@ class ContinuousSolve {
       unit = found->z;
     }
     result.infeasibility = explain_infeasible(campaign_, unit);
-    if (!result.infeasibility.relaxations.empty()) move_to(result.infeasibility.design);
-    else result.outcome = Outcome::feasible;  // the elastic solve found what the solver did not
+    if (!result.infeasibility.relaxations.empty())
+      move_to(result.infeasibility.design);
+    else
+      result.outcome = Outcome::feasible;  // the elastic solve found what the solver did not
   }
 
   // The least infeasible design is the one to show.
@@ -246,7 +261,8 @@ Result solve(const Problem& problem, const SolveOptions& options) {
   const Deadline deadline(options.budget.seconds);
   const bool integers = std::any_of(problem.variables.begin(), problem.variables.end(),
                                     [](const Variable& v) { return v.integer; });
-  return integers ? integer_search(problem, own, deadline) : solve_continuous(problem, own, deadline);
+  return integers ? integer_search(problem, own, deadline)
+                  : solve_continuous(problem, own, deadline);
 }
 
 }  // namespace twum::optim

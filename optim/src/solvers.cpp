@@ -72,7 +72,8 @@ const std::vector<SolverInfo>& solvers() {
 
 const Optimizer& find_optimizer(const std::string& name) {
   const auto& all = registry();
-  const auto it = std::find_if(all.begin(), all.end(), [&](const auto& o) { return o.info.name == name; });
+  const auto it =
+      std::find_if(all.begin(), all.end(), [&](const auto& o) { return o.info.name == name; });
   if (it == all.end()) throw InputError(unknown_solver(name));
   return *it;
 }
@@ -94,7 +95,8 @@ void require_fit(const SolverInfo& solver, const Nlp& nlp) {
   if (nlp.has_equality() && !solver.equality)
     throw InputError(who + "takes no equality constraints; nlopt:slsqp, nlopt:cobyla and ipopt do");
   if (nlp.rows() > 0 && !solver.inequality)
-    throw InputError(who + "takes no constraints; nlopt:slsqp, nlopt:mma, nlopt:cobyla and ipopt do");
+    throw InputError(who +
+                     "takes no constraints; nlopt:slsqp, nlopt:mma, nlopt:cobyla and ipopt do");
 }
 
 double number_option(const RunSettings& settings, const std::string& name, double standard,
@@ -105,7 +107,8 @@ double number_option(const RunSettings& settings, const std::string& name, doubl
   const std::string& text = it->second;
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !(value >= least && value <= most))
+  if (error != std::errc{} || end != text.data() + text.size() ||
+      !(value >= least && value <= most))
     throw InputError("solver option '" + name + "': '" + text + "' is not a number from " +
                      std::to_string(least) + " to " + std::to_string(most));
   return value;

@@ -23,7 +23,8 @@ double worst_violation(const Problem& p, const Evaluation& e) {
 // The published optima carry ten digits; 1e-6 of 1 + |f| is what solvers are asked for.
 void check_optimum(const test::KnownProblem& known, const Result& result) {
   INFO(known.name << " " << result.solver << " " << result.certificate.reason << " stationarity "
-                  << result.certificate.stationarity << " evaluations " << result.counters.evaluations);
+                  << result.certificate.stationarity << " evaluations "
+                  << result.counters.evaluations);
   REQUIRE_FALSE(result.evaluation.values.empty());
   CAPTURE(result.evaluation.values[0], known.best, result.design);
   CHECK(std::abs(result.evaluation.values[0] - known.best) / (1.0 + std::abs(known.best)) < 1e-6);

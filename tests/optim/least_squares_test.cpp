@@ -89,53 +89,84 @@ std::vector<DataSet> nist() {
   const Model exponentials = [](const D* b, double x, double) -> D {
     return b[0] * exp(-x * b[1]) + b[2] * exp(-x * b[3]) + b[4] * exp(-x * b[5]);
   };
-  const Model echo = [](const D* b, double x, double) -> D { return exp(-x * b[0]) / (b[1] + x * b[2]); };
+  const Model echo = [](const D* b, double x, double) -> D {
+    return exp(-x * b[0]) / (b[1] + x * b[2]);
+  };
   const Model cubics = [](const D* b, double x, double) -> D {
-    return (b[0] + x * b[1] + x * x * b[2] + x * x * x * b[3]) / (1.0 + x * b[4] + x * x * b[5] + x * x * x * b[6]);
+    return (b[0] + x * b[1] + x * x * b[2] + x * x * x * b[3]) /
+           (1.0 + x * b[4] + x * x * b[5] + x * x * x * b[6]);
   };
   const Model peaks = [](const D* b, double x, double) -> D {
     return b[0] * exp(-x * b[1]) + peak(b[2], b[3], b[4], x) + peak(b[5], b[6], b[7], x);
   };
-  const Model saturation = [](const D* b, double x, double) -> D { return b[0] * (1.0 - exp(-x * b[1])); };
-  return {read("Misra1a", saturation),
-          read("BoxBOD", saturation),
-          read("Misra1b", [](const D* b, double x, double) -> D {
-            const D s = 1.0 + 0.5 * x * b[1];
-            return b[0] * (1.0 - 1.0 / (s * s));
-          }),
-          read("Misra1c", [](const D* b, double x, double) -> D { return b[0] * (1.0 - 1.0 / sqrt(1.0 + 2.0 * x * b[1])); }),
-          read("Misra1d", [](const D* b, double x, double) -> D { return b[0] * b[1] * x / (1.0 + b[1] * x); }),
-          read("DanWood", [](const D* b, double x, double) -> D { return b[0] * exp(b[1] * std::log(x)); }),
-          read("Rat42", [](const D* b, double x, double) -> D { return b[0] / (1.0 + exp(b[1] - x * b[2])); }),
-          read("Eckerle4", [](const D* b, double x, double) -> D {
-            const D s = (x - b[2]) / b[1];
-            return b[0] / b[1] * exp(-0.5 * (s * s));
-          }),
-          read("Roszman1", [](const D* b, double x, double) -> D {
-            return b[0] - x * b[1] - arctan(b[2] / (x - b[3])) * (1.0 / 3.14159265358979323846);
-          }),
-          read("MGH09", [](const D* b, double x, double) -> D { return b[0] * (x * x + x * b[1]) / (x * x + x * b[2] + b[3]); }),
-          read("MGH10", [](const D* b, double x, double) -> D { return b[0] * exp(b[1] / (x + b[2])); }),
-          read("MGH17", [](const D* b, double x, double) -> D { return b[0] + b[1] * exp(-x * b[3]) + b[2] * exp(-x * b[4]); }),
-          read("Rat43", [](const D* b, double x, double) -> D { return b[0] / power(1.0 + exp(b[1] - x * b[2]), 1.0 / b[3]); }),
-          read("Thurber", cubics),
-          read("Hahn1", cubics),
-          read("Kirby2", [](const D* b, double x, double) -> D {
-            return (b[0] + x * b[1] + x * x * b[2]) / (1.0 + x * b[3] + x * x * b[4]);
-          }),
-          read("Chwirut1", echo),
-          read("Chwirut2", echo),
-          read("Gauss1", peaks),
-          read("Gauss2", peaks),
-          read("Gauss3", peaks),
-          read("Bennett5", [](const D* b, double x, double) -> D { return b[0] * power(b[1] + x, -1.0 / b[2]); }),
-          read("ENSO", [](const D* b, double x, double) -> D {
-            return b[0] + wave(b[1], b[2], D(12.0), x) + wave(b[4], b[5], b[3], x) + wave(b[7], b[8], b[6], x);
-          }),
-          of_logarithms(read("Nelson", [](const D* b, double x, double z) -> D { return b[0] - x * b[1] * exp(-z * b[2]); })),
-          read("Lanczos1", exponentials),
-          read("Lanczos2", exponentials),
-          read("Lanczos3", exponentials)};
+  const Model saturation = [](const D* b, double x, double) -> D {
+    return b[0] * (1.0 - exp(-x * b[1]));
+  };
+  return {
+      read("Misra1a", saturation),
+      read("BoxBOD", saturation),
+      read("Misra1b",
+           [](const D* b, double x, double) -> D {
+             const D s = 1.0 + 0.5 * x * b[1];
+             return b[0] * (1.0 - 1.0 / (s * s));
+           }),
+      read("Misra1c",
+           [](const D* b, double x, double) -> D {
+             return b[0] * (1.0 - 1.0 / sqrt(1.0 + 2.0 * x * b[1]));
+           }),
+      read("Misra1d",
+           [](const D* b, double x, double) -> D { return b[0] * b[1] * x / (1.0 + b[1] * x); }),
+      read("DanWood",
+           [](const D* b, double x, double) -> D { return b[0] * exp(b[1] * std::log(x)); }),
+      read("Rat42",
+           [](const D* b, double x, double) -> D { return b[0] / (1.0 + exp(b[1] - x * b[2])); }),
+      read("Eckerle4",
+           [](const D* b, double x, double) -> D {
+             const D s = (x - b[2]) / b[1];
+             return b[0] / b[1] * exp(-0.5 * (s * s));
+           }),
+      read("Roszman1",
+           [](const D* b, double x, double) -> D {
+             return b[0] - x * b[1] - arctan(b[2] / (x - b[3])) * (1.0 / 3.14159265358979323846);
+           }),
+      read("MGH09",
+           [](const D* b, double x, double) -> D {
+             return b[0] * (x * x + x * b[1]) / (x * x + x * b[2] + b[3]);
+           }),
+      read("MGH10",
+           [](const D* b, double x, double) -> D { return b[0] * exp(b[1] / (x + b[2])); }),
+      read("MGH17",
+           [](const D* b, double x, double) -> D {
+             return b[0] + b[1] * exp(-x * b[3]) + b[2] * exp(-x * b[4]);
+           }),
+      read("Rat43",
+           [](const D* b, double x, double) -> D {
+             return b[0] / power(1.0 + exp(b[1] - x * b[2]), 1.0 / b[3]);
+           }),
+      read("Thurber", cubics),
+      read("Hahn1", cubics),
+      read("Kirby2",
+           [](const D* b, double x, double) -> D {
+             return (b[0] + x * b[1] + x * x * b[2]) / (1.0 + x * b[3] + x * x * b[4]);
+           }),
+      read("Chwirut1", echo),
+      read("Chwirut2", echo),
+      read("Gauss1", peaks),
+      read("Gauss2", peaks),
+      read("Gauss3", peaks),
+      read("Bennett5",
+           [](const D* b, double x, double) -> D { return b[0] * power(b[1] + x, -1.0 / b[2]); }),
+      read("ENSO",
+           [](const D* b, double x, double) -> D {
+             return b[0] + wave(b[1], b[2], D(12.0), x) + wave(b[4], b[5], b[3], x) +
+                    wave(b[7], b[8], b[6], x);
+           }),
+      of_logarithms(read(
+          "Nelson",
+          [](const D* b, double x, double z) -> D { return b[0] - x * b[1] * exp(-z * b[2]); })),
+      read("Lanczos1", exponentials),
+      read("Lanczos2", exponentials),
+      read("Lanczos3", exponentials)};
 }
 
 ResidualFunction residuals_of(const DataSet& set) {
@@ -177,19 +208,24 @@ Digits fitted(const DataSet& set, const std::string& start) {
   const auto fit = least_squares(unbounded(set.entries.at(start)), residuals_of(set));
   Digits least;
   for (std::size_t j = 0; j < fit.estimates.size(); ++j) {
-    least.parameters = std::min(least.parameters, digits(fit.estimates[j].value, set.entries.at("certified")[j]));
-    least.deviations = std::min(least.deviations, digits(fit.estimates[j].standard_deviation, set.entries.at("deviation")[j]));
+    least.parameters =
+        std::min(least.parameters, digits(fit.estimates[j].value, set.entries.at("certified")[j]));
+    least.deviations = std::min(least.deviations, digits(fit.estimates[j].standard_deviation,
+                                                         set.entries.at("deviation")[j]));
   }
   CHECK(fit.outcome == Outcome::optimal);
-  INFO(set.name << " " << start << ": " << fit.word << ", " << fit.counters.evaluations << " evaluations");
+  INFO(set.name << " " << start << ": " << fit.word << ", " << fit.counters.evaluations
+                << " evaluations");
   CHECK(std::isfinite(fit.sum_of_squares));
   return least;
 }
 
 }  // namespace
 
-TEST_CASE("NIST reference fits, from the nearer start: six digits of the parameters, four of their deviations",
-          "[optim][least_squares][published]") {
+TEST_CASE(
+    "NIST reference fits, from the nearer start: six digits of the parameters, four of their "
+    "deviations",
+    "[optim][least_squares][published]") {
   for (const DataSet& set : nist()) {
     const Digits found = fitted(set, "start2");
     CAPTURE(set.name, found.parameters, found.deviations);
@@ -199,7 +235,8 @@ TEST_CASE("NIST reference fits, from the nearer start: six digits of the paramet
   }
 }
 
-TEST_CASE("intervals cover the truth as often as they say", "[optim][least_squares][manufactured]") {
+TEST_CASE("intervals cover the truth as often as they say",
+          "[optim][least_squares][manufactured]") {
   // A straight line with normal errors: the linearised interval is exact here.
   int covered = 0;
   const int repeats = 2000;
@@ -207,7 +244,8 @@ TEST_CASE("intervals cover the truth as often as they say", "[optim][least_squar
     Random random(1, 2, static_cast<std::uint64_t>(s));
     std::vector<double> y;
     for (int i = 0; i < 8; ++i) {
-      const double normal = std::sqrt(-2.0 * std::log(1.0 - random.uniform())) * std::cos(6.283185307179586 * random.uniform());
+      const double normal = std::sqrt(-2.0 * std::log(1.0 - random.uniform())) *
+                            std::cos(6.283185307179586 * random.uniform());
       y.push_back(1.0 + 2.0 * i + 0.3 * normal);
     }
     const auto fit = least_squares(unbounded({0.0, 0.0}), [&](std::span<const double> b) {
@@ -260,11 +298,13 @@ TEST_CASE("a bound holds a parameter, and the others are fitted as if it were kn
   CHECK(fit.degrees_of_freedom == 4);
 }
 
-TEST_CASE("a failed evaluation shortens the step and is counted", "[optim][least_squares][failure]") {
-  const auto fit = least_squares({{"a", -100.0, 100.0, 0.0}}, [](std::span<const double> p) -> Residuals {
-    if (p[0] > 3.0) throw EvaluationError("too-far", "beyond 3");
-    return {{std::exp(p[0]) - 7.0, 0.0}, {std::exp(p[0]), 0.0}, ""};
-  });
+TEST_CASE("a failed evaluation shortens the step and is counted",
+          "[optim][least_squares][failure]") {
+  const auto fit =
+      least_squares({{"a", -100.0, 100.0, 0.0}}, [](std::span<const double> p) -> Residuals {
+        if (p[0] > 3.0) throw EvaluationError("too-far", "beyond 3");
+        return {{std::exp(p[0]) - 7.0, 0.0}, {std::exp(p[0]), 0.0}, ""};
+      });
   CHECK(fit.outcome == Outcome::optimal);
   CHECK(fit.counters.failures.at("too-far") >= 1);
   CHECK(fit.estimates[0].value == Approx(std::log(7.0)).epsilon(1e-10));

@@ -48,7 +48,8 @@ Manufactured draw(std::uint64_t seed) {
     }
     std::string name("c");
     name += std::to_string(i);
-    known.problem.constraints.push_back({name, -kInfinity, value + (i < active ? 0.0 : uniform(0.5, 2.0))});
+    known.problem.constraints.push_back(
+        {name, -kInfinity, value + (i < active ? 0.0 : uniform(0.5, 2.0))});
   }
   known.problem.evaluate = [=, optimum = known.optimum](std::span<const double> x, bool) {
     Evaluation e;
@@ -87,7 +88,8 @@ TEST_CASE("problems built around an optimum give it back, with its multipliers",
   }
 }
 
-TEST_CASE("what a relaxed limit buys is what a new solve gets", "[optim][manufactured][certificate]") {
+TEST_CASE("what a relaxed limit buys is what a new solve gets",
+          "[optim][manufactured][certificate]") {
   const Manufactured known = draw(7);
   const Result r = solve(known.problem);
   for (std::size_t i = 0; i < known.problem.constraints.size(); ++i) {
@@ -110,7 +112,8 @@ TEST_CASE("an infeasible problem names its fighters and the smallest relaxation"
   Problem p;
   p.variables = test::box(2, 0.0, 5.0);
   p.objectives = {{"f"}};
-  p.constraints = {{"small", -kInfinity, 1.0}, {"large", 1.0 + gap, kInfinity}, {"idle", -kInfinity, 100.0}};
+  p.constraints = {
+      {"small", -kInfinity, 1.0}, {"large", 1.0 + gap, kInfinity}, {"idle", -kInfinity, 100.0}};
   using D = Dual<double, 2>;
   p.evaluate = test::dual_evaluator<2>(4, [](const D* x, D* r) {
     r[0] = x[0] * x[0] + x[1];
@@ -127,14 +130,16 @@ TEST_CASE("an infeasible problem names its fighters and the smallest relaxation"
     CHECK(r.infeasibility.conflict == std::vector<std::string>{"small", "large"});
     REQUIRE(r.infeasibility.relaxations.size() == 2);
     // Solver tolerance 1e-9 of scaled rows, whose scale is 1/5.
-    CHECK(std::abs(r.infeasibility.relaxations[0].amount + r.infeasibility.relaxations[1].amount - gap) < 1e-6);
+    CHECK(std::abs(r.infeasibility.relaxations[0].amount + r.infeasibility.relaxations[1].amount -
+                   gap) < 1e-6);
     CHECK(std::abs(r.infeasibility.relaxations[0].alone - gap) < 1e-6);
     CHECK(std::abs(r.infeasibility.relaxations[1].alone - gap) < 1e-6);
     CHECK(r.infeasibility.certified);
   }
 }
 
-TEST_CASE("the smallest relaxation of a curved pair of limits", "[optim][manufactured][infeasible]") {
+TEST_CASE("the smallest relaxation of a curved pair of limits",
+          "[optim][manufactured][infeasible]") {
   // The disc of radius 1 and the half plane x1 >= 2 are 1 apart: relaxing the plane alone takes 1,
   // the disc alone 2^2 - 1^2 = 3 (its response is the squared radius).
   Problem p;
@@ -159,7 +164,8 @@ TEST_CASE("log and linear scales find the same optimum in user units", "[optim][
   p.variables = test::box(1, 1e-4, 10.0, {1.0});
   p.objectives = {{"f", Sense::maximize}};
   using D = Dual<double, 2>;
-  p.evaluate = test::dual_evaluator<2>(1, [](const D* x, D* r) { r[0] = x[0] * exp(-x[0] * 50.0); });
+  p.evaluate =
+      test::dual_evaluator<2>(1, [](const D* x, D* r) { r[0] = x[0] * exp(-x[0] * 50.0); });
   p.variables[0].scale = Scale::log;
   const Result log = solve(p);
   CHECK(log.outcome == Outcome::optimal);

@@ -40,11 +40,14 @@ std::vector<std::string> gradient_solvers() {
   return names;
 }
 
-void bowl(const D* x, D* r) { r[0] = (x[0] - 0.3) * (x[0] - 0.3) + 2.0 * (x[1] - 0.4) * (x[1] - 0.4); }
+void bowl(const D* x, D* r) {
+  r[0] = (x[0] - 0.3) * (x[0] - 0.3) + 2.0 * (x[1] - 0.4) * (x[1] - 0.4);
+}
 
 }  // namespace
 
-TEST_CASE("failures at one design in twenty are counted, named and survived", "[optim][torture][failure]") {
+TEST_CASE("failures at one design in twenty are counted, named and survived",
+          "[optim][torture][failure]") {
   const auto& known = test::hock_schittkowski("HS43");
   for (const auto& solver : gradient_solvers()) {
     if (solver == "nlopt:lbfgs") continue;  // its augmented Lagrangian needs thousands of designs
@@ -64,12 +67,14 @@ TEST_CASE("failures at one design in twenty are counted, named and survived", "[
     SolveOptions options;
     options.solver = solver;
     const Result r = solve(p, options);
-    INFO(solver << " " << to_string(r.outcome) << " " << r.certificate.reason << " " << r.certificate.stationarity);
+    INFO(solver << " " << to_string(r.outcome) << " " << r.certificate.reason << " "
+                << r.certificate.stationarity);
     CHECK(r.counters.failed() == failed);
     if (failed > 0) CHECK(r.counters.failures.at("not-finite") == failed);
     REQUIRE(r.evaluation.ok());
     if (r.outcome == Outcome::optimal) CHECK(std::abs(r.evaluation.values[0] + 44.0) < 1e-4);
-    if (solver == "auto" || solver == "nlopt:slsqp") CHECK(std::abs(r.evaluation.values[0] + 44.0) < 1e-4);
+    if (solver == "auto" || solver == "nlopt:slsqp")
+      CHECK(std::abs(r.evaluation.values[0] + 44.0) < 1e-4);
   }
 }
 
@@ -83,7 +88,8 @@ TEST_CASE("a variable that does not matter is named, and the optimum still is on
 }
 
 TEST_CASE("a valley of two variables is named", "[optim][torture][degenerate]") {
-  const Problem p = two_variables([](const D* x, D* r) { r[0] = (x[0] + x[1] - 0.3) * (x[0] + x[1] - 0.3); });
+  const Problem p =
+      two_variables([](const D* x, D* r) { r[0] = (x[0] + x[1] - 0.3) * (x[0] + x[1] - 0.3); });
   const Result r = solve(p);
   CHECK(r.outcome == Outcome::optimal);
   REQUIRE(has(r.certificate, Degeneracy::flat_direction));
@@ -129,7 +135,8 @@ TEST_CASE("dependent constraints are named and do no harm", "[optim][torture][de
     SolveOptions options;
     options.solver = solver;
     const Result r = solve(p, options);
-    INFO(solver << " " << r.certificate.reason << " " << r.certificate.stationarity << " " << r.certificate.infeasibility);
+    INFO(solver << " " << r.certificate.reason << " " << r.certificate.stationarity << " "
+                << r.certificate.infeasibility);
     // min (u - .3)^2 + 2 (v - .4)^2 on u + v = 1/2 is at u = 1/6, v = 1/3
     CHECK(std::abs(r.design[0] - 1.0 / 6.0) < 1e-5);
     CHECK(r.outcome == Outcome::optimal);
@@ -162,14 +169,17 @@ TEST_CASE("what the evaluator throws reaches the caller unchanged", "[optim][tor
 
 TEST_CASE("a design that nothing can evaluate ends as failed", "[optim][torture][failure]") {
   Problem p = two_variables(bowl);
-  p.evaluate = [](std::span<const double>, bool) -> Evaluation { throw EvaluationError("no-state", "none"); };
+  p.evaluate = [](std::span<const double>, bool) -> Evaluation {
+    throw EvaluationError("no-state", "none");
+  };
   const Result r = solve(p);
   CHECK(r.outcome == Outcome::failed);
   CHECK(r.counters.failures.at("no-state") == r.counters.evaluations);
   CHECK(r.design.empty());
 }
 
-TEST_CASE("the top of a hill and a saddle are not taken for minima", "[optim][torture][certificate]") {
+TEST_CASE("the top of a hill and a saddle are not taken for minima",
+          "[optim][torture][certificate]") {
   const Problem hill = two_variables([](const D* x, D* r) { r[0] = -(x[0] * x[0]) - x[1] * x[1]; });
   const Problem saddle = two_variables([](const D* x, D* r) { r[0] = x[0] * x[0] - x[1] * x[1]; });
   const std::vector<double> origin{0.0, 0.0};
@@ -182,7 +192,8 @@ TEST_CASE("the top of a hill and a saddle are not taken for minima", "[optim][to
   }
 }
 
-TEST_CASE("a kink is found and named, and a point beside it is no optimum", "[optim][certificate][degenerate]") {
+TEST_CASE("a kink is found and named, and a point beside it is no optimum",
+          "[optim][certificate][degenerate]") {
   Problem p = two_variables(bowl);
   p.evaluate = [](std::span<const double> x, bool) {
     Evaluation e;
@@ -199,7 +210,8 @@ TEST_CASE("a kink is found and named, and a point beside it is no optimum", "[op
   CHECK_FALSE(certify(p, std::vector<double>{0.25, 0.35}).passed);
 }
 
-TEST_CASE("an evaluator can say that a derivative is one-sided", "[optim][certificate][degenerate]") {
+TEST_CASE("an evaluator can say that a derivative is one-sided",
+          "[optim][certificate][degenerate]") {
   Problem p = two_variables(bowl);
   double right = 2.0;
   p.evaluate = [&right](std::span<const double> x, bool) {
@@ -216,7 +228,8 @@ TEST_CASE("an evaluator can say that a derivative is one-sided", "[optim][certif
   CHECK_FALSE(certify(p, origin).passed);
 }
 
-TEST_CASE("a budget is never exceeded, and running out of it is an outcome", "[optim][torture][budget]") {
+TEST_CASE("a budget is never exceeded, and running out of it is an outcome",
+          "[optim][torture][budget]") {
   const auto& known = test::hock_schittkowski("HS113");
   for (const std::string solver : {"auto", "nlopt:slsqp", "nlopt:isres", "nlopt:cobyla"}) {
     for (const std::size_t evaluations : {1U, 7U, 60U}) {
@@ -252,7 +265,9 @@ TEST_CASE("the answer and the order of evaluations do not depend on the number o
     SolveOptions options;
     options.threads = threads;
     options.observer = [&](const Observation& o) {
-      CHECK(seen.emplace(std::pair{o.stage, o.index}, std::vector<double>(o.design.begin(), o.design.end())).second);
+      CHECK(seen.emplace(std::pair{o.stage, o.index},
+                         std::vector<double>(o.design.begin(), o.design.end()))
+                .second);
     };
     const Result r = solve(known.problem, options);
     return std::pair{r.design, seen};
@@ -279,7 +294,8 @@ TEST_CASE("Ipopt from four threads: no crash, the same answers", "[optim][tortur
   SolveOptions options;
   options.solver = "ipopt";
   std::vector<Result> alone;
-  for (const auto& name : names) alone.push_back(solve(test::hock_schittkowski(name).problem, options));
+  for (const auto& name : names)
+    alone.push_back(solve(test::hock_schittkowski(name).problem, options));
   std::atomic<int> different{0};
   std::vector<std::thread> pool;
   for (std::size_t t = 0; t < 4; ++t)
@@ -347,7 +363,8 @@ TEST_CASE("every algorithm that is offered runs, with and without constraints", 
     options.budget.evaluations = 3000;
     const Result a = solve(plain, options);
     const Result b = solve(limited, options);
-    INFO(info.name << " " << a.evaluation.values[0] << " " << b.evaluation.values[0] << " " << to_string(a.outcome) << " " << to_string(b.outcome));
+    INFO(info.name << " " << a.evaluation.values[0] << " " << b.evaluation.values[0] << " "
+                   << to_string(a.outcome) << " " << to_string(b.outcome));
     // f = 0, and f = (2/15)^2 + 2 (1/15)^2 on the line; 0.05 tells a search that works from one that does not
     CHECK(a.evaluation.values[0] < 0.05);
     CHECK(b.evaluation.values[0] < 0.08);

@@ -13,7 +13,8 @@ optim::Evaluator dual_evaluator(std::size_t responses, F f) {
   return [responses, f](std::span<const double> design, bool) {
     using D = Dual<double, N>;
     std::vector<D> x;
-    for (std::size_t j = 0; j < design.size(); ++j) x.push_back(D::variable(design[j], static_cast<int>(j)));
+    for (std::size_t j = 0; j < design.size(); ++j)
+      x.push_back(D::variable(design[j], static_cast<int>(j)));
     std::vector<D> out(responses);
     f(x.data(), out.data());
     optim::Evaluation e;

@@ -80,7 +80,8 @@ Points pieces(Points points) {
 // As many as asked for, evenly by position.
 Points thinned(const Points& points, std::size_t density) {
   Points kept;
-  const double step = std::max(1.0, static_cast<double>(points.size() - 1) / static_cast<double>(density));
+  const double step =
+      std::max(1.0, static_cast<double>(points.size() - 1) / static_cast<double>(density));
   for (double at = 0.0; at < static_cast<double>(points.size()) - 0.5; at += step)
     kept.push_back(points[static_cast<std::size_t>(at)]);
   kept.push_back(points.back());
@@ -124,16 +125,20 @@ optim::Problem zdt6() {
 void add_zdt(std::vector<KnownFront>& all, std::size_t density) {
   const std::vector<double> reference{1.1, 1.1};
   const auto zdt1 = zdt(30, mean_of_rest, convex);
-  const auto zdt2 = zdt(30, mean_of_rest, [](const D30& f, const D30& g) { return g * (1.0 - sq(f / g)); });
+  const auto zdt2 =
+      zdt(30, mean_of_rest, [](const D30& f, const D30& g) { return g * (1.0 - sq(f / g)); });
   const auto zdt3 = zdt(30, mean_of_rest, [](const D30& f, const D30& g) {
     return g * (1.0 - power(f / g, 0.5) - f / g * sin(10.0 * kPi * f));
   });
   const double zdt6_end = 0.2807753191;  // smallest 1 - exp(-4x) sin(6 pi x)^6
   all.push_back({"ZDT1", zdt1, reference, 0.8766667, curve(density, 0, 1, one_minus_root), false});
-  all.push_back({"ZDT2", zdt2, reference, 0.5433333, curve(density, 0, 1, one_minus_square), false});
-  all.push_back({"ZDT3", zdt3, reference, 1.33176, thinned(pieces(curve(20 * density, 0, 1, zdt3_front)), density), false});
+  all.push_back(
+      {"ZDT2", zdt2, reference, 0.5433333, curve(density, 0, 1, one_minus_square), false});
+  all.push_back({"ZDT3", zdt3, reference, 1.33176,
+                 thinned(pieces(curve(20 * density, 0, 1, zdt3_front)), density), false});
   all.push_back({"ZDT4", zdt4(), reference, 0.8766667, curve(density, 0, 1, one_minus_root), true});
-  all.push_back({"ZDT6", zdt6(), reference, 0.507877, curve(density, zdt6_end, 1, one_minus_square), true});
+  all.push_back(
+      {"ZDT6", zdt6(), reference, 0.507877, curve(density, zdt6_end, 1, one_minus_square), true});
 }
 
 optim::Problem bnh() {
@@ -153,8 +158,10 @@ Points bnh_front(std::size_t density) {
   Points points;
   for (std::size_t i = 0; i <= density; ++i) {
     const double x = 5.0 * static_cast<double>(i) / static_cast<double>(density);
-    if (x <= 3.0) points.push_back({8 * x * x, 2 * (x - 5) * (x - 5)});
-    else points.push_back({4 * x * x + 36, (x - 5) * (x - 5) + 4});
+    if (x <= 3.0)
+      points.push_back({8 * x * x, 2 * (x - 5) * (x - 5)});
+    else
+      points.push_back({4 * x * x + 36, (x - 5) * (x - 5) + 4});
   }
   return points;
 }
@@ -193,9 +200,11 @@ optim::Problem osy() {
   optim::Problem p = two_objectives(box(6, 0.0, 10.0));
   for (const std::size_t j : {2U, 4U}) p.variables[j].lower = 1.0, p.variables[j].upper = 5.0;
   p.variables[3].upper = 6.0;
-  for (int i = 0; i < 6; ++i) p.constraints.push_back({numbered('c', static_cast<std::size_t>(i)), 0.0, optim::kInfinity});
+  for (int i = 0; i < 6; ++i)
+    p.constraints.push_back({numbered('c', static_cast<std::size_t>(i)), 0.0, optim::kInfinity});
   p.evaluate = dual_evaluator<6>(8, [](const D6* x, D6* r) {
-    r[0] = -(25.0 * sq(x[0] - 2.0) + sq(x[1] - 2.0) + sq(x[2] - 1.0) + sq(x[3] - 4.0) + sq(x[4] - 1.0));
+    r[0] = -(25.0 * sq(x[0] - 2.0) + sq(x[1] - 2.0) + sq(x[2] - 1.0) + sq(x[3] - 4.0) +
+             sq(x[4] - 1.0));
     r[1] = sq(x[0]) + sq(x[1]) + sq(x[2]) + sq(x[3]) + sq(x[4]) + sq(x[5]);
     r[2] = x[0] + x[1] - 2.0;
     r[3] = 6.0 - x[0] - x[1];
@@ -210,7 +219,8 @@ optim::Problem osy() {
 Points osy_front(std::size_t density) {
   Points points;
   const auto add = [&](double x1, double x2, double x3, double x5) {
-    points.push_back({-(25 * (x1 - 2) * (x1 - 2) + (x2 - 2) * (x2 - 2) + (x3 - 1) * (x3 - 1) + 16 + (x5 - 1) * (x5 - 1)),
+    points.push_back({-(25 * (x1 - 2) * (x1 - 2) + (x2 - 2) * (x2 - 2) + (x3 - 1) * (x3 - 1) + 16 +
+                        (x5 - 1) * (x5 - 1)),
                       x1 * x1 + x2 * x2 + x3 * x3 + x5 * x5});
   };
   const std::size_t n = density * 4;
@@ -301,7 +311,8 @@ optim::Problem dtlz2() {
 
 // From the right: gain[j] is the largest area of the staircase from point j on with the number of
 // points used so far, counted below the height of the ceiling, which is the point before.
-double best_hypervolume(const Points& front, std::size_t count, const std::vector<double>& reference) {
+double best_hypervolume(const Points& front, std::size_t count,
+                        const std::vector<double>& reference) {
   Points inside;
   for (const auto& p : front)
     if (p[0] < reference[0] && p[1] < reference[1]) inside.push_back(p);
@@ -311,7 +322,8 @@ double best_hypervolume(const Points& front, std::size_t count, const std::vecto
     std::vector<double> next(m, 0.0);
     for (std::size_t j = 0; j < m; ++j)
       for (std::size_t k = j + 1; k < m; ++k)
-        next[j] = std::max(next[j], (reference[0] - inside[k][0]) * (inside[j][1] - inside[k][1]) + gain[k]);
+        next[j] = std::max(next[j],
+                           (reference[0] - inside[k][0]) * (inside[j][1] - inside[k][1]) + gain[k]);
     gain = std::move(next);
   }
   double best = 0.0;

@@ -36,7 +36,8 @@ struct Builder {
   }
 };
 
-std::vector<optim::Variable> bounds(std::vector<optim::Variable> v, std::size_t j, double lower, double upper) {
+std::vector<optim::Variable> bounds(std::vector<optim::Variable> v, std::size_t j, double lower,
+                                    double upper) {
   v[j].lower = lower;
   v[j].upper = upper;
   return v;
@@ -89,8 +90,8 @@ void add_three_variables(Builder& b) {
     r[1] = 48.0 - sq(x[0]) - 2.0 * sq(x[1]) - 4.0 * sq(x[2]);
   });
   b.add("HS35", 1.0 / 9.0, box(3, 0, 10, {0.5, 0.5, 0.5}), 1, 0, [](const D* x, D* r) {
-    r[0] = 9.0 - 8.0 * x[0] - 6.0 * x[1] - 4.0 * x[2] + 2.0 * sq(x[0]) + 2.0 * sq(x[1]) +
-           sq(x[2]) + 2.0 * x[0] * x[1] + 2.0 * x[0] * x[2];
+    r[0] = 9.0 - 8.0 * x[0] - 6.0 * x[1] - 4.0 * x[2] + 2.0 * sq(x[0]) + 2.0 * sq(x[1]) + sq(x[2]) +
+           2.0 * x[0] * x[1] + 2.0 * x[0] * x[2];
     r[1] = 3.0 - x[0] - x[1] - 2.0 * x[2];
   });
   b.add("HS36", -3300.0, bounds(bounds(box(3, 0, 20, {10, 10, 10}), 1, 0, 11), 2, 0, 42), 1, 0,
@@ -118,8 +119,8 @@ void add_four_variables(Builder& b) {
     r[3] = sq(x[3]) - x[1];
   });
   b.add("HS43", -44.0, box(4, -10, 10, {0, 0, 0, 0}), 3, 0, [](const D* x, D* r) {
-    r[0] = sq(x[0]) + sq(x[1]) + 2.0 * sq(x[2]) + sq(x[3]) - 5.0 * x[0] - 5.0 * x[1] -
-           21.0 * x[2] + 7.0 * x[3];
+    r[0] = sq(x[0]) + sq(x[1]) + 2.0 * sq(x[2]) + sq(x[3]) - 5.0 * x[0] - 5.0 * x[1] - 21.0 * x[2] +
+           7.0 * x[3];
     r[1] = 8.0 - sq(x[0]) - sq(x[1]) - sq(x[2]) - sq(x[3]) - x[0] + x[1] - x[2] + x[3];
     r[2] = 10.0 - sq(x[0]) - 2.0 * sq(x[1]) - sq(x[2]) - 2.0 * sq(x[3]) + x[0] + x[3];
     r[3] = 5.0 - 2.0 * sq(x[0]) - sq(x[1]) - sq(x[2]) - 2.0 * x[0] + x[1] + x[3];
@@ -143,7 +144,8 @@ void add_more_variables(Builder& b) {
         [](const D* x, D* r) {
           const D left = x[0] * x[3] * (x[0] + x[1] + x[2]);
           const D right = x[1] * x[2] * (x[0] + 1.57 * x[1] + x[3]);
-          r[0] = 0.0204 * left + 0.0187 * right + 0.0607 * left * sq(x[4]) + 0.0437 * right * sq(x[5]);
+          r[0] =
+              0.0204 * left + 0.0187 * right + 0.0607 * left * sq(x[4]) + 0.0437 * right * sq(x[5]);
           r[1] = 0.001 * x[0] * x[1] * x[2] * x[3] * x[4] * x[5] - 2.07;
           r[2] = 1.0 - 0.00062 * left * sq(x[4]) - 0.00058 * right * sq(x[5]);
         });
@@ -154,7 +156,8 @@ void add_more_variables(Builder& b) {
     r[1] = 127.0 - 2.0 * sq(x[0]) - 3.0 * sq(sq(x[1])) - x[2] - 4.0 * sq(x[3]) - 5.0 * x[4];
     r[2] = 282.0 - 7.0 * x[0] - 3.0 * x[1] - 10.0 * sq(x[2]) - x[3] + x[4];
     r[3] = 196.0 - 23.0 * x[0] - sq(x[1]) - 6.0 * sq(x[5]) + 8.0 * x[6];
-    r[4] = -4.0 * sq(x[0]) - sq(x[1]) + 3.0 * x[0] * x[1] - 2.0 * sq(x[2]) - 5.0 * x[5] + 11.0 * x[6];
+    r[4] =
+        -4.0 * sq(x[0]) - sq(x[1]) + 3.0 * x[0] * x[1] - 2.0 * sq(x[2]) - 5.0 * x[5] + 11.0 * x[6];
   });
   b.add("HS113", 24.3062091, box(10, -20, 20, {2, 3, 5, 5, 1, 2, 7, 3, 6, 10}), 8, 0,
         [](const D* x, D* r) {

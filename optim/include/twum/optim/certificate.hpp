@@ -33,13 +33,13 @@ struct Activity {
   Side side{Side::upper};
   double value{0.0};
   double limit{0.0};
-  double violation{0.0};           ///< by how much the limit is broken, >= 0
+  double violation{0.0};  ///< by how much the limit is broken, >= 0
   bool active{false};
-  double multiplier{0.0};          ///< improvement of the objective per unit of relaxation, >= 0; for an
-                                   ///< equality the improvement per unit that its target is raised, any sign
-  double one_percent_buys{0.0};    ///< first-order change of the objective's value when the limit is
-                                   ///< relaxed (an equality: raised) by 1 % of itself; by 1 % of the
-                                   ///< response's span over the box where the limit is zero
+  double multiplier{0.0};  ///< improvement of the objective per unit of relaxation, >= 0; for an
+      ///< equality the improvement per unit that its target is raised, any sign
+  double one_percent_buys{0.0};  ///< first-order change of the objective's value when the limit is
+                                 ///< relaxed (an equality: raised) by 1 % of itself; by 1 % of the
+                                 ///< response's span over the box where the limit is zero
 };
 
 /// Evidence that a design is a constrained local optimum, from exact gradients alone.
@@ -52,14 +52,16 @@ struct Activity {
 /// best weights w >= 0, sum w = 1: Pareto stationarity.
 struct Certificate {
   bool passed{false};
-  double infeasibility{0.0};     ///< largest scaled violation
-  double stationarity{0.0};      ///< largest |r|, relative to the objective's gradient here or at the start
-  double complementarity{0.0};   ///< largest lambda times scaled slack
-  double curvature{0.0};         ///< smallest eigenvalue of the reduced Hessian, relative to the largest; NaN: not tested
+  double infeasibility{0.0};  ///< largest scaled violation
+  double stationarity{
+      0.0};  ///< largest |r|, relative to the objective's gradient here or at the start
+  double complementarity{0.0};  ///< largest lambda times scaled slack
+  double curvature{
+      0.0};  ///< smallest eigenvalue of the reduced Hessian, relative to the largest; NaN: not tested
   std::vector<double> weights;   ///< of the objectives; {1} with one
   std::vector<Activity> limits;  ///< every constraint limit, then the active bounds
   std::vector<Finding> findings;
-  std::string reason;            ///< why it did not pass, in words
+  std::string reason;  ///< why it did not pass, in words
 };
 
 /// Certifies any design, whoever found it.

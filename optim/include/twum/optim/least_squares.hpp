@@ -17,9 +17,11 @@ using ResidualFunction = std::function<Residuals(std::span<const double> paramet
 
 struct LeastSquaresOptions {
   std::size_t max_evaluations{2000};
-  double tolerance{1e-13};      ///< relative decrease of the sum of squares, and step, that end the search
-  double confidence{0.95};      ///< of the intervals
-  double rank_tolerance{1e-10}; ///< relative singular value below which a combination is undetermined
+  double tolerance{
+      1e-13};  ///< relative decrease of the sum of squares, and step, that end the search
+  double confidence{0.95};  ///< of the intervals
+  double rank_tolerance{
+      1e-10};  ///< relative singular value below which a combination is undetermined
   std::stop_token stop;
 };
 
@@ -29,22 +31,23 @@ struct Estimate {
   double standard_deviation{0.0};  ///< NaN if the data do not determine it
   double low{0.0};                 ///< confidence interval, Student's t; NaN likewise
   double high{0.0};
-  bool at_bound{false};            ///< held by a bound: then it counts as known
+  bool at_bound{false};  ///< held by a bound: then it counts as known
 };
 
 struct LeastSquaresResult {
   Outcome outcome{Outcome::failed};  ///< optimal: the gradient test passes
   std::vector<Estimate> estimates;
-  std::vector<double> correlation;   ///< parameters x parameters; NaN where undetermined
+  std::vector<double> correlation;  ///< parameters x parameters; NaN where undetermined
   std::vector<double> covariance;
   double sum_of_squares{0.0};
-  double residual_deviation{0.0};    ///< sqrt(sum / degrees of freedom); NaN without freedom
+  double residual_deviation{0.0};  ///< sqrt(sum / degrees of freedom); NaN without freedom
   std::size_t degrees_of_freedom{0};
-  double gradient{0.0};              ///< largest cosine between the residuals and a free Jacobian column
-  std::size_t rank{0};               ///< of the Jacobian in the free parameters
-  std::vector<std::vector<std::string>> undetermined;  ///< each a set of parameters that only counts together
+  double gradient{0.0};  ///< largest cosine between the residuals and a free Jacobian column
+  std::size_t rank{0};   ///< of the Jacobian in the free parameters
+  std::vector<std::vector<std::string>>
+      undetermined;  ///< each a set of parameters that only counts together
   Counters counters;
-  std::string word;                  ///< how the search ended
+  std::string word;  ///< how the search ended
 };
 
 /// Fits parameters within bounds by least squares: a Levenberg-Marquardt method that projects onto

@@ -11,7 +11,7 @@ namespace twum::optim {
 /// What a solve may use up. Reaching a limit ends it with what has been found; it is no error.
 struct Budget {
   std::size_t evaluations{20000};  ///< calls of the evaluator, all stages together
-  double seconds{kInfinity};       ///< wall time [s]; a finite one makes results depend on the machine
+  double seconds{kInfinity};  ///< wall time [s]; a finite one makes results depend on the machine
 };
 
 /// One call of the evaluator, as it happens.
@@ -23,7 +23,7 @@ struct Observation {
   std::uint64_t stage{0};  ///< part of the solve: a start, a rung of the ladder, a point of a front
   std::uint64_t index{0};  ///< number of the call within its stage
   std::span<const double> design;
-  bool gradient{false};    ///< whether the Jacobian was asked for
+  bool gradient{false};  ///< whether the Jacobian was asked for
   const Evaluation& evaluation;
 };
 
@@ -31,20 +31,24 @@ using Observer = std::function<void(const Observation&)>;
 
 /// How to solve. The defaults are for a user without opinions.
 struct SolveOptions {
-  std::string solver{"auto"};   ///< a name of solvers(), or "auto"
-  std::size_t starts{8};        ///< local searches of auto: the start, then a low-discrepancy sequence
-  double tolerance{1e-6};       ///< stationarity at which the certificate passes, relative to the gradient's scale
+  std::string solver{"auto"};  ///< a name of solvers(), or "auto"
+  std::size_t starts{8};  ///< local searches of auto: the start, then a low-discrepancy sequence
+  double tolerance{
+      1e-6};  ///< stationarity at which the certificate passes, relative to the gradient's scale
   double feasibility_tolerance{1e-8};  ///< of constraints scaled by their gradients at the start
   std::uint64_t seed{1};
   Budget budget;
-  std::stop_token stop;         ///< a request ends the solve with what has been found
-  Observer observer;            ///< called for every evaluation, never by two threads at once
-  std::size_t threads{1};       ///< for the starts of auto; the answer does not depend on it
-  std::string global;           ///< auto only: a global algorithm to run first, such as "nlopt:isres"
-  std::map<std::string, std::string> solver_options;  ///< for the named solver; unknown names are refused
-  bool analyse_infeasible{true};  ///< explain a problem without a feasible point (costs more solves)
-  bool polish{true};            ///< let Newton steps on the active set finish an answer that is nearly right
-  std::uint64_t first_stage{0}; ///< number of the first stage, for callers that solve more than once
+  std::stop_token stop;    ///< a request ends the solve with what has been found
+  Observer observer;       ///< called for every evaluation, never by two threads at once
+  std::size_t threads{1};  ///< for the starts of auto; the answer does not depend on it
+  std::string global;      ///< auto only: a global algorithm to run first, such as "nlopt:isres"
+  std::map<std::string, std::string>
+      solver_options;  ///< for the named solver; unknown names are refused
+  bool analyse_infeasible{
+      true};          ///< explain a problem without a feasible point (costs more solves)
+  bool polish{true};  ///< let Newton steps on the active set finish an answer that is nearly right
+  std::uint64_t first_stage{
+      0};  ///< number of the first stage, for callers that solve more than once
 };
 
 }  // namespace twum::optim

@@ -12,12 +12,16 @@ struct FrontPoint {
 };
 
 struct ParetoOptions {
-  SolveOptions solve;             ///< starts, tolerances, seed, budget, stop, observer; `solver` is not used
-  std::size_t points{100};        ///< of the front; with three objectives the next number that fills a lattice
-  std::vector<double> reference;  ///< of the hypervolume, user units; empty: a tenth of the front's span beyond its worst
-  std::size_t coarse{12};         ///< points searched from several starts, to find pieces of the front far apart
-  std::size_t coarse_starts{3};   ///< low-discrepancy starts for each of them
-  std::size_t population_evaluations{0};  ///< if > 0, spent on nsga2() first, whose front then gives starts
+  SolveOptions solve;  ///< starts, tolerances, seed, budget, stop, observer; `solver` is not used
+  std::size_t points{
+      100};  ///< of the front; with three objectives the next number that fills a lattice
+  std::vector<double>
+      reference;  ///< of the hypervolume, user units; empty: a tenth of the front's span beyond its worst
+  std::size_t coarse{
+      12};  ///< points searched from several starts, to find pieces of the front far apart
+  std::size_t coarse_starts{3};  ///< low-discrepancy starts for each of them
+  std::size_t population_evaluations{
+      0};  ///< if > 0, spent on nsga2() first, whose front then gives starts
 };
 
 struct Front {
@@ -48,13 +52,14 @@ struct Front {
 Front pareto_front(const Problem& problem, const ParetoOptions& options = {});
 
 struct Nsga2Options {
-  std::size_t population{100};   ///< even, >= 4
+  std::size_t population{100};  ///< even, >= 4
   std::size_t generations{250};
   double crossover{0.9};         ///< probability, simulated binary crossover
   double crossover_index{15.0};  ///< larger: children nearer to their parents
-  double mutation_index{20.0};   ///< polynomial mutation; its probability is 1 over the number of variables
-  std::vector<double> reference; ///< as in ParetoOptions
-  SolveOptions solve;            ///< seed, budget, stop, observer, feasibility_tolerance
+  double mutation_index{
+      20.0};  ///< polynomial mutation; its probability is 1 over the number of variables
+  std::vector<double> reference;  ///< as in ParetoOptions
+  SolveOptions solve;             ///< seed, budget, stop, observer, feasibility_tolerance
 };
 
 /// Deb's NSGA-II with constraint domination: a second way to a front that shares nothing with the

@@ -18,12 +18,13 @@ enum class Scale : std::uint8_t { linear, log };
 
 /// One design variable, in the user's units.
 struct Variable {
-  std::string name;                                        ///< unique in the problem
-  double lower{0.0};                                       ///< finite; > 0 for a log scale
-  double upper{1.0};                                       ///< finite, >= lower; equal bounds fix the variable
-  double start{std::numeric_limits<double>::quiet_NaN()};  ///< NaN: the middle of the scale; clamped into the bounds
+  std::string name;   ///< unique in the problem
+  double lower{0.0};  ///< finite; > 0 for a log scale
+  double upper{1.0};  ///< finite, >= lower; equal bounds fix the variable
+  double start{std::numeric_limits<
+      double>::quiet_NaN()};  ///< NaN: the middle of the scale; clamped into the bounds
   Scale scale{Scale::linear};
-  bool integer{false};                                     ///< then only whole numbers are ever evaluated
+  bool integer{false};  ///< then only whole numbers are ever evaluated
 };
 
 enum class Sense : std::uint8_t { minimize, maximize };
@@ -59,10 +60,11 @@ struct KinkedEntry {
 
 /// What one design evaluates to. A design that cannot be evaluated has a failure and nothing else.
 struct Evaluation {
-  std::vector<double> values;       ///< objectives, then constraints, user units
-  std::vector<double> jacobian;     ///< values.size() rows of one entry a variable; empty if not asked for
-  std::vector<KinkedEntry> kinks;   ///< entries of the Jacobian that are not smooth
-  std::string failure;              ///< short reason such as "no-periodic-state"; empty: it worked
+  std::vector<double> values;  ///< objectives, then constraints, user units
+  std::vector<double>
+      jacobian;  ///< values.size() rows of one entry a variable; empty if not asked for
+  std::vector<KinkedEntry> kinks;  ///< entries of the Jacobian that are not smooth
+  std::string failure;             ///< short reason such as "no-periodic-state"; empty: it worked
 
   bool ok() const noexcept { return failure.empty(); }
 };

@@ -21,9 +21,9 @@ const char* to_string(Outcome outcome);
 enum class StopReason : std::uint8_t { finished, evaluations, seconds, requested };
 
 struct Counters {
-  std::size_t evaluations{0};  ///< calls of the evaluator
-  std::size_t gradients{0};    ///< of these, with a Jacobian
-  std::size_t reused{0};       ///< requests answered without a call
+  std::size_t evaluations{0};                   ///< calls of the evaluator
+  std::size_t gradients{0};                     ///< of these, with a Jacobian
+  std::size_t reused{0};                        ///< requests answered without a call
   std::map<std::string, std::size_t> failures;  ///< failed calls by reason
 
   std::size_t failed() const;
@@ -53,25 +53,26 @@ struct Infeasibility {
 struct StageReport {
   std::uint64_t stage{0};
   std::string solver;
-  std::string word;      ///< the solver's own word
-  int code{0};           ///< and code
+  std::string word;  ///< the solver's own word
+  int code{0};       ///< and code
   bool feasible{false};
-  double objective{0.0}; ///< best found by this stage, user units; NaN without a success
+  double objective{0.0};  ///< best found by this stage, user units; NaN without a success
   std::size_t evaluations{0};
 };
 
 struct Result {
   Outcome outcome{Outcome::failed};
   StopReason stop{StopReason::finished};
-  std::vector<double> design;      ///< best feasible design, or the least infeasible one; empty if failed
-  Evaluation evaluation;           ///< of that design, with its Jacobian where it has one
+  std::vector<double>
+      design;             ///< best feasible design, or the least infeasible one; empty if failed
+  Evaluation evaluation;  ///< of that design, with its Jacobian where it has one
   Certificate certificate;
-  Infeasibility infeasibility;     ///< filled when the outcome is infeasible
+  Infeasibility infeasibility;  ///< filled when the outcome is infeasible
   Counters counters;
   std::vector<StageReport> stages;
-  std::string solver;              ///< whose answer it is
-  double seconds{0.0};             ///< wall time
-  std::uint64_t stages_used{0};    ///< first_stage + stages_used is free for the next solve
+  std::string solver;            ///< whose answer it is
+  double seconds{0.0};           ///< wall time
+  std::uint64_t stages_used{0};  ///< first_stage + stages_used is free for the next solve
 };
 
 }  // namespace twum::optim

@@ -17,12 +17,13 @@ struct SolverInfo {
   std::string name;         ///< such as "nlopt:slsqp"
   std::string description;  ///< one line
   bool gradient{false};     ///< needs the Jacobian
-  bool inequality{false};   ///< takes inequality constraints, possibly through an augmented Lagrangian
+  bool inequality{
+      false};  ///< takes inequality constraints, possibly through an augmented Lagrangian
   bool equality{false};
   bool global{false};
-  bool stochastic{false};   ///< follows the seed
-  bool augmented{false};    ///< constraints only through an augmented Lagrangian (nlopt:auglag)
-  bool available{true};     ///< false: not in this build; `description` says why
+  bool stochastic{false};  ///< follows the seed
+  bool augmented{false};   ///< constraints only through an augmented Lagrangian (nlopt:auglag)
+  bool available{true};    ///< false: not in this build; `description` says why
   FailurePolicy on_failure{FailurePolicy::restart};
 };
 
@@ -36,7 +37,7 @@ const SolverInfo& find_solver(const std::string& name);
 struct SolverOption {
   std::string solver;  ///< "ipopt" or "nlopt"
   std::string name;
-  std::string type;    ///< "number", "integer" or "text"
+  std::string type;  ///< "number", "integer" or "text"
   std::string range;
   std::string text;
 };
