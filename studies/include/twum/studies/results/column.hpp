@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace twum::studies {
+
+/// A column of stored rows: a flat parameter name or a metric as typed, in SI.
+struct Column {
+  std::string name;
+  std::string unit;  ///< SI unit, "1" if dimensionless
+};
+
+/// A value with its name, in SI.
+struct NamedValue {
+  std::string name;
+  std::string unit;  ///< SI unit, "1" if dimensionless
+  double value;      ///< NaN: none
+};
+
+}  // namespace twum::studies
