@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 
 namespace twum::contact {
 namespace {
@@ -20,6 +21,10 @@ constexpr int kMaxZones = 200'000;
 
 // A free layer that has decayed by exp(-37) = 9e-17 enters the next contact at rest.
 constexpr double kForgotten = 37;
+
+// The return map needs no means.
+template <typename S>
+constexpr bool kHasMeans = !std::is_same_v<S, StateDual>;
 
 template <typename S>
 class LapRunner {
@@ -176,7 +181,8 @@ class LapRunner {
   // Elastic layer: t falls from mu_0 p to mu p at once; all the energy released is friction work (T4.4).
   void snap(double iota) {
     const S before = iota * n_.static_ * pressure(), after = iota * n_.kinetic * pressure();
-    lap_.means.friction_power += 0.5 * (before * before - after * after) / n_.stick_rate;
+    if constexpr (kHasMeans<S>)
+      lap_.means.friction_power += 0.5 * (before * before - after * after) / n_.stick_rate;
     state_.e = after;
     mark(7);
   }
@@ -203,15 +209,19 @@ class LapRunner {
     }
     record(from);
     const Phase<S> to{theta_, at_};
-    const Moments<S> moments(from, to);
     if (delicate_ && ShortSlip<S>::rate(layer_) * value_of(length) <= ShortSlip<S>::kReach) {
       const ShortSlip<S> zone(n_, layer_, sigma, from, length, state_, motion.u);
-      add(lap_.means, slip_integrals(n_, sigma, moments, zone.work(from, to)));
+      if constexpr (kHasMeans<S>) {
+        add(lap_.means, slip_integrals(n_, sigma, Moments<S>(from, to), zone.work(from, to)));
+      }
       state_ = zone.end();
     } else {
       const LayerState<S> h1 = layer_.at(motion, length);
-      add(lap_.means,
-          slip_integrals(n_, sigma, moments, slip_work(n_, layer_, f, moments, from, to, h0, h1)));
+      if constexpr (kHasMeans<S>) {
+        const Moments<S> moments(from, to);
+        const SlipWork<S> work = slip_work(n_, layer_, f, moments, from, to, h0, h1);
+        add(lap_.means, slip_integrals(n_, sigma, moments, work));
+      }
       state_ = {h1.e + f.at(theta_, at_), h1.rate + f.slope(at_)};
     }
     mark(sigma < 0 ? 1 : 2);
@@ -269,7 +279,9 @@ class LapRunner {
       advance(settle_stick_end(t, end));
     }
     record(from);
-    add(lap_.means, stick_integrals(n_, layer_, t, from, Phase<S>{theta_, at_}));
+    if constexpr (kHasMeans<S>) {
+      add(lap_.means, stick_integrals(n_, layer_, t, from, Phase<S>{theta_, at_}));
+    }
     state_.e = e0 + s * (at_.sin - from.at.sin) - drift * (theta_ - from.theta);
     if (layer_.has_inertia()) state_.rate = sticking_rate();
     mark(3);
@@ -381,9 +393,11 @@ class LapRunner {
       lap_.next.layer = layer_.slowest_decay() * value_of(flight) > kForgotten
                             ? LayerState<S>{S(0.0), S(0.0)}
                             : layer_.at(layer_.start(state_), flight);
-      m.layer_loss += 0.5 *
-                      (layer_.energy(layer_.own_part(state_)) - layer_.energy(lap_.next.layer)) /
-                      n_.stick_rate;
+      if constexpr (kHasMeans<S>) {
+        m.layer_loss += 0.5 *
+                        (layer_.energy(layer_.own_part(state_)) - layer_.energy(lap_.next.layer)) /
+                        n_.stick_rate;
+      }
     }
     if (value_of(n_.damping) == 0)
       m.layer_loss = S(0.0);  // what is left is rounding of the layer's energy
@@ -422,5 +436,6 @@ Lap<S> run_lap(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
   template Lap<S> run_lap(const ContactNumbers<S>&, const LayerMotion<S>&, const LapEntry<S>&, \
                           const Script*, std::vector<ZoneTrace>*);
 TWUM_FOR_EACH_CONTACT_SCALAR(TWUM_INSTANTIATE)
+TWUM_FOR_EACH_WITH_STATE(TWUM_INSTANTIATE)
 
 }  // namespace twum::contact

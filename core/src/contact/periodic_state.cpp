@@ -72,19 +72,20 @@ void correct(const Matrix2& j, const LayerState<S>& next, LayerState<S>& at,
 
 class Search {
  public:
-  Search(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
+  Search(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer, double accuracy,
          PeriodicState& state)
       : s_(state),
         n_(numbers),
         layer_(layer),
         monotone_(!(numbers.static_ > numbers.kinetic)),
+        unique_(monotone_ && layer.C > 0 && !numbers.full),
         tolerance_(4e-16 * numbers.static_ * (std::sqrt(layer.response) + numbers.peak)),
-        tight_(4e-16 * numbers.static_ * std::fmin(numbers.peak, 1.0) * std::sqrt(layer.response)) {
-  }
+        tight_(4e-16 * numbers.static_ * std::fmin(numbers.peak, 1.0) * std::sqrt(layer.response)),
+        loose_(unique_ ? accuracy / 4e-16 * tight_ : 0) {}
 
-  void run() {
+  void run(const LapEntry<double>* guess) {
     if (1 / layer_.response < kResonance) return give_up(PeriodicStatus::resonance);
-    turn({{0, 0}, false, ZoneState::stick});
+    turn(guess && unique_ ? *guess : LapEntry<double>{{0, 0}, false, ZoneState::stick});
     while (s_.laps < kMaxLaps && zones_ < kMaxZonesInAll && s_.lap.status == LapStatus::ok) {
       if (settled()) return finish();
       if (cycles()) break;
@@ -118,7 +119,8 @@ class Search {
 
   // Rounding of the closed forms sets the looser bound; in small contacts series do better.
   bool settled() const {
-    return same_zone() && (gap_ <= tight_ || (gap_ <= tolerance_ && contraction_ > 0.5));
+    return same_zone() &&
+           (gap_ <= std::fmax(tight_, loose_) || (gap_ <= tolerance_ && contraction_ > 0.5));
   }
 
   void finish() {
@@ -209,7 +211,8 @@ class Search {
   const ContactNumbers<double>& n_;
   const LayerMotion<double>& layer_;
   bool monotone_;
-  double tolerance_, tight_;
+  bool unique_;  // only where there is one periodic state may the search start anywhere
+  double tolerance_, tight_, loose_;
   double gap_{0}, contraction_{1};
   int repeats_{0}, patience_{4}, checked_{0};
   LayerState<double> checkpoint_{0, 0};
@@ -219,36 +222,115 @@ class Search {
 }  // namespace
 
 PeriodicState find_periodic_state(const ContactNumbers<double>& numbers,
-                                  const LayerMotion<double>& layer) {
+                                  const LayerMotion<double>& layer, const LapEntry<double>* guess,
+                                  double accuracy) {
   PeriodicState state;
-  Search(numbers, layer, state).run();
+  Search(numbers, layer, accuracy, state).run(guess);
   return state;
 }
 
+namespace {
+
+// x with two more directions, in which it does not move.
+template <int N>
+Dual<double, N + 2> widened(const Dual<double, N>& x) {
+  Dual<double, N + 2> wide(x.v);
+  for (int i = 0; i < N; ++i) wide.d[i] = x.d[i];
+  return wide;
+}
+
+template <int N>
+ContactNumbers<Dual<double, N + 2>> widened(const ContactNumbers<Dual<double, N>>& n) {
+  return {widened(n.inertia),
+          widened(n.damping),
+          widened(n.stick_rate),
+          widened(n.speed_ratio),
+          widened(n.half_angle),
+          widened(n.peak),
+          widened(n.kinetic),
+          widened(n.static_),
+          {widened(n.edge.sin), widened(n.edge.cos), widened(n.edge.versine)},
+          n.full};
+}
+
+// How the state at entry moves with N numbers: (I - J)^-1 times what the return map gains in each. Where
+// the return map has no isolated fixed point there are no derivatives.
+template <int N>
+class EntryMotion {
+ public:
+  explicit EntryMotion(const LayerState<Dual<double, N + 2>>& next) {
+    const double a = 1 - next.e.d[N], b = next.e.d[N + 1], c = next.rate.d[N],
+                 d = 1 - next.rate.d[N + 1], det = a * d - b * c;
+    const double inverse =
+        std::fabs(det) > 1e-14 ? 1 / det : std::numeric_limits<double>::quiet_NaN();
+    for (int i = 0; i < N; ++i) {
+      e_[i] = inverse * (d * next.e.d[i] + b * next.rate.d[i]);
+      rate_[i] = inverse * (c * next.e.d[i] + a * next.rate.d[i]);
+    }
+  }
+
+  // x along the periodic state.
+  Dual<double, N> along(const Dual<double, N + 2>& x) const {
+    Dual<double, N> r;
+    r.v = x.v;
+    for (int i = 0; i < N; ++i) r.d[i] = x.d[i] + x.d[N] * e_[i] + x.d[N + 1] * rate_[i];
+    return r;
+  }
+
+ private:
+  double e_[N], rate_[N];
+};
+
+// The periodic state by the implicit function theorem, from one lap: derivatives in the numbers and in
+// the state at entry together (E6.2).
+template <int N>
+ContactMeans<Dual<double, N>> differentiated_means(const ContactNumbers<Dual<double, N>>& numbers,
+                                                   const PeriodicState& state) {
+  using Wide = Dual<double, N + 2>;
+  const ContactNumbers<Wide> n = widened(numbers);
+  LapEntry<Wide> entry = constant_entry<Wide>(state.entry);
+  entry.layer.e.d[N] = 1;
+  entry.layer.rate.d[N + 1] = 1;
+  const Lap<Wide> lap = run_lap(n, {n.inertia, n.damping}, entry, &state.lap.script);
+  const EntryMotion<N> motion(lap.next.layer);
+  const ContactMeans<Wide>& m = lap.means;
+  return {motion.along(m.traction), motion.along(m.stator_power), motion.along(m.friction_power),
+          motion.along(m.layer_loss), motion.along(m.stick_length)};
+}
+
+}  // namespace
+
 template <typename S>
-Lap<S> periodic_lap(const ContactNumbers<S>& numbers, const ContactNumbers<double>& values,
-                    const PeriodicState& state) {
+ContactMeans<S> periodic_means(const ContactNumbers<S>& numbers,
+                               const ContactNumbers<double>& values, const PeriodicState& state) {
   const LayerMotion<S> layer(numbers.inertia, numbers.damping);
   LapEntry<S> entry = constant_entry<S>(state.entry);
   const Script* script = &state.lap.script;
-  if (!state.remembers) return run_lap(numbers, layer, entry, script);
-  const Matrix2 j = return_jacobian(values, state.entry, script);
-  for (int i = 0; i < kDualDepth<S>; ++i) {
-    const LayerState<S> next = run_lap(numbers, layer, entry, script).next.layer;
-    correct(j, next, entry.layer, state.entry.layer);
+  if (!state.remembers) return run_lap(numbers, layer, entry, script).means;
+  if constexpr (kDualDepth<S> == 1) {
+    return differentiated_means(numbers, state);
+  } else {
+    const Matrix2 j = return_jacobian(values, state.entry, script);
+    for (int i = 0; i < kDualDepth<S>; ++i) {
+      const LayerState<S> next = run_lap(numbers, layer, entry, script).next.layer;
+      correct(j, next, entry.layer, state.entry.layer);
+    }
+    return run_lap(numbers, layer, entry, script).means;
   }
-  return run_lap(numbers, layer, entry, script);
 }
 
 template <>
-Lap<double> periodic_lap(const ContactNumbers<double>&, const ContactNumbers<double>&,
-                         const PeriodicState& state) {
-  return state.lap;
+ContactMeans<double> periodic_means(const ContactNumbers<double>&, const ContactNumbers<double>&,
+                                    const PeriodicState& state) {
+  return state.lap.means;
 }
 
-#define TWUM_INSTANTIATE(S)                                                             \
-  template Lap<S> periodic_lap(const ContactNumbers<S>&, const ContactNumbers<double>&, \
-                               const PeriodicState&);
-TWUM_FOR_EACH_CONTACT_SCALAR(TWUM_INSTANTIATE)
+#define TWUM_INSTANTIATE(S)                                                                        \
+  template ContactMeans<S> periodic_means(const ContactNumbers<S>&, const ContactNumbers<double>&, \
+                                          const PeriodicState&);
+TWUM_INSTANTIATE(double)
+TWUM_INSTANTIATE(SpeedDual)
+TWUM_INSTANTIATE(NumbersDual)
+TWUM_INSTANTIATE(NumbersDual2)
 
 }  // namespace twum::contact

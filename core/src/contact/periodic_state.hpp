@@ -28,12 +28,18 @@ struct PeriodicState {
 /// is monotone (E6.1): the periodic state of a damped layer is unique, and Newton's method on the two-state
 /// return map (E6.2) goes there in a few laps. With mu_0 > mu Newton's method takes over only when the
 /// sequence of zones has settled, must keep it, and must end in an attracting state.
+///
+/// @param guess     state at entry of a neighbouring point, where the search may begin if the periodic
+///                  state is unique; null: at rest
+/// @param accuracy  how well the state has to come back where it is unique, in units of its largest
+///                  possible size; 0: to rounding
 PeriodicState find_periodic_state(const ContactNumbers<double>& numbers,
-                                  const LayerMotion<double>& layer);
+                                  const LayerMotion<double>& layer,
+                                  const LapEntry<double>* guess = nullptr, double accuracy = 0);
 
 /// Means over a turn with their derivatives: the periodic state in S by the implicit function theorem.
 template <typename S>
-Lap<S> periodic_lap(const ContactNumbers<S>& numbers, const ContactNumbers<double>& values,
-                    const PeriodicState& state);
+ContactMeans<S> periodic_means(const ContactNumbers<S>& numbers,
+                               const ContactNumbers<double>& values, const PeriodicState& state);
 
 }  // namespace twum::contact

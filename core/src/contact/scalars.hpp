@@ -6,9 +6,18 @@
 namespace twum::contact {
 
 using SpeedDual = Dual<double, 1>;        ///< derivative along the speed
-using StateDual = Dual<double, 2>;        ///< derivatives in the layer's state at entry
+using StateDual = Dual<double, 2>;        ///< derivatives in the layer's state at entry, for the
+                                          ///< return map alone: its laps have no means
 using NumbersDual = Dual<double, 7>;      ///< derivatives in the seven contact numbers
 using NumbersDual2 = Dual<SpeedDual, 7>;  ///< and theirs along the speed
+
+/// S with two directions more, for the layer's state at entry.
+template <typename S>
+struct WithState;
+template <int N>
+struct WithState<Dual<double, N>> {
+  using Type = Dual<double, N + 2>;
+};
 
 }  // namespace twum::contact
 
@@ -19,3 +28,8 @@ using NumbersDual2 = Dual<SpeedDual, 7>;  ///< and theirs along the speed
   X(StateDual)                          \
   X(NumbersDual)                        \
   X(NumbersDual2)
+
+/// Those of them that the periodic state is differentiated with in one lap.
+#define TWUM_FOR_EACH_WITH_STATE(X) \
+  X(WithState<SpeedDual>::Type)     \
+  X(WithState<NumbersDual>::Type)

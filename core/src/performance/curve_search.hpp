@@ -2,6 +2,7 @@
 #pragma once
 
 #include "performance/point_derivatives.hpp"
+#include "performance/speed_roots.hpp"
 
 #include <twum/core/performance/metrics.hpp>
 
@@ -35,11 +36,6 @@ struct Crossing {
   bool jump{false};  ///< it jumps past the value there
 };
 
-/// Thrown inside a search when a point has no answer; the metric takes the status.
-struct SearchFailure {
-  MetricStatus status;
-};
-
 /// What is searched for over the torque-speed curve. Each result is found once and kept.
 class CurveSearch {
  public:
@@ -60,20 +56,25 @@ class CurveSearch {
     bool plateau;
     std::uint64_t itinerary;  ///< kNoState where the point has no answer
     MetricStatus status;
+    contact::LapEntry<double> entry;  ///< of the periodic state
     bool ok() const { return status == MetricStatus::ok; }
   };
+  static constexpr double kScanAccuracy = 1e-7;  // of the nodes
   static constexpr std::uint64_t kNoState = ~std::uint64_t{0};
   struct Sloped {
     double value, slope;
   };
 
-  Node node(double speed) const;
-  Node answered(double speed) const;
+  // With a trail, the point begins with what its neighbours know.
+  Node node(double speed, Trail* trail = nullptr, double accuracy = 0) const;
+  Node scanned(double speed, Trail& trail) const;
+  Node answered(double speed, Trail* trail = nullptr) const;
   void scan();
+  void skip_plateau(double step, Trail& trail);
   void require_drive();
   double value(Goal goal, const Node& node) const;
-  const TorqueSlope& torque_slope_at(double speed);
-  Sloped sloped(Goal goal, double speed);
+  const TorqueSlope& torque_slope_at(double speed, Trail* trail = nullptr);
+  Sloped sloped(Goal goal, double speed, Trail* trail = nullptr);
   Peak peak(Goal goal);
   Peak smooth_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top);
   Peak rough_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top);
@@ -84,6 +85,7 @@ class CurveSearch {
   std::vector<Node> working_nodes();
   bool starts_on_plateau();
   Crossing falls_through(double torque, const Node& low, const Node& high) const;
+  std::optional<double> zero_near(double torque, const Node& low, const Node& high) const;
 
   const MotorModel<double>& m_;
   double holding_, crest_;

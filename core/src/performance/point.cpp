@@ -94,13 +94,13 @@ static SolvedPoint solve_special(const MotorModel<double>& m, double speed) {
   return point;
 }
 
-SolvedPoint solve_point(const MotorModel<double>& m, double speed) {
+SolvedPoint solve_point(const MotorModel<double>& m, double speed,
+                        const contact::LapEntry<double>* guess, double accuracy) {
   if (is_trivial(m) || (speed == 0 && m.contact.full && locks_at_rest(m)))
     return solve_special(m, speed);
   const contact::ContactNumbers<double> n = contact_numbers(m, speed);
-  SolvedPoint point{{},
-                    PointStatus::ok,
-                    contact::find_periodic_state(n, LayerMotion<double>(n.inertia, n.damping))};
+  const LayerMotion<double> layer(n.inertia, n.damping);
+  SolvedPoint point{{}, PointStatus::ok, contact::find_periodic_state(n, layer, guess, accuracy)};
   point.status = point_status(point.state.status);
   point.numbers = dimensional(m, point.state.lap.means, point.state.lap);
   return point;

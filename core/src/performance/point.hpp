@@ -23,7 +23,10 @@ struct SolvedPoint {
 };
 
 /// Solves one operating point.
-SolvedPoint solve_point(const MotorModel<double>& model, double speed);
+/// @param guess     state at entry at a neighbouring speed; null: at rest
+/// @param accuracy  of the periodic state, as find_periodic_state()
+SolvedPoint solve_point(const MotorModel<double>& model, double speed,
+                        const contact::LapEntry<double>* guess = nullptr, double accuracy = 0);
 
 /// True if the whole contact sticks at rest (theory section 10).
 template <typename S>

@@ -10,7 +10,6 @@ namespace twum::performance {
 namespace {
 
 using contact::ContactNumbers;
-using contact::Lap;
 using contact::NumbersDual;
 using contact::NumbersDual2;
 using contact::SpeedDual;
@@ -107,10 +106,9 @@ PointNumbers<S> differentiate_point(const MotorModel<double>& values, const Moto
   const S omega = speed_variable<S>(speed);
   if (point.special) return special_point(model, omega);
   const ContactNumbers<S> n = contact_numbers(model, omega);
-  const Lap<K> lap =
-      contact::periodic_lap(seeded<K>(n), contact_numbers(values, speed), point.state);
+  const contact::ContactMeans<K> m =
+      contact::periodic_means(seeded<K>(n), contact_numbers(values, speed), point.state);
   const std::array<S, 7> x = listed(n);
-  const contact::ContactMeans<K>& m = lap.means;
   const contact::ContactMeans<S> means{chained(m.traction, x), chained(m.stator_power, x),
                                        chained(m.friction_power, x), chained(m.layer_loss, x),
                                        chained(m.stick_length, x)};
@@ -121,16 +119,18 @@ PointNumbers<SpeedDual> point_in_speed(const MotorModel<double>& m, const Solved
                                        double speed) {
   const SpeedDual omega = SpeedDual::variable(speed, 0);
   if (point.special) return special_point(m, omega);
-  const Lap<SpeedDual> lap =
-      contact::periodic_lap(contact_numbers(m, omega), contact_numbers(m, speed), point.state);
-  return dimensional(m, lap.means, point.state.lap);
+  const contact::ContactMeans<SpeedDual> means =
+      contact::periodic_means(contact_numbers(m, omega), contact_numbers(m, speed), point.state);
+  return dimensional(m, means, point.state.lap);
 }
 
-TorqueSlope torque_slope(const MotorModel<double>& m, double speed) {
-  const SolvedPoint point = solve_point(m, speed);
-  if (point.status != PointStatus::ok) return {0, 0, 0, 0, point.status};
+TorqueSlope torque_slope(const MotorModel<double>& m, double speed,
+                         const contact::LapEntry<double>* guess) {
+  const SolvedPoint point = solve_point(m, speed, guess);
+  if (point.status != PointStatus::ok) return {0, 0, 0, 0, point.status, {}};
   const PointNumbers<SpeedDual> n = point_in_speed(m, point, speed);
-  return {n.torque.v, n.torque.d[0], n.stator_power.v, n.stator_power.d[0], point.status};
+  return {n.torque.v,          n.torque.d[0], n.stator_power.v,
+          n.stator_power.d[0], point.status,  point.state.entry};
 }
 
 Margin plateau_margin(const MotorModel<double>& m, double speed) {
@@ -146,8 +146,7 @@ ModelDual plateau_end_derivative(const MotorModel<double>& values,
   const ContactNumbers<double> n = contact_numbers(values, speed);
   const contact::SlipMargin low = contact::slip_margin(n);
   const ContactNumbers<ModelDual> x = contact_numbers(model, speed_variable<ModelDual>(speed));
-  const ModelDual margin =
-      chained(contact::slip_margin_at(seeded<NumbersDual>(x), low), listed(x));
+  const ModelDual margin = chained(contact::slip_margin_at(seeded<NumbersDual>(x), low), listed(x));
   // margin(Omega(p), p) = 0
   ModelDual end(speed);
   for (int j = 0; j < kSpeedDirection; ++j) end.d[j] = -margin.d[j] / margin.d[kSpeedDirection];

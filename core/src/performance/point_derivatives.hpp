@@ -32,8 +32,11 @@ struct TorqueSlope {
   double torque, slope;  ///< [N m], [N m s]
   double stator_power, power_slope;
   PointStatus status;
+  contact::LapEntry<double> entry;  ///< of the periodic state
 };
-TorqueSlope torque_slope(const MotorModel<double>& model, double speed);
+/// @param guess  as solve_point()
+TorqueSlope torque_slope(const MotorModel<double>& model, double speed,
+                         const contact::LapEntry<double>* guess = nullptr);
 
 /// Smallest v_rel margin -v_rel s / V0 of a contact that slips and drives all through, at `speed`:
 /// positive on the plateau of the torque, zero at its end (T7.17).

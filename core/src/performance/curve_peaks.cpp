@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "performance/curve_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace twum::performance {
+namespace {
+
+constexpr int kStretches = 8;  // sequences of zones between two nodes
+constexpr double kInset =
+    1e-7;  // share of a stretch left out at its ends, which stand for themselves
+
+}  // namespace
+
+double CurveSearch::value(Goal goal, const Node& n) const {
+  switch (goal) {
+    case Goal::torque: return n.torque;
+    case Goal::power: return n.torque * n.speed;
+    case Goal::efficiency: break;
+  }
+  const double velocity = m_.omega * m_.amplitude;
+  return n.torque * n.speed / (n.stator_power + m_.stator_damping * velocity * velocity);
+}
+
+const TorqueSlope& CurveSearch::torque_slope_at(double speed, Trail* trail) {
+  for (const auto& [at, kept] : slopes_) {
+    if (at == speed) return kept;
+  }
+  const TorqueSlope t = torque_slope(m_, speed, trail ? trail->at(speed) : nullptr);
+  if (t.status != PointStatus::ok) throw SearchFailure{metric_status(t.status)};
+  if (trail) trail->add(speed, t.entry);
+  return slopes_.emplace_back(speed, t).second;
+}
+
+CurveSearch::Sloped CurveSearch::sloped(Goal goal, double speed, Trail* trail) {
+  const TorqueSlope& t = torque_slope_at(speed, trail);
+  const double power = t.torque * speed, power_slope = t.torque + speed * t.slope;
+  switch (goal) {
+    case Goal::torque: return {t.torque, t.slope};
+    case Goal::power: return {power, power_slope};
+    case Goal::efficiency: break;
+  }
+  const double velocity = m_.omega * m_.amplitude;
+  const double input = t.stator_power + m_.stator_damping * velocity * velocity;
+  return {power / input, (power_slope * input - power * t.power_slope) / (input * input)};
+}
+
+// A maximum in an interval where the slope goes from + to -; nothing if it does not.
+std::optional<Peak> CurveSearch::peak_between(Goal goal, double low, double high) {
+  const auto slope = [&](double speed) { return sloped(goal, speed).slope; };
+  if (!(low < high)) return {};
+  double at_low = slope(low), at_high = slope(high);
+  if (!(at_low > 0)) return {};
+  // A dip behind the maximum can hide it: halve towards the higher side.
+  if (!(at_high < 0) && !(sloped(goal, high).value < sloped(goal, low).value)) return {};
+  for (int i = 0; i < 50 && !(at_high < 0); ++i) {
+    const double middle = 0.5 * (low + high);
+    const Sloped s = sloped(goal, middle);
+    const bool beyond = s.slope < 0 || s.value < sloped(goal, low).value;
+    (beyond ? high : low) = middle;
+    (beyond ? at_high : at_low) = s.slope;
+  }
+  if (!(at_high < 0)) return {};
+  const Bracket b = close_in(slope, low, high, at_low, at_high);
+  const Sloped left = sloped(goal, b.low), right = sloped(goal, b.high);
+  const double scale = std::fabs(left.value) / crest_;
+  const bool kink = left.slope - right.slope > 1e-4 * scale;
+  return left.value >= right.value
+             ? Peak{b.low, left.value, kink ? PeakKind::kink : PeakKind::smooth}
+             : Peak{b.high, right.value, kink ? PeakKind::kink : PeakKind::smooth};
+}
+
+// The zero of the slope by inverse interpolation, from the vertex of the parabola through three nodes;
+// nothing if that does not settle at once inside the nodes, as at a kink.
+std::optional<Peak> CurveSearch::peak_near(Goal goal, const Node& a, const Node& b, const Node& c) {
+  const double fa = value(goal, a), fb = value(goal, b), fc = value(goal, c);
+  const double left = (fb - fa) / (b.speed - a.speed), right = (fc - fb) / (c.speed - b.speed);
+  const double curvature = 2 * (right - left) / (c.speed - a.speed);
+  double speed = 0.5 * (a.speed + b.speed) - left / curvature;
+  Trail trail;
+  trail.add(b.speed < speed ? c.speed : a.speed, b.speed < speed ? c.entry : a.entry);
+  trail.add(b.speed, b.entry);
+  InverseInterpolation line(crest_, 1e-13);
+  for (int i = 0; i < 8; ++i) {
+    if (!(speed > a.speed && speed < c.speed)) return {};
+    const Sloped s = sloped(goal, speed, &trail);
+    if (s.slope == 0) return Peak{speed, s.value, PeakKind::smooth};
+    line.add(speed, s.slope);
+    const double step = i == 0 ? -s.slope / curvature : line.zero() - speed;
+    if (!(step * s.slope > 0)) return {};  // not a maximum
+    speed += step;
+    if (line.settled()) return Peak{speed, s.value + 0.5 * s.slope * step, PeakKind::smooth};
+  }
+  return {};
+}
+
+Peak CurveSearch::named(Peak peak) {
+  if (peak.kind == PeakKind::kink && starts_on_plateau() &&
+      std::fabs(peak.speed - plateau_end()) <= 1e-8 * crest_) {
+    peak.kind = PeakKind::plateau_end;
+    peak.speed = plateau_end();
+  }
+  return peak;
+}
+
+Peak CurveSearch::smooth_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top) {
+  if (top > 0 && top + 1 < nodes.size()) {
+    const std::optional<Peak> near = peak_near(goal, nodes[top - 1], nodes[top], nodes[top + 1]);
+    if (near && near->value >= value(goal, nodes[top]) * (1 - 1e3 * kScanAccuracy)) return *near;
+  }
+  const Peak at_node{nodes[top].speed, value(goal, answered(nodes[top].speed)),
+                     top == 0 ? PeakKind::rest : PeakKind::smooth};
+  if (nodes.size() == 1) return at_node;
+  const bool rises = sloped(goal, nodes[top].speed).slope > 0;
+  if (!rises && top == 0) return at_node;
+  if (rises && top + 1 == nodes.size()) return at_node;
+  const std::size_t from = rises ? top : top - 1;
+  const std::optional<Peak> inside = peak_between(goal, nodes[from].speed, nodes[from + 1].speed);
+  return inside && inside->value >= at_node.value ? named(*inside) : at_node;
+}
+
+// Torque that may jump: every stretch with the same sequence of zones, or without a periodic state, is
+// taken by itself, its ends located by halving.
+Peak CurveSearch::rough_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top) {
+  Peak best{nodes[top].speed, value(goal, nodes[top]), top == 0 ? PeakKind::rest : PeakKind::kink};
+  const auto consider = [&](const Node& n) {
+    if (n.ok() && value(goal, n) > best.value) best = {n.speed, value(goal, n), PeakKind::kink};
+  };
+  const double worth = 0.7 * best.value;
+  for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
+    if (std::max(value(goal, nodes[k]), value(goal, nodes[k + 1])) < worth) continue;
+    Node low = nodes[k];
+    const Node end = nodes[k + 1];
+    for (int stretch = 0; stretch < kStretches; ++stretch) {
+      // Where zones are born, rounding can tell many sequences apart: the rest counts as one stretch.
+      const bool rest = low.itinerary == end.itinerary || stretch + 1 == kStretches;
+      const auto [left, right] = rest ? std::pair(end, end) : stretch_end(low, end);
+      const bool level = goal == Goal::torque && low.plateau;
+      if (low.ok() && !level) {
+        // A zone that is just born has an end without slope: look for the maximum a little inside.
+        const double inset = kInset * (left.speed - low.speed);
+        const std::optional<Peak> inside =
+            peak_between(goal, low.speed + inset, left.speed - inset);
+        if (inside && inside->value > best.value) best = *inside;
+      }
+      consider(left);
+      consider(right);
+      if (right.speed >= end.speed) break;
+      low = right;
+    }
+  }
+  return named(best);
+}
+
+// Neighbouring speeds between which the sequence of zones that holds at `low` ends.
+std::pair<CurveSearch::Node, CurveSearch::Node> CurveSearch::stretch_end(const Node& low,
+                                                                         const Node& end) const {
+  Node left = low, right = end;
+  while (right.speed - left.speed > 4e-16 * (crest_ + right.speed)) {
+    const Node middle = node(0.5 * (left.speed + right.speed));
+    if (middle.speed <= left.speed || middle.speed >= right.speed) break;
+    (middle.itinerary == low.itinerary ? left : right) = middle;
+  }
+  return {left, right};
+}
+
+Peak CurveSearch::peak(Goal goal) {
+  std::optional<Peak>& kept = peaks_[static_cast<int>(goal)];
+  if (kept) return *kept;
+  require_drive();
+  // |T| <= mu F_N r: a motor that stalls on its plateau cannot do better.
+  if (goal == Goal::torque && !rough_ && starts_on_plateau()) {
+    return *(kept = Peak{0, stall_torque(), PeakKind::rest});
+  }
+  const std::vector<Node> nodes = working_nodes();
+  std::size_t top = 0;
+  for (std::size_t k = 1; k < nodes.size(); ++k) {
+    if (value(goal, nodes[k]) > value(goal, nodes[top])) top = k;
+  }
+  kept = rough_ ? rough_peak(goal, nodes, top) : smooth_peak(goal, nodes, top);
+  if (goal == Goal::torque && kept->value <= stall_torque() * (1 + 1e-14)) {
+    kept = Peak{0, stall_torque(), PeakKind::rest};
+  }
+  return *kept;
+}
+
+Peak CurveSearch::max_torque() { return peak(Goal::torque); }
+
+Peak CurveSearch::peak_power() {
+  if (!(stall_torque() > 0)) return {0, 0, PeakKind::rest};
+  return peak(Goal::power);
+}
+
+Peak CurveSearch::max_efficiency() {
+  if (!(m_.stator_damping > 0)) throw SearchFailure{MetricStatus::undefined};
+  return peak(Goal::efficiency);
+}
+
+}  // namespace twum::performance

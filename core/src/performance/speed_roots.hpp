@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "contact/lap.hpp"
+#include "performance/point.hpp"
+
+#include <twum/core/performance/metrics.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+namespace twum::performance {
+
+/// Thrown inside a search when a point has no answer; the metric takes the status.
+struct SearchFailure {
+  MetricStatus status;
+};
+
+/// Two neighbouring speeds.
+struct Bracket {
+  double low, high;
+};
+
+/// Closes in on a sign change to neighbouring doubles, or to an exact zero.
+/// @throws SearchFailure if the ends do not differ in sign
+Bracket close_in(const std::function<double(double)>& f, double low, double high, double f_low,
+                 double f_high);
+
+/// The layer's states at entry of the two points solved last: what the next one begins with.
+class Trail {
+ public:
+  void add(double speed, const contact::LapEntry<double>& entry) {
+    before_ = last_;
+    last_ = Known{speed, entry};
+  }
+
+  /// Along the line through the two states, unless that leads far away. Null at first.
+  const contact::LapEntry<double>* at(double speed) {
+    if (!last_) return nullptr;
+    guess_ = last_->entry;
+    if (before_ && before_->speed != last_->speed) {
+      const double t = (speed - last_->speed) / (last_->speed - before_->speed);
+      if (std::fabs(t) <= 3) {
+        const auto &a = before_->entry.layer, &b = last_->entry.layer;
+        guess_.layer = {b.e + t * (b.e - a.e), b.rate + t * (b.rate - a.rate)};
+      }
+    }
+    return &guess_;
+  }
+
+ private:
+  struct Known {
+    double speed;
+    contact::LapEntry<double> entry;
+  };
+  std::optional<Known> before_, last_;
+  contact::LapEntry<double> guess_{};
+};
+
+/// Inverse interpolation through the last two or three points of a function: the steps of an iteration
+/// to its zero. Their lengths say when the next one would be lost in rounding.
+class InverseInterpolation {
+ public:
+  /// @param unit      length against which steps count
+  /// @param accuracy  of the zero, in this unit
+  InverseInterpolation(double unit, double accuracy) : unit_(unit), accuracy_(accuracy) {}
+
+  void add(double x, double f) {
+    points_ = {Point{x, f}, points_[0], points_[1]};
+    count_ = std::min(count_ + 1, 3);
+  }
+  int count() const { return count_; }
+
+  /// Where the zero should be; NaN if the points do not tell.
+  double zero() const { return points_[0].x + step(); }
+
+  /// True if zero() is the zero. What the next better formula would add is the product of the distances
+  /// of the three points, in units of the curve's own scale, for which a thirtieth of `unit` is taken; and
+  /// where the scale is smaller the bend of the formula at hand tells.
+  bool settled() const {
+    if (count_ < 3) return false;
+    const auto& [c, b, a] = points_;
+    const double x = zero(), straight = secant(), curved = straight + bend();
+    const double product = 1e3 * std::fabs((x - a.x) * (x - b.x) * (x - c.x));
+    return std::fabs(bend()) < 0.1 * std::fabs(straight) &&
+           bend() * bend() <= accuracy_ * unit_ * std::fabs(curved) &&
+           product <= accuracy_ * unit_ * unit_ * unit_;
+  }
+
+ private:
+  struct Point {
+    double x{0}, f{0};
+  };
+
+  double secant() const {
+    const auto& [c, b, a] = points_;
+    return -c.f * (b.x - c.x) / (b.f - c.f);
+  }
+
+  // What the inverse parabola x(f), in Newton's form, adds to the secant at f = 0.
+  double bend() const {
+    const auto& [c, b, a] = points_;
+    return c.f * b.f * ((b.x - c.x) / (b.f - c.f) - (a.x - b.x) / (a.f - b.f)) / (c.f - a.f);
+  }
+
+  double step() const {
+    const double straight = secant();
+    return count_ == 3 && std::fabs(bend()) < std::fabs(straight) ? straight + bend() : straight;
+  }
+
+  std::array<Point, 3> points_{};
+  int count_{0};
+  double unit_, accuracy_;
+};
+
+}  // namespace twum::performance
