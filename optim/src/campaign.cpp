@@ -92,8 +92,9 @@ Attempt Campaign::run(const Optimizer& optimizer, std::span<const double> unit_s
 }
 
 Attempt Campaign::run(const Optimizer& optimizer, const Formulation& formulation,
-                      std::span<const double> start) {
-  const AttemptPlan plan{&optimizer, next_stage_++, left(), {start.begin(), start.end()}};
+                      std::span<const double> start, std::size_t most) {
+  const AttemptPlan plan{
+      &optimizer, next_stage_++, std::min(left(), most), {start.begin(), start.end()}};
   Attempt attempt = make_attempt(problem_, options_, deadline_, scaling_, formulation, plan);
   book(attempt);
   return attempt;

@@ -17,8 +17,9 @@ class Campaign {
 
   /// One attempt on the plain problem in its own stage.
   Attempt run(const Optimizer& optimizer, std::span<const double> unit_start, bool last_word);
+  /// @param most  evaluations it may use, of those left
   Attempt run(const Optimizer& optimizer, const Formulation& formulation,
-              std::span<const double> start);
+              std::span<const double> start, std::size_t most = static_cast<std::size_t>(-1));
 
   /// The same solver from several starts, in parallel if the options say so; in order of starts.
   std::vector<Attempt> run_all(const Optimizer& optimizer,

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/optim/hypervolume.hpp>
+#include <twum/optim/random.hpp>
 
 #include "front_search.hpp"
+#include "polish.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -97,11 +99,64 @@ Formulation FrontSearch::lexicographic(std::size_t objective, const Solved& firs
   return f;
 }
 
+// The least of one objective. Where the starts end in different places there are more valleys than
+// starts, as a rule, and the search goes on from the best.
+std::optional<Solved> FrontSearch::best_alone(std::size_t objective,
+                                              const std::vector<std::vector<double>>& starts) {
+  constexpr double kSamePlace = 1e-6;  // of what the gradient at the start gains over the box
+  const Formulation f = plain_formulation(campaign_.problem(), campaign_.scaling(), objective);
+  std::vector<Solved> found;
+  for (const auto& start : starts)
+    if (auto one = best_of(f, {start}, {}, true)) found.push_back(std::move(*one));
+  if (found.empty()) return std::nullopt;
+  const auto less = [&](const Solved& a, const Solved& b) {
+    return a.scaled[objective] < b.scaled[objective];
+  };
+  const auto [least, most] = std::minmax_element(found.begin(), found.end(), less);
+  const double apart = most->scaled[objective] - least->scaled[objective];
+  if (apart <= kSamePlace) return std::move(*least);
+  return hopped(objective, std::move(*least));
+}
+
+// Monotonic basin hopping (Leary 2000): a kick by a random part of the box over two decades, then a
+// short local search; kept if it ends lower. Two kicks of three are to one variable with the others
+// held, which is cheap; the third moves more of them and lets all follow.
+Solved FrontSearch::hopped(std::size_t objective, Solved from) {
+  constexpr std::size_t kCalls = 8;
+  const std::size_t n = campaign_.scaling().size();
+  Formulation f = plain_formulation(campaign_.problem(), campaign_.scaling(), objective);
+  Random random(campaign_.options().seed, campaign_.next_stage(), 0);
+  for (std::size_t failed = 0; failed < options_.hops && !exhausted(); ++failed) {
+    std::vector<double> z = from.unit;
+    const std::size_t first = random.below(n);
+    const bool alone = random.below(3) > 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      if (k != first && (alone || random.uniform() * static_cast<double>(n) >= 2.0)) continue;
+      const double size = std::pow(10.0, -2.0 * random.uniform());
+      z[k] = std::clamp(z[k] + (2.0 * random.uniform() - 1.0) * size, 0.0, 1.0);
+    }
+    f.unit_lower.assign(n, 0.0);
+    f.unit_upper.assign(n, 1.0);
+    if (alone) {
+      f.unit_lower = f.unit_upper = z;
+      f.unit_lower[first] = 0.0;
+      f.unit_upper[first] = 1.0;
+    }
+    Attempt attempt =
+        campaign_.run(find_optimizer("nlopt:slsqp"), f, z, alone ? kCalls : kCalls + n);
+    auto s = solved(attempt);
+    const double least = from.scaled[objective];
+    if (!s || !(s->scaled[objective] < least - 1e-6 * std::abs(least))) continue;
+    from = std::move(*s);
+    failed = 0;
+  }
+  return from;
+}
+
 bool FrontSearch::find_ends(std::vector<std::vector<double>> starts) {
   const std::size_t objectives = campaign_.problem().objectives.size();
   for (std::size_t k = 0; k < objectives; ++k) {
-    const auto first =
-        best_of(plain_formulation(campaign_.problem(), campaign_.scaling(), k), starts, {}, true);
+    const auto first = best_alone(k, starts);
     if (!first) return false;
     const auto second = best_of(lexicographic(k, *first), {first->unit}, {}, true);
     ends_.push_back(second ? *second : *first);
@@ -181,6 +236,66 @@ std::optional<Solved> FrontSearch::scalarize_within(const std::vector<double>& m
     any = true;
   }
   return any ? best_of(f, {start}, {0.0}, false) : std::nullopt;
+}
+
+// By the gradients in memory: how far a point of a front is from Pareto stationary, relative to the
+// gradients, in all variables; with the weights of the objectives there.
+std::optional<std::pair<double, std::vector<double>>> FrontSearch::stationarity(
+    Attempt& attempt, const Solved& s) const {
+  const auto point = kkt_point(*attempt.session, campaign_.scaling(), s.design);
+  if (!point) return std::nullopt;
+  const std::size_t objectives = campaign_.problem().objectives.size();
+  const Eigen::MatrixXd gradients = objective_gradients(*point, objectives);
+  if (!gradients.allFinite()) return std::nullopt;
+  const Multipliers found = find_multipliers(*point, gradients, objectives, 1e-6);
+  if (found.weights.size() != static_cast<Eigen::Index>(objectives)) return std::nullopt;
+  const double size = (gradients * found.weights.asDiagonal()).cwiseAbs().maxCoeff();
+  return std::pair{found.residual.cwiseAbs().maxCoeff() / size,
+                   std::vector<double>(found.weights.begin(), found.weights.end())};
+}
+
+// True if the point is Pareto stationary in all variables, if need be after Newton steps.
+bool FrontSearch::settle(Attempt& attempt, Solved& s) {
+  constexpr double kSettled = 1e-5;
+  constexpr double kNear = 0.1;
+  try {
+    const auto before = stationarity(attempt, s);
+    if (!before || !(before->first < kNear)) return false;
+    if (before->first <= kSettled) return true;
+    const auto better = polish(*attempt.session, campaign_.scaling(), s.design, before->second);
+    if (!better) return false;
+    s.unit = campaign_.scaling().to_unit(*better);
+    if (!fill(attempt, s)) return false;
+    const auto after = stationarity(attempt, s);
+    return after && after->first <= kSettled;
+  } catch (const Stop&) {
+    return false;
+  }
+}
+
+std::optional<Solved> FrontSearch::scalarize_predicted(const std::vector<double>& m,
+                                                       const std::vector<double>& n,
+                                                       const Solved& a, const Solved& b) {
+  constexpr double kAgree = 1e-6;     // of the box
+  constexpr std::size_t kCalls = 30;  // a good prediction needs about ten
+  Formulation f = ray(m, n);
+  std::vector<double> z;
+  std::size_t held = 0;
+  for (std::size_t k = 0; k < a.unit.size(); ++k) {
+    const bool agree = std::abs(a.unit[k] - b.unit[k]) <= kAgree;
+    z.push_back(agree ? a.unit[k] : 0.5 * (a.unit[k] + b.unit[k]));
+    f.unit_lower.push_back(agree ? z[k] : 0.0);
+    f.unit_upper.push_back(agree ? z[k] : 1.0);
+    held += agree ? 1U : 0U;
+  }
+  if (held == 0 || exhausted()) return std::nullopt;
+  z.push_back(0.0);
+  Attempt attempt = campaign_.run(find_optimizer("nlopt:slsqp"), f, z, kCalls);
+  auto s = solved(attempt);
+  if (s) attempt.session->extend(std::min(campaign_.left(), 4 * certificate_cost(a.unit.size())));
+  const bool good = s && settle(attempt, *s);
+  campaign_.book(attempt);
+  return good ? std::move(s) : std::nullopt;
 }
 
 }  // namespace twum::optim

@@ -39,6 +39,12 @@ class FrontSearch {
                                          const std::vector<double>& start, const Solved& a,
                                          const Solved& b);
 
+  /// The same with the variables held in which both neighbours agree, on a bound or inside: usually
+  /// few vary along a front. Nothing unless the point is Pareto stationary in all variables.
+  std::optional<Solved> scalarize_predicted(const std::vector<double>& m,
+                                            const std::vector<double>& n, const Solved& a,
+                                            const Solved& b);
+
   /// Adds a design to start from; before find_ends().
   void add_to_pool(const std::vector<double>& unit, const Evaluation& evaluation);
 
@@ -53,6 +59,12 @@ class FrontSearch {
                                 const std::vector<std::vector<double>>& starts,
                                 std::vector<double> extra_start, bool all);
   Formulation ray(const std::vector<double>& m, const std::vector<double>& n) const;
+  std::optional<Solved> best_alone(std::size_t objective,
+                                   const std::vector<std::vector<double>>& starts);
+  Solved hopped(std::size_t objective, Solved from);
+  std::optional<std::pair<double, std::vector<double>>> stationarity(Attempt& attempt,
+                                                                     const Solved& s) const;
+  bool settle(Attempt& attempt, Solved& s);
   std::optional<Solved> solved(Attempt& attempt);
   bool fill(Attempt& attempt, Solved& s);
   void snap_to_bounds(Attempt& attempt, Solved& s);

@@ -3,30 +3,60 @@
 #include <twum/optim/low_discrepancy.hpp>
 #include <twum/optim/random.hpp>
 
+#include <bit>
 #include <boost/random/sobol.hpp>
-#include <cmath>
 
 namespace twum::optim {
+namespace {
 
-std::vector<std::vector<double>> sobol_points(std::size_t dimension, std::size_t count,
-                                              std::uint64_t seed) {
-  constexpr std::size_t kDimensions = 3667;  // of the direction numbers that Boost carries
+constexpr std::size_t kDimensions = 3667;  // of the direction numbers that Boost carries
+constexpr std::size_t kBits = 40;          // of an index: 10^12 points
+
+std::size_t checked(std::size_t dimension) {
   if (dimension == 0 || dimension > kDimensions)
     throw InputError("Sobol sequence: dimension " + std::to_string(dimension) +
                      " is outside 1 to 3667");
+  return dimension;
+}
+
+// Point 2^b of the sequence is the sum modulo 2 of the directions of the bits of its Gray code, b and
+// b - 1; so the points 1, 2, 4, ... tell all directions.
+std::vector<std::vector<std::uint64_t>> directions(std::size_t dimension) {
   boost::random::sobol engine(dimension);
-  Random random(seed, 0x50B01, 0);
-  std::vector<double> shift(dimension);
-  for (double& s : shift) s = random.uniform();
-  std::vector<std::vector<double>> points(count, std::vector<double>(dimension));
-  // Boost's sequence begins behind the origin: the origin is put back as the first point.
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t j = 0; j < dimension; ++j) {
-      const double base = i == 0 ? 0.0 : static_cast<double>(engine()) * 0x1.0p-64;
-      const double sum = base + shift[j];
-      points[i][j] = sum >= 1.0 ? sum - 1.0 : sum;
-    }
+  std::vector<std::vector<std::uint64_t>> table(kBits, std::vector<std::uint64_t>(dimension));
+  for (std::size_t bit = 0; bit < kBits; ++bit) {
+    engine.seed((std::uint64_t{1} << bit) - 1);  // Boost's sequence begins behind the origin
+    for (std::size_t j = 0; j < dimension; ++j)
+      table[bit][j] = engine() ^ (bit > 0 ? table[bit - 1][j] : 0);
   }
+  return table;
+}
+
+}  // namespace
+
+SobolSequence::SobolSequence(std::size_t dimension, std::uint64_t seed)
+    : directions_(directions(checked(dimension))), shift_(dimension) {
+  Random random(seed, 0x50B01, 0);
+  for (double& s : shift_) s = random.uniform();
+}
+
+void SobolSequence::point(std::uint64_t index, std::span<double> point) const {
+  if (index >> kBits != 0) throw InputError("Sobol sequence: an index beyond 10^12");
+  const std::uint64_t gray = index ^ (index >> 1U);
+  for (std::size_t j = 0; j < shift_.size(); ++j) {
+    std::uint64_t digits = 0;
+    for (std::uint64_t rest = gray; rest != 0; rest &= rest - 1)
+      digits ^= directions_[static_cast<std::size_t>(std::countr_zero(rest))][j];
+    const double sum = static_cast<double>(digits) * 0x1.0p-64 + shift_[j];
+    point[j] = sum >= 1.0 ? sum - 1.0 : sum;
+  }
+}
+
+std::vector<std::vector<double>> sobol_points(std::size_t dimension, std::size_t count,
+                                              std::uint64_t seed) {
+  const SobolSequence sequence(dimension, seed);
+  std::vector<std::vector<double>> points(count, std::vector<double>(dimension));
+  for (std::size_t i = 0; i < count; ++i) sequence.point(i, points[i]);
   return points;
 }
 

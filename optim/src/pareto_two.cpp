@@ -96,7 +96,8 @@ class TwoObjectives {
     const std::vector<double> n{std::max(dy / length, 0.02), std::max(dx / length, 0.02)};
     std::vector<double> middle = a.unit;
     for (std::size_t k = 0; k < middle.size(); ++k) middle[k] = 0.5 * (a.unit[k] + b.unit[k]);
-    auto found = search_.scalarize(m, n, {middle}, false);
+    auto found = search_.scalarize_predicted(m, n, a, b);
+    if (!found || !between(*found, a, b)) found = search_.scalarize(m, n, {middle}, false);
     // Where the problem is steep at a bound, a solver's rounding there can throw it off: first
     // without the variables that the neighbours agree to have on a bound.
     for (const std::vector<double>* start : {&std::as_const(middle), &a.unit, &b.unit})

@@ -12,7 +12,7 @@ struct KnownFront {
   std::vector<double> reference;
   double exact{0.0};                       ///< hypervolume of the whole front; 0: not in the books
   std::vector<std::vector<double>> front;  ///< dense points on it, in order of the first objective
-  bool many_local_fronts{false};           ///< gradients need a population's help
+  bool many_local_fronts{false};           ///< local searches alone miss it
 };
 
 /// ZDT1-4 and 6 (Zitzler, Deb, Thiele 2000), BNH (Binh and Korn 1997), SRN (Srinivas and Deb 1994),

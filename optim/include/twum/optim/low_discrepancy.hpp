@@ -3,12 +3,29 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace twum::optim {
 
-/// The first `count` points of the Sobol sequence (Joe and Kuo's directions) in [0, 1)^dimension,
-/// none skipped, shifted modulo 1 by a random vector that follows the seed.
+/// The Sobol sequence (Joe and Kuo's directions, Gray code order) in [0, 1)^dimension, none of its
+/// points skipped, shifted modulo 1 by a random vector that follows the seed. Any point is computed
+/// by itself, so a sequence of any length takes no memory, and the object serves all threads.
+class SobolSequence {
+ public:
+  /// @throws InputError for a dimension of 0 or beyond 3667.
+  SobolSequence(std::size_t dimension, std::uint64_t seed);
+
+  std::size_t dimension() const noexcept { return shift_.size(); }
+  /// Writes point `index` = 0, 1, ... to `point`, which has room for dimension() numbers.
+  void point(std::uint64_t index, std::span<double> point) const;
+
+ private:
+  std::vector<std::vector<std::uint64_t>> directions_;  // [bit][dimension]
+  std::vector<double> shift_;
+};
+
+/// The first `count` points of SobolSequence.
 /// @throws InputError for a dimension of 0 or beyond 3667.
 std::vector<std::vector<double>> sobol_points(std::size_t dimension, std::size_t count,
                                               std::uint64_t seed);

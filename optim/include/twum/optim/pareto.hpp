@@ -20,6 +20,8 @@ struct ParetoOptions {
   std::size_t coarse{
       12};  ///< points searched from several starts, to find pieces of the front far apart
   std::size_t coarse_starts{3};  ///< low-discrepancy starts for each of them
+  std::size_t hops{200};  ///< kicks in a row without success that end the search for an end of the
+                          ///< front, where its starts lead to different places
   std::size_t population_evaluations{
       0};  ///< if > 0, spent on nsga2() first, whose front then gives starts
 };

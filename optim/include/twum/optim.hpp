@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+/// Everything of twum::optim: problems, solvers, certificates, fronts, least squares.
+
+#include <twum/base/error.hpp>
+#include <twum/base/version.hpp>
+#include <twum/optim/certificate.hpp>
+#include <twum/optim/hypervolume.hpp>
+#include <twum/optim/latin_hypercube.hpp>
+#include <twum/optim/least_squares.hpp>
+#include <twum/optim/library_versions.hpp>
+#include <twum/optim/low_discrepancy.hpp>
+#include <twum/optim/options.hpp>
+#include <twum/optim/pareto.hpp>
+#include <twum/optim/problem.hpp>
+#include <twum/optim/random.hpp>
+#include <twum/optim/result.hpp>
+#include <twum/optim/scrambled_sobol.hpp>
+#include <twum/optim/solve.hpp>
+#include <twum/optim/solvers.hpp>

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace twum::optim {
+
+/// A Latin hypercube (McKay, Beckman and Conover 1979): of `count` points in [0, 1)^dimension each of
+/// the `count` equal strata of every coordinate holds exactly one. Any point is computed by itself, so
+/// a design of any size takes no memory, and the object serves all threads.
+class LatinHypercube {
+ public:
+  /// @throws InputError for a dimension of 0 or a count outside 1 to 2^30.
+  LatinHypercube(std::size_t dimension, std::uint64_t count, std::uint64_t seed);
+
+  std::size_t dimension() const noexcept { return dimension_; }
+  std::uint64_t count() const noexcept { return count_; }
+  /// Stratum 0 .. count - 1 of a coordinate in which point `index` < count lies.
+  std::uint64_t stratum(std::uint64_t index, std::size_t coordinate) const;
+  /// Writes point `index` to `point`, which has room for dimension() numbers.
+  void point(std::uint64_t index, std::span<double> point) const;
+
+ private:
+  std::size_t dimension_;
+  std::uint64_t count_;
+  std::uint64_t seed_;
+  unsigned half_bits_;  // of the two halves that the permutation mixes
+};
+
+}  // namespace twum::optim

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace twum::optim {
+
+/// A randomized Sobol sequence (Joe and Kuo's directions) with random access: its digits go through
+/// random lower triangular matrices and a random digital shift (Matousek 1998). Each point alone is
+/// uniform, and every 2^m first points are as evenly spread as those of the sequence itself; two
+/// replicates are independent of each other, so that their scatter measures the error of a mean.
+/// Constant, safe from any number of threads.
+class ScrambledSobol {
+ public:
+  /// @param replicate  together with the seed names the randomization
+  /// @throws InputError for a dimension of 0 or beyond 3667.
+  ScrambledSobol(std::size_t dimension, std::uint64_t seed, std::uint64_t replicate);
+
+  std::size_t dimension() const noexcept { return shift_.size(); }
+
+  /// Point `index` < 2^40 in (0, 1)^dimension; neither 0 nor 1 ever occurs.
+  /// `x` has room for one number for each dimension. About 2 ns for a number and a binary digit.
+  void point(std::uint64_t index, std::span<double> x) const;
+
+ private:
+  static constexpr std::size_t kIndexBits = 40;
+
+  std::vector<std::uint64_t> columns_;  // scrambled directions, kIndexBits for each dimension
+  std::vector<std::uint64_t> shift_;
+};
+
+}  // namespace twum::optim
