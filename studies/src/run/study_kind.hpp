@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/optim/certificate.hpp>
 #include <twum/studies/results/study_result.hpp>
 #include <twum/studies/store/result_store.hpp>
 #include <twum/studies/study/study_file.hpp>
@@ -8,6 +9,8 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -51,9 +54,26 @@ class StudyKindRun {
   /// @throws StoreError
   virtual KindAnswer run(RunContext& context) = 0;
 
+  /// What a stored row must be, for `twum verify`: values and status computed anew from the study and
+  /// from the row's variables (the first variables() of its values), as run() computed them, to the
+  /// bit. Where stage and index alone decide the variables (sweep, samples) they are drawn anew too,
+  /// and those stored are not looked at. Looks at no other row and not at the other stored values.
+  /// Columns that run() left without a value are NaN. Nothing: this row cannot be computed by itself.
+  /// Constant, safe from any number of threads; never throws for a design.
+  virtual std::optional<Row> recompute(const Row& stored) const;
+  /// The certificate of a design (its variables in their order, SI) as a solution of this study, for
+  /// `twum verify`: feasibility and stationarity measured again. Nothing: this kind has no optimum.
+  virtual std::optional<optim::Certificate> certify(std::span<const double> variables) const;
+
  protected:
   StudyKindRun() = default;
 };
+
+inline std::optional<Row> StudyKindRun::recompute(const Row& /*stored*/) const { return {}; }
+inline std::optional<optim::Certificate> StudyKindRun::certify(
+    std::span<const double> /*variables*/) const {
+  return {};
+}
 
 /// One maker for each kind. They read the study's entries and the files these name.
 /// @throws FileError or InputError for what only a look at such a file shows
@@ -65,5 +85,7 @@ std::unique_ptr<StudyKindRun> make_pareto(const StudyFile& file);
 std::unique_ptr<StudyKindRun> make_size(const StudyFile& file);
 std::unique_ptr<StudyKindRun> make_uncertainty(const StudyFile& file);
 std::unique_ptr<StudyKindRun> make_calibrate(const StudyFile& file);
+/// That of the file's kind.
+std::unique_ptr<StudyKindRun> make_kind(const StudyFile& file);
 
 }  // namespace twum::studies

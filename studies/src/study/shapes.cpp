@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/shapes.hpp"
 
+#include "study/solver_entry.hpp"
+
 #include <twum/studies/metrics/constraint.hpp>
 #include <twum/studies/metrics/expression.hpp>
 #include <twum/studies/motor/motor_file.hpp>
@@ -141,20 +143,7 @@ Schema constraints() {
   return schema;
 }
 
-Schema solver() {
-  Schema name = path("a solver ('twum solvers' lists them)", "nlopt:slsqp");
-  Schema options =
-      mapping("a solver and its options",
-              {optional("name", name, "auto"),
-               optional("starts", count("local searches from different starts", "8", 1, 1e6), "8"),
-               optional("tolerance", fraction("relative accuracy of the optimum", "1e-8"), "1e-6"),
-               optional("max_evaluations", count("evaluations at most", "2000", 1, 1e12), "20000"),
-               optional("seed", seed(), "1")});
-  Schema schema = of_kind(ValueKind::any_of, "how it is solved: a name, or a mapping of options");
-  schema.sample = "name: auto\nstarts: 8\nseed: 1";
-  schema.alternatives = {name, options};
-  return schema;
-}
+Schema solver() { return solver_schema(); }
 
 Schema samples() { return count("number of samples", "1000", 1, 1e9); }
 Schema seed() { return count("seed of the random numbers", "1", 0, 9007199254740992.0); }
@@ -190,7 +179,7 @@ Schema range(const ParameterInfo& parameter) {
 Schema sweep_range(const ParameterInfo& parameter) {
   Schema limits = mapping(std::string(parameter.text),
                           {needed("min", value_of(parameter)), needed("max", value_of(parameter)),
-                           optional("points", count("grid points", "5", 1, 1e6), "5"),
+                           optional("points", count("grid points", "5", 2, 1e6), "5, for a grid"),
                            optional("scale", word("spacing", {"linear", "log"}), "linear")});
   Schema schema = of_kind(ValueKind::any_of, std::string(parameter.text));
   schema.alternatives = {values_of(parameter), std::move(limits)};

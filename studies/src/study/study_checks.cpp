@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/study_checks.hpp"
 
+#include "study/repeats.hpp"
+#include "study/sampling_checks.hpp"
+#include "study/solver_entry.hpp"
+#include "study/sweep_checks.hpp"
+
 #include <twum/core/design/parameters.hpp>
 #include <twum/studies/motor/motor_file.hpp>
 #include <twum/studies/schema/validate.hpp>
@@ -51,6 +56,16 @@ class StudyChecker {
                      "a family is over one parameter");
   }
 
+  // Names of columns: each once.
+  void check_metrics(const YamlNode& metrics) {
+    Repeats repeats("study.metrics", "leave one of them out", diagnostics_);
+    for (const YamlNode& item : metrics.items) {
+      if (item.kind != YamlNode::Kind::scalar) continue;
+      const auto parameter = find_parameter(trimmed(item.scalar));  // or its symbol
+      repeats.see(item, std::string(parameter ? info(*parameter).name : trimmed(item.scalar)));
+    }
+  }
+
  private:
   void check_variable(const YamlNode& node, const Schema& value, const std::string& path) {
     rising(node, "min", "max", value, path);
@@ -92,6 +107,31 @@ class StudyChecker {
   Diagnostics& diagnostics_;
 };
 
+// A limit that is there twice is a slip of the pen.
+void check_repeats(const YamlNode& study, const std::string& name, Diagnostics& diagnostics) {
+  const YamlNode* list = study.find(name);
+  if (list == nullptr) return;
+  Repeats repeats("study." + name, "leave one of them out", diagnostics);
+  for (const YamlNode& item : list->items) {
+    if (!item.scalar.empty()) repeats.see(item, item.scalar);
+  }
+}
+
+const YamlNode* goal_of(const YamlNode& objective) {
+  const YamlNode* goal = objective.find("maximize");
+  return goal != nullptr ? goal : objective.find("minimize");
+}
+
+// Two goals of a front have to be different.
+void check_goals(const YamlNode& study, Diagnostics& diagnostics) {
+  const YamlNode* list = study.find("objectives");
+  if (list == nullptr) return;
+  Repeats repeats("study.objectives", "a front is between different metrics", diagnostics);
+  for (const YamlNode& objective : list->items) {
+    if (const YamlNode* goal = goal_of(objective)) repeats.see(*goal, goal->scalar);
+  }
+}
+
 }  // namespace
 
 void check_study(const YamlNode& study, Diagnostics& diagnostics) {
@@ -99,6 +139,15 @@ void check_study(const YamlNode& study, Diagnostics& diagnostics) {
   if (const YamlNode* variables = study.find("variables"))
     checker.check_variables(*variables, "study.variables");
   if (const YamlNode* family = study.find("family")) checker.check_family(*family);
+  if (const YamlNode* metrics = study.find("metrics")) checker.check_metrics(*metrics);
+  const YamlNode* kind = study.find("kind");
+  if (kind != nullptr && kind->scalar == "sweep") check_sweep(study, diagnostics);
+  if (kind != nullptr && kind->scalar == "sensitivity") check_sensitivity(study, diagnostics);
+  if (kind != nullptr && kind->scalar == "uncertainty") check_uncertainty(study, diagnostics);
+  check_repeats(study, "constraints", diagnostics);
+  check_repeats(study, "limits", diagnostics);
+  check_goals(study, diagnostics);
+  check_solver(study, diagnostics);
 }
 
 }  // namespace twum::studies

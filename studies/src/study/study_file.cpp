@@ -87,13 +87,12 @@ bool is_study(const Source& source) {
   return load_yaml(ignored).find("study") != nullptr;
 }
 
-StudyFile read_study_file(const std::string& path, std::span<const std::string> settings) {
-  const Source source = read_source(path);
+StudyFile read_study(const Source& source, const std::string& folder,
+                     std::span<const std::string> settings) {
   Diagnostics diagnostics(source);
   YamlNode root = load_yaml(diagnostics);
   if (!refuse_motor(root, diagnostics)) validate(root, study_file_schema(), diagnostics);
   if (const YamlNode* study = root.find("study")) check_study(*study, diagnostics);
-  const std::string folder = path == "-" ? "" : fs::path(path).parent_path().string();
   std::optional<MotorFile> motor;
   try {
     motor = motor_of(root, folder, diagnostics);
@@ -104,7 +103,14 @@ StudyFile read_study_file(const std::string& path, std::span<const std::string> 
   TWUM_ASSERT(motor.has_value());
   motor->design = with_settings(motor->design, settings);
   const auto kind = find_study_kind(find_path(root, "study.kind")->scalar);
-  return {*kind, *motor, *root.find("study"), folder};
+  return {*kind, *motor, *root.find("study"), folder, source.name()};
+}
+
+StudyFile read_study_file(const std::string& path, std::span<const std::string> settings) {
+  const std::string folder = path == "-" ? "" : fs::path(path).parent_path().string();
+  StudyFile file = read_study(read_source(path), folder, settings);
+  file.path = path;
+  return file;
 }
 
 }  // namespace twum::studies

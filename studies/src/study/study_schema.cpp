@@ -43,20 +43,33 @@ Schema sweep_study() {
       "a grid, list or sample of designs",
       {needed("variables", by_parameter(sweep_range, "what is varied", kSweep)),
        needed("sampling", word("how designs are chosen", {"grid", "list", "lhs", "sobol"})),
-       needed("metrics", metrics()), optional("samples", samples(), "1000, for lhs and sobol"),
-       optional("seed", seed(), "1")});
+       needed("metrics", metrics()),
+       hidden(optional("samples", samples(), "1000, for lhs and sobol")),
+       hidden(optional("seed", seed(), "1, for lhs and sobol"))});
 }
 
 Schema sensitivity_study() {
+  Schema method =
+      word("local derivatives, screening, or variance shares", {"local", "morris", "sobol"});
+  method.example = "sobol";
   return mapping(
       "which parameter matters",
-      {needed("method", word("local derivatives, screening, or variance shares",
-                             {"local", "morris", "sobol"})),
+      {needed("method", method),
        needed("variables", by_parameter(range, "what is varied", kRanges)),
-       needed("metrics", metrics()), optional("samples", samples(), "what the method needs"),
+       needed("metrics", metrics()),
+       optional("samples",
+                count("trajectories (morris), or base samples of variables + 2 motors each (sobol, "
+                      "rounded up to a power of two, at least 256)",
+                      "1024", 1, 1e9),
+                "32 for morris, 1024 for sobol"),
        optional("confidence", fraction("level of the confidence intervals", "0.95"), "0.95"),
-       optional("width", fraction("stop when the intervals are narrower than this", "0.01"),
-                "one round"),
+       hidden(optional(
+           "width",
+           fraction("sobol: double the samples until no interval is wider than this", "0.05"),
+           "one round")),
+       hidden(optional("max_samples",
+                       count("base samples at which to stop nevertheless", "65536", 1, 1e12),
+                       "64 times samples")),
        optional("seed", seed(), "1")});
 }
 
@@ -119,7 +132,10 @@ Schema calibrate_study() {
   return mapping(
       "parameters from measured torque-speed points",
       {needed("data",
-              path("CSV file with the columns speed [unit], torque [unit], and an optional weight",
+              path("CSV file with the columns speed [unit] and torque [unit], and if wanted one of "
+                   "weight (factor of the point's squared residual; only ratios count) and "
+                   "torque_sd [unit] (standard deviation s of the torque: the weight is 1/s^2, and "
+                   "the scatter is tested against it)",
                    "points.csv")),
        needed("variables", by_parameter(range, "what is estimated", kEstimates)),
        optional("confidence", fraction("level of the confidence intervals", "0.95"), "0.95"),

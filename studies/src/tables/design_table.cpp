@@ -1,30 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/studies/tables/design_table.hpp>
 
+#include "metrics/evaluate_design.hpp"
+#include "tables/heading.hpp"
+
 #include <twum/studies/motor/settings.hpp>
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/text/value_error.hpp>
 #include <twum/studies/text/words.hpp>
 
 #include <algorithm>
+#include <map>
 
 namespace twum::studies {
 namespace {
 
-struct Heading {
-  std::string_view name;
-  std::string_view unit;
-  bool has_unit;
-};
-
-// "thickness [mm]" -> thickness, mm
-Heading split_heading(std::string_view text) {
-  text = trimmed(text);
-  const std::size_t open = text.find('[');
-  if (open == std::string_view::npos || !text.ends_with(']')) return {text, {}, false};
-  return {trimmed(text.substr(0, open)), trimmed(text.substr(open + 1, text.size() - open - 2)),
-          true};
-}
+constexpr std::size_t kMostShown = 100;  // errors of one header
 
 std::string at_line(std::size_t line) { return "line " + std::to_string(line) + ": "; }
 
@@ -59,7 +50,10 @@ DesignTable::DesignTable(const CsvReader& reader, const CsvChunk& header, const 
   }
   if (wrong.empty()) return;
   std::string text;
-  for (const std::string& one : wrong) text += (text.empty() ? place : "\n" + place) + one;
+  for (std::size_t i = 0; i < std::min(wrong.size(), kMostShown); ++i)
+    text += (text.empty() ? place : "\n" + place) + wrong[i];
+  if (wrong.size() > kMostShown)
+    text += "\n" + place + "and " + std::to_string(wrong.size() - kMostShown) + " more errors";
   throw InputError(text);
 }
 
@@ -83,17 +77,18 @@ DesignTable::Column DesignTable::read_column(const std::string& text) {
 }
 
 void DesignTable::check_twins(std::vector<std::string>& wrong) const {
+  std::map<Parameter, const Column*> first;
   for (const Column& column : columns_) {
     if (!column.parameter) continue;
-    for (const Column* before = columns_.data(); before != &column; ++before) {
-      if (before->parameter == column.parameter) {
-        wrong.push_back("column " + quoted(column.name) +
-                        ": the parameter is there twice; leave one of them out");
-      }
-      if (before->parameter && info(*before->parameter).twin == column.parameter) {
-        wrong.push_back("column " + quoted(column.name) + ": says the same as " +
-                        quoted(before->name) + " in another way; give one of the two");
-      }
+    if (!first.emplace(*column.parameter, &column).second) {
+      wrong.push_back("column " + quoted(column.name) +
+                      ": the parameter is there twice; leave one of them out");
+    }
+    const auto twin = info(*column.parameter).twin;
+    const auto before = twin ? first.find(*twin) : first.end();
+    if (before != first.end()) {
+      wrong.push_back("column " + quoted(column.name) + ": says the same as " +
+                      quoted(before->second->name) + " in another way; give one of the two");
     }
   }
 }
@@ -144,18 +139,9 @@ bool DesignTable::compute(std::string_view record, std::size_t line, Scratch& sc
   }
   if (!read_values(line, scratch)) return false;
   try {
-    evaluator_.evaluate(Motor(with(base_, scratch.values)), scratch.metrics);
+    scratch.reason = evaluate_design(base_, scratch.values, metrics_, evaluator_, scratch.metrics);
   } catch (const InputError& error) {
     scratch.reason = at_line(line) + error.what();
-    return false;
-  } catch (const std::exception& error) {
-    scratch.reason = error.what();
-    return false;
-  }
-  for (std::size_t i = 0; i < metrics_.size(); ++i) {
-    if (scratch.metrics[i].status == MetricStatus::ok) continue;
-    scratch.reason += (scratch.reason.empty() ? "" : "; ") + metrics_[i].text + ": " +
-                      to_string(scratch.metrics[i].status);
   }
   return scratch.reason.empty();
 }

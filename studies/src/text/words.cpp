@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 
 namespace twum::studies {
 namespace {
@@ -44,6 +45,8 @@ void append_escaped(std::string& out, unsigned char byte) {
 
 int edit_distance(std::string_view a, std::string_view b, int limit) {
   if (a.size() > kLongestWord || b.size() > kLongestWord) return limit + 1;
+  const int longer = std::abs(static_cast<int>(a.size()) - static_cast<int>(b.size()));
+  if (longer > limit) return limit + 1;  // as many letters are missing at least
   std::array<std::array<int, kLongestWord + 1>, kLongestWord + 1> d{};
   for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = static_cast<int>(i);
   for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = static_cast<int>(j);

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace twum::studies {
-struct CurveResult {};
-struct SweepResult {};
-struct SensitivityResult {};
-struct UncertaintyResult {};
-}  // namespace twum::studies
+#include <twum/studies/results/curve_result.hpp>        // IWYU pragma: export
+#include <twum/studies/results/sensitivity_result.hpp>  // IWYU pragma: export
+#include <twum/studies/results/sweep_result.hpp>        // IWYU pragma: export
+#include <twum/studies/results/uncertainty_result.hpp>  // IWYU pragma: export

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace twum::studies {
-struct OptimizeResult {};
-struct ParetoResult {};
-struct CalibrateResult {};
-}  // namespace twum::studies
+#include <twum/studies/results/calibrate_result.hpp>  // IWYU pragma: export
+#include <twum/studies/results/optimize_result.hpp>   // IWYU pragma: export
+#include <twum/studies/results/pareto_result.hpp>     // IWYU pragma: export

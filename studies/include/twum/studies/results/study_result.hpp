@@ -26,8 +26,8 @@ struct FailureRegion {
   std::vector<Range> where;  ///< every variable of the study
 };
 
-using Answer = std::variant<CurveResult, SweepResult, SensitivityResult, OptimizeResult, ParetoResult,
-                            UncertaintyResult, CalibrateResult>;
+using Answer = std::variant<CurveResult, SweepResult, SensitivityResult, OptimizeResult,
+                            ParetoResult, UncertaintyResult, CalibrateResult>;
 
 /// What came out of a study. Size studies answer as optimize does.
 struct StudyResult {
@@ -41,8 +41,10 @@ struct StudyResult {
   std::map<std::string, std::uint64_t> failures;  ///< count by reason
   std::vector<FailureRegion> failure_regions;
   std::uint64_t seed{0};
-  double seconds{0};
-  std::string hash;  ///< of the resolved study and the files it names
+  std::string started;  ///< date and time (UTC, ISO 8601) of the first run, if it was interrupted
+  double seconds{0};    ///< of all runs together
+  bool was_complete{false};  ///< the directory held this result already
+  std::string hash;          ///< of the resolved study and the files it names
   Answer answer;
 };
 

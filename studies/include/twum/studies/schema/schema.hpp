@@ -57,7 +57,7 @@ struct SchemaEntry {
   std::string alias{};  ///< another name people may type, understood in `did you mean`
   bool alias_counts{false};  ///< the alias is as good as the name
   bool shown{true};          ///< in a file to start from; otherwise commented out there
-  std::string fallback{};    ///< what holds if it is left out, in words
+  std::string fallback{};    ///< what holds if it is left out: a value as one would type it, or words
 };
 
 }  // namespace twum::studies

@@ -21,7 +21,7 @@ struct Row {
   std::uint64_t index{0};
   std::vector<double> values;  ///< one for each column, SI; NaN: no value
   std::string status{"ok"};    ///< or the short reason why there is no full answer
-  std::string detail;          ///< bytes that the kind needs to go on, such as a Jacobian; not exported
+  std::string detail{};        ///< bytes that the kind needs to go on, such as a Jacobian; not exported
 };
 
 /// A result could not be written or read back: full disk, no permission, damaged database.
@@ -39,6 +39,8 @@ class ResultStore {
   /// @param path  ":memory:" keeps everything in memory
   /// @throws StoreError naming the file and the reason
   ResultStore(const std::string& path, std::vector<Column> columns);
+  /// Opens an existing database, with the columns it has; an empty file has none.
+  explicit ResultStore(const std::string& path);
   ~ResultStore();
   ResultStore(const ResultStore&) = delete;
   ResultStore& operator=(const ResultStore&) = delete;
@@ -54,6 +56,8 @@ class ResultStore {
   /// How many rows 0, 1, 2, ... of a stage are stored without a gap.
   std::uint64_t next_index(std::uint64_t stage) const;
   std::uint64_t rows() const;
+  /// The stages that have rows, rising.
+  std::vector<std::uint64_t> stages() const;
 
   /// Calls back with each row in the order of (stage, index); memory does not grow with the rows.
   void read(const std::function<void(const Row&)>& visit) const;

@@ -42,6 +42,7 @@ struct StudyFile {
   MotorFile motor;     ///< with `set:` and the settings of the command line applied
   YamlNode study;      ///< what stands below `study:`, valid by study_schema(kind)
   std::string folder;  ///< where paths in the file start
+  std::string path{};  ///< of the file itself; "-" is standard input
 };
 
 /// Reads a study file and its motor; "-" is standard input.
@@ -49,9 +50,15 @@ struct StudyFile {
 /// @throws FileError with everything that is wrong in it, and in its motor file;
 ///         InputError if it cannot be read or a setting is wrong.
 StudyFile read_study_file(const std::string& path, std::span<const std::string> settings = {});
+/// The same of a text; paths in it start in `folder`.
+StudyFile read_study(const Source& source, const std::string& folder,
+                     std::span<const std::string> settings = {});
 
 /// True if a document is a study file (it has `study:`) rather than a motor file.
 bool is_study(const Source& source);
+
+/// The reference page of study files: every kind and entry, as Markdown.
+std::string study_reference();
 
 /// A commented study file of one kind to start from.
 std::string study_template(StudyKind kind);

@@ -22,7 +22,7 @@ std::string did_you_mean(std::string_view word, std::span<const std::string_view
 /// The text without blanks at its ends (no-break spaces included).
 std::string_view trimmed(std::string_view text);
 
-/// A user's text made safe to print: control characters as \xNN, at most `limit` characters.
+/// A user's text made safe to print: control characters as \\xNN, at most `limit` characters.
 std::string printable(std::string_view text, std::size_t limit = 60);
 
 /// printable() between single quotes.

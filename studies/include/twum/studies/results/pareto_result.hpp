@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/studies/results/optimize_result.hpp>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace twum::studies {
+
+/// Answer of `pareto`: a front, in order of the first goal.
+struct ParetoResult {
+  struct Point {
+    std::vector<double> goals;  ///< values of the goals, SI
+    DesignReport report;        ///< multipliers are those of the weighted goals
+  };
+
+  std::vector<Goal> goals;
+  std::vector<Point> front;
+  /// The point farthest beyond the line (plane) through the ends, in goals scaled by the front's span:
+  /// on either side of it one gives much for little. An end where the front bends the other way. Of
+  /// no meaning if the front is empty.
+  std::size_t knee{0};
+  std::vector<std::size_t> ends;  ///< the best point of each goal
+  double hypervolume{0};          ///< product of the goals' units
+  std::vector<double> reference_point;
+  std::vector<NamedValue> before_design;
+  std::vector<NamedValue> before_metrics;
+  std::vector<std::string> conflict;  ///< as in OptimizeResult, where no design is feasible
+  std::vector<RelaxationState> relaxation;
+};
+
+}  // namespace twum::studies

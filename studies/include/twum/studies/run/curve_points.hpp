@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/core/performance/motor.hpp>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace twum::studies {
+
+/// One quantity of a torque-speed curve.
+struct CurveColumn {
+  const char* name;
+  const char* unit;  ///< SI
+  double (*value)(const OperatingPoint&);
+};
+
+/// speed, torque, powers, efficiency, wear and stick, in the order of tables and files.
+std::span<const CurveColumn> curve_columns();
+
+/// Where a curve ends if nobody says: a little beyond no-load, or what comes nearest to that [rad/s].
+double last_curve_speed(const Motor& motor);
+
+/// Equally spaced speeds from rest to last_curve_speed() [rad/s].
+/// @param points  at least 2
+std::vector<double> curve_speeds(const Motor& motor, std::size_t points);
+
+}  // namespace twum::studies

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/studies/statistics/moments.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace twum::studies {
+
+/// Morris' trajectories (1991) on four levels of [0, 1]: each changes one coordinate after another, in
+/// random order, by 2/3 up or down. A trajectory is a function of the seed and its number.
+class MorrisDesign {
+ public:
+  MorrisDesign(std::size_t variables, std::uint64_t seed) : variables_(variables), seed_(seed) {}
+
+  std::size_t variables() const noexcept { return variables_; }
+  std::size_t trajectory_size() const noexcept { return variables_ + 1; }
+  /// One point of a trajectory; `unit` has room for a number for each variable.
+  void point(std::uint64_t trajectory, std::size_t member, std::span<double> unit) const;
+
+ private:
+  std::size_t variables_;
+  std::uint64_t seed_;
+};
+
+/// What a variable does across its range, in the unit of the function.
+struct ElementaryEffect {
+  double mu;         ///< mean effect, with its sign
+  Estimate mu_star;  ///< mean magnitude (Campolongo et al. 2007)
+  Estimate sigma;    ///< spread: interaction, or curvature
+};
+
+/// Elementary effects from the values along trajectories, which are independent of each other: hence
+/// Student's interval for mu*, and Bonett's for sigma.
+class ElementaryEffects {
+ public:
+  explicit ElementaryEffects(std::size_t variables) : effects_(variables), magnitudes_(variables) {}
+
+  /// Adds a trajectory: its d + 1 points, one after another, that differ from their neighbour in
+  /// one coordinate, and the values there. A value that is NaN drops the whole trajectory.
+  void add(std::span<const double> points, std::span<const double> values);
+
+  std::uint64_t trajectories() const noexcept { return trajectories_; }  ///< that count
+  std::uint64_t dropped() const noexcept { return dropped_; }
+  std::vector<ElementaryEffect> effects(double confidence) const;
+
+ private:
+  std::vector<Moments> effects_;
+  std::vector<Moments> magnitudes_;
+  std::uint64_t trajectories_{0};
+  std::uint64_t dropped_{0};
+};
+
+}  // namespace twum::studies

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/studies/statistics/estimate.hpp>
+
+#include <cstdint>
+
+namespace twum::studies {
+
+/// Mean and standard deviation of independent draws, in one pass (Pebay 2008), stable for a mean that
+/// is large beside the spread. The result depends on the order of the draws to rounding.
+class Moments {
+ public:
+  void add(double value) noexcept;
+
+  std::uint64_t count() const noexcept { return count_; }
+  double mean() const noexcept;  ///< NaN of nothing
+  double sd() const noexcept;    ///< with n - 1; NaN of fewer than 2
+
+  /// Student's interval. Right for normal draws, and by the central limit theorem for many others.
+  /// @param confidence  between 0 and 1
+  Estimate mean_estimate(double confidence) const;
+  /// Bonett's interval (2006), which looks at the kurtosis; a chi-squared one is wrong for any draws
+  /// that are not normal, however many there are.
+  Estimate sd_estimate(double confidence) const;
+
+ private:
+  std::uint64_t count_{0};
+  double mean_{0};
+  double second_{0};  // sums of powers of the deviations from the mean
+  double third_{0};
+  double fourth_{0};
+};
+
+}  // namespace twum::studies

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/optim/scrambled_sobol.hpp>
+#include <twum/studies/statistics/estimate.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace twum::studies {
+
+/// Where a function has to be known for its Sobol indices: blocks of d + 2 points in (0, 1)^d. Two
+/// points A and B of a block are drawn freely, point 2 + j is A with coordinate j from B. Blocks take
+/// turns among kReplicates randomizations of one Sobol sequence in 2 d dimensions.
+class SobolDesign {
+ public:
+  static constexpr std::uint64_t kReplicates = 16;
+
+  SobolDesign(std::size_t variables, std::uint64_t seed);
+
+  std::size_t variables() const noexcept { return variables_; }
+  std::size_t block_size() const noexcept { return variables_ + 2; }
+  /// The least power of two, and of at least 16 points a replicate, that is not below `blocks`:
+  /// elsewhere the points are not evenly spread.
+  static std::uint64_t balanced(std::uint64_t blocks);
+
+  /// One point of a block; `unit` has room for d numbers. Safe from any number of threads.
+  void point(std::uint64_t block, std::size_t member, std::span<double> unit) const;
+
+ private:
+  std::size_t variables_;
+  std::vector<optim::ScrambledSobol> replicates_;
+};
+
+/// Shares of the variance of a function, of one variable.
+struct SobolShares {
+  Estimate first;  ///< explained by the variable alone; an estimate near 0 may be negative
+  Estimate total;  ///< lost if the variable alone were fixed, interactions included
+  Estimate
+      derivative_bound;  ///< E[(df/du)^2] / (pi^2 V), which no total index of a uniform u exceeds
+                         ///< (Sobol and Kucherenko 2009); NaN without derivatives
+};
+
+/// First and total indices of a function of independent uniform variables, from its values on the
+/// blocks of a SobolDesign: the estimators of Saltelli et al. (2010) and Jansen (1999).
+///
+/// An index is the ratio of sums over all blocks. Its interval comes from the scatter of the replicates
+/// about that ratio, with Student's t of 15 degrees: the replicates are independent, which the points
+/// of one sequence are not, so a bootstrap over points would be wrong. Measured on the functions of
+/// Ishigami and Sobol, at 256 to 4096 blocks, 95 % intervals cover 92 to 98 %.
+class SobolIndices {
+ public:
+  explicit SobolIndices(std::size_t variables);
+
+  /// Adds the values at the points of a block. A value that is NaN drops the whole block: a part of
+  /// it would shift the sums that have to match.
+  /// @return true if the block counts
+  bool add(std::uint64_t block, std::span<const double> values);
+  /// The derivatives by the coordinates at the first point of a block that counts. Unless every
+  /// such block has its derivatives there is no bound.
+  void add_gradient(std::uint64_t block, std::span<const double> gradient);
+
+  std::uint64_t blocks() const noexcept { return blocks_; }    ///< that count
+  std::uint64_t dropped() const noexcept { return dropped_; }  ///< blocks
+  double mean() const;
+  double variance() const;
+  /// True if the values differ by no more than the accuracy of a computation: no variance to share.
+  bool constant() const;
+
+  /// One entry for each variable; all NaN if there is no variance or fewer than 2 replicates.
+  std::vector<SobolShares> shares(double confidence) const;
+
+ private:
+  // Sums over the blocks of one replicate, values counted from shift_.
+  struct Sums {
+    double count{0};
+    double value{0};                  // (A + B) / 2
+    double square{0};                 // (A^2 + B^2) / 2
+    std::vector<double> step;         // C - A
+    std::vector<double> product;      // B (C - A)
+    std::vector<double> half_square;  // (A - C)^2 / 2
+    double gradients{0};              // count of
+    std::vector<double> slope;        // (df/du)^2
+  };
+  double centre() const;
+  double variance_sum(const Sums& sums) const;
+
+  std::size_t variables_;
+  std::vector<Sums> replicates_;
+  double shift_{0};
+  std::uint64_t blocks_{0};
+  std::uint64_t dropped_{0};
+};
+
+/// The widest of the intervals of first and total indices; infinite if one is NaN.
+double widest(std::span<const SobolShares> shares);
+
+}  // namespace twum::studies

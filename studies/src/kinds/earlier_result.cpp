@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinds/earlier_result.hpp"
+
+#include <twum/base/error.hpp>
+#include <twum/studies/metrics/expression.hpp>
+#include <twum/studies/text/words.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <utility>
+
+namespace twum::studies {
+namespace {
+
+using nlohmann::json;
+
+EarlierDesign design_from(const json& entries) {
+  EarlierDesign design;
+  for (const auto& [name, entry] : entries.items()) {
+    const json& value = entry.is_object() ? entry.value("value", json()) : entry;
+    const auto parameter = find_parameter(name);
+    if (parameter && value.is_number()) design.emplace_back(*parameter, value.get<double>());
+  }
+  return design;
+}
+
+std::vector<EarlierDesign> designs_from(const json& summary) {
+  std::vector<EarlierDesign> designs;
+  if (summary.contains("front")) {
+    for (const json& point : summary["front"]) designs.push_back(design_from(point["design"]));
+  } else if (summary.contains("best") && summary["best"].is_object()) {
+    designs.push_back(design_from(summary["best"]["design"]));
+  } else if (summary.contains("estimates")) {
+    designs.push_back(design_from(summary["estimates"]));
+  }
+  std::erase_if(designs, [](const EarlierDesign& d) { return d.empty(); });
+  return designs;
+}
+
+// How good a start is: broken limits first, then the goal; smaller is better.
+std::pair<double, double> merit(const DesignProblem& problem, const EarlierDesign& design) {
+  constexpr double kWorst = std::numeric_limits<double>::infinity();
+  std::vector<MetricExpression> metrics{problem.objectives.front().metric};
+  for (const Constraint& limit : problem.limits) metrics.push_back(limit.metric);
+  std::vector<MetricValue> values(metrics.size());
+  try {
+    ExpressionEvaluator(metrics).evaluate(Motor(with(problem.motor, design)), values);
+  } catch (const InputError&) {  // of another motor: its values do not fit this one
+    return {kWorst, kWorst};
+  }
+  double broken = 0;
+  for (std::size_t i = 0; i < problem.limits.size(); ++i) {
+    const Constraint& limit = problem.limits[i];
+    if (values[i + 1].status != MetricStatus::ok) return {kWorst, kWorst};
+    const double excess = (limit.at_least ? 1 : -1) * (limit.limit - values[i + 1].value);
+    broken += std::max(0.0, excess) / std::max(std::fabs(limit.limit), 1e-300);
+  }
+  constexpr double kRoom = 1e-6;  // an optimum breaks its active limits by the solver's tolerance
+  if (values[0].status != MetricStatus::ok) return {kWorst, kWorst};
+  return {broken > kRoom ? broken : 0,
+          (problem.objectives.front().maximize ? -1 : 1) * values[0].value};
+}
+
+}  // namespace
+
+std::vector<EarlierDesign> earlier_designs(const std::string& folder) {
+  const std::string path = (std::filesystem::path(folder) / "summary.json").string();
+  std::ifstream file(path);
+  if (!file)
+    throw InputError("study.start: no result in " + studies::quoted(folder) +
+                     "; expected the directory of a study that has been run");
+  std::vector<EarlierDesign> designs;
+  try {
+    designs = designs_from(json::parse(file));
+  } catch (const json::exception&) {
+    throw InputError("study.start: " + studies::quoted(path) + " cannot be read; run that study again");
+  }
+  if (designs.empty())
+    throw InputError("study.start: " + studies::quoted(path) +
+                     " has no design; expected an optimize, size, pareto or calibrate study "
+                     "that found one");
+  return designs;
+}
+
+const EarlierDesign& best_start(const DesignProblem& problem,
+                                const std::vector<EarlierDesign>& designs) {
+  std::size_t best = 0;
+  auto least = merit(problem, designs.front());
+  for (std::size_t i = 1; i < designs.size(); ++i) {
+    const auto next = merit(problem, designs[i]);
+    if (next < least) {
+      least = next;
+      best = i;
+    }
+  }
+  return designs[best];
+}
+
+}  // namespace twum::studies

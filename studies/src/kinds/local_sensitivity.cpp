@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinds/metric_gradients.hpp"
+#include "kinds/sensitivity_study.hpp"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace twum::studies {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+// Exact derivatives at one motor: one row, whose detail holds the gradients and their smoothness.
+class LocalSensitivity : public SensitivityStudy {
+ public:
+  explicit LocalSensitivity(const StudyFile& file)
+      : SensitivityStudy(file), gradients_(metrics_, box_.parameters()) {
+    for (const entries::Range& range : entries::ranges(file.study))
+      motor_.push_back(std::isnan(range.start) ? get(base_, range.parameter) : range.start);
+  }
+
+  KindAnswer run(RunContext& context) override {
+    const bool complete =
+        store_rows(context, 0, 1, [&](std::uint64_t /*index*/, Row& row) { fill(row); });
+    SensitivityResult result = frame("local");
+    result.motor = motor_;
+    context.store.read(0, [&](const Row& row) { answer(row, result); });
+    std::string word = outcome(result, complete);
+    return {std::move(word), std::move(result)};
+  }
+
+  std::optional<Row> recompute(const Row& stored) const override {
+    if (stored.stage != 0 || stored.index != 0) return {};
+    Row row;
+    fill(row);
+    return row;
+  }
+
+ private:
+  void fill(Row& row) const {
+    evaluator_.evaluate(motor_, row);
+    std::vector<ParameterValue> values;
+    for (std::size_t j = 0; j < variables(); ++j)
+      values.emplace_back(box_.parameters()[j], motor_[j]);
+    std::vector<double> numbers;
+    try {
+      for (const auto& gradient : gradients_.at(with(base_, values))) {
+        numbers.push_back(static_cast<double>(gradient.smoothness));
+        numbers.insert(numbers.end(), gradient.values.begin(), gradient.values.end());
+      }
+    } catch (const std::exception&) {
+      return;  // the row's status says why there is no such motor
+    }
+    row.detail = packed(numbers);
+  }
+
+  void answer(const Row& row, SensitivityResult& result) const {
+    const std::vector<double> numbers = unpacked(row.detail);
+    const std::size_t stride = variables() + 1;
+    for (std::size_t i = 0; i < metrics_.size(); ++i) {
+      MetricSensitivity& metric = result.metrics[i];
+      metric.value = row.values[variables() + i];
+      metric.sd = kNone;
+      if (std::isnan(metric.value) || numbers.size() != stride * metrics_.size()) {
+        metric.dropped = 1;
+        metric.note = "no value at this motor (" + row.status + ")";
+        continue;
+      }
+      metric.samples = 1;
+      const double* part = &numbers[i * stride];
+      metric.smoothness = static_cast<Smoothness>(static_cast<int>(part[0]));
+      MetricSensitivity::Local effects;
+      for (std::size_t j = 0; j < variables(); ++j) {
+        const double slope = part[1 + j];
+        effects.push_back({slope, metric.value == 0 ? kNone : slope * motor_[j] / metric.value});
+      }
+      metric.effects = std::move(effects);
+    }
+  }
+
+  MetricGradients gradients_;
+  std::vector<double> motor_;
+};
+
+}  // namespace
+
+std::unique_ptr<StudyKindRun> make_local_sensitivity(const StudyFile& file) {
+  return std::make_unique<LocalSensitivity>(file);
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinds/metric_gradients.hpp"
+
+#include "problem/metric_values.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+namespace twum::studies {
+
+MetricGradients::MetricGradients(std::vector<MetricExpression> metrics,
+                                 std::vector<Parameter> variables)
+    : metrics_(std::move(metrics)),
+      variables_(std::move(variables)),
+      fixed_static_friction_(std::find(variables_.begin(), variables_.end(),
+                                       Parameter::static_friction) != variables_.end()) {
+  for (const MetricExpression& metric : metrics_) {
+    if (const auto* request = std::get_if<MetricRequest>(&metric.what))
+      requests_.push_back(*request);
+  }
+}
+
+std::vector<MetricGradients::Gradient> MetricGradients::at(const MotorDesign& design) const {
+  const auto answers = differentiate(Motor(design), requests_, fixed_static_friction_);
+  std::vector<Gradient> result;
+  std::size_t asked = 0;
+  for (const MetricExpression& metric : metrics_) {
+    const auto* parameter = std::get_if<Parameter>(&metric.what);
+    const MetricDerivative derivative =
+        parameter != nullptr ? parameter_value(design, *parameter, fixed_static_friction_)
+                             : answers[asked++];
+    Gradient gradient{{}, derivative.smoothness};
+    if (derivative.value.status != MetricStatus::ok) gradient.smoothness = Smoothness::undefined;
+    for (const Parameter variable : variables_) {
+      gradient.values.push_back(gradient.smoothness == Smoothness::undefined
+                                    ? std::numeric_limits<double>::quiet_NaN()
+                                    : derivative.gradient[index_of(variable)]);
+    }
+    result.push_back(std::move(gradient));
+  }
+  return result;
+}
+
+std::string packed(std::span<const double> numbers) {
+  std::string bytes(numbers.size_bytes(), '\0');
+  std::memcpy(bytes.data(), numbers.data(), bytes.size());
+  return bytes;
+}
+
+std::vector<double> unpacked(std::string_view bytes) {
+  std::vector<double> numbers(bytes.size() / sizeof(double));
+  std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(double));
+  return numbers;
+}
+
+}  // namespace twum::studies

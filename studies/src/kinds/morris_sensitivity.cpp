@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinds/sensitivity_study.hpp"
+
+#include <twum/studies/statistics/elementary_effects.hpp>
+
+#include <utility>
+
+namespace twum::studies {
+namespace {
+
+constexpr std::uint64_t kTrajectories = 32;
+
+// Morris' screening: a stage of trajectories of d + 1 rows.
+class MorrisSensitivity : public SensitivityStudy {
+ public:
+  explicit MorrisSensitivity(const StudyFile& file)
+      : SensitivityStudy(file),
+        seed_(entries::count(file.study, "seed", 1)),
+        trajectories_(entries::count(file.study, "samples", kTrajectories)),
+        design_(box_.size(), seed_) {}
+
+  std::uint64_t seed() const override { return seed_; }
+
+  KindAnswer run(RunContext& context) override {
+    const bool complete = store_rows(context, 0, trajectories_ * design_.trajectory_size(),
+                                     [&](std::uint64_t index, Row& row) { fill(index, row); });
+    SensitivityResult result = answer(context.store);
+    std::string word = outcome(result, complete);
+    return {std::move(word), std::move(result)};
+  }
+
+  std::optional<Row> recompute(const Row& stored) const override {
+    if (stored.stage != 0 || stored.index >= trajectories_ * design_.trajectory_size()) return {};
+    Row row;
+    row.index = stored.index;
+    fill(stored.index, row);
+    return row;
+  }
+
+ private:
+  std::vector<double> unit_point(std::uint64_t index) const {
+    std::vector<double> unit(variables());
+    design_.point(index / design_.trajectory_size(), index % design_.trajectory_size(), unit);
+    return unit;
+  }
+
+  void fill(std::uint64_t index, Row& row) const {
+    evaluator_.evaluate(box_.values(unit_point(index)), row);
+  }
+
+  SensitivityResult answer(const ResultStore& store) const {
+    const std::size_t size = design_.trajectory_size();
+    std::vector<ElementaryEffects> effects(metrics_.size(), ElementaryEffects(variables()));
+    std::vector<Moments> values(metrics_.size());
+    std::vector<std::vector<double>> along(metrics_.size());  // values of one trajectory
+    std::vector<double> points;
+    store.read(0, [&](const Row& row) {
+      const auto coordinates = box_.coordinates(unit_point(row.index));
+      points.insert(points.end(), coordinates.begin(), coordinates.end());
+      for (std::size_t i = 0; i < metrics_.size(); ++i)
+        along[i].push_back(row.values[variables() + i]);
+      if (row.index % size != size - 1) return;
+      for (std::size_t i = 0; i < metrics_.size(); ++i) {
+        const std::uint64_t before = effects[i].trajectories();
+        effects[i].add(points, along[i]);
+        if (effects[i].trajectories() > before) {
+          for (const double value : along[i]) values[i].add(value);
+        }
+        along[i].clear();
+      }
+      points.clear();
+    });
+    SensitivityResult result = frame("morris");
+    for (std::size_t i = 0; i < metrics_.size(); ++i) {
+      MetricSensitivity& metric = result.metrics[i];
+      metric.samples = effects[i].trajectories();
+      metric.dropped = effects[i].dropped();
+      metric.value = values[i].mean();
+      metric.sd = values[i].sd();
+      result.samples = metric.samples + metric.dropped;
+      if (!refused(metric, "trajectories")) metric.effects = effects[i].effects(confidence_);
+    }
+    return result;
+  }
+
+  std::uint64_t seed_;
+  std::uint64_t trajectories_;
+  MorrisDesign design_;
+};
+
+}  // namespace
+
+std::unique_ptr<StudyKindRun> make_morris_sensitivity(const StudyFile& file) {
+  return std::make_unique<MorrisSensitivity>(file);
+}
+
+}  // namespace twum::studies

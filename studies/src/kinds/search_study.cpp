@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinds/search_study.hpp"
+
+#include "kinds/earlier_result.hpp"
+#include "study/entries.hpp"
+#include "study/solver_entry.hpp"
+
+#include <twum/optim/certificate.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace twum::studies {
+namespace {
+
+bool finite(const optim::Evaluation& evaluation) {
+  return std::all_of(evaluation.values.begin(), evaluation.values.end(),
+                     [](double v) { return std::isfinite(v); });
+}
+
+}  // namespace
+
+SearchStudy::SearchStudy(const StudyFile& file, DesignProblem asked)
+    : problem_(std::move(asked)),
+      before_(file.motor.design),
+      options_(solver_options_of(file.study)) {
+  problem_.motor = before_;
+  for (const entries::Range& range : entries::ranges(file.study))
+    problem_.variables.push_back({range.parameter, range.min, range.max, range.log, range.start});
+  start_from(file);
+}
+
+// The earlier design is the motor from now on; where it is varied, the search starts there.
+void SearchStudy::start_from(const StudyFile& file) {
+  const YamlNode* start = file.study.find("start");
+  if (start == nullptr) return;
+  const std::string folder = (std::filesystem::path(file.folder) / start->scalar).string();
+  const std::vector<EarlierDesign> designs = earlier_designs(folder);
+  const EarlierDesign& design = best_start(problem_, designs);
+  problem_.motor = with(problem_.motor, design);
+  for (const auto& [parameter, value] : design) {
+    const auto variable =
+        std::find_if(problem_.variables.begin(), problem_.variables.end(),
+                     [p = parameter](const DesignVariable& v) { return v.parameter == p; });
+    if (variable == problem_.variables.end())
+      besides_.push_back(parameter);
+    else if (std::isnan(variable->start))
+      variable->start = value;
+  }
+}
+
+optim::SolveOptions SearchStudy::options(SearchLog& log, const RunContext& context) const {
+  optim::SolveOptions options = options_;
+  options.threads = context.jobs;
+  options.stop = context.stop;
+  options.observer = log.observer();
+  return options;
+}
+
+// A search that was asked to stop may still hold a certified design; it is not the one that the whole
+// search would have ended with.
+std::string SearchStudy::outcome(optim::Outcome outcome, const RunContext& context) {
+  return context.stop.stop_requested() ? "interrupted" : optim::to_string(outcome);
+}
+
+std::optional<Row> SearchStudy::recompute(const Row& stored) const {
+  const SearchRows rows(problem_);
+  const std::span design(stored.values.data(), problem_.variables.size());
+  const bool gradient = rows.asked_gradient(stored);
+  optim::Evaluation evaluation = MotorResponses(problem_).evaluate(design, gradient);
+  if (evaluation.ok() && !finite(evaluation)) evaluation.failure = "not-finite";
+  return rows.row(stored.stage, stored.index, design, gradient, evaluation);
+}
+
+std::optional<optim::Certificate> SearchStudy::certify(std::span<const double> variables) const {
+  return optim::certify(motor_problem(problem_), variables, options_);
+}
+
+}  // namespace twum::studies

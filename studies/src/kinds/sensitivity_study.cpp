@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinds/sensitivity_study.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace twum::studies {
+
+SensitivityStudy::SensitivityStudy(const StudyFile& file)
+    : base_(file.motor.design),
+      box_(entries::ranges(file.study)),
+      metrics_(entries::metrics(file.study)),
+      evaluator_(base_, box_.parameters(), metrics_),
+      confidence_(entries::quantity(file.study, "confidence", "1", 0.95)) {}
+
+SensitivityResult SensitivityStudy::frame(const char* method) const {
+  SensitivityResult result;
+  result.method = method;
+  result.confidence = confidence_;
+  const std::vector<Column> all = columns();
+  const auto metrics = all.begin() + static_cast<std::ptrdiff_t>(variables());
+  result.variables.assign(all.begin(), metrics);
+  for (auto column = metrics; column != all.end(); ++column) {
+    result.metrics.emplace_back();
+    result.metrics.back().metric = *column;
+  }
+  return result;
+}
+
+bool SensitivityStudy::refused(MetricSensitivity& metric, const char* sample) {
+  // What is dropped lies in some corner of the box, so the rest is no sample of the box any more. A
+  // tenth shifts shares of the variance by about as much as intervals of usual samples are wide.
+  constexpr double kMostDropped = 0.1;
+  const auto dropped = static_cast<double>(metric.dropped);
+  const auto all = static_cast<double>(metric.samples + metric.dropped);
+  if (metric.samples > 0 && dropped <= kMostDropped * all) return false;
+  if (all == 0) {
+    metric.note = "nothing evaluated yet";
+    return true;
+  }
+  metric.note = std::to_string(metric.dropped) + " of " +
+                std::to_string(metric.samples + metric.dropped) + " " + sample +
+                " have a motor without a value: no indices (a smaller box may have them)";
+  return true;
+}
+
+std::string SensitivityStudy::outcome(const SensitivityResult& result, bool complete) {
+  if (!complete) return "interrupted";
+  const bool any = std::any_of(result.metrics.begin(), result.metrics.end(),
+                               [](const MetricSensitivity& metric) { return metric.samples > 0; });
+  return any ? "done" : "failed";
+}
+
+std::unique_ptr<StudyKindRun> make_sensitivity(const StudyFile& file) {
+  const std::string method = entries::word(file.study, "method", "");
+  if (method == "local") return make_local_sensitivity(file);
+  if (method == "morris") return make_morris_sensitivity(file);
+  return make_sobol_sensitivity(file);
+}
+
+}  // namespace twum::studies

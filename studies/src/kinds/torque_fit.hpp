@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "study/entries.hpp"
+#include "tables/measured_points.hpp"
+
+#include <twum/core/design/motor_design.hpp>
+#include <twum/core/performance/metrics.hpp>
+#include <twum/optim/least_squares.hpp>
+
+#include <span>
+#include <vector>
+
+namespace twum::studies {
+
+/// The residuals of a calibration: torque of the motor less torque measured, at the speed measured,
+/// times the root of the point's weight [N m]. The speed is what a test stand sets, the torque what it
+/// reads; so the error is one of torque. Constant, safe from any number of threads.
+class TorqueFit {
+ public:
+  TorqueFit(MotorDesign motor, std::vector<entries::Range> parameters,
+            std::vector<MeasuredPoint> points);
+
+  const std::vector<entries::Range>& parameters() const noexcept { return parameters_; }
+  const std::vector<MeasuredPoint>& points() const noexcept { return points_; }
+
+  /// With the exact Jacobian. A motor without a torque at one of the speeds has a failure.
+  optim::Residuals residuals(std::span<const double> values) const;
+  /// Root of the weighted mean square [N m].
+  double rms(std::span<const double> residuals) const;
+  /// Root mean square of the torques measured [N m].
+  double torque_size() const;
+
+  /// Parameters for least_squares(), to begin at some values; empty: where the study says, or at the
+  /// motor as it is, or in the middle.
+  std::vector<optim::Variable> variables(std::span<const double> start) const;
+
+ private:
+  optim::Residuals torque_residuals(std::span<const double> values) const;
+
+  MotorDesign motor_;
+  std::vector<entries::Range> parameters_;
+  std::vector<MeasuredPoint> points_;
+  std::vector<MetricRequest> requests_;
+  bool fixed_static_friction_;
+};
+
+}  // namespace twum::studies

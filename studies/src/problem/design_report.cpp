@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "problem/design_report.hpp"
+
+#include "problem/motor_responses.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace twum::studies {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+NamedValue named(const MotorDesign& motor, Parameter parameter) {
+  const ParameterInfo& row = info(parameter);
+  return {std::string(row.name), std::string(row.unit), get(motor, parameter)};
+}
+
+std::vector<double> values_of(const MotorDesign& design,
+                              const std::vector<MetricExpression>& metrics) {
+  std::vector<MetricValue> answers(metrics.size());
+  ExpressionEvaluator(metrics).evaluate(Motor(design), answers);
+  std::vector<double> values;
+  for (const MetricValue& answer : answers)
+    values.push_back(answer.status == MetricStatus::ok ? answer.value : kNone);
+  return values;
+}
+
+std::vector<Constraint> all_limits(const DesignProblem& problem) {
+  std::vector<Constraint> limits = problem.limits;
+  for (const ImpliedLimit& implied : implied_limits(problem)) {
+    const MetricExpression metric =
+        implied.load ? parse_metric("max_torque") : parse_metric("static_friction");
+    limits.push_back({implied.name, metric, true, implied.load.value_or(0)});
+  }
+  return limits;
+}
+
+const optim::Activity* activity_of(const optim::Certificate& certificate, const std::string& name,
+                                   bool bound) {
+  for (const optim::Activity& a : certificate.limits) {
+    if (a.is_bound == bound && a.name == name) return &a;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+DesignReporter::DesignReporter(const DesignProblem& problem, std::vector<Parameter> besides)
+    : problem_(problem),
+      besides_(std::move(besides)),
+      metrics_(plain_metrics()),
+      limits_(all_limits(problem)) {
+  const auto add = [this](const MetricExpression& metric) {
+    const bool known = std::any_of(metrics_.begin(), metrics_.end(),
+                                   [&](const auto& m) { return m.text == metric.text; });
+    if (!known) metrics_.push_back(metric);
+  };
+  for (const DesignObjective& objective : problem.objectives) add(objective.metric);
+  for (const Constraint& limit : problem.limits) add(limit.metric);
+}
+
+std::vector<Goal> DesignReporter::goals() const {
+  std::vector<Goal> goals;
+  for (const DesignObjective& objective : problem_.objectives)
+    goals.push_back(
+        {objective.metric.text, std::string(objective.metric.unit()), objective.maximize});
+  return goals;
+}
+
+std::vector<NamedValue> DesignReporter::design_of(const MotorDesign& motor) const {
+  std::vector<NamedValue> values;
+  for (const DesignVariable& variable : problem_.variables)
+    values.push_back(named(motor, variable.parameter));
+  for (const Parameter parameter : besides_) values.push_back(named(motor, parameter));
+  return values;
+}
+
+std::vector<NamedValue> DesignReporter::metrics_of(const MotorDesign& motor) const {
+  const std::vector<double> values = values_of(motor, metrics_);
+  std::vector<NamedValue> list;
+  for (std::size_t i = 0; i < metrics_.size(); ++i)
+    list.push_back({metrics_[i].text, std::string(metrics_[i].unit()), values[i]});
+  return list;
+}
+
+std::vector<LimitState> DesignReporter::limits(const MotorDesign& motor,
+                                               const optim::Certificate& certificate) const {
+  std::vector<MetricExpression> metrics;
+  for (const Constraint& limit : limits_) metrics.push_back(limit.metric);
+  const std::vector<double> values = values_of(motor, metrics);
+  std::vector<LimitState> states;
+  for (std::size_t i = 0; i < limits_.size(); ++i) {
+    const Constraint& limit = limits_[i];
+    LimitState state{limit.text,     limit.metric.text, std::string(limit.metric.unit()),
+                     limit.at_least, values[i],         limit.limit};
+    if (const optim::Activity* a = activity_of(certificate, limit.text, false)) {
+      state.active = a->active;
+      state.multiplier = a->multiplier;
+      state.one_percent_buys = a->one_percent_buys;
+      if (i >= problem_.limits.size()) state.value = a->value;  // such as mu_0 - mu
+    }
+    const double excess = limit.at_least ? limit.limit - state.value : state.value - limit.limit;
+    state.violation = std::isnan(excess) ? kNone : std::max(0.0, excess);
+    states.push_back(std::move(state));
+  }
+  return states;
+}
+
+std::vector<BoundState> DesignReporter::bounds(const optim::Certificate& certificate) const {
+  std::vector<BoundState> states;
+  for (const DesignVariable& variable : problem_.variables) {
+    const ParameterInfo& row = info(variable.parameter);
+    const optim::Activity* a = activity_of(certificate, std::string(row.name), true);
+    if (a == nullptr || variable.min == variable.max) continue;
+    states.push_back({{std::string(row.name), std::string(row.unit)},
+                      a->side == optim::Side::upper,
+                      a->limit,
+                      a->multiplier,
+                      a->one_percent_buys});
+  }
+  return states;
+}
+
+DesignReport DesignReporter::report(std::span<const double> design,
+                                    const optim::Certificate& certificate) const {
+  const MotorDesign motor = motor_of(problem_, design);
+  return {design_of(motor), metrics_of(motor), limits(motor, certificate), bounds(certificate),
+          certificate};
+}
+
+std::vector<RelaxationState> DesignReporter::relaxation(
+    const optim::Infeasibility& infeasibility) const {
+  std::vector<RelaxationState> states;
+  for (const optim::Relaxation& r : infeasibility.relaxations) {
+    const auto limit = std::find_if(limits_.begin(), limits_.end(),
+                                    [&](const Constraint& c) { return c.text == r.name; });
+    if (limit == limits_.end()) continue;
+    states.push_back({limit->text, limit->metric.text, std::string(limit->metric.unit()),
+                      limit->at_least, r.limit, r.amount, r.alone});
+  }
+  return states;
+}
+
+std::vector<std::string> DesignReporter::idle(const optim::Evaluation& evaluation,
+                                              const DesignReport& report) const {
+  const std::size_t n = problem_.variables.size();
+  if (evaluation.jacobian.empty()) return {};
+  std::vector<std::size_t> rows;
+  for (std::size_t k = 0; k < problem_.objectives.size(); ++k) rows.push_back(k);
+  for (std::size_t i = 0; i < report.constraints.size(); ++i) {
+    if (report.constraints[i].active || report.constraints[i].violation > 0)
+      rows.push_back(problem_.objectives.size() + i);
+  }
+  // Change of a response over the variable's range; below rounding of the largest it is none.
+  constexpr double kNothing = 1e-12;
+  std::vector<bool> matters(n, false);
+  for (const std::size_t row : rows) {
+    std::vector<double> change;
+    for (std::size_t j = 0; j < n; ++j)
+      change.push_back(std::fabs(evaluation.jacobian[row * n + j]) *
+                       (problem_.variables[j].max - problem_.variables[j].min));
+    const double largest = *std::max_element(change.begin(), change.end());
+    for (std::size_t j = 0; j < n; ++j)
+      matters[j] = matters[j] || !(change[j] <= kNothing * largest);
+  }
+  std::vector<std::string> names;
+  for (std::size_t j = 0; j < n; ++j) {
+    if (!matters[j]) names.emplace_back(info(problem_.variables[j].parameter).name);
+  }
+  return names;
+}
+
+}  // namespace twum::studies

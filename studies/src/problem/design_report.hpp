@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/optim/result.hpp>
+#include <twum/studies/problem/motor_problem.hpp>
+#include <twum/studies/results/optimize_result.hpp>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace twum::studies {
+
+/// Puts designs of one question into words and SI numbers.
+class DesignReporter {
+ public:
+  /// @param besides  parameters that were changed before the search, reported with each design
+  DesignReporter(const DesignProblem& problem, std::vector<Parameter> besides);
+
+  DesignReport report(std::span<const double> design, const optim::Certificate& certificate) const;
+  std::vector<Goal> goals() const;
+
+  /// Values of the parameters that designs are made of.
+  std::vector<NamedValue> design_of(const MotorDesign& motor) const;
+  /// Every metric without argument, then those of the question.
+  std::vector<NamedValue> metrics_of(const MotorDesign& motor) const;
+
+  std::vector<RelaxationState> relaxation(const optim::Infeasibility& infeasibility) const;
+  /// Variables without influence on the goals or a limit that is active, by the Jacobian.
+  std::vector<std::string> idle(const optim::Evaluation& evaluation,
+                                const DesignReport& report) const;
+
+ private:
+  std::vector<LimitState> limits(const MotorDesign& motor,
+                                 const optim::Certificate& certificate) const;
+  std::vector<BoundState> bounds(const optim::Certificate& certificate) const;
+
+  const DesignProblem& problem_;
+  std::vector<Parameter> besides_;
+  std::vector<MetricExpression> metrics_;
+  std::vector<Constraint> limits_;  // those of the question, then those that follow
+};
+
+}  // namespace twum::studies

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/studies/problem/motor_problem.hpp>
+
+#include "problem/motor_responses.hpp"
+
+#include <twum/base/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace twum::studies {
+namespace {
+
+void require_admissible(const DesignVariable& variable, double value, const char* what) {
+  const std::string text = complaint(variable.parameter, value);
+  if (!text.empty())
+    throw InputError(std::string(info(variable.parameter).name) + ": its " + what + " " + text);
+}
+
+optim::Variable variable_of(const DesignProblem& problem, const DesignVariable& variable) {
+  require_admissible(variable, variable.min, "smallest value");
+  require_admissible(variable, variable.max, "largest value");
+  const ParameterInfo& row = info(variable.parameter);
+  optim::Variable v;
+  v.name = row.name;
+  v.lower = variable.min;
+  v.upper = variable.max;
+  v.start = std::isnan(variable.start) ? get(problem.motor, variable.parameter) : variable.start;
+  v.scale = variable.log ? optim::Scale::log : optim::Scale::linear;
+  v.integer = row.integer;
+  return v;
+}
+
+// A parameter and its twin say the same: only one of them can be free.
+void refuse_twins(const DesignProblem& problem) {
+  for (const DesignVariable& a : problem.variables) {
+    const auto twin = info(a.parameter).twin;
+    for (const DesignVariable& b : problem.variables) {
+      if (twin == b.parameter)
+        throw InputError(std::string(info(a.parameter).name) + " and " +
+                         std::string(info(b.parameter).name) +
+                         " say the same in two ways; vary one of them");
+    }
+  }
+}
+
+optim::Constraint limit_of(const Constraint& limit) {
+  optim::Constraint c;
+  c.name = limit.text;
+  (limit.at_least ? c.lower : c.upper) = limit.limit;
+  return c;
+}
+
+DesignProblem& want(DesignProblem& problem, std::string_view metric, bool maximize) {
+  problem.objectives.push_back({parse_metric(metric), maximize});
+  return problem;
+}
+
+}  // namespace
+
+DesignProblem& DesignProblem::vary(Parameter parameter, double min, double max, bool log) {
+  variables.push_back({parameter, min, max, log});
+  return *this;
+}
+
+DesignProblem& DesignProblem::maximize(std::string_view metric) {
+  return want(*this, metric, true);
+}
+
+DesignProblem& DesignProblem::minimize(std::string_view metric) {
+  return want(*this, metric, false);
+}
+
+DesignProblem& DesignProblem::limit(std::string_view text) {
+  limits.push_back(parse_constraint(text));
+  return *this;
+}
+
+MotorDesign motor_of(const DesignProblem& problem, std::span<const double> values) {
+  TWUM_ASSERT(values.size() == problem.variables.size());
+  std::vector<ParameterValue> list;
+  double kinetic = problem.motor.friction.kinetic;
+  for (std::size_t j = 0; j < values.size(); ++j) {
+    list.emplace_back(problem.variables[j].parameter, values[j]);
+    if (problem.variables[j].parameter == Parameter::kinetic_friction) kinetic = values[j];
+  }
+  for (auto& [parameter, value] : list) {
+    if (parameter == Parameter::static_friction) value = std::max(value, kinetic);
+  }
+  return with(problem.motor, list);
+}
+
+optim::Problem motor_problem(const DesignProblem& problem) {
+  refuse_twins(problem);
+  optim::Problem result;
+  for (const DesignVariable& variable : problem.variables)
+    result.variables.push_back(variable_of(problem, variable));
+  for (const DesignObjective& objective : problem.objectives)
+    result.objectives.push_back({objective.metric.text, objective.maximize
+                                                            ? optim::Sense::maximize
+                                                            : optim::Sense::minimize});
+  for (const Constraint& limit : problem.limits) result.constraints.push_back(limit_of(limit));
+  auto responses = std::make_shared<const MotorResponses>(problem);
+  for (const ImpliedLimit& limit : responses->implied())
+    result.constraints.push_back({limit.name, limit.load.value_or(0)});
+  result.evaluate = [responses](std::span<const double> design, bool gradient) {
+    return responses->evaluate(design, gradient);
+  };
+  validate(result);
+  return result;
+}
+
+}  // namespace twum::studies

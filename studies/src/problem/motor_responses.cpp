@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "problem/motor_responses.hpp"
+
+#include <twum/base/error.hpp>
+#include <twum/studies/text/number.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace twum::studies {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+// Steps to the two sides of a kink, relative to the variable: far above rounding, and so short that
+// the derivative there is that of the side up to about as much.
+constexpr double kAside = 1e-7;
+// One-sided derivatives that differ by less than this, relative, are taken as one.
+constexpr double kSameSlope = 1e-4;
+
+const DesignVariable* variable_of(const DesignProblem& problem, Parameter parameter) {
+  for (const DesignVariable& v : problem.variables) {
+    if (v.parameter == parameter) return &v;
+  }
+  return nullptr;
+}
+
+bool orders_friction(const DesignProblem& problem) {
+  const DesignVariable* static_ = variable_of(problem, Parameter::static_friction);
+  if (static_ == nullptr) return false;
+  const DesignVariable* kinetic = variable_of(problem, Parameter::kinetic_friction);
+  return static_->min < (kinetic != nullptr ? kinetic->max : problem.motor.friction.kinetic);
+}
+
+std::vector<MetricExpression> asked(const DesignProblem& problem) {
+  std::vector<MetricExpression> list;
+  for (const DesignObjective& objective : problem.objectives) list.push_back(objective.metric);
+  for (const Constraint& limit : problem.limits) list.push_back(limit.metric);
+  return list;
+}
+
+std::string reason(const MetricExpression& metric, MetricStatus status) {
+  return metric.text + ": " + to_string(status);
+}
+
+}  // namespace
+
+std::vector<ImpliedLimit> implied_limits(const DesignProblem& problem) {
+  std::vector<ImpliedLimit> limits;
+  for (const MetricExpression& metric : asked(problem)) {
+    const auto* request = std::get_if<MetricRequest>(&metric.what);
+    if (request == nullptr || request->argument != Argument::torque) continue;
+    const bool known = std::any_of(limits.begin(), limits.end(),
+                                   [&](const ImpliedLimit& l) { return l.load == request->at; });
+    if (!known)
+      limits.push_back(
+          {"max_torque >= " + number_text(request->at) + " N.m for " + metric.text, request->at});
+  }
+  if (orders_friction(problem)) limits.push_back({"static_friction >= kinetic_friction", {}});
+  return limits;
+}
+
+MotorResponses::MotorResponses(DesignProblem problem)
+    : problem_(std::move(problem)),
+      implied_(implied_limits(problem_)),
+      responses_(asked(problem_)),
+      fixed_static_friction_(variable_of(problem_, Parameter::static_friction) != nullptr) {
+  for (const ImpliedLimit& limit : implied_) {
+    if (limit.load)
+      responses_.push_back({"max_torque", MetricRequest{Metric::max_torque, Argument::none, 0}});
+  }
+}
+
+optim::Evaluation MotorResponses::evaluate(std::span<const double> design, bool gradient) const {
+  try {
+    return evaluate_motor(design, gradient);
+  } catch (const EvaluationError& error) {
+    optim::Evaluation failed;
+    failed.failure = error.reason();
+    return failed;
+  } catch (const InputError& error) {  // a combination of values that is no motor
+    optim::Evaluation failed;
+    failed.failure = std::string("not a motor: ") + error.what();
+    return failed;
+  }
+}
+
+MotorResponses::Numbers MotorResponses::numbers(const MotorDesign& motor, bool gradient) const {
+  Numbers numbers = metric_values(Motor(motor), responses_, gradient, fixed_static_friction_);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const MetricStatus status = numbers[i].value.status;
+    if (status != MetricStatus::ok)
+      throw EvaluationError(reason(responses_[i], status), "no answer for this motor");
+  }
+  return numbers;
+}
+
+optim::Evaluation MotorResponses::evaluate_motor(std::span<const double> design,
+                                                 bool gradient) const {
+  Numbers responses = numbers(motor_of(problem_, design), gradient);
+  add_friction_order(design, responses);
+  optim::Evaluation evaluation;
+  for (const MetricDerivative& response : responses) {
+    evaluation.values.push_back(response.value.value);
+    if (!gradient) continue;
+    for (const DesignVariable& variable : problem_.variables)
+      evaluation.jacobian.push_back(response.gradient[index_of(variable.parameter)]);
+  }
+  if (gradient) add_kinks(design, responses, evaluation);
+  return evaluation;
+}
+
+// mu_0 - mu of the values asked for. Where it is negative the motor has mu_0 = mu, whatever mu_0 is.
+void MotorResponses::add_friction_order(std::span<const double> design, Numbers& numbers) const {
+  if (implied_.empty() || implied_.back().load) return;
+  double kinetic = problem_.motor.friction.kinetic;
+  double static_ = 0;
+  for (std::size_t j = 0; j < problem_.variables.size(); ++j) {
+    if (problem_.variables[j].parameter == Parameter::kinetic_friction) kinetic = design[j];
+    if (problem_.variables[j].parameter == Parameter::static_friction) static_ = design[j];
+  }
+  constexpr std::size_t kStatic = index_of(Parameter::static_friction);
+  constexpr std::size_t kKinetic = index_of(Parameter::kinetic_friction);
+  if (static_ < kinetic) {
+    for (MetricDerivative& response : numbers) {
+      response.gradient[kKinetic] += response.gradient[kStatic];
+      response.gradient[kStatic] = 0;
+    }
+  }
+  MetricDerivative order;
+  order.value.value = static_ - kinetic;
+  order.gradient[kStatic] = 1;
+  order.gradient[kKinetic] = -1;
+  numbers.push_back(order);
+}
+
+void MotorResponses::add_kinks(std::span<const double> design, const Numbers& numbers,
+                               optim::Evaluation& evaluation) const {
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (numbers[i].smoothness != Smoothness::one_sided) continue;
+    for (std::size_t j = 0; j < design.size(); ++j) add_kink(i, j, design, evaluation);
+  }
+}
+
+// The metrics know the derivative of the branch they are on; the other one is that of a design next
+// to this one.
+void MotorResponses::add_kink(std::size_t response, std::size_t variable,
+                              std::span<const double> design, optim::Evaluation& evaluation) const {
+  const auto slope_aside = [&](double step) {
+    std::vector<double> next(design.begin(), design.end());
+    next[variable] *= 1 + step;
+    try {
+      Numbers aside =
+          metric_values(Motor(motor_of(problem_, next)), std::span(&responses_[response], 1), true,
+                        fixed_static_friction_);
+      return aside[0].gradient[index_of(problem_.variables[variable].parameter)];
+    } catch (const InputError&) {  // the end of what is admissible
+      return kNaN;
+    }
+  };
+  if (info(problem_.variables[variable].parameter).integer) return;
+  const double left = slope_aside(-kAside);
+  const double right = slope_aside(kAside);
+  const double size = std::max(std::fabs(left), std::fabs(right));
+  if (!(std::fabs(left - right) > kSameSlope * size)) return;
+  evaluation.kinks.push_back({response, variable, optim::Slope::one_sided, left, right});
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "problem/metric_values.hpp"
+
+#include <twum/studies/problem/motor_problem.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace twum::studies {
+
+/// A limit that follows from what a question asks.
+struct ImpliedLimit {
+  std::string name;
+  std::optional<double> load;  ///< max_torque >= load [N m]; otherwise static >= kinetic friction
+};
+
+std::vector<ImpliedLimit> implied_limits(const DesignProblem& problem);
+
+/// The evaluator of motor_problem(): responses of one motor and their Jacobian.
+class MotorResponses {
+ public:
+  explicit MotorResponses(DesignProblem problem);
+
+  optim::Evaluation evaluate(std::span<const double> design, bool gradient) const;
+
+  const DesignProblem& problem() const noexcept { return problem_; }
+  const std::vector<ImpliedLimit>& implied() const noexcept { return implied_; }
+
+ private:
+  using Numbers = std::vector<MetricDerivative>;  // one for each response
+
+  Numbers numbers(const MotorDesign& motor, bool gradient) const;
+  void add_friction_order(std::span<const double> design, Numbers& numbers) const;
+  optim::Evaluation evaluate_motor(std::span<const double> design, bool gradient) const;
+  void add_kinks(std::span<const double> design, const Numbers& numbers,
+                 optim::Evaluation& evaluation) const;
+  void add_kink(std::size_t response, std::size_t variable, std::span<const double> design,
+                optim::Evaluation& evaluation) const;
+
+  DesignProblem problem_;
+  std::vector<ImpliedLimit> implied_;
+  std::vector<MetricExpression> responses_;  // all but the friction order, which comes last
+  bool fixed_static_friction_;
+};
+
+}  // namespace twum::studies

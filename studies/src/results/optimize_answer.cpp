@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "results/search_words.hpp"
+
+#include <twum/studies/text/number.hpp>
+#include <twum/studies/text/text_table.hpp>
+#include <twum/studies/units/engineering.hpp>
+
+#include <cmath>
+#include <map>
+
+namespace twum::studies {
+namespace {
+
+Json stages_json(const std::vector<optim::StageReport>& stages) {
+  Json json = Json::array();
+  for (const optim::StageReport& stage : stages)
+    json.push_back({{"stage", stage.stage},
+                    {"solver", stage.solver},
+                    {"word", stage.word},
+                    {"code", stage.code},
+                    {"feasible", stage.feasible},
+                    {"objective", number_json(stage.objective)},
+                    {"evaluations", stage.evaluations}});
+  return json;
+}
+
+std::string cell(double value, const std::string& unit) {
+  return std::isnan(value) ? "-" : engineering(value, unit);
+}
+
+// "+1.2 W", and nothing where the change is none.
+std::string change(double value, const std::string& unit) {
+  if (std::isnan(value) || value == 0) return "nothing";
+  return (value > 0 ? "+" : "") + engineering(value, unit, 3);
+}
+
+std::string bound_words(const OptimizeResult& result, const std::string& name) {
+  for (const BoundState& bound : result.best.bounds) {
+    if (bound.variable.name != name) continue;
+    const std::string end = bound.upper ? "at its largest" : "at its smallest";
+    if (bound.multiplier == 0) return end;
+    return end + "; 1 % further buys " + change(bound.one_percent_buys, result.goal.unit);
+  }
+  return {};
+}
+
+std::string design_table(const OptimizeResult& result) {
+  TextTable table{{{"design", "start", "best", ""}}};
+  for (const NamedValue& value : result.best.design)
+    table.rows.push_back({value.name, cell(value_of(result.before_design, value.name), value.unit),
+                          cell(value.value, value.unit), bound_words(result, value.name)});
+  return aligned(table);
+}
+
+std::string metric_table_text(const OptimizeResult& result) {
+  TextTable table{{{"metric", "start", "best"}}};
+  for (const NamedValue& value : result.best.metrics)
+    table.rows.push_back({value.name, cell(value_of(result.before_metrics, value.name), value.unit),
+                          cell(value.value, value.unit)});
+  return aligned(table);
+}
+
+// By more than the solver's tolerance, to which an active limit is met.
+bool broken(const LimitState& limit) { return limit.violation > 1e-6 * std::fabs(limit.limit); }
+
+std::string state_words(const LimitState& limit) {
+  if (std::isnan(limit.violation)) return "cannot be reached";
+  if (broken(limit)) return "broken by " + engineering(limit.violation, limit.unit, 3);
+  return limit.active ? "binds" : "holds";
+}
+
+std::string limit_table(const OptimizeResult& result) {
+  if (result.best.constraints.empty()) return {};
+  TextTable table{{{"limit", "best", "", "1 % looser buys"}}};
+  for (const LimitState& limit : result.best.constraints)
+    table.rows.push_back(
+        {limit.text, cell(limit.value, limit.unit), state_words(limit),
+         limit.active && !broken(limit) ? change(limit.one_percent_buys, result.goal.unit) : ""});
+  return "\n" + aligned(table);
+}
+
+// "8 x nlopt:slsqp (XTOL_REACHED)": what the solvers said, most of them the same.
+std::string solver_words(const OptimizeResult& result) {
+  std::map<std::string, int> said;
+  for (const optim::StageReport& stage : result.stages) {
+    if (!stage.solver.empty()) ++said[stage.solver + " (" + stage.word + ")"];
+  }
+  std::string text;
+  for (const auto& [word, count] : said)
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " x " + word;
+  return text.empty() ? text : "Solver runs: " + text + ".\n";
+}
+
+std::string verdict(const OptimizeResult& result) {
+  const optim::Certificate& certificate = result.best.certificate;
+  std::string text =
+      certificate.passed
+          ? "Optimal by our own check: no feasible change improves it to first order "
+            "(stationarity " +
+                rounded_text(certificate.stationarity, 2) + ")"
+          : "Not certified as an optimum: " + certificate.reason;
+  if (!result.solver.empty()) text += "; found by " + result.solver;
+  return text + ".\n";
+}
+
+}  // namespace
+
+Json answer_json(const OptimizeResult& result) {
+  Json json{{"objective", goal_json(result.goal)}};
+  json["best"] = result.found ? report_json(result.best) : Json(nullptr);
+  if (!result.relaxation.empty() || !result.conflict.empty())
+    json["relaxation"] = relaxation_json(result.conflict, result.relaxation);
+  json["before"] = {{"design", values_json(result.before_design)},
+                    {"metrics", values_json(result.before_metrics)}};
+  json["idle_variables"] = result.idle;
+  json["solver"] = result.solver;
+  json["stages"] = stages_json(result.stages);
+  json["units"] = Json::object();
+  add_units(json["units"], result.before_design);
+  add_units(json["units"], result.before_metrics);
+  return json;
+}
+
+std::string answer_text(const OptimizeResult& result) {
+  if (!result.found) return "No design could be evaluated.\n";
+  const bool infeasible = !result.relaxation.empty() || !result.conflict.empty();
+  std::string text;
+  if (infeasible)
+    text = relaxation_words(result.conflict, result.relaxation) +
+           "\nThe design that breaks them least:\n\n";
+  else
+    text = goal_words(result.goal) + ": " +
+           cell(value_of(result.best.metrics, result.goal.metric), result.goal.unit) + " (was " +
+           cell(value_of(result.before_metrics, result.goal.metric), result.goal.unit) + ")\n\n";
+  text += design_table(result) + limit_table(result) + "\n" + metric_table_text(result) + "\n";
+  if (infeasible) return text + solver_words(result);
+  text += verdict(result);
+  if (!result.idle.empty()) text += "Without influence here: " + enumeration(result.idle) + ".\n";
+  return text + finding_words(result.best.certificate) + solver_words(result);
+}
+
+}  // namespace twum::studies

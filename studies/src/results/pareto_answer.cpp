@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "results/search_words.hpp"
+
+#include <twum/studies/text/text_table.hpp>
+#include <twum/studies/units/engineering.hpp>
+
+#include <algorithm>
+
+namespace twum::studies {
+namespace {
+
+std::size_t certified(const ParetoResult& result) {
+  return static_cast<std::size_t>(
+      std::count_if(result.front.begin(), result.front.end(),
+                    [](const auto& p) { return p.report.certificate.passed; }));
+}
+
+struct Shown {
+  std::string title;
+  const ParetoResult::Point* point;
+};
+
+// The ends and the knee, each with its title.
+std::vector<Shown> shown(const ParetoResult& result) {
+  std::vector<Shown> list;
+  for (std::size_t k = 0; k < result.ends.size(); ++k)
+    list.push_back({goal_words(result.goals[k]), &result.front[result.ends[k]]});
+  const auto knee = std::find(result.ends.begin(), result.ends.end(), result.knee);
+  if (knee == result.ends.end()) list.push_back({"knee", &result.front[result.knee]});
+  return list;
+}
+
+// Ends and knee side by side: goals first, then what they are made of.
+std::string front_table(const ParetoResult& result) {
+  const std::vector<Shown> columns = shown(result);
+  TextTable table;
+  table.rows.push_back({""});
+  for (const Shown& column : columns) table.rows.back().push_back(column.title);
+  for (std::size_t k = 0; k < result.goals.size(); ++k) {
+    table.rows.push_back({result.goals[k].metric});
+    for (const Shown& column : columns)
+      table.rows.back().push_back(engineering(column.point->goals[k], result.goals[k].unit));
+  }
+  const auto& variables = columns.front().point->report.design;
+  for (std::size_t j = 0; j < variables.size(); ++j) {
+    table.rows.push_back({variables[j].name});
+    for (const Shown& column : columns)
+      table.rows.back().push_back(
+          engineering(column.point->report.design[j].value, variables[j].unit));
+  }
+  return aligned(table);
+}
+
+// Limits that bind somewhere, and along how much of the front.
+std::string binding_words(const ParetoResult& result) {
+  std::string text;
+  const std::string of = " of " + std::to_string(result.front.size()) + " points.\n";
+  const auto& limits = result.front.front().report.constraints;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const auto count = std::count_if(result.front.begin(), result.front.end(),
+                                     [i](const auto& p) { return p.report.constraints[i].active; });
+    if (count > 0) text += limits[i].text + " binds at " + std::to_string(count) + of;
+  }
+  for (const NamedValue& variable : result.front.front().report.design) {
+    const auto count = std::count_if(result.front.begin(), result.front.end(), [&](const auto& p) {
+      return std::any_of(p.report.bounds.begin(), p.report.bounds.end(),
+                         [&](const BoundState& b) { return b.variable.name == variable.name; });
+    });
+    if (count > 0) text += variable.name + " is at a bound at " + std::to_string(count) + of;
+  }
+  return text;
+}
+
+}  // namespace
+
+Json answer_json(const ParetoResult& result) {
+  Json json{{"objectives", Json::array()}, {"front", Json::array()}};
+  for (const Goal& goal : result.goals) json["objectives"].push_back(goal_json(goal));
+  for (const ParetoResult::Point& point : result.front)
+    json["front"].push_back(report_json(point.report));
+  json["knee"] = result.front.empty() ? Json(nullptr) : Json(result.knee);
+  json["ends"] = result.ends;
+  json["hypervolume"] = number_json(result.hypervolume);
+  json["reference_point"] = result.reference_point;
+  if (!result.relaxation.empty() || !result.conflict.empty())
+    json["relaxation"] = relaxation_json(result.conflict, result.relaxation);
+  json["before"] = {{"design", values_json(result.before_design)},
+                    {"metrics", values_json(result.before_metrics)}};
+  json["units"] = Json::object();
+  add_units(json["units"], result.before_design);
+  add_units(json["units"], result.before_metrics);
+  return json;
+}
+
+std::string answer_text(const ParetoResult& result) {
+  if (!result.relaxation.empty() || !result.conflict.empty())
+    return relaxation_words(result.conflict, result.relaxation);
+  if (result.front.empty()) return "No point of the front was found.\n";
+  return std::to_string(result.front.size()) + " points, " + std::to_string(certified(result)) +
+         " of them certified\n\n" + front_table(result) + "\n" + binding_words(result);
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "results/row_pass.hpp"
+
+#include <twum/studies/tables/csv.hpp>
+#include <twum/studies/text/number.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace twum::studies {
+namespace {
+
+constexpr std::size_t kPiece = std::size_t{1} << 16U;  // bytes written at a time
+
+std::string header(const ResultStore& store, bool stages) {
+  std::string line = stages ? "stage," : "";
+  for (const Column& column : store.columns()) {
+    append_cell(line, column.name + " [" + column.unit + "]");
+    line += ',';
+  }
+  return line + "status\n";
+}
+
+void append_line(const Row& row, bool stages, std::string& out) {
+  if (stages) out += std::to_string(row.stage) + ",";
+  for (const double value : row.values) {
+    append_number(out, value);
+    out += ',';
+  }
+  append_cell(out, row.status);
+  out += '\n';
+}
+
+}  // namespace
+
+void FailureCount::see(const Row& row) {
+  if (row.status == "ok") return;
+  FailureRegion& region = by_reason_[row.status];
+  if (region.count++ == 0) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    region.reason = row.status;
+    for (const Column& variable : variables_) region.where.push_back({variable, kNone, kNone});
+  }
+  for (std::size_t i = 0; i < variables_.size() && i < row.values.size(); ++i) {
+    region.where[i].low = std::fmin(region.where[i].low, row.values[i]);
+    region.where[i].high = std::fmax(region.where[i].high, row.values[i]);
+  }
+}
+
+std::vector<FailureRegion> FailureCount::regions() const {
+  std::vector<FailureRegion> regions;
+  for (const auto& [reason, region] : by_reason_) regions.push_back(region);
+  std::stable_sort(
+      regions.begin(), regions.end(),
+      [](const FailureRegion& a, const FailureRegion& b) { return a.count > b.count; });
+  return regions;
+}
+
+FailureCount write_rows(const ResultStore& store, std::size_t variables,
+                        const std::function<void(std::string_view)>& put) {
+  const std::vector<Column>& columns = store.columns();
+  FailureCount failures(
+      {columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(variables)});
+  const bool stages = store.stages().size() > 1;
+  std::string piece = header(store, stages);
+  store.read([&](const Row& row) {
+    failures.see(row);
+    append_line(row, stages, piece);
+    if (piece.size() < kPiece) return;
+    put(piece);
+    piece.clear();
+  });
+  put(piece);
+  return failures;
+}
+
+}  // namespace twum::studies

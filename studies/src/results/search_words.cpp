@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "results/search_words.hpp"
+
+#include <twum/studies/text/text_table.hpp>
+#include <twum/studies/units/engineering.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace twum::studies {
+namespace {
+
+Json limit_json(const LimitState& state) {
+  return {{"text", state.text},
+          {"value", number_json(state.value)},
+          {"limit", number_json(state.limit)},
+          {"violation", number_json(state.violation)},
+          {"active", state.active},
+          {"multiplier", number_json(state.multiplier)},
+          {"one_percent_buys", number_json(state.one_percent_buys)}};
+}
+
+Json bound_json(const BoundState& state) {
+  return {{"variable", state.variable.name},
+          {"side", state.upper ? "upper" : "lower"},
+          {"limit", number_json(state.limit)},
+          {"multiplier", number_json(state.multiplier)},
+          {"one_percent_buys", number_json(state.one_percent_buys)}};
+}
+
+Json certificate_json(const optim::Certificate& certificate) {
+  Json json{{"passed", certificate.passed},
+            {"reason", certificate.reason},
+            {"infeasibility", number_json(certificate.infeasibility)},
+            {"stationarity", number_json(certificate.stationarity)},
+            {"complementarity", number_json(certificate.complementarity)},
+            {"curvature", number_json(certificate.curvature)},
+            {"weights", certificate.weights},
+            {"findings", Json::array()}};
+  for (const optim::Finding& finding : certificate.findings)
+    json["findings"].push_back({{"kind", optim::to_string(finding.kind)},
+                                {"text", finding.text},
+                                {"names", finding.names}});
+  return json;
+}
+
+std::string relaxed(const RelaxationState& state, double amount) {
+  if (!std::isfinite(amount)) return "does not help alone";
+  if (amount == 0) return "as it is";
+  const double limit = state.at_least ? state.limit - amount : state.limit + amount;
+  return (state.at_least ? ">= " : "<= ") + engineering(limit, state.unit);
+}
+
+}  // namespace
+
+Json values_json(const std::vector<NamedValue>& values) {
+  Json json = Json::object();
+  for (const NamedValue& value : values) json[value.name] = number_json(value.value);
+  return json;
+}
+
+void add_units(Json& units, const std::vector<NamedValue>& values) {
+  for (const NamedValue& value : values) units[value.name] = value.unit;
+}
+
+Json goal_json(const Goal& goal) {
+  return {{"metric", goal.metric}, {"sense", goal.maximize ? "maximize" : "minimize"}};
+}
+
+Json report_json(const DesignReport& report) {
+  Json json{{"design", values_json(report.design)},
+            {"metrics", values_json(report.metrics)},
+            {"constraints", Json::array()},
+            {"bounds", Json::array()}};
+  for (const LimitState& state : report.constraints)
+    json["constraints"].push_back(limit_json(state));
+  for (const BoundState& state : report.bounds) json["bounds"].push_back(bound_json(state));
+  json["certificate"] = certificate_json(report.certificate);
+  return json;
+}
+
+Json relaxation_json(const std::vector<std::string>& conflict,
+                     const std::vector<RelaxationState>& states) {
+  Json json{{"conflict", conflict}, {"limits", Json::array()}};
+  for (const RelaxationState& state : states)
+    json["limits"].push_back({{"text", state.text},
+                              {"limit", number_json(state.limit)},
+                              {"amount", number_json(state.amount)},
+                              {"alone", number_json(state.alone)}});
+  return json;
+}
+
+std::string goal_words(const Goal& goal) {
+  return (goal.maximize ? "largest " : "smallest ") + goal.metric;
+}
+
+std::string enumeration(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 < names.size() ? ", " : " and ";
+    text += names[i];
+  }
+  return text;
+}
+
+std::string relaxation_words(const std::vector<std::string>& conflict,
+                             const std::vector<RelaxationState>& states) {
+  std::string text = "No design satisfies all limits";
+  if (!conflict.empty())
+    text += conflict.size() == 1 ? ": " + conflict.front() + " is out of reach"
+                                 : "; these cannot hold together: " + enumeration(conflict);
+  text += ".\n";
+  if (states.empty()) return text;
+  TextTable table{{{"the least that would do", "all together", "this one alone"}}};
+  for (const RelaxationState& state : states)
+    table.rows.push_back({state.text, relaxed(state, state.amount), relaxed(state, state.alone)});
+  return text + "\n" + aligned(table);
+}
+
+std::string finding_words(const optim::Certificate& certificate) {
+  std::string text;
+  for (const optim::Finding& finding : certificate.findings) {
+    if (finding.kind == optim::Degeneracy::flat_direction) {
+      text += "A valley: " + enumeration(finding.names) +
+              (finding.names.size() > 1 ? " can change together" : " can change") +
+              " without changing the answer; this design is one of many.\n";
+      continue;
+    }
+    text += finding.text;
+    if (!finding.names.empty()) text += ": " + enumeration(finding.names);
+    text += ".\n";
+  }
+  return text;
+}
+
+double value_of(const std::vector<NamedValue>& values, const std::string& name) {
+  for (const NamedValue& value : values) {
+    if (value.name == name) return value.value;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace twum::studies

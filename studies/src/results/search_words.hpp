@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "results/answers.hpp"
+
+#include <twum/studies/results/optimize_result.hpp>
+
+#include <string>
+#include <vector>
+
+/// What the answers of optimize, size and pareto have in common; internal.
+namespace twum::studies {
+
+Json values_json(const std::vector<NamedValue>& values);
+/// Units of everything that values_json() was given.
+void add_units(Json& units, const std::vector<NamedValue>& values);
+Json goal_json(const Goal& goal);
+/// {design, metrics, constraints, bounds, certificate}
+Json report_json(const DesignReport& report);
+/// {conflict, limits: [{text, limit, amount, alone}]}
+Json relaxation_json(const std::vector<std::string>& conflict,
+                     const std::vector<RelaxationState>& states);
+
+/// "largest peak_power", "smallest max_pressure"
+std::string goal_words(const Goal& goal);
+/// "a, b and c"
+std::string enumeration(const std::vector<std::string>& names);
+/// Which limits fight, and how little would do.
+std::string relaxation_words(const std::vector<std::string>& conflict,
+                             const std::vector<RelaxationState>& states);
+/// What the certificate found out of the ordinary, a line each.
+std::string finding_words(const optim::Certificate& certificate);
+/// The value of a name; NaN if it is not there.
+double value_of(const std::vector<NamedValue>& values, const std::string& name);
+
+}  // namespace twum::studies

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "results/answers.hpp"
+#include "results/provenance.hpp"
+
+#include <twum/base/version.hpp>
+#include <twum/studies/text/number.hpp>
+#include <twum/studies/text/words.hpp>
+#include <twum/studies/units/engineering.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace twum::studies {
+namespace {
+
+// More than these are in the file.
+constexpr std::size_t kReasonsShown = 5;
+
+Json regions_json(const std::vector<FailureRegion>& regions) {
+  Json list = Json::array();
+  for (const FailureRegion& region : regions) {
+    Json where = Json::object();
+    for (const FailureRegion::Range& range : region.where) {
+      where[range.variable.name] = {{"low", number_json(range.low)},
+                                    {"high", number_json(range.high)}};
+    }
+    list.push_back({{"reason", region.reason}, {"count", region.count}, {"where", where}});
+  }
+  return list;
+}
+
+// "amplitude 0.8 um to 1 um, preload 250 N to 300 N"
+std::string where_text(const FailureRegion& region) {
+  std::string text;
+  for (const FailureRegion::Range& range : region.where) {
+    if (!std::isfinite(range.low)) continue;
+    text += (text.empty() ? "" : ", ") + range.variable.name + " " +
+            engineering(range.low, range.variable.unit);
+    if (range.high > range.low) text += " to " + engineering(range.high, range.variable.unit);
+  }
+  return text;
+}
+
+std::string failures_text(const StudyResult& result) {
+  if (result.failures.empty()) return {};
+  std::uint64_t count = 0;
+  for (const auto& [reason, times] : result.failures) count += times;
+  std::string text = std::to_string(count) + " without a full answer:\n";
+  std::size_t shown = 0;
+  for (const FailureRegion& region : result.failure_regions) {
+    if (shown++ == kReasonsShown) break;
+    text += "  " + std::to_string(region.count) + "  " + printable(region.reason, 200) + "\n";
+    const std::string where = where_text(region);
+    if (!where.empty()) text += "     at " + where + "\n";
+  }
+  if (result.failure_regions.size() > kReasonsShown) {
+    text += "  and " + std::to_string(result.failure_regions.size() - kReasonsShown) +
+            " more reasons, see summary.json\n";
+  }
+  return text;
+}
+
+std::string count_text(const StudyResult& result) {
+  return std::to_string(result.evaluations) +
+         (result.evaluations == 1 ? " evaluation in " : " evaluations in ") +
+         rounded_text(result.seconds, 3) + " s\n";
+}
+
+std::string heading(const StudyResult& result) {
+  std::string text = result.study + " (" + std::string(to_string(result.kind)) + ")";
+  if (!result.motor.empty()) text += " of " + printable(result.motor);
+  return text + ": " + result.outcome + "\n";
+}
+
+}  // namespace
+
+std::string summary_json(const StudyResult& result) {
+  Json json{{"study", result.study},
+            {"kind", to_string(result.kind)},
+            {"motor", result.motor},
+            {"outcome", result.outcome},
+            {"evaluations", result.evaluations},
+            {"failures", result.failures},
+            {"failure_regions", regions_json(result.failure_regions)},
+            {"seed", result.seed},
+            {"version", version()},
+            {"started", result.started},
+            {"seconds", number_json(result.seconds)},
+            {"hash", result.hash},
+            {"build", build_json()}};
+  const Json answer = std::visit([](const auto& one) { return answer_json(one); }, result.answer);
+  json.update(answer);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string summary_text(const StudyResult& result) {
+  const std::string answer =
+      std::visit([](const auto& one) { return answer_text(one); }, result.answer);
+  std::string text = heading(result);
+  if (!answer.empty()) text += "\n" + answer;
+  return text + "\n" + count_text(result) + failures_text(result);
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "results/estimate_json.hpp"
+
+#include <twum/studies/text/number.hpp>
+#include <twum/studies/text/text_table.hpp>
+#include <twum/studies/units/engineering.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace twum::studies {
+namespace {
+
+std::string percent(double share) { return rounded_text(100 * share, 4) + " %"; }
+
+std::string percent(const Estimate& e) {
+  return percent(e.value) + "  (" + percent(e.low) + " to " + percent(e.high) + ")";
+}
+
+Json metric_json(const UncertaintyResult::Metric& metric, std::uint64_t samples) {
+  Json json{{"mean", number_json(metric.mean.value)},
+            {"sd", number_json(metric.sd.value)},
+            {"quantiles", Json::object()},
+            {"mean_interval", interval_json(metric.mean)},
+            {"sd_interval", interval_json(metric.sd)},
+            {"quantile_intervals", Json::object()},
+            {"count", metric.count},
+            {"missing", samples - metric.count}};
+  for (const UncertaintyResult::Quantile& quantile : metric.quantiles) {
+    const std::string name = number_text(quantile.probability);
+    json["quantiles"][name] = number_json(quantile.value.value);
+    json["quantile_intervals"][name] = interval_json(quantile.value);
+  }
+  return json;
+}
+
+std::string cell(double value, const std::string& unit) {
+  return std::isfinite(value) ? engineering(value, unit) : "-";
+}
+
+// One row each for value and interval, so that columns stay narrow.
+void add_rows(const UncertaintyResult::Metric& metric, TextTable& table) {
+  std::vector<std::string> values{metric.column.name};
+  std::vector<std::string> intervals{""};
+  const auto add = [&](const Estimate& e) {
+    const std::string& unit = metric.column.unit;
+    values.push_back(cell(e.value, unit));
+    intervals.push_back("(" + cell(e.low, unit) + " to " + cell(e.high, unit) + ")");
+  };
+  add(metric.mean);
+  add(metric.sd);
+  for (const UncertaintyResult::Quantile& quantile : metric.quantiles) add(quantile.value);
+  table.rows.push_back(std::move(values));
+  table.rows.push_back(std::move(intervals));
+}
+
+std::string spread_table(const UncertaintyResult& result) {
+  TextTable table{{{"metric", "mean", "standard deviation"}}};
+  if (result.metrics.empty()) return {};
+  for (const UncertaintyResult::Quantile& quantile : result.metrics.front().quantiles)
+    table.rows.front().push_back(percent(quantile.probability) + " quantile");
+  for (const UncertaintyResult::Metric& metric : result.metrics) add_rows(metric, table);
+  return aligned(table);
+}
+
+std::string missing_text(const UncertaintyResult& result) {
+  std::string text;
+  for (const UncertaintyResult::Metric& metric : result.metrics) {
+    const std::uint64_t missing = result.samples - metric.count;
+    if (missing == 0) continue;
+    text += metric.column.name + ": " + std::to_string(missing) +
+            " motors have no value; the numbers are those of the others.\n";
+  }
+  for (const UncertaintyResult::CutOff& cut : result.cut_off) {
+    text += percent(cut.share) + " of the distribution of " + cut.variable +
+            " is not admissible and was cut off.\n";
+  }
+  return text;
+}
+
+std::string yield_text(const UncertaintyResult& result) {
+  if (!result.yield) return {};
+  std::string text = "\nYield: " + percent(*result.yield) + " of the motors keep all limits.\n";
+  TextTable table{{{"limit", "kept by"}}};
+  for (const UncertaintyResult::Limit& limit : result.limits)
+    table.rows.push_back({limit.text, percent(limit.kept)});
+  text += aligned(table);
+  const auto worst =
+      std::min_element(result.limits.begin(), result.limits.end(),
+                       [](const auto& a, const auto& b) { return a.kept.value < b.kept.value; });
+  if (result.limits.size() > 1 && worst->kept.value < 1)
+    text += "'" + worst->text + "' costs most.\n";
+  if (result.no_value > 0) {
+    text += std::to_string(result.no_value) +
+            " motors have no value for a limit and count as not keeping it.\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+Json answer_json(const UncertaintyResult& result) {
+  Json json{{"samples", result.samples}, {"confidence", result.confidence}};
+  if (!result.start.empty()) json["start"] = result.start;
+  json["metrics"] = Json::object();
+  json["units"] = Json::object();
+  for (const Column& variable : result.variables) json["units"][variable.name] = variable.unit;
+  for (const UncertaintyResult::Metric& metric : result.metrics) {
+    json["units"][metric.column.name] = metric.column.unit;
+    json["metrics"][metric.column.name] = metric_json(metric, result.samples);
+  }
+  if (result.yield) {
+    json["yield"] = estimate_json(*result.yield);
+    json["limits"] = Json::array();
+    for (const UncertaintyResult::Limit& limit : result.limits)
+      json["limits"].push_back({{"text", limit.text}, {"kept", estimate_json(limit.kept)}});
+    json["without_value"] = result.no_value;
+  }
+  if (!result.cut_off.empty()) {
+    for (const UncertaintyResult::CutOff& cut : result.cut_off)
+      json["cut_off"][cut.variable] = cut.share;
+  }
+  return json;
+}
+
+std::string answer_text(const UncertaintyResult& result) {
+  if (result.samples == 0) return {};
+  std::string text = std::to_string(result.samples) + " motors drawn, " +
+                     rounded_text(100 * result.confidence, 3) + " % intervals in parentheses";
+  if (result.failed > 0) text += "; " + std::to_string(result.failed) + " without a full answer";
+  return text + "\n\n" + spread_table(result) + missing_text(result) + yield_text(result);
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/result_folder.hpp"
+
+#include <twum/base/error.hpp>
+#include <twum/studies/store/result_store.hpp>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+namespace twum::studies {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kPart = ".part";
+constexpr std::array<std::string_view, 5> kResults{"study.yaml", "results.csv", "summary.json",
+                                                   "report.html", "results.db"};
+
+[[noreturn]] void fail(const std::string& path, const std::string& what, int reason) {
+  throw StoreError(path + ": " + what + ": " + std::strerror(reason));
+}
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+// The head of an SQLite file, with the mark of this program in it. A file without any content is one
+// whose making was interrupted.
+bool is_our_database(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, 72> head{};
+  file.read(head.data(), head.size());
+  if (file.gcount() == 0) return true;
+  return file && std::string_view(head.data(), 15) == "SQLite format 3" &&
+         std::string_view(head.data() + 68, 4) == "twum";
+}
+
+}  // namespace
+
+ResultFolder::ResultFolder(std::string path) : path_(std::move(path)) {
+  std::error_code error;
+  fs::create_directories(path_, error);
+  if (error) fail(path_, "cannot be made a directory", error.value());
+  if (!fs::is_directory(path_, error)) fail(path_, "cannot be used", ENOTDIR);
+  lock_ = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (lock_ < 0) fail(path_, "cannot be opened", errno);
+  // A file system that knows no locks lets everyone in; the database has its own then.
+  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    ::close(lock_);
+    throw StoreError(path_ +
+                     ": another twum is at work in this directory; wait for it or end it, "
+                     "or choose another directory with -o");
+  }
+}
+
+ResultFolder::~ResultFolder() { ::close(lock_); }
+
+std::string ResultFolder::file(std::string_view name) const {
+  return (fs::path(path_) / name).string();
+}
+
+bool ResultFolder::has(std::string_view name) const {
+  std::error_code ignored;
+  return fs::exists(file(name), ignored);
+}
+
+void ResultFolder::check_ours() const {
+  const bool ours = has_database() && is_our_database(file(kDatabase));
+  if (ours) return;
+  for (const std::string_view name : kResults) {
+    if (!has(name)) continue;
+    throw InputError(file(name) + ": is there already and is no result of twum" +
+                     (name == kDatabase ? "" : " (there is no results.db with it)") +
+                     "; choose another directory with -o, or remove it yourself");
+  }
+}
+
+void ResultFolder::discard() const {
+  check_ours();
+  std::error_code error;
+  // The database last: with it the other files are known as ours.
+  for (const std::string_view name : kResults) {
+    for (const std::string_view suffix :
+         {std::string_view("-wal"), std::string_view("-shm"), std::string_view("-journal"), kPart,
+          std::string_view("")}) {
+      const std::string path = file(std::string(name) + std::string(suffix));
+      fs::remove(path, error);
+      if (error) fail(path, "cannot be removed", error.value());
+    }
+  }
+}
+
+void ResultFolder::write(
+    std::string_view name,
+    const std::function<void(const std::function<void(std::string_view)>&)>& fill) const {
+  const std::string place = file(name);
+  const std::string part = place + std::string(kPart);
+  std::unique_ptr<std::FILE, CloseFile> stream(std::fopen(part.c_str(), "wb"));
+  if (!stream) fail(place, "cannot be written", errno);
+  const auto check = [&](bool good) {
+    const int reason = errno;
+    if (good) return;
+    std::remove(part.c_str());
+    fail(place, "cannot be written", reason);
+  };
+  fill([&](std::string_view piece) {
+    check(std::fwrite(piece.data(), 1, piece.size(), stream.get()) == piece.size());
+  });
+  check(std::fflush(stream.get()) == 0);
+  check(std::fclose(stream.release()) == 0);
+  check(std::rename(part.c_str(), place.c_str()) == 0);
+}
+
+void ResultFolder::write(std::string_view name, const std::string& content) const {
+  write(name, [&](const std::function<void(std::string_view)>& put) { put(content); });
+}
+
+}  // namespace twum::studies

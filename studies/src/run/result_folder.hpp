@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace twum::studies {
+
+/// The directory that a study's results are in, held by one process at a time.
+class ResultFolder {
+ public:
+  /// Makes the directory if there is none, and takes it.
+  /// @throws StoreError if it cannot be made or another process has it
+  explicit ResultFolder(std::string path);
+  ~ResultFolder();
+  ResultFolder(const ResultFolder&) = delete;
+  ResultFolder& operator=(const ResultFolder&) = delete;
+
+  std::string file(std::string_view name) const;
+  bool has(std::string_view name) const;
+  bool has_database() const { return has(kDatabase); }
+
+  /// @throws InputError if there are files named like results, but no database of ours with them: they
+  ///         are someone else's, and nothing may write over them.
+  void check_ours() const;
+  /// Removes the results, and nothing else.
+  void discard() const;
+
+  /// Writes a file whole or not at all: beside its place, then to it.
+  /// @param fill  hands over the content piece by piece
+  /// @throws StoreError naming the file and the reason
+  void write(std::string_view name,
+             const std::function<void(const std::function<void(std::string_view)>&)>& fill) const;
+  void write(std::string_view name, const std::string& content) const;
+
+  static constexpr std::string_view kDatabase = "results.db";
+  static constexpr std::string_view kStudy = "study.yaml";
+  static constexpr std::string_view kTable = "results.csv";
+  static constexpr std::string_view kSummary = "summary.json";
+  static constexpr std::string_view kReport = "report.html";
+
+ private:
+  std::string path_;
+  int lock_{-1};
+};
+
+}  // namespace twum::studies

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "results/answers.hpp"
+#include "run/verify_checks.hpp"
+
+#include <twum/studies/metrics/expression.hpp>
+#include <twum/studies/text/number.hpp>
+#include <twum/studies/text/value_error.hpp>
+
+#include <limits>
+
+namespace twum::studies {
+namespace {
+
+double number_of(const Json& json) {
+  return json.is_number() ? json.get<double>() : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string shown(const Json& json) { return json.dump(); }
+
+// Checks whatever in a summary has a design and metrics, wherever it stands.
+class DesignCheck {
+ public:
+  DesignCheck(const StudyFile& file, const StudyKindRun& kind, Verification& found)
+      : file_(file), kind_(kind), found_(found) {}
+
+  void look(const Json& json, const std::string& path) {
+    if (json.is_array()) {
+      for (std::size_t i = 0; i < json.size(); ++i)
+        look(json[i], path + "[" + std::to_string(i) + "]");
+    }
+    if (!json.is_object()) return;
+    if (json.contains("design") && json.contains("metrics")) {
+      check(json["design"], json["metrics"], path);
+      if (json.contains("certificate")) certify(json["design"], json["certificate"], path);
+      return;
+    }
+    for (const auto& [key, value] : json.items())
+      look(value, path.empty() ? key : path + "." + key);
+  }
+
+  // The members of a family have their parameter where others have a design.
+  void look_at_curves(const Json& summary) {
+    const std::string name =
+        summary.contains("family") ? summary["family"].value("parameter", "") : "";
+    const Json& curves = summary["curves"];
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+      Json design = Json::object();
+      if (!name.empty()) design[name] = curves[i].value(name, Json(nullptr));
+      check(design, curves[i].value("metrics", Json::object()),
+            "curves[" + std::to_string(i) + "]");
+    }
+  }
+
+ private:
+  void check(const Json& design, const Json& metrics, const std::string& path) {
+    ++found_.designs;
+    std::vector<MetricExpression> expressions;
+    try {
+      const Motor motor(with(file_.motor.design, parameters_of(design)));
+      for (const auto& [name, ignored] : metrics.items()) expressions.push_back(parse_metric(name));
+      std::vector<MetricValue> values(expressions.size());
+      ExpressionEvaluator(expressions).evaluate(motor, values);
+      for (std::size_t i = 0; i < values.size(); ++i)
+        compare(expressions[i], values[i], metrics, path);
+    } catch (const Error& error) {  // a name or value that the summary should not have
+      complain(found_, "summary.json: " + path + ": " + error.what());
+    }
+  }
+
+  void compare(const MetricExpression& expression, const MetricValue& now, const Json& metrics,
+               const std::string& path) {
+    const double value =
+        now.status == MetricStatus::ok ? now.value : std::numeric_limits<double>::quiet_NaN();
+    const Json& there = metrics[expression.text];
+    if (note_deviation(found_, number_of(there), value)) return;
+    complain(found_, "summary.json: " + path + ".metrics." + expression.text + " is " +
+                         shown(there) + " there, " + shown(number_json(value)) + " now");
+  }
+
+  static std::vector<ParameterValue> parameters_of(const Json& design) {
+    std::vector<ParameterValue> values;
+    for (const auto& [name, value] : design.items()) {
+      const auto parameter = find_parameter(name);
+      if (!parameter) throw InputError("'" + name + "' is no parameter");
+      values.emplace_back(*parameter, number_of(value));
+    }
+    return values;
+  }
+
+  void certify(const Json& design, const Json& there, const std::string& path) {
+    const bool passed = there.is_object() && there.value("passed", false);
+    if (!passed) return;  // nothing is claimed
+    std::vector<double> variables;
+    const std::vector<Column> columns = kind_.columns();
+    for (std::size_t i = 0; i < kind_.variables(); ++i) {
+      if (!design.contains(columns[i].name)) return;
+      variables.push_back(number_of(design[columns[i].name]));
+    }
+    const std::optional<optim::Certificate> now = kind_.certify(variables);
+    if (!now) return;
+    ++found_.certificates;
+    if (!now->passed && !on_a_hollow_front(*now))
+      complain(found_, "summary.json: " + path + ": certified there, but now: " + now->reason);
+  }
+
+  // Where a front is hollow, its points are no minima of a weighted sum, and need not be: feasible and
+  // stationary is what its certificate says. Curvature is the last thing that certify() looks at.
+  static bool on_a_hollow_front(const optim::Certificate& now) {
+    return now.weights.size() > 1 && now.reason == "stationary, but not a minimum";
+  }
+
+  const StudyFile& file_;
+  const StudyKindRun& kind_;
+  Verification& found_;
+};
+
+// Every number and word that stands in both, and that both stand in the same places.
+void compare_trees(const Json& there, const Json& now, const std::string& path,
+                   Verification& found) {
+  if (there.is_object() && now.is_object()) {
+    for (const auto& [key, value] : now.items())
+      compare_trees(there.contains(key) ? there[key] : Json("(missing)"), value,
+                    path.empty() ? key : path + "." + key, found);
+  } else if (there.is_array() && now.is_array() && there.size() == now.size()) {
+    for (std::size_t i = 0; i < now.size(); ++i)
+      compare_trees(there[i], now[i], path + "[" + std::to_string(i) + "]", found);
+  } else {
+    const bool numbers = there.is_number() && now.is_number();
+    if (numbers ? note_deviation(found, number_of(there), number_of(now)) : there == now) return;
+    complain(found, "summary.json: " + path + " is " + shown(there) +
+                        " there, but follows from the rows as " + shown(now));
+  }
+}
+
+}  // namespace
+
+void verify_designs(const StudyFile& file, const StudyKindRun& kind, const Json& summary,
+                    Verification& found) {
+  DesignCheck check(file, kind, found);
+  check.look(summary, "");
+  if (summary.contains("curves")) check.look_at_curves(summary);
+}
+
+void verify_answer(StudyKindRun& kind, ResultStore& store, const Json& summary,
+                   Verification& found) {
+  const std::uint64_t before = store.rows();
+  RunContext context{store, 1, {}, {}};
+  const KindAnswer answer = kind.run(context);
+  store.flush();
+  found.answer_checked = true;
+  if (store.rows() != before) {
+    complain(found, "results.db: " + std::to_string(store.rows() - before) +
+                        " rows are missing that the study asks for");
+  }
+  if (answer.outcome != summary.value("outcome", "")) {
+    complain(found, "summary.json: outcome is '" + summary.value("outcome", "") +
+                        "' there, but follows from the rows as '" + answer.outcome + "'");
+  }
+  const Json now = std::visit([](const auto& one) { return answer_json(one); }, answer.answer);
+  // As text and back: numbers are compared as they stand in the file.
+  compare_trees(summary, Json::parse(now.dump()), "", found);
+}
+
+}  // namespace twum::studies

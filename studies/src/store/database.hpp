@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "store/sqlite.hpp"
+
+#include <twum/studies/store/result_store.hpp>
+
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace twum::studies {
+
+/// What a ResultStore is made of: one connection, one open batch, and a thread that commits it in
+/// time. Every member function takes the lock.
+class ResultStore::Database {
+ public:
+  Database(const std::string& path, std::vector<Column> columns);
+  /// An existing database, with the columns it has.
+  explicit Database(const std::string& path);
+  ~Database();
+  Database(const Database&) = delete;
+  Database& operator=(const Database&) = delete;
+
+  const std::vector<Column>& columns() const noexcept { return columns_; }
+  void add(const Row& row);
+  void flush();
+  std::uint64_t next_index(std::uint64_t stage);
+  std::uint64_t rows();
+  /// The first stage from this one on that has rows.
+  std::optional<std::uint64_t> stage_from(std::uint64_t stage);
+  /// Fills `page` with some rows of a stage from an index on; false if there are none.
+  bool page(std::uint64_t stage, std::uint64_t from, std::vector<Row>& page);
+  std::string fact(const std::string& name);
+  void set_fact(const std::string& name, const std::string& value);
+
+ private:
+  bool is_blank();
+  void make_tables();
+  void check_tables();
+  std::vector<Column> stored_columns();
+  void prepare();
+  void insert(const Row& row);
+  void begin_batch();
+  void commit_batch();
+  void commit_in_time(const std::stop_token& stop);
+
+  sqlite::Connection connection_;
+  std::vector<Column> columns_;
+  std::optional<sqlite::Statement> insert_;
+  std::string select_page_;
+
+  std::mutex mutex_;  // guards the connection and what follows
+  std::size_t batch_{0};
+  std::uint64_t rows_{0};
+  std::map<std::uint64_t, std::uint64_t> next_;  // by stage, as far as it was asked for
+  std::exception_ptr failure_;                   // of a write; nothing is written after it
+  std::condition_variable_any batch_begun_;
+  std::jthread committer_;  // last: it ends before the others go
+};
+
+}  // namespace twum::studies

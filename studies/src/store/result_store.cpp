@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/studies/store/result_store.hpp>
+
+#include "store/database.hpp"
+
+namespace twum::studies {
+
+ResultStore::ResultStore(const std::string& path, std::vector<Column> columns)
+    : database_(std::make_unique<Database>(path, std::move(columns))) {}
+
+ResultStore::ResultStore(const std::string& path) : database_(std::make_unique<Database>(path)) {}
+
+ResultStore::~ResultStore() = default;
+
+const std::vector<Column>& ResultStore::columns() const noexcept { return database_->columns(); }
+
+void ResultStore::add(const Row& row) { database_->add(row); }
+
+void ResultStore::flush() { database_->flush(); }
+
+std::uint64_t ResultStore::next_index(std::uint64_t stage) const {
+  return database_->next_index(stage);
+}
+
+std::uint64_t ResultStore::rows() const { return database_->rows(); }
+
+std::vector<std::uint64_t> ResultStore::stages() const {
+  std::vector<std::uint64_t> stages;
+  for (auto stage = database_->stage_from(0); stage; stage = database_->stage_from(*stage + 1))
+    stages.push_back(*stage);
+  return stages;
+}
+
+void ResultStore::read(const std::function<void(const Row&)>& visit) const {
+  for (const std::uint64_t stage : stages()) read(stage, visit);
+}
+
+void ResultStore::read(std::uint64_t stage, const std::function<void(const Row&)>& visit) const {
+  std::vector<Row> page;
+  for (std::uint64_t from = 0; database_->page(stage, from, page);) {
+    for (const Row& row : page) visit(row);
+    from = page.back().index + 1;
+  }
+}
+
+std::string ResultStore::fact(const std::string& name) const { return database_->fact(name); }
+
+void ResultStore::set_fact(const std::string& name, const std::string& value) {
+  database_->set_fact(name, value);
+}
+
+}  // namespace twum::studies

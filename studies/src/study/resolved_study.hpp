@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/studies/study/study_file.hpp>
+#include <twum/studies/yaml/node.hpp>
+
+#include <string>
+#include <vector>
+
+namespace twum::studies {
+
+/// A study with nothing left to be known: the motor in full, every default written out.
+struct ResolvedStudy {
+  /// A file that the study names, by the entry that names it.
+  struct NamedFile {
+    std::string entry;  ///< "data" or "start"
+    std::string path;   ///< from the current folder
+    std::string hash;   ///< of its content, times aside
+  };
+  MotorFile motor;
+  YamlNode study;  ///< what stands below `study:`
+  std::vector<NamedFile> files;
+
+  /// As a study file. Quantities are as typed, those of the motor in SI.
+  /// @param folder  where it will stand: paths in it start there; empty: as typed
+  std::string text(const std::string& folder = {}) const;
+  /// Of all that decides the result.
+  std::string hash() const;
+};
+
+/// @throws InputError if a file that the study names cannot be read
+ResolvedStudy resolve(const StudyFile& file);
+
+/// In what two studies differ, one line each: "study.samples: '100' there, '200' here".
+/// @param stored  text() of the one that is there
+std::vector<std::string> differences(const std::string& stored, const std::string& now);
+
+}  // namespace twum::studies

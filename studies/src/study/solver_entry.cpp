@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/solver_entry.hpp"
+
+#include "study/entries.hpp"
+#include "study/shapes.hpp"
+
+#include <twum/optim/solvers.hpp>
+#include <twum/studies/text/words.hpp>
+#include <twum/studies/units/units.hpp>
+
+#include <algorithm>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+namespace twum::studies {
+namespace {
+
+using namespace shapes;
+
+// "monotone|adaptive"
+std::vector<std::string> choices(const std::string& range) {
+  std::vector<std::string> words;
+  std::istringstream pieces(range);
+  for (std::string piece; std::getline(pieces, piece, '|');) words.push_back(piece);
+  return words;
+}
+
+Schema option_value(const optim::SolverOption& option) {
+  const std::string text = option.text + " (" + option.solver + ", " + option.range + ")";
+  if (option.type == "text")
+    return word(option.text + " (" + option.solver + ")", choices(option.range));
+  return quantity(text, "1", option.type == "integer" ? "100" : "1e-9");
+}
+
+Schema options_schema() {
+  std::vector<SchemaEntry> entries;
+  for (const optim::SolverOption& option : optim::solver_options()) {
+    const bool known = std::any_of(entries.begin(), entries.end(),
+                                   [&](const SchemaEntry& e) { return e.name == option.name; });
+    if (!known) entries.push_back(optional(option.name, option_value(option), "the solver's own"));
+  }
+  return mapping("options of the named solver itself ('twum solvers' lists them)",
+                 std::move(entries));
+}
+
+// What a study asks of its solver.
+struct Demands {
+  bool front;
+  bool limits;
+  bool whole_numbers;
+
+  explicit Demands(const YamlNode& study) {
+    const YamlNode* kind = study.find("kind");
+    const YamlNode* variables = study.find("variables");
+    front = kind != nullptr && kind->scalar == "pareto";
+    limits = study.find("constraints") != nullptr || study.find("limits") != nullptr ||
+             study.find("duty") != nullptr;
+    whole_numbers = false;
+    if (variables == nullptr) return;
+    for (const YamlEntry& entry : variables->entries) {
+      const auto parameter = find_parameter(entry.key);
+      whole_numbers = whole_numbers || (parameter && info(*parameter).integer);
+    }
+  }
+};
+
+std::vector<std::string_view> names_for(const Demands& demands) {
+  if (demands.front) return {"auto", kNsga2};
+  std::vector<std::string_view> names{"auto"};
+  for (const optim::SolverInfo& solver : optim::solvers()) names.push_back(solver.name);
+  return names;
+}
+
+const optim::SolverInfo* info_of(std::string_view name) {
+  for (const optim::SolverInfo& solver : optim::solvers()) {
+    if (solver.name == name) return &solver;
+  }
+  return nullptr;
+}
+
+class SolverChecker {
+ public:
+  SolverChecker(const YamlNode& study, Diagnostics& diagnostics)
+      : demands_(study), diagnostics_(diagnostics) {}
+
+  void check(const YamlNode& solver) {
+    const bool plain = solver.kind == YamlNode::Kind::scalar;
+    const YamlNode* name = plain ? &solver : solver.find("name");
+    if (name != nullptr && name->kind == YamlNode::Kind::scalar)
+      check_name(*name, plain ? "study.solver" : "study.solver.name");
+    if (const YamlNode* options = plain ? nullptr : solver.find("options"))
+      check_options(*options, name == nullptr ? "auto" : name->scalar);
+  }
+
+  // A front by gradients has no whole numbers between its points.
+  void check_whole_numbers(const YamlNode& study) {
+    if (!demands_.front || !demands_.whole_numbers) return;
+    const YamlNode* solver = study.find("solver");
+    const YamlNode* name = solver != nullptr ? solver->find("name") : nullptr;
+    if (solver != nullptr && solver->kind == YamlNode::Kind::scalar) name = solver;
+    if (name != nullptr && name->scalar == kNsga2) return;
+    for (const YamlEntry& entry : study.find("variables")->entries) {
+      const auto parameter = find_parameter(entry.key);
+      if (parameter && info(*parameter).integer)
+        diagnostics_.add(entry.key_mark, "study.variables." + entry.key,
+                         "only whole numbers, which a front by gradients cannot vary",
+                         "fix it with 'set:', or choose 'solver: nsga2'");
+    }
+  }
+
+ private:
+  void check_name(const YamlNode& name, const std::string& path) {
+    const std::vector<std::string_view> names = names_for(demands_);
+    const optim::SolverInfo* solver = info_of(name.scalar);
+    if (std::find(names.begin(), names.end(), name.scalar) == names.end()) {
+      const std::string found = (solver != nullptr ? "solver " : "unknown solver ") +
+                                quoted(name.scalar) + (solver != nullptr ? " finds no fronts" : "");
+      diagnostics_.add(name.mark, path, found, remedy(name.scalar, names));
+      return;
+    }
+    if (solver == nullptr) return;
+    if (!solver->available)
+      diagnostics_.add(name.mark, path, quoted(name.scalar) + " cannot be used here",
+                       solver->description);
+    else if (demands_.limits && !solver->inequality)
+      diagnostics_.add(name.mark, path, quoted(name.scalar) + " takes no limits",
+                       "nlopt:slsqp, nlopt:mma, nlopt:cobyla and ipopt do");
+  }
+
+  static std::string remedy(std::string_view name, const std::vector<std::string_view>& names) {
+    constexpr std::size_t kFew = 4;
+    if (names.size() > kFew && nearest(name, names).empty())
+      return "'twum solvers' lists them; 'auto' chooses";
+    return did_you_mean(name, names);
+  }
+
+  void check_options(const YamlNode& options, std::string_view solver) {
+    const std::string_view family = solver.substr(0, solver.find(':'));
+    for (const YamlEntry& entry : options.entries) {
+      const auto& known = optim::solver_options();
+      const bool named = std::any_of(known.begin(), known.end(),
+                                     [&](const auto& o) { return o.name == entry.key; });
+      const bool fits = std::any_of(known.begin(), known.end(), [&](const auto& o) {
+        return o.name == entry.key && o.solver == family;
+      });
+      if (named && !fits)
+        diagnostics_.add(entry.key_mark, "study.solver.options." + entry.key,
+                         "no option of " + quoted(solver), "'twum solvers' lists them by solver");
+    }
+  }
+
+  Demands demands_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+Schema solver_schema() {
+  Schema name =
+      path("a solver ('twum solvers' lists them; for a front: auto or nsga2)", "nlopt:slsqp");
+  Schema options =
+      mapping("a solver and its options",
+              {optional("name", name, "auto"),
+               optional("starts", count("local searches from different starts", "8", 1, 1e6), "8"),
+               optional("tolerance", fraction("relative accuracy of the optimum", "1e-8"), "1e-6"),
+               optional("max_evaluations", count("evaluations at most", "2000", 1, 1e12),
+                        "20000; 200000 for a front"),
+               optional("seed", seed(), "1"),
+               hidden(optional("options", options_schema(), "the solver's own"))});
+  Schema schema;
+  schema.kind = ValueKind::any_of;
+  schema.text = "how it is solved: a name, or a mapping of options";
+  schema.sample = "name: auto\nstarts: 8\nseed: 1";
+  schema.alternatives = {name, options};
+  return schema;
+}
+
+void check_solver(const YamlNode& study, Diagnostics& diagnostics) {
+  const YamlNode* kind = study.find("kind");
+  const bool searches = kind != nullptr && (kind->scalar == "optimize" || kind->scalar == "size" ||
+                                            kind->scalar == "pareto");
+  if (!searches) return;
+  SolverChecker checker(study, diagnostics);
+  if (const YamlNode* solver = study.find("solver")) checker.check(*solver);
+  checker.check_whole_numbers(study);
+}
+
+optim::SolveOptions solver_options_of(const YamlNode& study) {
+  optim::SolveOptions options;
+  const YamlNode* kind = study.find("kind");
+  if (kind != nullptr && kind->scalar == "pareto") options.budget.evaluations = 200000;
+  const YamlNode* solver = study.find("solver");
+  if (solver == nullptr) return options;
+  if (solver->kind == YamlNode::Kind::scalar) {
+    options.solver = solver->scalar;
+    return options;
+  }
+  options.solver = entries::word(*solver, "name", "auto");
+  options.starts = entries::count(*solver, "starts", options.starts);
+  options.tolerance = entries::quantity(*solver, "tolerance", "1", options.tolerance);
+  options.budget.evaluations =
+      entries::count(*solver, "max_evaluations", options.budget.evaluations);
+  options.seed = entries::count(*solver, "seed", options.seed);
+  if (const YamlNode* own = solver->find("options")) {
+    for (const YamlEntry& entry : own->entries)
+      options.solver_options[entry.key] = entry.value.scalar;
+  }
+  return options;
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/studies/yaml/node.hpp>
+
+#include <string>
+
+namespace twum::studies {
+
+/// The entries of a mapping as lines of YAML, which load_yaml() reads back as they are.
+std::string yaml_text(const YamlNode& mapping, std::size_t depth);
+
+}  // namespace twum::studies

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "search_support.hpp"
+
+#include <twum/optim/random.hpp>
+
+#include <catch2/catch.hpp>
+
+using namespace twum;
+using namespace twum::test;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+// More amplitude widens the contact less and drives faster, so the whole front is at the largest.
+const std::string kElasticFront =
+    "{kind: pareto, variables: {preload: {min: 100 N, max: 800 N}, "
+    "amplitude: {min: 1.4 um, max: 1.6 um}}, "
+    "objectives: [{maximize: stall_torque}, {maximize: no_load_speed}], points: 20}";
+
+}  // namespace
+
+TEST_CASE("the front of stall torque and no-load speed is that of the closed form (C8.5, C8.6)",
+          "[studies][pareto]") {
+  const StudyFile file = study_of("elastic-layer", "", kElasticFront);
+  const ElasticLayer exact{file.motor.design};  // has the largest amplitude
+  const Search s(file);
+  const ParetoResult& front = s.front();
+  CHECK(s.answer.outcome == "optimal");
+  REQUIRE(front.front.size() == 20);
+  for (const ParetoResult::Point& point : front.front) {
+    CHECK(point.report.certificate.passed);
+    const double phi = exact.angle_of_preload(point.goals[0] / exact.plateau_torque(1));
+    // Points lie on the front up to the solver's tolerance of 1e-6 of the front's span.
+    CHECK_THAT(point.goals[1], WithinRel(exact.no_load(phi), 1e-6));
+    CHECK_THAT(value(point.report.design, "amplitude"), WithinRel(1.6e-6, 1e-6));
+  }
+  // Its ends are the bounds of the preload, up to the room that the search leaves the first goal when
+  // it improves the second.
+  CHECK_THAT(front.front[front.ends[0]].goals[0], WithinRel(exact.plateau_torque(800), 1e-6));
+  CHECK_THAT(front.front[front.ends[1]].goals[0], WithinRel(exact.plateau_torque(100), 1e-6));
+}
+
+TEST_CASE("no point of a front lies farther beyond the line through its ends than the knee",
+          "[studies][pareto]") {
+  for (const bool bulges : {true, false}) {
+    const Search s(bulges ? example_study("pareto-power-wear.yaml")
+                          : study_of("elastic-layer", "", kElasticFront));
+    const ParetoResult& f = s.front();
+    const auto& a = f.front[f.ends[0]].goals;
+    const auto& b = f.front[f.ends[1]].goals;
+    // Twice the area of the triangle over the line: proportional to the distance, in scaled goals
+    // too. Both goals better is beyond, whatever their senses.
+    const auto cross = [&](double x, double y) {
+      return (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
+    };
+    const double beyond = cross(f.goals[0].maximize ? HUGE_VAL : -HUGE_VAL, b[1]) > 0 ? 1 : -1;
+    double farthest = -HUGE_VAL;
+    for (const ParetoResult::Point& point : f.front)
+      farthest = std::max(farthest, beyond * cross(point.goals[0], point.goals[1]));
+    const auto& knee = f.front[f.knee].goals;
+    CHECK_THAT(beyond * cross(knee[0], knee[1]), WithinAbs(farthest, 1e-12 * std::fabs(farthest)));
+    CHECK((f.knee != f.ends[0] && f.knee != f.ends[1]) == bulges);
+  }
+}
+
+TEST_CASE("a pareto study is the same for any number of threads, however it was interrupted",
+          "[studies][pareto]") {
+  const StudyFile file = study_of("elastic-layer", "", kElasticFront);
+  const Search whole(file);
+  const std::vector<Row> rows = whole.rows();
+  for (const unsigned jobs : {2U, 8U}) {
+    const Search other(file, jobs);
+    CHECK(other.json() == whole.json());
+    CHECK(same_rows(other.rows(), rows));
+  }
+  for (std::uint64_t kill = 0; kill < 3; ++kill) {
+    const std::uint64_t stage = optim::Random(5, 0, kill).below(rows.back().stage + 1);
+    std::vector<Row> stored;
+    for (const Row& row : rows) {
+      if (row.stage < stage) stored.push_back(row);
+    }
+    const Search resumed(file, 2, stored);
+    CHECK(resumed.json() == whole.json());
+    CHECK(same_rows(resumed.rows(), rows));
+  }
+}
+
+TEST_CASE("a front of a few whole numbers is found by nsga2", "[studies][pareto]") {
+  const Search s(study_of("elastic-layer", "",
+                          "{kind: pareto, variables: {wavelengths: {min: 7, max: 11}, preload: "
+                          "{min: 100 N, max: 300 N}}, objectives: [{maximize: stall_torque}, "
+                          "{maximize: no_load_speed}], points: 20, "
+                          "solver: {name: nsga2, max_evaluations: 1000}}"));
+  REQUIRE(!s.front().front.empty());
+  for (const ParetoResult::Point& point : s.front().front) {
+    const double n = value(point.report.design, "wavelengths");
+    CHECK(n == std::round(n));
+  }
+}
+
+TEST_CASE("the examples of fronts are found, and every point is certified", "[studies][pareto]") {
+  for (const char* name : {"pareto-torque-speed.yaml", "pareto-power-wear.yaml"}) {
+    CAPTURE(name);
+    const Search s(example_study(name), 2);
+    CHECK(s.answer.outcome == "optimal");
+    REQUIRE(s.front().front.size() == 50);
+    for (std::size_t i = 1; i < s.front().front.size(); ++i)
+      CHECK(s.front().front[i].goals[0] < s.front().front[i - 1].goals[0]);
+    CHECK(s.front().hypervolume > 0);
+  }
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/studies/results/study_result.hpp>
+#include <twum/studies/run/run_study.hpp>
+#include <twum/studies/study/study_file.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace twum::test {
+
+/// A study of examples/motors/elastic-layer.yaml, whose layer has neither inertia nor damping: on the
+/// plateau its stall torque is exactly mu F_N r.
+inline studies::StudyFile elastic_study(const std::string& entries) {
+  namespace fs = std::filesystem;
+  const fs::path path =
+      fs::temp_directory_path() /
+      ("twum-statistics-" + std::to_string(std::hash<std::string>{}(entries)) + ".yaml");
+  std::ofstream(path) << "twum: 1\nmotor: " TWUM_SOURCE_DIR
+                         "/examples/motors/elastic-layer.yaml\nstudy:\n"
+                      << entries;
+  studies::StudyFile file = studies::read_study_file(path.string());
+  fs::remove(path);
+  return file;
+}
+
+inline studies::StudyResult run(const std::string& entries, unsigned jobs = 2) {
+  studies::RunOptions options;
+  options.jobs = jobs;
+  return studies::run_study(elastic_study(entries), options);
+}
+
+/// summary.json without its times.
+inline std::string timeless_summary(studies::StudyResult result) {
+  result.seconds = 0;
+  result.started.clear();
+  return studies::summary_json(result);
+}
+
+}  // namespace twum::test

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studies/statistics/coverage.hpp"
+#include "studies/statistics/study_text.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <variant>
+
+// On its plateau the elastic motor has the stall torque mu F_N r exactly, so a distribution of preload or
+// friction is that of the torque.
+namespace {
+
+using namespace twum::studies;
+using twum::test::Coverage;
+using twum::test::run;
+
+constexpr double kRadius = 0.0265;
+constexpr double kFriction = 0.2;
+
+const std::string kNormal =
+    "  kind: uncertainty\n"
+    "  variables:\n"
+    "    preload: {distribution: normal, mean: 140 N, sd: 5 N}\n";
+
+const UncertaintyResult& uncertainty(const StudyResult& result) {
+  return std::get<UncertaintyResult>(result.answer);
+}
+
+double below(double z) { return std::erfc(-z / std::numbers::sqrt2) / 2; }
+double density(double z) { return std::exp(-z * z / 2) / std::sqrt(2 * std::numbers::pi); }
+
+}  // namespace
+
+TEST_CASE("a normal preload gives a normal stall torque", "[studies][uncertainty]") {
+  constexpr double kSamples = 4000;
+  const StudyResult result =
+      run(kNormal + "  samples: 4000\n  metrics: [stall_torque]\n  quantiles: [0.05, 0.5, 0.9]\n");
+  CHECK(result.outcome == "done");
+  CHECK(result.evaluations == 4000);
+  const UncertaintyResult::Metric& torque = uncertainty(result).metrics.at(0);
+  const double mean = kFriction * 140 * kRadius;
+  const double sd = kFriction * 5 * kRadius;
+  // Five standard errors: sd / sqrt n, sd / sqrt (2 n), sqrt(p (1 - p) / n) / density.
+  CHECK(torque.mean.value == Approx(mean).margin(5 * sd / std::sqrt(kSamples)));
+  CHECK(torque.sd.value == Approx(sd).margin(5 * sd / std::sqrt(2 * kSamples)));
+  const double z[] = {-1.6448536269514722, 0, 1.2815515655446004};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double p = torque.quantiles[k].probability;
+    const double error = std::sqrt(p * (1 - p) / kSamples) / density(z[k]) * sd;
+    CHECK(torque.quantiles[k].value.value == Approx(mean + z[k] * sd).margin(5 * error));
+    CHECK(torque.quantiles[k].value.low < torque.quantiles[k].value.value);
+    CHECK(torque.quantiles[k].value.high > torque.quantiles[k].value.value);
+  }
+}
+
+TEST_CASE("a lognormal friction gives a lognormal stall torque", "[studies][uncertainty]") {
+  const StudyResult result =
+      run("  kind: uncertainty\n  samples: 4000\n  metrics: [stall_torque]\n  variables:\n"
+          "    kinetic_friction: {distribution: lognormal, mean: 0.17, sd: 0.02}\n");
+  const UncertaintyResult::Metric& torque = uncertainty(result).metrics.at(0);
+  const double scale = 160 * kRadius;
+  const double spread = 0.02 / 0.17;
+  const double error = scale * 0.02 / std::sqrt(4000.0);
+  CHECK(torque.mean.value == Approx(scale * 0.17).margin(5 * error));
+  // The kurtosis of this lognormal is 3.2: sd has an error of sd sqrt(2.2 / 4 n).
+  CHECK(torque.sd.value == Approx(scale * 0.02).margin(5 * error * std::sqrt(0.55)));
+  // Median mean / sqrt(1 + (sd / mean)^2); its error is sqrt(pi / 2) that of the mean.
+  CHECK(torque.quantiles[1].value.value ==
+        Approx(scale * 0.17 / std::sqrt(1 + spread * spread)).margin(5 * 1.2533 * error));
+}
+
+TEST_CASE("yield is the probability of keeping all limits", "[studies][uncertainty]") {
+  // mu F r between 0.69 and 0.77 N.m, F normal.
+  const auto z = [](double torque) { return (torque / (kFriction * kRadius) - 140) / 5; };
+  const double truth = below(z(0.77)) - below(z(0.69));
+  Coverage yield;
+  Coverage mean;
+  Coverage sd;
+  Coverage quantile;
+  for (int seed = 1; seed <= 100; ++seed) {
+    const StudyResult result =
+        run(kNormal + "  samples: 200\n  metrics: [stall_torque]\n  seed: " + std::to_string(seed) +
+            "\n  limits:\n    - stall_torque >= 0.69 N.m\n    - stall_torque <= 0.77 N.m\n");
+    const UncertaintyResult& answer = uncertainty(result);
+    REQUIRE(answer.yield);
+    yield.count(*answer.yield, truth);
+    mean.count(answer.metrics[0].mean, kFriction * kRadius * 140);
+    sd.count(answer.metrics[0].sd, kFriction * kRadius * 5);
+    quantile.count(answer.metrics[0].quantiles[0].value,
+                   kFriction * kRadius * (140 - 5 * 1.6448536269514722));
+  }
+  INFO(yield.share() << ", " << mean.share() << ", " << sd.share() << ", " << quantile.share());
+  CHECK(yield.hits >= yield.fewest(0.95));
+  CHECK(mean.hits >= mean.fewest(0.95));
+  CHECK(sd.hits >= sd.fewest(0.94));  // asymptotic, see its test
+  CHECK(quantile.hits >= quantile.fewest(0.95));
+}
+
+TEST_CASE("a motor without a value does not keep the limit, and is counted",
+          "[studies][uncertainty]") {
+  // A motor carries 0.74 N.m if mu F r reaches it; what it cannot carry has no speed.
+  const StudyResult result = run(kNormal +
+                                 "  samples: 2000\n  metrics: [stall_torque]\n"
+                                 "  limits:\n    - speed_at(0.74 N.m) >= 0 rpm\n");
+  const UncertaintyResult& answer = uncertainty(result);
+  REQUIRE(answer.metrics.size() == 2);
+  CHECK(answer.metrics[0].count == 2000);
+  CHECK(answer.metrics[1].count + answer.no_value == 2000);
+  CHECK(answer.failed == answer.no_value);
+  CHECK(result.failures.size() == 1);
+  REQUIRE(answer.yield);
+  const double truth = 1 - below((0.74 / (kFriction * kRadius) - 140) / 5);
+  CHECK(answer.yield->value == Approx(static_cast<double>(answer.metrics[1].count) / 2000));
+  CHECK(answer.yield->value ==
+        Approx(truth).margin(5 * std::sqrt(truth * (1 - truth) / 2000)));  // standard errors
+}
+
+TEST_CASE("whole numbers are drawn evenly", "[studies][uncertainty]") {
+  const StudyResult result =
+      run("  kind: uncertainty\n  samples: 3000\n  metrics: [contact_ratio]\n"
+          "  limits: [wavelengths <= 8.5, wavelengths >= 7.5]\n  variables:\n"
+          "    wavelengths: {distribution: uniform, min: 8, max: 10}\n");
+  // 8, 9 and 10 have a third each: five standard errors.
+  CHECK(uncertainty(result).yield->value == Approx(1.0 / 3).margin(5 * std::sqrt(2.0 / 9 / 3000)));
+}
+
+TEST_CASE("distributions that reach far beyond the admissible are refused",
+          "[studies][uncertainty]") {
+  const auto study = [](const std::string& distribution) {
+    return twum::test::elastic_study(
+        "  kind: uncertainty\n  metrics: [stall_torque]\n  variables:\n"
+        "    preload: {distribution: " +
+        distribution + "}\n");
+  };
+  CHECK_THROWS_WITH(study("normal, mean: 20 N, sd: 10 N"),
+                    Catch::Contains("2.28 % of the distribution lies outside"));
+  CHECK_NOTHROW(study("normal, mean: 24 N, sd: 10 N"));  // 0.82 %
+  CHECK_NOTHROW(study("lognormal, mean: 20 N, sd: 10 N"));
+  CHECK_THROWS_AS(study("lognormal, mean: 0 N, sd: 10 N"), FileError);
+}
+
+TEST_CASE("uncertainty studies do not depend on the number of threads", "[studies][uncertainty]") {
+  const std::string entries = kNormal +
+                              "  samples: 500\n  metrics: [peak_power]\n"
+                              "  limits: [no_load_speed >= 100 rpm]\n";
+  const std::string one = twum::test::timeless_summary(run(entries, 1));
+  CHECK(one == twum::test::timeless_summary(run(entries, 2)));
+  CHECK(one == twum::test::timeless_summary(run(entries, 8)));
+}

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "support/test_motors.hpp"
+
+#include <twum/core/performance/motor.hpp>
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace twum::test {
+
+/// Empty if an operating point keeps every law that needs no other program (numbers are finite or named
+/// by a status, identity (T7.10), bound (C8.1), losses not negative), else the law it breaks.
+std::string broken_law(const Motor& motor, const OperatingPoint& point);
+
+/// A point of the box that stood out.
+struct NotablePoint {
+  std::int64_t index;  ///< of the survey, from 0
+  double value;        ///< what it stood out by
+  BoxPoint box;
+};
+
+/// What was seen on many points of the box of theory section 10.
+struct BoxSurvey {
+  std::map<std::string, std::int64_t> statuses;  ///< status of the point -> how many
+  std::map<std::string, std::int64_t> broken;    ///< broken law -> how many
+  std::vector<std::string> examples;             ///< of broken laws, at most 20
+  std::map<std::string, std::int64_t> metrics;   ///< status of a metric -> how many
+  std::int64_t metrics_broken{0};                ///< a number beside a status, or none without
+  double identity{0};                            ///< largest imbalance, of the scale of powers
+  std::vector<NotablePoint> slowest;             ///< by processor time [s], slowest first
+  std::vector<NotablePoint> strangest;           ///< by imbalance, largest first
+  std::vector<NotablePoint> slowest_metrics;     ///< by processor time of all metrics [s]
+};
+
+struct BoxSurveyOptions {
+  std::uint64_t seed{1};
+  std::int64_t count{1000};
+  /// Every so many points the metrics without argument are asked too; 0 for never.
+  std::int64_t metrics_every{0};
+};
+
+/// Asks `count` random points of the box. Always the same points for a seed.
+BoxSurvey survey_box(const BoxSurveyOptions& options);
+
+/// A point as an entry of tests/core/identity_cases.yaml.
+std::string identity_case(const std::string& name, const BoxPoint& box);
+
+}  // namespace twum::test
