@@ -17,19 +17,27 @@ build_packages=(
   # linked into twum
   libeigen3-dev libgsl-dev libnlopt-dev libnlopt-cxx-dev coinor-libipopt-dev libyaml-cpp-dev
   libudunits2-dev libcli11-dev nlohmann-json3-dev libfmt-dev libsqlite3-dev libboost-dev
+  # the Python module
+  pybind11-dev python3-dev python3-numpy
   # started by twum for plots
   gnuplot-nox
 )
 test_packages=(
   catch2 librapidcheck-dev libbenchmark-dev
   # independent checks, in tests and bench only
-  libsundials-dev python3-numpy python3-jsonschema
+  libsundials-dev python3-jsonschema
+  # the Python module's plots, types and examples
+  python3-matplotlib python3-scipy python3-mypy
+  # readers of the man page and the completions
+  man-db fish zsh
+  # the report page in a real browser
+  chromium
   # house checks
-  codespell
+  codespell doxygen
 )
 long_packages=(
   # pagmo is a cross-check of fronts
-  libpagmo-dev valgrind gcovr clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14
+  libpagmo-dev debootstrap valgrind gcovr clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14
 )
 
 list_only=false

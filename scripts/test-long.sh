@@ -9,7 +9,7 @@
 # Exits with an error if a step failed.
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-all_steps=(cases properties no-ipopt asan tsan valgrind clang lint)
+all_steps=(cases properties kill no-ipopt asan tsan valgrind clang package lint)
 
 build() {  # PRESET [CMAKE ARGUMENT...]
   configure "$@" && cmake --build --preset "$1" -j "$(jobs)"
@@ -33,6 +33,11 @@ step_properties() {
   build ci && while read -r program; do
     RC_PARAMS="seed=$seed max_success=1000" "$program" || return 1
   done <build/ci/test_programs.txt
+}
+
+# Kills each example study at 50 random moments; its results must be those of a run in peace.
+step_kill() {
+  build ci && python3 tests/cli/kill_study.py build/ci/bin/twum examples/studies/*.yaml --count 50
 }
 
 # A build that may be passed on.
@@ -64,6 +69,11 @@ step_valgrind() {
 step_clang() {
   configure dev -B build/clang -DCMAKE_C_COMPILER=clang-14 -DCMAKE_CXX_COMPILER=clang++-14 &&
     cmake --build build/clang -j "$(jobs)" && all_tests build/clang
+}
+
+# The Debian package in a clean chroot; as root.
+step_package() {
+  scripts/package.sh && python3 tests/package/chroot_test.py build/package
 }
 
 step_lint() {

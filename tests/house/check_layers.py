@@ -34,6 +34,7 @@ ONLY_IN_SOURCES = {
     r"sqlite3\.h": {"studies"},
 }
 
+# Public headers are installed, and a program that uses them has none of our third-party headers.
 # A browser build has no file, thread or solver library: core stands on the standard library, on that
 # part of it which every toolchain of ours has, and inside its .cpp files on header-only Boost.
 CORE_INCLUDES = re.compile(r"(twum/|[a-z_]+$)")  # ours or standard
@@ -92,6 +93,8 @@ def check(path):
         admitted = CORE_SOURCE_INCLUDES if path.suffix == ".cpp" else CORE_INCLUDES
         if here.startswith("core") and not admitted.match(spelled):
             yield f"{place}: core stands on the standard library (and Boost in a .cpp), not on <{spelled}>"
+        elif "include" in path.parts[:-1] and not CORE_INCLUDES.match(spelled):
+            yield f"{place}: a public header stands on the standard library, not on <{spelled}>"
         for pattern, layers in ONLY_IN_SOURCES.items():
             if not re.fullmatch(pattern, spelled) or here.startswith("tests"):
                 continue

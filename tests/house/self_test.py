@@ -42,6 +42,7 @@ FAULTS = [
     ("layers", "core/src/contact/a.cpp", "#include <format>\n", "core must do without"),
     ("layers", "core/src/contact/a.cpp", "#include \"contact/gone.hpp\"\n", "no file of ours"),
     ("layers", "optim/include/twum/optim/o.hpp", "#include <nlopt.hpp>\n", "belongs in a .cpp file"),
+    ("layers", "optim/include/twum/optim/o.hpp", "#include <Eigen/Core>\n", "a public header stands on"),
     ("layers", "optim/src/n.cpp", "#include <sqlite3.h>\n", "is for studies"),
     ("layers", "tests/core/a_test.cpp", "#include <twum/optim/o.hpp>\n", "tests/core may not include optim"),
     ("sources", "core/src/contact/b.cpp", SPDX, "named in no CMakeLists.txt"),

@@ -4,7 +4,7 @@ import pathlib
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-SKIPPED_FOLDERS = {".git", ".cache", "build", "node_modules", "__pycache__"}
+SKIPPED_FOLDERS = {".git", ".cache", "build", "node_modules", "__pycache__", "third_party"}
 CPP = {".hpp", ".cpp"}
 
 

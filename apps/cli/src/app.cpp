@@ -27,6 +27,8 @@ constexpr const char* kExamples = R"text(Examples:
   twum curve ring.yaml                                torque-speed curve and metrics
   twum curve ring.yaml --set "preload=140 N" --format csv -o curve.csv
   twum evaluate ring.yaml --designs designs.csv --metrics "stall_torque, speed_at(0.5 N.m)"
+  twum init optimize -o study.yaml                    a commented study file to start from
+  twum run study.yaml                                 runs it, or goes on with it
 
 Exit status: 0 done; 1 no feasible or converged answer; 2 the input is wrong;
 3 a file could not be written, or an internal error; 130 interrupted.)text";
@@ -130,8 +132,9 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(kExamples);
   Action action;
-  for (const auto add : {add_curve, add_fields, add_evaluate, add_check, add_metrics,
-                         add_parameters, add_schema, add_init}) {
+  for (const auto add :
+       {add_curve, add_fields, add_evaluate, add_run, add_check, add_report, add_compare,
+        add_verify, add_metrics, add_parameters, add_solvers, add_schema, add_init}) {
     add(app, action);
   }
   try {

@@ -16,9 +16,14 @@ using Action = std::function<int()>;
 void add_curve(CLI::App& app, Action& action);
 void add_fields(CLI::App& app, Action& action);
 void add_evaluate(CLI::App& app, Action& action);
+void add_run(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);
+void add_report(CLI::App& app, Action& action);
+void add_compare(CLI::App& app, Action& action);
+void add_verify(CLI::App& app, Action& action);
 void add_metrics(CLI::App& app, Action& action);
 void add_parameters(CLI::App& app, Action& action);
+void add_solvers(CLI::App& app, Action& action);
 void add_schema(CLI::App& app, Action& action);
 void add_init(CLI::App& app, Action& action);
 

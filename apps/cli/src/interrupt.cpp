@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interrupt.hpp"
 
+#include <chrono>
 #include <csignal>
 
 namespace twum::cli {
@@ -20,8 +21,18 @@ void install_interrupt_handler() {
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
   std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 bool interrupted() noexcept { return stop_asked != 0; }
+
+// A signal handler may not request a stop: it would have to take locks. So a thread looks after it.
+StopOnInterrupt::StopOnInterrupt()
+    : watcher_([source = source_](const std::stop_token& end) mutable {
+        while (!end.stop_requested() && !source.stop_requested()) {
+          if (interrupted()) source.request_stop();
+          std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+      }) {}
 
 }  // namespace twum::cli

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
@@ -22,17 +23,25 @@ Progress::~Progress() {
   if (shown_) std::fputs("\r\033[K", stderr);
 }
 
-void Progress::show(std::size_t done, double fraction) {
+void Progress::show(std::size_t done, double fraction, const std::string& best) {
   const auto now = Clock::now();
+  if (!counting_) {
+    counting_ = true;
+    done_before_ = done;
+    fraction_before_ = fraction;
+  }
   if (!terminal_ || dumb_terminal() || now - last_ < std::chrono::milliseconds(200)) return;
   last_ = now;
   shown_ = true;
   const double seconds = std::chrono::duration<double>(now - begin_).count();
-  const double rate = static_cast<double>(done) / seconds;
-  std::string left;
-  if (fraction > 0 && fraction <= 1)
-    left = ", " + duration_text(seconds * (1 - fraction) / fraction) + " left";
-  std::fprintf(stderr, "\r\033[K%zu done, %.0f/s%s", done, rate, left.c_str());
+  const double rate = static_cast<double>(done - std::min(done, done_before_)) / seconds;
+  std::string more;
+  if (fraction > fraction_before_ && fraction <= 1) {
+    const double left = seconds * (1 - fraction) / (fraction - fraction_before_);
+    more = ", " + duration_text(left) + " left";
+  }
+  if (!best.empty()) more += ", best so far: " + best;
+  std::fprintf(stderr, "\r\033[K%zu done, %.0f/s%s", done, rate, more.c_str());
   std::fflush(stderr);
 }
 

@@ -18,7 +18,8 @@ class Progress {
 
   /// @param done      items so far, such as rows
   /// @param fraction  of the whole that is done, 0 if unknown
-  void show(std::size_t done, double fraction);
+  /// @param best      what to say of the best so far
+  void show(std::size_t done, double fraction, const std::string& best = {});
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -26,6 +27,9 @@ class Progress {
   bool shown_{false};
   Clock::time_point begin_;
   Clock::time_point last_;
+  std::size_t done_before_{0};  // what an earlier run had done already
+  double fraction_before_{0};
+  bool counting_{false};
 };
 
 /// True if text on standard error may be coloured: a terminal, and NO_COLOR is not set.

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
-#include <vector>
+#include <twum/studies/text/text_table.hpp>
 
 namespace twum::cli {
 
-/// Cells in aligned columns, two blanks apart; the first row is the heading.
-struct TextTable {
-  std::vector<std::vector<std::string>> rows;
-  bool numbers{false};  ///< align to the right
-};
-
-std::string aligned(const TextTable& table);
+using studies::aligned;
+using studies::TextTable;
 
 }  // namespace twum::cli

@@ -6,9 +6,11 @@
 #include "json_parts.hpp"
 #include "options.hpp"
 #include "output.hpp"
+#include "plot/curve_plot.hpp"
 #include "text_table.hpp"
 
 #include <twum/studies/metrics/expression.hpp>
+#include <twum/studies/run/curve_points.hpp>
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/text/words.hpp>
 #include <twum/studies/units/engineering.hpp>
@@ -18,42 +20,28 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 namespace twum::cli {
 namespace {
 
+using studies::curve_columns;
+using studies::CurveColumn;
 using studies::MotorFile;
 
 constexpr const char* kExamples = R"text(Examples:
   twum curve examples/motors/ring-60.yaml
   twum curve ring-60.yaml --points 200 --format csv -o curve.csv
   twum curve ring-60.yaml --speeds "0 rpm, 50 rpm, 10 rad/s" --format json
-  twum curve ring-60.yaml --set "amplitude=2 um" --set "preload=140 N")text";
+  twum curve ring-60.yaml --set "amplitude=2 um" --set "preload=140 N"
+  twum curve ring-60.yaml --plot curve.svg)text";
 
 struct CurveOptions {
   MotorOptions motor;
   std::string points;
   std::string speeds;
+  std::string plot;
   OutputOptions output;
-};
-
-// One quantity of the curve.
-struct CurveColumn {
-  const char* name;
-  const char* unit;
-  double (*value)(const OperatingPoint&);
-};
-
-constexpr CurveColumn kColumns[] = {
-    {"speed", "rad/s", [](const OperatingPoint& p) { return p.speed; }},
-    {"torque", "N.m", [](const OperatingPoint& p) { return p.torque; }},
-    {"output_power", "W", [](const OperatingPoint& p) { return p.output_power; }},
-    {"stator_power", "W", [](const OperatingPoint& p) { return p.stator_power; }},
-    {"friction_power", "W", [](const OperatingPoint& p) { return p.friction_power; }},
-    {"layer_loss", "W", [](const OperatingPoint& p) { return p.layer_loss; }},
-    {"contact_efficiency", "1", [](const OperatingPoint& p) { return p.contact_efficiency(); }},
-    {"wear_intensity", "W/m^2", [](const OperatingPoint& p) { return p.wear_intensity; }},
-    {"stick_fraction", "1", [](const OperatingPoint& p) { return p.stick_fraction; }},
 };
 
 struct Curve {
@@ -64,29 +52,18 @@ struct Curve {
   std::vector<std::vector<Zone>> zones;
 };
 
-// Where the curve ends if nobody says: a little beyond no-load, or what comes nearest to that.
-double last_speed(const Motor& motor) {
-  const MetricValue no_load =
-      evaluate(motor, MetricRequest{Metric::no_load_speed, Argument::none, 0});
-  if (no_load.status == MetricStatus::ok && no_load.value > 0) return 1.05 * no_load.value;
-  return motor.crest_speed() > 0 ? 1.2 * motor.crest_speed() : 10;
-}
-
 std::vector<double> speeds_of(const CurveOptions& options, const Motor& motor) {
   if (!options.speeds.empty() && !options.points.empty())
     throw InputError("--speeds and --points say the same in two ways; give one of them");
-  std::vector<double> speeds;
   if (!options.speeds.empty()) {
+    std::vector<double> speeds;
     for (const std::string_view one : studies::split_list(options.speeds))
       speeds.push_back(parse_speed("--speeds", one));
     return speeds;
   }
   const std::size_t points =
       options.points.empty() ? 51 : parse_count("--points", options.points, 2, 1000000);
-  const double last = last_speed(motor);
-  for (std::size_t i = 0; i < points; ++i)
-    speeds.push_back(last * static_cast<double>(i) / static_cast<double>(points - 1));
-  return speeds;
+  return studies::curve_speeds(motor, points);
 }
 
 Curve compute(const CurveOptions& options) {
@@ -107,7 +84,8 @@ Curve compute(const CurveOptions& options) {
 
 Json point_json(const OperatingPoint& point, const std::vector<Zone>& zones) {
   Json json;
-  for (const CurveColumn& column : kColumns) json[column.name] = number_json(column.value(point));
+  for (const CurveColumn& column : curve_columns())
+    json[column.name] = number_json(column.value(point));
   json["zones"] = zones_json(zones);
   if (point.status != PointStatus::ok) json["status"] = to_string(point.status);
   return json;
@@ -121,7 +99,7 @@ std::string as_json(const Curve& curve) {
     json["metrics"][curve.metrics[i].text] = number_json(curve.values[i].value);
     json["units"][curve.metrics[i].text] = curve.metrics[i].unit();
   }
-  for (const CurveColumn& column : kColumns) json["units"][column.name] = column.unit;
+  for (const CurveColumn& column : curve_columns()) json["units"][column.name] = column.unit;
   json["units"]["from"] = json["units"]["to"] = "rad";
   json["curve"] = Json::array();
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
@@ -132,13 +110,13 @@ std::string as_json(const Curve& curve) {
 
 std::string as_csv(const Curve& curve) {
   std::vector<std::string> cells;
-  for (const CurveColumn& column : kColumns)
+  for (const CurveColumn& column : curve_columns())
     cells.push_back(std::string(column.name) + " [" + column.unit + "]");
   cells.emplace_back("status");
   std::string text = csv_line(cells);
   for (const OperatingPoint& point : curve.points) {
     cells.clear();
-    for (const CurveColumn& column : kColumns) cells.push_back(cell_of(column.value(point)));
+    for (const CurveColumn& column : curve_columns()) cells.push_back(cell_of(column.value(point)));
     cells.emplace_back(to_string(point.status));
     text += csv_line(cells);
   }
@@ -178,7 +156,7 @@ studies::DisplayUnit unit_of_column(const CurveColumn& column,
 
 std::string points_table(const Curve& curve) {
   TextTable table{{{}, {}}, true};
-  for (const CurveColumn& column : kColumns) {
+  for (const CurveColumn& column : curve_columns()) {
     table.rows[0].emplace_back(column.name);
     const std::string unit = unit_of_column(column, curve.points).text;
     table.rows[1].push_back(unit.empty() ? "" : "[" + unit + "]");
@@ -186,7 +164,7 @@ std::string points_table(const Curve& curve) {
   table.rows[0].emplace_back("zones");
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
     std::vector<std::string> row;
-    for (const CurveColumn& column : kColumns) {
+    for (const CurveColumn& column : curve_columns()) {
       const double value =
           column.value(curve.points[i]) / unit_of_column(column, curve.points).divisor;
       row.push_back(std::isfinite(value) ? studies::rounded_text(value, 4) : "-");
@@ -202,9 +180,21 @@ std::string as_table(const Curve& curve) {
   return name + "\n\n" + metrics_table(curve) + "\n" + points_table(curve);
 }
 
+// The whole range of the curve's speeds; of a single speed, what the curve covers by itself.
+std::string plot_script(const Curve& curve) {
+  const auto [first, last] = std::minmax_element(
+      curve.points.begin(), curve.points.end(),
+      [](const OperatingPoint& a, const OperatingPoint& b) { return a.speed < b.speed; });
+  if (first->speed < last->speed) return curve_plot(curve.file, first->speed, last->speed);
+  return curve_plot(curve.file, 0, studies::last_curve_speed(Motor(curve.file.design)));
+}
+
 int run_curve(const CurveOptions& options) {
   Output output(options.output.path, {options.motor.path});
+  const std::optional<PlotFile> plot =
+      plot_file(options.plot, {options.motor.path, options.output.path});
   const Curve curve = compute(options);
+  if (plot && !interrupted()) plot->draw(kCurvePlotSize, plot_script(curve));
   output.write(options.output.format == "json"  ? as_json(curve)
                : options.output.format == "csv" ? as_csv(curve)
                                                 : as_table(curve));
@@ -229,6 +219,7 @@ void add_curve(CLI::App& app, Action& action) {
   command->add_option("--speeds", options->speeds,
                       "Rotor speeds between commas, instead of --points");
   add_output_options(*command, options->output, {"table", "csv", "json"});
+  add_plot_option(*command, options->plot);
   command->footer(kExamples);
   command->callback([options, &action] { action = [options] { return run_curve(*options); }; });
 }

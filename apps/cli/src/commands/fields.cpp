@@ -5,6 +5,7 @@
 #include "json_parts.hpp"
 #include "options.hpp"
 #include "output.hpp"
+#include "plot/fields_plot.hpp"
 #include "text_table.hpp"
 
 #include <twum/core/performance/motor.hpp>
@@ -17,18 +18,21 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 namespace twum::cli {
 namespace {
 
 constexpr const char* kExamples = R"text(Examples:
   twum fields ring-60.yaml --speed "100 rpm"
-  twum fields ring-60.yaml --speed "95 rpm" --samples 721 --format csv -o fields.csv)text";
+  twum fields ring-60.yaml --speed "95 rpm" --samples 721 --format csv -o fields.csv
+  twum fields ring-60.yaml --speed "130 rpm" --plot fields.svg)text";
 
 struct FieldsOptions {
   MotorOptions motor;
   std::string speed;
   std::string samples;
+  std::string plot;
   OutputOptions output;
 };
 
@@ -129,6 +133,8 @@ std::string as_table(const Fields& fields) {
 
 int run_fields(const FieldsOptions& options) {
   Output output(options.output.path, {options.motor.path});
+  const std::optional<PlotFile> plot =
+      plot_file(options.plot, {options.motor.path, options.output.path});
   const double speed = parse_speed("--speed", options.speed);
   const std::size_t samples =
       options.samples.empty() ? 181 : parse_count("--samples", options.samples, 2, 1000000);
@@ -140,6 +146,7 @@ int run_fields(const FieldsOptions& options) {
                  to_string(fields.contact.point.status));
     return kNoAnswer;
   }
+  if (plot) plot->draw(kFieldsPlotSize, fields_plot(fields.file, speed));
   const std::string& format = options.output.format;
   output.write(format == "json"  ? as_json(fields)
                : format == "csv" ? as_csv(fields)
@@ -159,6 +166,7 @@ void add_fields(CLI::App& app, Action& action) {
   command->add_option("--samples", options->samples,
                       "Number of phases along the wave (default: 181)");
   add_output_options(*command, options->output, {"table", "csv", "json"});
+  add_plot_option(*command, options->plot);
   command->footer(kExamples);
   command->callback([options, &action] { action = [options] { return run_fields(*options); }; });
 }

@@ -16,22 +16,31 @@ namespace {
 
 constexpr const char* kExamples = R"text(Examples:
   twum schema motor -o motor.schema.json
+  twum schema study --format markdown
 
 In an editor with YAML support, begin a motor file with
   # yaml-language-server: $schema=motor.schema.json)text";
 
 struct SchemaOptions {
   std::string kind;
+  std::string format{"json"};
   std::string path;
 };
 
+std::string schema_text(const SchemaOptions& options) {
+  if (options.kind == "motor") {
+    return studies::json_schema(studies::motor_file_schema(), "twum motor file",
+                                "urn:twum:motor:1");
+  }
+  if (options.format == "markdown") return studies::study_reference();
+  return studies::json_schema(studies::study_file_schema(), "twum study file", "urn:twum:study:1");
+}
+
 int run_schema(const SchemaOptions& options) {
+  if (options.kind == "motor" && options.format == "markdown")
+    throw InputError("the page of the motor file is 'twum parameters --format markdown'");
   Output output(options.path);
-  output.write(options.kind == "motor"
-                   ? studies::json_schema(studies::motor_file_schema(), "twum motor file",
-                                          "urn:twum:motor:1")
-                   : studies::json_schema(studies::study_file_schema(), "twum study file",
-                                          "urn:twum:study:1"));
+  output.write(schema_text(options));
   output.finish();
   return kDone;
 }
@@ -45,6 +54,11 @@ void add_schema(CLI::App& app, Action& action) {
       ->required()
       ->check(CLI::IsMember({"motor", "study"}))
       ->type_name("");
+  command
+      ->add_option("--format", options->format,
+                   "JSON Schema, or the reference page of the study file (default: json)")
+      ->check(CLI::IsMember({"json", "markdown"}))
+      ->type_name("json|markdown");
   command->add_option("-o,--output", options->path, "Write the result to this file")
       ->type_name("FILE");
   command->footer(kExamples);

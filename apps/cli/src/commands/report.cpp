@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command.hpp"
+#include "exit_status.hpp"
+#include "output.hpp"
+
+#include <twum/studies/report/report.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+#include <string>
+
+namespace twum::cli {
+namespace {
+
+constexpr const char* kExamples = R"text(Examples:
+  twum report results                 builds results/report.html again)text";
+
+int run_report(const std::string& directory) {
+  const std::string path = studies::write_report(directory);
+  Output output("");
+  output.write(path + "\n");
+  output.finish();
+  return kDone;
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, Action& action) {
+  const auto directory = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand("report", "Builds the page of a study's results again");
+  command->add_option("DIR", *directory, "Directory that 'twum run' wrote")
+      ->required()
+      ->type_name("DIR");
+  command->footer(kExamples);
+  command->callback(
+      [directory, &action] { action = [directory] { return run_report(*directory); }; });
+}
+
+}  // namespace twum::cli

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command.hpp"
+#include "exit_status.hpp"
+#include "interrupt.hpp"
+#include "options.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+
+#include <twum/studies/run/ordered.hpp>
+#include <twum/studies/run/run_study.hpp>
+#include <twum/studies/study/study_file.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+namespace twum::cli {
+namespace {
+
+constexpr const char* kExamples = R"text(Examples:
+  twum run study.yaml                       results in results/study
+  twum run study.yaml -o first --jobs 4
+  twum run study.yaml --set "preload=140 N" -o first-140N
+  twum run study.yaml -o first --fresh      discards what is in there and starts anew
+
+DIR then holds study.yaml (every default written out), results.db (SQLite: every evaluation),
+results.csv and summary.json. A study that was interrupted, by Ctrl-C or in any other way, goes on
+where it was when the same command is given again, and ends with the same results.)text";
+
+struct StudyOptions {
+  std::string path;
+  std::vector<std::string> settings;
+  std::string directory;
+  std::string jobs;
+  bool fresh{false};
+};
+
+std::string directory_of(const StudyOptions& options) {
+  if (!options.directory.empty()) return options.directory;
+  const std::string stem = std::filesystem::path(options.path).stem().string();
+  return (std::filesystem::path("results") / (options.path == "-" ? "study" : stem)).string();
+}
+
+double fraction_of(std::uint64_t done, std::uint64_t total) {
+  return total > 0 ? static_cast<double>(done) / static_cast<double>(total) : 0;
+}
+
+// A search that used up its budget may have a design within all limits by then, or a part of a front.
+bool has_feasible_design(const studies::StudyResult& result) {
+  if (const auto* front = std::get_if<studies::ParetoResult>(&result.answer))
+    return !front->front.empty();
+  const auto* best = std::get_if<studies::OptimizeResult>(&result.answer);
+  return best != nullptr && best->found &&
+         std::all_of(best->best.constraints.begin(), best->best.constraints.end(),
+                     [](const studies::LimitState& limit) { return limit.violation <= 0; });
+}
+
+int status_of(const studies::StudyResult& result) {
+  if (result.outcome == "interrupted") return kInterrupted;
+  if (result.outcome == "budget") return has_feasible_design(result) ? kDone : kNoAnswer;
+  const bool answered =
+      result.outcome == "done" || result.outcome == "optimal" || result.outcome == "feasible";
+  return answered ? kDone : kNoAnswer;
+}
+
+studies::StudyResult run_with_progress(const studies::StudyFile& file, const std::string& directory,
+                                       studies::RunOptions& options) {
+  const StopOnInterrupt stop;
+  options.stop = stop.token();
+  Progress progress;
+  options.progress = [&](std::uint64_t done, std::uint64_t total, const std::string& best) {
+    progress.show(done, fraction_of(done, total), best);
+  };
+  return studies::run_study(file, directory, options);
+}
+
+int run_study(const StudyOptions& options) {
+  studies::RunOptions run;
+  if (!options.jobs.empty())
+    run.jobs = static_cast<unsigned>(parse_count("--jobs", options.jobs, 1, 1024));
+  run.fresh = options.fresh;
+  const studies::StudyFile file = studies::read_study_file(options.path, options.settings);
+  const std::string directory = directory_of(options);
+  const studies::StudyResult result = run_with_progress(file, directory, run);
+  if (result.was_complete) {
+    std::fprintf(stderr, "twum: %s holds this result already; --fresh computes it anew\n",
+                 directory.c_str());
+  }
+  Output output("");
+  output.write(studies::summary_text(result));
+  output.finish();
+  std::fprintf(stderr, "results: %s\n", directory.c_str());
+  if (result.outcome == "interrupted")
+    std::fprintf(stderr, "twum: interrupted; the same command goes on from here\n");
+  return status_of(result);
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<StudyOptions>();
+  CLI::App* command = app.add_subcommand("run", "Runs a study, or goes on with it");
+  command->add_option("STUDY", options->path, "Study file ('-': standard input)")
+      ->required()
+      ->type_name("FILE");
+  add_set_option(*command, options->settings);
+  command
+      ->add_option(
+          "-o,--output", options->directory,
+          "Directory for the results (default: results/NAME in the current directory, NAME "
+          "being that of the study file)")
+      ->type_name("DIR");
+  command->add_option("--jobs", options->jobs,
+                      "Threads (default: all processors); the result does not depend on it");
+  command->add_flag("--fresh", options->fresh,
+                    "Discard the results that are in the directory and start anew");
+  command->footer(kExamples);
+  command->callback([options, &action] { action = [options] { return run_study(*options); }; });
+}
+
+}  // namespace twum::cli

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command.hpp"
+#include "exit_status.hpp"
+#include "formats.hpp"
+#include "listing.hpp"
+#include "output.hpp"
+
+#include <twum/optim/solvers.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace twum::cli {
+namespace {
+
+constexpr const char* kText =
+    "Names as in `solver: {name: ...}` of a study. `auto`, the default, searches from several "
+    "starts, "
+    "certifies the best\n"
+    "and tries other solvers where that fails (see [optimization](../optimization.md)). "
+    "\"gradient\" "
+    "says what a solver\n"
+    "needs; exact gradients are always there. Every available solver keeps to the bounds of the "
+    "variables; limits on\n"
+    "metrics are inequalities. This page is the output of `twum solvers --format markdown`; "
+    "`twum solvers --options`\n"
+    "lists the options alone.";
+
+constexpr const char* kOptionsText =
+    "Options of single solvers, as entries of `solver:` beside `name`. Those of `nlopt` are for "
+    "every "
+    "solver whose name\n"
+    "begins so.";
+
+constexpr const char* kExamples = R"text(Examples:
+  twum solvers
+  twum solvers --options
+  twum solvers --format json)text";
+
+struct SolversOptions {
+  bool options{false};
+  OutputOptions output;
+};
+
+std::string mark(bool flag) { return flag ? "yes" : ""; }
+
+Listing solver_list() {
+  Listing listing{
+      "Solvers",
+      kText,
+      {"name", "gradient", "inequality", "equality", "global", "stochastic", "available", "text"},
+      {}};
+  for (const optim::SolverInfo& solver : optim::solvers()) {
+    listing.rows.push_back(
+        {solver.name, solver.gradient ? "needed" : "",
+         solver.augmented ? "augmented" : mark(solver.inequality),
+         solver.augmented && solver.equality ? "augmented" : mark(solver.equality),
+         mark(solver.global), mark(solver.stochastic), solver.available ? "yes" : "no",
+         solver.description});
+  }
+  return listing;
+}
+
+Listing option_list() {
+  Listing listing{"Options", kOptionsText, {"name", "solver", "type", "range", "text"}, {}};
+  for (const optim::SolverOption& option : optim::solver_options())
+    listing.rows.push_back({option.name, option.solver, option.type, option.range, option.text});
+  return listing;
+}
+
+int run_solvers(const SolversOptions& options) {
+  Output output(options.output.path);
+  const bool page = options.output.format == "markdown";
+  std::string text =
+      to_text(options.options ? option_list() : solver_list(), options.output.format);
+  if (page && !options.options) text += "\n#" + to_text(option_list(), "markdown");
+  output.write(text);
+  output.finish();
+  return kDone;
+}
+
+}  // namespace
+
+void add_solvers(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<SolversOptions>();
+  CLI::App* command =
+      app.add_subcommand("solvers", "Lists the solvers, what they need and what they take");
+  command->add_flag("--options", options->options, "List the options of the solvers instead");
+  add_output_options(*command, options->output, {"table", "csv", "json", "markdown"});
+  command->footer(kExamples);
+  command->callback([options, &action] { action = [options] { return run_solvers(*options); }; });
+}
+
+}  // namespace twum::cli

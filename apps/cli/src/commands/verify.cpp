@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command.hpp"
+#include "exit_status.hpp"
+#include "options.hpp"
+#include "output.hpp"
+
+#include <twum/studies/run/verify_study.hpp>
+#include <twum/studies/text/number.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace twum::cli {
+namespace {
+
+constexpr const char* kExamples = R"text(Examples:
+  twum verify results/optimize
+  twum verify results/sweep --samples 100000 --seed 7
+
+Computes again: rows of results.db drawn at random, the designs of summary.json, their
+certificates, and the answer as it follows from the rows. Exit status 0: all of it holds to
+1e-12 of each number; 1: something does not; 3: the results cannot be read.)text";
+
+struct VerifyCommand {
+  std::string directory;
+  std::string samples;
+  std::string seed;
+};
+
+std::string counted(std::uint64_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+std::string report(const studies::Verification& found) {
+  std::string text =
+      found.study + " (" + found.kind + "): " + (found.holds() ? "holds" : "does NOT hold") + "\n";
+  text += "  " + std::to_string(found.rows_checked) + " of " + counted(found.rows, "stored row") +
+          " evaluated again\n";
+  if (found.rows_skipped > 0)
+    text += "  " + counted(found.rows_skipped, "row") + " cannot be evaluated alone\n";
+  text += "  " + counted(found.designs, "design") + " of the summary evaluated again\n";
+  if (found.certificates > 0)
+    text += "  " + counted(found.certificates, "certificate") + " measured again\n";
+  text += found.answer_checked ? "  the answer was derived again from the rows\n"
+                               : "  interrupted: the answer was not derived again\n";
+  text += found.deviation == 0 ? "  numbers that hold are equal to the bit\n"
+                               : "  numbers that hold are equal to " +
+                                     studies::rounded_text(found.deviation, 2) + " of their size\n";
+  for (const std::string& complaint : found.complaints) text += complaint + "\n";
+  if (found.failed > found.complaints.size())
+    text += "and " + std::to_string(found.failed - found.complaints.size()) + " more\n";
+  return text;
+}
+
+int run_verify(const VerifyCommand& command) {
+  studies::VerifyOptions options;
+  if (!command.samples.empty())
+    options.samples = parse_count("--samples", command.samples, 0, 1000000000);
+  if (!command.seed.empty())
+    options.seed = parse_count("--seed", command.seed, 0, 9007199254740992);
+  const studies::Verification found = studies::verify_study(command.directory, options);
+  Output output("");
+  output.write(report(found));
+  output.finish();
+  return found.holds() ? kDone : kNoAnswer;
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<VerifyCommand>();
+  CLI::App* command =
+      app.add_subcommand("verify", "Computes a study's results again and says whether they hold");
+  command->add_option("DIR", options->directory, "Directory that 'twum run' wrote")
+      ->required()
+      ->type_name("DIR");
+  command->add_option("--samples", options->samples,
+                      "Stored evaluations to repeat, drawn at random (default: 1000)");
+  command->add_option("--seed", options->seed, "Seed of the draw (default: 1)");
+  command->footer(kExamples);
+  command->callback([options, &action] { action = [options] { return run_verify(*options); }; });
+}
+
+}  // namespace twum::cli

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plot/curve_plot.hpp"
+
+#include "plot/style.hpp"
+
+#include <twum/core/performance/metrics.hpp>
+#include <twum/core/performance/motor.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace twum::cli {
+namespace {
+
+// Half a pixel of the PNG is 1 / 2400 of the width; the curve has few bends, and 600 points are smooth.
+constexpr int kPoints = 601;
+
+// What one panel says of marks is not for the next; the title is drawn once.
+constexpr const char* kEndOfPanel = "\nunset label\n";
+
+enum Column : int {
+  kSpeed = 1,
+  kTorque,
+  kOutput,
+  kFriction,
+  kLayer,
+  kStator,
+  kContactEfficiency,
+  kEfficiency
+};
+
+struct Mark {
+  const char* name;
+  double speed;   // [rad/s]
+  double torque;  // [N m]
+  double power;   // [W]; NaN: not marked among the powers
+  std::string text;
+  const char* place;  // of the label against the mark
+};
+
+struct Picture {
+  std::vector<std::vector<double>> rows;
+  std::vector<Mark> marks;
+  studies::DisplayUnit speed;
+  studies::DisplayUnit torque;
+  studies::DisplayUnit power;
+  double first;
+  double last;
+  bool damped;  // the stator takes a share, so there is an efficiency of the whole
+};
+
+std::vector<std::vector<double>> rows_of(const Motor& motor, double first, double last) {
+  std::vector<std::vector<double>> rows;
+  for (int i = 0; i < kPoints; ++i) {
+    const double speed = first + (last - first) * i / (kPoints - 1);
+    const OperatingPoint p = motor.operating_point(speed);
+    rows.push_back({speed, p.torque, p.output_power, p.friction_power, p.layer_loss, p.stator_loss,
+                    p.contact_efficiency(), p.efficiency()});
+  }
+  return rows;
+}
+
+double largest(const std::vector<std::vector<double>>& rows, Column from, Column to) {
+  double size = 0;
+  for (const std::vector<double>& row : rows) {
+    for (int column = from; column <= to; ++column) {
+      const double value = std::abs(row[static_cast<std::size_t>(column - 1)]);
+      if (std::isfinite(value)) size = std::max(size, value);
+    }
+  }
+  return size;
+}
+
+std::vector<Mark> marks_of(const Motor& motor, double first, double last) {
+  const auto request = [](Metric metric) { return MetricRequest{metric, Argument::none, 0}; };
+  const std::array<MetricRequest, 6> requests = {
+      request(Metric::stall_torque),        request(Metric::plateau_speed),
+      request(Metric::speed_at_peak_power), request(Metric::torque_at_peak_power),
+      request(Metric::peak_power),          request(Metric::no_load_speed)};
+  const std::vector<MetricValue> values = evaluate(motor, requests);
+  const auto has = [&](std::size_t i) { return values[i].status == MetricStatus::ok; };
+  const auto text = [&](std::size_t i, const char* unit) {
+    return studies::engineering(values[i].value, unit, 3);
+  };
+  const double none = std::nan("");
+  std::vector<Mark> marks;
+  if (has(0)) {
+    marks.push_back({"stall", 0, values[0].value, none, "stall " + text(0, "N.m"),
+                     "left offset character 0.6, character -1"});
+  }
+  if (has(1) && values[1].value > 0) {
+    const double torque = motor.operating_point(values[1].value).torque;
+    marks.push_back({"plateau", values[1].value, torque, none, "plateau to " + text(1, "rad/s"),
+                     "right offset character -0.6, character -1"});
+  }
+  if (has(4) && values[4].value > 0) {
+    marks.push_back({"peak power", values[2].value, values[3].value, values[4].value,
+                     "peak power " + text(4, "W") + " at " + text(2, "rad/s"),
+                     "left offset character 0.7, character 0.5"});
+  }
+  if (has(5) && values[5].value > 0) {
+    marks.push_back({"no load", values[5].value, 0, none, "no load " + text(5, "rad/s"),
+                     "right offset character -2, character 0.7"});
+  }
+  std::erase_if(marks, [&](const Mark& m) { return m.speed < first || m.speed > last; });
+  return marks;
+}
+
+std::string point_label(double x, double y, const std::string& text, const char* place) {
+  return "set label " + text + " at first " + plot_number(x) + ", first " + plot_number(y) + " " +
+         place +
+         " font 'Arial,11' noenhanced front point pointtype 7 pointsize 0.6 linecolor rgb "
+         "'#000000'\n";
+}
+
+std::string guides(const Picture& picture) {
+  std::string script;
+  for (const Mark& mark : picture.marks) {
+    if (mark.speed <= picture.first) continue;
+    const std::string x = plot_number(mark.speed / picture.speed.divisor);
+    script += "set arrow from first " + x + ", graph 0 to first " + x +
+              ", graph 1 nohead back dashtype '.' linewidth 1 linecolor rgb '#999999'\n";
+  }
+  return script;
+}
+
+std::string series(const Picture& picture, Column column, const studies::DisplayUnit& unit,
+                   const char* name, const char* colour, const char* dash) {
+  return "$curve using " + in_unit(kSpeed, picture.speed) + ":" + in_unit(column, unit) +
+         " with lines linewidth 2 dashtype " + dash + " linecolor rgb '" + colour + "' title " +
+         plot_text(name);
+}
+
+std::string torque_panel(const Picture& picture) {
+  std::string script = panel_place(0.93, 0.63, false) + guides(picture) +
+                       "set offsets 0, 0, graph 0.06, 0\n" +
+                       vertical_label("torque", picture.torque);
+  for (const Mark& mark : picture.marks) {
+    script += point_label(mark.speed / picture.speed.divisor, mark.torque / picture.torque.divisor,
+                          plot_text(mark.power > 0 ? mark.name : mark.text), mark.place);
+  }
+  return script + "plot " + series(picture, kTorque, picture.torque, "", colour::kBlue, "1") +
+         kEndOfPanel;
+}
+
+std::string power_panel(const Picture& picture) {
+  std::string script = panel_place(0.58, 0.33, false) + "set offsets 0, 0, graph 0.1, 0\n" +
+                       vertical_label("power", picture.power);
+  for (const Mark& mark : picture.marks) {
+    if (!(mark.power > 0)) continue;
+    script += point_label(mark.speed / picture.speed.divisor, mark.power / picture.power.divisor,
+                          plot_text(mark.text), "center offset character 0, character 0.8");
+  }
+  script += "plot " + series(picture, kOutput, picture.power, "output", colour::kBlue, "1") + ", " +
+            series(picture, kFriction, picture.power, "friction loss", colour::kVermilion, "2") +
+            ", " + series(picture, kLayer, picture.power, "layer loss", colour::kGreen, "4");
+  if (picture.damped) {
+    script += ", " + series(picture, kStator, picture.power, "stator loss", colour::kOrange, "5");
+  }
+  return script + kEndOfPanel;
+}
+
+std::string efficiency_panel(const Picture& picture) {
+  const studies::DisplayUnit percent{"%", 0.01};
+  std::string script =
+      panel_place(0.28, 0.075, true) + "set offsets 0, 0, 0, 0\n" +
+      horizontal_label("speed", picture.speed) + vertical_label("efficiency", percent) +
+      "\nset yrange [0:100]\nplot " +
+      series(picture, kContactEfficiency, percent, "of the contact", colour::kBlue, "1");
+  if (picture.damped) {
+    script += ", " +
+              series(picture, kEfficiency, percent, "with the stator's loss", colour::kOrange, "5");
+  }
+  return script + "\n";
+}
+
+}  // namespace
+
+std::string curve_plot(const studies::MotorFile& file, double first, double last) {
+  const Motor motor(file.design);
+  Picture picture;
+  picture.rows = rows_of(motor, first, last);
+  picture.marks = marks_of(motor, first, last);
+  picture.first = first;
+  picture.last = last;
+  picture.damped = file.design.stator.modal_damping > 0;
+  picture.speed = studies::display_unit(last, "rad/s");
+  picture.torque = studies::display_unit(largest(picture.rows, kTorque, kTorque), "N.m");
+  picture.power = studies::display_unit(largest(picture.rows, kOutput, kStator), "W");
+  return plot_data("curve", picture.rows) + plot_style(plot_text(motor_title(file))) +
+         "set multiplot\n" + "set xrange [" + plot_number(first / picture.speed.divisor) + ":" +
+         plot_number(last / picture.speed.divisor) + "]\n" + torque_panel(picture) +
+         power_panel(picture) + efficiency_panel(picture) + "unset multiplot\n";
+}
+
+}  // namespace twum::cli

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "plot/gnuplot.hpp"
+
+#include <twum/core/performance/motor.hpp>
+#include <twum/studies/motor/motor_file.hpp>
+
+#include <string>
+
+namespace twum::cli {
+
+inline constexpr PlotSize kFieldsPlotSize{720, 860};
+
+/// Script of a picture of pressure, traction with its friction bounds, and surface velocities over the
+/// contact, on a ground coloured by what each zone does. The point has to have an answer.
+std::string fields_plot(const studies::MotorFile& file, double speed);
+
+}  // namespace twum::cli

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plot/gnuplot.hpp"
+
+#include "output.hpp"
+
+#include <twum/base/error.hpp>
+#include <twum/studies/text/number.hpp>
+#include <twum/studies/text/words.hpp>
+
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+namespace twum::cli {
+namespace {
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+// A nameless temporary file: nothing to clean up, and no pipe that could fill while the other end
+// waits.
+File scratch_file() {
+  File file(std::tmpfile());
+  if (file == nullptr) {
+    throw OutputError(std::string("a temporary file for the plot cannot be made: ") +
+                      std::strerror(errno));
+  }
+  return file;
+}
+
+std::string contents(std::FILE* file) {
+  std::rewind(file);
+  std::string text;
+  std::array<char, 1 << 16> buffer{};
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), file))
+    text.append(buffer.data(), n);
+  return text;
+}
+
+std::string first_words(const std::string& text) {
+  std::string line;
+  for (std::size_t begin = 0; begin < text.size() && line.empty();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    line = studies::trimmed(std::string_view(text).substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return studies::printable(line, 200);
+}
+
+pid_t start(std::FILE* in, std::FILE* out, std::FILE* errors) {
+  // No shell in between, and no start-up file of the user's: the script alone decides.
+  std::array<char*, 3> arguments{const_cast<char*>("gnuplot"), const_cast<char*>("-d"), nullptr};
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_adddup2(&files, fileno(in), 0);
+  posix_spawn_file_actions_adddup2(&files, fileno(out), 1);
+  posix_spawn_file_actions_adddup2(&files, fileno(errors), 2);
+  pid_t child = 0;
+  const int error = posix_spawnp(&child, "gnuplot", &files, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&files);
+  if (error == ENOENT) {
+    throw OutputError(
+        "gnuplot, which draws the plots, is not installed; install the Debian package gnuplot-nox");
+  }
+  if (error != 0) throw OutputError(std::string("gnuplot cannot be run: ") + std::strerror(error));
+  return child;
+}
+
+int finish(pid_t child) {
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) throw OutputError(std::string("gnuplot was lost: ") + std::strerror(errno));
+  }
+  return status;
+}
+
+std::string picture(const std::string& script) {
+  const File in = scratch_file();
+  const File out = scratch_file();
+  const File errors = scratch_file();
+  if (std::fwrite(script.data(), 1, script.size(), in.get()) != script.size() ||
+      std::fflush(in.get()) != 0) {
+    throw OutputError(std::string("the plot's temporary file cannot be written: ") +
+                      std::strerror(errno));
+  }
+  std::rewind(in.get());
+  const int status = finish(start(in.get(), out.get(), errors.get()));
+  std::string image = contents(out.get());
+  if (status != 0 || image.empty()) {
+    throw OutputError("gnuplot could not draw the plot: " + first_words(contents(errors.get())));
+  }
+  return image;
+}
+
+std::string terminal(bool vector_graphics, PlotSize size) {
+  const auto pixels = [&](int factor) {
+    return " size " + std::to_string(factor * size.width) + "," +
+           std::to_string(factor * size.height);
+  };
+  if (vector_graphics)
+    return "set terminal svg" + pixels(1) + " font 'Arial,12' background '#ffffff'\n";
+  return "set terminal pngcairo" + pixels(2) + " font 'Arial,12' fontscale 2 linewidth 2 " +
+         "dashlength 0.5 pointscale 2 background '#ffffff'\n";
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  return a == b || std::filesystem::equivalent(a, b, ignored);
+}
+
+}  // namespace
+
+PlotFile::PlotFile(std::string path, const std::vector<std::string>& inputs)
+    : path_(std::move(path)), vector_graphics_(path_.ends_with(".svg")) {
+  if (!vector_graphics_ && !path_.ends_with(".png")) {
+    throw InputError("--plot: " + studies::quoted(path_) +
+                     " should end in .svg or .png, which says what to draw");
+  }
+  for (const std::string& input : inputs) {
+    if (same_file(path_, input))
+      throw InputError(path_ + ": is another file of this command; choose a name for --plot");
+  }
+}
+
+void PlotFile::draw(PlotSize size, const std::string& script) const {
+  const std::string image =
+      picture("set encoding utf8\n" + terminal(vector_graphics_, size) + script);
+  Output output(path_);
+  output.write(image);
+  output.finish();
+}
+
+void add_plot_option(CLI::App& command, std::string& path) {
+  command.add_option("--plot", path, "Draw the result into this file, .svg or .png")
+      ->type_name("FILE.svg|.png");
+}
+
+std::optional<PlotFile> plot_file(const std::string& path, const std::vector<std::string>& inputs) {
+  if (path.empty()) return std::nullopt;
+  return PlotFile(path, inputs);
+}
+
+std::string plot_text(std::string_view text) {
+  // Between single quotes gnuplot knows no escape and no substitution, only '' for '.
+  std::string quoted = "'";
+  for (const char letter : studies::printable(text, 200)) {
+    quoted += letter;
+    if (letter == '\'') quoted += letter;
+  }
+  return quoted + "'";
+}
+
+std::string plot_number(double value) {
+  return std::isfinite(value) ? studies::number_text(value) : "NaN";
+}
+
+std::string plot_data(std::string_view name, const std::vector<std::vector<double>>& rows) {
+  std::string text = "$" + std::string(name) + " << END\n";
+  for (const std::vector<double>& row : rows) {
+    for (const double value : row) text += plot_number(value) + " ";
+    text += "\n";
+  }
+  return text + "END\n";
+}
+
+}  // namespace twum::cli

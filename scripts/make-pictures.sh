@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Draws the pictures of the documentation anew, from the examples and the program as it is:
+#
+#   scripts/make-pictures.sh [TWUM]    default: build/release/bin/twum
+#
+# Needs gnuplot and, for the pictures of the report, chromium: scripts/install-deps.sh test.
+set -euo pipefail
+root=$(cd "$(dirname "$0")/.." && pwd)
+twum=${1:-$root/build/release/bin/twum}
+pictures=$root/docs/pictures
+ring=$root/examples/motors/ring-60.yaml
+mkdir -p "$pictures"
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+"$twum" curve "$ring" --plot "$pictures/curve.svg" >/dev/null
+"$twum" fields "$ring" --speed "133 rpm" --plot "$pictures/fields.svg" >/dev/null
+for study in optimize-ring-60 pareto-power-wear sweep-sobol paper-figure-4; do
+  "$twum" run "$root/examples/studies/$study.yaml" -o "$scratch/$study" >/dev/null
+done
+python3 "$root/tests/report/take_pictures.py" "$scratch" "$pictures"

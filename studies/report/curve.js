@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+'use strict';
+// Torque, power and efficiency against speed, one curve or several over each other, and the fields under the cursor.
+
+/** Values of a curve at the speeds of a common axis: linear between its points, nothing beyond them. */
+function resampled(curve, name, speeds) {
+  const from = curve.speed;
+  const last = from.length - 1;
+  const step = from[last] / last;
+  return Float64Array.from(speeds, (speed) => {
+    const place = speed / step;
+    const i = Math.min(Math.floor(place), last - 1);
+    if (place > last + 1e-9 || i < 0) return NaN;
+    const share = place - i;
+    return curve[name][i] * (1 - share) + curve[name][i + 1] * share;
+  });
+}
+
+function commonSpeeds(list) {
+  const last = Math.max(...list.map((c) => c.speed[c.speed.length - 1]));
+  const count = list.length === 1 ? list[0].speed.length : 301;
+  return Float64Array.from({ length: count }, (_, i) => (last * i) / (count - 1));
+}
+
+/** Marks of the metrics on the curve named. */
+function curveMarks(curve, name, speedUnit, unit, full) {
+  const m = curve.metrics;
+  const marks = [];
+  const at = (speed, value, text) => {
+    if (speed !== null && value !== null && Number.isFinite(value)) marks.push({ x: speed / speedUnit.divisor, y: value / unit.divisor, text: full ? text : '', small: !full });
+  };
+  if (name === 'torque') {
+    at(0, m.stall_torque, 'stall ' + engineering(m.stall_torque, 'N.m', 3));
+    if (m.plateau_speed > 0) at(m.plateau_speed, resampled(curve, 'torque', [m.plateau_speed])[0], 'plateau to ' + engineering(m.plateau_speed, 'rad/s', 3));
+    if (m.peak_power > 0) at(m.speed_at_peak_power, m.torque_at_peak_power, full ? 'peak power' : '');
+    if (m.no_load_speed > 0) at(m.no_load_speed, 0, 'no load ' + engineering(m.no_load_speed, 'rad/s', 3));
+  }
+  if (name === 'output_power' && m.peak_power > 0) at(m.speed_at_peak_power, m.peak_power, 'peak ' + engineering(m.peak_power, 'W', 3) + ' at ' + engineering(m.speed_at_peak_power, 'rad/s', 3));
+  return marks;
+}
+
+function readout(node, parts) {
+  node.replaceChildren(...parts.flatMap(([name, value]) => [name + ' ', el('b', {}, value), '   ']));
+}
+
+/** One quantity of several curves over speed. */
+function curvesChart(node, list, names, name, label, options = {}) {
+  const speeds = commonSpeeds(list);
+  const speedUnit = displayUnit(1, 'rad/s');
+  const unit = options.unit || displayUnit(largest(list.map((c) => c[name])), unitOfCurve(name));
+  const series = list.map((c, i) => ({ name: names[i], y: scaled(resampled(c, name, speeds), unit.divisor), colour: seriesColours[i % 7], dash: i >= 7 || options.dashes && i === 0 ? [6, 4] : undefined }));
+  const marks = list.flatMap((c, i) => curveMarks(c, name, speedUnit, unit, list.length <= 2 && (list.length === 1 || i === 1)).map((m) => ({ ...m, colour: list.length > 1 ? seriesColours[i % 7] : null })));
+  const read = el('div', { class: 'read', 'aria-live': 'polite' });
+  const plot = chart(node, scaled(speeds, speedUnit.divisor), series, {
+    name: label, x: { label: 'speed [rpm]', range: [0, speeds[speeds.length - 1] / speedUnit.divisor] }, y: { label: axisLabel(label, unit), range: options.range || paddedRange(series.map((s) => s.y), true) },
+    marks, height: options.height || 300,
+    onMove: (i) => {
+      if (i === null) { read.replaceChildren(); return; }
+      readout(read, [['at', engineering(speeds[i], 'rad/s')], ...series.filter((s) => Number.isFinite(s.y[i])).map((s) => [s.name, rounded(s.y[i]) + ' ' + unit.text])]);
+      if (options.onSpeed) options.onSpeed(speeds[i]);
+    },
+  });
+  node.append(read);
+  return plot;
+}
+
+function unitOfCurve(name) {
+  return { torque: 'N.m', wear_intensity: 'W/m^2', contact_efficiency: '1', efficiency: '1', stick_fraction: '1', speed: 'rad/s' }[name] || 'W';
+}
+
+const percentUnit = { text: '%', divisor: 0.01 };
+
+/** Output and losses of one curve. */
+function powerChart(node, curve, onSpeed) {
+  const parts = [['output_power', 'output', 'c0'], ['friction_power', 'friction loss', 'c1', [7, 4]], ['layer_loss', 'layer loss', 'c2', [2, 3]]];
+  if (largest([curve.stator_loss]) > 0) parts.push(['stator_loss', 'stator loss', 'c3', [10, 3, 2, 3]]);
+  const unit = displayUnit(largest(parts.map(([name]) => curve[name])), 'W');
+  const series = parts.map(([name, label, c, dash]) => ({ name: label, y: scaled(curve[name], unit.divisor), colour: c, dash }));
+  const speeds = scaled(curve.speed, Math.PI / 30);
+  const read = el('div', { class: 'read', 'aria-live': 'polite' });
+  node.append(legend(series.map((s) => ({ name: s.name, colour: s.colour, kind: s.dash ? 'dash' : '' }))));
+  chart(node, speeds, series, {
+    name: 'power', x: { label: 'speed [rpm]', range: [0, speeds[speeds.length - 1]] }, y: { label: axisLabel('power', unit), range: paddedRange(series.map((s) => s.y), true) },
+    marks: curveMarks(curve, 'output_power', { divisor: Math.PI / 30 }, unit, true), height: 300,
+    onMove: (i) => {
+      if (i === null) { read.replaceChildren(); return; }
+      readout(read, [['at', rounded(speeds[i]) + ' rpm'], ...series.map((s) => [s.name, rounded(s.y[i]) + ' ' + unit.text])]);
+      if (onSpeed) onSpeed(curve.speed[i]);
+    },
+  });
+  node.append(read);
+}
+
+function efficiencyChart(node, list, names, onSpeed) {
+  const damped = list.some((c) => largest([c.stator_loss]) > 0);
+  curvesChart(node, list, names, damped ? 'efficiency' : 'contact_efficiency', damped ? 'efficiency' : 'contact efficiency', { unit: percentUnit, range: [0, 100], onSpeed });
+}
+
+/** Everything about several curves: charts, fields, metrics. The first name of a family of one is the motor's. */
+function curveSection(list, names, title, note) {
+  const shown = list.length - 1;
+  const torque = card(title || 'Torque', note || 'Move along the curve with the mouse, a finger, or the arrow keys: the fields in the contact follow.', 'half');
+  let viewer = null;
+  const onSpeed = (speed) => viewer && viewer.show(speed);
+  if (list.length > 1) torque.append(legend(names.map((name, i) => ({ name, colour: seriesColours[i % 7] }))));
+  curvesChart(torque, list, names, 'torque', 'torque', { onSpeed });
+  if (list.length === 1) powerChart(card('Power and losses', 'What the contact gives to the rotor, and where the rest goes.', 'half'), list[0], onSpeed);
+  else {
+    const power = card('Output power', 'Peak power is marked.', 'half');
+    power.append(legend(names.map((name, i) => ({ name, colour: seriesColours[i % 7] }))));
+    curvesChart(power, list, names, 'output_power', 'output power', { onSpeed });
+  }
+  const efficiency = card('Efficiency', null, 'half');
+  if (list.length > 1) efficiency.append(legend(names.map((name, i) => ({ name, colour: seriesColours[i % 7] }))));
+  efficiencyChart(efficiency, list, names, onSpeed);
+  if (list.length > 1) {
+    const losses = card('Friction loss', 'Power that wears the contact.', 'half');
+    losses.append(legend(names.map((name, i) => ({ name, colour: seriesColours[i % 7] }))));
+    curvesChart(losses, list, names, 'friction_power', 'friction loss', { onSpeed });
+  } else {
+    const wear = card('Wear intensity', 'Friction power for each area of the track.', 'half');
+    curvesChart(wear, list, names, 'wear_intensity', 'wear intensity', { onSpeed });
+  }
+  viewer = fieldsSection(list, names, shown);
+  card('Points of the curves', null, 'wide').append(el('details', {}, el('summary', {}, 'All ' + list.length * list[0].speed.length + ' points'), pointsTable(list, names)));
+}
+
+function pointsTable(list, names) {
+  const shown = ['speed', 'torque', 'output_power', 'friction_power', 'layer_loss', 'stator_loss', 'contact_efficiency', 'wear_intensity', 'stick_fraction'];
+  const lines = [];
+  list.forEach((c, k) => c.speed.forEach((_, i) => lines.push([words(names[k]), ...shown.map((n) => quantity(c[n][i], unitOfCurve(n)))])));
+  return table('curve', ['curve', ...shown.map(plain)], lines, ['curve', ...shown.map((n) => n + ' [' + unitOfCurve(n) + ']')]);
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+'use strict';
+// The result, as it stands in the page: summary.json, curves, and the stored rows as typed arrays.
+
+/** A typed array from the base64 of its little-endian bytes. */
+function numbers(text, Type) {
+  const letters = atob(text);
+  const bytes = new Uint8Array(letters.length);
+  for (let i = 0; i < letters.length; ++i) bytes[i] = letters.charCodeAt(i);
+  return new Type(bytes.buffer);
+}
+
+const data = JSON.parse(document.getElementById('data').textContent);
+const summary = data.summary;
+
+/** The stored rows: columns by position, and which status each row has. */
+const rows = {
+  count: data.rows.count,
+  columns: data.rows.columns.map((c, i) => ({ ...c, values: numbers(data.rows.values[i], Float64Array) })),
+  statuses: data.rows.statuses,
+  status: numbers(data.rows.status, Uint16Array),
+};
+
+const curveColumns = ['speed', 'torque', 'output_power', 'stator_power', 'friction_power', 'layer_loss',
+  'contact_efficiency', 'wear_intensity', 'stick_fraction', 'efficiency', 'stator_loss'];
+
+const curves = data.curves.map((c) => {
+  if (!c) return null;
+  const curve = { ...c };
+  for (const name of curveColumns) curve[name] = numbers(c[name], Float64Array);
+  return curve;
+});
+
+/** SI unit of a parameter, a metric or a metric at an argument, such as "torque_at(100 rpm)". */
+function unitOf(name) {
+  const units = summary.units || {};
+  if (Object.hasOwn(units, name)) return units[name];
+  const plain = name.replace(/\(.*$/s, '').trim();
+  const known = Object.hasOwn(data.parameters, plain) ? data.parameters[plain]
+    : Object.hasOwn(data.metrics, plain) ? data.metrics[plain] : null;
+  return known ? known.unit : '1';
+}

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+'use strict';
+// The page, from top to bottom.
+
+const kindWords = { curve: 'torque-speed curves', sweep: 'sweep of designs', sensitivity: 'sensitivity', optimize: 'optimization', size: 'sizing for a duty', pareto: 'trade-off front', uncertainty: 'spread under tolerances', calibrate: 'calibration' };
+
+/** Value of the family's parameter, all members in one unit. */
+function memberValue(c) {
+  const { parameter, unit } = summary.family;
+  const shown = displayUnit(largest([summary.curves.map((m) => m[parameter])]), unit);
+  return rounded(c[parameter] / shown.divisor) + (shown.text ? ' ' + shown.text : '');
+}
+
+function curvePage() {
+  const shown = summary.curves.map((c, i) => [c, curves[i]]).filter(([, c]) => c);
+  const names = shown.map(([c]) => (summary.family ? plain(summary.family.parameter) + ' ' + memberValue(c) : data.motor.name || 'motor'));
+  curveSection(shown.map(([, c]) => c), names);
+  card('Metrics', null, 'wide').append(valuesTable('metrics', 'metric', Object.keys(summary.curves[0].metrics), summary.curves.map((c, i) => ({ name: names[i] || String(i + 1), values: c.metrics }))));
+}
+
+const pages = { curve: curvePage, sweep: sweepPage, sensitivity: sensitivityPage, optimize: searchPage, size: searchPage, pareto: paretoPage, uncertainty: uncertaintyPage, calibrate: calibratePage };
+
+function facts() {
+  const failed = Object.values(summary.failures).reduce((a, b) => a + b, 0);
+  const list = [['outcome', summary.outcome], ['evaluations', String(summary.evaluations)], ['without answer', String(failed)]];
+  return el('div', { class: 'facts' }, list.map(([name, value]) => el('div', {}, el('span', {}, name), el('strong', {}, value))));
+}
+
+function failuresCard() {
+  if (!summary.failure_regions.length) return;
+  const where = (r) => Object.entries(r.where).filter(([, v]) => v.low !== null).map(([n, v]) => plain(n) + ' ' + engineering(v.low, unitOf(n)) + (v.high > v.low ? ' to ' + engineering(v.high, unitOf(n)) : '')).join(', ');
+  card('Designs without a full answer', 'They are counted and enter nothing else.', 'wide').append(table('failures', ['reason', 'count', 'where'], summary.failure_regions.map((r) => [words(r.reason), { text: String(r.count), value: r.count }, words(where(r))])));
+}
+
+function motorCard() {
+  const names = Object.keys(data.motor.design);
+  const lines = names.map((n) => [words(plain(n)), words(data.parameters[n].symbol), quantity(data.motor.design[n], data.parameters[n].unit), words(data.parameters[n].text)]);
+  card('The motor of the study', data.motor.name, 'wide').append(table('motor', ['parameter', 'symbol', 'value', 'what it is'], lines));
+}
+
+function provenanceCard() {
+  const build = summary.build || {};
+  const lines = [['twum', summary.version], ['started', summary.started], ['time', rounded(summary.seconds, 3) + ' s'], ['seed', String(summary.seed)], ['hash of the study', summary.hash], ['compiler', build.compiler], ...Object.entries(build.libraries || {})]
+    .filter(([, v]) => v !== undefined && v !== null && v !== '').map(([n, v]) => [words(n), words(String(v))]);
+  card('Where this comes from', null, 'half').append(table('provenance', ['', ''], lines));
+  card('The study', 'As it was run, every default written out.', 'half').append(el('pre', { tabindex: '0' }, data.study));
+}
+
+function build() {
+  document.title = summary.study + ' - twum';
+  const page = document.getElementById('page');
+  page.append(el('header', {}, el('h1', {}, summary.study), el('p', { class: 'of' }, (kindWords[summary.kind] || summary.kind) + (summary.motor ? ' of ' + summary.motor : ''))));
+  const verdict = summary.outcome === 'interrupted' ? { look: 'bad', lines: [sentence(bold('This study was interrupted'), '; what is here is not all of it.')] } : verdicts[summary.kind]();
+  const top = card(null, null, 'wide', ...verdict.lines, facts());
+  top.classList.add('verdict', verdict.look);
+  pages[summary.kind]();
+  failuresCard();
+  motorCard();
+  provenanceCard();
+  page.dataset.ready = 'yes';
+}
+
+build();

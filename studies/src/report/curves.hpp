@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "results/answers.hpp"
+
+#include <twum/core/design/motor_design.hpp>
+
+#include <map>
+#include <string>
+
+/// Curves and fields that a report shows; internal.
+namespace twum::studies {
+
+/// Values of some parameters, by flat name [SI].
+using DesignValues = std::map<std::string, double>;
+
+/// The design with the values that name parameters; null numbers are passed over.
+DesignValues design_values(const Json& object);
+
+enum class Detail : unsigned char {
+  curve,   ///< the curve alone
+  fields,  ///< and the fields in the contact along it
+};
+
+/// {"label", "design", "metrics", "speed": base64, ..., "fields"} of one motor; null if the values
+/// make no motor.
+Json curve_json(const MotorDesign& base, const DesignValues& values, const std::string& label,
+                Detail detail);
+
+/// The torque at one speed and its derivative in each of the parameters named, for the band of a fit:
+/// {"speed": base64, "torque": base64, "gradients": {name: base64}}.
+Json slopes_json(const MotorDesign& base, const DesignValues& values,
+                 const std::vector<std::string>& names, double last_speed);
+
+}  // namespace twum::studies

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+/// Columns of numbers as base64 of their little-endian bytes, which a browser turns into typed arrays
+/// without reading a digit; internal.
+namespace twum::studies {
+
+std::string base64(std::span<const double> values);
+std::string base64(std::span<const float> values);
+std::string base64(std::span<const std::uint16_t> values);
+
+}  // namespace twum::studies

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/rows.hpp"
+
+#include "report/encode.hpp"
+
+#include <twum/base/error.hpp>
+#include <twum/core/design/parameters.hpp>
+#include <twum/core/performance/metrics.hpp>
+#include <twum/core/performance/motor.hpp>
+#include <twum/studies/run/ordered.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace twum::studies {
+namespace {
+
+// 20000 curves of 24 points are 1 MB in the page and half a second of work.
+constexpr std::uint64_t kMostCurves = 20000;
+constexpr std::size_t kPoints = 24;
+constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+
+struct SmallCurve {
+  std::vector<ParameterValue> design;
+  float speed{kNone};   // [rad/s]
+  float torque{kNone};  // [N m]
+  std::vector<std::uint16_t> shape = std::vector<std::uint16_t>(kPoints, 0);
+};
+
+void draw(const MotorDesign& base, SmallCurve& curve) {
+  std::optional<Motor> motor;
+  try {
+    motor.emplace(with(base, curve.design));
+  } catch (const InputError&) {
+    return;  // not admissible: the row says so
+  }
+  const MetricValue no_load =
+      evaluate(*motor, MetricRequest{Metric::no_load_speed, Argument::none, 0});
+  if (no_load.status != MetricStatus::ok || !(no_load.value > 0)) return;
+  std::vector<double> torques;
+  for (std::size_t i = 0; i < kPoints; ++i) {
+    const double speed = no_load.value * static_cast<double>(i) / static_cast<double>(kPoints - 1);
+    const double torque = motor->operating_point(speed).torque;
+    torques.push_back(std::isfinite(torque) ? std::max(torque, 0.0) : 0.0);
+  }
+  const double most = *std::max_element(torques.begin(), torques.end());
+  if (!(most > 0)) return;
+  curve.speed = static_cast<float>(no_load.value);
+  curve.torque = static_cast<float>(most);
+  for (std::size_t i = 0; i < kPoints; ++i)
+    curve.shape[i] = static_cast<std::uint16_t>(std::lround(65535 * torques[i] / most));
+}
+
+}  // namespace
+
+Json rows_json(const ResultStore& store) {
+  const std::vector<Column>& columns = store.columns();
+  std::vector<std::vector<double>> values(columns.size());
+  std::vector<std::uint16_t> status;
+  std::map<std::string, std::uint16_t> numbers;
+  std::vector<std::string> words;
+  store.read([&](const Row& row) {
+    for (std::size_t i = 0; i < columns.size(); ++i) values[i].push_back(row.values[i]);
+    const auto [found, fresh] =
+        numbers.try_emplace(row.status, static_cast<std::uint16_t>(words.size()));
+    if (fresh) words.push_back(row.status);
+    status.push_back(found->second);
+  });
+  Json json{{"count", status.size()},
+            {"columns", Json::array()},
+            {"values", Json::array()},
+            {"statuses", words},
+            {"status", base64(status)}};
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    json["columns"].push_back({{"name", columns[i].name}, {"unit", columns[i].unit}});
+    json["values"].push_back(base64(values[i]));
+  }
+  return json;
+}
+
+Json row_curves_json(const ResultStore& store, const MotorDesign& base) {
+  std::vector<std::pair<std::size_t, Parameter>> variables;
+  for (std::size_t i = 0; i < store.columns().size(); ++i) {
+    if (const auto parameter = find_parameter(store.columns()[i].name))
+      variables.emplace_back(i, *parameter);
+  }
+  const std::uint64_t every =
+      std::max<std::uint64_t>(1, (store.rows() + kMostCurves - 1) / kMostCurves);
+  std::vector<SmallCurve> curves;
+  std::uint64_t number = 0;
+  store.read([&](const Row& row) {
+    if (number++ % every != 0) return;
+    SmallCurve curve;
+    for (const auto& [column, parameter] : variables)
+      curve.design.emplace_back(parameter, row.values[column]);
+    curves.push_back(std::move(curve));
+  });
+  std::size_t next = 0;
+  run_ordered<std::size_t>(
+      job_count(0), [&](std::size_t& i) { return (i = next++) < curves.size(); },
+      [&](std::size_t& i) { draw(base, curves[i]); }, [](std::size_t&) {});
+  std::vector<float> speeds;
+  std::vector<float> torques;
+  std::vector<std::uint16_t> shapes;
+  for (const SmallCurve& curve : curves) {
+    speeds.push_back(curve.speed);
+    torques.push_back(curve.torque);
+    shapes.insert(shapes.end(), curve.shape.begin(), curve.shape.end());
+  }
+  return {{"every", every},
+          {"points", kPoints},
+          {"speed", base64(speeds)},
+          {"torque", base64(torques)},
+          {"shape", base64(shapes)}};
+}
+
+}  // namespace twum::studies

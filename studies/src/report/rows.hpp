@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "results/answers.hpp"
+
+#include <twum/core/design/motor_design.hpp>
+#include <twum/studies/store/result_store.hpp>
+
+/// Stored evaluations for the page; internal.
+namespace twum::studies {
+
+/// {"count", "columns", "values": base64 of each column, "statuses": words, "status": base64 of which}.
+Json rows_json(const ResultStore& store);
+
+/// Small torque-speed curves of the stored designs, of every k-th one where there are many:
+/// {"every", "points", "speed": last speeds, "torque": largest torques, "shape": shares of it}.
+Json row_curves_json(const ResultStore& store, const MotorDesign& base);
+
+}  // namespace twum::studies

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Kills `twum run` at random moments and runs it again: the results must be those of a run in peace.
+
+    kill_study.py TWUM STUDY.yaml [STUDY.yaml ...] [--count 50] [--jobs 2] [--seed 1]
+
+Ends with exit status 0 and one line for each study, or says which bytes differ.
+"""
+import argparse
+import pathlib
+import random
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+TIMES = re.compile(rb'^  "(seconds|started)": .*\n', re.MULTILINE)
+ENDED = (0, 1)  # with an answer, or without one
+
+
+def results(folder):
+    """What must not depend on interruptions: the table, and the summary without times."""
+    summary = (folder / "summary.json").read_bytes()
+    assert len(TIMES.findall(summary)) == 2, "summary.json has its times elsewhere"
+    return (folder / "results.csv").read_bytes(), TIMES.sub(b"", summary)
+
+
+def start(program, study, folder, jobs):
+    return subprocess.Popen([program, "run", str(study), "-o", str(folder), "--jobs", str(jobs)],
+                            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+
+
+def finish(process):
+    _, errors = process.communicate(timeout=600)
+    if process.returncode not in ENDED:
+        raise AssertionError(f"exit status {process.returncode}: {errors.decode(errors='replace')}")
+    return process.returncode
+
+
+def kill_often(program, study, count, jobs=2, seed=1):
+    """Number of runs that were killed before their end; raises AssertionError if results differ."""
+    chance = random.Random(f"{seed} {study.name}")
+    with tempfile.TemporaryDirectory(prefix="twum-kill-") as scratch:
+        peace, war = pathlib.Path(scratch, "peace"), pathlib.Path(scratch, "war")
+        begin = time.monotonic()
+        status = finish(start(program, study, peace, jobs))
+        lasts = time.monotonic() - begin
+        expected = results(peace)
+        killed = 0
+
+        def compare():
+            assert finish(start(program, study, war, jobs)) == status, f"{study}: another exit status"
+            for name, ours, theirs in zip(("results.csv", "summary.json"), results(war), expected):
+                assert ours == theirs, f"{study}: {name} differs after {killed} kills (seed {seed})"
+
+        for _ in range(count):
+            process = start(program, study, war, jobs)
+            try:
+                process.wait(chance.uniform(0, lasts))
+            except subprocess.TimeoutExpired:
+                process.kill()
+                killed += 1
+            _, errors = process.communicate()
+            assert process.returncode in (*ENDED, -9), errors.decode(errors="replace")
+            if process.returncode in ENDED:
+                compare()
+                shutil.rmtree(war)
+        compare()
+        return killed
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("program")
+    parser.add_argument("studies", nargs="+", type=pathlib.Path)
+    parser.add_argument("--count", type=int, default=50)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--seed", type=int, default=1)
+    options = parser.parse_args()
+    for study in options.studies:
+        killed = kill_often(options.program, study, options.count, options.jobs, options.seed)
+        print(f"{study.name}: {killed} of {options.count} runs killed, same results", flush=True)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
