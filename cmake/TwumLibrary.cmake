@@ -2,7 +2,8 @@
 # twum_library(NAME SOURCES ... HEADERS ... [PUBLIC ...] [PRIVATE ...])
 #
 # Makes the target twum_NAME with the alias twum::NAME, its public headers (each must compile alone:
-# target all_verify_interface_header_sets) and the project's compile flags, kept private.
+# target all_verify_interface_header_sets) and the project's compile flags, kept private. It is
+# installed as twum::NAME, a component of the package (TwumPackage.cmake).
 function(twum_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
   add_library(twum_${name})
@@ -18,5 +19,10 @@ function(twum_library name)
     CXX_EXTENSIONS OFF
     POSITION_INDEPENDENT_CODE ON
     EXPORT_NAME ${name}
+    VERSION ${PROJECT_VERSION}
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
     VERIFY_INTERFACE_HEADER_SETS ON)
+  if(TWUM_INSTALL)
+    twum_install_library(${name})
+  endif()
 endfunction()

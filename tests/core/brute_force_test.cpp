@@ -33,7 +33,7 @@ MotorDesign seeded_design(Uniform& random, int index) {
 }  // namespace
 
 TEST_CASE("time stepping finds the same torque and powers (T4.1, T4.2, T4.3, T4.5)",
-          "[core][performance][differential]") {
+          "[slow][core][performance][differential]") {
   // The tolerance is the oracle's own error estimate; brute_force.hpp says how it is made.
   Deviation torque("torque against brute force, in units of its error estimate", 1);
   Deviation absolute("torque against brute force, of mu_0 F_N r", 1e-3);
@@ -81,5 +81,6 @@ TEST_CASE("time stepping converges with second order to the core's torque",
   const double coarse = fixed_grid(motor.design(), speed, 4000).torque - exact;
   const double fine = fixed_grid(motor.design(), speed, 16000).torque - exact;
   // a fourfold refinement divides the error by sixteen, events placed at grid points aside
-  CHECK(coarse / fine == Approx(16).epsilon(0.5));
+  Deviation order("time stepping converges with order two to the core, ratio 16", 0.5);
+  CHECK(order.add(coarse / fine, 16, 16) <= 0.5);
 }

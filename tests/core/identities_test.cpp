@@ -8,6 +8,7 @@
 
 #include <twum/core/performance/motor.hpp>
 
+#include <algorithm>
 #include <numbers>
 
 namespace {
@@ -50,6 +51,7 @@ TEST_CASE("input power is output plus losses (T7.10)", "[core][performance][iden
 
 TEST_CASE("the identity outlasts the digits of a narrow contact (T7.10)",
           "[core][performance][limit]") {
+  Deviation identity("identity of contacts 1e-4 to 6e-3 rad narrow, in units of their rounding", 1);
   for (const double load : {1e-8, 1e-10, 1e-12}) {
     MotorDesign design = ring_motor();
     design.preload = load * full_contact_load(design);
@@ -61,8 +63,8 @@ TEST_CASE("the identity outlasts the digits of a narrow contact (T7.10)",
       REQUIRE(point.status == PointStatus::ok);
       // Speeds 1 - V are of the order theta_L, known to eps; cos theta - c is of the order
       // theta_L^2: a relative error of 10 eps / theta_L^2.
-      CHECK(std::abs(imbalance(point)) <=
-            (1e-11 + 2e-15 / (half * half)) * power_scale(motor, point.speed));
+      CHECK(identity.add(imbalance(point), 0,
+                         (1e-11 + 2e-15 / (half * half)) * power_scale(motor, point.speed)) <= 1);
       CHECK(std::abs(point.torque) <= motor.holding_torque() * (1 + 2e-15 / (half * half)));
     }
   }
@@ -88,19 +90,22 @@ TEST_CASE("input power is output plus losses on random motors that someone might
 }
 
 TEST_CASE("no torque exceeds the holding torque (C8.1, T7.8)", "[core][performance][identity]") {
-  for_each_point([](const Motor& motor, const OperatingPoint& point) {
+  Deviation bound("torque beyond mu_0 F_N r, of it", 1e-13);
+  for_each_point([&](const Motor& motor, const OperatingPoint& point) {
     CHECK(motor.holding_torque() == Approx(torque_scale(motor.design())).epsilon(1e-15));
     // The mean of tau is a sum of zone integrals, each rounded to a few eps.
-    CHECK(std::abs(point.torque) <= motor.holding_torque() * (1 + 1e-13));
+    const double excess = std::max(0.0, std::abs(point.torque) - motor.holding_torque());
+    CHECK(bound.add(excess, 0, motor.holding_torque()) <= 1e-13);
   });
 }
 
 TEST_CASE("friction and the layer only take power (T7.3, T7.4)", "[core][performance][identity]") {
-  for_each_point([](const Motor& motor, const OperatingPoint& point) {
+  Deviation negative("friction power and layer loss below zero, of their scale", 1e-13);
+  for_each_point([&](const Motor& motor, const OperatingPoint& point) {
     // Exact values are never negative; rounding of sums of the scale may show where they are zero.
-    const double rounding = 1e-13 * power_scale(motor, point.speed);
-    CHECK(point.friction_power >= -rounding);
-    CHECK(point.layer_loss >= -rounding);
+    const double scale = power_scale(motor, point.speed);
+    CHECK(negative.add(std::max(0.0, -point.friction_power), 0, scale) <= 1e-13);
+    CHECK(negative.add(std::max(0.0, -point.layer_loss), 0, scale) <= 1e-13);
   });
 }
 

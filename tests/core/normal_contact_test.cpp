@@ -116,6 +116,8 @@ TEST_CASE("partial contact passes into full contact without a step (T3.3)",
   const auto above = Motor(design).contact();
   CHECK_FALSE(below.full);
   CHECK(above.full);
-  CHECK(std::abs(above.half_angle - below.half_angle) <= 1.01 * std::sqrt(2e-9));
-  CHECK(std::abs(above.max_pressure / below.max_pressure - 1) <= 4e-9);
+  Deviation angle("step of the half angle where contact becomes full, of sqrt(2 d)", 1.01);
+  Deviation pressure("step of the pressure where contact becomes full", 4e-9);
+  CHECK(angle.add(above.half_angle, below.half_angle, std::sqrt(2e-9)) <= 1.01);
+  CHECK(pressure.add(above.max_pressure / below.max_pressure, 1, 1) <= 4e-9);
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "support/deviations.hpp"
-#include "support/point_checks.hpp"
+#include "support/box_survey.hpp"
 #include "support/test_motors.hpp"
 
 #include <rapidcheck/catch.h>
@@ -12,9 +11,9 @@
 
 #include <array>
 #include <chrono>
-#include <map>
+#include <cmath>
 #include <ostream>
-#include <string>
+#include <vector>
 
 // Properties over the whole box of theory section 10: an answer with every law kept, or a typed reason.
 namespace twum::test {
@@ -57,22 +56,6 @@ namespace {
 using namespace twum;
 using namespace twum::test;
 
-// Empty if the point keeps every law, else the law it breaks.
-std::string broken_law(const Motor& motor, const OperatingPoint& point) {
-  if (point.status != PointStatus::ok)
-    return std::isnan(point.torque) ? "" : "a number beside a reason";
-  if (!all_finite(point)) return "a number is not finite";
-  // 1e-10 of the scale: rounding of the zone integrals times the condition of the periodic state,
-  // whose worst case over the box (loss factors of 1e-3 near resonance) is some 1e5.
-  if (!(std::abs(imbalance(point)) <= 1e-10 * power_scale(motor, point.speed))) return "identity";
-  if (!(std::abs(point.torque) <= motor.holding_torque() * (1 + 1e-12))) return "bound";
-  if (point.friction_power < -1e-11 * power_scale(motor, point.speed))
-    return "friction gives power";
-  if (point.layer_loss < -1e-11 * power_scale(motor, point.speed)) return "layer gives power";
-  if (!(point.stick_fraction >= 0 && point.stick_fraction <= 1 + 1e-12)) return "stick fraction";
-  return {};
-}
-
 void check_point(const Drawn& drawn) {
   const BoxPoint box = drawn.point();
   const Motor motor(box.design);
@@ -84,46 +67,6 @@ void check_point(const Drawn& drawn) {
   RC_TAG(to_string(point.status));
 }
 
-struct Survey {
-  std::map<std::string, int> statuses;
-  std::map<std::string, int> broken;
-  std::vector<std::string> examples;
-  double slowest{0};
-};
-
-Survey survey(std::uint64_t seed, int count) {
-  Survey result;
-  Deviation identity("identity on " + std::to_string(count) + " points of the whole box", 1e-10);
-  Uniform random(seed);
-  for (int i = 0; i < count; ++i) {
-    const BoxPoint box = random_box_point(random);
-    const Motor motor(box.design);
-    const auto start = std::chrono::steady_clock::now();
-    const OperatingPoint point = motor.operating_point(box.speed);
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-    result.slowest = std::max(result.slowest, taken.count());
-    ++result.statuses[to_string(point.status)];
-    if (point.status == PointStatus::ok)
-      identity.add(imbalance(point), 0, power_scale(motor, point.speed));
-    const std::string law = broken_law(motor, point);
-    if (law.empty()) continue;
-    ++result.broken[law];
-    if (result.examples.size() < 20) result.examples.push_back(law + " at " + std::to_string(i));
-  }
-  return result;
-}
-
-void report(const Survey& found) {
-  std::string text;
-  for (const auto& [status, count] : found.statuses)
-    text += status + ": " + std::to_string(count) + "  ";
-  text += "slowest [ms]: " + std::to_string(1e3 * found.slowest);
-  for (const auto& [law, count] : found.broken)
-    text += "\nbroken: " + law + ": " + std::to_string(count);
-  for (const auto& example : found.examples) text += "\n" + example;
-  WARN(text);
-}
-
 }  // namespace
 
 TEST_CASE("every point of the box keeps the laws or names a reason (T7.10, C8.1)",
@@ -133,24 +76,25 @@ TEST_CASE("every point of the box keeps the laws or names a reason (T7.10, C8.1)
 
 TEST_CASE("twenty thousand points of the box keep the laws or name a reason (T7.10, C8.1)",
           "[core][property][identity]") {
-  const Survey found = survey(1, 20000);
-  CAPTURE(found.statuses, found.broken, found.examples, found.slowest);
+  const BoxSurvey found = survey_box({1, 20000, 0});
+  CAPTURE(found.statuses, found.broken, found.examples, found.slowest.front().value);
   CHECK(found.broken.empty());
-  CHECK(found.slowest < 2.0);
+  CHECK(found.slowest.front().value < 2.0);
   CHECK(found.statuses.at("ok") >
         17000);  // most of the rest: mu_0 > mu in full contact or undamped
 }
 
 TEST_CASE("a million points of the box keep the laws or name a reason (T7.10, C8.1)",
           "[.long][core][property][identity]") {
-  const Survey found = survey(2, 1000000);
-  report(found);
+  const BoxSurvey found = survey_box({2, 1000000, 1000});
+  CAPTURE(found.statuses, found.broken, found.examples, found.slowest.front().value);
   CHECK(found.broken.empty());
-  CHECK(found.slowest < 2.0);
+  CHECK(found.metrics_broken == 0);
+  CHECK(found.slowest.front().value < 2.0);
 }
 
 TEST_CASE("metrics of every design of the box are numbers or have a status",
-          "[core][property][identity]") {
+          "[slow][core][property][identity]") {
   Uniform random(3);
   for (int i = 0; i < 300; ++i) {
     const Motor motor(random_box_point(random).design);

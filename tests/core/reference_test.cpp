@@ -114,7 +114,7 @@ TEST_CASE("metrics of the reference motors (T7.12, T7.13, T7.14, T7.16)",
 }
 
 TEST_CASE("the plateau ends where the slip velocity first dips through zero (T7.17, E3.1, E3.4)",
-          "[core][metrics][differential]") {
+          "[slow][core][metrics][differential]") {
   // The ODE solver takes steps so short that a dip of 1e-8 of V0, 1e-4 rad wide, spans several.
   OdeOptions fine;
   fine.max_step = 2e-5;

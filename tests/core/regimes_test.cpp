@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "support/deviations.hpp"
 #include "support/test_motors.hpp"
 
 #include <catch2/catch.hpp>
@@ -39,16 +40,20 @@ TEST_CASE("a 60 mm motor passes the four regimes of the paper", "[core][contact]
   const MotorDesign design = GENERATE(ring_motor(), damped(ring_motor()));
   const Motor motor(design);
   const double free = metric(design, Metric::no_load_speed);
-  CHECK(sequence(motor, 0) == "slip+");
-  CHECK(sequence(motor, 0.85 * free) == "slip+ stick slip+");
+  Deviation regimes("the four regimes of figure 3", 0);
+  CHECK(regimes.add(sequence(motor, 0) == "slip+", true, 1) == 0);
+  CHECK(regimes.add(sequence(motor, 0.85 * free) == "slip+ stick slip+", true, 1) == 0);
   const std::string third = sequence(motor, 0.97 * free);
   CAPTURE(third);
-  CHECK((third == "slip- stick slip+" || third == "slip- stick slip-" ||
-         third == "slip+ stick slip+" || third == "stick slip+" || third == "stick slip-"));
+  const bool third_found = third == "slip- stick slip+" || third == "slip- stick slip-" ||
+                           third == "slip+ stick slip+" || third == "stick slip+" ||
+                           third == "stick slip-";
+  CHECK(regimes.add(third_found, true, 1) == 0);
   const std::string beyond = sequence(motor, 1.05 * free);
   CAPTURE(beyond);
-  CHECK((beyond == "slip- stick slip-" || beyond == "stick slip-"));
-  CHECK(sequence(motor, 1.4 * free) == "slip-");
+  const bool braking = beyond == "slip- stick slip-" || beyond == "stick slip-";
+  CHECK(regimes.add(braking, true, 1) == 0);
+  CHECK(regimes.add(sequence(motor, 1.4 * free) == "slip-", true, 1) == 0);
 }
 
 TEST_CASE("a wide contact of a stiff layer has the paper's five zones",
@@ -59,7 +64,9 @@ TEST_CASE("a wide contact of a stiff layer has the paper's five zones",
   design.layer.given_shear_modulus = 60e9;
   design = at_load(design, 0.7);
   const Motor motor(design);
-  CHECK(sequence(motor, 0.5 * motor.crest_speed()) == "slip- stick slip+ stick slip-");
+  Deviation zones_agree("the five zones of a wide, stiff contact", 0);
+  const bool five = sequence(motor, 0.5 * motor.crest_speed()) == "slip- stick slip+ stick slip-";
+  CHECK(zones_agree.add(five, true, 1) == 0);
   const auto zones = motor.zones(0.5 * motor.crest_speed());
   // |theta*| = 60 degrees; sticking begins at or after it and is as short as S is small
   REQUIRE(zones.size() == 5);
@@ -71,10 +78,12 @@ TEST_CASE("amplitude does not change the torque of a contact that slips one way"
           "[core][performance][published]") {
   // While all slips the torque is mu F_N r whatever A; exact but for rounding of the half angle.
   MotorDesign design = ring_motor();
+  const double coulomb = 0.2 * 160 * 0.0265;
+  Deviation stall("stall torque at three amplitudes, of mu F_N r", 1e-12);
   for (const double amplitude : {1.2e-6, 1.6e-6, 2.4e-6}) {
     design.stator.amplitude = amplitude;
     CHECK(sequence(Motor(design), 0) == "slip+");
-    CHECK(metric(design, Metric::stall_torque) == Approx(0.2 * 160 * 0.0265).epsilon(1e-12));
+    CHECK(stall.add(metric(design, Metric::stall_torque), coulomb, coulomb) <= 1e-12);
   }
 }
 
@@ -83,19 +92,22 @@ TEST_CASE("more amplitude means a higher no-load speed", "[core][performance][pu
   MotorDesign high = ring_motor();
   low.stator.amplitude = 1.2e-6;
   high.stator.amplitude = 2.4e-6;
-  CHECK(metric(high, Metric::no_load_speed) > metric(low, Metric::no_load_speed));
+  Deviation trend("no-load speed rises with amplitude", 0);
+  CHECK(trend.add(metric(high, Metric::no_load_speed) > metric(low, Metric::no_load_speed), true,
+                  1) == 0);
 }
 
 TEST_CASE("more preload widens the contact and lowers the no-load speed",
           "[core][performance][published]") {
   const MotorDesign base = GENERATE(ring_motor(), damped(ring_motor()), elastic(ring_motor()));
+  Deviation trend("preload widens the contact and lowers the no-load speed", 0);
   double ratio = 0;
   double speed = 1e300;
   for (const double preload : {20.0, 60.0, 160.0, 400.0, 800.0}) {
     MotorDesign design = base;
     design.preload = preload;
-    CHECK(metric(design, Metric::contact_ratio) > ratio);
-    CHECK(metric(design, Metric::no_load_speed) < speed);
+    CHECK(trend.add(metric(design, Metric::contact_ratio) > ratio, true, 1) == 0);
+    CHECK(trend.add(metric(design, Metric::no_load_speed) < speed, true, 1) == 0);
     ratio = metric(design, Metric::contact_ratio);
     speed = metric(design, Metric::no_load_speed);
   }
@@ -103,11 +115,12 @@ TEST_CASE("more preload widens the contact and lowers the no-load speed",
 
 TEST_CASE("a thinner layer raises the no-load speed", "[core][performance][published]") {
   const MotorDesign base = GENERATE(damped(ring_motor()), elastic(ring_motor()));
+  Deviation trend("a thinner layer raises the no-load speed", 0);
   double speed = 0;
   for (const double thickness : {0.8e-3, 0.4e-3, 0.2e-3, 0.1e-3}) {
     MotorDesign design = base;
     design.layer.thickness = thickness;
-    CHECK(metric(design, Metric::no_load_speed) > speed);
+    CHECK(trend.add(metric(design, Metric::no_load_speed) > speed, true, 1) == 0);
     speed = metric(design, Metric::no_load_speed);
   }
 }
@@ -119,6 +132,7 @@ TEST_CASE("sticking begins at the leading edge when an elastic layer creeps",
   const double free = metric(motor.design(), Metric::no_load_speed);
   const auto zones = motor.zones(free * (1 - 2e-4));
   REQUIRE(zones.size() >= 2);
-  CHECK(zones.front().state != ZoneState::slip_plus);
-  CHECK(zones.back().state == ZoneState::slip_plus);
+  Deviation carter("stick at the leading edge, slip at the trailing one", 0);
+  CHECK(carter.add(zones.front().state != ZoneState::slip_plus, true, 1) == 0);
+  CHECK(carter.add(zones.back().state == ZoneState::slip_plus, true, 1) == 0);
 }

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "parts.hpp"
+
+#include <chrono>
+#include <future>
+#include <stop_token>
+#include <utility>
+
+namespace twum::python {
+
+/// Runs work(stop_token) on a thread of its own, without the GIL, while this one looks for Ctrl-C and
+/// calls poll() now and then with the GIL. An exception of either asks the work to stop, waits for it,
+/// and comes out.
+template <typename Work, typename Poll>
+auto run_interruptible(Work work, Poll poll) {
+  std::stop_source stop;
+  auto result = std::async(std::launch::async, [&] { return work(stop.get_token()); });
+  const auto is_ready = [&] {
+    const py::gil_scoped_release release;
+    return result.wait_for(std::chrono::milliseconds(50)) == std::future_status::ready;
+  };
+  const auto wait = [&] {
+    const py::gil_scoped_release release;
+    result.wait();
+  };
+  try {
+    while (!is_ready()) {
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      poll();
+    }
+  } catch (...) {
+    stop.request_stop();
+    wait();
+    throw;
+  }
+  return result.get();
+}
+
+}  // namespace twum::python

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// The class Motor: how one is made, and what is asked of it through the tables.
+#include "conversions.hpp"
+#include "motor_answers.hpp"
+#include "parts.hpp"
+#include "py_motor.hpp"
+
+#include <twum/base/error.hpp>
+#include <twum/studies/motor/motor_file.hpp>
+#include <twum/studies/units/engineering.hpp>
+
+#include <memory>
+#include <optional>
+
+namespace twum::python {
+namespace {
+
+using Class = py::class_<PyMotor, std::shared_ptr<PyMotor>>;
+
+PyMotor changed(const studies::MotorFile& file, const py::dict& parameters) {
+  return {file.name, Motor(with(file.design, to_parameter_values(parameters)))};
+}
+
+PyMotor make(const py::object& path, const std::optional<std::string>& name,
+             const py::kwargs& parameters) {
+  studies::MotorFile file;
+  if (!path.is_none()) {
+    const auto text = py::cast<std::string>(py::module_::import("os").attr("fspath")(path));
+    file = studies::read_motor_file(text);
+  }
+  if (name) file.name = *name;
+  return changed(file, parameters);
+}
+
+py::dict parameters_of(const PyMotor& self) {
+  py::dict values;
+  for (const ParameterInfo& row : parameter_table())
+    values[to_py(row.name)] = get(self.motor.design(), row.parameter);
+  return values;
+}
+
+std::string file_text(const PyMotor& self) {
+  return studies::motor_text({self.name, self.motor.design()});
+}
+
+PyMotor from_text(const std::string& text) {
+  const studies::MotorFile file = studies::read_motor(studies::Source("motor", text));
+  return {file.name, Motor(file.design)};
+}
+
+std::string representation(const PyMotor& self) {
+  const MotorDesign& design = self.motor.design();
+  std::string text = "<twum.Motor " + std::string(py::repr(py::str(self.name)));
+  for (const Parameter parameter : {Parameter::contact_radius, Parameter::frequency,
+                                    Parameter::amplitude, Parameter::preload}) {
+    const ParameterInfo& row = info(parameter);
+    text +=
+        ", " + std::string(row.name) + " " + studies::engineering(get(design, parameter), row.unit);
+  }
+  return text + ">";
+}
+
+// "Young's modulus of the contact layer, E [Pa], such as '3 GPa'."
+std::string parameter_doc(const ParameterInfo& row) {
+  std::string doc(row.text);
+  if (!row.symbol.empty()) doc += ", " + std::string(row.symbol);
+  doc += " [" + std::string(row.unit) + "], such as '" + std::string(row.example) + "'.";
+  doc.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(doc.front())));
+  return doc;
+}
+
+std::string class_doc() {
+  std::string doc =
+      "Motor(path=None, /, *, name=None, **parameters)\n--\n\n"
+      "A motor, immutable; one may be used by any number of threads.\n\n"
+      "From a motor file, with parameters replaced; without a path from the 60 mm ring motor that "
+      "a\n"
+      "default design is. Parameters are numbers in SI units or texts with a unit:\n\n"
+      "    Motor('ring-60.yaml', preload='140 N', thickness=0.3e-3)\n\n"
+      "Its attributes are its parameters and metrics; point metrics are methods. InputError says\n"
+      "everything that is wrong with the parameters.\n\nParameters:\n\n";
+  for (const ParameterInfo& row : parameter_table())
+    doc += "    " + std::string(row.name) + ": " + parameter_doc(row) + "\n";
+  return doc;
+}
+
+void add_making(Class& motor) {
+  motor.def(py::init(&make), py::arg("path") = py::none(), py::pos_only(), py::kw_only(),
+            py::arg("name") = py::none());
+  motor.def(
+      "replace",
+      [](const PyMotor& self, const py::kwargs& parameters) {
+        return changed({self.name, self.motor.design()}, parameters);
+      },
+      "replace(self, **parameters)\n--\n\nThe motor with some parameters replaced. A value "
+      "replaces its "
+      "twin (shear_modulus\nand poisson_ratio say the same in two ways); mu_0 keeps its ratio to "
+      "mu when "
+      "only mu\nis replaced.");
+  motor.def_readonly("name", &PyMotor::name, "Name of the motor.");
+  motor.def_property_readonly(
+      "parameters", &parameters_of,
+      "Every parameter by name, SI; G, gamma and m as they follow from others.");
+  motor.def("file_text", &file_text,
+            "file_text(self)\n--\n\nThe motor as the text of a motor file, to the last digit.");
+  motor.def("__repr__", &representation);
+  motor.def(py::pickle([](const PyMotor& self) { return file_text(self); }, &from_text));
+}
+
+void add_parameters(Class& motor) {
+  for (const ParameterInfo& row : parameter_table()) {
+    motor.def_property_readonly(
+        std::string(row.name).c_str(),
+        [parameter = row.parameter](const PyMotor& self) {
+          return get(self.motor.design(), parameter);
+        },
+        parameter_doc(row).c_str());
+  }
+}
+
+}  // namespace
+
+void add_motor(py::module_& module) {
+  add_answer_classes(module);
+  Class motor(module, "Motor", class_doc().c_str());
+  add_making(motor);
+  add_parameters(motor);
+  add_answers(motor);
+}
+
+}  // namespace twum::python

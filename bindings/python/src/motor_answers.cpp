@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a motor answers: metrics with derivatives, operating points, curves and fields.
+#include "motor_answers.hpp"
+
+#include "conversions.hpp"
+
+#include <twum/base/error.hpp>
+#include <twum/studies/run/curve_points.hpp>
+#include <twum/studies/text/words.hpp>
+
+#include <limits>
+
+namespace twum::python {
+namespace {
+
+using Class = py::class_<PyMotor, std::shared_ptr<PyMotor>>;
+
+struct Derivative {
+  MetricDerivative of;
+};
+
+std::string metric_doc(const MetricInfo& row) {
+  std::string doc = std::string(row.text) + " [" + std::string(row.unit) + "].";
+  doc.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(doc.front())));
+  return doc;
+}
+
+// --- metrics by expression
+
+std::vector<studies::MetricExpression> asked(const py::args& metrics) {
+  if (metrics.empty()) return studies::plain_metrics();
+  return metrics.size() == 1 ? to_metrics(metrics[0]) : to_metrics(metrics);
+}
+
+std::vector<MetricValue> values_of(const PyMotor& self,
+                                   const std::vector<studies::MetricExpression>& metrics) {
+  std::vector<MetricValue> values(metrics.size());
+  const py::gil_scoped_release release;
+  studies::ExpressionEvaluator(metrics).evaluate(self.motor, values);
+  return values;
+}
+
+py::dict metrics_of(const PyMotor& self, const py::args& names) {
+  const auto metrics = asked(names);
+  const std::vector<MetricValue> values = values_of(self, metrics);
+  py::dict answer;
+  for (std::size_t i = 0; i < metrics.size(); ++i)
+    answer[py::str(metrics[i].text)] = values[i].value;
+  return answer;
+}
+
+py::dict statuses_of(const PyMotor& self, const py::args& names) {
+  const auto metrics = asked(names);
+  const std::vector<MetricValue> values = values_of(self, metrics);
+  py::dict answer;
+  for (std::size_t i = 0; i < metrics.size(); ++i)
+    answer[py::str(metrics[i].text)] = to_string(values[i].status);
+  return answer;
+}
+
+std::vector<MetricRequest> requests_of(const std::vector<studies::MetricExpression>& metrics) {
+  std::vector<MetricRequest> requests;
+  for (const studies::MetricExpression& metric : metrics) {
+    const auto* request = std::get_if<MetricRequest>(&metric.what);
+    if (request == nullptr)
+      throw InputError(studies::quoted(metric.text) +
+                       " is a parameter; gradients are those of metrics");
+    requests.push_back(*request);
+  }
+  return requests;
+}
+
+py::dict gradients_of(const PyMotor& self, const py::args& names, bool fixed_static_friction) {
+  const auto metrics = asked(names);
+  const std::vector<MetricRequest> requests = requests_of(metrics);
+  std::vector<MetricDerivative> derivatives;
+  {
+    const py::gil_scoped_release release;
+    derivatives = differentiate(self.motor, requests, fixed_static_friction);
+  }
+  py::dict answer;
+  for (std::size_t i = 0; i < metrics.size(); ++i)
+    answer[py::str(metrics[i].text)] = Derivative{derivatives[i]};
+  return answer;
+}
+
+// --- metrics as attributes and methods
+
+void add_plain_metric(Class& motor, const MetricInfo& row) {
+  motor.def_property_readonly(
+      std::string(row.name).c_str(),
+      [&row](const PyMotor& self) {
+        return value_or_throw(row.name, evaluate(self.motor, {row.metric}));
+      },
+      metric_doc(row).c_str());
+}
+
+// One request for each number of an array; NaN where there is no answer.
+Array evaluate_array(const PyMotor& self, MetricRequest request, const py::object& at) {
+  const Array points = Array::ensure(at);
+  if (!points) throw py::error_already_set();
+  Array values(std::vector<py::ssize_t>(points.shape(), points.shape() + points.ndim()));
+  const double* from = points.data();
+  double* to = values.mutable_data();
+  const py::ssize_t count = points.size();
+  const py::gil_scoped_release release;
+  for (py::ssize_t i = 0; i < count; ++i) {
+    request.at = from[i];
+    to[i] = evaluate(self.motor, request).value;
+  }
+  return values;
+}
+
+py::object point_metric(const PyMotor& self, const MetricInfo& row, Argument argument,
+                        const py::object& at) {
+  const std::string name(row.name);
+  if (py::isinstance<py::str>(at)) {
+    const auto metric = studies::parse_metric(name + "(" + py::cast<std::string>(at) + ")");
+    const MetricRequest request = std::get<MetricRequest>(metric.what);
+    return py::float_(value_or_throw(metric.text, evaluate(self.motor, request)));
+  }
+  MetricRequest request{row.metric, argument, 0};
+  const auto number = number_of(at);
+  if (!number) return evaluate_array(self, request, at);
+  request.at = *number;
+  return py::float_(value_or_throw(name, evaluate(self.motor, request)));
+}
+
+void add_point_metric(Class& motor, const MetricInfo& row) {
+  const std::string name(row.name);
+  const bool torque_only = row.argument == Argument::torque;
+  const std::string doc_of_array =
+      "An array of numbers gives an array, NaN where there is no answer.";
+  if (row.argument != Argument::speed_or_torque) {
+    const std::string what = torque_only ? "torque" : "speed";
+    motor.def(
+        name.c_str(),
+        [&row](const PyMotor& self, const py::object& at) {
+          return point_metric(self, row, row.argument, at);
+        },
+        py::arg(what.c_str()),
+        (name + "(self, " + what + ")\n--\n\n" + metric_doc(row) + "\n\nA number is in " +
+         (torque_only ? "N.m" : "rad/s") + ". " + doc_of_array)
+            .c_str());
+    return;
+  }
+  motor.def(
+      name.c_str(),
+      [&row](const PyMotor& self, const py::object& speed, const py::object& torque) {
+        if (speed.is_none() == torque.is_none())
+          throw InputError(std::string(row.name) + ": give a speed or a torque");
+        return speed.is_none() ? point_metric(self, row, Argument::torque, torque)
+                               : point_metric(self, row, Argument::speed, speed);
+      },
+      py::arg("speed") = py::none(), py::kw_only(), py::arg("torque") = py::none(),
+      (name + "(self, speed=None, *, torque=None)\n--\n\n" + metric_doc(row) +
+       "\n\nAt a speed [rad/s] or a torque [N.m]; of a text the unit tells which. " + doc_of_array)
+          .c_str());
+}
+
+// --- points, curves, fields
+
+py::list zones_list(const std::vector<Zone>& zones) {
+  py::list list;
+  for (const Zone& zone : zones)
+    list.append(py::make_tuple(to_string(zone.state), zone.from, zone.to));
+  return list;
+}
+
+py::object curve_of(const py::object& self, const py::object& speeds, std::size_t points) {
+  const Motor& motor = py::cast<const PyMotor&>(self).motor;
+  if (speeds.is_none() && points < 2) throw InputError("points: expected at least 2");
+  const std::vector<double> at =
+      speeds.is_none() ? studies::curve_speeds(motor, points) : to_speeds(speeds);
+  std::vector<OperatingPoint> curve;
+  {
+    const py::gil_scoped_release release;
+    curve = torque_speed_curve(motor, at);
+  }
+  py::dict columns;
+  for (const studies::CurveColumn& column : studies::curve_columns()) {
+    std::vector<double> values;
+    for (const OperatingPoint& point : curve) values.push_back(column.value(point));
+    columns[column.name] = to_array(values);
+  }
+  py::list statuses;
+  for (const OperatingPoint& point : curve) statuses.append(to_string(point.status));
+  columns["status"] = statuses;
+  return attribute_of_results("Curve")(self, **columns);
+}
+
+py::object fields_of(const py::object& self, const py::object& speed, int samples) {
+  const Motor& motor = py::cast<const PyMotor&>(self).motor;
+  const ContactFields fields = motor.fields(to_speed(speed), samples);
+  if (fields.point.status != PointStatus::ok) {
+    const std::string reason = to_string(fields.point.status);
+    throw EvaluationError(reason, "fields: the motor has no answer at this speed: " + reason);
+  }
+  const auto column = [&](double FieldSample::*member) {
+    std::vector<double> values;
+    for (const FieldSample& sample : fields.samples) values.push_back(sample.*member);
+    return to_array(values);
+  };
+  py::dict columns;
+  columns["phase"] = column(&FieldSample::phase);
+  columns["pressure"] = column(&FieldSample::pressure);
+  columns["traction"] = column(&FieldSample::traction);
+  columns["displacement"] = column(&FieldSample::displacement);
+  columns["stator_velocity"] = column(&FieldSample::stator_velocity);
+  columns["layer_velocity"] = column(&FieldSample::layer_velocity);
+  columns["zones"] = zones_list(fields.zones);
+  return attribute_of_results("Fields")(self, fields.point, **columns);
+}
+
+double entry_of(const Derivative& self, const std::string& name) {
+  const auto parameter = find_parameter(name);
+  if (!parameter) throw py::key_error(name);
+  return self.of.gradient[index_of(*parameter)];
+}
+
+py::dict gradient_dict(const Derivative& self) {
+  py::dict entries;
+  for (const ParameterInfo& row : parameter_table())
+    entries[to_py(row.name)] = self.of.gradient[index_of(row.parameter)];
+  return entries;
+}
+
+}  // namespace
+
+void add_answer_classes(py::module_& module) {
+  py::class_<OperatingPoint> point(
+      module, "OperatingPoint",
+      "The motor in its periodic state at one speed, SI units; NaN unless status is 'ok'.");
+  point.def_readonly("speed", &OperatingPoint::speed, "Rotor speed [rad/s].");
+  point.def_readonly("torque", &OperatingPoint::torque,
+                     "Torque on the rotor, positive in drive direction [N.m].");
+  point.def_readonly("output_power", &OperatingPoint::output_power, "Output power [W].");
+  point.def_readonly("stator_power", &OperatingPoint::stator_power,
+                     "Power from the stator to the layer [W].");
+  point.def_readonly("friction_power", &OperatingPoint::friction_power,
+                     "Friction power, snaps included [W].");
+  point.def_readonly("layer_loss", &OperatingPoint::layer_loss, "Viscous loss in the layer [W].");
+  point.def_readonly("stator_loss", &OperatingPoint::stator_loss,
+                     "Loss of the stator's own vibration [W].");
+  point.def_readonly("wear_intensity", &OperatingPoint::wear_intensity,
+                     "Friction power per area of the contact track [W/m^2].");
+  point.def_readonly("stick_fraction", &OperatingPoint::stick_fraction,
+                     "Share of the contact length that sticks.");
+  point.def_property_readonly("contact_efficiency", &OperatingPoint::contact_efficiency,
+                              "Output over stator power; NaN where none goes in.");
+  point.def_property_readonly("efficiency", &OperatingPoint::efficiency,
+                              "Output over stator power and stator loss; NaN where none goes in.");
+  point.def_property_readonly(
+      "status", [](const OperatingPoint& p) { return to_string(p.status); },
+      "'ok', or the short reason why there is no answer.");
+
+  py::class_<Derivative> derivative(module, "Derivative",
+                                    "A metric with its exact derivatives with respect to every "
+                                    "parameter, SI units. derivative['thickness']\n"
+                                    "is one of them; it is 0 for a parameter that is not in use.");
+  derivative.def_property_readonly(
+      "value", [](const Derivative& d) { return d.of.value.value; },
+      "The metric; NaN unless status is 'ok'.");
+  derivative.def_property_readonly(
+      "status", [](const Derivative& d) { return to_string(d.of.value.status); },
+      "'ok', or the short reason why there is no value.");
+  derivative.def_property_readonly(
+      "smoothness", [](const Derivative& d) { return to_string(d.of.smoothness); },
+      "What the derivatives can be trusted for: 'smooth', 'flat', 'one-sided' or 'undefined'.");
+  derivative.def_property_readonly("gradient", &gradient_dict,
+                                   "Every derivative by the name of its parameter.");
+  derivative.def("__getitem__", &entry_of, py::arg("parameter"));
+}
+
+void add_answers(Class& motor) {
+  for (const MetricInfo& row : metric_table()) {
+    if (row.argument == Argument::none)
+      add_plain_metric(motor, row);
+    else
+      add_point_metric(motor, row);
+  }
+  motor.def("metrics", &metrics_of,
+            "metrics(self, *metrics)\n--\n\nValues of metrics such as 'stall_torque' or "
+            "'torque_at(100 rpm)' by "
+            "name, SI; those\nwithout argument if none is named. NaN where there is none: status() "
+            "says why. "
+            "Work\nthat several share is done once.");
+  motor.def("status", &statuses_of,
+            "status(self, *metrics)\n--\n\n'ok' for each metric, or the short reason why it has "
+            "no value.");
+  motor.def(
+      "gradients", &gradients_of, py::kw_only(), py::arg("fixed_static_friction") = false,
+      "gradients(self, *metrics, fixed_static_friction=False)\n--\n\nMetrics with exact "
+      "derivatives, a "
+      "Derivative each. The static friction moves along with\nthe kinetic one unless it is held.");
+  motor.def(
+      "point",
+      [](const PyMotor& self, const py::object& speed) {
+        return self.motor.operating_point(to_speed(speed));
+      },
+      py::arg("speed"),
+      "point(self, speed)\n--\n\nOperating point at a rotor speed: a number in rad/s, or a text "
+      "such as '100 "
+      "rpm'.");
+  motor.def("curve", &curve_of, py::arg("speeds") = py::none(), py::kw_only(),
+            py::arg("points") = 51,
+            "curve(self, speeds=None, *, points=51)\n--\n\nTorque-speed curve: at the speeds "
+            "given, or from rest "
+            "to a little beyond no-load.");
+  motor.def("fields", &fields_of, py::arg("speed"), py::arg("samples") = 400,
+            "fields(self, speed, samples=400)\n--\n\nPressure, traction, displacement and "
+            "velocities along one "
+            "wave, and its zones.");
+}
+
+}  // namespace twum::python

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "parts.hpp"
+#include "py_motor.hpp"
+
+#include <memory>
+
+namespace twum::python {
+
+/// OperatingPoint and Derivative.
+void add_answer_classes(py::module_& module);
+
+/// Metrics, points, curves and fields as members of Motor.
+void add_answers(py::class_<PyMotor, std::shared_ptr<PyMotor>>& motor);
+
+}  // namespace twum::python

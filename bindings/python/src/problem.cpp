@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: Apache-2.0
+// Questions about a motor and their answers.
+#include "conversions.hpp"
+#include "interruptible.hpp"
+#include "parts.hpp"
+#include "py_motor.hpp"
+
+#include <twum/base/error.hpp>
+#include <twum/studies/motor/settings.hpp>
+#include <twum/studies/problem/sizing.hpp>
+#include <twum/studies/text/words.hpp>
+
+#include <array>
+#include <memory>
+
+namespace twum::python {
+namespace {
+
+using studies::DesignAnswer;
+using studies::DesignProblem;
+
+struct PyProblem {
+  std::string name;  // of the motor
+  DesignProblem problem;
+};
+
+using Class = py::class_<PyProblem, std::shared_ptr<PyProblem>>;
+
+PyProblem& vary(PyProblem& self, const std::string& name, const py::object& min,
+                const py::object& max, const std::string& scale, const py::object& start) {
+  constexpr std::array<std::string_view, 2> kScales{"linear", "log"};
+  if (scale != kScales[0] && scale != kScales[1])
+    throw InputError("scale: " + studies::quoted(scale) + "; " +
+                     studies::did_you_mean(scale, kScales));
+  const Parameter parameter = studies::parse_parameter(name);
+  studies::DesignVariable variable;
+  variable.parameter = parameter;
+  variable.min = to_parameter_value(parameter, min);
+  variable.max = to_parameter_value(parameter, max);
+  variable.log = scale == "log";
+  if (!start.is_none()) variable.start = to_parameter_value(parameter, start);
+  self.problem.variables.push_back(variable);
+  return self;
+}
+
+// --- options from keywords
+
+template <typename T>
+void take(py::dict& from, const char* name, T& to) {
+  if (!from.contains(name)) return;
+  try {
+    to = py::cast<T>(from[name]);
+  } catch (const py::cast_error&) {
+    throw py::type_error(std::string(name) + ": not of the right type");
+  }
+  from.attr("pop")(name);
+}
+
+optim::SolveOptions solve_options(py::dict from) {
+  optim::SolveOptions options;
+  take(from, "solver", options.solver);
+  take(from, "starts", options.starts);
+  take(from, "tolerance", options.tolerance);
+  take(from, "seed", options.seed);
+  take(from, "max_evaluations", options.budget.evaluations);
+  take(from, "max_seconds", options.budget.seconds);
+  take(from, "jobs", options.threads);
+  for (const auto& [key, value] : from) {
+    constexpr std::array<std::string_view, 7> kNames{
+        "solver", "starts", "tolerance", "seed", "max_evaluations", "max_seconds", "jobs"};
+    const auto name = py::cast<std::string>(key);
+    throw InputError("unknown option " + studies::quoted(name) + "; " +
+                     studies::did_you_mean(name, kNames));
+  }
+  return options;
+}
+
+// --- answers as objects
+
+py::dict named_values(const DesignProblem& problem, std::span<const double> design) {
+  py::dict values;
+  for (std::size_t j = 0; j < design.size(); ++j)
+    values[to_py(info(problem.variables[j].parameter).name)] = design[j];
+  return values;
+}
+
+py::dict certificate_dict(const optim::Certificate& certificate) {
+  py::list findings;
+  for (const optim::Finding& finding : certificate.findings) findings.append(finding.text);
+  py::dict entries;
+  entries["passed"] = certificate.passed;
+  entries["infeasibility"] = certificate.infeasibility;
+  entries["stationarity"] = certificate.stationarity;
+  entries["complementarity"] = certificate.complementarity;
+  entries["curvature"] = certificate.curvature;
+  entries["findings"] = findings;
+  entries["reason"] = certificate.reason;
+  return entries;
+}
+
+py::list limits_list(const optim::Certificate& certificate) {
+  py::list limits;
+  for (const optim::Activity& one : certificate.limits) {
+    py::dict entry;
+    entry["text"] = one.name;
+    entry["bound"] = one.is_bound;
+    entry["value"] = one.value;
+    entry["limit"] = one.limit;
+    entry["violation"] = one.violation;
+    entry["active"] = one.active;
+    entry["multiplier"] = one.multiplier;
+    limits.append(entry);
+  }
+  return limits;
+}
+
+py::list relaxation_list(const optim::Infeasibility& infeasibility) {
+  py::list list;
+  for (const optim::Relaxation& one : infeasibility.relaxations) {
+    py::dict entry;
+    entry["text"] = one.name;
+    entry["limit"] = one.limit;
+    entry["amount"] = one.amount;
+    entry["alone"] = one.alone;
+    list.append(entry);
+  }
+  return list;
+}
+
+py::object optimum(const PyProblem& self, const std::string& outcome, const MotorDesign& motor,
+                   std::span<const double> design, const optim::Evaluation& evaluation,
+                   const optim::Certificate& certificate, const optim::Result* search) {
+  py::dict objective;
+  for (std::size_t k = 0; k < self.problem.objectives.size() && k < evaluation.values.size(); ++k)
+    objective[py::str(self.problem.objectives[k].metric.text)] = evaluation.values[k];
+  py::dict failures;
+  if (search != nullptr) {
+    for (const auto& [reason, count] : search->counters.failures) failures[py::str(reason)] = count;
+  }
+  py::dict entries;
+  entries["outcome"] = outcome;
+  entries["motor"] = PyMotor{self.name, Motor(motor)};
+  entries["design"] = named_values(self.problem, design);
+  entries["objective"] = objective;
+  entries["limits"] = limits_list(certificate);
+  entries["certificate"] = certificate_dict(certificate);
+  entries["relaxation"] = search == nullptr ? py::list() : relaxation_list(search->infeasibility);
+  entries["solver"] = search == nullptr ? "" : search->solver;
+  entries["evaluations"] = search == nullptr ? 0 : search->counters.evaluations;
+  entries["failures"] = failures;
+  return attribute_of_results("Optimum")(**entries);
+}
+
+py::object optimum(const PyProblem& self, const DesignAnswer& answer) {
+  const optim::Result& search = answer.search;
+  return optimum(self, to_string(search.outcome), answer.motor, search.design, search.evaluation,
+                 search.certificate, &search);
+}
+
+// --- what is asked
+
+py::object solve_problem(const PyProblem& self, const py::kwargs& keywords) {
+  optim::SolveOptions options = solve_options(keywords);
+  return optimum(self, run_interruptible(
+                           [&](std::stop_token stop) {
+                             options.stop = stop;
+                             return solve(self.problem, options);
+                           },
+                           [] {}));
+}
+
+py::list front_of(const PyProblem& self, std::size_t points, const py::kwargs& keywords) {
+  optim::ParetoOptions options;
+  options.solve = solve_options(keywords);
+  options.points = points;
+  const studies::DesignFront front = run_interruptible(
+      [&](std::stop_token stop) {
+        options.solve.stop = stop;
+        return solve_front(self.problem, options);
+      },
+      [] {});
+  py::list list;
+  for (std::size_t i = 0; i < front.motors.size(); ++i) {
+    const optim::FrontPoint& point = front.search.points[i];
+    list.append(optimum(self, point.certificate.passed ? "optimal" : "feasible", front.motors[i],
+                        point.design, point.evaluation, point.certificate, nullptr));
+  }
+  return list;
+}
+
+std::vector<studies::DutyPoint> to_duty(const py::object& duty) {
+  const auto point = [](const py::handle& one) {
+    const auto pair = py::cast<py::sequence>(one);
+    if (pair.size() != 2)
+      throw InputError("duty: expected (torque, speed), such as ('0.5 N.m', '100 rpm')");
+    return studies::DutyPoint{to_quantity("duty: torque", pair[0], "N.m", "0.5 N.m"),
+                              to_quantity("duty: speed", pair[1], "rad/s", "100 rpm")};
+  };
+  if (py::isinstance<py::tuple>(duty)) return {point(duty)};
+  std::vector<studies::DutyPoint> points;
+  for (const py::handle& one : duty) points.push_back(point(one));
+  return points;
+}
+
+py::object size_motor(const PyProblem& self, const py::object& duty, const py::kwargs& keywords) {
+  const std::vector<studies::DutyPoint> points = to_duty(duty);
+  optim::SolveOptions options = solve_options(keywords);
+  PyProblem sized = self;
+  if (sized.problem.objectives.empty()) sized.problem.minimize("max_pressure");
+  return optimum(sized, run_interruptible(
+                            [&](std::stop_token stop) {
+                              options.stop = stop;
+                              return size(sized.problem, points, options);
+                            },
+                            [] {}));
+}
+
+void add_asking(Class& problem) {
+  problem.def(
+      "solve", &solve_problem,
+      "solve(self, **options)\n--\n\nThe best design, an Optimum: measured again and certified, "
+      "whatever a solver said.\n\nOptions: solver='auto', starts=8, tolerance=1e-6, seed=1, "
+      "max_evaluations=20000,\nmax_seconds, jobs=1. Ctrl-C ends it. Other Python threads run "
+      "meanwhile.");
+  problem.def("front", &front_of, py::arg("points") = 50,
+              "front(self, points=50, **options)\n--\n\nThe trade-off between two or three "
+              "objectives: a list "
+              "of Optimum in order of the\nfirst. Options are those of solve().");
+  problem.def(
+      "size", &size_motor, py::arg("duty"),
+      "size(self, duty, **options)\n--\n\nA motor for a duty, (torque, speed) or a list of such "
+      "pairs: "
+      "of those within the limits\nwhose torque at each speed is at least the load, the one with "
+      "the "
+      "best objective, or\nthe least max_pressure if there is none. Options are those of solve().");
+}
+
+}  // namespace
+
+void add_problem(py::module_& module) {
+  Class problem(
+      module, "DesignProblem",
+      "DesignProblem(motor)\n--\n\nA question about a motor: what may be changed, what is wanted, "
+      "what "
+      "must hold.\n\n    problem = twum.DesignProblem(motor)\n    problem.vary('preload', '60 N', "
+      "'300 "
+      "N')\n    problem.maximize('peak_power').limit('no_load_speed >= 100 rpm')\n    best = "
+      "problem.solve()");
+  problem.def(py::init([](const PyMotor& motor) {
+                return PyProblem{motor.name, DesignProblem{motor.motor.design(), {}, {}, {}}};
+              }),
+              py::arg("motor"));
+  problem.def("vary", &vary, py::arg("parameter"), py::arg("min"), py::arg("max"), py::kw_only(),
+              py::arg("scale") = "linear", py::arg("start") = py::none(),
+              "vary(self, parameter, min, max, *, scale='linear', start=None)\n--\n\nLets a "
+              "parameter change "
+              "within bounds, SI or with units; scale 'log' spreads it by ratio.");
+  problem.def(
+      "maximize",
+      [](PyProblem& self, const std::string& metric) -> PyProblem& {
+        self.problem.maximize(metric);
+        return self;
+      },
+      py::arg("metric"), "maximize(self, metric)\n--\n\nWants a metric to be large.");
+  problem.def(
+      "minimize",
+      [](PyProblem& self, const std::string& metric) -> PyProblem& {
+        self.problem.minimize(metric);
+        return self;
+      },
+      py::arg("metric"), "minimize(self, metric)\n--\n\nWants a metric to be small.");
+  problem.def(
+      "limit",
+      [](PyProblem& self, const std::string& text) -> PyProblem& {
+        self.problem.limit(text);
+        return self;
+      },
+      py::arg("text"),
+      "limit(self, text)\n--\n\nAsks for something such as 'max_pressure <= 10 MPa'.");
+  add_asking(problem);
+}
+
+}  // namespace twum::python

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs studies.
+#include "conversions.hpp"
+#include "interruptible.hpp"
+#include "parts.hpp"
+
+#include <twum/studies/motor/settings.hpp>
+#include <twum/studies/results/study_result.hpp>
+#include <twum/studies/run/run_study.hpp>
+#include <twum/studies/study/study_file.hpp>
+
+#include <mutex>
+#include <optional>
+
+namespace twum::python {
+namespace {
+
+struct Progress {
+  std::uint64_t done{0};
+  std::uint64_t total{0};
+  std::string best;
+};
+
+// The latest word of the run, for the thread that may call Python.
+class Mailbox {
+ public:
+  void put(Progress progress) {
+    const std::lock_guard lock(mutex_);
+    latest_ = std::move(progress);
+  }
+  std::optional<Progress> take() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(latest_, std::nullopt);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::optional<Progress> latest_;
+};
+
+py::tuple run_file(const std::string& path, const std::string& directory,
+                   const std::vector<std::string>& settings, unsigned jobs, bool fresh,
+                   const py::object& progress) {
+  const studies::StudyFile file = studies::read_study_file(path, settings);
+  Mailbox mailbox;
+  studies::RunOptions options;
+  options.jobs = jobs;
+  options.fresh = fresh;
+  options.progress = [&](std::uint64_t done, std::uint64_t total, const std::string& best) {
+    mailbox.put({done, total, best});
+  };
+  const studies::StudyResult result = run_interruptible(
+      [&](std::stop_token stop) {
+        options.stop = stop;
+        return studies::run_study(file, directory, options);
+      },
+      [&] {
+        const auto now = mailbox.take();
+        if (now && !progress.is_none()) progress(now->done, now->total, now->best);
+      });
+  return py::make_tuple(studies::summary_json(result), studies::summary_text(result));
+}
+
+}  // namespace
+
+void add_study(py::module_& module) {
+  module.def("run_file", &run_file, py::arg("path"), py::arg("directory"), py::arg("settings"),
+             py::arg("jobs"), py::arg("fresh"), py::arg("progress"),
+             "run_file(path, directory, settings, jobs, fresh, progress)\n--\n\nRuns a study file "
+             "and keeps its "
+             "results in a directory; summary.json and the words for it.");
+}
+
+}  // namespace twum::python

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Design of travelling wave ultrasonic motors.
+
+    import twum
+
+    motor = twum.Motor("ring-60.yaml", preload="140 N")     # a file, or keywords alone
+    motor.stall_torque                                      # metrics, in SI units
+    motor.torque_at("100 rpm")
+    motor.curve().plot()                                    # arrays of NumPy
+    motor.gradients("peak_power")["peak_power"]["thickness"]
+    twum.evaluate(motor, {"preload": loads}, "stall_torque, no_load_speed")
+    twum.run("study.yaml").summary
+
+Numbers are in SI units, texts carry their unit. parameter_table() and metric_table() list the names.
+"""
+from ._twum import (
+    DesignProblem,
+    Derivative,
+    Error,
+    EvaluationError,
+    FileError,
+    InputError,
+    Motor,
+    OperatingPoint,
+    StoreError,
+    __version__,
+    engineering,
+    evaluate,
+    metric_table,
+    parameter_table,
+    quantity,
+    solver_table,
+)
+from .results import Curve, Fields, Optimum, StudyResult, read_result, run
+
+__all__ = [
+    "Curve",
+    "Derivative",
+    "DesignProblem",
+    "Error",
+    "EvaluationError",
+    "Fields",
+    "FileError",
+    "InputError",
+    "Motor",
+    "OperatingPoint",
+    "Optimum",
+    "StoreError",
+    "StudyResult",
+    "__version__",
+    "engineering",
+    "evaluate",
+    "metric_table",
+    "parameter_table",
+    "quantity",
+    "read_result",
+    "run",
+    "solver_table",
+]
+
+# Users see these names where they find them.
+for _shown in (DesignProblem, Derivative, Motor, OperatingPoint, evaluate):
+    try:
+        _shown.__module__ = "twum"
+    except (AttributeError, TypeError):  # of a compiled function it is fixed
+        pass
+del _shown

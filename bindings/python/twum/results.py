@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What calls return: curves, fields, optima, results of studies."""
+from __future__ import annotations
+
+import csv
+import json
+import os
+import pathlib
+import tempfile
+from dataclasses import dataclass, field
+from typing import Any, Callable, Mapping
+
+import numpy as np
+
+from . import _twum
+
+
+@dataclass(frozen=True, eq=False)
+class Curve:
+    """Torque-speed curve of a motor: arrays over the speeds, SI units, NaN where status is not 'ok'."""
+
+    motor: Any = field(repr=False)
+    speed: np.ndarray  # [rad/s]
+    torque: np.ndarray  # [N.m]
+    output_power: np.ndarray  # [W]
+    stator_power: np.ndarray  # [W]
+    friction_power: np.ndarray  # [W]
+    layer_loss: np.ndarray  # [W]
+    contact_efficiency: np.ndarray
+    wear_intensity: np.ndarray  # [W/m^2]
+    stick_fraction: np.ndarray
+    status: list
+
+    def plot(self, axes=None):
+        """Torque and output power over speed, with matplotlib; returns its axes."""
+        from . import plot
+
+        return plot.curve(self, axes)
+
+
+@dataclass(frozen=True, eq=False)
+class Fields:
+    """The contact along one wave: arrays over the phase, SI units; zones as (state, from, to)."""
+
+    motor: Any = field(repr=False)
+    point: Any = field(repr=False)
+    phase: np.ndarray  # [rad], crest at 0
+    pressure: np.ndarray  # [Pa]
+    traction: np.ndarray  # [Pa], positive in drive direction
+    displacement: np.ndarray  # [m]
+    stator_velocity: np.ndarray  # [m/s]
+    layer_velocity: np.ndarray  # [m/s]
+    zones: list
+
+    def plot(self, axes=None):
+        """Pressure, traction and velocities over the phase, with matplotlib; returns its two axes."""
+        from . import plot
+
+        return plot.fields(self, axes)
+
+
+@dataclass(frozen=True, eq=False)
+class Optimum:
+    """A design that was found, and the evidence for it.
+
+    `outcome` is 'optimal' (feasible, and the certificate passes), 'feasible' (the search stopped short),
+    'infeasible' (`relaxation` says what has to give way), 'budget' or 'failed'.
+    """
+
+    outcome: str
+    motor: Any = field(repr=False)
+    design: dict  # the variables, SI
+    objective: dict
+    limits: list = field(repr=False)  # dictionaries: text, value, limit, violation, active, multiplier
+    certificate: dict = field(repr=False)
+    relaxation: list = field(repr=False)
+    solver: str
+    evaluations: int
+    failures: dict
+
+
+@dataclass(frozen=True, eq=False)
+class StudyResult:
+    """Result of a study: the content of summary.json, and the evaluations as arrays, SI units."""
+
+    summary: dict
+    rows: dict = field(repr=False)  # arrays by column name; 'status' holds texts
+    text: str = field(repr=False, default="")  # the summary in words
+    directory: "str | None" = None  # where the result is kept, if it is
+
+    @property
+    def outcome(self) -> str:
+        return self.summary["outcome"]
+
+    def __getitem__(self, name: str) -> Any:
+        return self.summary[name]
+
+
+def _column(texts):
+    try:
+        return np.array([float(text) if text else np.nan for text in texts])
+    except ValueError:
+        return np.array(texts, dtype=object)
+
+
+def _rows(path):
+    with open(path, newline="", encoding="utf-8") as file:
+        lines = list(csv.reader(file))
+    names = [name.rsplit(" [", 1)[0] for name in lines[0]]
+    columns = list(zip(*lines[1:])) or [[] for _ in names]
+    return {name: _column(column) for name, column in zip(names, columns)}
+
+
+def read_result(directory: str | os.PathLike[str]) -> StudyResult:
+    """The result that a study has left in a directory."""
+    folder = pathlib.Path(directory)
+    try:
+        summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+        return StudyResult(summary, _rows(folder / "results.csv"), directory=str(folder))
+    except FileNotFoundError as error:
+        raise _twum.InputError(f"{folder}: no result of a study; {pathlib.Path(error.filename).name} is missing") from None
+
+
+def _settings(parameters: Mapping[str, Any]) -> list[str]:
+    """Settings as the command line has them; numbers are SI."""
+    units = {row[key]: row["unit"] for row in _twum.parameter_table() for key in ("name", "symbol")}
+
+    def text(name, value):
+        unit = units.get(name, "1")
+        return value if isinstance(value, str) else repr(float(value)) + ("" if unit == "1" else " " + unit)
+
+    return [f"{name}={text(name, value)}" for name, value in parameters.items()]
+
+
+def _written(study: Mapping[str, Any], motor: Any, folder: pathlib.Path) -> pathlib.Path:
+    """A study given as a dictionary, as a file."""
+    content = dict(study) if "study" in study else {"study": dict(study)}
+    content.setdefault("twum", 1)
+    if isinstance(motor, _twum.Motor):
+        (folder / "motor.yaml").write_text(motor.file_text(), encoding="utf-8")
+        content["motor"] = "motor.yaml"
+    elif motor is not None:
+        content["motor"] = os.path.abspath(motor)
+    path = folder / "study.yaml"
+    path.write_text(json.dumps(content, indent=2, ensure_ascii=False), encoding="utf-8")
+    return path
+
+
+def run(
+    study: str | os.PathLike[str] | Mapping[str, Any],
+    directory: str | os.PathLike[str] | None = None,
+    *,
+    motor: Any = None,
+    set: Mapping[str, Any] | None = None,
+    jobs: int = 0,
+    fresh: bool = False,
+    progress: Callable[[int, int, str], None] | None = None,
+) -> StudyResult:
+    """Runs a study: a file, or a dictionary of its entries with `motor` a Motor or a path.
+
+    With a directory everything is kept there, and an interrupted run goes on; `fresh` starts anew.
+    `set` replaces parameters of the motor. `progress` is told the evaluations, their total (0: not
+    known) and the best so far. Ctrl-C ends the run. FileError says everything that is wrong.
+    """
+    with tempfile.TemporaryDirectory(prefix="twum-") as scratch:
+        if isinstance(study, Mapping):
+            path = _written(study, motor, pathlib.Path(scratch))
+        elif motor is not None:
+            raise _twum.InputError("motor: a study file names its motor; give `set` to change parameters")
+        else:
+            path = pathlib.Path(study)
+        folder = os.fspath(directory) if directory is not None else os.path.join(scratch, "result")
+        summary, text = _twum.run_file(os.fspath(path), folder, _settings(set or {}), jobs, fresh, progress)
+        rows = _rows(os.path.join(folder, "results.csv"))
+    return StudyResult(json.loads(summary), rows, text, None if directory is None else folder)

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Projects of other people find, link and run the installed package, and the tree itself."""
+import argparse
+import os
+import pathlib
+import re
+import subprocess
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CONSUMER = ROOT / "tests/package/consumer"
+RING = ROOT / "examples/motors/ring-60.yaml"
+ARGUMENTS = None
+PREFIX = None
+
+# ring-60 slips all round at rest, so its stall torque is mu F_N r (theory section 8), which is also
+# mu_0 F_N r, its holding torque. Both are one product of three inputs, exact but for rounding.
+HOLDING = 0.2 * 160 * 0.0265
+
+
+def run(*command, env=None):
+    return subprocess.run([str(part) for part in command], capture_output=True, text=True, timeout=600,
+                          env={**os.environ, **(env or {})})
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory(prefix="twum package ")
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name)
+
+    def ok(self, *command, env=None):
+        done = run(*command, env=env)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return done.stdout
+
+    def configure(self, *settings):
+        return run(ARGUMENTS.cmake, "-S", CONSUMER, "-B", self.folder / "build", "-G", "Ninja",
+                   f"-DCMAKE_CXX_COMPILER={ARGUMENTS.compiler}", f"-DCMAKE_PREFIX_PATH={PREFIX}",
+                   f"-DCMAKE_CXX_COMPILER_LAUNCHER={ARGUMENTS.launcher}", "-DCMAKE_BUILD_TYPE=Release", *settings)
+
+    def consumer(self, *settings):
+        done = self.configure(*settings)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.ok(ARGUMENTS.cmake, "--build", self.folder / "build", "--target", "consumer")
+        return self.folder / "build/consumer"
+
+    def check_everything(self, program, env=None):
+        """The preload for 0.53 N.m is 0.53 / (mu_0 r) = 100 N."""
+        lines = [line.split() for line in self.ok(program, RING, "0.53 N.m", env=env).splitlines()]
+        for solver, outcome, preload in lines[:-1]:
+            self.assertEqual(outcome, "optimal", solver)
+            # The limit holds to feasibility_tolerance = 1e-8 of its gradient's scale; nine digits are printed.
+            self.assertAlmostEqual(float(preload), 0.53 / (0.2 * 0.0265), delta=1e-5, msg=solver)
+        self.assertIn("nlopt:slsqp", [line[0] for line in lines])
+        self.assertEqual(lines[-1][1], ARGUMENTS.version)
+        self.assertAlmostEqual(float(lines[-1][2]), HOLDING, delta=1e-9)
+
+
+class FindPackage(Case):
+    def test_all_components(self):
+        self.check_everything(self.consumer("-DPART=studies", f"-DWANTED={ARGUMENTS.version}"))
+
+    def test_core_alone_needs_no_solver_and_no_yaml(self):
+        refused = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in ("NLopt", "yaml-cpp", "PkgConfig")]
+        program = self.consumer("-DPART=core", *refused)
+        self.assertAlmostEqual(float(self.ok(program)), HOLDING, delta=4e-16)
+
+    def test_unknown_component_is_refused_by_name(self):
+        done = self.configure("-DPART=motors")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("no component 'motors'", " ".join(done.stderr.split()))
+
+    def test_another_minor_version_is_refused(self):
+        done = self.configure("-DPART=core", "-DWANTED=0.99")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn(f"version: {ARGUMENTS.version}", done.stderr)
+
+
+class PkgConfig(Case):
+    def test_one_line_builds_a_program(self):
+        found = next(PREFIX.rglob("pkgconfig"))
+        flags = self.ok("pkg-config", "--cflags", "--libs", "twum", env={"PKG_CONFIG_PATH": str(found)}).split()
+        self.ok(ARGUMENTS.compiler, "-std=c++20", CONSUMER / "everything.cpp", *flags, "-o", self.folder / "program")
+        self.check_everything(self.folder / "program")
+
+    def test_core_names_no_package_of_others(self):
+        found = next(PREFIX.rglob("pkgconfig"))
+        text = self.ok("pkg-config", "--cflags", "--libs", "twum-core", env={"PKG_CONFIG_PATH": str(found)})
+        self.assertEqual([f for f in text.split() if f.startswith("-l")], ["-ltwum_core", "-ltwum_base"])
+
+
+class Umbrella(Case):
+    def test_core_and_optim_name_every_header_of_theirs(self):
+        include = PREFIX / "include"
+        for layer in ("core", "optim"):
+            text = (include / f"twum/{layer}.hpp").read_text()
+            headers = sorted((include / "twum" / layer).rglob("*.hpp"))
+            self.assertGreater(len(headers), 5)
+            for header in headers:
+                self.assertIn(f"#include <{header.relative_to(include)}>", text)
+
+
+class Examples(Case):
+    """examples/cpp is a project outside the tree."""
+
+    def test_all_of_them_run(self):
+        build = self.folder / "build"
+        self.ok(ARGUMENTS.cmake, "-S", ROOT / "examples/cpp", "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+                f"-DCMAKE_CXX_COMPILER={ARGUMENTS.compiler}", f"-DCMAKE_PREFIX_PATH={PREFIX}",
+                f"-DCMAKE_CXX_COMPILER_LAUNCHER={ARGUMENTS.launcher}")
+        self.ok(ARGUMENTS.cmake, "--build", build)
+        sources = sorted(path.stem for path in (ROOT / "examples/cpp").glob("*.cpp"))
+        self.assertGreater(len(sources), 6)
+        arguments = {"curve": [RING], "study": [ROOT / "examples/studies/optimize-ring-60.yaml"]}
+        said = {name: self.ok(build / name, *arguments.get(name, [])) for name in sources}
+        self.assertRegex(said["curve"], "slip[+]")
+        self.assertRegex(said["optimize"], "nlopt:slsqp: optimal")
+        self.assertNotIn("not certified", said["front"])
+        self.check_fit(said["fit"])
+        self.check_size(said["size"])
+
+    def check_fit(self, text):
+        """The points are those of mu = 0.18, E = 2.5 GPa, rounded to 5 mN.m: the intervals hold both."""
+        for name, truth in (("kinetic_friction", 0.18), ("youngs_modulus", 2.5e9)):
+            low, high = re.search(rf"{name} \S+ \((\S+) to (\S+)\)", text).groups()
+            self.assertLess(float(low), truth)
+            self.assertLess(truth, float(high))
+
+    def check_size(self, text):
+        """C++ and Python say the same, and the duty is carried: 0.5 N.m at 100 rpm."""
+        self.assertTrue(text.startswith("outcome optimal\n"), text)
+        module = pathlib.Path(ARGUMENTS.build) / "python"
+        if not (module / "twum/__init__.py").exists():
+            self.skipTest("the Python module is not built")
+        env = {"PYTHONPATH": str(module), "PYTHONDONTWRITEBYTECODE": "1"}
+        self.assertEqual(self.ok("/usr/bin/python3", ROOT / "examples/python/size.py", env=env), text)
+
+
+class AddSubdirectory(Case):
+    def test_core_is_built_along(self):
+        program = self.consumer("-DPART=core", f"-DTWUM_TREE={ROOT}")
+        self.assertAlmostEqual(float(self.ok(program)), HOLDING, delta=4e-16)
+        self.assertFalse((self.folder / "build/twum/tests").exists())
+
+
+def setUpModule():
+    """Installs, and then moves the prefix: nothing in it may hold its old place."""
+    global PREFIX
+    scratch = tempfile.TemporaryDirectory(prefix="twum-prefix-")
+    unittest.addModuleCleanup(scratch.cleanup)
+    first = pathlib.Path(scratch.name) / "first"
+    done = run(ARGUMENTS.cmake, "--install", ARGUMENTS.build, "--prefix", first, "--component", "dev")
+    if done.returncode:
+        raise RuntimeError(done.stdout + done.stderr)
+    PREFIX = first.rename(pathlib.Path(scratch.name) / "moved")
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    for name in ("cmake", "build", "compiler", "launcher"):
+        parser.add_argument("--" + name, required=True)
+    ARGUMENTS, rest = parser.parse_known_args()
+    cache = (pathlib.Path(ARGUMENTS.build) / "CMakeCache.txt").read_text()
+    ARGUMENTS.version = cache.split("CMAKE_PROJECT_VERSION:STATIC=")[1].split()[0]
+    unittest.main(argv=[__file__, *rest], verbosity=1)

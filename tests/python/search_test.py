@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Questions about motors from Python: optima, fronts, sizing, two at once, Ctrl-C."""
+import _thread
+import pathlib
+import threading
+import unittest
+
+import twum
+
+RING = pathlib.Path(__file__).resolve().parents[2] / "examples/motors/ring-60.yaml"
+
+
+def question(motor):
+    problem = twum.DesignProblem(motor)
+    problem.vary("preload", "60 N", "300 N").vary("amplitude", "0.8 um", "2.2 um")
+    return problem.limit("max_pressure <= 10 MPa").limit("wear_intensity_at(100 rpm) <= 10 kW/m^2")
+
+
+class Search(unittest.TestCase):
+    def test_the_least_preload_that_holds(self):
+        # mu_0 F_N r >= T: the least preload is T / (mu_0 r), to the solver's feasibility of 1e-8.
+        problem = twum.DesignProblem(twum.Motor()).vary("preload", 10, 500).minimize("preload")
+        best = problem.limit("holding_torque >= 0.53 N.m").solve()
+        self.assertEqual(best.outcome, "optimal")
+        self.assertAlmostEqual(best.design["preload"], 0.53 / (0.2 * 0.0265), delta=1e-5)
+        self.assertEqual(best.motor.preload, best.design["preload"])
+        limit = best.limits[0]
+        self.assertTrue(limit["active"])
+        # The multiplier is the preload that one N.m costs.
+        self.assertAlmostEqual(limit["multiplier"], 1 / (0.2 * 0.0265), delta=1e-3)
+
+    def test_what_cannot_be_says_what_gives_way(self):
+        problem = twum.DesignProblem(twum.Motor()).vary("preload", 10, 100).minimize("max_pressure")
+        answer = problem.limit("holding_torque >= 0.8 N.m").solve()
+        self.assertEqual(answer.outcome, "infeasible")
+        # At 100 N the motor holds 0.53 N.m: 0.27 N.m short.
+        self.assertAlmostEqual(answer.relaxation[0]["amount"], 0.8 - 0.53, delta=1e-6)
+
+    def test_a_sized_motor_carries_its_duty(self):
+        best = question(twum.Motor(RING)).size(("0.5 N.m", "100 rpm"))
+        self.assertEqual(best.outcome, "optimal")
+        self.assertGreaterEqual(best.motor.torque_at("100 rpm"), 0.5 * (1 - 1e-7))
+        self.assertLessEqual(best.motor.max_pressure, 10e6)
+        self.assertEqual(best.objective["max_pressure"], best.motor.max_pressure)
+
+    def test_two_threads_sizing_at_once_find_the_same(self):
+        def size(torque, answers, key):
+            answers[key] = question(twum.Motor(RING)).size((torque, "100 rpm"))
+
+        alone, together = {}, {}
+        for torque in ("0.5 N.m", "0.4 N.m"):
+            size(torque, alone, torque)
+        threads = [threading.Thread(target=size, args=(torque, together, (torque, i)))
+                   for torque in alone for i in range(2)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(len(together), 4)
+        for (torque, _), answer in together.items():
+            self.assertEqual(answer.design, alone[torque].design)
+            self.assertEqual(answer.certificate, alone[torque].certificate)
+
+    def test_a_front_trades(self):
+        front = question(twum.Motor(RING)).maximize("stall_torque").maximize("no_load_speed").front(points=6)
+        self.assertGreater(len(front), 2)
+        torque = [one.objective["stall_torque"] for one in front]
+        speed = [one.objective["no_load_speed"] for one in front]
+        order = sorted(range(len(front)), key=torque.__getitem__)
+        self.assertEqual(order, sorted(range(len(front)), key=speed.__getitem__, reverse=True))
+
+    def test_wrong_questions_are_refused(self):
+        problem = twum.DesignProblem(twum.Motor())
+        for call, words in ((lambda: problem.vary("pre", 1, 2), "unknown parameter 'pre'"),
+                            (lambda: problem.vary("preload", "1 mm", "2 mm"), "length"),
+                            (lambda: problem.vary("preload", 1, 2, scale="lag"), "did you mean 'log'"),
+                            (lambda: problem.limit("max_presure <= 1 MPa"), "max_pressure"),
+                            (lambda: problem.maximize("peak"), "unknown metric"),
+                            (lambda: problem.solve(), "variable"),
+                            (lambda: question(twum.Motor()).solve(), "objective"),
+                            (lambda: question(twum.Motor()).size([]), "duty"),
+                            (lambda: question(twum.Motor()).size((1, "2 mm")), "duty: speed.*length"),
+                            (lambda: question(twum.Motor()).size((1, 2), solver="ipop"), "ipopt"),
+                            (lambda: question(twum.Motor()).size((1, 2), seeds=1), "did you mean 'seed'")):
+            with self.assertRaisesRegex(twum.InputError, words):
+                call()
+
+    def test_ctrl_c_ends_a_search(self):
+        timer = threading.Timer(0.2, _thread.interrupt_main)
+        timer.start()
+        with self.assertRaises(KeyboardInterrupt):
+            while True:  # a search may be done before the signal comes
+                question(twum.Motor(RING)).maximize("stall_torque").maximize("no_load_speed").front(points=60)
+        timer.join()
+
+
+if __name__ == "__main__":
+    unittest.main()
