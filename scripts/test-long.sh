@@ -9,7 +9,7 @@
 # Exits with an error if a step failed.
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-all_steps=(cases properties kill no-ipopt asan tsan valgrind clang package lint)
+all_steps=(cases properties validation kill no-ipopt asan tsan valgrind clang fuzz package lint)
 
 build() {  # PRESET [CMAKE ARGUMENT...]
   configure "$@" && cmake --build --preset "$1" -j "$(jobs)"
@@ -33,6 +33,11 @@ step_properties() {
   build ci && while read -r program; do
     RC_PARAMS="seed=$seed max_success=1000" "$program" || return 1
   done <build/ci/test_programs.txt
+}
+
+# Every number of docs/validation.md, those of slow cases included.
+step_validation() {
+  build ci && tests/validation/validation_page.py build/ci/tests/bin/core_tests --all
 }
 
 # Kills each example study at 50 random moments; its results must be those of a run in peace.
@@ -69,6 +74,25 @@ step_valgrind() {
 step_clang() {
   configure dev -B build/clang -DCMAKE_C_COMPILER=clang-14 -DCMAKE_CXX_COMPILER=clang++-14 &&
     cmake --build build/clang -j "$(jobs)" && all_tests build/clang
+}
+
+# Each fuzzer for TWUM_FUZZ_SECONDS (300); what they find new stays in build/fuzz/corpus.
+step_fuzz() {
+  local name seeds corpus
+  configure dev -B build/fuzz -DCMAKE_C_COMPILER=clang-14 -DCMAKE_CXX_COMPILER=clang++-14 \
+    -DTWUM_BUILD_FUZZERS=ON -DTWUM_BUILD_PYTHON=OFF &&
+    cmake --build build/fuzz --target fuzzers -j "$(jobs)" || return 1
+  for name in motor study table points units metrics; do
+    seeds=(tests/fuzz/corpus/"$name")
+    [[ $name != motor ]] || seeds+=(examples/motors tests/data/motor_errors)
+    [[ $name != study ]] || seeds+=(examples/studies tests/data/study_errors)
+    corpus=build/fuzz/corpus/$name
+    mkdir -p "$corpus"
+    echo "fuzz $name"
+    build/fuzz/tests/bin/"fuzz_$name" "$corpus" "${seeds[@]}" -dict=tests/fuzz/readers.dict -timeout=20 \
+      -rss_limit_mb=2048 -print_final_stats=1 -artifact_prefix="build/fuzz/$name-" \
+      -max_total_time="${TWUM_FUZZ_SECONDS:-300}" || return 1
+  done
 }
 
 # The Debian package in a clean chroot; as root.

@@ -16,16 +16,21 @@ function holders(report, goalUnit) {
   return list.sort((a, b) => Math.abs(b.gain ?? 0) - Math.abs(a.gain ?? 0)).map((h) => ({ ...h, text: gain(h.gain, goalUnit) }));
 }
 
+/** Limits that no design satisfies, and the least that would do. */
+function relaxationVerdict() {
+  const conflict = summary.relaxation.conflict;
+  const least = summary.relaxation.limits.filter((l) => l.alone).map((l) => l.text + ' by ' + engineering(l.alone, unitOf(metricOfLimit(l.text)), 3));
+  const why = conflict.length === 1 ? conflict[0] + ' is out of reach.' : conflict.length ? 'These cannot hold together: ' + conflict.join('; ') + '.' : '';
+  const cure = least.length === 0 ? 'No single limit that gives way is enough; see the table below.'
+    : least.length === 1 ? 'It would be possible if this one gave way: ' + least[0] + '.' : 'It would be possible if one of these gave way: ' + least.join('; or ') + '.';
+  return { look: 'bad', lines: [sentence(bold('No design keeps every limit. '), why), sentence(cure)] };
+}
+
 function searchVerdict() {
   const goal = summary.objective;
   const unit = unitOf(goal.metric);
   if (!summary.best) return { look: 'bad', lines: [sentence(bold('No design could be evaluated.'))] };
-  if (summary.relaxation) {
-    const conflict = summary.relaxation.conflict;
-    const least = summary.relaxation.limits.filter((l) => l.alone).map((l) => l.text + ' by ' + engineering(l.alone, unitOf(metricOfLimit(l.text)), 3));
-    return { look: 'bad', lines: [sentence(bold('No design keeps every limit. '), conflict.length ? 'These cannot hold together: ' + conflict.join('; ') + '.' : ''),
-      sentence(least.length ? 'It would be possible if one of these gave way: ' + least.join('; or ') + '.' : 'No single limit that gives way is enough; see the table below.')] };
-  }
+  if (summary.relaxation) return relaxationVerdict();
   const now = summary.best.metrics[goal.metric] ?? summary.best.design[goal.metric];
   const before = summary.before.metrics[goal.metric] ?? summary.before.design[goal.metric];
   const change = before ? ' (' + (now >= before ? '+' : '') + rounded(100 * (now / before - 1), 3) + ' %)' : '';
@@ -41,7 +46,7 @@ function searchVerdict() {
 }
 
 function paretoVerdict() {
-  if (summary.relaxation) return searchVerdict.call(null, (summary.objective = summary.objectives[0], summary.best = summary.best || {}));
+  if (summary.relaxation) return relaxationVerdict();
   if (!summary.front.length) return { look: 'bad', lines: [sentence(bold('No point of the front was found.'))] };
   const values = (i) => summary.objectives.map((o) => plain(o.metric) + ' ' + engineering(summary.front[i].metrics[o.metric], unitOf(o.metric), 3)).join(' with ');
   const knee = summary.front[summary.knee];
@@ -55,6 +60,7 @@ function paretoVerdict() {
 function curveVerdict() {
   const list = summary.curves;
   const m = list[0].metrics;
+  if (!summary.family && !(m.peak_power > 0)) return { look: 'bad', lines: [sentence(bold('This motor drives no load: '), 'its torque at stall is ' + engineering(m.stall_torque, 'N.m') + '.')] };
   if (!summary.family) return { look: 'good', lines: [sentence('This motor holds ', bold(engineering(m.stall_torque, 'N.m')), ' at stall, runs up to ', bold(engineering(m.no_load_speed, 'rad/s')), ' without load, and gives at most ', bold(engineering(m.peak_power, 'W')), ' (at ' + engineering(m.speed_at_peak_power, 'rad/s') + ', ' + engineering(m.torque_at_peak_power, 'N.m') + ').')] };
   const name = summary.family.parameter;
   const value = memberValue;

@@ -193,6 +193,33 @@ TEST_CASE("every metric's derivative by every parameter is that of differences",
   CHECK(total > 1000);
 }
 
+TEST_CASE("a layer that still rings at the next entry has the derivatives of differences (E6.2)",
+          "[core][derivative][differential]") {
+  // Its state at entry depends on the one a turn before by factors near one, so the derivative of the
+  // periodic state rests on that return map; in ordinary motors a turn forgets nearly everything.
+  MotorDesign design = ring_motor();
+  design.layer.loss_factor = 0.001;
+  design.layer.given_inertia = 5e-4;
+  const Motor motor(design);
+  std::vector<MetricRequest> requests;
+  for (const double share : {0.3, 0.9, 1.2}) {
+    for (const Metric which : {Metric::torque_at, Metric::friction_power_at, Metric::layer_loss_at})
+      requests.push_back({which, Argument::speed, share * motor.crest_speed()});
+  }
+  const auto exact = differentiate(motor, requests);
+  Tally tally;
+  Deviation deviation("derivatives of a ringing layer against Richardson differences, relative",
+                      1e-7);
+  for (const ParameterInfo& row : parameter_table()) {
+    if (movable(design, row)) check_parameter(design, row, requests, exact, tally, deviation);
+  }
+  int sharp = 0;
+  for (const auto& [name, count] : tally.sharp) sharp += count;
+  CAPTURE(sharp, tally.blunt, tally.examples);
+  CHECK(tally.wrong == 0);
+  CHECK(sharp >= 50);
+}
+
 TEST_CASE("derivatives of hundreds of designs are those of differences",
           "[.long][core][derivative][differential]") {
   const Tally tally = check_designs(7, 200);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "case_file.hpp"
 #include "support/box_survey.hpp"
 #include "support/test_motors.hpp"
 
@@ -12,6 +13,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <ostream>
 #include <vector>
 
@@ -76,12 +78,14 @@ TEST_CASE("every point of the box keeps the laws or names a reason (T7.10, C8.1)
 
 TEST_CASE("twenty thousand points of the box keep the laws or name a reason (T7.10, C8.1)",
           "[core][property][identity]") {
-  const BoxSurvey found = survey_box({1, 20000, 0});
+  BoxSurvey found = survey_box({1, 20000, 0});
   CAPTURE(found.statuses, found.broken, found.examples, found.slowest.front().value);
   CHECK(found.broken.empty());
   CHECK(found.slowest.front().value < 2.0);
   CHECK(found.statuses.at("ok") >
         17000);  // most of the rest: mu_0 > mu in full contact or undamped
+  // only undamped layers may ring on for ever; a million points have some seventy of them
+  CHECK(found.statuses["not-converged"] <= 10);
 }
 
 TEST_CASE("a million points of the box keep the laws or name a reason (T7.10, C8.1)",
@@ -91,6 +95,24 @@ TEST_CASE("a million points of the box keep the laws or name a reason (T7.10, C8
   CHECK(found.broken.empty());
   CHECK(found.metrics_broken == 0);
   CHECK(found.slowest.front().value < 2.0);
+}
+
+TEST_CASE(
+    "points of the box that were slow or far off keep the laws or name a reason (T7.10, C8.1)",
+    "[core][property][identity]") {
+  const auto cases = read_identity_cases(TWUM_SOURCE_DIR "/tests/core/box_cases.yaml");
+  REQUIRE_FALSE(cases.empty());
+  for (const IdentityCase& entry : cases) {
+    const Motor motor(entry.design);
+    for (const double speed : entry.speeds) {
+      const std::clock_t start = std::clock();
+      const OperatingPoint point = motor.operating_point(speed);
+      CAPTURE(entry.motor, to_string(point.status));
+      CHECK(broken_law(motor, point) == "");
+      // processor time: 0.1 s was the slowest of a hundred thousand
+      CHECK(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC < 2.0);
+    }
+  }
 }
 
 TEST_CASE("metrics of every design of the box are numbers or have a status",

@@ -26,6 +26,9 @@ def tried(log):
     clean = len(re.findall(r"^valgrind .*: no errors$", log, re.M))
     if clean:
         parts.append(f"{clean} commands")
+    executions = [int(n) for n in re.findall(r"^stat::number_of_executed_units: (\d+)", log, re.M)]
+    if executions:
+        parts.append(f"{len(executions)} fuzzers, {sum(executions)} executions")
     return ", ".join(parts) or "-"
 
 

@@ -13,7 +13,9 @@ import tempfile
 
 SCRIPT = r"""
 set -e
-cd /root
+cd "$(mktemp -d)"
+cp /srv/twum_*.deb .
+chmod 755 .
 export DEBIAN_FRONTEND=noninteractive
 apt-get -q update
 apt-get -q -y --no-install-recommends install ./twum_*.deb
@@ -47,7 +49,7 @@ def check(packages, chroot):
     found = sorted(packages.glob("twum_*.deb"))
     if len(found) != 1:
         sys.exit(f"{packages}: expected one twum_*.deb, found {len(found)}")
-    shutil.copy(found[0], chroot / "root")
+    shutil.copy(found[0], chroot / "srv")
     done = subprocess.run(["chroot", str(chroot), "bash", "-c", SCRIPT], stdout=subprocess.PIPE, text=True)
     print(done.stdout)
     if done.returncode:

@@ -252,6 +252,32 @@ class Hostile(Page):
         self.assertLessEqual(self.browser.value("document.documentElement.scrollWidth"), 1400)
 
 
+class Odd(Page):
+    """Answers that are none, or hardly one."""
+
+    STUDIES = {
+        "infeasible": ("optimize", "variables: {preload: {min: 60 N, max: 300 N}}, maximize: peak_power, "
+                       "constraints: [no_load_speed >= 400 rpm, stall_torque >= 0.8 N.m]", "No design keeps every limit"),
+        "no-front": ("pareto", "variables: {preload: {min: 60 N, max: 300 N}}, objectives: [{maximize: peak_power}, "
+                     "{minimize: max_pressure}], constraints: [no_load_speed >= 400 rpm]", "out of reach"),
+        "free": ("optimize", "variables: {preload: {min: 60 N, max: 300 N}}, maximize: peak_power", "What stops it: preload"),
+        "one-variable": ("sweep", "sampling: grid, variables: {preload: {min: 0.001 N, max: 3 kN, points: 5}}, "
+                         "metrics: [speed_at(0.9 N.m)]", "5 designs, 1 of them without a full answer"),
+        "dead": ("curve", "points: 5", "drives no load"),
+    }
+
+    def test_pages_say_so(self):
+        for name, (kind, entries, words) in self.STUDIES.items():
+            with self.subTest(name):
+                study = self.folder / f"{name}.yaml"
+                settings = 'set: {kinetic_friction: "0"}\n' if name == "dead" else ""
+                study.write_text(f"twum: 1\nmotor: {ROOT}/examples/motors/ring-60.yaml\n{settings}study: {{kind: {kind}, {entries}}}\n")
+                twum("run", study, "-o", self.folder / name)
+                self.open(self.folder / name)
+                self.clean(self.folder / name)
+                self.assertIn(words, self.browser.value("document.querySelector('.verdict').innerText"))
+
+
 class Command(Page):
     def test_report_again_is_the_same_page(self):
         directory = self.result("optimize-ring-60")

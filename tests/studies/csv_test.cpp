@@ -43,6 +43,12 @@ TEST_CASE("records end at line ends outside quotes", "[studies][csv]") {
   CHECK(records_of("a,b\r\n1,2\r\n3,4") == Records{"1|a,b", "2|1,2", "3|3,4"});
   CHECK(records_of("\xEF\xBB\xBF"
                    "a\n\n  \n1\n") == Records{"1|a", "4|1"});
+  for (const std::size_t piece : {1U, 2U, 3U}) {  // as from a pipe
+    CHECK(records_of("\xEF\xBB\xBF"
+                     "a\n1\n",
+                     piece) == Records{"1|a", "2|1"});
+    CHECK(records_of("\xEF\xBB", piece) == Records{"1|\xEF\xBB"});
+  }
   CHECK(records_of("\"x\ny\",1\n2,3\n") == Records{"1|\"x\ny\",1", "3|2,3"});
   CHECK(records_of("\"x\"\"\n\",1\n2\n") == Records{"1|\"x\"\"\n\",1", "3|2"});
   CHECK(records_of("5\" pipe,1\n2\n") ==

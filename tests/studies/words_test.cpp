@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include <array>
+#include <vector>
 
 using namespace twum::studies;
 
@@ -33,6 +34,8 @@ TEST_CASE("what a user typed is safe to print", "[studies][text]") {
   CHECK(printable("a\xff"
                   "b") == "a\\xffb");
   CHECK(printable("\xC2\x9B") == "\\xc2\\x9b");  // a control character beyond ASCII
+  const std::vector<char> cut{'a', '\xC2'};  // a character without its end, and nothing behind it
+  CHECK(printable({cut.data(), cut.size()}) == "a\\xc2");
   CHECK(printable("abcdef", 3) == "abc...");
   CHECK(quoted("it's") == "'it's'");
 }

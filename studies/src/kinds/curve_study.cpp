@@ -15,11 +15,11 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-// One motor of the family, and the speeds of its curve.
+// One motor of the family.
 struct CurveMember {
   double value;  // of the family's parameter, NaN for the motor alone
   Motor motor;
-  std::vector<double> speeds;
+  double last_speed;  // of its curve [rad/s]
 };
 
 struct Family {
@@ -53,12 +53,12 @@ Motor member_motor(const MotorDesign& base, const Family& family, double value) 
 // Torque-speed curves: a stage for each member, a row for each speed.
 class CurveStudy : public StudyKindRun {
  public:
-  explicit CurveStudy(const StudyFile& file) : family_(family_of(file.study)) {
-    const std::uint64_t points = entries::count(file.study, "points", 51);
+  explicit CurveStudy(const StudyFile& file)
+      : family_(family_of(file.study)), points_(entries::count(file.study, "points", 51)) {
     for (const double value : family_.values) {
       Motor motor = member_motor(file.motor.design, family_, value);
-      std::vector<double> speeds = curve_speeds(motor, points);
-      members_.push_back({value, std::move(motor), std::move(speeds)});
+      const double last_speed = last_curve_speed(motor);
+      members_.push_back({value, std::move(motor), last_speed});
     }
   }
 
@@ -72,22 +72,20 @@ class CurveStudy : public StudyKindRun {
   std::size_t variables() const override { return family_.parameter ? 2 : 1; }
 
   KindAnswer run(RunContext& context) override {
-    std::uint64_t total = 0;
-    for (const CurveMember& member : members_) total += member.speeds.size();
+    const std::uint64_t total = points_ * members_.size();
     bool complete = true;
     std::uint64_t before = 0;
     for (std::size_t stage = 0; complete && stage < members_.size(); ++stage) {
       complete = store_rows(
-          context, stage, members_[stage].speeds.size(),
-          [&](std::uint64_t, Row& row) { fill(row); }, before, total);
-      before += members_[stage].speeds.size();
+          context, stage, points_, [&](std::uint64_t, Row& row) { fill(row); }, before, total);
+      before += points_;
     }
     return answer(context.store, complete);
   }
 
   std::optional<Row> recompute(const Row& stored) const override {
     if (stored.stage >= members_.size()) return {};
-    if (stored.index >= members_[stored.stage].speeds.size()) return {};
+    if (stored.index >= points_) return {};
     Row row{stored.stage, stored.index, {}, "ok", {}};
     fill(row);
     return row;
@@ -101,7 +99,8 @@ class CurveStudy : public StudyKindRun {
 
   void fill(Row& row) const {
     const CurveMember& member = members_[row.stage];
-    const OperatingPoint point = member.motor.operating_point(member.speeds[row.index]);
+    const OperatingPoint point =
+        member.motor.operating_point(curve_speed(member.last_speed, row.index, points_));
     row.values.clear();
     if (family_.parameter) row.values.push_back(member.value);
     for (const CurveColumn& column : curve_columns()) row.values.push_back(column.value(point));
@@ -123,7 +122,7 @@ class CurveStudy : public StudyKindRun {
     const CurveMember& member = members_[stage];
     CurveResult::Member answer;
     answer.value = member.value;
-    answer.last_speed = member.speeds.back();
+    answer.last_speed = curve_speed(member.last_speed, points_ - 1, points_);
     store.read(stage, [&](const Row& row) {
       ++answer.points;
       answer.failed += row.status == "ok" ? 0 : 1;
@@ -140,6 +139,7 @@ class CurveStudy : public StudyKindRun {
   }
 
   Family family_;
+  std::uint64_t points_;
   std::vector<CurveMember> members_;
 };
 

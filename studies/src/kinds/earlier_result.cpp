@@ -32,9 +32,9 @@ EarlierDesign design_from(const json& entries) {
 std::vector<EarlierDesign> designs_from(const json& summary) {
   std::vector<EarlierDesign> designs;
   if (summary.contains("front")) {
-    for (const json& point : summary["front"]) designs.push_back(design_from(point["design"]));
+    for (const json& point : summary["front"]) designs.push_back(design_from(point.at("design")));
   } else if (summary.contains("best") && summary["best"].is_object()) {
-    designs.push_back(design_from(summary["best"]["design"]));
+    designs.push_back(design_from(summary["best"].at("design")));
   } else if (summary.contains("estimates")) {
     designs.push_back(design_from(summary["estimates"]));
   }

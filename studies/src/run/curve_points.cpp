@@ -29,11 +29,14 @@ double last_curve_speed(const Motor& motor) {
   return motor.crest_speed() > 0 ? 1.2 * motor.crest_speed() : 10;
 }
 
+double curve_speed(double last, std::uint64_t index, std::uint64_t points) {
+  return last * static_cast<double>(index) / static_cast<double>(points - 1);
+}
+
 std::vector<double> curve_speeds(const Motor& motor, std::size_t points) {
   const double last = last_curve_speed(motor);
   std::vector<double> speeds(points);
-  for (std::size_t i = 0; i < points; ++i)
-    speeds[i] = last * static_cast<double>(i) / static_cast<double>(points - 1);
+  for (std::size_t i = 0; i < points; ++i) speeds[i] = curve_speed(last, i, points);
   return speeds;
 }
 

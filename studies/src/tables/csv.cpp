@@ -54,8 +54,11 @@ bool CsvReader::fill() {
   bytes_read_ += got;
   at_end_ = got == 0;
   if (at_start_ && !at_end_) {
+    constexpr std::string_view kMark = "\xEF\xBB\xBF";
+    // A stream may come byte by byte.
+    if (buffer_.size() < kMark.size() && kMark.starts_with(buffer_)) return fill();
     at_start_ = false;
-    if (buffer_.starts_with("\xEF\xBB\xBF")) at_ = 3;
+    if (buffer_.starts_with(kMark)) at_ = kMark.size();
   }
   return !at_end_;
 }

@@ -205,12 +205,14 @@ class PointReader {
     double least = 0;
     for (const MeasuredPoint& point : points_)
       least = least == 0 ? point.deviation : std::min(least, point.deviation);
-    double sum = 0;
     for (MeasuredPoint& point : points_) {
       const double part = point.deviation > 0 ? least / point.deviation : 1;
       if (point.deviation > 0) point.weight = part * part;
-      sum += point.weight;
     }
+    double largest = 0;
+    for (const MeasuredPoint& point : points_) largest = std::max(largest, point.weight);
+    double sum = 0;  // of weights relative to the largest one: large ones have no finite sum
+    for (MeasuredPoint& point : points_) sum += point.weight /= largest;
     for (MeasuredPoint& point : points_) point.weight *= static_cast<double>(points_.size()) / sum;
   }
 

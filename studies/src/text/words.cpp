@@ -101,7 +101,8 @@ std::string printable(std::string_view text, std::size_t limit) {
     const std::size_t length = utf8_length(text);
     const auto byte = static_cast<unsigned char>(text.front());
     const bool control = byte < 0x20 || byte == 0x7F;
-    const bool control_beyond_ascii = byte == 0xC2 && static_cast<unsigned char>(text[1]) < 0xA0;
+    const bool control_beyond_ascii =
+        length == 2 && byte == 0xC2 && static_cast<unsigned char>(text[1]) < 0xA0;
     if (length == 0 || control || control_beyond_ascii) {
       append_escaped(out, byte);
       text.remove_prefix(1);

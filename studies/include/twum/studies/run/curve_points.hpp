@@ -4,6 +4,7 @@
 #include <twum/core/performance/motor.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,9 @@ std::span<const CurveColumn> curve_columns();
 
 /// Where a curve ends if nobody says: a little beyond no-load, or what comes nearest to that [rad/s].
 double last_curve_speed(const Motor& motor);
+
+/// The speed of point `index` of `points` (at least 2), equally spaced from rest to `last` [rad/s].
+double curve_speed(double last, std::uint64_t index, std::uint64_t points);
 
 /// Equally spaced speeds from rest to last_curve_speed() [rad/s].
 /// @param points  at least 2

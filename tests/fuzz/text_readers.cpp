@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fuzz/readers.hpp"
+#include "fuzz/targets.hpp"
+
+#include <twum/studies/metrics/constraint.hpp>
+#include <twum/studies/metrics/expression.hpp>
+#include <twum/studies/text/value_error.hpp>
+#include <twum/studies/units/units.hpp>
+
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <string>
+
+namespace twum::fuzz {
+namespace {
+
+using namespace twum::studies;
+
+// Of different dimensions, each.
+constexpr Expected kDimensions[] = {
+    {"1", "2"},     {"m", "1 mm"},      {"Pa", "1 MPa"}, {"N", "1 N"},
+    {"N.m", "1"},   {"rad/s", "1 rpm"}, {"Hz", "1 kHz"}, {"W", "1 W"},
+    {"W/m^2", "1"}, {"kg/m^3", "1"},    {"N.s/m", "1"},  {"Pa.s", "1"},
+    {"Pa.s^2", ""}, {"s", "1 ms"},      {"J", ""},       {"rad", "1 deg"}};
+
+// What a reader makes of a text; nothing if it refuses it.
+template <class Read>
+auto accepted(const Read& read) -> std::optional<decltype(read())> {
+  try {
+    return read();
+  } catch (const ValueError&) {
+    return {};
+  }
+}
+
+void expect_same(const MetricExpression& metric) {
+  const MetricExpression again = parse_metric(metric.text);
+  if (again.text != metric.text || again.unit() != metric.unit() ||
+      again.what.index() != metric.what.index())
+    throw BrokenLaw("another metric: " + metric.text);
+}
+
+}  // namespace
+
+void feed_units(std::string_view text) {
+  // One of the dimensions, by the text; refusing all of them one by one would take too long.
+  const Expected& one = kDimensions[text.size() % std::size(kDimensions)];
+  const auto scale = accepted([&] { return parse_unit(text, one); });
+  if (scale && !(std::isfinite(scale->factor()) && scale->factor() > 0))
+    throw BrokenLaw("a unit of no size");
+  const auto quantity =
+      accepted([&] { return parse_quantity(text, std::span<const Expected>(kDimensions)); });
+  if (!quantity) return;
+  if (!std::isfinite(quantity->value)) throw BrokenLaw("not finite");
+  for (std::size_t i = 0; i < std::size(kDimensions); ++i) {
+    const auto value = accepted([&] { return parse_quantity(text, kDimensions[i]); });
+    if (value.has_value() != (i == quantity->which)) throw BrokenLaw("of two dimensions");
+  }
+}
+
+void feed_metrics(std::string_view text) {
+  if (const auto metric = accepted([&] { return parse_metric(text); })) expect_same(*metric);
+  if (const auto list = accepted([&] { return parse_metric_list(text); })) {
+    for (const MetricExpression& metric : *list) expect_same(metric);
+  }
+  const auto limit = accepted([&] { return parse_constraint(text); });
+  if (!limit) return;
+  expect_same(limit->metric);
+  const Constraint again = parse_constraint(limit->text);
+  if (!std::isfinite(limit->limit) || again.limit != limit->limit ||
+      again.at_least != limit->at_least)
+    throw BrokenLaw("another limit: " + limit->text);
+}
+
+}  // namespace twum::fuzz

@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""docs/validation.md from the deviations that the core's tests record.
+
+    validation_page.py CORE_TESTS            compares the page with a run of all but the slow cases
+    validation_page.py CORE_TESTS --all      with a run of the slow ones too
+    validation_page.py CORE_TESTS --update   makes the page
+
+In page.md.in a line "@ RECORD | TEXT" is a row, "@*" one of a slow case, "@@" the head of the table. Each record of
+tests/support/deviations.hpp has exactly one row. A row holds if its tolerance is the same, the number of comparisons
+agrees to 5 % and the deviation within a factor of 10 (or both are below 2e-15): rounding differs from machine to machine.
+"""
+import argparse
+import collections
+import math
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PAGE = ROOT / "docs/validation.md"
+TEMPLATE = pathlib.Path(__file__).with_name("page.md.in")
+HEAD = "| compared | tolerance | largest deviation | comparisons |\n| --- | --- | --- | --- |"
+ROUNDING = 2e-15
+Record = collections.namedtuple("Record", "largest allowed count")
+
+
+def rounded_up(value):
+    """One digit, upwards; the records have three."""
+    if value == 0:
+        return "0"
+    exponent = math.floor(math.log10(value))
+    digit = math.ceil(round(value / 10.0**exponent, 6))
+    if digit == 10:
+        digit, exponent = 1, exponent + 1
+    return f"{digit}e{exponent}" if exponent < -2 else f"{digit * 10.0**exponent:g}"
+
+
+def records_of(program, slow):
+    """Runs the tests; what they recorded, cases that run several times put together."""
+    found = {}
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "deviations.csv"
+        done = subprocess.run([program, "~[long]" if slow else "~[slow]~[long]"], capture_output=True, text=True,
+                              env=os.environ | {"TWUM_DEVIATIONS": str(path), "RC_PARAMS": "seed=42"})
+        if done.returncode:
+            sys.exit(f"validation_page.py: {program} fails\n{done.stdout[-2000:]}{done.stderr}")
+        for line in path.read_text(encoding="utf-8").splitlines():
+            name, largest, allowed, count = line.rsplit(",", 3)
+            before = found.get(name, Record(0.0, 0.0, 0))
+            found[name] = Record(max(before.largest, float(largest)), float(allowed), before.count + int(count))
+    return found
+
+
+def row(record, text):
+    if record.allowed == 0:
+        return f"| {text} | all | {'all hold' if record.largest == 0 else 'NOT ALL HOLD'} | {record.count} |"
+    return f"| {text} | {record.allowed:g} | {rounded_up(record.largest)} | {record.count} |"
+
+
+def same(found, shown):
+    """Whether two rows agree as the docstring says."""
+    a, b = ([cell.strip() for cell in text.strip("|").split("|")] for text in (found, shown))
+    if a[:2] != b[:2] or abs(int(a[3]) - int(b[3])) > 0.05 * int(a[3]):
+        return False
+    if a[2] == b[2] or "all" in a[1]:
+        return a[2] == b[2]
+    x, y = float(a[2]), float(b[2])
+    return max(x, y) <= ROUNDING or max(x, y) <= 10 * min(x, y)
+
+
+def page(records, shown):
+    """The page's lines: rows from the records, those of slow cases that did not run from the page shown."""
+    known = {line.strip("|").split("|")[0].strip(): line for line in shown if line.startswith("|")}
+    lines, used = [], set()
+    for line in TEMPLATE.read_text(encoding="utf-8").splitlines():
+        entry = re.fullmatch(r"@(\*?) (.+?) \| (.+)", line)
+        if line == "@@":
+            lines += HEAD.split("\n")
+        elif entry:
+            slow, name, text = entry.groups()
+            text += " *" if slow else ""
+            used.add(name)
+            if name in records:
+                lines.append(row(records[name], text))
+            elif slow and text in known:
+                lines.append(known[text])
+            else:
+                sys.exit(f"validation_page.py: no record of '{name}'")
+        else:
+            lines.append(line)
+    if set(records) - used:
+        sys.exit("validation_page.py: no row in page.md.in for: " + "; ".join(sorted(set(records) - used)))
+    return lines
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program", help="the program core_tests")
+    parser.add_argument("--all", action="store_true", help="slow cases too")
+    parser.add_argument("--update", action="store_true", help="write the page")
+    arguments = parser.parse_args()
+    shown = PAGE.read_text(encoding="utf-8").splitlines() if PAGE.exists() else []
+    lines = page(records_of(arguments.program, arguments.all or arguments.update), shown)
+    if arguments.update:
+        PAGE.write_text("\n".join(lines) + "\n", encoding="utf-8")
+        return
+    wrong = [f"docs/validation.md: found   {a}\n                    shown   {b}" for a, b in zip(lines, shown)
+             if a != b and not (a.startswith("|") and b.startswith("|") and same(a, b))]
+    if len(lines) != len(shown):
+        wrong.append(f"docs/validation.md: {len(shown)} lines instead of {len(lines)}")
+    print("\n".join(wrong + [f"{len(lines)} lines checked, {len(wrong)} wrong"]))
+    sys.exit(1 if wrong else 0)
+
+
+if __name__ == "__main__":
+    main()
