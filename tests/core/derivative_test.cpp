@@ -206,6 +206,8 @@ TEST_CASE("a layer that still rings at the next entry has the derivatives of dif
     for (const Metric which : {Metric::torque_at, Metric::friction_power_at, Metric::layer_loss_at})
       requests.push_back({which, Argument::speed, share * motor.crest_speed()});
   }
+  // and the second derivatives, by which a peak moves
+  requests.push_back({Metric::speed_at_peak_power});
   const auto exact = differentiate(motor, requests);
   Tally tally;
   Deviation deviation("derivatives of a ringing layer against Richardson differences, relative",
@@ -218,6 +220,7 @@ TEST_CASE("a layer that still rings at the next entry has the derivatives of dif
   CAPTURE(sharp, tally.blunt, tally.examples);
   CHECK(tally.wrong == 0);
   CHECK(sharp >= 50);
+  CHECK(tally.sharp["speed_at_peak_power"] >= 5);
 }
 
 TEST_CASE("derivatives of hundreds of designs are those of differences",

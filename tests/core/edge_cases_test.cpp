@@ -10,6 +10,8 @@
 #include <twum/core/performance/metrics.hpp>
 #include <twum/core/performance/motor.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -126,6 +128,52 @@ TEST_CASE("without amplitude the contact is full and brakes any motion", "[core]
     CHECK(point.stator_power == 0);
   }
   CHECK(metric(motor, Metric::no_load_speed).value == 0);
+}
+
+// A layer of uniform pressure, released at mu_0 p from a stator that stands still, by Runge and Kutta's method in
+// time: the least slip velocity once it has begun to fall, over forty oscillations, of U.
+static double least_slip_after_release(const MotorDesign& d, double speed) {
+  const double m = inertia(d), c = shear_viscosity(d), g = shear_modulus(d);
+  const double pressure =
+      d.preload / (2 * 3.14159265358979324 * d.stator.contact_radius * d.stator.contact_width);
+  const double rotor = d.stator.contact_radius * speed / d.layer.thickness;
+  const double step = 1e-3 / std::max(std::sqrt(g / m), c / m);
+  double x = -d.friction.static_ * pressure / g, v = -rotor, least = 1;
+  const auto rate = [&](double at, double by) {
+    return (-d.friction.kinetic * pressure - c * by - g * at) / m;
+  };
+  for (int i = 0; i < 250'000; ++i) {
+    const double k1 = rate(x, v), v2 = v + step / 2 * k1;
+    const double k2 = rate(x + step / 2 * v, v2), v3 = v + step / 2 * k2;
+    const double k3 = rate(x + step / 2 * v2, v3), v4 = v + step * k3;
+    const double k4 = rate(x + step * v3, v4);
+    x += step / 6 * (v + 2 * v2 + 2 * v3 + v4);
+    v += step / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+    if (rate(x, v) < 0) least = std::min(least, 1 + v / rotor);
+  }
+  return least;
+}
+
+TEST_CASE("a layer dragged over a still stator slips steadily unless it comes back to rest",
+          "[core][edge][differential]") {
+  int steady = 0, rhythm = 0;
+  for (const double loss : {0.003, 0.03, 0.1, 1.0}) {
+    MotorDesign design = ring_motor();
+    design.stator.amplitude = 0;
+    design.friction = {0.2, 0.3};
+    design.layer.loss_factor = loss;
+    const Motor motor(design);
+    for (const double speed : {0.1, 0.5, 2.0, 10.0}) {
+      const double least = least_slip_after_release(design, speed);
+      CAPTURE(loss, speed, least);
+      if (std::abs(least) < 1e-6) continue;  // too close to tell by steps in time
+      ++(least > 0 ? steady : rhythm);
+      CHECK(motor.operating_point(speed).status ==
+            (least > 0 ? PointStatus::ok : PointStatus::no_periodic_state));
+    }
+  }
+  CHECK(steady > 0);
+  CHECK(rhythm > 0);
 }
 
 TEST_CASE(

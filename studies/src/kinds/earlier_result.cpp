@@ -78,7 +78,8 @@ std::vector<EarlierDesign> earlier_designs(const std::string& folder) {
   try {
     designs = designs_from(json::parse(file));
   } catch (const json::exception&) {
-    throw InputError("study.start: " + studies::quoted(path) + " cannot be read; run that study again");
+    throw InputError("study.start: " + studies::quoted(path) +
+                     " cannot be read; run that study again");
   }
   if (designs.empty())
     throw InputError("study.start: " + studies::quoted(path) +
