@@ -55,7 +55,8 @@ class Results(program.Case):
     def test_rows_of_another_motor_do_not_hold(self):
         folder = self.run_study("sweep", SWEEP)
         path = folder / "study.yaml"
-        path.write_text(path.read_text().replace("kinetic: 0.2", "kinetic: 0.200000001"))
+        path.write_text(path.read_text().replace("kinetic: 0.2", "kinetic: 0.200000001")
+                        .replace("static: 0.2", "static: 0.200000001"))
         done = program.twum("verify", folder)
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr.encode())
         for row in range(6):

@@ -65,7 +65,7 @@ class Directory(Run):
     def test_what_a_run_leaves(self):
         folder = self.run_into("out")
         self.assertEqual(sorted(p.name for p in folder.iterdir()),
-                         ["results.csv", "results.db", "study.yaml", "summary.json"])
+                         ["report.html", "results.csv", "results.db", "study.yaml", "summary.json"])
         lines = (folder / "results.csv").read_text().splitlines()
         self.assertEqual(lines[0], "amplitude [m],preload [N],stall_torque [N.m],no_load_speed [rad/s],"
                                    "peak_power [W],status")
