@@ -16,6 +16,8 @@ const summary = data.summary;
 /** The stored rows: columns by position, and which status each row has. */
 const rows = {
   count: data.rows.count,
+  every: data.rows.every,
+  total: data.rows.total,
   columns: data.rows.columns.map((c, i) => ({ ...c, values: numbers(data.rows.values[i], Float64Array) })),
   statuses: data.rows.statuses,
   status: numbers(data.rows.status, Uint16Array),

@@ -14,6 +14,7 @@ class DesignView {
     this.curves = smallCurves();
     this.body = el('div', { 'data-design': '' }, el('p', {}, 'Point at a design.'));
     this.plotNode = el('div', {});
+    if (rows.every > 1) node.append(el('p', { class: 'read' }, 'This page holds every ' + rows.every + 'th of ' + rows.total + ' designs; results.csv has all.'));
     node.append(this.body, this.plotNode);
   }
 
@@ -21,7 +22,7 @@ class DesignView {
     if (i < 0) return;
     const lines = this.columns.map((c) => el('tr', {}, el('td', {}, plain(c.name)), el('td', {}, engineering(c.values[i], c.unit))));
     const status = rows.statuses[rows.status[i]];
-    this.body.replaceChildren(el('p', {}, 'Design ' + (i + 1) + (status === 'ok' ? '' : ': ' + status)), el('table', {}, el('tbody', {}, lines)));
+    this.body.replaceChildren(el('p', {}, 'Design ' + (i * rows.every + 1) + (status === 'ok' ? '' : ': ' + status)), el('table', {}, el('tbody', {}, lines)));
     this.curve(i);
   }
 

@@ -19,6 +19,8 @@
 namespace twum::studies {
 namespace {
 
+// More than the eye or a browser can take; the page says that it holds a part, results.csv has all.
+constexpr std::uint64_t kMostRows = 100000;
 // 20000 curves of 24 points are 1 MB in the page and half a second of work.
 constexpr std::uint64_t kMostCurves = 20000;
 constexpr std::size_t kPoints = 24;
@@ -55,6 +57,11 @@ void draw(const MotorDesign& base, SmallCurve& curve) {
     curve.shape[i] = static_cast<std::uint16_t>(std::lround(65535 * torques[i] / most));
 }
 
+// Every how many-th of `count` things is kept so that there are at most `most`.
+std::uint64_t thinning(std::uint64_t count, std::uint64_t most) {
+  return std::max<std::uint64_t>(1, (count + most - 1) / most);
+}
+
 }  // namespace
 
 Json rows_json(const ResultStore& store) {
@@ -63,17 +70,18 @@ Json rows_json(const ResultStore& store) {
   std::vector<std::uint16_t> status;
   std::map<std::string, std::uint16_t> numbers;
   std::vector<std::string> words;
+  const std::uint64_t every = thinning(store.rows(), kMostRows);
+  std::uint64_t number = 0;
   store.read([&](const Row& row) {
+    if (number++ % every != 0) return;
     for (std::size_t i = 0; i < columns.size(); ++i) values[i].push_back(row.values[i]);
     const auto [found, fresh] =
         numbers.try_emplace(row.status, static_cast<std::uint16_t>(words.size()));
     if (fresh) words.push_back(row.status);
     status.push_back(found->second);
   });
-  Json json{{"count", status.size()},
-            {"columns", Json::array()},
-            {"values", Json::array()},
-            {"statuses", words},
+  Json json{{"count", status.size()},   {"every", every},          {"total", number},
+            {"columns", Json::array()}, {"values", Json::array()}, {"statuses", words},
             {"status", base64(status)}};
   for (std::size_t i = 0; i < columns.size(); ++i) {
     json["columns"].push_back({{"name", columns[i].name}, {"unit", columns[i].unit}});
@@ -88,15 +96,15 @@ Json row_curves_json(const ResultStore& store, const MotorDesign& base) {
     if (const auto parameter = find_parameter(store.columns()[i].name))
       variables.emplace_back(i, *parameter);
   }
-  const std::uint64_t every =
-      std::max<std::uint64_t>(1, (store.rows() + kMostCurves - 1) / kMostCurves);
+  const std::uint64_t row = thinning(store.rows(), kMostRows);  // what the page holds
+  const std::uint64_t every = thinning((store.rows() + row - 1) / row, kMostCurves);
   std::vector<SmallCurve> curves;
   std::uint64_t number = 0;
-  store.read([&](const Row& row) {
-    if (number++ % every != 0) return;
+  store.read([&](const Row& stored) {
+    if (number++ % (row * every) != 0) return;
     SmallCurve curve;
     for (const auto& [column, parameter] : variables)
-      curve.design.emplace_back(parameter, row.values[column]);
+      curve.design.emplace_back(parameter, stored.values[column]);
     curves.push_back(std::move(curve));
   });
   std::size_t next = 0;

@@ -9,10 +9,10 @@
 /// Stored evaluations for the page; internal.
 namespace twum::studies {
 
-/// {"count", "columns", "values": base64 of each column, "statuses": words, "status": base64 of which}.
+/// At most 100,000 rows, every k-th one of "total" where there are more: {"count", "every", "total", "columns", "values": base64 of each column, "statuses": words, "status": base64 of which}.
 Json rows_json(const ResultStore& store);
 
-/// Small torque-speed curves of the stored designs, of every k-th one where there are many:
+/// Small torque-speed curves of these rows, of every k-th one where there are many:
 /// {"every", "points", "speed": last speeds, "torque": largest torques, "shape": shares of it}.
 Json row_curves_json(const ResultStore& store, const MotorDesign& base);
 
