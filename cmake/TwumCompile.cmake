@@ -2,7 +2,7 @@
 # One flag set for the whole project; it never reaches a consumer of the package.
 #
 # -ffp-contract=off keeps a*b + c from being fused, so that the double path and the derivative path
-# agree bit for bit and every build gives the same digits. -O3 because GCC 12 vectorizes the short
+# agree bit for bit and every build gives the same digits. The core asks for -O3 itself, because GCC 12 vectorizes the short
 # loops of dual numbers only from there on. -fno-math-errno lets square roots be one instruction; no
 # value changes by it. -Wno-restrict because GCC 12 warns wrongly about
 # "text" + std::string from -O2 on (GCC bug 105651).
@@ -13,7 +13,6 @@ target_compile_options(twum_compile INTERFACE
   -fno-math-errno
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
-  $<$<CONFIG:Release>:-O3>
   $<$<BOOL:${TWUM_WARNINGS_AS_ERRORS}>:-Werror>)
 if(TWUM_SANITIZE)
   target_compile_options(twum_compile INTERFACE -fsanitize=${TWUM_SANITIZE} -fno-omit-frame-pointer)
