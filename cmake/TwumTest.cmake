@@ -38,6 +38,9 @@ function(twum_test name)
     target_link_libraries(${target} PRIVATE rapidcheck rapidcheck_catch)
   endif()
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  if(TWUM_PRECOMPILE)
+    target_precompile_headers(${target} PRIVATE <catch2/catch.hpp>)
+  endif()
   # -w NoTests: a name that matches nothing is a failure, not a silent pass.
   catch_discover_tests(${target}
     TEST_PREFIX "${name}."

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "support/scratch_folder.hpp"
+
 #include <twum/core/performance/motor.hpp>
 #include <twum/studies/motor/motor_file.hpp>
 #include <twum/studies/schema/publish.hpp>
@@ -9,7 +11,6 @@
 
 using namespace twum;
 using namespace twum::studies;
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -46,15 +47,15 @@ TEST_CASE("ring-60 is read to the last digit", "[studies][motor]") {
 }
 
 TEST_CASE("line ends and a byte order mark make no difference", "[studies][motor]") {
-  const fs::path file = fs::temp_directory_path() / "twum bom µ.yaml";
+  const twum::test::ScratchFolder folder;
+  const std::string file = folder.path("twum bom µ.yaml");
   {
     std::FILE* out = std::fopen(file.c_str(), "wb");
     const std::string text = "\xEF\xBB\xBF" + replaced(ring_60(), "\n", "\r\n");
     std::fwrite(text.data(), 1, text.size(), out);
     std::fclose(out);
   }
-  check_equal(read_motor_file(file.string()).design, read(ring_60()));
-  fs::remove(file);
+  check_equal(read_motor_file(file).design, read(ring_60()));
 }
 
 TEST_CASE("what may be left out has its stated default", "[studies][motor]") {
@@ -93,7 +94,8 @@ TEST_CASE("the file that init writes is valid", "[studies][motor]") {
 
 TEST_CASE("all example motors can be read and built", "[studies][motor]") {
   int count = 0;
-  for (const auto& entry : fs::directory_iterator(TWUM_SOURCE_DIR "/examples/motors")) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(TWUM_SOURCE_DIR "/examples/motors")) {
     CAPTURE(entry.path());
     CHECK_NOTHROW(Motor(read_motor_file(entry.path().string()).design));
     ++count;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "support/scratch_folder.hpp"
+
 #include <twum/studies/metrics/constraint.hpp>
 #include <twum/studies/study/study_file.hpp>
 #include <twum/studies/text/value_error.hpp>
@@ -18,21 +20,17 @@ namespace {
 // A folder with ring-60.yaml in it, and study files written into it.
 class Folder {
  public:
-  Folder() : path_(fs::temp_directory_path() / ("twum studies " + std::to_string(counter_++))) {
-    fs::create_directories(path_);
-    fs::copy_file(TWUM_SOURCE_DIR "/examples/motors/ring-60.yaml", path_ / "ring-60.yaml",
-                  fs::copy_options::overwrite_existing);
+  Folder() {
+    fs::copy_file(TWUM_SOURCE_DIR "/examples/motors/ring-60.yaml", scratch_.path("ring-60.yaml"));
   }
-  ~Folder() { fs::remove_all(path_); }
 
   std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name, std::ios::binary) << text;
-    return (path_ / name).string();
+    std::ofstream(scratch_.path(name), std::ios::binary) << text;
+    return scratch_.path(name);
   }
 
  private:
-  fs::path path_;
-  static inline int counter_ = 0;
+  twum::test::ScratchFolder scratch_;
 };
 
 std::vector<fs::path> wrong_files() {

@@ -7,12 +7,19 @@
 #include <twum/base/error.hpp>
 
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <numbers>
 #include <string>
 
 namespace twum {
 namespace {
+
+std::string speed_text(double speed) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.6g rad/s (%.6g rpm)", speed, speed * 30 / std::numbers::pi);
+  return text;
+}
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
@@ -71,9 +78,8 @@ bool Motor::locks_at_rest() const noexcept { return performance::locks_at_rest(*
 
 void Motor::require_speed(double speed) const {
   if (!(speed > -wave_speed()) || !std::isfinite(speed)) {
-    throw InputError("rotor speed must be more than the wave's backward speed " +
-                     std::to_string(-wave_speed()) + " rad/s, but is " + std::to_string(speed) +
-                     " rad/s");
+    throw InputError("rotor speed must be more than the wave's backward speed, " +
+                     speed_text(-wave_speed()) + ", but is " + speed_text(speed));
   }
 }
 

@@ -11,7 +11,7 @@ struct Block {
   CsvChunk rows;
   std::string result;
   std::size_t failed{0};
-  std::size_t bytes{0};  // read from the stream when this block was complete
+  std::size_t bytes{0};  // of the stream up to the end of this block
 };
 
 void evaluate_block(const DesignTable& table, Block& block) {
@@ -35,7 +35,7 @@ DesignCounts evaluate_designs(CsvReader& reader, const DesignTable& table, unsig
       jobs,
       [&](Block& block) {
         const bool more = proceed() && reader.read(block.rows, kRowsAtATime);
-        block.bytes = reader.bytes_read();
+        block.bytes = reader.bytes_taken();
         return more;
       },
       [&](Block& block) { evaluate_block(table, block); },

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "support/scratch_folder.hpp"
+
 #include <twum/studies/results/study_result.hpp>
 #include <twum/studies/run/run_study.hpp>
 #include <twum/studies/study/study_file.hpp>
 
-#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -14,16 +15,12 @@ namespace twum::test {
 /// A study of examples/motors/elastic-layer.yaml, whose layer has neither inertia nor damping: on the
 /// plateau its stall torque is exactly mu F_N r.
 inline studies::StudyFile elastic_study(const std::string& entries) {
-  namespace fs = std::filesystem;
-  const fs::path path =
-      fs::temp_directory_path() /
-      ("twum-statistics-" + std::to_string(std::hash<std::string>{}(entries)) + ".yaml");
+  const ScratchFolder folder;
+  const std::string path = folder.path("study.yaml");
   std::ofstream(path) << "twum: 1\nmotor: " TWUM_SOURCE_DIR
                          "/examples/motors/elastic-layer.yaml\nstudy:\n"
                       << entries;
-  studies::StudyFile file = studies::read_study_file(path.string());
-  fs::remove(path);
-  return file;
+  return studies::read_study_file(path);
 }
 
 inline studies::StudyResult run(const std::string& entries, unsigned jobs = 2) {

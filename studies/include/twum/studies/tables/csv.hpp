@@ -12,16 +12,17 @@ namespace twum::studies {
 
 /// One record of a CSV text, with the line on which it begins, counted from 1.
 struct CsvRecord {
-  std::size_t begin;  ///< place in the text of its chunk
-  std::size_t length;
-  std::size_t line;
+  std::size_t begin;   ///< place in the text of its chunk
+  std::size_t length;  ///< in bytes, without line end
+  std::size_t line;    ///< on which it begins
 };
 
 /// Some consecutive records and the text they stand in.
 struct CsvChunk {
-  std::string text;
-  std::vector<CsvRecord> records;
+  std::string text;                ///< the records and what stands between them
+  std::vector<CsvRecord> records;  ///< where they are
 
+  /// Text of record `i`, without its line end: a view into the chunk.
   std::string_view record(std::size_t i) const {
     return std::string_view(text).substr(records[i].begin, records[i].length);
   }
@@ -35,15 +36,18 @@ class CsvReader {
   /// Fills up to `size` bytes and returns how many, 0 at the end.
   using Bytes = std::function<std::size_t(char* to, std::size_t size)>;
 
+  /// @param name   of the file, for errors
+  /// @param bytes  where it comes from; called by read() alone
   CsvReader(std::string name, Bytes bytes) : name_(std::move(name)), bytes_(std::move(bytes)) {}
 
   /// Replaces the chunk by the next records, at most `most` and about 256 KiB; false at the end.
   /// @throws InputError if a quotation does not end or a record is longer than 64 MiB.
   bool read(CsvChunk& chunk, std::size_t most);
 
+  /// Name of the file, as errors say it.
   const std::string& name() const noexcept { return name_; }
-  /// Bytes taken from the stream so far.
-  std::size_t bytes_read() const noexcept { return bytes_read_; }
+  /// Bytes of the stream up to the end of the last record read.
+  std::size_t bytes_taken() const noexcept { return bytes_read_ - (buffer_.size() - at_); }
 
  private:
   bool fill();
