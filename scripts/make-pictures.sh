@@ -16,7 +16,7 @@ trap 'rm -rf "$scratch"' EXIT
 
 "$twum" curve "$ring" --plot "$pictures/curve.svg" >/dev/null
 "$twum" fields "$ring" --speed "133 rpm" --plot "$pictures/fields.svg" >/dev/null
-for study in optimize-ring-60 pareto-power-wear sweep-sobol paper-figure-4; do
+for study in optimize-ring-60 pareto-power-wear sweep-sobol paper-figure-4 tolerances; do
   "$twum" run "$root/examples/studies/$study.yaml" -o "$scratch/$study" >/dev/null
 done
 python3 "$root/tests/report/take_pictures.py" "$scratch" "$pictures"

@@ -250,6 +250,8 @@ class Certifier {
       c.weights.assign(result_.multipliers.weights.begin(), result_.multipliers.weights.end());
     else
       c.weights.assign(objectives_, objectives_ == 1 ? 1.0 : 0.0);
+    for (std::size_t k = 0; k < objectives_; ++k)
+      c.prices.push_back(c.weights[k] * scaling_.factor(k) / scaling_.factor(0));
     c.limits = report_limits(session_.problem(), scaling_, result_.point, result_.multipliers);
     if (!feasible())
       c.reason = "a constraint is violated";

@@ -7,7 +7,7 @@ function fitBand() {
   const names = Object.keys(summary.estimates).filter((n) => Number.isFinite(summary.estimates[n].sd) && summary.estimates[n].sd > 0);
   const speeds = numbers(data.fit.speed, Float64Array);
   const gradients = names.map((n) => numbers(data.fit.gradients[n], Float64Array));
-  const factor = Math.max(...names.map((n) => (summary.estimates[n].high - summary.estimates[n].low) / 2 / summary.estimates[n].sd), 0);
+  const factor = summary.student_t ?? 0;
   return Float64Array.from(speeds, (_, s) => {
     let variance = 0;
     names.forEach((a, i) => names.forEach((b, j) => { variance += gradients[i][s] * gradients[j][s] * summary.estimates[a].sd * summary.estimates[b].sd * (i === j ? 1 : (summary.correlation[a] || {})[b] ?? 0); }));
@@ -24,10 +24,10 @@ function fitChart(node) {
   const low = torque.map((t, i) => (t - band[i]) / unit.divisor);
   const high = torque.map((t, i) => (t + band[i]) / unit.divisor);
   const measured = points.map((p) => p.torque / unit.divisor);
-  node.append(legend([{ name: 'measured', colour: 'ink', kind: 'dot' }, { name: 'fit', colour: 'c0' }, { name: percent(summary.confidence) + ' band of the fit', colour: 'c5', kind: 'area' }]));
-  chart(node, speeds, [{ name: 'fit', y: scaled(torque, unit.divisor), colour: 'c0' }, { name: 'low', y: low, colour: 'c5' }, { name: 'high', y: high, colour: 'c5' }], {
-    name: 'fit', x: { label: 'speed [rpm]', range: paddedRange([speeds, points.map((p) => p.speed * 30 / Math.PI)]) }, y: { label: axisLabel('torque', unit), range: paddedRange([low, high, measured]) }, height: 320,
-    bands: [{ series: [3, 2], fill: () => colour('c5') + '55' }],
+  node.append(legend([{ name: 'measured', colour: 'ink', kind: 'dot' }, { name: 'fit', colour: 'c0' }, { name: percent(summary.confidence) + ' band of the fit', colour: 'band', kind: 'area' }]));
+  chart(node, speeds, [{ name: 'fit', y: scaled(torque, unit.divisor), colour: 'c0' }, { name: 'low', y: low, colour: 'band' }, { name: 'high', y: high, colour: 'band' }], {
+    name: 'fit', x: { label: 'speed [rpm]', range: [0, 1.04 * largest([speeds, points.map((p) => p.speed * 30 / Math.PI)])] }, y: { label: axisLabel('torque', unit), range: paddedRange([low, high, measured]) }, height: 320,
+    bands: [{ series: [3, 2], fill: () => colour('band') + '55' }],
     marks: points.map((p, i) => ({ x: (p.speed * 30) / Math.PI, y: measured[i], small: true })),
   });
 }
@@ -38,7 +38,7 @@ function residualChart(node) {
   const y = points.map((p) => (p.residual === null ? NaN : p.residual / unit.divisor));
   const top = 1.15 * largest([y]) || 1;
   chart(node, points.map((p) => (p.speed * 30) / Math.PI), [{ name: 'residual', y, colour: 'c0', scatter: true }], {
-    name: 'residuals', x: { label: 'speed [rpm]' }, y: { label: axisLabel('measured - fitted', unit), range: [-top, top] }, height: 240,
+    name: 'residuals', x: { label: 'speed [rpm]', range: paddedRange([points.map((p) => (p.speed * 30) / Math.PI)]) }, y: { label: axisLabel('measured - fitted', unit), range: [-top, top] }, height: 240,
     ground: (u) => { const at = u.valToPos(0, 'y', true); u.ctx.fillStyle = colour('soft'); u.ctx.fillRect(u.bbox.left, at, u.bbox.width, devicePixelRatio); },
   });
 }
@@ -46,7 +46,7 @@ function residualChart(node) {
 function correlationTable() {
   const names = Object.keys(summary.estimates);
   const shade = (v) => (v === null || v === undefined ? '' : 'background:color-mix(in srgb, var(--' + (v < 0 ? 'c1' : 'c0') + ') ' + Math.round(60 * Math.abs(v)) + '%, transparent)');
-  const lines = names.map((a) => [words(a), ...names.map((b) => { const v = a === b ? 1 : (summary.correlation[a] || {})[b]; return { text: v === null || v === undefined ? '-' : v.toFixed(2), value: v }; })]);
+  const lines = names.map((a) => [named(a), ...names.map((b) => { const v = a === b ? 1 : (summary.correlation[a] || {})[b]; return { text: v === null || v === undefined ? '-' : v.toFixed(2), value: v }; })]);
   const node = table('correlation', ['', ...names.map(plain)], lines);
   node.querySelectorAll('td[data-value]').forEach((td) => { td.style.cssText = shade(Number(td.dataset.value)); });
   return node;
@@ -54,11 +54,13 @@ function correlationTable() {
 
 function calibratePage() {
   if (data.fit) fitChart(card('Measured and fitted', null, 'wide'));
-  const bounds = (e) => (e.at_bound && e.at_bound !== 'none' ? 'held at its bound' : '');
-  card('Estimates', percent(summary.confidence) + ' intervals.', 'half').append(table('estimates', ['parameter', 'value', 'low', 'high', ''], Object.entries(summary.estimates).map(([n, e]) => [words(n), quantity(e.value, unitOf(n)), quantity(e.low, unitOf(n)), quantity(e.high, unitOf(n)), words(bounds(e), 'bad-word')])));
+  const list = Object.entries(summary.estimates);
+  const held = list.some(([, e]) => e.remark);
+  const line = ([n, e]) => [named(n), quantity(e.value, unitOf(n)), quantity(e.low, unitOf(n)), quantity(e.high, unitOf(n)), ...(held ? [words(e.remark, 'bad-word')] : [])];
+  card('Estimates', percent(summary.confidence) + ' intervals.', 'half').append(table('estimates', ['parameter', 'value', 'low', 'high', ...(held ? [''] : [])], list.map(line)));
   card('Correlation of the estimates', 'Near 1 or -1: the data tell only a combination.', 'half').append(correlationTable());
   residualChart(card('Residuals', 'They should scatter about zero without a pattern.', 'half'));
   card('The points', null, 'half').append(table('points', ['speed', 'measured', 'fitted', 'residual'], summary.data.map((p) => [quantity(p.speed, 'rad/s'), quantity(p.torque, 'N.m'), quantity(p.fitted, 'N.m'), quantity(p.residual, 'N.m', 3)]), ['speed [rad/s]', 'measured [N.m]', 'fitted [N.m]', 'residual [N.m]']));
-  const list = curves.filter(Boolean);
-  if (list.length) curveSection(list, ['fitted motor'], 'The fitted motor');
+  const fitted = curves.filter(Boolean);
+  if (fitted.length) curveSection(fitted, ['fitted motor'], 'The fitted motor');
 }

@@ -9,7 +9,7 @@ function axis(label, side, size) {
     label, side, size, labelSize: 20, gap: 4, labelGap: 0,
     font: '12px system-ui, "Liberation Sans", Arial, sans-serif', labelFont: '13px system-ui, "Liberation Sans", Arial, sans-serif',
     stroke: () => colour('soft'), grid: { stroke: () => colour('grid'), width: 1 }, ticks: { stroke: () => colour('line'), width: 1, size: 4 },
-    values: (u, splits) => splits.map((v) => (v === null ? '' : rounded(v, 6))),
+    values: (_, splits) => splits.map((v) => (v === null ? '' : rounded(v, 6))),
     space: side === 2 ? 60 : 34,
   };
 }
@@ -99,20 +99,24 @@ function chart(node, x, series, options) {
   new ResizeObserver(() => {
     if (holder.clientWidth > 0 && Math.abs(holder.clientWidth - plot.width) > 1) plot.setSize({ width: holder.clientWidth, height: height });
   }).observe(holder);
-  holder.addEventListener('keydown', (event) => moveCursor(plot, event));
+  holder.addEventListener('keydown', (event) => (options.onKey ? options.onKey(plot, event) : moveCursor(plot, event)));
   onTheme(() => plot.redraw(false));
   return plot;
 }
 
+/** Where an arrow key, Home or End leads among so many places; null for other keys. */
+function keyStep(event, now, count) {
+  const step = event.shiftKey ? 10 : 1;
+  const next = { ArrowRight: now + step, ArrowLeft: now - step, Home: 0, End: count - 1 }[event.key];
+  if (next === undefined || !count) return null;
+  event.preventDefault();
+  return Math.min(Math.max(next, 0), count - 1);
+}
+
 /** Arrow keys, Home and End move the cursor along the data. */
 function moveCursor(plot, event) {
-  const last = plot.data[0].length - 1;
-  const now = plot.cursor.idx ?? -1;
-  const step = event.shiftKey ? 10 : 1;
-  const next = { ArrowRight: now + step, ArrowLeft: now - step, Home: 0, End: last }[event.key];
-  if (next === undefined) return;
-  event.preventDefault();
-  const index = Math.min(Math.max(next, 0), last);
+  const index = keyStep(event, plot.cursor.idx ?? -1, plot.data[0].length);
+  if (index === null) return;
   plot.setCursor({ left: plot.valToPos(plot.data[0][index], 'x'), top: plot.bbox.height / devicePixelRatio / 2 });
 }
 

@@ -40,7 +40,7 @@ function curveMarks(curve, name, speedUnit, unit, full) {
 }
 
 function readout(node, parts) {
-  node.replaceChildren(...parts.flatMap(([name, value]) => [name + ' ', el('b', {}, value), '   ']));
+  node.replaceChildren(...parts.filter(([, value]) => value).flatMap(([name, value], i) => [(i ? ', ' : '') + name + ' ', el('b', {}, value)]));
 }
 
 /** One quantity of several curves over speed. */
@@ -48,7 +48,7 @@ function curvesChart(node, list, names, name, label, options = {}) {
   const speeds = commonSpeeds(list);
   const speedUnit = displayUnit(1, 'rad/s');
   const unit = options.unit || displayUnit(largest(list.map((c) => c[name])), unitOfCurve(name));
-  const series = list.map((c, i) => ({ name: names[i], y: scaled(resampled(c, name, speeds), unit.divisor), colour: seriesColours[i % 7], dash: i >= 7 || options.dashes && i === 0 ? [6, 4] : undefined }));
+  const series = list.map((c, i) => ({ name: names[i], y: scaled(resampled(c, name, speeds), unit.divisor), colour: seriesColours[i % 7], dash: seriesDash(i) }));
   const marks = list.flatMap((c, i) => curveMarks(c, name, speedUnit, unit, list.length <= 2 && (list.length === 1 || i === 1)).map((m) => ({ ...m, colour: list.length > 1 ? seriesColours[i % 7] : null })));
   const read = el('div', { class: 'read', 'aria-live': 'polite' });
   const plot = chart(node, scaled(speeds, speedUnit.divisor), series, {
@@ -72,6 +72,7 @@ const percentUnit = { text: '%', divisor: 0.01 };
 
 /** Output and losses of one curve. */
 function powerChart(node, curve, onSpeed) {
+  /** @type {any[][]} */
   const parts = [['output_power', 'output', 'c0'], ['friction_power', 'friction loss', 'c1', [7, 4]], ['layer_loss', 'layer loss', 'c2', [2, 3]]];
   if (largest([curve.stator_loss]) > 0) parts.push(['stator_loss', 'stator loss', 'c3', [10, 3, 2, 3]]);
   const unit = displayUnit(largest(parts.map(([name]) => curve[name])), 'W');
@@ -102,20 +103,21 @@ function curveSection(list, names, title, note) {
   const torque = card(title || 'Torque', note || 'Move along the curve with the mouse, a finger, or the arrow keys: the fields in the contact follow.', 'half');
   let viewer = null;
   const onSpeed = (speed) => viewer && viewer.show(speed);
-  if (list.length > 1) torque.append(legend(names.map((name, i) => ({ name, colour: seriesColours[i % 7] }))));
+  if (list.length > 1) torque.append(legend(names.map(seriesEntry)));
   curvesChart(torque, list, names, 'torque', 'torque', { onSpeed });
   if (list.length === 1) powerChart(card('Power and losses', 'What the contact gives to the rotor, and where the rest goes.', 'half'), list[0], onSpeed);
   else {
     const power = card('Output power', 'Peak power is marked.', 'half');
-    power.append(legend(names.map((name, i) => ({ name, colour: seriesColours[i % 7] }))));
+    power.append(legend(names.map(seriesEntry)));
     curvesChart(power, list, names, 'output_power', 'output power', { onSpeed });
   }
-  const efficiency = card('Efficiency', null, 'half');
-  if (list.length > 1) efficiency.append(legend(names.map((name, i) => ({ name, colour: seriesColours[i % 7] }))));
+  const damped = list.some((c) => largest([c.stator_loss]) > 0);
+  const efficiency = card(damped ? 'Efficiency' : 'Contact efficiency', damped ? 'Of the whole motor: power lost in the vibrating stator is counted.' : 'Of the contact alone: the motor names no modal damping, so that the stator loses nothing.', 'half');
+  if (list.length > 1) efficiency.append(legend(names.map(seriesEntry)));
   efficiencyChart(efficiency, list, names, onSpeed);
   if (list.length > 1) {
     const losses = card('Friction loss', 'Power that wears the contact.', 'half');
-    losses.append(legend(names.map((name, i) => ({ name, colour: seriesColours[i % 7] }))));
+    losses.append(legend(names.map(seriesEntry)));
     curvesChart(losses, list, names, 'friction_power', 'friction loss', { onSpeed });
   } else {
     const wear = card('Wear intensity', 'Friction power for each area of the track.', 'half');

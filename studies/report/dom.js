@@ -32,7 +32,13 @@ function colour(name) {
   return getComputedStyle(document.documentElement).getPropertyValue('--' + name).trim();
 }
 
+function isDark() { return matchMedia('(prefers-color-scheme: dark)').matches && !document.documentElement.dataset.print; }
+
 const seriesColours = ['c0', 'c1', 'c2', 'c3', 'c4', 'c5', 'c6'];
+
+/** The first five colours are apart for every eye; what follows is dashed besides. */
+function seriesDash(i) { return i >= 5 ? [7, 4] : undefined; }
+function seriesEntry(name, i) { return { name, colour: seriesColours[i % 7], kind: i >= 5 ? 'dash' : '' }; }
 
 /** Offers a text as a file. */
 function save(name, text) {

@@ -3,6 +3,7 @@
 // Pressure, traction with its bounds, and surface velocities along the contact at one speed.
 
 const zoneColours = { 1: 'slip-plus', 0: 'stick', '-1': 'slip-minus' };
+const zoneNames = { 1: 'slip+', 0: 'stick', '-1': 'slip-' };
 const degree = Math.PI / 180;
 
 function readFields(curve) {
@@ -20,7 +21,7 @@ class FieldsViewer {
     this.title = title;
     this.frame = null;
     const degrees = Float64Array.from(fields.phase, (p) => p / degree);
-    const common = { x: { label: 'phase of the wave, crest at 0 [deg]', range: [degrees[0], degrees[degrees.length - 1]] }, height: 210, ground: (u) => this.ground(u) };
+    const common = { x: { label: 'phase of the wave, crest at 0 [deg]', range: [degrees[0], degrees[degrees.length - 1]] }, height: 210, ground: (u) => this.ground(u), front: (u) => this.front(u) };
     const pressureUnit = displayUnit(largest([fields.pressure]), 'Pa');
     this.tractionUnit = displayUnit(Math.max(fields.static * largest([fields.pressure])), 'Pa');
     this.velocityUnit = displayUnit(largest([fields.stator, ...fields.frames.map((f) => f.layer)]), 'm/s');
@@ -51,6 +52,22 @@ class FieldsViewer {
     ctx.restore();
   }
 
+  /** Names the zones that are wide enough for it: colours alone would not do for every eye. */
+  front(u) {
+    if (!this.frame) return;
+    const ctx = u.ctx;
+    ctx.save();
+    ctx.font = 11 * devicePixelRatio + 'px system-ui, "Liberation Sans", Arial, sans-serif';
+    ctx.textAlign = 'center';
+    ctx.textBaseline = 'top';
+    ctx.fillStyle = colour('ink');
+    for (const [state, from, to] of this.frame.zones) {
+      const [a, b] = [from, to].map((v) => u.valToPos(Math.min(Math.max(v / degree, u.scales.x.min), u.scales.x.max), 'x', true));
+      if (b - a > ctx.measureText(zoneNames[state]).width + 4) ctx.fillText(zoneNames[state], (a + b) / 2, u.bbox.top + 3 * devicePixelRatio);
+    }
+    ctx.restore();
+  }
+
   /** Shows the stored speed nearest to this one. */
   show(speed) {
     const frames = this.fields.frames;
@@ -58,7 +75,7 @@ class FieldsViewer {
     for (const frame of frames) if (Math.abs(frame.speed - speed) < Math.abs(best.speed - speed)) best = frame;
     if (best === this.frame) return;
     this.frame = best;
-    const zones = best.zones.map(([state]) => ['slip-', 'stick', 'slip+'][state + 1]).join(' / ');
+    const zones = best.zones.map(([state]) => zoneNames[state]).join(' / ');
     this.title.replaceChildren('at ', el('b', {}, engineering(best.speed, 'rad/s')), ': ' + zones);
     const list = (values, unit) => Array.from(values, (v) => v / unit.divisor);
     this.plots[0].redraw(false);
@@ -71,7 +88,7 @@ class FieldsViewer {
 function fieldsSection(list, names, chosen) {
   const all = list.map(readFields);
   if (!all.some(Boolean)) return null;
-  const node = card('In the contact', 'Stick and slip along one wave. Ground: what the zone does.', 'wide');
+  const node = card('In the contact', 'One contact of the wave at one speed: where the layer sticks to the stator, where it slips, and what that does. The colour of the ground names the zone.', 'wide');
   const title = el('div', { class: 'read', 'aria-live': 'polite', 'data-fields': 'title' });
   const slider = el('input', { type: 'range', min: 0, max: 1000, value: 700, 'aria-label': 'speed' });
   const choice = el('select', { 'aria-label': 'curve' }, names.map((name, i) => el('option', { value: i }, name)));
@@ -79,12 +96,20 @@ function fieldsSection(list, names, chosen) {
   let viewer = null;
   let speed = null;
   const at = () => { const f = viewer.fields.frames; return (f[f.length - 1].speed * slider.value) / 1000; };
+  // At peak power a contact does everything it can.
+  const start = (k) => {
+    const peak = list[k].metrics.speed_at_peak_power;
+    const last = viewer.fields.frames[viewer.fields.frames.length - 1].speed;
+    if (!(peak > 0 && peak < last)) return at();
+    slider.value = Math.round((1000 * peak) / last);
+    return peak;
+  };
   const build = (k) => {
     if (!all[k]) return;
     const panels = [el('div', {}), el('div', {}), el('div', {})];
     body.replaceChildren(el('div', { class: 'triple' }, panels[0], panels[1], panels[2]));
     viewer = new FieldsViewer(panels, all[k], title);
-    viewer.show(speed === null ? at() : speed);
+    viewer.show(speed === null ? start(k) : speed);
   };
   slider.addEventListener('input', () => { speed = at(); viewer.show(speed); });
   choice.addEventListener('change', () => build(Number(choice.value)));

@@ -8,33 +8,48 @@ const kindWords = { curve: 'torque-speed curves', sweep: 'sweep of designs', sen
 function memberValue(c) {
   const { parameter, unit } = summary.family;
   const shown = displayUnit(largest([summary.curves.map((m) => m[parameter])]), unit);
-  return rounded(c[parameter] / shown.divisor) + (shown.text ? ' ' + shown.text : '');
+  return rounded(c[parameter] / shown.divisor) + (shown.text ? noBreak + shown.text : '');
 }
 
 function curvePage() {
   const shown = summary.curves.map((c, i) => [c, curves[i]]).filter(([, c]) => c);
   const names = shown.map(([c]) => (summary.family ? plain(summary.family.parameter) + ' ' + memberValue(c) : data.motor.name || 'motor'));
   curveSection(shown.map(([, c]) => c), names);
-  card('Metrics', null, 'wide').append(valuesTable('metrics', 'metric', Object.keys(summary.curves[0].metrics), summary.curves.map((c, i) => ({ name: names[i] || String(i + 1), values: c.metrics }))));
+  card('Metrics', metricsNote(Object.keys(summary.curves[0].metrics)), 'wide').append(valuesTable('metrics', 'metric', Object.keys(summary.curves[0].metrics), summary.curves.map((c, i) => ({ name: names[i] || String(i + 1), values: c.metrics }))));
 }
 
 const pages = { curve: curvePage, sweep: sweepPage, sensitivity: sensitivityPage, optimize: searchPage, size: searchPage, pareto: paretoPage, uncertainty: uncertaintyPage, calibrate: calibratePage };
 
+const outcomeWords = { optimal: 'a certified optimum', feasible: 'keeps the limits, not shown to be best', infeasible: 'no design keeps the limits', budget: 'stopped by its budget', failed: 'nothing could be computed', done: 'complete', fitted: 'the motor follows the points', poor: 'the motor does not follow the points', 'at-bounds': 'every parameter at an end of its range', interrupted: 'interrupted' };
+
+function outcomeText() {
+  if (summary.outcome === 'optimal') return { pareto: 'every point certified', calibrate: 'best fit (local)' }[summary.kind] || 'certified local optimum';
+  return outcomeWords[summary.outcome] || summary.outcome;
+}
+
 function facts() {
   const failed = Object.values(summary.failures).reduce((a, b) => a + b, 0);
-  const list = [['outcome', summary.outcome], ['evaluations', String(summary.evaluations)], ['without answer', String(failed)]];
+  const list = [['outcome', outcomeText()], ['motors computed', String(summary.evaluations)], ['of these without a full answer', String(failed)]];
   return el('div', { class: 'facts' }, list.map(([name, value]) => el('div', {}, el('span', {}, name), el('strong', {}, value))));
 }
 
 function failuresCard() {
   if (!summary.failure_regions.length) return;
-  const where = (r) => Object.entries(r.where).filter(([, v]) => v.low !== null).map(([n, v]) => plain(n) + ' ' + engineering(v.low, unitOf(n)) + (v.high > v.low ? ' to ' + engineering(v.high, unitOf(n)) : '')).join(', ');
-  card('Designs without a full answer', 'They are counted and enter nothing else.', 'wide').append(table('failures', ['reason', 'count', 'where'], summary.failure_regions.map((r) => [words(r.reason), { text: String(r.count), value: r.count }, words(where(r))])));
+  const where = (r) => Object.entries(r.where).filter(([, v]) => v.low !== null).map(([n, v]) => plain(n) + ' ' + (v.high > v.low ? between(v.low, v.high, unitOf(n)) : engineering(v.low, unitOf(n)))).join(', ');
+  card('Motors without a full answer', 'A number that was asked for does not exist for these motors, or could not be computed. They are counted here and enter nothing else.', 'wide').append(table('failures', ['reason', 'meaning', 'count', 'where'], summary.failure_regions.map((r) => [words(r.reason), words(failureText(r.reason)), { text: String(r.count), value: r.count }, words(where(r))])));
+}
+
+/** What the names on this page stand for. */
+function glossaryCard() {
+  const names = [...new Set([...rows.columns.map((c) => c.name), ...curves.filter(Boolean).flatMap((c) => Object.keys(c.metrics))].map((n) => n.replace(/\(.*$/s, '')))];
+  const lines = names.map((n) => [n, data.metrics[n] || data.parameters[n]]).filter(([, known]) => known).map(([n, known]) => [named(n), words(known.text), words(n)]);
+  if (!lines.length) return;
+  card('What the names mean', null, 'wide').append(el('details', {}, el('summary', {}, lines.length + ' names'), el('p', {}, efficiencyNote), table('names', ['name', 'what it is', 'as typed'], lines)));
 }
 
 function motorCard() {
   const names = Object.keys(data.motor.design);
-  const lines = names.map((n) => [words(plain(n)), words(data.parameters[n].symbol), quantity(data.motor.design[n], data.parameters[n].unit), words(data.parameters[n].text)]);
+  const lines = names.map((n) => [named(n), words(data.parameters[n].symbol), quantity(data.motor.design[n], data.parameters[n].unit), words(data.parameters[n].text)]);
   card('The motor of the study', data.motor.name, 'wide').append(table('motor', ['parameter', 'symbol', 'value', 'what it is'], lines));
 }
 
@@ -51,11 +66,13 @@ function build() {
   const page = document.getElementById('page');
   page.append(el('header', {}, el('h1', {}, summary.study), el('p', { class: 'of' }, (kindWords[summary.kind] || summary.kind) + (summary.motor ? ' of ' + summary.motor : ''))));
   const verdict = summary.outcome === 'interrupted' ? { look: 'bad', lines: [sentence(bold('This study was interrupted'), '; what is here is not all of it.')] } : verdicts[summary.kind]();
+  (summary.model_notes || []).forEach((note) => verdict.lines.push(sentence(bold('Mind the model: '), note.replace(/\b[a-z]+(_[a-z]+)+\b/g, plain), '.')));
   const top = card(null, null, 'wide', ...verdict.lines, facts());
   top.classList.add('verdict', verdict.look);
   pages[summary.kind]();
   failuresCard();
   motorCard();
+  glossaryCard();
   provenanceCard();
   page.dataset.ready = 'yes';
 }

@@ -43,6 +43,8 @@ class Parallel {
     this.canvas.height = this.height * ratio;
     this.canvas.style.width = this.width + 'px';
     this.canvas.style.height = this.height + 'px';
+    // A finger along an axis chooses; across it, it scrolls the page.
+    this.canvas.style.touchAction = this.upright ? 'pan-y' : 'pan-x';
     this.draw();
   }
 
@@ -156,7 +158,7 @@ class Parallel {
   listen() {
     let from = null;
     const value = (k, share) => this.ranges[k][0] + share * (this.ranges[k][1] - this.ranges[k][0]);
-    this.canvas.style.touchAction = 'none';
+    this.canvas.addEventListener('pointercancel', () => { from = null; });
     this.canvas.addEventListener('pointerdown', (e) => {
       const [far, k, share] = this.under(e);
       if (far > 24) return;

@@ -3,16 +3,42 @@
 // The front: goals against each other, the design along it, and the motor of the point chosen.
 
 function frontRole(i) {
-  const roles = summary.objectives.map((o, k) => (summary.ends[k] === i ? (o.sense === 'maximize' ? 'largest ' : 'smallest ') + plain(o.metric) : null));
+  const roles = summary.objectives.map((o, k) => (summary.ends[k] === i ? goalWords(o) : null));
   if (summary.knee === i) roles.push('knee');
   return roles.filter(Boolean).join(', ');
 }
 
+/**
+ * What holds a point of the front, and for which goals: at an end its own goal alone, since there the
+ * others have nothing to say; elsewhere each goal, with the others held where they are.
+ */
+function pointLimits(i) {
+  const ends = summary.objectives.flatMap((goal, k) => (summary.ends[k] === i && summary.alone && summary.alone[k] ? [{ goals: [goal], report: { ...summary.front[i], ...summary.alone[k] } }] : []));
+  return ends.length ? ends : [{ goals: summary.objectives, report: summary.front[i] }];
+}
+
+function othersWords() { return summary.objectives.length === 2 ? 'with the other goal where it is' : 'with the other goals where they are'; }
+
+/** The same as sentences and lists, of so many lines each. */
+function pointHolders(i, most) {
+  if (!summary.front[i].certificate.weights.length) return [sentence('This front was found without derivatives: what its limits are worth is not known.')];
+  return pointLimits(i).flatMap(({ goals, report }) => {
+    const of = goals.length > 1 ? 'this point' : 'the ' + goalWords(goals[0]);
+    if (!holders(report, goals).length && !wholeEnds(report).length) return [sentence('No limit stops ' + of + '.')];
+    return [sentence('What stops ' + of + (goals.length > 1 ? ' (each gain ' + othersWords() + '):' : ':')), holderList(report, goals, most)];
+  });
+}
+
+function goalWords(goal) { return (goal.sense === 'maximize' ? 'largest ' : 'smallest ') + plain(goal.metric); }
+
+/** A goal may be a parameter. */
+function frontValue(i, name) { return summary.front[i].metrics[name] ?? summary.front[i].design[name]; }
+
 /** Goals k and l of the front; a click, or Enter, chooses the point under the cursor. */
 function frontChart(node, k, l, choose) {
   const [a, b] = [summary.objectives[k].metric, summary.objectives[l].metric];
-  const order = summary.front.map((_, i) => i).sort((i, j) => summary.front[i].metrics[a] - summary.front[j].metrics[a]);
-  const values = (name) => order.map((i) => summary.front[i].metrics[name]);
+  const order = summary.front.map((_, i) => i).sort((i, j) => frontValue(i, a) - frontValue(j, a));
+  const values = (name) => order.map((i) => frontValue(i, name));
   const ua = displayUnit(largest([values(a)]), unitOf(a));
   const ub = displayUnit(largest([values(b)]), unitOf(b));
   const x = scaled(values(a), ua.divisor);
@@ -45,7 +71,7 @@ const front = { chosen: null };
 
 function chosenMotor(node, i) {
   const point = summary.front[i];
-  const goals = summary.objectives.map((o) => plain(o.metric) + ' ' + engineering(point.metrics[o.metric], unitOf(o.metric))).join(', ');
+  const goals = summary.objectives.map((o) => plain(o.metric) + ' ' + engineering(goalValue(point, o), unitOf(o.metric))).join(', ');
   node.replaceChildren(el('h2', {}, 'Point ' + (i + 1) + (frontRole(i) ? ': ' + frontRole(i) : '')), el('p', {}, goals + '. ' + certificateText(point.certificate)));
   const left = el('div', {});
   const right = el('div', {});
@@ -53,7 +79,12 @@ function chosenMotor(node, i) {
   const curve = curves[i];
   if (curve) curvesChart(left, [curve], ['torque'], 'torque', 'torque', {});
   right.append(valuesTable('point-' + (i + 1), 'parameter', Object.keys(point.design), [{ name: 'before', values: summary.before.design }, { name: 'this point', values: point.design }]));
-  if (point.constraints.length || point.bounds.length) right.append(el('h3', {}, 'Limits'), limitsTable(point, null));
+  for (const { goals, report } of pointLimits(i)) {
+    if (!report.constraints.length && !report.bounds.length) continue;
+    const note = goals.length > 1 ? 'Loosened by 1 %, a limit that binds changes one goal or the other as said, to first order, ' + othersWords() + '.'
+      : 'What would raise this end of the front further, whatever becomes of the other goals, to first order.';
+    node.append(el('h3', {}, goals.length > 1 ? 'What stops it' : 'What stops the ' + goalWords(goals[0])), el('p', {}, note), limitsTable(report, goals));
+  }
 }
 
 function paretoPage() {
@@ -70,10 +101,10 @@ function paretoPage() {
   card(null, null, 'wide').id = 'chosen';
   const designNames = Object.keys(summary.front[0].design);
   const names = [...summary.objectives.map((o) => o.metric), ...designNames.filter((n) => !summary.objectives.some((o) => o.metric === n))];
-  const columns = names.map((name) => ({ name, unit: unitOf(name), values: Float64Array.from(summary.front, (p) => p.design[name] ?? p.metrics[name] ?? NaN) }));
+  const columns = names.map((name) => ({ name, unit: unitOf(name), values: Float64Array.from(summary.front.map((_, i) => frontValue(i, name) ?? NaN)) }));
   const node = card('Along the front', 'One line for each point: goals, then what the design is made of. Drag along an axis to keep some points only; Escape shows all.', 'wide');
   const along = parallelChart(node, columns, new Filter(columns, summary.front.length), choose);
-  const lines = summary.front.map((p, i) => [words(String(i + 1) + (frontRole(i) ? ' (' + frontRole(i) + ')' : '')), ...columns.map((c) => quantity(c.values[i], c.unit))]);
+  const lines = summary.front.map((_, i) => [words(String(i + 1) + (frontRole(i) ? ' (' + frontRole(i) + ')' : '')), ...columns.map((c) => quantity(c.values[i], c.unit))]);
   card('The front as a table', null, 'wide').append(table('front', ['point', ...names.map(plain)], lines, ['point', ...columns.map((c) => c.name + ' [' + c.unit + ']')]));
   choose(summary.knee ?? 0);
 }

@@ -2,35 +2,19 @@
 'use strict';
 // optimize and size: before against after, limits, how the search went.
 
-function metricOfLimit(text) { return text.split(/<=|>=|==|<|>/)[0].trim(); }
-function isLowerLimit(text) { return text.includes('>'); }
-
-/** "+1.2 W", or nothing. */
-function gain(value, unit) {
-  if (value === null || !Number.isFinite(value) || value === 0) return '-';
-  return (value > 0 ? '+' : '') + engineering(value, unit, 3);
-}
-
-function limitState(c) {
-  if (c.violation === null) return words('cannot be reached', 'bad-word');
-  if (c.active) return words('binds', 'bad-word');
-  if (c.violation > 1e-6 * Math.abs(c.limit)) return words('broken by ' + engineering(c.violation, unitOf(metricOfLimit(c.text)), 3), 'bad-word');
-  return words('holds', 'good-word');
-}
-
-/** goalUnit null: several goals, so that there is no gain to name. */
-function limitsTable(report, goalUnit) {
-  const lines = report.constraints.map((c) => {
-    const unit = unitOf(metricOfLimit(c.text));
-    const slack = c.value === null ? null : isLowerLimit(c.text) ? c.value - c.limit : c.limit - c.value;
-    return [words(c.text), quantity(c.value, unit), limitState(c), { text: c.active ? gain(c.one_percent_buys, goalUnit) : '-', value: c.one_percent_buys }, { text: slack !== null && Math.abs(slack) <= 1e-6 * Math.abs(c.limit) ? '0' : engineering(slack, unit, 3), value: slack }, { text: rounded(c.multiplier), value: c.multiplier }];
-  });
-  for (const b of report.bounds) {
-    const unit = unitOf(b.variable);
-    lines.push([words(plain(b.variable) + (b.side === 'upper' ? ' at its largest' : ' at its smallest')), quantity(b.limit, unit), words('binds', 'bad-word'), { text: gain(b.one_percent_buys, goalUnit), value: b.one_percent_buys }, { text: '0', value: 0 }, { text: rounded(b.multiplier), value: b.multiplier }]);
-  }
-  if (goalUnit === null) return table('limits', ['limit', 'value', 'state', 'slack'], lines.map((l) => [...l.slice(0, 3), l[4]]), ['limit', 'value [SI]', 'state', 'slack [SI]']);
-  return table('limits', ['limit', 'value', 'state', '1 % looser buys', 'slack', 'multiplier (SI)'], lines, ['limit', 'value [SI]', 'state', 'one percent buys [SI]', 'slack [SI]', 'multiplier [SI]']);
+/** What each limit is doing, and what moving it by 1 % changes; with one goal also its multiplier. */
+function limitsTable(report, goals) {
+  const one = goals.length === 1;
+  const header = ['limit', 'state', 'value', 'to spare', '1 % looser is', ...goals.map((g) => 'changes ' + plain(g.metric) + ' by'), ...(one ? ['worth', 'multiplier'] : [])];
+  const csvHeader = ['limit', 'state', 'value [SI]', 'to spare [SI]', '1 % looser is [SI]', ...goals.map((g) => 'changes ' + g.metric + ' by [' + unitOf(g.metric) + ']'), ...(one ? ['multiplier [SI]', 'multiplier in'] : [])];
+  const list = standings(report, goals);
+  const lines = list.map((s) => [{ text: s.name, value: s.key, words: true }, words(s.state, s.state === 'holds' ? 'good-word' : 'bad-word'), quantity(s.value, s.unit), s.slack === 0 ? { text: '0', value: 0 } : quantity(s.slack, s.unit, 3),
+    ...(s.active ? [quantity(s.moved, s.unit), ...goals.map((g, k) => ({ text: signed(s.changes[k], unitOf(g.metric)), value: s.changes[k] }))] : [{ text: '-', value: null }, ...goals.map(() => ({ text: '-', value: null }))]),
+    ...(one ? [{ text: s.active ? rateWords(s, goals[0]) : '-', value: s.multiplier }, { text: s.active ? rounded(s.multiplier) + ' ' + ratioUnit(unitOf(goals[0].metric), s.unit) : '-', value: s.multiplier }] : [])]);
+  const node = table('limits', header, lines);
+  const plainLine = (s, l) => [s.key, s.state, ...l.slice(2, 5 + goals.length).map((c) => c.value), ...(one ? [s.multiplier, ratioUnit(unitOf(goals[0].metric), s.unit)] : [])];
+  node.lastChild.replaceWith(saveButton('limits', () => csvText(csvHeader, list.map((s, i) => plainLine(s, lines[i])))));
+  return node;
 }
 
 /** Objective of every evaluation that keeps all limits, and the best so far. */
@@ -38,8 +22,7 @@ function convergence(node) {
   const goal = summary.objective;
   const column = rows.columns.find((c) => c.name === goal.metric);
   if (!column || rows.count < 2) return;
-  const limits = summary.best.constraints.map((c) => ({ column: rows.columns.find((r) => r.name === metricOfLimit(c.text)), least: isLowerLimit(c.text), limit: c.limit })).filter((l) => l.column);
-  const keeps = (i) => limits.every((l) => { const v = l.column.values[i]; const slack = 1e-6 * Math.abs(l.limit); return l.least ? v >= l.limit - slack : v <= l.limit + slack; });
+  const keeps = keepsLimits(summary.best);
   const unit = displayUnit(largest([column.values]), column.unit);
   const n = rows.count;
   const inside = new Float64Array(n).fill(NaN);
@@ -59,7 +42,7 @@ function convergence(node) {
 
 function stagesTable() {
   const unit = unitOf(summary.objective.metric);
-  return table('starts', ['run', 'solver', 'it said', summary.objective.metric, 'keeps the limits', 'evaluations'],
+  return table('starts', ['run', 'solver', 'it said', plain(summary.objective.metric), 'keeps the limits', 'evaluations'],
     summary.stages.map((s) => [words(s.stage), words(s.solver), words(s.word), quantity(s.objective, unit), words(s.feasible ? 'yes' : 'no', s.feasible ? 'good-word' : 'bad-word'), { text: String(s.evaluations), value: s.evaluations }]));
 }
 
@@ -67,29 +50,63 @@ function relaxationCard() {
   const r = summary.relaxation;
   if (!r) return;
   const node = card('What would make it possible', 'How far each limit has to give way: all together, and if it is the only one.', 'wide');
-  const lines = r.limits.map((l) => { const unit = unitOf(metricOfLimit(l.text)); return [words(l.text), quantity(l.limit, unit), quantity(l.amount, unit), l.alone === null ? words('does not help alone') : quantity(l.alone, unit)]; });
-  node.append(table('relaxation', ['limit', 'asked for', 'give way by, all together', 'by, this one alone'], lines));
+  const lines = r.limits.map((l) => { const unit = unitOf(metricOfLimit(l.text)); return [{ text: limitWords(l.text), value: l.text, words: true }, quantity(l.limit, unit), quantity(l.amount, unit), l.alone === null ? words('does not help alone') : quantity(l.alone, unit)]; });
+  node.append(table('relaxation', ['limit', 'asked for', 'to loosen, all together', 'to loosen, this one alone'], lines));
 }
 
+const globalSolver = /nlopt:(isres|crs2|esch|.*direct|.*mlsl|stogo|ags)/;
+
+/** What the word "optimal" rests on. */
 function certificateText(certificate) {
-  return certificate.passed ? 'Certified by an independent check: no feasible change improves it to first order (stationarity ' + rounded(certificate.stationarity, 2) + ').' : 'Not certified as an optimum: ' + certificate.reason;
+  if (certificate.passed) return 'Certified by exact derivatives, whatever the solver said: no small change within the limits improves it (what is left of the slope, relative to the slope: ' + rounded(certificate.stationarity, 2) + ').';
+  return 'Not certified as an optimum' + (certificate.reason ? ': ' + certificate.reason : '') + '.';
+}
+
+/** How many runs came to the best value, and so how far "local" can be trusted. */
+function startsText() {
+  const best = goalValue(summary.best, summary.objective);
+  const runs = summary.stages.filter((s) => s.solver);
+  if (best === null || !runs.length) return '';
+  const same = runs.filter((s) => s.feasible && Math.abs(s.objective - best) <= 1e-6 * Math.abs(best)).length;
+  const wide = runs.filter((s) => globalSolver.test(s.solver)).length;
+  const whole = Object.keys(summary.best.design).filter((n) => (data.parameters[n] || {}).integer);
+  return 'It is a local optimum: ' + (runs.length === 1 ? 'the one run of a solver ended there' : same + ' of ' + runs.length + ' runs of solvers from different starts' + (whole.length ? ' and whole numbers' : '') + ' ended at this value, none within the limits at a better one')
+    + (wide ? ', ' + (wide === 1 ? 'one' : wide) + ' of them a global search' : '') + '. A better design far from all of them cannot be ruled out.'
+    + (whole.length ? ' Whole numbers (' + whole.map(plain).join(', ') + ') are held in each run: the limits above are worth so much at the numbers found.' : '');
+}
+
+const efficiencyNote = 'Contact efficiency is the rotor\'s output over the power that the stator gives to the contact; efficiency counts the power lost in the vibrating stator as well, so it is the smaller one.';
+
+/** Why the contact efficiency is above the efficiency, where both are shown. */
+function metricsNote(names) {
+  return names.some((n) => n.startsWith('contact_efficiency')) && names.some((n) => /^(max_)?efficiency/.test(n)) ? efficiencyNote : null;
+}
+
+/** Before and after, and the range that the search had. */
+function designTable(names, columns) {
+  const range = (n) => (Object.hasOwn(data.ranges || {}, n) ? data.ranges[n] : null);
+  const ends = (n) => { const r = range(n); return r === null ? words('') : words(between(r.min, r.max, unitOf(n))); };
+  const lines = names.map((n) => [named(n), ...columns.map((c) => quantity(c.values[n], unitOf(n))), ends(n)]);
+  const node = table('design', ['parameter', ...columns.map((c) => c.name), 'range'], lines);
+  node.lastChild.replaceWith(saveButton('design', () => csvText(['parameter', 'SI unit', ...columns.map((c) => c.name), 'smallest', 'largest'], names.map((n) => [n, unitOf(n), ...columns.map((c) => c.values[n]), range(n)?.min, range(n)?.max]))));
+  return node;
 }
 
 function searchPage() {
   relaxationCard();
   if (!summary.best) return;
-  const goalUnit = unitOf(summary.objective.metric);
   const names = Object.keys(summary.best.design);
-  const limits = card('What stops it', 'Letting a limit that binds give way changes the goal; the others can be forgotten.', 'wide');
-  limits.append(limitsTable(summary.best, goalUnit));
+  const limits = card('What stops it', 'A limit that binds holds the design back; loosened by 1 % it changes the ' + plain(summary.objective.metric) + ' as said, to first order, with everything else chosen anew. The others have room.', 'wide');
+  limits.append(limitsTable(summary.best, [summary.objective]));
   const design = card('The design', 'What the search was free to change.', 'half');
   const columns = [{ name: 'before', values: summary.before.design }, { name: 'best', values: summary.best.design }];
-  design.append(valuesTable('design', 'parameter', names, columns));
-  const metrics = card('Metrics', null, 'half');
-  metrics.append(valuesTable('metrics', 'metric', Object.keys(summary.best.metrics), [{ name: 'before', values: summary.before.metrics }, { name: 'best', values: summary.best.metrics }]));
+  design.append(designTable(names, columns));
+  const metricNames = Object.keys(summary.best.metrics);
+  const metrics = card('Metrics', metricsNote(metricNames), 'half');
+  metrics.append(valuesTable('metrics', 'metric', metricNames, [{ name: 'before', values: summary.before.metrics }, { name: 'best', values: summary.best.metrics }]));
   const labels = { before: 'before', best: 'best design' };
   const list = curves.filter(Boolean);
   if (list.length) curveSection(list, list.map((c) => labels[c.label]), 'Torque: before and after');
-  convergence(card('How the search went', certificateText(summary.best.certificate), 'half'));
-  card('The starts', 'Each run of a solver, and what it said of itself.', 'half').append(stagesTable());
+  convergence(card('How the search went', 'Every motor that was computed, in order.', 'half'));
+  card('The starts', 'Each run of a solver, and what it said of itself. ' + (summary.relaxation ? '' : certificateText(summary.best.certificate)), 'half short').append(stagesTable());
 }

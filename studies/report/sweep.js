@@ -20,7 +20,7 @@ class DesignView {
 
   show(i) {
     if (i < 0) return;
-    const lines = this.columns.map((c) => el('tr', {}, el('td', {}, plain(c.name)), el('td', {}, engineering(c.values[i], c.unit))));
+    const lines = this.columns.map((c) => el('tr', {}, el('td', { title: describe(c.name) }, plain(c.name)), el('td', {}, engineering(c.values[i], c.unit))));
     const status = rows.statuses[rows.status[i]];
     this.body.replaceChildren(el('p', {}, 'Design ' + (i * rows.every + 1) + (status === 'ok' ? '' : ': ' + status)), el('table', {}, el('tbody', {}, lines)));
     this.curve(i);
@@ -108,15 +108,16 @@ function designsTable(filter, view) {
   return node;
 }
 
-function chooser(columns, at, label, change) {
-  const node = el('select', { 'aria-label': label, onchange: () => change(Number(node.value)) }, columns.map((c, i) => el('option', { value: i }, plain(c.name))));
+/** none: a word for no column, whose number is -1. */
+function chooser(columns, at, label, change, none) {
+  const node = el('select', { 'aria-label': label, onchange: () => change(Number(node.value)) }, none ? el('option', { value: -1 }, none) : null, columns.map((c, i) => el('option', { value: i }, plain(c.name))));
   node.value = at;
   return el('label', {}, label + ' ', node);
 }
 
 function spreadTable() {
   const names = Object.keys(summary.metrics);
-  return table('spread', ['metric', 'lowest', 'median', 'highest', 'designs'], names.map((n) => { const m = summary.metrics[n]; const u = unitOf(n); return [words(n), quantity(m.min, u), quantity(m.median, u), quantity(m.max, u), { text: String(m.count), value: m.count }]; }), ['metric', 'lowest [SI]', 'median [SI]', 'highest [SI]', 'designs']);
+  return table('spread', ['metric', 'lowest', 'median', 'highest', 'designs'], names.map((n) => { const m = summary.metrics[n]; const u = unitOf(n); return [named(n), quantity(m.min, u), quantity(m.median, u), quantity(m.max, u), { text: String(m.count), value: m.count }]; }), ['metric', 'lowest [SI]', 'median [SI]', 'highest [SI]', 'designs']);
 }
 
 function sweepPage() {
@@ -125,8 +126,8 @@ function sweepPage() {
   const metricNames = Object.keys(summary.metrics);
   const firstMetric = rows.columns.findIndex((c) => c.name === metricNames[0]);
   const secondMetric = rows.columns.findIndex((c) => c.name === metricNames[1]);
-  const state = { x: secondMetric >= 0 ? firstMetric : 0, y: secondMetric >= 0 ? secondMetric : firstMetric };
-  const scatterCard = card('Designs', 'Each point is a design. Drag to choose some; point at one to see its curve.', 'wide');
+  const state = { x: secondMetric >= 0 ? firstMetric : 0, y: secondMetric >= 0 ? secondMetric : firstMetric, colour: -1 };
+  const scatterCard = card('Designs', 'Each point is a design. Drag to choose some; point at one, or step through them with the arrow keys, to see its curve. Two variables and the colour of a metric make a map.', 'wide');
   const left = el('div', {});
   const right = el('div', {});
   const tools = el('div', { class: 'tools' });
@@ -136,23 +137,23 @@ function sweepPage() {
   const view = new DesignView(right, rows.columns);
   const build = () => {
     holder.replaceChildren();
-    state.plot = scatterChart(holder, filter, state.x, state.y, (i) => view.show(i));
+    state.plot = scatterChart(holder, filter, state.x, state.y, state.colour, (i) => view.show(i));
   };
   const first = summary.metrics[metricNames[0]];
   view.show(first && first.highest ? first.highest.row : 0);
   filter.onChange(() => state.plot.redraw(false));
-  tools.append(chooser(rows.columns, state.x, 'across', (k) => { state.x = k; build(); }), chooser(rows.columns, state.y, 'up', (k) => { state.y = k; build(); }));
+  tools.append(chooser(rows.columns, state.x, 'across', (k) => { state.x = k; build(); }), chooser(rows.columns, state.y, 'up', (k) => { state.y = k; build(); }), chooser(rows.columns, -1, 'colour', (k) => { state.colour = k; build(); }, 'none'));
   build();
-  heatCard(filter, view);
+  heatCard(view);
   const parallelCard = card('Every quantity at once', 'One line for each design. Drag along an axis to keep an interval; click the axis to free it; Escape frees all.', 'wide');
   parallelChart(parallelCard, rows.columns, filter, null);
-  card('Filters', 'Limits in the units shown.', 'half').append(filterBoxes(filter));
+  card('Filters', 'Keep the designs within these limits, in the units shown; every view follows.', 'half filters').append(filterBoxes(filter));
   card('Spread of the metrics', null, 'half').append(spreadTable());
   card('The designs', null, 'wide').append(designsTable(filter, view));
 }
 
-/** True if the metric depends on a variable where the other one is held. */
-function changesAlong(variable, held, metric) {
+/** True if the metric changes where this variable is held. */
+function changesAt(held, metric) {
   const seen = new Map();
   for (let i = 0; i < rows.count; ++i) {
     const before = seen.get(held.values[i]);
@@ -162,7 +163,7 @@ function changesAlong(variable, held, metric) {
   return false;
 }
 
-function heatCard(filter, view) {
+function heatCard(view) {
   const metricNames = Object.keys(summary.metrics);
   const variables = rows.columns.filter((c) => !metricNames.includes(c.name));
   if (summary.sampling !== 'grid' || variables.length !== 2) return;
@@ -172,7 +173,7 @@ function heatCard(filter, view) {
   const holder = el('div', {});
   const metrics = rows.columns.filter((c) => metricNames.includes(c.name));
   const build = (k) => { holder.replaceChildren(); heatMap(holder, variables[0], variables[1], metrics[k], (i) => view.show(i)); };
-  const first = Math.max(0, metrics.findIndex((m) => variables.every((v) => changesAlong(v, variables.find((o) => o !== v), m))));
+  const first = Math.max(0, metrics.findIndex((m) => variables.every((v) => changesAt(v, m))));
   node.append(el('div', { class: 'tools' }, chooser(metrics, first, 'metric', build)), holder);
   build(first);
 }

@@ -2,54 +2,149 @@
 'use strict';
 // Spread over tolerances: histograms with quantiles and limits, yield.
 
-function limitOn(metric) {
-  return (summary.limits || []).map((l) => l.text).filter((t) => metricOfLimit(t) === metric);
+/** Limits on a metric, with their value [SI]; results of earlier versions name no value. */
+function limitsOn(metric) {
+  return (summary.limits || []).filter((l) => l.metric === metric && l.limit !== null);
+}
+
+function keeps(limit, value) { return limit.sense === 'at least' ? value >= limit.limit : value <= limit.limit; }
+
+/** Share of the motors on this page that keep every limit, one of them moved. */
+function yieldWith(moved, limit) {
+  const columns = summary.limits.map((l) => rows.columns.find((c) => c.name === l.metric));
+  if (!rows.count || columns.some((c) => !c)) return null;
+  let good = 0;
+  for (let i = 0; i < rows.count; ++i) good += summary.limits.every((l, k) => keeps(l === moved ? { ...l, limit } : l, columns[k].values[i])) ? 1 : 0;
+  return good / rows.count;
+}
+
+/** Each limit: what it costs, and what 1 % of it would bring. */
+function yieldList() {
+  const list = [...summary.limits].sort((a, b) => a.kept.value - b.kept.value);
+  return el('ul', { class: 'holders' }, list.map((l) => {
+    const kept = [bold(limitWords(l.text)), ': kept by ' + percent(l.kept.value, 4) + ' of the motors'];
+    if (l.metric === undefined || l.limit === null) return el('li', {}, kept, '.');
+    const moved = l.limit + (l.sense === 'at least' ? -0.01 : 0.01) * Math.abs(l.limit);
+    const then = yieldWith(l, moved);
+    if (then !== null && Math.abs(then - summary.yield.value) < 0.5 / summary.samples) return el('li', {}, kept, '; loosening it by 1 % changes nothing.');
+    return el('li', {}, kept, then === null ? '.' : ['; 1 % looser, at ' + engineering(moved, unitOf(l.metric)) + ', the yield is ', bold(percent(then, 4)), '.']);
+  }));
+}
+
+/** Bins over a column; a limit is the edge of one, so that no bar is on both sides. */
+function binsOf(finite, limits) {
+  let [low, high] = [Infinity, -Infinity];
+  for (const v of finite) { low = Math.min(low, v); high = Math.max(high, v); }
+  const count = Math.min(60, Math.max(8, Math.ceil(Math.sqrt(finite.length) / 1.5)));
+  const width = (high - low) / count;
+  const anchor = limits.length ? limits[0].limit : low;
+  const first = Math.floor((low - anchor) / width + 1e-9);
+  const last = Math.max(Math.ceil((high - anchor) / width - 1e-9), first + 1);
+  return { low, high, width, count: last - first, edge: (i) => anchor + (first + i) * width };
+}
+
+/** How many motors of each bin keep the limits on this metric, and how many do not. */
+function countBins(finite, bins, limits) {
+  const kept = new Float64Array(bins.count + 1);
+  const failed = new Float64Array(bins.count + 1);
+  for (const v of finite) {
+    const at = Math.min(Math.max(Math.floor((v - bins.edge(0)) / bins.width), 0), bins.count - 1);
+    (limits.every((l) => keeps(l, v)) ? kept : failed)[at] += 1;
+  }
+  // A bar of no height would still draw its foot.
+  const bars = (counts) => counts.map((n, i) => (n > 0 && i < bins.count ? n : NaN));
+  const all = kept.map((n, i) => n + failed[i]);
+  return { kept: bars(kept), failed: bars(failed), all };
+}
+
+function upright(u, value, name, dash) {
+  const x = u.valToPos(value, 'x', true);
+  u.ctx.strokeStyle = colour(name);
+  u.ctx.lineWidth = (dash ? 1.5 : 2.5) * devicePixelRatio;
+  u.ctx.setLineDash(dash ? [5 * devicePixelRatio, 4 * devicePixelRatio] : []);
+  u.ctx.beginPath(); u.ctx.moveTo(x, u.bbox.top); u.ctx.lineTo(x, u.bbox.top + u.bbox.height); u.ctx.stroke();
+}
+
+/** The side of a limit on which motors fail, hatched. */
+function hatch(u, from, to) {
+  const { left, top, width, height } = u.bbox;
+  const a = Math.min(Math.max(u.valToPos(from, 'x', true), left), left + width);
+  const b = Math.min(Math.max(u.valToPos(to, 'x', true), left), left + width);
+  if (!(b > a)) return;
+  u.ctx.save();
+  u.ctx.beginPath(); u.ctx.rect(a, top, b - a, height); u.ctx.clip();
+  u.ctx.globalAlpha = 0.35;
+  u.ctx.strokeStyle = colour('c1');
+  u.ctx.lineWidth = devicePixelRatio;
+  u.ctx.beginPath();
+  for (let x = a - height; x < b; x += 9 * devicePixelRatio) { u.ctx.moveTo(x, top + height); u.ctx.lineTo(x + height, top); }
+  u.ctx.stroke();
+  u.ctx.restore();
+}
+
+/** Range of the axis: the motors, and a limit unless it is far from all of them. */
+function histogramRange(bins, limits) {
+  const span = bins.high - bins.low;
+  const near = limits.map((l) => l.limit).filter((v) => v > bins.low - span && v < bins.high + span);
+  const pad = 0.04 * span;
+  return [Math.min(bins.edge(0), ...near.map((v) => v - pad)), Math.max(bins.edge(bins.count), ...near.map((v) => v + pad))];
 }
 
 function histogram(node, column, info) {
   const finite = column.values.filter(Number.isFinite);
   if (!finite.length) { node.append(el('p', {}, 'No motor has a value.')); return; }
   const unit = displayUnit(largest([finite]), column.unit);
-  let [low, high] = [Infinity, -Infinity];
-  for (const v of finite) { low = Math.min(low, v); high = Math.max(high, v); }
-  if (low === high) { node.append(el('p', {}, 'The same in every motor: ' + engineering(low, column.unit) + '.')); return; }
-  const bins = Math.min(60, Math.max(8, Math.ceil(Math.sqrt(finite.length) / 1.5)));
-  const width = (high - low) / bins;
-  const counts = new Float64Array(bins + 1);
-  for (const v of finite) counts[Math.min(bins - 1, Math.floor((v - low) / width))] += 1;
-  counts[bins] = NaN;
-  const edges = Float64Array.from({ length: bins + 1 }, (_, i) => (low + i * width) / unit.divisor);
-  const lines = Object.entries(info.quantiles || {}).map(([p, v]) => ({ value: v / unit.divisor, name: rounded(100 * Number(p)) + ' %' }));
+  const limits = limitsOn(column.name);
+  const bins = binsOf(finite, limits);
+  if (bins.low === bins.high) { node.append(el('p', {}, 'The same in every motor: ' + engineering(bins.low, column.unit) + '.')); return; }
+  const { kept, failed, all } = countBins(finite, bins, limits);
+  const edges = Float64Array.from({ length: bins.count + 1 }, (_, i) => bins.edge(i) / unit.divisor);
+  const range = histogramRange(bins, limits).map((v) => v / unit.divisor);
+  const quantiles = Object.entries(info.quantiles || {}).map(([p, v]) => ({ value: v / unit.divisor, name: rounded(100 * Number(p)) + ' %' }));
   const read = el('div', { class: 'read' });
-  chart(node, edges, [{ name: 'motors', y: counts, colour: 'c0', bars: true }], {
-    name: 'histogram ' + column.name, x: { label: axisLabel(column.name, unit), range: [edges[0], edges[bins]] }, y: { label: 'motors', range: [0, 1.12 * Math.max(...counts.slice(0, bins))] }, height: 240,
+  /** @type {any[]} */
+  const entries = [{ name: limits.length ? 'keeps the limit' : 'motors', colour: 'c0', kind: 'area' }];
+  if (limits.length) entries.push({ name: 'breaks it', colour: 'c1', kind: 'area' }, { name: 'limit', colour: 'c1' });
+  node.append(legend([...entries, { name: 'quantile', colour: 'ink', kind: 'dash' }]));
+  chart(node, edges, [{ name: 'keeps', y: kept, colour: 'c0', bars: true }, { name: 'breaks', y: failed, colour: 'c1', bars: true }], {
+    name: 'histogram ' + column.name, x: { label: axisLabel(column.name, unit), range }, y: { label: 'motors', range: [0, 1.3 * Math.max(...all.slice(0, bins.count))] }, height: 250,
+    ground: (u) => { for (const l of limits) { if (l.sense === 'at least') hatch(u, range[0], l.limit / unit.divisor); else hatch(u, l.limit / unit.divisor, range[1]); } },
     front: (u) => {
-      const ctx = u.ctx;
-      ctx.save();
-      for (const l of lines) {
-        const x = u.valToPos(l.value, 'x', true);
-        ctx.strokeStyle = colour('c1'); ctx.lineWidth = 1.5 * devicePixelRatio; ctx.setLineDash([5 * devicePixelRatio, 4 * devicePixelRatio]);
-        ctx.beginPath(); ctx.moveTo(x, u.bbox.top); ctx.lineTo(x, u.bbox.top + u.bbox.height); ctx.stroke();
-      }
-      ctx.restore();
+      u.ctx.save();
+      for (const q of quantiles) upright(u, q.value, 'ink', true);
+      for (const l of limits) upright(u, l.limit / unit.divisor, 'c1', false);
+      u.ctx.restore();
       const taken = [];
-      for (const l of lines) drawLabel(u, l.name, u.valToPos(l.value, 'x', true) - 4 * devicePixelRatio, u.bbox.top + 20 * devicePixelRatio, taken);
+      const label = (text, value, line) => drawLabel(u, text, u.valToPos(value, 'x', true) - 4 * devicePixelRatio, u.bbox.top + (14 + line) * devicePixelRatio, taken);
+      for (const l of limits) if (l.limit / unit.divisor > range[0] && l.limit / unit.divisor < range[1]) label((l.sense === 'at least' ? '≥ ' : '≤ ') + engineering(l.limit, column.unit), l.limit / unit.divisor, 0);
+      for (const q of quantiles) label(q.name, q.value, 18);
     },
-    onMove: (i) => { if (i === null || i >= bins) { read.replaceChildren(); return; } readout(read, [['between', rounded(edges[i]) + ' and ' + rounded(edges[i + 1]) + ' ' + unit.text], ['motors', String(counts[i])]]); },
+    onMove: (i) => { if (i === null || i >= bins.count) { read.replaceChildren(); return; } readout(read, [['between', rounded(edges[i]) + ' and ' + rounded(edges[i + 1]) + ' ' + unit.text], ['motors', String(all[i])]]); },
   });
   node.append(read);
+}
+
+/** "Limit ≥ 0.75 N.m: kept by 99.1 % of the motors." */
+function histogramNote(name, info) {
+  const spread = 'Mean ' + engineering(info.mean, unitOf(name)) + ', standard deviation ' + engineering(info.sd, unitOf(name), 3) + '.';
+  const limits = (summary.limits || []).filter((l) => metricOfLimit(l.text) === name);
+  return spread + limits.map((l) => ' ' + capital(limitWords(l.text)) + ' is kept by ' + percent(l.kept.value, 4) + ' of the motors (' + percent(l.kept.low, 4) + ' to ' + percent(l.kept.high, 4) + ').').join('');
 }
 
 function uncertaintyPage() {
   const quantiles = Object.keys(Object.values(summary.metrics)[0]?.quantiles || {});
   for (const [name, info] of Object.entries(summary.metrics)) {
     const column = rows.columns.find((c) => c.name === name);
-    const limits = limitOn(name);
-    const node = card(plain(name), 'Mean ' + engineering(info.mean, unitOf(name)) + ', standard deviation ' + engineering(info.sd, unitOf(name), 3) + (limits.length ? '; limit ' + limits.join(', ') : '') + '. Dashed: quantiles.', 'half');
+    const node = card(capital(plain(name)), histogramNote(name, info), 'half');
     if (column) histogram(node, column, info);
   }
-  const lines = Object.entries(summary.metrics).map(([n, m]) => [words(n), quantity(m.mean, unitOf(n)), quantity(m.sd, unitOf(n)), ...quantiles.map((q) => quantity(m.quantiles[q], unitOf(n))), { text: String(m.missing), value: m.missing }]);
-  card('Spread', null, 'wide').append(table('spread', ['metric', 'mean', 'standard deviation', ...quantiles.map((q) => rounded(100 * Number(q)) + ' %'), 'without value'], lines));
-  if (summary.limits) card('Limits', null, 'half').append(table('limits', ['limit', 'kept by', 'at least', 'at most'], summary.limits.map((l) => [words(l.text), { text: percent(l.kept.value, 4), value: l.kept.value }, { text: percent(l.kept.low, 4), value: l.kept.low }, { text: percent(l.kept.high, 4), value: l.kept.high }])));
+  const lines = Object.entries(summary.metrics).map(([n, m]) => [named(n), quantity(m.mean, unitOf(n)), quantity(m.sd, unitOf(n)), ...quantiles.map((q) => quantity(m.quantiles[q], unitOf(n))), { text: String(m.missing), value: m.missing }]);
+  card('Spread', null, 'wide').append(table('spread', ['metric', 'mean', 'standard deviation', ...quantiles.map((q) => rounded(100 * Number(q)) + ' %'), 'motors without a value'], lines));
+  if (summary.limits) {
+    const share = (v) => ({ text: percent(v, 4), value: v });
+    const line = (name, e) => [name, share(e.value), share(e.low), share(e.high)];
+    card('Yield', 'Share of the motors, with the ends of its ' + percent(summary.confidence) + ' interval.', 'half').append(table('yield', ['limit', 'kept by', 'at least', 'at most'],
+      [...summary.limits.map((l) => line({ text: limitWords(l.text), value: l.text, words: true }, l.kept)), line(words('all of them'), summary.yield)]));
+  }
   motorCurve();
 }

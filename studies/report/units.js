@@ -2,7 +2,11 @@
 'use strict';
 // Values as engineers write them: the prefix that leaves one to three digits before the point, speeds in rpm.
 
+/** @type {[string, number][]} */
 const prefixes = [['T', 1e12], ['G', 1e9], ['M', 1e6], ['k', 1e3], ['', 1], ['m', 1e-3], ['u', 1e-6], ['n', 1e-9], ['p', 1e-12]];
+
+/** Between a number and its unit: they stay on one line. */
+const noBreak = '\u00a0';
 
 /** Unit in which a value of this size is shown, and the SI value of one of it. */
 function displayUnit(size, unit) {
@@ -32,14 +36,15 @@ function rounded(value, digits = 4) {
 function engineering(value, unit, digits = 4) {
   if (value === null || value === undefined || !Number.isFinite(value)) return '-';
   const shown = displayUnit(value, unit);
-  return rounded(value / shown.divisor, digits) + (shown.text ? ' ' + shown.text : '');
+  return rounded(value / shown.divisor, digits) + (shown.text ? noBreak + shown.text : '');
+}
+
+/** "0.8 to 2.2 um" */
+function between(low, high, unit) {
+  const shown = displayUnit(Math.max(Math.abs(low), Math.abs(high)), unit);
+  return rounded(low / shown.divisor) + ' to ' + rounded(high / shown.divisor) + (shown.text ? noBreak + shown.text : '');
 }
 
 function percent(share, digits = 3) {
-  return share === null || !Number.isFinite(share) ? '-' : rounded(100 * share, digits) + ' %';
+  return share === null || !Number.isFinite(share) ? '-' : rounded(100 * share, digits) + noBreak + '%';
 }
-
-/** "peak_power" as one reads it. */
-function plain(name) { return name.replace(/_/g, ' ').replace(/ ?\(/, ' ('); }
-
-function axisLabel(name, shown) { return plain(name) + (shown.text ? ' [' + shown.text + ']' : ''); }

@@ -5,25 +5,24 @@
 function bold(text) { return el('b', {}, text); }
 function sentence(...parts) { return el('p', {}, ...parts); }
 
-function designWords(design) {
-  return Object.entries(design).map(([n, v]) => plain(n) + ' ' + engineering(v, unitOf(n), 3)).join(', ');
-}
-
-/** Limits and ends of ranges that hold a design back, the most valuable first. */
-function holders(report, goalUnit) {
-  const list = [...report.constraints.filter((c) => c.active).map((c) => ({ name: c.text, gain: c.one_percent_buys })),
-    ...report.bounds.map((b) => ({ name: plain(b.variable) + (b.side === 'upper' ? ' at its largest, ' : ' at its smallest, ') + engineering(b.limit, unitOf(b.variable)), gain: b.one_percent_buys }))];
-  return list.sort((a, b) => Math.abs(b.gain ?? 0) - Math.abs(a.gain ?? 0)).map((h) => ({ ...h, text: gain(h.gain, goalUnit) }));
-}
+/** A list of lines, each of words and nodes. */
+function bullets(lines) { return el('ul', { class: 'holders' }, lines.map((line) => el('li', {}, line))); }
 
 /** Limits that no design satisfies, and the least that would do. */
 function relaxationVerdict() {
-  const conflict = summary.relaxation.conflict;
-  const least = summary.relaxation.limits.filter((l) => l.alone).map((l) => l.text + ' by ' + engineering(l.alone, unitOf(metricOfLimit(l.text)), 3));
+  const conflict = summary.relaxation.conflict.map(limitWords);
+  const least = summary.relaxation.limits.filter((l) => l.alone).map((l) => {
+    const unit = unitOf(metricOfLimit(l.text));
+    return limitWords(l.text) + ' by ' + engineering(l.alone, unit, 3) + ', to ' + engineering(l.limit + (isLowerLimit(l.text) ? -l.alone : l.alone), unit, 3);
+  });
   const why = conflict.length === 1 ? conflict[0] + ' is out of reach.' : conflict.length ? 'These cannot hold together: ' + conflict.join('; ') + '.' : '';
-  const cure = least.length === 0 ? 'No single limit that gives way is enough; see the table below.'
-    : least.length === 1 ? 'It would be possible if this one gave way: ' + least[0] + '.' : 'It would be possible if one of these gave way: ' + least.join('; or ') + '.';
+  const cure = least.length === 0 ? 'Loosening a single limit is not enough; the table below says what would be.'
+    : least.length === 1 ? 'It would be possible with this limit loosened: ' + least[0] + '.' : 'It would be possible with one of these limits loosened: ' + least.join('; or ') + '.';
   return { look: 'bad', lines: [sentence(bold('No design keeps every limit. '), why), sentence(cure)] };
+}
+
+function changeWords(now, before) {
+  return before ? ' (' + (now >= before ? '+' : '') + rounded(100 * (now / before - 1), 3) + ' %)' : '';
 }
 
 function searchVerdict() {
@@ -31,30 +30,47 @@ function searchVerdict() {
   const unit = unitOf(goal.metric);
   if (!summary.best) return { look: 'bad', lines: [sentence(bold('No design could be evaluated.'))] };
   if (summary.relaxation) return relaxationVerdict();
-  const now = summary.best.metrics[goal.metric] ?? summary.best.design[goal.metric];
-  const before = summary.before.metrics[goal.metric] ?? summary.before.design[goal.metric];
-  const change = before ? ' (' + (now >= before ? '+' : '') + rounded(100 * (now / before - 1), 3) + ' %)' : '';
-  const lines = [sentence('The best design has a ' + plain(goal.metric) + ' of ', bold(engineering(now, unit)), before === undefined || before === null ? '.' : ', against ' + engineering(before, unit) + ' before' + change + ': ' + designWords(summary.best.design) + '.')];
-  const held = holders(summary.best, unit);
-  if (held.length) {
-    lines.push(sentence('What stops it: ', bold(held[0].name), held.length > 1 ? ', then ' + held.slice(1, 4).map((h) => h.name).join('; ') : '', '.'));
-    if (held[0].text !== '-') lines.push(sentence('If that one gave way by 1 %, the ' + plain(goal.metric) + ' would change by ', bold(held[0].text), held.length > 1 && held[1].text !== '-' ? '; the next one would bring ' + held[1].text : '', '.'));
-    else lines.push(sentence('Moving it a little gains nothing to first order.'));
-  } else lines.push(sentence('No limit stops it: it is the best there is within the ranges.'));
-  if (!summary.best.certificate.passed) lines.push(sentence(certificateText(summary.best.certificate)));
+  const now = goalValue(summary.best, goal);
+  const before = goalValue(summary.before, goal);
+  const lines = [sentence('The best design found has a ' + plain(goal.metric) + ' of ', bold(engineering(now, unit)), before === null ? '' : ', against ' + engineering(before, unit) + ' before' + changeWords(now, before), ': ' + designWords(summary.best.design) + '.')];
+  const held = holders(summary.best, [goal]);
+  if (held.length || wholeEnds(summary.best).length) lines.push(sentence(held.length === 1 ? 'What stops it:' : 'What stops it, the most valuable limit first:'), holderList(summary.best, [goal]));
+  else lines.push(sentence('No limit stops it: it is the best there is within the ranges.'));
+  lines.push(sentence(summary.best.certificate.passed ? startsText() : certificateText(summary.best.certificate)));
   return { look: summary.outcome === 'optimal' ? 'good' : 'bad', lines };
+}
+
+/** What a step along the front costs, to the next points on both sides of the knee. */
+function tradeWords(i) {
+  if (summary.objectives.length !== 2) return null;
+  const [a, b] = summary.objectives;
+  const at = (k, goal) => goalValue(summary.front[k], goal);
+  const better = (goal) => (goal.sense === 'maximize' ? 'more' : 'less');
+  const worse = (goal) => (goal.sense === 'maximize' ? 'less' : 'more');
+  const unit = displayUnit(at(i, a), unitOf(a.metric));
+  const amount = '1 ' + unit.text;
+  const rate = (k) => engineering(Math.abs((at(k, b) - at(i, b)) / (at(k, a) - at(i, a))) * unit.divisor, unitOf(b.metric), 3);
+  const parts = [];
+  if (i > 0) parts.push(amount + ' ' + better(a) + ' ' + plain(a.metric) + ' is paid with ' + rate(i - 1) + ' ' + worse(b) + ' ' + plain(b.metric));
+  if (i + 1 < summary.front.length) parts.push(amount + ' ' + worse(a) + ' brings ' + rate(i + 1) + ' ' + better(b));
+  return 'There ' + parts.join('; ') + '.';
 }
 
 function paretoVerdict() {
   if (summary.relaxation) return relaxationVerdict();
   if (!summary.front.length) return { look: 'bad', lines: [sentence(bold('No point of the front was found.'))] };
-  const values = (i) => summary.objectives.map((o) => plain(o.metric) + ' ' + engineering(summary.front[i].metrics[o.metric], unitOf(o.metric), 3)).join(' with ');
-  const knee = summary.front[summary.knee];
-  const held = holders(knee, '1');
-  return { look: 'good', lines: [
-    sentence(bold(String(summary.front.length)), ' best compromises. The knee, beyond which one gives much for little: ', bold(values(summary.knee)), '.'),
-    ...summary.ends.map((i, k) => sentence((summary.objectives[k].sense === 'maximize' ? 'Largest ' : 'Smallest ') + plain(summary.objectives[k].metric) + ': ' + values(i) + '.')),
-    sentence(held.length ? 'At the knee it is held back by ' + held.slice(0, 3).map((h) => h.name).join('; ') + '.' : 'At the knee no limit stops it.')] };
+  const goals = summary.objectives;
+  const values = (i) => goals.map((o) => plain(o.metric) + ' ' + engineering(goalValue(summary.front[i], o), unitOf(o.metric), 3)).join(' with ');
+  const isEnd = summary.ends.includes(summary.knee);
+  const lines = [sentence(bold(String(summary.front.length)), ' best compromises: none of them can be improved in one goal without loss in another. ', isEnd ? 'The front has no knee: it bends the other way.' : '')];
+  if (!isEnd) {
+    lines.push(sentence('The knee has ', bold(values(summary.knee)), '. ' + (tradeWords(summary.knee) || 'On either side of it one gives much for little.')));
+    lines.push(...pointHolders(summary.knee));
+  }
+  [...new Set(summary.ends)].forEach((i) => {
+    lines.push(sentence('The ' + frontRole(i).replace(/, knee$/, '') + ': ', bold(values(i)), '.'), ...pointHolders(i, 2));
+  });
+  return { look: 'good', lines };
 }
 
 function curveVerdict() {
@@ -66,15 +82,20 @@ function curveVerdict() {
   const value = memberValue;
   const top = (metric) => list.filter((c) => c.metrics[metric] !== null).sort((a, b) => b.metrics[metric] - a.metrics[metric])[0];
   const same = (metric) => list.every((c) => Math.abs(c.metrics[metric] - list[0].metrics[metric]) <= 1e-9 * Math.abs(list[0].metrics[metric]));
-  const words = [['peak_power', 'W', 'Most power'], ['stall_torque', 'N.m', 'Most stall torque'], ['no_load_speed', 'rad/s', 'Highest no-load speed']].filter(([metric]) => top(metric));
+  const tops = [['peak_power', 'W', 'Most power'], ['stall_torque', 'N.m', 'Most stall torque'], ['no_load_speed', 'rad/s', 'Highest no-load speed']].filter(([metric]) => top(metric));
   return { look: 'good', lines: [sentence(bold(list.length + ' motors'), ' that differ in ' + plain(name) + ', from ' + value(list[0]) + ' to ' + value(list[list.length - 1]) + '.'),
-    ...words.map(([metric, unit, text]) => (same(metric) ? sentence(text.replace(/^\w+ /, (w) => ({ 'Most ': 'The ', 'Highest ': 'The ' })[w]), ' is the same for all: ', bold(engineering(list[0].metrics[metric], unit)), '.') : sentence(text + ': ', bold(engineering(top(metric).metrics[metric], unit)), ' with ' + plain(name) + ' ' + value(top(metric)) + '.')))] };
+    ...tops.map(([metric, unit, text]) => (same(metric) ? sentence(text.replace(/^\w+ /, (w) => ({ 'Most ': 'The ', 'Highest ': 'The ' })[w]), ' is the same for all: ', bold(engineering(list[0].metrics[metric], unit)), '.') : sentence(text + ': ', bold(engineering(top(metric).metrics[metric], unit)), ' with ' + plain(name) + ' ' + value(top(metric)) + '.')))] };
 }
 
 function sweepVerdict() {
-  const parts = Object.entries(summary.metrics).filter(([, m]) => m.count > 0).slice(0, 4);
-  return { look: 'good', lines: [sentence(bold(summary.stored + ' designs'), summary.failed ? ', ' + summary.failed + ' of them without a full answer.' : '.'),
-    ...parts.map(([n, m]) => sentence(plain(n) + ' from ' + engineering(m.min, unitOf(n)) + ' to ', bold(engineering(m.max, unitOf(n))), m.highest ? ', the most with ' + designWords(m.highest.design) + '.' : '.'))] };
+  const parts = Object.entries(summary.metrics).filter(([, m]) => m.count > 0);
+  const words = ([n, m]) => {
+    const name = bold(capital(plain(n)));
+    if (m.min === m.max) return [name, ' is the same in all: ', bold(engineering(m.max, unitOf(n))), '.'];
+    return [name, ': at most ', bold(engineering(m.max, unitOf(n))), m.highest ? ' with ' + designWords(m.highest.design) : '', '; at least ', bold(engineering(m.min, unitOf(n))), m.lowest && Object.keys(m.lowest.design).length < 3 ? ' with ' + designWords(m.lowest.design) : '', '.'];
+  };
+  return { look: 'good', lines: [sentence(bold(summary.stored + ' designs'), summary.failed ? ', ' + summary.failed + ' of them without a full answer: a number that was asked for does not exist there or could not be computed.' : '.'),
+    bullets(parts.map(words))] };
 }
 
 function sensitivityVerdict() {
@@ -84,8 +105,9 @@ function sensitivityVerdict() {
     if (!effects) continue;
     const names = sortedNames(effects, size);
     const first = effects[names[0]];
+    const others = names.slice(1, 3).filter((n) => size(effects[n]) > 0.01 * size(first));
     const text = summary.method === 'sobol' ? percent(first.total.value) + ' of its variance' : summary.method === 'morris' ? engineering(first.mu_star, unitOf(metric), 3) + ' across its range' : rounded(first.elasticity, 3) + ' % for 1 % more';
-    lines.push(sentence(plain(metric) + ': ', bold(plain(names[0])), ' matters most (' + text + ')', names.length > 1 ? ', then ' + names.slice(1, 3).map(plain).join(' and ') : '', '.'));
+    lines.push(sentence(capital(plain(metric)) + ': ', bold(plain(names[0])), ' matters most (' + text + ')', others.length ? ', then ' + others.map(plain).join(' and ') : names.length > 1 ? '; the others hardly' : '', '.'));
   }
   return { look: 'good', lines };
 }
@@ -93,22 +115,21 @@ function sensitivityVerdict() {
 function uncertaintyVerdict() {
   const lines = [];
   if (summary.yield) {
-    lines.push(sentence(bold(percent(summary.yield.value, 4)), ' of the motors keep every limit (between ' + percent(summary.yield.low, 4) + ' and ' + percent(summary.yield.high, 4) + ' with ' + percent(summary.confidence) + ' confidence).'));
-    const worst = [...summary.limits].sort((a, b) => a.kept.value - b.kept.value)[0];
-    if (worst) lines.push(sentence('The limit that costs most motors: ', bold(worst.text), ', kept by ' + percent(worst.kept.value, 4) + '.'));
+    lines.push(sentence(bold(percent(summary.yield.value, 4)), ' of the motors keep every limit (between ' + percent(summary.yield.low, 4) + ' and ' + percent(summary.yield.high, 4) + ' with ' + percent(summary.confidence) + ' confidence). What costs the others, the limit that costs most first:'), yieldList());
   }
-  for (const [n, m] of Object.entries(summary.metrics).slice(0, 4)) lines.push(sentence(plain(n) + ': ' + engineering(m.mean, unitOf(n)) + ' on average, standard deviation ' + engineering(m.sd, unitOf(n), 3) + '.'));
+  lines.push(bullets(Object.entries(summary.metrics).map(([n, m]) => [bold(capital(plain(n))), ': ' + engineering(m.mean, unitOf(n)) + ' on average, standard deviation ' + engineering(m.sd, unitOf(n), 3) + '.'])));
   return { look: 'good', lines };
 }
 
 function calibrateVerdict() {
   const entries = Object.entries(summary.estimates);
   if (!entries.length) return { look: 'bad', lines: [sentence(bold('No fit was found.'))] };
-  const lines = [sentence('The data say: ', bold(entries.map(([n, e]) => plain(n) + ' ' + engineering(e.value, unitOf(n)) + (Number.isFinite(e.low) && e.low !== null ? ' (' + engineering(e.low, unitOf(n), 3) + ' to ' + engineering(e.high, unitOf(n), 3) + ')' : '')).join(', ')), '.'),
+  const known = (n, e) => (e.at_bound ? ' (held by its ' + e.at_bound + ')' : e.low === null ? ' (not determined)' : ' (' + engineering(e.low, unitOf(n), 4) + ' to ' + engineering(e.high, unitOf(n), 4) + ')');
+  const begin = { fitted: 'The data say: ', poor: 'The motor does not follow these points; it comes nearest with ', 'at-bounds': 'Nothing was fitted: the search stopped at ' }[summary.outcome] || 'The search stopped short, at ';
+  const lines = [sentence(begin, bold(entries.map(([n, e]) => plain(n) + ' ' + engineering(e.value, unitOf(n)) + known(n, e)).join(', ')), '.'),
     sentence('What is left between motor and points: ' + engineering(summary.residual_rms, 'N.m', 3) + ' (root mean square).')];
-  for (const u of summary.undetermined) lines.push(sentence('The data do not tell ' + u.parameters.map(plain).join(' and ') + ' apart.'));
-  if (summary.fit.poor) lines.push(sentence(bold('The motor does not follow these points: '), 'the residuals have a pattern.'));
-  return { look: summary.fit.poor || summary.undetermined.length ? 'bad' : 'good', lines };
+  if ((summary.notes || []).length) lines.push(bullets(summary.notes.map((note) => note.replace(/\b[a-z]+(_[a-z]+)+\b/g, plain))));
+  return { look: summary.outcome !== 'fitted' || entries.some(([, e]) => e.remark) ? 'bad' : 'good', lines };
 }
 
 const verdicts = { curve: curveVerdict, sweep: sweepVerdict, sensitivity: sensitivityVerdict, optimize: searchVerdict, size: searchVerdict, pareto: paretoVerdict, uncertainty: uncertaintyVerdict, calibrate: calibrateVerdict };

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
+#include <twum/optim/certificate.hpp>
 #include <twum/optim/hypervolume.hpp>
 #include <twum/optim/pareto.hpp>
 
@@ -110,4 +112,38 @@ TEST_CASE("a front without a feasible design says so", "[optim][pareto][infeasib
     CHECK(front.points.empty());
     CHECK(front.infeasibility.conflict.size() == 2);
   }
+}
+
+TEST_CASE("prices say what a limit is worth to each objective while the other stays",
+          "[optim][pareto][closed_form]") {
+  // Squared distances from (0, 0) and (a, 0) under y >= b: the front is y = b, 0 < x < a. Lowering b
+  // by d with one distance held moves x as well: the first gains 2 a b d / (a - x), the second
+  // 2 a b d / x. The first is in other units, 1000 times smaller.
+  const double a = 3;
+  const double b = 0.5;
+  const double unit = 1e-3;
+  Problem p;
+  p.variables = {{"x", -1, 5, 1}, {"y", -1, 5, 2}};
+  p.objectives = {{"near"}, {"far"}};
+  p.constraints = {{"height", b, std::numeric_limits<double>::infinity()}};
+  p.evaluate = [a, unit](std::span<const double> v, bool) {
+    Evaluation e;
+    const double x = v[0];
+    const double y = v[1];
+    e.values = {unit * (x * x + y * y), (x - a) * (x - a) + y * y, y};
+    e.jacobian = {2 * unit * x, 2 * unit * y, 2 * (x - a), 2 * y, 0, 1};
+    return e;
+  };
+  for (const double x : {0.2, 1.0, 2.7}) {
+    const Certificate c = certify(p, std::vector<double>{x, b});
+    REQUIRE(c.passed);
+    REQUIRE(c.prices.size() == 2);
+    const double multiplier = c.limits[0].multiplier;
+    // By hand, the rest is rounding of a least-squares solution of three unknowns.
+    CHECK(multiplier / c.prices[0] == Approx(unit * 2 * a * b / (a - x)).epsilon(1e-9));
+    CHECK(multiplier / c.prices[1] == Approx(2 * a * b / x).epsilon(1e-9));
+    // Along the front the gradients' ratio is the rate of trade: unit x / (a - x).
+    CHECK(c.prices[1] / c.prices[0] == Approx(unit * x / (a - x)).epsilon(1e-9));
+  }
+  CHECK(certify(p, std::vector<double>{0.0, b}).prices[1] == Approx(0).margin(1e-12));
 }

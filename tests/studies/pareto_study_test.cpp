@@ -41,6 +41,53 @@ TEST_CASE("the front of stall torque and no-load speed is that of the closed for
   CHECK_THAT(front.front[front.ends[1]].goals[0], WithinRel(exact.plateau_torque(100), 1e-6));
 }
 
+TEST_CASE("what a limit is worth along a front is that of the closed form, each goal by itself",
+          "[studies][pareto]") {
+  const StudyFile file = study_of("elastic-layer", "", kElasticFront);
+  const ElasticLayer exact{file.motor.design};
+  const double amplitude = 1.6e-6;
+  const Search s(file);
+  const ParetoResult& f = s.front();
+  const auto angle_of = [&](const ParetoResult::Point& point) {
+    return exact.angle_of_preload(point.goals[0] / exact.plateau_torque(1));
+  };
+  // Crest speed and the force of a contact angle are both proportional to the amplitude. So with the
+  // preload held d(no load)/dA has a part at fixed angle and one by the angle, and with the no-load
+  // speed held the preload follows.
+  const auto faster = [&](double phi) {
+    return (exact.no_load(phi) -
+            exact.no_load_slope(phi) * exact.preload(phi) / exact.preload_slope(phi)) /
+           amplitude;
+  };
+  const auto stronger = [&](double phi) {
+    return exact.plateau_torque(exact.preload(phi) - exact.preload_slope(phi) * exact.no_load(phi) /
+                                                         exact.no_load_slope(phi)) /
+           amplitude;
+  };
+  for (std::size_t i = 1; i + 1 < f.front.size(); ++i) {
+    const DesignReport& report = f.front[i].report;
+    REQUIRE(report.bounds.size() == 1);
+    const std::vector<double> each = gains(report.bounds[0].multiplier, report.certificate);
+    const double phi = angle_of(f.front[i]);
+    // The points lie on the front to 1e-6 of its span, which moves these slopes by as little.
+    CHECK_THAT(each[0], WithinRel(stronger(phi), 1e-4));
+    CHECK_THAT(each[1], WithinRel(faster(phi), 1e-4));
+  }
+  // At the ends a range of the preload stops one goal; the amplitude does nothing for stall torque.
+  REQUIRE(f.alone.size() == 2);
+  const auto worth = [](const DesignReport& report, const std::string& name) {
+    for (const BoundState& bound : report.bounds)
+      if (bound.variable.name == name) return bound.multiplier;
+    return 0.0;
+  };
+  CHECK_THAT(worth(f.alone[0], "preload"), WithinRel(exact.plateau_torque(1), 1e-6));
+  CHECK(worth(f.alone[0], "amplitude") == 0);
+  const double phi = angle_of(f.front[f.ends[1]]);
+  CHECK_THAT(worth(f.alone[1], "preload"),
+             WithinRel(-exact.no_load_slope(phi) / exact.preload_slope(phi), 1e-4));
+  CHECK_THAT(worth(f.alone[1], "amplitude"), WithinRel(faster(phi), 1e-4));
+}
+
 TEST_CASE("no point of a front lies farther beyond the line through its ends than the knee",
           "[studies][pareto]") {
   for (const bool bulges : {true, false}) {

@@ -3,6 +3,7 @@
 #include "study/entries.hpp"
 #include "study/solver_entry.hpp"
 
+#include <twum/optim/certificate.hpp>
 #include <twum/optim/pareto.hpp>
 
 #include <algorithm>
@@ -106,6 +107,8 @@ class ParetoStudy : public SearchStudy {
     if (!result.front.empty()) {
       result.ends = ends_of(result);
       result.knee = knee_of(result);
+      for (std::size_t k = 0; k < result.ends.size() && certified(front); ++k)
+        result.alone.push_back(alone(k, front.points[result.ends[k]].design));
     }
     result.hypervolume = front.hypervolume;
     result.reference_point = front.reference;
@@ -114,6 +117,20 @@ class ParetoStudy : public SearchStudy {
     result.conflict = front.infeasibility.conflict;
     result.relaxation = reports.relaxation(front.infeasibility);
     return result;
+  }
+
+  // nsga2() certifies nothing.
+  static bool certified(const optim::Front& front) {
+    return std::any_of(front.points.begin(), front.points.end(),
+                       [](const auto& p) { return !p.certificate.weights.empty(); });
+  }
+
+  // An end of the front is the optimum of one goal, and there the weights of the goals are not unique:
+  // as many limits may meet as there are variables. So it is certified for that goal alone.
+  DesignReport alone(std::size_t goal, const std::vector<double>& design) const {
+    DesignProblem one = problem();
+    one.objectives = {problem().objectives[goal]};
+    return DesignReporter(one, {}).report(design, optim::certify(motor_problem(one), design));
   }
 
   std::size_t points_;

@@ -5,6 +5,7 @@
 #include "report/curves.hpp"
 #include "report/rows.hpp"
 #include "run/result_folder.hpp"
+#include "study/entries.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/core/design/parameters.hpp>
@@ -27,7 +28,11 @@ Json parse_summary(const std::string& text) {
 Json parameters_json() {
   Json json = Json::object();
   for (const ParameterInfo& row : parameter_table())
-    json[std::string(row.name)] = {{"symbol", row.symbol}, {"unit", row.unit}, {"text", row.text}};
+    json[std::string(row.name)] = {{"symbol", row.symbol},
+                                   {"unit", row.unit},
+                                   {"text", row.text},
+                                   {"integer", row.integer},
+                                   {"part", row.file_entry.substr(0, row.file_entry.find('.'))}};
   return json;
 }
 
@@ -131,6 +136,17 @@ Json base_json(const MotorDesign& base) {
   return json;
 }
 
+// What a search was free to choose from, SI.
+Json ranges_json(const StudyFile& study) {
+  Json json = Json::object();
+  if (study.kind != StudyKind::optimize && study.kind != StudyKind::size &&
+      study.kind != StudyKind::pareto)
+    return json;
+  for (const entries::Range& range : entries::ranges(study.study))
+    json[std::string(info(range.parameter).name)] = {{"min", range.min}, {"max", range.max}};
+  return json;
+}
+
 // JSON that may stand inside an HTML script element, whatever the names in it are.
 std::string embedded(const Json& json) {
   std::string text;
@@ -171,6 +187,7 @@ std::string report_html(const StudyFile& study, const std::string& text, const s
             {"motor", {{"name", study.motor.name}, {"design", base_json(base)}}},
             {"parameters", parameters_json()},
             {"metrics", metrics_json()},
+            {"ranges", ranges_json(study)},
             {"curves", curves_json(study.kind, result, base)},
             {"rows", rows_json(store)}};
   if (study.kind == StudyKind::sweep) data["row_curves"] = row_curves_json(store, base);

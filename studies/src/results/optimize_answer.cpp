@@ -28,18 +28,12 @@ std::string cell(double value, const std::string& unit) {
   return std::isnan(value) ? "-" : engineering(value, unit);
 }
 
-// "+1.2 W", and nothing where the change is none.
-std::string change(double value, const std::string& unit) {
-  if (std::isnan(value) || value == 0) return "nothing";
-  return (value > 0 ? "+" : "") + engineering(value, unit, 3);
-}
-
 std::string bound_words(const OptimizeResult& result, const std::string& name) {
   for (const BoundState& bound : result.best.bounds) {
     if (bound.variable.name != name) continue;
-    const std::string end = bound.upper ? "at its largest" : "at its smallest";
-    if (bound.multiplier == 0) return end;
-    return end + "; 1 % further buys " + change(bound.one_percent_buys, result.goal.unit);
+    if (bound.multiplier == 0) return end_words(bound);
+    return end_words(bound) + "; 1 % further buys " +
+           change_words(bound.one_percent_buys, result.goal.unit);
   }
   return {};
 }
@@ -73,9 +67,10 @@ std::string limit_table(const OptimizeResult& result) {
   if (result.best.constraints.empty()) return {};
   TextTable table{{{"limit", "best", "", "1 % looser buys"}}};
   for (const LimitState& limit : result.best.constraints)
-    table.rows.push_back(
-        {limit.text, cell(limit.value, limit.unit), state_words(limit),
-         limit.active && !broken(limit) ? change(limit.one_percent_buys, result.goal.unit) : ""});
+    table.rows.push_back({limit.text, cell(limit.value, limit.unit), state_words(limit),
+                          limit.active && !broken(limit)
+                              ? change_words(limit.one_percent_buys, result.goal.unit)
+                              : ""});
   return "\n" + aligned(table);
 }
 

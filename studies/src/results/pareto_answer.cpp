@@ -5,6 +5,7 @@
 #include <twum/studies/units/engineering.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace twum::studies {
 namespace {
@@ -51,6 +52,60 @@ std::string front_table(const ParetoResult& result) {
   return aligned(table);
 }
 
+// A limit that holds a point, and by how much it gives way when that is 1 % of it [SI].
+struct Holder {
+  std::string name;
+  double multiplier;
+  double step;
+};
+
+// The most valuable first.
+std::vector<Holder> holders(const DesignReport& report) {
+  std::vector<Holder> list;
+  const auto add = [&](const std::string& name, const auto& state) {
+    if (state.multiplier > 0)
+      list.push_back(
+          {name, state.multiplier, std::fabs(state.one_percent_buys / state.multiplier)});
+  };
+  for (const LimitState& limit : report.constraints) {
+    if (limit.active) add(limit.text, limit);
+  }
+  for (const BoundState& bound : report.bounds)
+    add(bound.variable.name + " " + end_words(bound), bound);
+  std::stable_sort(list.begin(), list.end(), [](const Holder& a, const Holder& b) {
+    return a.multiplier * a.step > b.multiplier * b.step;
+  });
+  return list;
+}
+
+// What 1 % of each limit is worth at a point, a column for each of the goals.
+std::string worth_table(const std::string& title, const DesignReport& report,
+                        const std::vector<Goal>& goals) {
+  TextTable table{{{title}}};
+  for (const Goal& goal : goals) table.rows.front().push_back(goal.metric);
+  for (const Holder& holder : holders(report)) {
+    table.rows.push_back({holder.name});
+    const std::vector<double> improvement = gains(holder.multiplier, report.certificate);
+    for (std::size_t k = 0; k < goals.size(); ++k)
+      table.rows.back().push_back(
+          change_words((goals[k].maximize ? 1 : -1) * improvement[k] * holder.step, goals[k].unit));
+  }
+  return table.rows.size() > 1 ? "\n" + aligned(table) : std::string();
+}
+
+// At the knee one goal gains while the others stay; at an end its own goal is all that is asked.
+std::string worth_text(const ParetoResult& result) {
+  if (result.alone.empty()) return {};
+  std::string text;
+  if (std::find(result.ends.begin(), result.ends.end(), result.knee) == result.ends.end())
+    text += worth_table("1 % looser at the knee buys one of", result.front[result.knee].report,
+                        result.goals);
+  for (std::size_t k = 0; k < result.alone.size(); ++k)
+    text += worth_table("1 % looser for the " + goal_words(result.goals[k]) + " buys",
+                        result.alone[k], {result.goals[k]});
+  return text;
+}
+
 // Limits that bind somewhere, and along how much of the front.
 std::string binding_words(const ParetoResult& result) {
   std::string text;
@@ -80,6 +135,8 @@ Json answer_json(const ParetoResult& result) {
     json["front"].push_back(report_json(point.report));
   json["knee"] = result.front.empty() ? Json(nullptr) : Json(result.knee);
   json["ends"] = result.ends;
+  json["alone"] = Json::array();
+  for (const DesignReport& report : result.alone) json["alone"].push_back(limits_json(report));
   json["hypervolume"] = number_json(result.hypervolume);
   json["reference_point"] = result.reference_point;
   if (!result.relaxation.empty() || !result.conflict.empty())
@@ -97,7 +154,8 @@ std::string answer_text(const ParetoResult& result) {
     return relaxation_words(result.conflict, result.relaxation);
   if (result.front.empty()) return "No point of the front was found.\n";
   return std::to_string(result.front.size()) + " points, " + std::to_string(certified(result)) +
-         " of them certified\n\n" + front_table(result) + "\n" + binding_words(result);
+         " of them certified\n\n" + front_table(result) + "\n" + binding_words(result) +
+         worth_text(result);
 }
 
 }  // namespace twum::studies

@@ -10,22 +10,34 @@
 namespace twum::studies {
 namespace {
 
-Json limit_json(const LimitState& state) {
-  return {{"text", state.text},
-          {"value", number_json(state.value)},
-          {"limit", number_json(state.limit)},
-          {"violation", number_json(state.violation)},
-          {"active", state.active},
-          {"multiplier", number_json(state.multiplier)},
-          {"one_percent_buys", number_json(state.one_percent_buys)}};
+// Of several goals: what a unit of relaxation improves each by while the others stay.
+void add_gains(Json& json, double multiplier, const optim::Certificate& certificate) {
+  if (certificate.prices.size() < 2) return;
+  json["gains"] = Json::array();
+  for (const double gain : gains(multiplier, certificate))
+    json["gains"].push_back(number_json(gain));
 }
 
-Json bound_json(const BoundState& state) {
-  return {{"variable", state.variable.name},
-          {"side", state.upper ? "upper" : "lower"},
-          {"limit", number_json(state.limit)},
-          {"multiplier", number_json(state.multiplier)},
-          {"one_percent_buys", number_json(state.one_percent_buys)}};
+Json limit_json(const LimitState& state, const optim::Certificate& certificate) {
+  Json json{{"text", state.text},
+            {"value", number_json(state.value)},
+            {"limit", number_json(state.limit)},
+            {"violation", number_json(state.violation)},
+            {"active", state.active},
+            {"multiplier", number_json(state.multiplier)},
+            {"one_percent_buys", number_json(state.one_percent_buys)}};
+  if (state.active) add_gains(json, state.multiplier, certificate);
+  return json;
+}
+
+Json bound_json(const BoundState& state, const optim::Certificate& certificate) {
+  Json json{{"variable", state.variable.name},
+            {"side", state.upper ? "upper" : "lower"},
+            {"limit", number_json(state.limit)},
+            {"multiplier", number_json(state.multiplier)},
+            {"one_percent_buys", number_json(state.one_percent_buys)}};
+  add_gains(json, state.multiplier, certificate);
+  return json;
 }
 
 Json certificate_json(const optim::Certificate& certificate) {
@@ -36,6 +48,7 @@ Json certificate_json(const optim::Certificate& certificate) {
             {"complementarity", number_json(certificate.complementarity)},
             {"curvature", number_json(certificate.curvature)},
             {"weights", certificate.weights},
+            {"prices", certificate.prices},
             {"findings", Json::array()}};
   for (const optim::Finding& finding : certificate.findings)
     json["findings"].push_back({{"kind", optim::to_string(finding.kind)},
@@ -67,15 +80,29 @@ Json goal_json(const Goal& goal) {
   return {{"metric", goal.metric}, {"sense", goal.maximize ? "maximize" : "minimize"}};
 }
 
-Json report_json(const DesignReport& report) {
-  Json json{{"design", values_json(report.design)},
-            {"metrics", values_json(report.metrics)},
-            {"constraints", Json::array()},
-            {"bounds", Json::array()}};
+std::vector<double> gains(double multiplier, const optim::Certificate& certificate) {
+  constexpr double kNoWeight = 1e-9;  // of a sum of 1: rounding of the least squares behind it
+  std::vector<double> list;
+  for (std::size_t k = 0; k < certificate.prices.size(); ++k)
+    list.push_back(certificate.weights[k] > kNoWeight ? multiplier / certificate.prices[k]
+                                                      : std::numeric_limits<double>::quiet_NaN());
+  return list;
+}
+
+Json limits_json(const DesignReport& report) {
+  const optim::Certificate& certificate = report.certificate;
+  Json json{{"constraints", Json::array()}, {"bounds", Json::array()}};
   for (const LimitState& state : report.constraints)
-    json["constraints"].push_back(limit_json(state));
-  for (const BoundState& state : report.bounds) json["bounds"].push_back(bound_json(state));
-  json["certificate"] = certificate_json(report.certificate);
+    json["constraints"].push_back(limit_json(state, certificate));
+  for (const BoundState& state : report.bounds)
+    json["bounds"].push_back(bound_json(state, certificate));
+  json["certificate"] = certificate_json(certificate);
+  return json;
+}
+
+Json report_json(const DesignReport& report) {
+  Json json{{"design", values_json(report.design)}, {"metrics", values_json(report.metrics)}};
+  json.update(limits_json(report));
   return json;
 }
 
@@ -92,6 +119,15 @@ Json relaxation_json(const std::vector<std::string>& conflict,
 
 std::string goal_words(const Goal& goal) {
   return (goal.maximize ? "largest " : "smallest ") + goal.metric;
+}
+
+std::string change_words(double value, const std::string& unit) {
+  if (std::isnan(value) || value == 0) return "nothing";
+  return (value > 0 ? "+" : "") + engineering(value, unit, 3);
+}
+
+std::string end_words(const BoundState& bound) {
+  return bound.upper ? "at its largest" : "at its smallest";
 }
 
 std::string enumeration(const std::vector<std::string>& names) {

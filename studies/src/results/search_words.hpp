@@ -15,6 +15,8 @@ Json values_json(const std::vector<NamedValue>& values);
 /// Units of everything that values_json() was given.
 void add_units(Json& units, const std::vector<NamedValue>& values);
 Json goal_json(const Goal& goal);
+/// {constraints, bounds, certificate}
+Json limits_json(const DesignReport& report);
 /// {design, metrics, constraints, bounds, certificate}
 Json report_json(const DesignReport& report);
 /// {conflict, limits: [{text, limit, amount, alone}]}
@@ -23,6 +25,10 @@ Json relaxation_json(const std::vector<std::string>& conflict,
 
 /// "largest peak_power", "smallest max_pressure"
 std::string goal_words(const Goal& goal);
+/// "+1.2 W"; "nothing" where the change is none.
+std::string change_words(double value, const std::string& unit);
+/// "at its largest"
+std::string end_words(const BoundState& bound);
 /// "a, b and c"
 std::string enumeration(const std::vector<std::string>& names);
 /// Which limits fight, and how little would do.

@@ -113,7 +113,11 @@ Json answer_json(const UncertaintyResult& result) {
     json["yield"] = estimate_json(*result.yield);
     json["limits"] = Json::array();
     for (const UncertaintyResult::Limit& limit : result.limits)
-      json["limits"].push_back({{"text", limit.text}, {"kept", estimate_json(limit.kept)}});
+      json["limits"].push_back({{"text", limit.text},
+                                {"metric", limit.metric},
+                                {"sense", limit.at_least ? "at least" : "at most"},
+                                {"limit", number_json(limit.limit)},
+                                {"kept", estimate_json(limit.kept)}});
     json["without_value"] = result.no_value;
   }
   if (!result.cut_off.empty()) {

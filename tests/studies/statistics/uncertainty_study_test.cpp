@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string>
 #include <variant>
+#include <vector>
 
 // On its plateau the elastic motor has the stall torque mu F_N r exactly, so a distribution of preload or
 // friction is that of the torque.
@@ -97,6 +98,21 @@ TEST_CASE("yield is the probability of keeping all limits", "[studies][uncertain
   CHECK(mean.hits >= mean.fewest(0.95));
   CHECK(sd.hits >= sd.fewest(0.94));  // asymptotic, see its test
   CHECK(quantile.hits >= quantile.fewest(0.95));
+}
+
+TEST_CASE("a limit is told in SI, with its side and the metric that it looks at",
+          "[studies][uncertainty]") {
+  const StudyResult result = run(kNormal +
+                                 "  samples: 10\n  metrics: [stall_torque]\n"
+                                 "  limits: [stall_torque >= 690 mN.m, no_load_speed <= 30 rpm]\n");
+  const std::vector<UncertaintyResult::Limit>& limits = uncertainty(result).limits;
+  REQUIRE(limits.size() == 2);
+  CHECK(limits[0].metric == "stall_torque");
+  CHECK(limits[0].at_least);
+  CHECK(limits[0].limit == Approx(0.69).epsilon(1e-14));  // a few roundings of the unit
+  CHECK(limits[1].metric == "no_load_speed");
+  CHECK_FALSE(limits[1].at_least);
+  CHECK(limits[1].limit == Approx(3.14159265358979323846).epsilon(1e-14));
 }
 
 TEST_CASE("a motor without a value does not keep the limit, and is counted",

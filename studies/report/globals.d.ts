@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the page's scripts find beside them; for scripts/lint.sh alone.
+declare const uPlot: any;

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the tests of report pages share: results of the examples, and a page that is asked what it shows."""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from browser import Browser
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+RPM = 3.141592653589793 / 30
+PROGRAM = str(pathlib.Path(sys.argv[1]).resolve()) if len(sys.argv) > 1 else None
+
+
+def twum(*arguments, **options):
+    done = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=600, **options)
+    if done.returncode not in (0, 1):
+        raise AssertionError(done.stderr)
+    return done
+
+
+class Page(unittest.TestCase):
+    """One browser for all; results are made once for each study."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory(prefix="twum-report-")
+        cls.folder = pathlib.Path(cls.scratch.name)
+        cls.results = {}
+        cls.browser = Browser()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.close()
+        cls.scratch.cleanup()
+
+    def result(self, name):
+        """Result directory of an example."""
+        if name not in self.results:
+            directory = self.folder / name
+            twum("run", ROOT / "examples/studies" / f"{name}.yaml", "-o", directory)
+            self.results[name] = directory
+        return self.results[name]
+
+    def open(self, directory, **options):
+        self.browser.open(directory / "report.html", **options)
+        return json.loads((directory / "summary.json").read_text())
+
+    def clean(self, directory):
+        """No error, no request but the page itself."""
+        self.assertEqual(self.browser.complaints(), [])
+        self.assertEqual([u for u in self.browser.requests() if not u.startswith(("blob:", "data:"))],
+                         ["file://" + str(directory / "report.html")])
+
+    def table(self, name):
+        """{name as typed in the first cell: SI values of the others}"""
+        return self.browser.value("""Object.fromEntries([...document.querySelectorAll(`[data-table="%s"] tbody tr`)].map(
+            (tr) => [tr.cells[0].dataset.name ?? tr.cells[0].textContent, [...tr.cells].slice(1).map((td) => td.dataset.value === undefined ? td.textContent : Number(td.dataset.value))]))""" % name)
+
+    def text(self, selector):
+        """What an element says, with plain blanks."""
+        return self.browser.value("document.querySelector(%s).textContent" % json.dumps(selector)).replace("\u00a0", " ")
+
+    def lines(self, selector):
+        return [t.replace("\u00a0", " ") for t in self.browser.value("[...document.querySelectorAll(%s)].map(n => n.textContent)" % json.dumps(selector))]
+
+    def box(self, chart):
+        """Rectangle of a chart's plotting area, in the viewport."""
+        return self.browser.value("""(() => { const n = document.querySelector(`[data-chart="%s"]`); n.scrollIntoView({block: 'center'});
+            const r = (n.querySelector('.u-over') || n.querySelector('canvas')).getBoundingClientRect(); return [r.left, r.top, r.width, r.height]; })()""" % chart)
+
+    def scale(self, chart, axis):
+        return self.browser.value("""(() => { const s = document.querySelector(`[data-chart="%s"]`).plot.scales.%s; return [s.min, s.max]; })()""" % (chart, axis))
+
+    def colours(self, selector):
+        """How many different colours each canvas shows: 1 is an empty picture."""
+        return self.browser.value("""[...document.querySelectorAll(`%s`)].map((c) => { const p = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
+            const seen = new Set(); for (let i = 0; i < p.length; i += 4) if (p[i + 3]) seen.add(p[i] << 16 | p[i + 1] << 8 | p[i + 2]); return seen.size; })""" % selector)
+
+
+def main():
+    unittest.main(argv=[sys.argv[0], *sys.argv[2:]], verbosity=1)
