@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Times of the core: one operating point by regime and layer, curves, metrics, gradients.
+#include "layers.hpp"
 #include "support/test_motors.hpp"
 
 #include <benchmark/benchmark.h>
@@ -16,17 +17,6 @@ namespace {
 
 using namespace twum;
 using namespace twum::test;
-
-struct Layer {
-  const char* name;
-  MotorDesign design;
-};
-
-std::vector<Layer> layers() {
-  return {{"elastic", elastic(ring_motor())},
-          {"damped", damped(ring_motor())},
-          {"inertial", ring_motor()}};
-}
 
 double no_load_speed(const Motor& motor) { return evaluate(motor, {Metric::no_load_speed}).value; }
 
@@ -157,7 +147,7 @@ void register_points() {
   // the regimes of theory section 6, as shares of the no-load speed
   const std::pair<const char*, double> regimes[] = {
       {"1 slip", 0.3}, {"2 slip stick slip", 0.85}, {"3 near no-load", 0.98}, {"4 braking", 1.4}};
-  for (const Layer& layer : layers()) {
+  for (const bench::Layer& layer : bench::layers()) {
     for (const auto& [name, share] : regimes) {
       const std::string full = std::string("point/") + layer.name + "/regime " + name;
       benchmark::RegisterBenchmark(full.c_str(), operating_point, layer.design, share);

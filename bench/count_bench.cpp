@@ -11,7 +11,7 @@
 //
 // A layer without inertia does not vibrate, an elastic one does not decay either, and a free flight that
 // leaves nothing is skipped. What is counted above that is the search for the ends, and further laps.
-#include "support/test_motors.hpp"
+#include "layers.hpp"
 
 #include <twum/core/performance/metrics.hpp>
 #include <twum/core/performance/motor.hpp>
@@ -66,13 +66,7 @@ double __wrap_atan2(double y, double x) {
 namespace {
 
 using namespace twum;
-using namespace twum::test;
-
-struct Layer {
-  const char* name;
-  MotorDesign design;
-  bool vibrates, decays;
-};
+using bench::Layer;
 
 void print_point(const Layer& layer, const Motor& motor, double share, double speed) {
   counts = {};
@@ -90,12 +84,10 @@ void print_point(const Layer& layer, const Motor& motor, double share, double sp
 }  // namespace
 
 int main() {
-  MotorDesign light = ring_motor();
+  MotorDesign light = test::ring_motor();
   light.layer.loss_factor = 0.005;
-  const std::vector<Layer> layers{{"elastic", elastic(ring_motor()), false, false},
-                                  {"damped", damped(ring_motor()), false, true},
-                                  {"inertial", ring_motor(), true, true},
-                                  {"loss factor 0.005", light, true, true}};
+  std::vector<Layer> layers = bench::layers();
+  layers.push_back({"loss factor 0.005", light, true, true});
   std::printf("%-20s %6s %6s %9s %9s %9s %9s %11s\n", "", "share of", "", "sine and", "", "exp,",
               "", "acos, atan,");
   std::printf("%-20s %6s %6s %9s %9s %9s %9s %11s\n", "layer", "no-load", "zones", "cosine",

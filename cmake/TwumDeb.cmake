@@ -3,6 +3,10 @@
 #
 #   twum          the command and the Python module; depends on what they are linked with
 #   libtwum-dev   libraries and headers; depends on the -dev packages that a static library needs
+if(BUILD_SHARED_LIBS)
+  message(STATUS "No Debian packages of shared libraries; BUILD_SHARED_LIBS=OFF makes them of static ones")
+  return()
+endif()
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME twum)
 set(CPACK_PACKAGE_VENDOR twum)

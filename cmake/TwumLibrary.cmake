@@ -18,6 +18,7 @@ function(twum_library name)
   set_target_properties(twum_${name} PROPERTIES
     CXX_EXTENSIONS OFF
     POSITION_INDEPENDENT_CODE ON
+    DEFINE_SYMBOL ""  # every symbol is visible: objects are the same for static and shared libraries
     EXPORT_NAME ${name}
     VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}

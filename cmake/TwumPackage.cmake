@@ -2,7 +2,7 @@
 # What `cmake --install` puts where, and how other programs find it.
 #
 #   component dev      libraries, headers, find_package(twum), pkg-config
-#   component runtime  the command, its man pages and shell completions
+#   component runtime  the command, its man pages and shell completions; shared libraries, if they are shared
 #   component python   the Python module
 #
 # Each library is a component of find_package(twum) with an export set of its own, so that a program
@@ -11,13 +11,23 @@ include(CMakePackageConfigHelpers)
 
 set(TWUM_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/twum)
 
+# Lets what is installed in DIRECTORY of the prefix find the libraries that are installed along with it,
+# from where it stands: the prefix may be moved.
+function(twum_finds_libraries target directory)
+  if(BUILD_SHARED_LIBS)
+    file(RELATIVE_PATH way /${directory} /${CMAKE_INSTALL_LIBDIR})
+    set_target_properties(${target} PROPERTIES INSTALL_RPATH "$ORIGIN/${way}")
+  endif()
+endfunction()
+
 # Installs twum_NAME and its export set.
 function(twum_install_library name)
   install(TARGETS twum_${name} EXPORT twum-${name}
     ARCHIVE COMPONENT dev
-    LIBRARY COMPONENT dev
+    LIBRARY COMPONENT runtime NAMELINK_COMPONENT dev
     RUNTIME COMPONENT dev
     FILE_SET HEADERS COMPONENT dev)
+  twum_finds_libraries(twum_${name} ${CMAKE_INSTALL_LIBDIR})
   install(EXPORT twum-${name} NAMESPACE twum:: DESTINATION ${TWUM_CMAKE_DIR} COMPONENT dev)
 endfunction()
 

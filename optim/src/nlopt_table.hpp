@@ -2,8 +2,7 @@
 #pragma once
 
 #include <nlopt.h>
-#include <string>
-#include <vector>
+#include <span>
 
 namespace twum::optim {
 
@@ -22,6 +21,7 @@ struct NloptAlgorithm {
   const char* refusal;         ///< why it is not offered; empty: it is
 };
 
-const std::vector<NloptAlgorithm>& nlopt_algorithms();
+/// Every algorithm of the library.
+std::span<const NloptAlgorithm> nlopt_algorithms();
 
 }  // namespace twum::optim

@@ -9,6 +9,7 @@
 #include <twum/core/design/motor_design.hpp>
 #include <twum/core/performance/motor.hpp>
 
+#include <cmath>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -35,6 +36,13 @@ MotorDesign with_load(MotorDesign design, double load) {
 MotorDesign with_threshold(MotorDesign design, double ratio) {
   design.friction.static_ = ratio * design.friction.kinetic;
   return design;
+}
+
+// Full contact and soft in shear: at rest the layer follows the wave all round.
+MotorDesign locked_motor() {
+  MotorDesign design = damped(ring_motor());
+  design.layer.given_shear_modulus = 1e7;
+  return with_load(design, 8);
 }
 
 std::vector<Probe> probes() {
@@ -256,4 +264,81 @@ TEST_CASE(
               2 * fastest / rate * step + 1e-18);
     }
   });
+}
+
+TEST_CASE("a layer that is locked at rest sticks all round", "[core][fields][limit]") {
+  const Motor motor(locked_motor());
+  REQUIRE(motor.locks_at_rest());
+  constexpr int kSamples = 101;
+  const ContactFields fields = motor.fields(0.0, kSamples);
+  REQUIRE(fields.zones.size() == 1);
+  CHECK(fields.zones[0].state == ZoneState::stick);
+  CHECK(fields.zones[0].from == Approx(-kPi).epsilon(1e-15));
+  CHECK(fields.zones[0].to == Approx(kPi).epsilon(1e-15));
+  const ContactProblem problem = contact_problem(motor.design(), 0.0);
+  const auto& s = fields.samples;
+  const double d = 2 * kPi / (kSamples - 1);
+  const double stress = problem.threshold * problem.pressure(0);
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    CHECK(s[i].layer_velocity == s[i].stator_velocity);
+    CHECK(std::abs(s[i].traction) <= problem.threshold * s[i].pressure * (1 + 1e-12));
+    if (i < 2 || i + 2 >= s.size()) continue;
+    const auto q = [&](std::size_t k) {
+      return s[k].displacement / motor.design().layer.thickness;
+    };
+    const double first = (8 * (q(i + 1) - q(i - 1)) - (q(i + 2) - q(i - 2))) / (12 * d);
+    const double second =
+        (16 * (q(i + 1) + q(i - 1)) - (q(i + 2) + q(i - 2)) - 30 * q(i)) / (12 * d * d);
+    // A sine wave: truncation d^4 / 30 = 5e-7 of its terms, rounding far below.
+    CHECK(std::abs(problem.strain_velocity * first - s[i].layer_velocity) <=
+          1e-6 * problem.crest_velocity);
+    CHECK(std::abs(problem.inertia * second + problem.damping * first + problem.stiffness * q(i) -
+                   s[i].traction) <= 1e-6 * stress);
+  }
+  // The rule over a whole wave is exact for a sine.
+  const double traction = mean(fields, [](const FieldSample& sample) { return sample.traction; });
+  CHECK(std::abs(traction * problem.track_area * problem.radius - fields.point.torque) <=
+        1e-12 * stress * problem.track_area * problem.radius);
+}
+
+TEST_CASE("over a flat stator the layer hangs back evenly", "[core][fields][closed_form]") {
+  MotorDesign design = GENERATE(ring_motor(), damped(ring_motor()), elastic(ring_motor()));
+  design.stator.amplitude = 0;
+  const Motor motor(design);
+  for (const double speed : {-5.0, 5.0}) {
+    const ContactFields fields = motor.fields(speed, 10);
+    const ContactProblem problem = contact_problem(design, speed);
+    const double pressure = design.preload / problem.track_area;
+    const double traction = -std::copysign(design.friction.kinetic * pressure, speed);
+    REQUIRE(fields.zones.size() == 1);
+    CHECK(fields.zones[0].state == (speed > 0 ? ZoneState::slip_minus : ZoneState::slip_plus));
+    for (const FieldSample& s : fields.samples) {
+      // Products of a few numbers: a few eps.
+      CHECK(s.pressure == Approx(pressure).epsilon(1e-14));
+      CHECK(s.traction == Approx(traction).epsilon(1e-14));
+      // At rest in the layer nothing but its stiffness pulls.
+      CHECK(problem.stiffness * s.displacement / design.layer.thickness ==
+            Approx(traction).epsilon(1e-14));
+      CHECK(s.stator_velocity == 0);
+      CHECK(s.layer_velocity == Approx(problem.rotor_velocity).epsilon(1e-14));
+    }
+  }
+}
+
+TEST_CASE("a motor without preload has neither zones nor traction", "[core][fields][limit]") {
+  MotorDesign design = ring_motor();
+  design.preload = 0;
+  const ContactFields fields = Motor(design).fields(10.0, 10);
+  CHECK(fields.zones.empty());
+  for (const FieldSample& s : fields.samples) {
+    CHECK(s.pressure == 0);
+    CHECK(s.traction == 0);
+  }
+}
+
+TEST_CASE("fields of fewer than two samples are refused", "[core][fields][error]") {
+  const Motor motor(ring_motor());
+  for (const int samples : {1, 0, -3})
+    CHECK_THROWS_WITH(motor.fields(10.0, samples), Catch::Matchers::Contains("at least 2 samples"));
+  CHECK(motor.fields(10.0, 2).samples.size() == 2);
 }

@@ -70,6 +70,24 @@ TEST_CASE("the metric table has one row for each metric, in order", "[core][metr
   CHECK_FALSE(find_metric("torque").has_value());
 }
 
+TEST_CASE("each status has a word of its own", "[core][metrics]") {
+  std::set<std::string> words;
+  for (const auto status :
+       {MetricStatus::ok, MetricStatus::undefined, MetricStatus::unreachable,
+        MetricStatus::no_periodic_state, MetricStatus::not_converged, MetricStatus::resonance,
+        MetricStatus::unresolved, MetricStatus::out_of_range})
+    CHECK(words.insert(to_string(status)).second);
+  // A point without an answer and a metric that needs it give the same reason.
+  for (const auto status :
+       {PointStatus::ok, PointStatus::no_periodic_state, PointStatus::not_converged,
+        PointStatus::resonance, PointStatus::unresolved})
+    CHECK(words.contains(to_string(status)));
+  std::set<std::string> smoothness;
+  for (const auto kind :
+       {Smoothness::smooth, Smoothness::flat, Smoothness::one_sided, Smoothness::undefined})
+    CHECK(smoothness.insert(to_string(kind)).second);
+}
+
 TEST_CASE("torque falls through zero at the no-load speed (T7.14)", "[core][metrics][identity]") {
   Deviation torque("torque at the no-load speed", 1e-9);
   for (const Motor& motor : motors(1, 60, false)) {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs the commands that the Markdown pages show, and compares what they print.
+"""Runs the commands and programs that the Markdown pages show, and compares what they print.
 
     check_commands.py TWUM             runs every marked block
     check_commands.py TWUM --update    rewrites the outputs shown instead
@@ -9,6 +9,9 @@ of one page one after the other in the same folder; twum is on PATH. It must exi
 mark says (```sh run exit=2). If the next block of the page is marked ```text output, it is what the
 commands print on standard output; a line ... in it stands for any lines (with --update, one such line
 is kept with as many lines before and after it).
+
+A block marked ```python run is run likewise by Python, if the module twum was built. A ```yaml block that
+begins with `twum: 1` is a file beside examples/motors/*.yaml, and `twum check` has to find it right.
 
 generated_pages.txt lists pages that are, as a whole, the output of a command.
 """
@@ -24,12 +27,31 @@ import tree
 
 BLOCK = re.compile(r"^```(?P<info>[^\n`]*)\n(?P<body>.*?)^```[ \t]*$", re.M | re.S)
 SECONDS = 120
+PYTHON = "/usr/bin/python3"  # whose NumPy is the packaged one, as the module's
 
 
 def environment(program):
     kept = {key: os.environ[key] for key in ("HOME", "TMPDIR", "ASAN_OPTIONS", "UBSAN_OPTIONS", "TSAN_OPTIONS")
             if key in os.environ}
-    return kept | {"PATH": f"{program.parent}:/usr/local/bin:/usr/bin:/bin", "LC_ALL": "C.UTF-8", "NO_COLOR": "1"}
+    return kept | {"PATH": f"{program.parent}:/usr/local/bin:/usr/bin:/bin", "LC_ALL": "C.UTF-8", "NO_COLOR": "1",
+                   "PYTHONPATH": str(module_folder(program)), "PYTHONDONTWRITEBYTECODE": "1", "MPLBACKEND": "Agg"}
+
+
+def module_folder(program):
+    return program.parent.parent / "python"
+
+
+def command_of(marks, body, folder, program):
+    """What runs a block; nothing if it is only to be read."""
+    if marks[:2] == ["sh", "run"]:
+        return ["bash", "-e", "-c", body]
+    if marks[:2] == ["python", "run"] and (module_folder(program) / "twum/__init__.py").exists():
+        return [PYTHON, "-c", body]
+    if marks == ["yaml"] and body.startswith("twum: 1"):
+        file = pathlib.Path(folder) / "examples/motors/shown.yaml"
+        file.write_text(body, encoding="utf-8")
+        return ["twum", "check", file]
+    return None
 
 
 def agrees(printed, shown):
@@ -57,14 +79,15 @@ def run_page(page, program, update):
         shutil.copytree(tree.ROOT / "examples", pathlib.Path(folder) / "examples")
         for block, following in zip(blocks, blocks[1:] + [None]):
             marks = block["info"].split()
-            if marks[:2] != ["sh", "run"]:
+            command = command_of(marks, block["body"], folder, program)
+            if command is None:
                 continue
             count += 1
             place = f"{tree.name(page)}:{content.count(chr(10), 0, block.start()) + 1}"
             expected = next((int(m[5:]) for m in marks if m.startswith("exit=")), 0)
             try:
-                done = subprocess.run(["bash", "-e", "-c", block["body"]], cwd=folder, env=environment(program),
-                                      capture_output=True, text=True, timeout=SECONDS, stdin=subprocess.DEVNULL)
+                done = subprocess.run(command, cwd=folder, env=environment(program), capture_output=True,
+                                      text=True, timeout=SECONDS, stdin=subprocess.DEVNULL)
             except subprocess.TimeoutExpired:
                 complaints.append(f"{place}: still running after {SECONDS} s")
                 continue

@@ -22,10 +22,10 @@ apt-get -q -y --no-install-recommends install ./twum_*.deb
 twum --version
 twum init motor -o ring.yaml
 twum curve ring.yaml --points 3
-twum init optimize -o study.yaml
-sed -i 's/^motor: .*/motor: ring.yaml/' study.yaml
+twum init optimize --motor ring.yaml -o study.yaml
 twum run study.yaml -o result || [ $? -le 1 ]
 python3 -c "import twum; print('torque', twum.Motor('ring.yaml').stall_torque)"
+python3 -c "import twum; print(twum.gradients(twum.Motor('ring.yaml'), {'preload': [140, 160]}, 'peak_power')['peak_power']['preload'])"
 test -s /usr/share/bash-completion/completions/twum
 dpkg -s twum | grep -E '^(Version|Depends):'
 apt-get -q -y remove twum

@@ -83,7 +83,7 @@ class PkgConfig(Case):
         found = next(PREFIX.rglob("pkgconfig"))
         flags = self.ok("pkg-config", "--cflags", "--libs", "twum", env={"PKG_CONFIG_PATH": str(found)}).split()
         self.ok(ARGUMENTS.compiler, "-std=c++20", CONSUMER / "everything.cpp", *flags, "-o", self.folder / "program")
-        self.check_everything(self.folder / "program")
+        self.check_everything(self.folder / "program", env={"LD_LIBRARY_PATH": str(found.parent)})  # for shared ones
 
     def test_core_names_no_package_of_others(self):
         found = next(PREFIX.rglob("pkgconfig"))
@@ -102,8 +102,28 @@ class Umbrella(Case):
                 self.assertIn(f"#include <{header.relative_to(include)}>", text)
 
 
+class Guide(Case):
+    def test_its_lines_of_cmake_build_a_program(self):
+        guide = (ROOT / "docs/guide/library.md").read_text()
+        shown = re.search(r"```cmake\n(.*?)```", guide, re.S)[1]
+        (self.folder / "CMakeLists.txt").write_text(
+            "cmake_minimum_required(VERSION 3.25)\nproject(program LANGUAGES C CXX)\n"
+            f"add_executable(program program.cpp)\n{shown}")
+        (self.folder / "program.cpp").write_text(
+            "#include <twum/twum.hpp>\nint main() { return twum::version()[0] == 0; }\n")
+        self.ok(ARGUMENTS.cmake, "-S", self.folder, "-B", self.folder / "build", "-G", "Ninja",
+                f"-DCMAKE_CXX_COMPILER={ARGUMENTS.compiler}", f"-DCMAKE_PREFIX_PATH={PREFIX}",
+                f"-DCMAKE_CXX_COMPILER_LAUNCHER={ARGUMENTS.launcher}")
+        self.ok(ARGUMENTS.cmake, "--build", self.folder / "build")
+        self.ok(self.folder / "build/program")
+
+
 class Examples(Case):
     """examples/cpp is a project outside the tree."""
+
+    def test_each_is_short(self):
+        for path in (ROOT / "examples/cpp").glob("*.cpp"):
+            self.assertLess(len(path.read_text().splitlines()), 80, path.name)
 
     def test_all_of_them_run(self):
         build = self.folder / "build"
@@ -151,9 +171,10 @@ def setUpModule():
     scratch = tempfile.TemporaryDirectory(prefix="twum-prefix-")
     unittest.addModuleCleanup(scratch.cleanup)
     first = pathlib.Path(scratch.name) / "first"
-    done = run(ARGUMENTS.cmake, "--install", ARGUMENTS.build, "--prefix", first, "--component", "dev")
-    if done.returncode:
-        raise RuntimeError(done.stdout + done.stderr)
+    for component in ("dev", "runtime") if ARGUMENTS.shared else ("dev",):
+        done = run(ARGUMENTS.cmake, "--install", ARGUMENTS.build, "--prefix", first, "--component", component)
+        if done.returncode:
+            raise RuntimeError(done.stdout + done.stderr)
     PREFIX = first.rename(pathlib.Path(scratch.name) / "moved")
 
 
@@ -163,5 +184,6 @@ if __name__ == "__main__":
         parser.add_argument("--" + name, required=True)
     ARGUMENTS, rest = parser.parse_known_args()
     cache = (pathlib.Path(ARGUMENTS.build) / "CMakeCache.txt").read_text()
+    ARGUMENTS.shared = re.search(r"^BUILD_SHARED_LIBS:\w+=(ON|1|TRUE|YES)$", cache, re.M | re.I) is not None
     ARGUMENTS.version = cache.split("CMAKE_PROJECT_VERSION:STATIC=")[1].split()[0]
     unittest.main(argv=[__file__, *rest], verbosity=1)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Many designs at once from Python."""
+import signal
 import threading
+import time
 import unittest
 
 import numpy as np
@@ -86,6 +88,89 @@ class Batch(unittest.TestCase):
         worker.join()
         # 4000 designs take tens of milliseconds at the least; with the GIL held there would be no round but the first.
         self.assertGreater(rounds, 3)
+
+
+class Gradients(unittest.TestCase):
+    def setUp(self):
+        self.motor = twum.Motor()
+
+    def test_a_batch_is_its_designs_one_by_one(self):
+        batch = designs(12)
+        for fixed in (False, True):
+            answer = twum.gradients(self.motor, batch, METRICS, fixed_static_friction=fixed, jobs=2)
+            for i in range(12):
+                one = self.motor.replace(thickness="0.25 mm", preload=batch["preload"][i], amplitude=batch["amplitude"][i])
+                for name, derivative in one.gradients(METRICS, fixed_static_friction=fixed).items():
+                    many = answer[name]
+                    self.assertEqual((many.value[i], many.smoothness[i], many.status[i]),
+                                     (derivative.value, derivative.smoothness, derivative.status))
+                    self.assertEqual({key: column[i] for key, column in many.gradient.items()}, derivative.gradient)
+
+    def test_derivatives_are_those_of_the_values(self):
+        """Against Richardson's extrapolation of central differences of twum.evaluate().
+
+        At steps h = 2^-10 of the parameter and h / 2 it errs by h^4 / 480 times the fifth derivative. The
+        torque falls from its plateau to nothing within the last third of the speeds: singularities an eighth
+        of the parameter away, or more, make the fifth derivative 5! 8^5 f at most, and the error 8e-9 f. Values
+        are good to about 1e-13 f, times 3 / h: 3e-10 f.
+        """
+        batch = {key: np.asarray(values) for key, values in designs(8).items() if key != "thickness"}
+        batch["thickness"] = np.full(8, 0.25e-3)
+        answer = twum.gradients(self.motor, batch, METRICS)
+
+        def values(name, factor):
+            return twum.evaluate(self.motor, {**batch, name: batch[name] * factor}, METRICS)
+
+        def differences(name, metric, step):
+            return (values(name, 1 + step)[metric] - values(name, 1 - step)[metric]) / (2 * step)
+
+        for metric, derivatives in answer.items():
+            smooth = np.isin(derivatives.smoothness, ["smooth", "flat"])
+            self.assertGreater(smooth.sum(), 4, metric)
+            for name in batch:
+                fine, coarse = (differences(name, metric, step) for step in (2**-11, 2**-10))
+                elasticity = derivatives[name] * batch[name]
+                error = np.abs((4 * fine - coarse) / 3 - elasticity) / np.abs(derivatives.value)
+                self.assertLess(error[smooth].max(), 1e-8, (metric, name))
+
+    def test_a_parameter_goes_by_its_symbol_too(self):
+        derivatives = twum.gradients(self.motor, {"preload": [100.0, 140.0]}, ["holding_torque"])["holding_torque"]
+        # d(mu_0 F_N r) / dF_N = mu_0 r, a product of two.
+        np.testing.assert_allclose(derivatives["F_N"], 0.2 * 0.0265, rtol=4e-16)
+        self.assertIs(derivatives["F_N"], derivatives["preload"])
+        self.assertEqual(derivatives["thickness"].tolist(), [0, 0])
+        with self.assertRaises(KeyError):
+            derivatives["pre_load"]
+
+    def test_a_design_that_fails_does_not_stop_the_others(self):
+        asked = {"thickness": [3e-4, -3e-4], "preload": "160 N"}
+        derivatives = twum.gradients(self.motor, asked, "no_load_speed")["no_load_speed"]
+        self.assertEqual((derivatives.status[0], derivatives.smoothness[0]), ("ok", "smooth"))
+        self.assertIn("thickness must be more than 0 m", derivatives.status[1])
+        self.assertEqual(derivatives.smoothness[1], "undefined")
+        self.assertTrue(np.isnan(derivatives.value[1]) and np.isnan(derivatives["preload"][1]))
+        self.assertEqual(twum.gradients(self.motor, {"preload": []}, "stall_torque")["stall_torque"].value.shape, (0,))
+        with self.assertRaisesRegex(twum.InputError, "'preload' is a parameter"):
+            twum.gradients(self.motor, {"thickness": [1e-4]}, "preload")
+
+
+class Patience(unittest.TestCase):
+    def test_a_signal_ends_a_batch(self):
+        class Enough(Exception):
+            pass
+
+        def stop(*_):
+            raise Enough
+
+        before = signal.signal(signal.SIGALRM, stop)
+        self.addCleanup(signal.signal, signal.SIGALRM, before)
+        signal.setitimer(signal.ITIMER_REAL, 0.2)
+        begin = time.monotonic()
+        # All metrics take some 40 microseconds a design: 40 seconds if nothing ended it.
+        metrics = [row["name"] for row in twum.metric_table() if not row["takes"]]
+        with self.assertRaises(Enough):
+            twum.evaluate(twum.Motor(), {"preload": np.full(1_000_000, 160.0)}, metrics, jobs=1)
+        self.assertLess(time.monotonic() - begin, 10)
 
 
 if __name__ == "__main__":

@@ -140,8 +140,8 @@ class Refusals(unittest.TestCase):
         self.assertIn(self.refused(lambda: twum.Motor().metrics("stal_torque")), said)
 
     def test_everything_wrong_is_said_at_once(self):
-        self.refused(lambda: twum.Motor(thickness="3 N", preload="1 kg", wavelength=9), "thickness", "force",
-                     "preload", "mass", "unknown parameter", "wavelengths")
+        self.refused(lambda: twum.Motor(thickness="3 N", preload="1 kg", wavelength=9, amplitude=-1e-6), "thickness",
+                     "force", "preload", "mass", "unknown parameter", "wavelengths", "amplitude must be at least 0 m")
 
     def test_a_number_out_of_range(self):
         self.refused(lambda: twum.Motor(thickness=-3e-4), "thickness", "more than 0 m", "-0.0003")
@@ -155,7 +155,7 @@ class Refusals(unittest.TestCase):
     def test_a_speed_beyond_the_waves(self):
         motor = twum.Motor()
         beyond = -2 * math.pi * motor.frequency / motor.wavelengths
-        for call in (motor.point, motor.curve, motor.fields):
+        for call in (motor.point, motor.curve, motor.fields, motor.torque_at):
             self.refused(lambda: call(1.01 * beyond), "rotor speed", "rad/s")
         self.refused(lambda: motor.point("100 mm"), "speed", "length", "100 rpm")
 

@@ -13,7 +13,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 def run(*command, **environment):
     done = subprocess.run([sys.executable, *map(str, command)], capture_output=True, text=True, timeout=500,
-                          env={**os.environ, **environment})
+                          env={**os.environ, **environment}, cwd=environment.get("MYPY_CACHE_DIR"))
     return done.returncode, done.stdout + done.stderr
 
 

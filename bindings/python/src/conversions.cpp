@@ -85,7 +85,10 @@ std::vector<ParameterValue> to_parameter_values(const py::dict& arguments) {
   for (const auto& [key, value] : arguments) {
     try {
       const Parameter parameter = studies::parse_parameter(py::cast<std::string>(key));
-      values.emplace_back(parameter, to_parameter_value(parameter, value));
+      const double number = to_parameter_value(parameter, value);
+      const std::string refusal = complaint(parameter, number);
+      if (!refusal.empty()) throw InputError(std::string(info(parameter).name) + " " + refusal);
+      values.emplace_back(parameter, number);
     } catch (const InputError& error) {
       wrong += (wrong.empty() ? "" : "\n") + std::string(error.what());
     }
@@ -109,6 +112,18 @@ std::vector<studies::MetricExpression> to_metrics(py::handle metrics) {
     list.push_back(std::move(expression));
   }
   return list;
+}
+
+std::vector<MetricRequest> to_requests(const std::vector<studies::MetricExpression>& metrics) {
+  std::vector<MetricRequest> requests;
+  for (const studies::MetricExpression& metric : metrics) {
+    const auto* request = std::get_if<MetricRequest>(&metric.what);
+    if (request == nullptr)
+      throw InputError(studies::quoted(metric.text) +
+                       " is a parameter; gradients are those of metrics");
+    requests.push_back(*request);
+  }
+  return requests;
 }
 
 double value_or_throw(std::string_view name, const MetricValue& value) {

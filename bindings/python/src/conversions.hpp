@@ -44,11 +44,23 @@ std::vector<ParameterValue> to_parameter_values(const py::dict& arguments);
 /// Metrics as a text between commas or a sequence of texts.
 std::vector<studies::MetricExpression> to_metrics(py::handle metrics);
 
+/// What metrics ask; a parameter has no derivatives.
+/// @throws InputError naming the first parameter among them
+std::vector<MetricRequest> to_requests(const std::vector<studies::MetricExpression>& metrics);
+
 /// @throws EvaluationError naming the metric unless its status is ok
 double value_or_throw(std::string_view name, const MetricValue& value);
 
 /// The same numbers as an array of NumPy.
 Array to_array(const std::vector<double>& values);
+
+/// A list with entry(row) for each row.
+template <typename Rows, typename Entry>
+py::list list_of(const Rows& rows, Entry entry) {
+  py::list list;
+  for (const auto& row : rows) list.append(entry(row));
+  return list;
+}
 
 /// A class of the module twum.results, which holds what calls return.
 py::object attribute_of_results(const char* name);

@@ -58,21 +58,9 @@ py::dict statuses_of(const PyMotor& self, const py::args& names) {
   return answer;
 }
 
-std::vector<MetricRequest> requests_of(const std::vector<studies::MetricExpression>& metrics) {
-  std::vector<MetricRequest> requests;
-  for (const studies::MetricExpression& metric : metrics) {
-    const auto* request = std::get_if<MetricRequest>(&metric.what);
-    if (request == nullptr)
-      throw InputError(studies::quoted(metric.text) +
-                       " is a parameter; gradients are those of metrics");
-    requests.push_back(*request);
-  }
-  return requests;
-}
-
 py::dict gradients_of(const PyMotor& self, const py::args& names, bool fixed_static_friction) {
   const auto metrics = asked(names);
-  const std::vector<MetricRequest> requests = requests_of(metrics);
+  const std::vector<MetricRequest> requests = to_requests(metrics);
   std::vector<MetricDerivative> derivatives;
   {
     const py::gil_scoped_release release;
@@ -111,19 +99,26 @@ Array evaluate_array(const PyMotor& self, MetricRequest request, const py::objec
   return values;
 }
 
+double point_value(const PyMotor& self, std::string_view name, const MetricRequest& request) {
+  const MetricValue value = evaluate(self.motor, request);
+  // A speed that no rotor can have is the caller's mistake: the operating point says what is right.
+  if (value.status == MetricStatus::out_of_range) self.motor.operating_point(request.at);
+  return value_or_throw(name, value);
+}
+
 py::object point_metric(const PyMotor& self, const MetricInfo& row, Argument argument,
                         const py::object& at) {
   const std::string name(row.name);
   if (py::isinstance<py::str>(at)) {
     const auto metric = studies::parse_metric(name + "(" + py::cast<std::string>(at) + ")");
     const MetricRequest request = std::get<MetricRequest>(metric.what);
-    return py::float_(value_or_throw(metric.text, evaluate(self.motor, request)));
+    return py::float_(point_value(self, metric.text, request));
   }
   MetricRequest request{row.metric, argument, 0};
   const auto number = number_of(at);
   if (!number) return evaluate_array(self, request, at);
   request.at = *number;
-  return py::float_(value_or_throw(name, evaluate(self.motor, request)));
+  return py::float_(point_value(self, name, request));
 }
 
 void add_point_metric(Class& motor, const MetricInfo& row) {

@@ -16,6 +16,7 @@
 namespace twum::python {
 namespace {
 
+using namespace py::literals;
 using studies::DesignAnswer;
 using studies::DesignProblem;
 
@@ -85,76 +86,61 @@ py::dict named_values(const DesignProblem& problem, std::span<const double> desi
 }
 
 py::dict certificate_dict(const optim::Certificate& certificate) {
-  py::list findings;
-  for (const optim::Finding& finding : certificate.findings) findings.append(finding.text);
-  py::dict entries;
-  entries["passed"] = certificate.passed;
-  entries["infeasibility"] = certificate.infeasibility;
-  entries["stationarity"] = certificate.stationarity;
-  entries["complementarity"] = certificate.complementarity;
-  entries["curvature"] = certificate.curvature;
-  entries["findings"] = findings;
-  entries["reason"] = certificate.reason;
-  return entries;
+  const py::list findings =
+      list_of(certificate.findings, [](const optim::Finding& finding) { return finding.text; });
+  return py::dict("passed"_a = certificate.passed, "infeasibility"_a = certificate.infeasibility,
+                  "stationarity"_a = certificate.stationarity,
+                  "complementarity"_a = certificate.complementarity,
+                  "curvature"_a = certificate.curvature, "findings"_a = findings,
+                  "reason"_a = certificate.reason);
 }
 
 py::list limits_list(const optim::Certificate& certificate) {
-  py::list limits;
-  for (const optim::Activity& one : certificate.limits) {
-    py::dict entry;
-    entry["text"] = one.name;
-    entry["bound"] = one.is_bound;
-    entry["value"] = one.value;
-    entry["limit"] = one.limit;
-    entry["violation"] = one.violation;
-    entry["active"] = one.active;
-    entry["multiplier"] = one.multiplier;
-    limits.append(entry);
-  }
-  return limits;
+  return list_of(certificate.limits, [](const optim::Activity& one) {
+    return py::dict("text"_a = one.name, "bound"_a = one.is_bound, "value"_a = one.value,
+                    "limit"_a = one.limit, "violation"_a = one.violation, "active"_a = one.active,
+                    "multiplier"_a = one.multiplier);
+  });
 }
 
 py::list relaxation_list(const optim::Infeasibility& infeasibility) {
-  py::list list;
-  for (const optim::Relaxation& one : infeasibility.relaxations) {
-    py::dict entry;
-    entry["text"] = one.name;
-    entry["limit"] = one.limit;
-    entry["amount"] = one.amount;
-    entry["alone"] = one.alone;
-    list.append(entry);
-  }
-  return list;
+  return list_of(infeasibility.relaxations, [](const optim::Relaxation& one) {
+    return py::dict("text"_a = one.name, "limit"_a = one.limit, "amount"_a = one.amount,
+                    "alone"_a = one.alone);
+  });
 }
 
-py::object optimum(const PyProblem& self, const std::string& outcome, const MotorDesign& motor,
-                   std::span<const double> design, const optim::Evaluation& evaluation,
-                   const optim::Certificate& certificate, const optim::Result* search) {
-  py::dict objective;
-  for (std::size_t k = 0; k < self.problem.objectives.size() && k < evaluation.values.size(); ++k)
-    objective[py::str(self.problem.objectives[k].metric.text)] = evaluation.values[k];
-  py::dict failures;
-  if (search != nullptr) {
-    for (const auto& [reason, count] : search->counters.failures) failures[py::str(reason)] = count;
-  }
-  py::dict entries;
-  entries["outcome"] = outcome;
-  entries["motor"] = PyMotor{self.name, Motor(motor)};
-  entries["design"] = named_values(self.problem, design);
-  entries["objective"] = objective;
-  entries["limits"] = limits_list(certificate);
-  entries["certificate"] = certificate_dict(certificate);
-  entries["relaxation"] = search == nullptr ? py::list() : relaxation_list(search->infeasibility);
-  entries["solver"] = search == nullptr ? "" : search->solver;
-  entries["evaluations"] = search == nullptr ? 0 : search->counters.evaluations;
-  entries["failures"] = failures;
-  return attribute_of_results("Optimum")(**entries);
+py::dict objective_dict(const DesignProblem& problem, const optim::Evaluation& evaluation) {
+  py::dict values;
+  for (std::size_t k = 0; k < problem.objectives.size() && k < evaluation.values.size(); ++k)
+    values[py::str(problem.objectives[k].metric.text)] = evaluation.values[k];
+  return values;
 }
 
+// What one search found.
 py::object optimum(const PyProblem& self, const DesignAnswer& answer) {
   const optim::Result& search = answer.search;
-  return optimum(self, to_string(search.outcome), answer.motor, search.design, search.evaluation,
-                 search.certificate, &search);
+  return attribute_of_results("Optimum")(
+      "outcome"_a = to_string(search.outcome), "motor"_a = PyMotor{self.name, Motor(answer.motor)},
+      "design"_a = named_values(self.problem, search.design),
+      "objective"_a = objective_dict(self.problem, search.evaluation),
+      "limits"_a = limits_list(search.certificate),
+      "certificate"_a = certificate_dict(search.certificate),
+      "relaxation"_a = relaxation_list(search.infeasibility), "solver"_a = search.solver,
+      "evaluations"_a = search.counters.evaluations, "failures"_a = search.counters.failures);
+}
+
+// A point of a front, which has no search of its own.
+py::object optimum(const PyProblem& self, const MotorDesign& motor,
+                   const optim::FrontPoint& point) {
+  const optim::Certificate& certificate = point.certificate;
+  return attribute_of_results("Optimum")(
+      "outcome"_a = certificate.passed ? "optimal" : "feasible",
+      "motor"_a = PyMotor{self.name, Motor(motor)},
+      "design"_a = named_values(self.problem, point.design),
+      "objective"_a = objective_dict(self.problem, point.evaluation),
+      "limits"_a = limits_list(certificate), "certificate"_a = certificate_dict(certificate),
+      "relaxation"_a = py::list(), "solver"_a = "", "evaluations"_a = 0, "failures"_a = py::dict());
 }
 
 // --- what is asked
@@ -180,11 +166,8 @@ py::list front_of(const PyProblem& self, std::size_t points, const py::kwargs& k
       },
       [] {});
   py::list list;
-  for (std::size_t i = 0; i < front.motors.size(); ++i) {
-    const optim::FrontPoint& point = front.search.points[i];
-    list.append(optimum(self, point.certificate.passed ? "optimal" : "feasible", front.motors[i],
-                        point.design, point.evaluation, point.certificate, nullptr));
-  }
+  for (std::size_t i = 0; i < front.motors.size(); ++i)
+    list.append(optimum(self, front.motors[i], front.search.points[i]));
   return list;
 }
 

@@ -13,6 +13,8 @@
 namespace twum::python {
 namespace {
 
+using namespace py::literals;
+
 const char* takes(Argument argument) {
   switch (argument) {
     case Argument::speed: return "speed";
@@ -23,46 +25,25 @@ const char* takes(Argument argument) {
 }
 
 py::list parameters() {
-  py::list rows;
-  for (const ParameterInfo& row : parameter_table()) {
-    py::dict entry;
-    entry["name"] = to_py(row.name);
-    entry["symbol"] = to_py(row.symbol);
-    entry["unit"] = to_py(row.unit);
-    entry["min"] = row.min;
-    entry["max"] = row.max;
-    entry["example"] = to_py(row.example);
-    entry["text"] = to_py(row.text);
-    rows.append(entry);
-  }
-  return rows;
+  return list_of(parameter_table(), [](const ParameterInfo& row) {
+    return py::dict("name"_a = row.name, "symbol"_a = row.symbol, "unit"_a = row.unit,
+                    "min"_a = row.min, "max"_a = row.max, "example"_a = row.example,
+                    "text"_a = row.text);
+  });
 }
 
 py::list metrics() {
-  py::list rows;
-  for (const MetricInfo& row : metric_table()) {
-    py::dict entry;
-    entry["name"] = to_py(row.name);
-    entry["unit"] = to_py(row.unit);
-    entry["takes"] = takes(row.argument);
-    entry["text"] = to_py(row.text);
-    rows.append(entry);
-  }
-  return rows;
+  return list_of(metric_table(), [](const MetricInfo& row) {
+    return py::dict("name"_a = row.name, "unit"_a = row.unit, "takes"_a = takes(row.argument),
+                    "text"_a = row.text);
+  });
 }
 
 py::list solvers() {
-  py::list rows;
-  for (const optim::SolverInfo& row : optim::solvers()) {
-    py::dict entry;
-    entry["name"] = row.name;
-    entry["text"] = row.description;
-    entry["gradient"] = row.gradient;
-    entry["global"] = row.global;
-    entry["available"] = row.available;
-    rows.append(entry);
-  }
-  return rows;
+  return list_of(optim::solvers(), [](const optim::SolverInfo& row) {
+    return py::dict("name"_a = row.name, "text"_a = row.description, "gradient"_a = row.gradient,
+                    "global"_a = row.global, "available"_a = row.available);
+  });
 }
 
 }  // namespace

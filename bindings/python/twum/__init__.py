@@ -9,6 +9,7 @@
     motor.curve().plot()                                    # arrays of NumPy
     motor.gradients("peak_power")["peak_power"]["thickness"]
     twum.evaluate(motor, {"preload": loads}, "stall_torque, no_load_speed")
+    twum.gradients(motor, {"preload": loads}, "stall_torque")["stall_torque"]["preload"]
     twum.run("study.yaml").summary
 
 Numbers are in SI units, texts carry their unit. parameter_table() and metric_table() list the names.
@@ -26,16 +27,18 @@ from ._twum import (
     __version__,
     engineering,
     evaluate,
+    gradients,
     metric_table,
     parameter_table,
     quantity,
     solver_table,
 )
-from .results import Curve, Fields, Optimum, StudyResult, read_result, run
+from .results import Curve, Derivatives, Fields, Optimum, StudyResult, read_result, run
 
 __all__ = [
     "Curve",
     "Derivative",
+    "Derivatives",
     "DesignProblem",
     "Error",
     "EvaluationError",
@@ -50,6 +53,7 @@ __all__ = [
     "__version__",
     "engineering",
     "evaluate",
+    "gradients",
     "metric_table",
     "parameter_table",
     "quantity",
@@ -59,7 +63,7 @@ __all__ = [
 ]
 
 # Users see these names where they find them.
-for _shown in (DesignProblem, Derivative, Motor, OperatingPoint, evaluate):
+for _shown in (DesignProblem, Derivative, Motor, OperatingPoint, evaluate, gradients):
     try:
         _shown.__module__ = "twum"
     except (AttributeError, TypeError):  # of a compiled function it is fixed

@@ -6,7 +6,7 @@ from typing import Any, Callable, Iterable, Mapping, Sequence, Tuple, Union, ove
 import numpy as np
 from numpy.typing import NDArray
 
-from .results import Curve, Fields, Optimum
+from .results import Curve, Derivatives, Fields, Optimum
 
 _Quantity = Union[str, float, "np.floating[Any]", "np.integer[Any]"]
 _Numbers = Union[Sequence[float], NDArray[Any]]
@@ -238,6 +238,14 @@ def evaluate(
     *,
     jobs: int = 0,
 ) -> dict[str, NDArray[Any]]: ...
+def gradients(
+    motor: Motor,
+    designs: Mapping[str, _Quantity | _Numbers],
+    metrics: str | Iterable[str],
+    *,
+    fixed_static_friction: bool = False,
+    jobs: int = 0,
+) -> dict[str, Derivatives]: ...
 def run_file(
     path: str,
     directory: str,

@@ -14,6 +14,8 @@ import numpy as np
 
 from . import _twum
 
+_NAMES = {row["symbol"]: row["name"] for row in _twum.parameter_table() if row["symbol"]}
+
 
 @dataclass(frozen=True, eq=False)
 class Curve:
@@ -57,6 +59,23 @@ class Fields:
         from . import plot
 
         return plot.fields(self, axes)
+
+
+@dataclass(frozen=True, eq=False)
+class Derivatives:
+    """A metric of many designs with its exact derivatives: arrays over the designs, SI units.
+
+    derivatives['thickness'] is one of them; it is 0 for a parameter that is not in use, and NaN where
+    `status` is not 'ok' or `smoothness` is 'undefined'.
+    """
+
+    value: np.ndarray
+    gradient: dict = field(repr=False)  # arrays by the name of the parameter
+    smoothness: np.ndarray = field(repr=False)  # texts, as of Derivative
+    status: np.ndarray = field(repr=False)  # 'ok', or why a design has no value
+
+    def __getitem__(self, parameter: str) -> np.ndarray:
+        return self.gradient[_NAMES.get(parameter, parameter)]
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,7 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+/// @file
 /// Everything of twum::core: designs, operating points, curves, fields, metrics with derivatives.
+
+/// @namespace twum
+/// One motor: its design, operating points, curves, fields, metrics with derivatives.
+///
+/// What holds of every function here, in twum::optim and in twum::studies, unless it says otherwise:
+///
+/// * Numbers are in SI units; equations such as T3.2 are those of docs/theory.
+/// * Values go in and come out; nothing is kept between calls. A function, and a const member of an
+///   object, may be called by any number of threads at once.
+/// * A wrong argument is an InputError that says what was found and what would be right; nothing has
+///   changed then. Memory may run out besides (std::bad_alloc).
+/// * The answer follows from the arguments alone: not from threads, time or locale.
 
 #include <twum/base/error.hpp>
 #include <twum/base/version.hpp>

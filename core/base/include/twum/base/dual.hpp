@@ -14,10 +14,12 @@ namespace twum {
 /// A default-constructed Dual is uninitialised; `Dual(x)` is the constant x.
 template <typename T, int N>
 struct Dual {
-  T v;
-  T d[N];
+  T v;     ///< value
+  T d[N];  ///< derivative in each direction
 
+  /// Uninitialised.
   Dual() = default;
+  /// A constant: all derivatives are 0.
   Dual(double constant) : v(constant) {  // NOLINT: constants enter formulas as they stand
     for (int i = 0; i < N; ++i) d[i] = T(0.0);
   }
@@ -32,25 +34,30 @@ struct Dual {
 };
 
 /// The number behind a scalar, derivatives dropped.
+/// @{
 inline double value_of(double x) { return x; }
 template <typename T, int N>
 double value_of(const Dual<T, N>& x) {
   return value_of(x.v);
 }
+/// @}
 
 /// How many Newton steps give a root all its derivatives: one for each level of nesting.
 template <typename S>
 inline constexpr int kDualDepth = 0;
+/// Of a Dual: one more than of what it holds.
 template <typename T, int N>
 inline constexpr int kDualDepth<Dual<T, N>> = 1 + kDualDepth<T>;
 
 /// x with its value replaced: the derivatives stay. Used where a value is already known better.
+/// @{
 inline double with_value(double, double value) { return value; }
 template <typename T, int N>
 Dual<T, N> with_value(Dual<T, N> x, double value) {
   x.v = with_value(x.v, value);
   return x;
 }
+/// @}
 
 namespace detail {
 
@@ -65,6 +72,9 @@ Dual<T, N> chain(const Dual<T, N>& x, const T& f, const T& slope) {
 
 }  // namespace detail
 
+/// Arithmetic by the rules of differentiation; a double is a constant. Cost: that of T alone times about 1 + N.
+/// Division by zero gives what it gives for T; nothing throws.
+/// @{
 template <typename T, int N>
 Dual<T, N> operator-(const Dual<T, N>& a) {
   Dual<T, N> r;
@@ -169,6 +179,10 @@ template <typename T, int N, typename B>
 Dual<T, N>& operator*=(Dual<T, N>& a, const B& b) {
   return a = a * b;
 }
+/// @}
+
+/// Elementary functions: f(x) with the derivatives f'(x) dx; angles in rad. The derivative of sqrt at 0 is infinite.
+/// @{
 
 template <typename T, int N>
 Dual<T, N> sin(const Dual<T, N>& x) {
@@ -192,18 +206,23 @@ Dual<T, N> sqrt(const Dual<T, N>& x) {
   const T f = sqrt(x.v);
   return detail::chain(x, f, T(0.5 / f));
 }
+/// @}
 
 /// Sine and cosine of the same angle.
 template <typename S>
 struct SinCos {
-  S sin, cos;
+  S sin;  ///< its sine
+  S cos;  ///< its cosine
 };
 
+/// Sine and cosine of an angle [rad], with derivatives; of a Dual at the cost of one of each.
+/// @{
 inline SinCos<double> sincos(double x) { return {std::sin(x), std::cos(x)}; }
 template <typename T, int N>
 SinCos<Dual<T, N>> sincos(const Dual<T, N>& x) {
   const SinCos<T> at = twum::sincos(x.v);
   return {detail::chain(x, at.sin, at.cos), detail::chain(x, at.cos, T(-at.sin))};
 }
+/// @}
 
 }  // namespace twum

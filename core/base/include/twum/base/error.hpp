@@ -9,6 +9,7 @@ namespace twum {
 /// Root of every exception that twum throws on purpose.
 class Error : public std::runtime_error {
  public:
+  /// With its text.
   using std::runtime_error::runtime_error;
 };
 
@@ -16,6 +17,7 @@ class Error : public std::runtime_error {
 /// The text names the entry, what was found, and what would be right.
 class InputError : public Error {
  public:
+  /// With its text.
   using Error::Error;
 };
 
@@ -23,6 +25,8 @@ class InputError : public Error {
 /// The text says which; optimizers and studies count it under `reason()`.
 class EvaluationError : public Error {
  public:
+  /// @param reason  short machine-readable word
+  /// @param text    a sentence, what() of the exception
   EvaluationError(std::string reason, const std::string& text)
       : Error(text), reason_(std::move(reason)) {}
 

@@ -7,7 +7,8 @@ namespace twum {
 ///
 ///     p(theta) = P (cos theta - c),   P = E A / h,   c = cos theta_L            (partial contact)
 ///
-/// and in full contact the same with theta_L = pi and c = -F_N kappa / (2 pi n b P) <= -1.
+/// and in full contact the same with theta_L = pi and c = -F_N kappa / (2 pi n b P) <= -1
+/// (T3.1 to T3.4). Scalar is double, or a Dual that carries derivatives.
 template <typename Scalar>
 struct NormalContact {
   Scalar half_angle;          ///< theta_L = kappa L [rad], 0 .. pi
@@ -21,9 +22,11 @@ struct NormalContact {
 
 /// Half angle theta_L of partial contact that carries a load.
 ///
-/// Solves sin t - t cos t = load with full relative accuracy in t.
-/// @param load  F_N h kappa / (2 n b E A), 0 <= load < pi.
-/// @return theta_L in [0, pi).
+/// Solves sin t - t cos t = load (T3.2) with full relative accuracy in t; the left side rises strictly
+/// from 0 to pi, so there is one answer. Smooth for load > 0, as load^(1/3) at 0. A few Newton
+/// steps; never throws.
+/// @param load  F_N h kappa / (2 n b E A) [1], 0 <= load < pi.
+/// @return theta_L in [0, pi) [rad].
 double contact_half_angle(double load);
 
 }  // namespace twum

@@ -10,14 +10,14 @@ enum class ZoneState : signed char {
   slip_plus = +1    ///< v_rel < 0: the stator is faster and drives
 };
 
-/// "slip-", "stick" or "slip+".
+/// "slip-", "stick" or "slip+"; a text that lives for ever.
 const char* to_string(ZoneState state) noexcept;
 
 /// One stick or slip zone.
 struct Zone {
-  ZoneState state;
-  double from;  ///< phase at which it begins [rad]
-  double to;    ///< phase at which it ends [rad], from < to
+  ZoneState state;  ///< what the contact does there
+  double from;      ///< phase at which it begins [rad]
+  double to;        ///< phase at which it ends [rad], from < to
 };
 
 }  // namespace twum

@@ -42,19 +42,19 @@ struct Friction {
 /// The defaults are a 60 mm ring motor, the one of `examples/motors/ring-60.yaml` without its
 /// modal damping.
 struct MotorDesign {
-  Stator stator;
-  ContactLayer layer;
-  Friction friction;
+  Stator stator;        ///< the vibrating ring
+  ContactLayer layer;   ///< between stator and rotor
+  Friction friction;    ///< of the contact
   double preload{160};  ///< F_N, total axial force [N]
 };
 
-/// G, shear modulus of the layer: as given, or E / (2 (1 + nu)) [Pa].
+/// G, shear modulus of the layer: as given, or E / (2 (1 + nu)) [Pa]. Smooth; never throws.
 double shear_modulus(const MotorDesign& design);
 
-/// gamma, shear viscosity of the layer: as given, or loss_factor G / omega [Pa s].
+/// gamma, shear viscosity of the layer: as given, or loss_factor G / omega [Pa s]. Smooth; never throws.
 double shear_viscosity(const MotorDesign& design);
 
-/// m, inertia of the layer: as given, or rho h^2 / 3 [Pa s^2].
+/// m, inertia of the layer: as given, or rho h^2 / 3 [Pa s^2]. Smooth; never throws.
 double inertia(const MotorDesign& design);
 
 }  // namespace twum

@@ -36,6 +36,7 @@ enum class Parameter : unsigned char {
   preload
 };
 
+/// Rows of the parameter table.
 inline constexpr std::size_t kParameterCount = 18;
 
 /// Position of a parameter in arrays over the parameter table.
@@ -43,7 +44,7 @@ constexpr std::size_t index_of(Parameter parameter) { return static_cast<std::si
 
 /// One row of the parameter table: the single source for reading, listing, schema and reference.
 struct ParameterInfo {
-  Parameter parameter;
+  Parameter parameter;      ///< whose row it is
   std::string_view name;    ///< flat name, as in studies, CSV headers and --set
   std::string_view symbol;  ///< the paper's letter, an alias of the name; may be empty
   std::string_view unit;    ///< SI unit, "1" if dimensionless
@@ -59,27 +60,30 @@ struct ParameterInfo {
   std::string_view text;          ///< what it is, in one line
 };
 
-/// The table, one row for each Parameter, in its order.
+/// The table, one row for each Parameter, in its order; it lives for ever.
 std::span<const ParameterInfo> parameter_table();
 
-/// The row of a parameter.
+/// The row of a parameter; it lives for ever.
 const ParameterInfo& info(Parameter parameter);
 
-/// The parameter of a flat name or symbol ("thickness" or "h"); nothing if there is none.
+/// The parameter of a flat name or symbol ("thickness" or "h"); nothing if there is none. Upper
+/// and lower case differ.
 std::optional<Parameter> find_parameter(std::string_view name_or_symbol);
 
 /// Value of a parameter in SI units; for one that follows from others (G from E and nu, ...) the
 /// value in use, and for the twin that is not in use what it would have to be: nu from G and E,
-/// loss_factor from gamma, G and omega, density from m and h.
+/// loss_factor from gamma, G and omega, density from m and h. Never throws, whatever the design.
 double get(const MotorDesign& design, Parameter parameter);
 
 /// True if the design's behaviour is stated through this parameter: false for shear_modulus when G
 /// follows from E and nu, and for poisson_ratio when G is given outright; likewise the other twins.
 bool in_use(const MotorDesign& design, Parameter parameter);
 
-/// Why a value is not admissible, in the form "must be at least 0 m"; empty if it is.
+/// Why a value [SI] is not admissible by itself, in the form "must be at least 0 m, but is -1 m"; empty
+/// if it is. NaN and infinity never are.
 std::string complaint(Parameter parameter, double value);
 
+/// A parameter and its value [SI].
 using ParameterValue = std::pair<Parameter, double>;
 
 /// The design with some parameters replaced (SI units). The order of the list does not matter:
@@ -87,10 +91,13 @@ using ParameterValue = std::pair<Parameter, double>;
 /// values for the same parameter holds.
 /// @throws InputError if a value is not admissible, a parameter and its twin are both in the list,
 ///         or the result has mu_0 < mu.
+/// @{
 MotorDesign with(const MotorDesign& design, std::span<const ParameterValue> values);
 MotorDesign with(const MotorDesign& design, Parameter parameter, double value);
+/// @}
 
-/// All that is wrong with a design, one sentence each; empty if it is admissible.
+/// All that is wrong with a design, one sentence each, in the order of the table; empty if it is
+/// admissible: every parameter in use within its range, and mu_0 >= mu.
 std::vector<std::string> complaints(const MotorDesign& design);
 
 }  // namespace twum

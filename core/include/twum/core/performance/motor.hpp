@@ -24,22 +24,22 @@ enum class PointStatus : unsigned char {
   unresolved          ///< more stick and slip zones than can be followed
 };
 
-/// Short machine-readable word, such as "no-periodic-state"; "ok" for ok.
+/// Short machine-readable word, such as "no-periodic-state"; "ok" for ok. A text that lives for ever.
 const char* to_string(PointStatus status) noexcept;
 
 /// The motor in its periodic state at one rotor speed. SI units; theory section 7.
 /// If status is not ok every number but `speed` is NaN.
 struct OperatingPoint {
-  double speed{0};           ///< Omega [rad/s]
-  double torque{0};          ///< T on the rotor, positive in drive direction [N m]
-  double output_power{0};    ///< P_out = T Omega [W]
-  double stator_power{0};    ///< P_in, from the stator to the layer [W]
-  double friction_power{0};  ///< P_fric, snaps included [W], >= 0
-  double layer_loss{0};      ///< P_layer, viscous loss in the layer [W], >= 0
-  double stator_loss{0};     ///< P_stator = c_stator (omega A)^2 [W]
-  double wear_intensity{0};  ///< P_fric / (2 pi r b) [W/m^2]
-  double stick_fraction{0};  ///< share of the contact length that sticks [1]
-  PointStatus status{PointStatus::ok};
+  double speed{0};                      ///< Omega [rad/s]
+  double torque{0};                     ///< T on the rotor, positive in drive direction [N m]
+  double output_power{0};               ///< P_out = T Omega [W]
+  double stator_power{0};               ///< P_in, from the stator to the layer [W]
+  double friction_power{0};             ///< P_fric, snaps included [W], >= 0
+  double layer_loss{0};                 ///< P_layer, viscous loss in the layer [W], >= 0
+  double stator_loss{0};                ///< P_stator = c_stator (omega A)^2 [W]
+  double wear_intensity{0};             ///< P_fric / (2 pi r b) [W/m^2]
+  double stick_fraction{0};             ///< share of the contact length that sticks [1]
+  PointStatus status{PointStatus::ok};  ///< why there is no answer
 
   /// P_out / P_in where P_in > 0, else NaN [1]
   double contact_efficiency() const noexcept;
@@ -59,7 +59,7 @@ struct FieldSample {
 
 /// Fields along one wave in the periodic state.
 struct ContactFields {
-  OperatingPoint point;
+  OperatingPoint point;              ///< the numbers of the whole motor
   std::vector<Zone> zones;           ///< from contact entry to exit
   std::vector<FieldSample> samples;  ///< ordered by phase
 };
@@ -68,31 +68,39 @@ struct ContactFields {
 /// Motor may be used by any number of threads.
 class Motor {
  public:
-  /// Solves the normal contact (theory section 3).
+  /// Solves the normal contact (T3.1 to T3.4). About a microsecond.
   /// @throws InputError with every complaint about the design.
   explicit Motor(const MotorDesign& design);
 
+  /// The design as it was given.
   const MotorDesign& design() const noexcept { return design_; }
+  /// Pressure between wave and rotor, the same at every speed (T3.1 to T3.4).
   const NormalContact<double>& contact() const noexcept;
 
   /// V0 / r, rotor speed that matches the crest velocity of the stator surface [rad/s].
   double crest_speed() const noexcept;
   /// v_w / r; rotor speeds must exceed its negative [rad/s].
   double wave_speed() const noexcept;
-  /// mu_0 F_N r, bound of every torque and torque at rest without drive [N m].
+  /// mu_0 F_N r (T7.8), bound of every torque and torque at rest without drive [N m].
   double holding_torque() const noexcept;
   /// True if the whole contact sticks at rest, the motor being locked like a brake; theory section 10.
   bool locks_at_rest() const noexcept;
 
-  /// Periodic state at a rotor speed [rad/s]. About a microsecond, no heap allocation.
+  /// Periodic state at a rotor speed [rad/s], by the closed forms of T4.1 to T4.5. About a microsecond,
+  /// no heap allocation.
   /// Smooth in speed where zones neither appear nor vanish, C1 there if mu_0 = mu.
   /// @throws InputError unless speed > -wave_speed() (and finite).
   OperatingPoint operating_point(double speed) const;
 
-  /// Stick and slip zones from contact entry to exit; empty if the point has no answer.
+  /// Stick and slip zones at a rotor speed [rad/s] from contact entry to exit; empty if the point has no
+  /// answer. About a microsecond.
+  /// @throws InputError as operating_point().
   std::vector<Zone> zones(double speed) const;
 
-  /// Fields at `samples` equally spaced phases over one wave (zone borders are not added).
+  /// Fields at a rotor speed [rad/s] at `samples` equally spaced phases over one wave (zone borders are
+  /// not added). Pressure is continuous; traction jumps where zones meet.
+  /// @param samples  at least 2
+  /// @throws InputError as operating_point(), and for fewer samples.
   ContactFields fields(double speed, int samples) const;
 
   /// The model behind the motor; for the library's own use.
@@ -105,7 +113,8 @@ class Motor {
   std::shared_ptr<const performance::MotorModel<double>> model_;  // immutable, shared by copies
 };
 
-/// Operating points at the given speeds [rad/s], in their order.
+/// Operating points at the given speeds [rad/s], in their order. About a microsecond each.
+/// @throws InputError as Motor::operating_point(), for the first speed that is out of range.
 std::vector<OperatingPoint> torque_speed_curve(const Motor& motor,
                                                const std::vector<double>& speeds);
 
