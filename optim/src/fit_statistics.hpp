@@ -7,10 +7,16 @@
 
 namespace twum::optim {
 
-/// Fills rank, deviations, intervals, covariance and correlation from the Jacobian (user units) in
-/// the free parameters.
-void fit_statistics(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residuals,
-                    const std::vector<Eigen::Index>& free, const LeastSquaresOptions& options,
+/// Where a fit has ended.
+struct FittedState {
+  Eigen::MatrixXd jacobian;  // of all parameters, in user units
+  const Eigen::VectorXd& residuals;
+  const std::vector<Eigen::Index>& free;  // parameters that no bound holds
+  const std::vector<Variable>& parameters;
+};
+
+/// Fills rank, deviations, intervals, covariance, correlation, and what follows the held parameters.
+void fit_statistics(const FittedState& state, const LeastSquaresOptions& options,
                     LeastSquaresResult& result);
 
 }  // namespace twum::optim

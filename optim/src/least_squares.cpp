@@ -151,11 +151,14 @@ class Fit {
       }
       update_scale();
       const auto free = free_parameters();
+      if (free.empty()) {
+        result.word = "every parameter is held by a bound";
+        return;
+      }
       const Eigen::VectorXd d = step(free, damping);
       const Eigen::VectorXd next = (t_ + d).cwiseMax(lower_).cwiseMin(upper_);
       const Eigen::VectorXd moved = next - t_;
-      if (moved.cwiseProduct(scale_).norm() <= 1e-16 * t_.cwiseProduct(scale_).norm() ||
-          free.empty()) {
+      if (moved.cwiseProduct(scale_).norm() <= 1e-16 * t_.cwiseProduct(scale_).norm()) {
         result.word = "no step changes the parameters";
         return;
       }
@@ -202,6 +205,13 @@ class Fit {
     return worst;
   }
 
+  Eigen::MatrixXd user_jacobian(const std::vector<double>& b) const {
+    Eigen::MatrixXd jacobian = j_;
+    for (Index j = 0; j < jacobian.cols(); ++j)
+      if (parameter(j).scale == Scale::log) jacobian.col(j) /= b[static_cast<std::size_t>(j)];
+    return jacobian;
+  }
+
   void describe(LeastSquaresResult& result) {
     const auto free = free_parameters();
     result.sum_of_squares = r_.squaredNorm();
@@ -214,14 +224,7 @@ class Fit {
       e.at_bound = std::find(free.begin(), free.end(), static_cast<Index>(j)) == free.end();
       result.estimates.push_back(e);
     }
-    Eigen::MatrixXd jacobian(r_.size(), static_cast<Index>(free.size()));
-    for (std::size_t i = 0; i < free.size(); ++i) {
-      const Index j = free[i];
-      const double chain =
-          parameter(j).scale == Scale::log ? 1.0 / b[static_cast<std::size_t>(j)] : 1.0;
-      jacobian.col(static_cast<Index>(i)) = j_.col(j) * chain;
-    }
-    fit_statistics(jacobian, r_, free, options_, result);
+    fit_statistics({user_jacobian(b), r_, free, parameters_}, options_, result);
     // Where the residuals vanish to rounding their direction means nothing, and zero is optimal.
     const bool exact = r_.norm() <= 1e-13 * j_.norm() * (1.0 + t_.norm());
     const bool stationary = result.gradient <= 1e-5 || exact;

@@ -51,6 +51,13 @@ class Curve(program.Case):
         exact = json.loads(self.ok("curve", RING, "--points", 5, "--format", "json"))["curve"]
         self.assertEqual([float(r[1]) for r in rows[1:]], [p["torque"] for p in exact])
 
+    def test_a_file_gets_the_format_of_its_name(self):
+        for name, begin in (("c.csv", "speed ["), ("c.json", "{"), ("c.txt", "ring-60"), ("c", "ring-60")):
+            self.assertEqual(self.ok("curve", RING, "--points", 3, "-o", self.folder / name), "")
+            self.assertTrue((self.folder / name).read_text().startswith(begin), name)
+        self.ok("curve", RING, "--points", 3, "-o", self.folder / "t.csv", "--format", "table")
+        self.assertTrue((self.folder / "t.csv").read_text().startswith("ring-60"))
+
     def test_table_shows_engineering_units(self):
         text = self.ok("curve", RING, "--points", 5)
         self.assertTrue(text.startswith("ring-60\n"))
@@ -60,6 +67,10 @@ class Curve(program.Case):
     def test_undefined_metrics_are_null(self):
         result = json.loads(self.ok("curve", RING, "--set", "modal_damping=0 N.s/m", "--format", "json"))
         self.assertIsNone(result["metrics"]["max_efficiency"])
+        done = program.twum("curve", RING, "--set", "modal_damping=0 N.s/m")
+        self.assertIn("max_efficiency                    - (undefined)", done.stdout.decode())
+        self.assertIn("note: undefined: it has no meaning for this motor", done.stderr)
+        self.assertEqual(program.twum("curve", RING).stderr, "")
 
     def test_settings_change_the_motor_and_replace_twins(self):
         motor = json.loads(self.ok("curve", RING, "--set", "preload=140 N", "--set", "G=1 GPa", "--format", "json"))["motor"]

@@ -104,6 +104,28 @@ class Environment(program.Case):
         self.assertEqual(answer(folder), plain)
         self.ok("verify", folder)
 
+    def test_wrong_clocks_change_nothing_but_the_time_that_is_noted(self):
+        if not shutil.which("faketime"):
+            self.skipTest("no faketime here")
+        plain = self.run_study("plain")
+
+        def run_at(clock, folder):
+            done = subprocess.run(["faketime", "-f", clock, program.PROGRAM, "run", str(self.study()), "-o", str(folder)],
+                                  capture_output=True, env={**os.environ, "TZ": "UTC", "DONT_FAKE_MONOTONIC": "1",
+                                                            "FAKETIME_DONT_FAKE_MONOTONIC": "1"})
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(answer(folder), plain)
+            return json.loads((folder / "summary.json").read_text())
+
+        for clock in ("1969-12-31 12:00:00", "2038-01-19 03:14:06", "2106-02-07 06:28:14"):
+            noted = run_at("@" + clock, self.folder / clock[:4])
+            self.assertEqual(noted["started"][:13], clock.replace(" ", "T")[:13])
+            self.assertGreaterEqual(noted["seconds"], 0)
+        # Set back by decades between two runs into one folder, and backwards all the time.
+        run_at("@1999-12-31 23:59:59", self.folder / "2106")
+        self.ok("verify", self.folder / "2106")
+        self.assertGreaterEqual(run_at("+0 x-10", self.folder / "backwards")["seconds"], 0)
+
     def test_names_with_blanks_and_letters_of_other_alphabets(self):
         plain = self.run_study("plain")
         place = self.folder / "Prüfstand № 7 – 超音波"
@@ -139,7 +161,7 @@ class Environment(program.Case):
         plain = self.run_study("plain")
         curve = self.ok("curve", RING)
         table = self.ok("evaluate", RING, "--designs", self.write("designs.csv", DESIGNS), "--metrics", "stall_torque")
-        data = "speed [rpm],torque [N.m]\n0,0.9\n40,0.7\n80,0.4\n"
+        data = "speed [rpm],torque [N.m]\n1,0.849\n40,0.846\n80,0.849\n"
         self.write("points.csv", data)
         self.ok("run", self.write("fit.yaml", calibration("points.csv")), "-o", self.folder / "fit")
         fit = answer(self.folder / "fit")[1]

@@ -61,6 +61,12 @@ class Evaluate(program.Case):
         self.assertEqual({len(row) for row in rows}, {4})
         self.assertIn("4 of 5 designs have no full answer", done.stderr)
 
+    def test_a_table_without_any_answer_has_a_status_of_its_own(self):
+        designs = self.write("designs.csv", "preload [N]\nx\n-1\n")
+        done = program.twum("evaluate", RING, "--designs", designs)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("2 of 2 designs", done.stderr)
+
     def test_wrong_tables_are_refused(self):
         for text in ("", "\n\n", "id\n1\n", "preload [m]\n1\n", "preload,F_N\n1,2\n", "nu,G\n1,2\n", "preload;h\n1;2\n",
                      'preload,"x\n1,2\n', b"\x00\x01\x02\n1\n"):

@@ -40,6 +40,34 @@ class Check(program.Case):
             self.ok("check", "-", stdin=file.read())
         self.assertTrue(self.refused("check", "-", stdin=b"a: [").startswith("standard input:1:"))
 
+    def test_files_that_a_study_names_are_read(self):
+        study = self.write("c.yaml", f"twum: 1\nmotor: {RING}\nstudy: {{kind: calibrate, data: points.csv, "
+                                     "variables: {kinetic_friction: {min: 0.1, max: 0.3}}}\n")
+        self.assertIn("expected measured points", self.refused("check", study))
+        self.write("points.csv", "speed,torqe\n1,2\n")
+        self.assertIn("did you mean 'torque'?", self.refused("check", study))
+        self.write("points.csv", "speed,torque\n1,0.8\n2,0.8\n")
+        self.assertIn("valid study file", self.ok("check", study))
+
+    def test_unlikely_values_are_noted_and_valid(self):
+        done = program.twum("check", RING, "--set", "amplitude=1.2 mm", "--set", "thickness=2 mm")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("note: amplitude 1.2 mm is outside 50 nm to 5 um", done.stderr)
+        self.assertIn("note: thickness 2 mm is ", done.stderr)
+        self.assertIn(" % of the contact length", done.stderr)
+        for motor in sorted((ROOT / "examples/motors").glob("*.yaml")):
+            self.assertEqual(program.twum("check", motor).stderr, "")
+
+    def test_entries_of_other_kinds_and_of_motor_files_are_recognized(self):
+        text = "twum: 1\nmotor: {}\nstudy: {{kind: {}, {}: [stall_torque >= 1 N.m]}}\n"
+        for kind, said, meant in (("optimize", "limits", "constraints"), ("pareto", "limits", "constraints"),
+                                  ("size", "constraints", "limits"), ("uncertainty", "constraints", "limits")):
+            study = self.write("s.yaml", text.format(RING, kind, said))
+            self.assertIn(f"did you mean '{meant}'?", self.refused("check", study))
+        self.assertIn("did you mean 'amplitude'?", self.refused("check", RING, "--set", "stator.amplitude=1 um"))
+        self.assertIn("did you mean 'neutral_plane_distance'?",
+                      self.refused("check", RING, "--set", "neutral_plane_dist=1 mm"))
+
 
     def test_every_wrong_study_is_refused_with_its_place(self):
         folder = ROOT / "tests/data/study_errors"
@@ -56,6 +84,7 @@ KINDS = ("curve", "sweep", "sensitivity", "optimize", "pareto", "size", "uncerta
 class Init(program.Case):
     def test_every_kind_of_study_is_valid_beside_its_motor(self):
         self.write("ring-60.yaml", (ROOT / "examples/motors/ring-60.yaml").read_bytes())
+        self.write("points.csv", "speed [rpm],torque [N.m]\n10,0.8\n120,0.7\n130,0.5\n")
         schema = jsonschema.Draft202012Validator(json.loads(self.ok("schema", "study")))
         for kind in KINDS:
             with self.subTest(kind):
@@ -63,6 +92,19 @@ class Init(program.Case):
                 self.ok("init", kind, "-o", path)
                 self.assertEqual(self.ok("check", path), f"{path}: a valid study file ({kind})\n")
                 schema.validate(yaml.safe_load(path.read_text()))
+                with open(path, "rb") as file:
+                    said = self.ok("check", "-", stdin=file.read(), cwd=self.folder)
+                self.assertIn(f"valid study file ({kind})", said)
+                text = self.ok("init", kind, "--motor", "ring-60.yaml")
+                self.assertIn("\nmotor: ring-60.yaml ", text)
+                self.ok("check", self.write("named.yaml", text))
+
+    def test_a_motor_is_named_whatever_its_path(self):
+        for name in ("it's.yaml", "- dash.yaml", "a: b.yaml", "größe #1.yaml", "{x}.yaml"):
+            with self.subTest(name):
+                self.write(name, (ROOT / "examples/motors/ring-60.yaml").read_bytes())
+                self.ok("check", self.write("study.yaml", self.ok("init", "curve", "--motor", name)))
+        self.assertIn("--motor is for a study", self.refused("init", "motor", "--motor", "x.yaml"))
 
     def test_the_file_is_valid_and_not_overwritten(self):
         path = self.folder / "new.yaml"

@@ -287,7 +287,7 @@ class Processes(Run):
             shown += piece
         os.close(ours)
         self.assertEqual(process.wait(60), 0)
-        self.assertRegex(shown, rb"\d+ done, \d+/s, \d+ s left")
+        self.assertRegex(shown, rb"\d+ motors, \d+/s, \d+ s left")
 
 
 if __name__ == "__main__":

@@ -79,94 +79,99 @@ D peak(const D& height, const D& centre, const D& width, double x) {
   return height * exp(-(s * s));
 }
 
-// Nelson's model is that of the logarithm of its response.
-DataSet of_logarithms(DataSet set) {
-  for (double& y : set.y) y = std::log(y);
-  return set;
+// The models as NIST writes them: b are the parameters, x (and z) the predictors.
+namespace models {
+
+D misra1a(const D* b, double x, double) { return b[0] * (1.0 - exp(-x * b[1])); }
+
+D misra1b(const D* b, double x, double) {
+  const D s = 1.0 + 0.5 * x * b[1];
+  return b[0] * (1.0 - 1.0 / (s * s));
 }
 
+D misra1c(const D* b, double x, double) { return b[0] * (1.0 - 1.0 / sqrt(1.0 + 2.0 * x * b[1])); }
+
+D misra1d(const D* b, double x, double) { return b[0] * b[1] * x / (1.0 + b[1] * x); }
+
+D dan_wood(const D* b, double x, double) { return b[0] * exp(b[1] * std::log(x)); }
+
+D rat42(const D* b, double x, double) { return b[0] / (1.0 + exp(b[1] - x * b[2])); }
+
+D rat43(const D* b, double x, double) {
+  return b[0] / power(1.0 + exp(b[1] - x * b[2]), 1.0 / b[3]);
+}
+
+D eckerle4(const D* b, double x, double) {
+  const D s = (x - b[2]) / b[1];
+  return b[0] / b[1] * exp(-0.5 * (s * s));
+}
+
+D roszman1(const D* b, double x, double) {
+  return b[0] - x * b[1] - arctan(b[2] / (x - b[3])) * (1.0 / std::numbers::pi);
+}
+
+D mgh09(const D* b, double x, double) {
+  return b[0] * (x * x + x * b[1]) / (x * x + x * b[2] + b[3]);
+}
+
+D mgh10(const D* b, double x, double) { return b[0] * exp(b[1] / (x + b[2])); }
+
+D mgh17(const D* b, double x, double) {
+  return b[0] + b[1] * exp(-x * b[3]) + b[2] * exp(-x * b[4]);
+}
+
+D thurber(const D* b, double x, double) {
+  return (b[0] + x * b[1] + x * x * b[2] + x * x * x * b[3]) /
+         (1.0 + x * b[4] + x * x * b[5] + x * x * x * b[6]);
+}
+
+D kirby2(const D* b, double x, double) {
+  return (b[0] + x * b[1] + x * x * b[2]) / (1.0 + x * b[3] + x * x * b[4]);
+}
+
+D chwirut(const D* b, double x, double) { return exp(-x * b[0]) / (b[1] + x * b[2]); }
+
+D gauss(const D* b, double x, double) {
+  return b[0] * exp(-x * b[1]) + peak(b[2], b[3], b[4], x) + peak(b[5], b[6], b[7], x);
+}
+
+D bennett5(const D* b, double x, double) { return b[0] * power(b[1] + x, -1.0 / b[2]); }
+
+D enso(const D* b, double x, double) {
+  return b[0] + wave(b[1], b[2], D(12.0), x) + wave(b[4], b[5], b[3], x) +
+         wave(b[7], b[8], b[6], x);
+}
+
+// Of the logarithm of the response.
+D nelson(const D* b, double x, double z) { return b[0] - x * b[1] * exp(-z * b[2]); }
+
+D lanczos(const D* b, double x, double) {
+  return b[0] * exp(-x * b[1]) + b[2] * exp(-x * b[3]) + b[4] * exp(-x * b[5]);
+}
+
+}  // namespace models
+
+constexpr std::pair<const char*, Model> kNist[] = {
+    {"Misra1a", models::misra1a},   {"BoxBOD", models::misra1a},    {"Misra1b", models::misra1b},
+    {"Misra1c", models::misra1c},   {"Misra1d", models::misra1d},   {"DanWood", models::dan_wood},
+    {"Rat42", models::rat42},       {"Eckerle4", models::eckerle4}, {"Roszman1", models::roszman1},
+    {"MGH09", models::mgh09},       {"MGH10", models::mgh10},       {"MGH17", models::mgh17},
+    {"Rat43", models::rat43},       {"Thurber", models::thurber},   {"Hahn1", models::thurber},
+    {"Kirby2", models::kirby2},     {"Chwirut1", models::chwirut},  {"Chwirut2", models::chwirut},
+    {"Gauss1", models::gauss},      {"Gauss2", models::gauss},      {"Gauss3", models::gauss},
+    {"Bennett5", models::bennett5}, {"ENSO", models::enso},         {"Nelson", models::nelson},
+    {"Lanczos1", models::lanczos},  {"Lanczos2", models::lanczos},  {"Lanczos3", models::lanczos}};
+
 std::vector<DataSet> nist() {
-  const Model exponentials = [](const D* b, double x, double) -> D {
-    return b[0] * exp(-x * b[1]) + b[2] * exp(-x * b[3]) + b[4] * exp(-x * b[5]);
-  };
-  const Model echo = [](const D* b, double x, double) -> D {
-    return exp(-x * b[0]) / (b[1] + x * b[2]);
-  };
-  const Model cubics = [](const D* b, double x, double) -> D {
-    return (b[0] + x * b[1] + x * x * b[2] + x * x * x * b[3]) /
-           (1.0 + x * b[4] + x * x * b[5] + x * x * x * b[6]);
-  };
-  const Model peaks = [](const D* b, double x, double) -> D {
-    return b[0] * exp(-x * b[1]) + peak(b[2], b[3], b[4], x) + peak(b[5], b[6], b[7], x);
-  };
-  const Model saturation = [](const D* b, double x, double) -> D {
-    return b[0] * (1.0 - exp(-x * b[1]));
-  };
-  return {
-      read("Misra1a", saturation),
-      read("BoxBOD", saturation),
-      read("Misra1b",
-           [](const D* b, double x, double) -> D {
-             const D s = 1.0 + 0.5 * x * b[1];
-             return b[0] * (1.0 - 1.0 / (s * s));
-           }),
-      read("Misra1c",
-           [](const D* b, double x, double) -> D {
-             return b[0] * (1.0 - 1.0 / sqrt(1.0 + 2.0 * x * b[1]));
-           }),
-      read("Misra1d",
-           [](const D* b, double x, double) -> D { return b[0] * b[1] * x / (1.0 + b[1] * x); }),
-      read("DanWood",
-           [](const D* b, double x, double) -> D { return b[0] * exp(b[1] * std::log(x)); }),
-      read("Rat42",
-           [](const D* b, double x, double) -> D { return b[0] / (1.0 + exp(b[1] - x * b[2])); }),
-      read("Eckerle4",
-           [](const D* b, double x, double) -> D {
-             const D s = (x - b[2]) / b[1];
-             return b[0] / b[1] * exp(-0.5 * (s * s));
-           }),
-      read("Roszman1",
-           [](const D* b, double x, double) -> D {
-             return b[0] - x * b[1] - arctan(b[2] / (x - b[3])) * (1.0 / 3.14159265358979323846);
-           }),
-      read("MGH09",
-           [](const D* b, double x, double) -> D {
-             return b[0] * (x * x + x * b[1]) / (x * x + x * b[2] + b[3]);
-           }),
-      read("MGH10",
-           [](const D* b, double x, double) -> D { return b[0] * exp(b[1] / (x + b[2])); }),
-      read("MGH17",
-           [](const D* b, double x, double) -> D {
-             return b[0] + b[1] * exp(-x * b[3]) + b[2] * exp(-x * b[4]);
-           }),
-      read("Rat43",
-           [](const D* b, double x, double) -> D {
-             return b[0] / power(1.0 + exp(b[1] - x * b[2]), 1.0 / b[3]);
-           }),
-      read("Thurber", cubics),
-      read("Hahn1", cubics),
-      read("Kirby2",
-           [](const D* b, double x, double) -> D {
-             return (b[0] + x * b[1] + x * x * b[2]) / (1.0 + x * b[3] + x * x * b[4]);
-           }),
-      read("Chwirut1", echo),
-      read("Chwirut2", echo),
-      read("Gauss1", peaks),
-      read("Gauss2", peaks),
-      read("Gauss3", peaks),
-      read("Bennett5",
-           [](const D* b, double x, double) -> D { return b[0] * power(b[1] + x, -1.0 / b[2]); }),
-      read("ENSO",
-           [](const D* b, double x, double) -> D {
-             return b[0] + wave(b[1], b[2], D(12.0), x) + wave(b[4], b[5], b[3], x) +
-                    wave(b[7], b[8], b[6], x);
-           }),
-      of_logarithms(read(
-          "Nelson",
-          [](const D* b, double x, double z) -> D { return b[0] - x * b[1] * exp(-z * b[2]); })),
-      read("Lanczos1", exponentials),
-      read("Lanczos2", exponentials),
-      read("Lanczos3", exponentials)};
+  std::vector<DataSet> sets;
+  for (const auto& [name, model] : kNist) {
+    DataSet set = read(name, model);
+    if (model == models::nelson) {
+      for (double& y : set.y) y = std::log(y);
+    }
+    sets.push_back(std::move(set));
+  }
+  return sets;
 }
 
 ResidualFunction residuals_of(const DataSet& set) {
@@ -296,6 +301,82 @@ TEST_CASE("a bound holds a parameter, and the others are fitted as if it were kn
   // The mean of the remaining 0.5 i is 1; rounding of five terms.
   CHECK(fit.estimates[1].value == Approx(1.0).epsilon(1e-12));
   CHECK(fit.degrees_of_freedom == 4);
+}
+
+TEST_CASE("a fit whose parameters all end on bounds says so", "[optim][least_squares][bounds]") {
+  // y = 5 x through points that want less than every range allows, or more.
+  const double wanted = GENERATE(0.5, 50.0);
+  const std::size_t count = GENERATE(1U, 2U);
+  std::vector<Variable> v{{"slope", 1.0, 10.0, 5.0}};
+  if (count == 2) v.push_back({"curvature", 1.0, 10.0, 5.0, Scale::log});
+  const auto fit = least_squares(v, [&](std::span<const double> p) {
+    Residuals r;
+    for (const double x : {1.0, 2.0, 3.0}) {
+      double y = p[0] * x;
+      r.jacobian.push_back(x);
+      if (count == 2) y += p[1] * x * x;
+      if (count == 2) r.jacobian.push_back(x * x);
+      r.values.push_back(y - wanted * (x + (count == 2 ? x * x : 0.0)));
+    }
+    return r;
+  });
+  CHECK(fit.word == "every parameter is held by a bound");
+  CHECK(fit.degrees_of_freedom == 3);
+  CHECK(fit.rank == 0);
+  for (const auto& estimate : fit.estimates) {
+    CHECK(estimate.at_bound);
+    // Exact for a linear scale; exp(log(10)) is clamped to the bound.
+    CHECK(estimate.value == (wanted < 1.0 ? 1.0 : 10.0));
+    CHECK(estimate.low == estimate.value);
+    CHECK(estimate.high == estimate.value);
+  }
+}
+
+TEST_CASE("the interval of a log scale is that of the logarithm fitted linearly",
+          "[optim][least_squares][identity]") {
+  // log y = log a + b x: residuals of the logarithm are linear in log a.
+  const double data[] = {0.9, 2.3, 3.1, 4.6, 4.4};
+  const auto fitted = [&](bool log) {
+    const Variable level = log ? Variable{"a", 1e-3, 1e3, 1.0, Scale::log}
+                               : Variable{"log a", std::log(1e-3), std::log(1e3), 0.0};
+    return least_squares({level, {"b", -10.0, 10.0, 0.0}}, [&](std::span<const double> p) {
+      Residuals r;
+      for (int i = 0; i < 5; ++i) {
+        r.values.push_back((log ? std::log(p[0]) : p[0]) + p[1] * i - data[i]);
+        r.jacobian.insert(r.jacobian.end(), {log ? 1.0 / p[0] : 1.0, static_cast<double>(i)});
+      }
+      return r;
+    });
+  };
+  const auto a = fitted(true);
+  const auto line = fitted(false);
+  // Both end within 1e-9 of a step; the logarithm of the interval's ends is of order 1.
+  CHECK(a.estimates[0].low == Approx(std::exp(line.estimates[0].low)).epsilon(1e-8));
+  CHECK(a.estimates[0].high == Approx(std::exp(line.estimates[0].high)).epsilon(1e-8));
+  CHECK(a.estimates[0].low > 0.0);
+  CHECK(a.estimates[1].low == Approx(line.estimates[1].low).epsilon(1e-8));
+  CHECK(a.student_t == Approx(3.182446305).epsilon(1e-9));  // tables: t of 3 degrees, 97.5 %
+}
+
+TEST_CASE("what follows a held parameter is what a fit with the bound elsewhere finds",
+          "[optim][least_squares][derivative]") {
+  const auto offset = [](double bound) {
+    const std::vector<Variable> v{{"slope", 0.0, bound, 1.0}, {"offset", -10.0, 10.0, 0.0}};
+    return least_squares(v, [](std::span<const double> p) {
+      Residuals r;
+      for (int i = 0; i < 5; ++i) {
+        r.values.push_back(p[0] * i + p[1] - 2.0 * i);
+        r.jacobian.insert(r.jacobian.end(), {static_cast<double>(i), 1.0});
+      }
+      return r;
+    });
+  };
+  const auto fit = offset(1.5);
+  // Linear: the difference quotient is exact to rounding, eps / 0.1. The mean of 0 to 4 is 2.
+  const double slope = (offset(1.6).estimates[1].value - fit.estimates[1].value) / 0.1;
+  CHECK(fit.follows[1 * 2 + 0] == Approx(slope).epsilon(1e-12));
+  CHECK(slope == Approx(-2.0).epsilon(1e-12));
+  CHECK(fit.follows[0 * 2 + 1] == 0.0);
 }
 
 TEST_CASE("a failed evaluation shortens the step and is counted",

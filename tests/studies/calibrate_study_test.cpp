@@ -1,119 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "kinds/calibration.hpp"
-#include "results/answers.hpp"
-#include "run/study_kind.hpp"
+#include "calibrate_support.hpp"
 #include "statistics/coverage.hpp"
-#include "support/scratch_folder.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/core/performance/motor.hpp>
-#include <twum/optim/random.hpp>
-#include <twum/studies/study/study_file.hpp>
 
 #include <catch2/catch.hpp>
 
-#include <cmath>
-#include <cstdio>
-#include <fstream>
-#include <memory>
-#include <numbers>
 #include <stop_token>
-#include <string>
 #include <utility>
-#include <vector>
 
 using namespace twum;
 using namespace twum::studies;
+using namespace twum::test;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
 namespace {
-
-constexpr double kRpm = 2 * std::numbers::pi / 60;  // [rad/s]
-
-const char* const kThree =
-    "kinetic_friction: {min: 0.05, max: 0.5}, amplitude: {min: 1 um, max: 2.2 um}, "
-    "youngs_modulus: {min: 0.5 GPa, max: 20 GPa, scale: log}";
-
-// The motor that the points come from.
-const std::vector<ParameterValue> kTruth{{Parameter::kinetic_friction, 0.23},
-                                         {Parameter::amplitude, 1.52e-6},
-                                         {Parameter::youngs_modulus, 2.2e9}};
-
-// A study of examples/motors/MOTOR.yaml in a folder of its own, with its points.
-struct Case {
-  test::ScratchFolder folder;
-  std::string motor{"ring-60"};
-  std::string set;
-  std::string variables{kThree};
-  std::string more{"starts: 1"};
-
-  StudyFile file(const std::string& csv) const {
-    std::ofstream(folder.path("points.csv")) << csv;
-    std::ofstream(folder.path("study.yaml"))
-        << "twum: 1\nmotor: " << TWUM_SOURCE_DIR << "/examples/motors/" << motor << ".yaml\n"
-        << (set.empty() ? "" : "set: " + set + "\n")
-        << "study: {kind: calibrate, data: points.csv, variables: {" << variables << "}, " << more
-        << "}\n";
-    return read_study_file(folder.path("study.yaml"));
-  }
-  MotorDesign design() const { return file("speed,torque\n").motor.design; }
-};
-
-std::string number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
-}
-
-// Points of a motor every 5 rpm, from slipping all one way to beyond no-load, in SI.
-std::string points_of(const MotorDesign& design, double noise = 0, std::uint64_t seed = 1) {
-  const Motor motor(design);
-  optim::Random random(seed, 0, 0);
-  std::string csv = "speed,torque\n";
-  for (int i = 1; i <= 28; ++i) {
-    const double speed = 5 * i * kRpm;
-    // Box and Muller; 1 - u is never 0.
-    const double radius = std::sqrt(-2 * std::log(1 - random.uniform()));
-    const double normal = radius * std::cos(2 * std::numbers::pi * random.uniform());
-    csv +=
-        number(speed) + "," + number(motor.operating_point(speed).torque + noise * normal) + "\n";
-  }
-  return csv;
-}
-
-struct Run {
-  std::unique_ptr<StudyKindRun> kind;
-  std::unique_ptr<ResultStore> store;
-  KindAnswer answer;
-
-  explicit Run(const StudyFile& file, unsigned jobs = 1, const std::vector<Row>& stored = {})
-      : kind(make_calibrate(file)),
-        store(std::make_unique<ResultStore>(":memory:", kind->columns())) {
-    for (const Row& row : stored) store->add(row);
-    RunContext context{*store, jobs, {}, {}};
-    answer = kind->run(context);
-  }
-  const CalibrateResult& result() const { return std::get<CalibrateResult>(answer.answer); }
-  std::string json() const { return answer_json(result()).dump(); }
-  std::string text() const { return answer_text(result()); }
-  std::vector<Row> rows() const {
-    std::vector<Row> rows;
-    store->read([&](const Row& row) { rows.push_back(row); });
-    return rows;
-  }
-};
-
-bool same_rows(const std::vector<Row>& a, const std::vector<Row>& b) {
-  if (a.size() != b.size()) return false;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (a[i].stage != b[i].stage || a[i].index != b[i].index || a[i].values != b[i].values ||
-        a[i].status != b[i].status || a[i].detail != b[i].detail)
-      return false;
-  }
-  return true;
-}
 
 // How often the intervals of repeated noisy measurements cover the truth. Intervals of one trial are not
 // independent of each other, so that each parameter counts by itself.
@@ -124,7 +27,7 @@ void check_coverage(int trials) {
   for (int trial = 0; trial < trials; ++trial) {
     const auto seed = static_cast<std::uint64_t>(trial) + 1;
     const Run run(one.file(points_of(truth, 4e-3, seed)));
-    REQUIRE(run.answer.outcome == "optimal");
+    REQUIRE((run.answer.outcome == "fitted" || run.answer.outcome == "poor"));
     for (std::size_t j = 0; j < kTruth.size(); ++j) {
       const auto& estimate = run.result().estimates[j];
       covered[j].count({estimate.parameter.value, estimate.low, estimate.high}, kTruth[j].second);
@@ -158,7 +61,7 @@ TEST_CASE("points without noise give the parameters back", "[studies][calibrate]
   Case one;
   one.more = "starts: 4";
   const Run run(one.file(points_of(with(one.design(), kTruth))));
-  CHECK(run.answer.outcome == "optimal");
+  CHECK(run.answer.outcome == "fitted");
   const CalibrateResult& result = run.result();
   REQUIRE(result.estimates.size() == kTruth.size());
   // Torques are right to about 1e-13 of theirs (points and fit round differently), the parameters to
@@ -218,17 +121,6 @@ TEST_CASE("a parameter without influence is named alone", "[studies][calibrate]"
   CHECK_THAT(run.text(), Contains("The data say nothing about modal_damping"));
 }
 
-TEST_CASE("a bound that holds an estimate is named", "[studies][calibrate]") {
-  Case one;
-  one.variables = "kinetic_friction: {min: 0.05, max: 0.2}, amplitude: {min: 1 um, max: 2.2 um}";
-  const Run run(one.file(points_of(with(one.design(), kTruth))));
-  const auto& estimate = run.result().estimates[0];
-  CHECK(estimate.parameter.value == 0.2);
-  CHECK(estimate.bound == CalibrateResult::Bound::max);
-  CHECK_THAT(run.text(), Contains("held by its max"));
-  CHECK(run.result().poor());  // and the curve cannot follow the points
-}
-
 TEST_CASE("standard deviations weigh like 1 / s^2, and the scatter is tested against them",
           "[studies][calibrate][statistics]") {
   Case one;
@@ -267,7 +159,7 @@ TEST_CASE("standard deviations weigh like 1 / s^2, and the scatter is tested aga
 TEST_CASE("starts that end in different places are told apart", "[studies][calibrate]") {
   const entries::Range range{Parameter::kinetic_friction, 0.05, 0.5};
   Case one;
-  const TorqueFit fit(one.design(), {range}, {{1, 0.8, 1, 0}, {2, 0.9, 1, 0}, {3, 0.7, 1, 0}});
+  const TorqueFit fit(one.design(), {range}, {{1, 0.8, 1, 0}, {2, 0.9, 1, 0}, {3, 0.85, 1, 0}});
   const auto ended = [](double value, double sum, optim::Outcome outcome) {
     optim::LeastSquaresResult result;
     result.outcome = outcome;
@@ -286,7 +178,7 @@ TEST_CASE("starts that end in different places are told apart", "[studies][calib
                                          {}},
                                         0.95);
   const auto& result = std::get<CalibrateResult>(answer.answer);
-  CHECK(answer.outcome == "optimal");
+  CHECK(answer.outcome == "fitted");
   CHECK(result.estimates[0].parameter.value == 0.2);
   REQUIRE(result.optima.size() == 2);
   CHECK(result.optima[0].starts == 2);
@@ -388,7 +280,7 @@ TEST_CASE("wrong files of points are refused with place and remedy",
 
 TEST_CASE("the example finds what its data were made with", "[studies][calibrate][example]") {
   const Run run(read_study_file(TWUM_SOURCE_DIR "/examples/studies/calibrate.yaml"), 2);
-  CHECK(run.answer.outcome == "optimal");
+  CHECK(run.answer.outcome == "fitted");
   CHECK_FALSE(run.result().poor());
   const double truth[] = {0.23, 2.2e9, 1.52e-6};  // as examples/studies/calibrate.yaml says
   for (std::size_t j = 0; j < 3; ++j) {

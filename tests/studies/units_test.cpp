@@ -76,7 +76,13 @@ const Bad kBad[] = {
     {"25 us", "Hz", "'25 us' is a time [s]; expected a frequency [Hz] such as 'x'"},
     {"2 Hz", "rad/s", "'2 Hz' is a frequency [Hz]; expected an angular speed [rad/s] such as 'x'"},
     {"100 min^-1", "rad/s",
-     "'100 min^-1' is a frequency [Hz]; expected an angular speed [rad/s] such as 'x'"},
+     "'100 min^-1' is a frequency [Hz], did you mean 'rpm'?; expected an angular speed [rad/s] "
+     "such as 'x'"},
+    {"100 1/min", "rad/s",
+     "'100 1/min': '1/min' is not a unit, did you mean 'rpm'?; expected an angular speed [rad/s] "
+     "such as 'x'"},
+    {"40000 1/min", "Hz",
+     "'40000 1/min': '1/min' is not a unit; expected a frequency [Hz] such as 'x'"},
     {"2 s", "rad/s", "'2 s' is a time [s]; expected an angular speed [rad/s] such as 'x'"},
     {"1 J", "N.m", "'1 J' is an energy [J]; expected a torque [N.m] such as 'x'"},
     {"1 N.m", "J", "'1 N.m' is a torque [N.m]; expected an energy [J] such as 'x'"},

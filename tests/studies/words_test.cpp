@@ -3,7 +3,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <array>
+#include <random>
+#include <string>
 #include <vector>
 
 using namespace twum::studies;
@@ -16,6 +19,44 @@ TEST_CASE("edit distance counts insertions, deletions, replacements and swaps", 
   CHECK(edit_distance("preload", "freeload", 2) == 2);
   CHECK(edit_distance("preload", "thickness", 2) == 3);
   CHECK(edit_distance(std::string(1000, 'a'), "a", 2) == 3);
+}
+
+TEST_CASE("a limit stops the counting of edits and changes none below it", "[studies][text]") {
+  std::mt19937 random(1);
+  const auto word = [&] {
+    std::string letters(random() % 12, 'a');
+    for (char& letter : letters) letter = static_cast<char>('a' + random() % 3);
+    return letters;
+  };
+  std::array<int, 13> seen{};
+  for (int i = 0; i < 3000; ++i) {
+    const std::string a = word();
+    const std::string b = word();
+    const int distance = edit_distance(a, b, 12);  // no word is longer, so nothing is cut off
+    CAPTURE(a, b, distance);
+    CHECK((distance == 0) == (a == b));
+    CHECK(edit_distance(b, a, 12) == distance);
+    for (int limit = 0; limit < 12; ++limit)
+      CHECK(edit_distance(a, b, limit) == std::min(distance, limit + 1));
+    ++seen.at(static_cast<std::size_t>(distance));
+  }
+  CHECK(*std::min_element(seen.begin(), seen.begin() + 8) > 0);
+}
+
+TEST_CASE("the beginning of a name is enough if it is more than half and no other has it",
+          "[studies][text]") {
+  const std::array<std::string_view, 4> names{"neutral_plane_distance", "contact_radius",
+                                              "contact_width", "static_friction"};
+  CHECK(nearest("neutral_plane_dist", names) == "neutral_plane_distance");
+  CHECK(nearest("neutral", names).empty());
+  CHECK(nearest("contact_", names).empty());
+  CHECK(nearest("contact_wi", names) == "contact_width");
+}
+
+TEST_CASE("things are counted in the singular and the plural", "[studies][text]") {
+  CHECK(counted(0, "row") == "0 rows");
+  CHECK(counted(1, "row") == "1 row");
+  CHECK(counted(2, "row") == "2 rows");
 }
 
 TEST_CASE("only near words are suggested", "[studies][text]") {

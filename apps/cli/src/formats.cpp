@@ -6,20 +6,53 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
 namespace twum::cli {
+namespace {
+
+// "csv" of "results/curve.csv"
+std::string format_of(const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  if (extension == ".md") return "markdown";
+  return extension.empty() ? extension : extension.substr(1);
+}
+
+}  // namespace
 
 void add_output_options(CLI::App& command, OutputOptions& options,
                         const std::vector<std::string>& formats) {
   std::string names;
   for (const std::string& format : formats) names += (names.empty() ? "" : "|") + format;
-  command.add_option("--format", options.format, "How to write the result (default: table)")
-      ->check(CLI::IsMember(formats))
-      ->type_name(names);
-  command.add_option("-o,--output", options.path, "Write the result to this file")
+  const CLI::Option* given =
+      command
+          .add_option("--format", options.format,
+                      "How to write the result (default: by the name of the file, or a table)")
+          ->check(CLI::IsMember(formats))
+          ->type_name(names);
+  command
+      .add_option_function<std::string>(
+          "-o,--output",
+          [&options, given, formats](const std::string& path) {
+            options.path = path;
+            const std::string by_name = format_of(path);
+            const bool known = std::find(formats.begin(), formats.end(), by_name) != formats.end();
+            if (given->count() == 0 && known) options.format = by_name;
+          },
+          "Write the result to this file")
       ->type_name("FILE");
 }
 
 std::string cell_of(double value) { return studies::number_text(value); }
+
+std::string rounded_cell(double value, const ColumnScale& scale) {
+  constexpr double kRounding = 1e-9;
+  if (!std::isfinite(value)) return "-";
+  const bool dust = std::abs(value) <= kRounding * scale.largest;
+  return studies::rounded_text(dust ? 0 : value / scale.unit.divisor, 4);
+}
 
 std::string csv_line(const std::vector<std::string>& cells) {
   std::string line;

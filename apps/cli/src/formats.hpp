@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/studies/units/engineering.hpp>
+
 #include <string>
 #include <vector>
 
@@ -16,12 +18,21 @@ struct OutputOptions {
   std::string path;
 };
 
-/// Adds --format and -o.
+/// Adds --format and -o. Without --format a file named .csv, .json or .md gets what its name says.
 void add_output_options(CLI::App& command, OutputOptions& options,
                         const std::vector<std::string>& formats);
 
 /// A number for a CSV cell; empty if it is not a number.
 std::string cell_of(double value);
+
+/// How a column of a terminal's table shows its numbers.
+struct ColumnScale {
+  studies::DisplayUnit unit;
+  double largest{0};  ///< SI; what is a thousand millionth of it is rounding, and shown as 0
+};
+
+/// A number for a cell of such a table, to four digits; "-" if it is not a number.
+std::string rounded_cell(double value, const ColumnScale& scale);
 
 /// Numbers in rows under a heading of "name [unit]" columns, as CSV.
 std::string csv_line(const std::vector<std::string>& cells);

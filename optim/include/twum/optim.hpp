@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+/// @file
 /// Everything of twum::optim: problems, solvers, certificates, fronts, least squares.
+
+/// @namespace twum::optim
+/// Optimization without motors: problems in user units, solvers, certificates, fronts, least squares.
+///
+/// What namespace twum says of threads and errors holds here. A solve calls the evaluator it is given
+/// and lets its exceptions out; several solves may run at once, those of Ipopt taking turns.
 
 #include <twum/base/error.hpp>
 #include <twum/base/version.hpp>

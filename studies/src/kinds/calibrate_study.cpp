@@ -9,6 +9,7 @@
 #include <twum/base/error.hpp>
 #include <twum/optim/low_discrepancy.hpp>
 #include <twum/studies/run/ordered.hpp>
+#include <twum/studies/text/words.hpp>
 #include <twum/studies/units/engineering.hpp>
 
 #include <cmath>
@@ -33,16 +34,29 @@ void refuse_whole_numbers(const std::vector<entries::Range>& ranges) {
   }
 }
 
+// A path that leads nowhere is the study's mistake; what is wrong inside the file is the file's.
+std::vector<MeasuredPoint> points_of(const std::string& path) {
+  try {
+    return read_measured_points(path);
+  } catch (const FileError&) {
+    throw;
+  } catch (const InputError& error) {
+    throw InputError(std::string(error.what()) +
+                     "; expected measured points, from the folder of the study: a CSV file with "
+                     "the columns 'speed [rpm],torque [N.m]'");
+  }
+}
+
 TorqueFit fit_of(const StudyFile& file) {
   const auto ranges = entries::ranges(file.study);
   refuse_whole_numbers(ranges);
   const std::string path =
       (std::filesystem::path(file.folder) / file.study.find("data")->scalar).string();
-  auto points = read_measured_points(path);
+  auto points = points_of(path);
   if (points.size() < ranges.size())
-    throw InputError(path + ": " + std::to_string(points.size()) + " points cannot determine " +
-                     std::to_string(ranges.size()) +
-                     " parameters; measure more points or estimate fewer parameters");
+    throw InputError(path + ": " + counted(points.size(), "point") + " cannot determine " +
+                     counted(ranges.size(), "parameter") +
+                     "; measure more points or estimate fewer parameters");
   return {file.motor.design, ranges, std::move(points)};
 }
 

@@ -35,10 +35,18 @@ class Calibration {
     add_data(residuals);
     test_fit();
     name_undetermined(*best, residuals);
-    return {optim::to_string(best->outcome), std::move(result_)};
+    std::string outcome = verdict(*best);
+    return {std::move(outcome), std::move(result_)};
   }
 
  private:
+  // The least sum of squares is not yet a fit.
+  std::string verdict(const LeastSquaresResult& best) const {
+    if (best.outcome != Outcome::optimal) return optim::to_string(best.outcome);
+    if (result_.at_bounds()) return "at-bounds";
+    return result_.poor() ? "poor" : "fitted";
+  }
+
   CalibrateResult::Start start_of(const LeastSquaresResult& one) const {
     CalibrateResult::Start start;
     start.outcome = one.outcome;
@@ -128,14 +136,33 @@ class Calibration {
       estimate.high = e.high;
       estimate.min = range.min;
       estimate.max = range.max;
+      estimate.log = range.log;
       if (e.at_bound)
         estimate.bound = e.value - range.min < range.max - e.value ? CalibrateResult::Bound::min
                                                                    : CalibrateResult::Bound::max;
+      if (e.at_bound) estimate.followers = followers(best, j);
       result_.estimates.push_back(std::move(estimate));
     }
     result_.correlation = best.correlation;
     result_.residual_deviation = best.residual_deviation;
     result_.degrees_of_freedom = best.degrees_of_freedom;
+    result_.student_t = best.student_t;
+    result_.static_ratio = fit_.static_ratio();
+  }
+
+  // Only what moves by a thousandth of what it follows, or more.
+  static std::vector<CalibrateResult::Follower> followers(const LeastSquaresResult& best,
+                                                          std::size_t held) {
+    constexpr double kNotable = 1e-3;
+    std::vector<CalibrateResult::Follower> list;
+    const std::size_t n = best.estimates.size();
+    for (std::size_t i = 0; i < n && best.follows.size() == n * n; ++i) {
+      const double percent =
+          best.follows[i * n + held] * best.estimates[held].value / best.estimates[i].value;
+      if (!best.estimates[i].at_bound && std::fabs(percent) >= kNotable)
+        list.push_back({best.estimates[i].name, percent});
+    }
+    return list;
   }
 
   void add_data(const optim::Residuals& residuals) {
@@ -204,6 +231,27 @@ class Calibration {
 };
 
 }  // namespace
+
+double CalibrateResult::misfit() const {
+  double largest = 0;
+  for (const Point& point : data) largest = std::max(largest, std::fabs(point.torque));
+  return largest > 0 && residual_rms > 0 ? residual_rms / largest : 0;
+}
+
+bool CalibrateResult::at_bounds() const {
+  return !estimates.empty() && std::all_of(estimates.begin(), estimates.end(),
+                                           [](const auto& e) { return e.bound != Bound::none; });
+}
+
+bool CalibrateResult::poor() const {
+  constexpr double kRare = 0.01;
+  constexpr double kUnlikely = 0.05;
+  constexpr double kNoticeable = 0.02;
+  constexpr double kLarge = 0.1;
+  const double chance = std::min(runs ? runs->p : 1.0, chi_square ? chi_square_p : 1.0);
+  return chance < kRare || (chance < kUnlikely && misfit() > kNoticeable) ||
+         (!chi_square && misfit() > kLarge);
+}
 
 KindAnswer calibration(const TorqueFit& fit, const std::vector<LeastSquaresResult>& fits,
                        double confidence) {

@@ -4,7 +4,7 @@
 
 #include <twum/studies/metrics/expression.hpp>
 #include <twum/studies/run/curve_points.hpp>
-#include <twum/studies/text/number.hpp>
+#include <twum/studies/units/engineering.hpp>
 #include <twum/studies/units/units.hpp>
 
 #include <limits>
@@ -45,8 +45,8 @@ Motor member_motor(const MotorDesign& base, const Family& family, double value) 
     return Motor(with(base, *family.parameter, value));
   } catch (const InputError& error) {
     const ParameterInfo& row = info(*family.parameter);
-    throw InputError("study.family: " + std::string(row.name) + " = " + number_text(value) + " " +
-                     std::string(row.unit) + " makes no motor: " + error.what());
+    throw InputError("study.family: " + std::string(row.name) + " = " +
+                     engineering(value, row.unit) + " makes no motor: " + error.what());
   }
 }
 

@@ -67,6 +67,15 @@ double TorqueFit::torque_size() const {
   return std::sqrt(sum / static_cast<double>(points_.size()));
 }
 
+double TorqueFit::static_ratio() const {
+  const bool estimated = std::any_of(
+      parameters_.begin(), parameters_.end(),
+      [](const entries::Range& range) { return range.parameter == Parameter::kinetic_friction; });
+  const double kinetic = get(motor_, Parameter::kinetic_friction);
+  if (!estimated || fixed_static_friction_ || !(kinetic > 0)) return 1;
+  return get(motor_, Parameter::static_friction) / kinetic;
+}
+
 std::vector<optim::Variable> TorqueFit::variables(std::span<const double> start) const {
   std::vector<optim::Variable> result;
   for (std::size_t j = 0; j < parameters_.size(); ++j) {

@@ -31,6 +31,9 @@ class TorqueFit {
   /// Root mean square of the torques measured [N m].
   double torque_size() const;
 
+  /// Static to kinetic friction where the latter is estimated and takes the former along; otherwise 1.
+  double static_ratio() const;
+
   /// Parameters for least_squares(), to begin at some values; empty: where the study says, or at the
   /// motor as it is, or in the middle.
   std::vector<optim::Variable> variables(std::span<const double> start) const;

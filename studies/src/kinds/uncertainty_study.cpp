@@ -89,8 +89,9 @@ MotorDesign motor_of(const StudyFile& file) {
   if (designs.size() != 1) {
     throw InputError("study.start: '" + start->scalar + "' holds a front of " +
                      std::to_string(designs.size()) +
-                     " designs; tolerances are those of one motor, such as the best of an "
-                     "optimization");
+                     " designs; tolerances are those of one motor: name one of its motor files "
+                     "instead, such as 'motor: " +
+                     start->scalar + "/front/01.yaml'");
   }
   return with(file.motor.design, designs.front());
 }
@@ -189,8 +190,9 @@ class UncertaintyStudy : public StudyKindRun {
     });
     for (std::size_t i = 0; i < metrics_.size(); ++i) describe(values[i], result.metrics[i]);
     for (std::size_t i = 0; i < limits_.size(); ++i) {
-      result.limits.push_back(
-          {limits_[i].limit.text, proportion_estimate(kept[i], result.samples, kConfidence)});
+      const Constraint& limit = limits_[i].limit;
+      result.limits.push_back({limit.text, limit.metric.text, limit.at_least, limit.limit,
+                               proportion_estimate(kept[i], result.samples, kConfidence)});
     }
     if (!limits_.empty()) result.yield = proportion_estimate(good, result.samples, kConfidence);
     return result;

@@ -15,7 +15,12 @@ Parameter parse_parameter(std::string_view name) {
   name = trimmed(name);
   if (const auto parameter = find_parameter(name)) return *parameter;
   std::vector<std::string_view> names;
-  for (const ParameterInfo& row : parameter_table()) names.push_back(row.name);
+  for (const ParameterInfo& row : parameter_table()) {
+    names.push_back(row.name);
+    if (name == row.file_entry)  // as it stands in a motor file
+      throw ValueError("unknown parameter " + quoted(name),
+                       "did you mean '" + std::string(row.name) + "'?");
+  }
   throw ValueError("unknown parameter " + quoted(name), did_you_mean(name, names));
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "results/search_words.hpp"
+#include "results/answers.hpp"
+#include "results/calibration_notes.hpp"
 
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/text/text_table.hpp>
+#include <twum/studies/text/words.hpp>
 #include <twum/studies/units/engineering.hpp>
 
 #include <algorithm>
@@ -18,6 +20,22 @@ Json bound_json(Bound bound) {
   return bound == Bound::min ? "min" : "max";
 }
 
+bool undetermined(const CalibrateResult& result, const std::string& name) {
+  return std::any_of(result.undetermined.begin(), result.undetermined.end(), [&](const auto& set) {
+    return std::find(set.names.begin(), set.names.end(), name) != set.names.end();
+  });
+}
+
+const char* end_of(const CalibrateResult::Estimate& e) {
+  return e.bound == Bound::min ? "min" : "max";
+}
+
+std::string remark(const CalibrateResult& result, const CalibrateResult::Estimate& e) {
+  if (e.bound != Bound::none) return std::string("held by its ") + end_of(e);
+  if (undetermined(result, e.parameter.name)) return "not determined";
+  return wider_than_range(e) ? "wider than its range" : "";
+}
+
 Json estimates_json(const CalibrateResult& result) {
   Json json = Json::object();
   for (const CalibrateResult::Estimate& e : result.estimates) {
@@ -25,7 +43,8 @@ Json estimates_json(const CalibrateResult& result) {
                               {"low", number_json(e.low)},
                               {"high", number_json(e.high)},
                               {"sd", number_json(e.deviation)},
-                              {"at_bound", bound_json(e.bound)}};
+                              {"at_bound", bound_json(e.bound)},
+                              {"remark", remark(result, e)}};
   }
   return json;
 }
@@ -117,17 +136,6 @@ Json units_json(const CalibrateResult& result) {
 
 std::string percent(double fraction) { return rounded_text(100 * fraction, 3) + " %"; }
 
-std::string note(const CalibrateResult& result, const CalibrateResult::Estimate& e) {
-  if (e.bound != Bound::none)
-    return std::string("held by its ") + (e.bound == Bound::min ? "min" : "max");
-  const bool free =
-      std::any_of(result.undetermined.begin(), result.undetermined.end(), [&](const auto& set) {
-        return std::find(set.names.begin(), set.names.end(), e.parameter.name) != set.names.end();
-      });
-  if (free) return "not determined";
-  return e.low < e.min && e.high > e.max ? "wider than its range" : "";
-}
-
 // Value and interval in one unit, so that they can be compared at a glance.
 std::string estimates_table(const CalibrateResult& result) {
   TextTable table;
@@ -137,52 +145,19 @@ std::string estimates_table(const CalibrateResult& result) {
     const bool interval = std::isfinite(e.low) && e.bound == Bound::none;
     const auto shown = [&](double value) { return rounded_text(value / unit.divisor, 5); };
     table.rows.push_back({e.parameter.name, shown(e.parameter.value), interval ? shown(e.low) : "-",
-                          interval ? shown(e.high) : "-", unit.text, note(result, e)});
+                          interval ? shown(e.high) : "-", unit.text, remark(result, e)});
   }
   return aligned(table);
 }
 
-std::string undetermined_words(const CalibrateResult::Undetermined& set) {
-  if (set.names.size() == 1)
-    return "The data say nothing about " + set.names[0] + ": set it in the motor.\n";
-  std::string text = enumeration(set.names) +
-                     " only count together: the data do not tell them apart. Set one of them in "
-                     "the motor.\n";
-  if (!std::isfinite(set.undone_by)) return text;
-  return text + "  (1 % more " + set.names[0] + " is undone by " +
-         rounded_text(std::fabs(set.undone_by), 3) + " % " +
-         (set.undone_by < 0 ? "less " : "more ") + set.names[1] + ")\n";
-}
-
-// Pairs that are determined, but hardly apart.
-std::string correlation_words(const CalibrateResult& result) {
-  constexpr double kStrong = 0.95;
-  std::string text;
-  const std::size_t n = result.estimates.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = i + 1; j < n; ++j) {
-      const double c = result.correlation[i * n + j];
-      if (!(std::fabs(c) > kStrong)) continue;
-      text += result.estimates[i].parameter.name + " and " + result.estimates[j].parameter.name +
-              " are hard to tell apart: correlation " + rounded_text(c, 4) + "\n";
-    }
-  }
-  return text;
-}
-
 std::string residual_words(const CalibrateResult& result) {
-  std::string text = std::to_string(result.data.size()) + " points, residual rms " +
-                     engineering(result.residual_rms, "N.m", 3);
   const auto largest = std::max_element(
       result.data.begin(), result.data.end(),
       [](const auto& a, const auto& b) { return std::fabs(a.residual) < std::fabs(b.residual); });
-  text += ", largest " + engineering(largest->residual, "N.m", 3) + " at " +
-          engineering(largest->speed, "rad/s", 4) + " (measured - fitted)\n";
-  if (result.degrees_of_freedom == 0)
-    text +=
-        "As many points as parameters: there is nothing left to tell how good the estimates are.\n";
-  if (result.exact) text += "The points lie on the curve to rounding.\n";
-  return text;
+  return counted(result.data.size(), "point") + ", residual rms " +
+         engineering(result.residual_rms, "N.m", 3) + ", largest " +
+         engineering(largest->residual, "N.m", 3) + " at " +
+         engineering(largest->speed, "rad/s", 4) + " (measured - fitted)\n";
 }
 
 std::string test_words(const CalibrateResult& result) {
@@ -190,49 +165,30 @@ std::string test_words(const CalibrateResult& result) {
   if (result.chi_square) {
     text += "Scatter against the standard deviations given: chi-square " +
             rounded_text(*result.chi_square, 4) + " with " +
-            std::to_string(result.degrees_of_freedom) +
-            " degrees of freedom, p = " + rounded_text(result.chi_square_p, 2) + "\n";
+            counted(result.degrees_of_freedom, "degree") +
+            " of freedom, p = " + rounded_text(result.chi_square_p, 2) + "\n";
   }
   if (result.runs) {
-    text += "Signs of the residuals in order of speed: " + std::to_string(result.runs->runs) +
-            " runs of " + std::to_string(result.runs->count) +
+    text += "Signs of the residuals in order of speed: " + counted(result.runs->runs, "run") +
+            " in " + counted(result.runs->count, "point") +
             ", p = " + rounded_text(result.runs->p, 2) + "\n";
   }
-  if (result.poor())
-    text +=
-        "The fit is poor: the residuals are more than chance. The model lacks something, a "
-        "parameter that was not estimated, or a point is wrong; the intervals mean little.\n";
   return text;
 }
 
-std::string starts_words(const CalibrateResult& result) {
-  const std::size_t count = result.starts.size();
-  const auto short_of =
-      std::count_if(result.starts.begin(), result.starts.end(),
-                    [](const auto& s) { return s.outcome != optim::Outcome::optimal; });
-  std::string text;
-  if (result.optima.size() == 1 && short_of == 0 && count > 1)
-    text += "All " + std::to_string(count) + " starts ended in the same " +
-            (result.undetermined.empty() ? "place.\n" : "valley.\n");
-  if (result.optima.size() > 1) {
-    text += std::to_string(count) + " starts ended in " + std::to_string(result.optima.size()) +
-            " different places:\n";
-    TextTable table;
-    table.rows.push_back({"starts", "residual rms"});
-    for (const auto& e : result.estimates) table.rows[0].push_back(e.parameter.name);
-    for (const CalibrateResult::Optimum& optimum : result.optima) {
-      table.rows.push_back(
-          {std::to_string(optimum.starts), engineering(optimum.residual_rms, "N.m", 3)});
-      for (std::size_t j = 0; j < optimum.values.size(); ++j)
-        table.rows.back().push_back(
-            engineering(optimum.values[j], result.estimates[j].parameter.unit));
-    }
-    text += aligned(table);
+std::string optima_table(const CalibrateResult& result) {
+  if (result.optima.size() < 2) return {};
+  TextTable table;
+  table.rows.push_back({"starts", "residual rms"});
+  for (const auto& e : result.estimates) table.rows[0].push_back(e.parameter.name);
+  for (const CalibrateResult::Optimum& optimum : result.optima) {
+    table.rows.push_back(
+        {std::to_string(optimum.starts), engineering(optimum.residual_rms, "N.m", 3)});
+    for (std::size_t j = 0; j < optimum.values.size(); ++j)
+      table.rows.back().push_back(
+          engineering(optimum.values[j], result.estimates[j].parameter.unit));
   }
-  if (short_of > 0)
-    text += std::to_string(short_of) + " of " + std::to_string(count) +
-            " starts did not reach an optimum; summary.json says why.\n";
-  return text;
+  return "\n" + aligned(table);
 }
 
 }  // namespace
@@ -244,10 +200,12 @@ Json answer_json(const CalibrateResult& result) {
           {"residual_rms", number_json(result.residual_rms)},
           {"residual_sd", number_json(result.residual_deviation)},
           {"degrees_of_freedom", result.degrees_of_freedom},
+          {"student_t", number_json(result.student_t)},
           {"fit", tests_json(result)},
           {"undetermined", undetermined_json(result)},
           {"optima", optima_json(result)},
           {"starts", starts_json(result)},
+          {"notes", calibration_notes(result)},
           {"data", data_json(result)},
           {"units", units_json(result)}};
 }
@@ -257,9 +215,9 @@ std::string answer_text(const CalibrateResult& result) {
     return "No start could be evaluated: the motor has no torque at one of the speeds measured.\n";
   std::string text = "Estimates with intervals of " + percent(result.confidence) + "\n\n" +
                      estimates_table(result) + "\n";
-  for (const auto& set : result.undetermined) text += undetermined_words(set);
-  return text + correlation_words(result) + residual_words(result) + test_words(result) +
-         starts_words(result);
+  text += residual_words(result) + test_words(result);
+  for (const std::string& note : calibration_notes(result)) text += note + "\n";
+  return text + optima_table(result);
 }
 
 }  // namespace twum::studies

@@ -87,7 +87,8 @@ std::string summary_json(const StudyResult& result) {
             {"started", result.started},
             {"seconds", number_json(result.seconds)},
             {"hash", result.hash},
-            {"build", build_json()}};
+            {"build", build_json()},
+            {"model_notes", result.model_notes}};
   const Json answer = std::visit([](const auto& one) { return answer_json(one); }, result.answer);
   json.update(answer);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -97,7 +98,11 @@ std::string summary_text(const StudyResult& result) {
   const std::string answer =
       std::visit([](const auto& one) { return answer_text(one); }, result.answer);
   std::string text = heading(result);
+  if (result.outcome == "interrupted")
+    text += "\nInterrupted: this is what there was by then, and not the answer.\n";
   if (!answer.empty()) text += "\n" + answer;
+  if (!result.model_notes.empty()) text += "\n";
+  for (const std::string& note : result.model_notes) text += "note: " + note + "\n";
   return text + "\n" + count_text(result) + failures_text(result);
 }
 

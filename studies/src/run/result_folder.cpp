@@ -8,6 +8,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -22,8 +23,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kPart = ".part";
-constexpr std::array<std::string_view, 5> kResults{"study.yaml", "results.csv", "summary.json",
-                                                   "report.html", "results.db"};
+constexpr std::array<std::string_view, 7> kResults{"study.yaml",  "results.csv", "summary.json",
+                                                   "report.html", "best.yaml",   "fitted.yaml",
+                                                   "results.db"};
+constexpr std::string_view kFront = "front";  // motor files of its points: 01.yaml
 
 [[noreturn]] void fail(const std::string& path, const std::string& what, int reason) {
   throw StoreError(path + ": " + what + ": " + std::strerror(reason));
@@ -73,6 +76,29 @@ bool ResultFolder::has(std::string_view name) const {
   return fs::exists(file(name), ignored);
 }
 
+namespace {
+
+// "07.yaml", or what was to become of it
+bool is_front_point(const fs::path& path) {
+  std::string name = path.filename().string();
+  if (name.ends_with(kPart)) name.resize(name.size() - kPart.size());
+  const std::size_t digits = name.find_first_not_of("0123456789");
+  return digits > 0 && name.substr(std::min(digits, name.size())) == ".yaml";
+}
+
+}  // namespace
+
+void ResultFolder::discard_front() const {
+  std::error_code error;
+  const fs::path front = file(kFront);
+  for (const auto& entry : fs::directory_iterator(front, error)) {
+    if (!is_front_point(entry.path())) continue;
+    fs::remove(entry.path(), error);
+    if (error) fail(entry.path().string(), "cannot be removed", error.value());
+  }
+  fs::remove(front, error);  // stays if there is something else in it
+}
+
 void ResultFolder::check_ours() const {
   const bool ours = has_database() && is_our_database(file(kDatabase));
   if (ours) return;
@@ -86,6 +112,7 @@ void ResultFolder::check_ours() const {
 
 void ResultFolder::discard() const {
   check_ours();
+  discard_front();
   std::error_code error;
   // The database last: with it the other files are known as ours.
   for (const std::string_view name : kResults) {
@@ -103,6 +130,8 @@ void ResultFolder::write(
     std::string_view name,
     const std::function<void(const std::function<void(std::string_view)>&)>& fill) const {
   const std::string place = file(name);
+  std::error_code ignored;  // the file itself cannot be made then
+  fs::create_directories(fs::path(place).parent_path(), ignored);
   const std::string part = place + std::string(kPart);
   std::unique_ptr<std::FILE, CloseFile> stream(std::fopen(part.c_str(), "wb"));
   if (!stream) fail(place, "cannot be written", errno);

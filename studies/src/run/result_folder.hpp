@@ -41,6 +41,8 @@ class ResultFolder {
   static constexpr std::string_view kReport = "report.html";
 
  private:
+  void discard_front() const;
+
   std::string path_;
   int lock_{-1};
 };

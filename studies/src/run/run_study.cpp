@@ -3,6 +3,7 @@
 
 #include "results/provenance.hpp"
 #include "results/row_pass.hpp"
+#include "run/found_motors.hpp"
 #include "run/result_folder.hpp"
 #include "run/study_kind.hpp"
 #include "study/resolved_study.hpp"
@@ -64,6 +65,7 @@ StudyResult run_on(const StudyFile& file, StudyKindRun& kind, ResultStore& store
   result.evaluations = store.rows();
   result.seed = kind.seed();
   result.answer = std::move(answer.answer);
+  result.model_notes = notes_on(file, result);
   return result;
 }
 
@@ -184,6 +186,10 @@ class KeptRun {
     });
     const std::string summary = summary_json(result);
     folder_.write(ResultFolder::kSummary, summary);
+    for (const FoundMotor& found : found_motors(file_, result)) {
+      folder_.write(found.file, found_motor_text(found, result));
+      result.motor_files.push_back(found.file);
+    }
     folder_.write(ResultFolder::kReport, report_html(file_, study_text(), summary, *store_));
   }
 
@@ -205,6 +211,8 @@ std::unique_ptr<StudyKindRun> make_kind(const StudyFile& file) {
       make_pareto, make_size,  make_uncertainty, make_calibrate};
   return kMakers.at(static_cast<std::size_t>(file.kind))(file);
 }
+
+void check_named_files(const StudyFile& file) { make_kind(file); }
 
 StudyResult run_study(const StudyFile& file, const std::string& directory,
                       const RunOptions& options) {

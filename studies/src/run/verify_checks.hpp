@@ -28,8 +28,16 @@ void verify_rows(const StudyKindRun& kind, const ResultStore& store, const Verif
 void verify_designs(const StudyFile& file, const StudyKindRun& kind,
                     const nlohmann::ordered_json& summary, Verification& found);
 
-/// The answer of a summary, against what the kind makes of the stored rows.
-void verify_answer(StudyKindRun& kind, ResultStore& store, const nlohmann::ordered_json& summary,
-                   Verification& found);
+/// The answer of a summary, against what the kind makes of the stored rows; that answer.
+KindAnswer verify_answer(StudyKindRun& kind, ResultStore& store,
+                         const nlohmann::ordered_json& summary, Verification& found);
+
+/// results.csv, against the stored rows.
+void verify_table(const ResultStore& store, std::size_t variables, const std::string& path,
+                  Verification& found);
+
+/// The motor files, against the answer.
+void verify_motor_files(const StudyFile& file, const StudyResult& result,
+                        const std::string& directory, Verification& found);
 
 }  // namespace twum::studies

@@ -100,7 +100,14 @@ Verification verify_study(const std::string& directory, const VerifyOptions& opt
   ResultStore store(copy_database(directory, scratch.path()), kind->columns());
   verify_rows(*kind, store, options, found);
   verify_designs(file, *kind, summary, found);
-  if (summary.value("outcome", "") != "interrupted") verify_answer(*kind, store, summary, found);
+  if (summary.value("outcome", "") == "interrupted") return found;
+  verify_table(store, kind->variables(), folder.file(ResultFolder::kTable), found);
+  KindAnswer answer = verify_answer(*kind, store, summary, found);
+  StudyResult result;
+  result.study = found.study;
+  result.outcome = std::move(answer.outcome);
+  result.answer = std::move(answer.answer);
+  verify_motor_files(file, result, directory, found);
   return found;
 }
 

@@ -141,11 +141,11 @@ void verify_designs(const StudyFile& file, const StudyKindRun& kind, const Json&
   if (summary.contains("curves")) check.look_at_curves(summary);
 }
 
-void verify_answer(StudyKindRun& kind, ResultStore& store, const Json& summary,
-                   Verification& found) {
+KindAnswer verify_answer(StudyKindRun& kind, ResultStore& store, const Json& summary,
+                         Verification& found) {
   const std::uint64_t before = store.rows();
   RunContext context{store, 1, {}, {}};
-  const KindAnswer answer = kind.run(context);
+  KindAnswer answer = kind.run(context);
   store.flush();
   found.answer_checked = true;
   if (store.rows() != before) {
@@ -159,6 +159,7 @@ void verify_answer(StudyKindRun& kind, ResultStore& store, const Json& summary,
   const Json now = std::visit([](const auto& one) { return answer_json(one); }, answer.answer);
   // As text and back: numbers are compared as they stand in the file.
   compare_trees(summary, Json::parse(now.dump()), "", found);
+  return answer;
 }
 
 }  // namespace twum::studies

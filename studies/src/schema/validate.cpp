@@ -7,6 +7,7 @@
 #include <twum/studies/text/words.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace twum::studies {
 namespace {
@@ -30,6 +31,18 @@ const YamlEntry* given(const YamlNode& node, const Schema& mapping, std::string_
     if (known != nullptr && known->name == name) return &entry;
   }
   return nullptr;
+}
+
+// What other kinds of study, and people, call an entry.
+std::string_view synonym(std::string_view word, const std::vector<std::string_view>& names) {
+  static constexpr std::pair<std::string_view, std::string_view> kSame[] = {
+      {"constraints", "limits"}, {"limits", "constraints"},   {"parameters", "variables"},
+      {"objective", "maximize"}, {"objective", "objectives"}, {"solvers", "solver"},
+      {"method", "sampling"},    {"sampling", "method"},      {"file", "data"}};
+  for (const auto& [said, name] : kSame) {
+    if (said == word && std::find(names.begin(), names.end(), name) != names.end()) return name;
+  }
+  return {};
 }
 
 class Validator {
@@ -153,6 +166,7 @@ class Validator {
       if (!known.alias.empty() && known.alias == entry.key) meant = known.name;
     }
     if (meant.empty()) meant = nearest(entry.key, names);
+    if (meant.empty()) meant = synonym(entry.key, names);
     diagnostics_.add(entry.key_mark, join(path, entry.key), "unknown entry",
                      meant.empty() ? did_you_mean(entry.key, names)
                                    : "did you mean '" + std::string(meant) + "'?");

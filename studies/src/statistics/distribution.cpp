@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "statistics/double_precision.hpp"
+
 #include <twum/base/error.hpp>
 #include <twum/studies/statistics/distribution.hpp>
 
@@ -8,8 +10,13 @@
 #include <cmath>
 
 namespace twum::studies {
+namespace {
 
 namespace math = boost::math;
+using Normal = math::normal_distribution<double, DoublePrecision>;
+using Triangular = math::triangular_distribution<double, DoublePrecision>;
+
+}  // namespace
 
 Distribution Distribution::normal(double mean, double sd) { return {Shape::normal, mean, sd}; }
 
@@ -47,15 +54,14 @@ double Distribution::quantile(double p) const {
 
 double Distribution::whole_cdf(double x) const {
   switch (shape_) {
-    case Shape::normal:
-      return std::isinf(x) ? (x > 0 ? 1.0 : 0.0) : math::cdf(math::normal(a_, b_), x);
+    case Shape::normal: return std::isinf(x) ? (x > 0 ? 1.0 : 0.0) : math::cdf(Normal(a_, b_), x);
     case Shape::lognormal:
       if (!(x > 0)) return 0;
-      return std::isinf(x) ? 1.0 : math::cdf(math::normal(a_, b_), std::log(x));
+      return std::isinf(x) ? 1.0 : math::cdf(Normal(a_, b_), std::log(x));
     case Shape::uniform: return std::clamp((x - a_) / (b_ - a_), 0.0, 1.0);
     case Shape::triangular:
       if (x <= a_ || x >= b_) return x <= a_ ? 0 : 1;
-      return math::cdf(math::triangular(a_, c_, b_), x);
+      return math::cdf(Triangular(a_, c_, b_), x);
   }
   TWUM_ASSERT(false);
   return 0;
@@ -63,10 +69,10 @@ double Distribution::whole_cdf(double x) const {
 
 double Distribution::whole_quantile(double p) const {
   switch (shape_) {
-    case Shape::normal: return math::quantile(math::normal(a_, b_), p);
-    case Shape::lognormal: return std::exp(math::quantile(math::normal(a_, b_), p));
+    case Shape::normal: return math::quantile(Normal(a_, b_), p);
+    case Shape::lognormal: return std::exp(math::quantile(Normal(a_, b_), p));
     case Shape::uniform: return a_ + p * (b_ - a_);
-    case Shape::triangular: return math::quantile(math::triangular(a_, c_, b_), p);
+    case Shape::triangular: return math::quantile(Triangular(a_, c_, b_), p);
   }
   TWUM_ASSERT(false);
   return 0;

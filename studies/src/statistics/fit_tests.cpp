@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "statistics/double_precision.hpp"
+
 #include <twum/studies/statistics/fit_tests.hpp>
 
 #include <boost/math/distributions/binomial.hpp>
@@ -16,14 +18,16 @@ RunsTest runs_test(std::span<const double> residuals) {
     last = residual;
   }
   if (test.count < 2) return test;
-  const boost::math::binomial changes(static_cast<double>(test.count - 1), 0.5);
+  const boost::math::binomial_distribution<double, DoublePrecision> changes(
+      static_cast<double>(test.count - 1), 0.5);
   test.p = cdf(changes, static_cast<double>(test.runs - 1));
   return test;
 }
 
 double chi_square_tail(double chi_square, std::size_t degrees_of_freedom) {
   if (degrees_of_freedom == 0) return 1;
-  const boost::math::chi_squared distribution(static_cast<double>(degrees_of_freedom));
+  const boost::math::chi_squared_distribution<double, DoublePrecision> distribution(
+      static_cast<double>(degrees_of_freedom));
   return cdf(complement(distribution, chi_square));
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "statistics/double_precision.hpp"
+
 #include <twum/studies/statistics/moments.hpp>
 #include <twum/studies/statistics/quantiles.hpp>
 
@@ -42,7 +44,8 @@ Estimate Moments::mean_estimate(double confidence) const {
 Estimate Moments::sd_estimate(double confidence) const {
   const double value = sd();
   const auto n = static_cast<double>(count_);
-  const double z = boost::math::quantile(boost::math::normal(), (1 + confidence) / 2);
+  const double z = boost::math::quantile(
+      boost::math::normal_distribution<double, DoublePrecision>(), (1 + confidence) / 2);
   // The correction n / (n - z) of small samples needs a few draws to make sense.
   if (count_ < 4 || n <= 2 * z) return {value, Estimate{}.low, Estimate{}.high};
   if (value == 0) return {0, 0, 0};

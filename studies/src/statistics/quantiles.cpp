@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "statistics/double_precision.hpp"
+
 #include <twum/base/error.hpp>
 #include <twum/studies/statistics/quantiles.hpp>
 
@@ -10,7 +12,7 @@
 namespace twum::studies {
 namespace {
 
-using Binomial = boost::math::binomial_distribution<double>;
+using Binomial = boost::math::binomial_distribution<double, DoublePrecision>;
 
 double interpolated(std::span<const double> sorted, double p) {
   const double place = p * static_cast<double>(sorted.size() - 1);
@@ -60,7 +62,8 @@ Estimate proportion_estimate(std::uint64_t hits, std::uint64_t draws, double con
 }
 
 double student_quantile(double freedom, double confidence) {
-  return boost::math::quantile(boost::math::students_t(freedom), (1 + confidence) / 2);
+  return boost::math::quantile(
+      boost::math::students_t_distribution<double, DoublePrecision>(freedom), (1 + confidence) / 2);
 }
 
 }  // namespace twum::studies

@@ -52,9 +52,9 @@ std::vector<Constraint> constraints(const YamlNode& study, std::string_view name
 
 std::uint64_t count(const YamlNode& study, std::string_view name, std::uint64_t fallback) {
   const YamlNode* node = study.find(name);
-  return node == nullptr ? fallback
-                         : static_cast<std::uint64_t>(
-                               std::llround(parse_quantity(node->scalar, {"1", "100"})));
+  return node == nullptr
+             ? fallback
+             : static_cast<std::uint64_t>(std::llround(parse_quantity(node->scalar, {"1", "100"})));
 }
 
 double quantity(const YamlNode& study, std::string_view name, std::string_view unit,

@@ -143,7 +143,7 @@ Schema constraints() {
   return schema;
 }
 
-Schema solver() { return solver_schema(); }
+Schema solver(const char* evaluations) { return solver_schema(evaluations); }
 
 Schema samples() { return count("number of samples", "1000", 1, 1e9); }
 Schema seed() { return count("seed of the random numbers", "1", 0, 9007199254740992.0); }

@@ -29,7 +29,8 @@ Schema path(std::string text, std::string example);
 Schema metric(std::string text);
 Schema metrics();      ///< list of metric expressions
 Schema constraints();  ///< list of limits
-Schema solver();       ///< a name, or a mapping of options
+/// A name, or a mapping of options; `evaluations` holds if max_evaluations is left out.
+Schema solver(const char* evaluations = "20000");
 Schema samples();
 Schema seed();
 Schema folder();  ///< result directory of another study

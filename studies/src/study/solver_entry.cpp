@@ -156,18 +156,17 @@ class SolverChecker {
 
 }  // namespace
 
-Schema solver_schema() {
+Schema solver_schema(const char* evaluations) {
   Schema name =
       path("a solver ('twum solvers' lists them; for a front: auto or nsga2)", "nlopt:slsqp");
-  Schema options =
-      mapping("a solver and its options",
-              {optional("name", name, "auto"),
-               optional("starts", count("local searches from different starts", "8", 1, 1e6), "8"),
-               optional("tolerance", fraction("relative accuracy of the optimum", "1e-8"), "1e-6"),
-               optional("max_evaluations", count("evaluations at most", "2000", 1, 1e12),
-                        "20000; 200000 for a front"),
-               optional("seed", seed(), "1"),
-               hidden(optional("options", options_schema(), "the solver's own"))});
+  Schema options = mapping(
+      "a solver and its options",
+      {optional("name", name, "auto"),
+       optional("starts", count("local searches from different starts", "8", 1, 1e6), "8"),
+       optional("tolerance", fraction("relative accuracy of the optimum", "1e-8"), "1e-6"),
+       optional("max_evaluations", count("evaluations at most", "2000", 1, 1e12), evaluations),
+       optional("seed", seed(), "1"),
+       hidden(optional("options", options_schema(), "the solver's own"))});
   Schema schema;
   schema.kind = ValueKind::any_of;
   schema.text = "how it is solved: a name, or a mapping of options";

@@ -14,7 +14,7 @@ namespace twum::studies {
 /// Name under which `solver:` of a front asks for the evolutionary search.
 inline constexpr const char* kNsga2 = "nsga2";
 
-Schema solver_schema();
+Schema solver_schema(const char* evaluations);
 
 /// Adds what the table of solvers knows: names that do not exist, solvers that do not fit the study,
 /// options of another solver.

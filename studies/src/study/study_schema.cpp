@@ -97,8 +97,14 @@ Schema pareto_study() {
                  {needed("variables", by_parameter(range, "what may be changed", kRanges)),
                   needed("objectives", objectives), optional("constraints", constraints(), "none"),
                   optional("points", count("points of the front", "50", 2, 1e5), "50"),
-                  optional("solver", solver(), "auto"),
+                  optional("solver", solver("200000"), "auto"),
                   hidden(optional("start", folder(), "the motor as it is"))});
+}
+
+Schema preferred() {
+  Schema schema = metric("what is minimized among the motors that will do");
+  schema.example = "max_pressure";
+  return schema;
 }
 
 Schema size_study() {
@@ -107,13 +113,12 @@ Schema size_study() {
                              {needed("torque", quantity("load torque", "N.m", "0.5 N.m")),
                               needed("speed", quantity("rotor speed", "rad/s", "100 rpm"))}));
   duty.sample = "- {torque: 0.5 N.m, speed: 100 rpm}";
-  return mapping("a motor for a duty",
-                 {needed("variables", by_parameter(range, "what may be changed", kRanges)),
-                  needed("duty", duty), optional("limits", constraints(), "none"),
-                  optional("prefer", metric("what is minimized among the motors that will do"),
-                           "max_pressure"),
-                  optional("solver", solver(), "auto"),
-                  hidden(optional("start", folder(), "the motor as it is"))});
+  return mapping(
+      "a motor for a duty",
+      {needed("variables", by_parameter(range, "what may be changed", kRanges)),
+       needed("duty", duty), optional("limits", constraints(), "none"),
+       optional("prefer", preferred(), "max_pressure"), optional("solver", solver(), "auto"),
+       hidden(optional("start", folder(), "the motor as it is"))});
 }
 
 Schema uncertainty_study() {
@@ -125,7 +130,11 @@ Schema uncertainty_study() {
        needed("metrics", metrics()), optional("samples", samples(), "10000"),
        optional("limits", constraints(), "no yield"),
        optional("quantiles", quantiles, "0.05, 0.5, 0.95"), optional("seed", seed(), "1"),
-       hidden(optional("start", folder(), "the motor as it is"))});
+       hidden(optional("start",
+                       path("result directory of another study, whose best design or fitted motor "
+                            "is varied",
+                            "results/first"),
+                       "the motor as it is"))});
 }
 
 Schema calibrate_study() {

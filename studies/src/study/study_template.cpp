@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <twum/studies/motor/motor_file.hpp>
 #include <twum/studies/schema/publish.hpp>
 #include <twum/studies/study/study_file.hpp>
 
 namespace twum::studies {
 namespace {
 
-SchemaEntry entry(const char* name, const char* text, const char* example) {
+SchemaEntry entry(const char* name, const char* text, const std::string& example) {
   SchemaEntry result;
   result.name = name;
   result.required = true;
@@ -14,21 +15,40 @@ SchemaEntry entry(const char* name, const char* text, const char* example) {
   return result;
 }
 
+// In quotes where YAML would take a plain path for something else.
+std::string path_text(std::string_view path) {
+  const bool plain = path.find_first_not_of(
+                         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-") ==
+                         std::string_view::npos &&
+                     path.front() != '-';
+  if (plain) return std::string(path);
+  std::string text = "'";
+  for (const char c : path) text += c == '\'' ? "''" : std::string(1, c);
+  return text + "'";
+}
+
 }  // namespace
 
-std::string study_template(StudyKind kind) {
+std::string study_template(StudyKind kind, std::string_view motor) {
   Schema file;
   file.kind = ValueKind::mapping;
   file.entries.push_back(entry("twum", "version of the file format", "1"));
-  file.entries.push_back(
-      entry("motor", "a motor file, from the folder of this one, or its entries", "ring-60.yaml"));
+  if (!motor.empty())
+    file.entries.push_back(
+        entry("motor", "a motor file, from the folder of this one", path_text(motor)));
   file.entries.push_back(entry("set", "overrides of the motor (optional)", "{preload: 140 N}"));
   file.entries.back().shown = false;
   file.entries.push_back(entry("study", "", ""));
   file.entries.back().schema = study_schema(kind);
-  return yaml_template(file,
-                       "# A study for twum: " + file.entries.back().schema.text + ".\n" +
-                           "# Check it with 'twum check FILE', run it with 'twum run FILE'.\n");
+  const std::string heading = "# A study for twum: " + file.entries.back().schema.text + ".\n" +
+                              "# Check it with 'twum check FILE', run it with 'twum run FILE'.\n";
+  if (motor.empty()) {  // behind the study, which is what one comes for
+    file.entries.push_back(
+        entry("motor", "or a motor file, from the folder of this one: 'motor: FILE'", ""));
+    file.entries.back().schema.kind = ValueKind::mapping;
+    file.entries.back().schema.entries = motor_schema().entries;
+  }
+  return yaml_template(file, heading);
 }
 
 }  // namespace twum::studies

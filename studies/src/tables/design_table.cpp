@@ -29,6 +29,10 @@ DesignTable::DesignTable(const CsvReader& reader, const CsvChunk& header, const 
   std::vector<std::string_view> cells;
   if (!split_record(header_, cells))
     wrong.emplace_back("a quotation mark that cannot stand there; quote whole cells");
+  if (cells.size() == 1 && header_.find_first_of(";\t") != std::string::npos) {
+    wrong.emplace_back("one column; columns are separated by commas");
+    cells.clear();
+  }
   for (const std::string_view cell : cells) {
     try {
       columns_.push_back(read_column(cell_text(cell)));
@@ -40,13 +44,9 @@ DesignTable::DesignTable(const CsvReader& reader, const CsvChunk& header, const 
   check_twins(wrong);
   const auto is_parameter = [](const Column& c) { return c.parameter.has_value(); };
   if (wrong.empty() && std::none_of(columns_.begin(), columns_.end(), is_parameter)) {
-    const bool other_separator =
-        cells.size() == 1 && header_.find_first_of(";\t") != std::string::npos;
-    wrong.push_back(
-        "no column is a parameter; " +
-        std::string(other_separator
-                        ? "columns are separated by commas"
-                        : "name columns like 'preload [N]' ('twum parameters' lists the names)"));
+    wrong.emplace_back(
+        "no column is a parameter; name columns like 'preload [N]' ('twum parameters' lists the "
+        "names)");
   }
   if (wrong.empty()) return;
   std::string text;

@@ -41,22 +41,39 @@ void append_escaped(std::string& out, unsigned char byte) {
   out += kDigits[byte & 0xFU];
 }
 
+// The candidate of which the word is more than half, if there is only one.
+std::string_view only_beginning(std::string_view word,
+                                std::span<const std::string_view> candidates) {
+  std::string_view found;
+  for (const std::string_view candidate : candidates) {
+    if (2 * word.size() <= candidate.size() || !candidate.starts_with(word)) continue;
+    if (!found.empty()) return {};
+    found = candidate;
+  }
+  return found;
+}
+
 }  // namespace
 
 int edit_distance(std::string_view a, std::string_view b, int limit) {
   if (a.size() > kLongestWord || b.size() > kLongestWord) return limit + 1;
   const int longer = std::abs(static_cast<int>(a.size()) - static_cast<int>(b.size()));
   if (longer > limit) return limit + 1;  // as many letters are missing at least
-  std::array<std::array<int, kLongestWord + 1>, kLongestWord + 1> d{};
-  for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = static_cast<int>(i);
+  std::array<std::array<int, kLongestWord + 1>, kLongestWord + 1> d;
   for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = static_cast<int>(j);
+  int least_before = 0;  // of the row above
   for (std::size_t i = 1; i <= a.size(); ++i) {
+    int least = d[i][0] = static_cast<int>(i);
     for (std::size_t j = 1; j <= b.size(); ++j) {
       const int replaced = d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
       d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, replaced});
       const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
       if (swapped) d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+      least = std::min(least, d[i][j]);
     }
+    // Each row follows from the two above it, and no step makes a distance smaller.
+    if (std::min(least, least_before) > limit) return limit + 1;
+    least_before = least;
   }
   return std::min(d[a.size()][b.size()], limit + 1);
 }
@@ -74,7 +91,7 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
       best_distance = distance;
     }
   }
-  return best;
+  return best.empty() ? only_beginning(word, candidates) : best;
 }
 
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> candidates) {
@@ -130,6 +147,10 @@ std::vector<std::string_view> split_list(std::string_view text) {
   }
   pieces.push_back(trimmed(text.substr(begin)));
   return pieces;
+}
+
+std::string counted(std::uint64_t count, std::string_view what) {
+  return std::to_string(count) + " " + std::string(what) + (count == 1 ? "" : "s");
 }
 
 }  // namespace twum::studies

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command.hpp"
 #include "exit_status.hpp"
+#include "notes.hpp"
 #include "options.hpp"
 #include "output.hpp"
 
 #include <twum/core/performance/motor.hpp>
+#include <twum/studies/motor/settings.hpp>
+#include <twum/studies/run/run_study.hpp>
 #include <twum/studies/study/study_file.hpp>
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <memory>
 
 namespace twum::cli {
@@ -16,25 +20,40 @@ namespace {
 
 constexpr const char* kExamples = R"text(Examples:
   twum check ring-60.yaml
-  twum check study.yaml
-  twum check ring-60.yaml --set "thickness=0.2 mm")text";
+  twum check study.yaml              with the files that the study names
+  twum check ring-60.yaml --set "thickness=0.2 mm"
 
-// One line about a file that is right; throws what is wrong with it.
-std::string verdict(const MotorOptions& options) {
-  if (options.path != "-" && studies::is_study(studies::read_source(options.path))) {
-    const studies::StudyFile study = studies::read_study_file(options.path, options.settings);
-    const Motor motor(study.motor.design);
-    return "a valid study file (" + std::string(studies::to_string(study.kind)) + ")";
+A file that is right may still be odd: lines that begin with "note:" say where a motor is outside
+what the solver is tested for, or what its model is good for.)text";
+
+// A file that is right, in words, and its motor.
+struct Checked {
+  std::string words;
+  MotorDesign motor;
+};
+
+// Throws what is wrong with the file. Standard input can be read only once.
+Checked checked(const MotorOptions& options) {
+  const studies::Source source = studies::read_source(options.path);
+  if (studies::is_study(source)) {
+    const std::string folder =
+        options.path == "-" ? "" : std::filesystem::path(options.path).parent_path().string();
+    const studies::StudyFile study = studies::read_study(source, folder, options.settings);
+    studies::check_named_files(study);
+    return {"a valid study file (" + std::string(studies::to_string(study.kind)) + ")",
+            study.motor.design};
   }
-  const Motor motor(load_motor(options).design);
-  return "a valid motor file";
+  return {"a valid motor file",
+          studies::with_settings(studies::read_motor(source).design, options.settings)};
 }
 
 int run_check(const MotorOptions& options) {
-  const std::string found = verdict(options);
+  const Checked found = checked(options);
+  const Motor motor(found.motor);
   Output output("");
-  output.write(options.path + ": " + found + "\n");
+  output.write(options.path + ": " + found.words + "\n");
   output.finish();
+  print_model_notes(found.motor);
   return kDone;
 }
 

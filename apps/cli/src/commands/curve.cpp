@@ -4,6 +4,7 @@
 #include "formats.hpp"
 #include "interrupt.hpp"
 #include "json_parts.hpp"
+#include "notes.hpp"
 #include "options.hpp"
 #include "output.hpp"
 #include "plot/curve_plot.hpp"
@@ -21,6 +22,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <set>
 
 namespace twum::cli {
 namespace {
@@ -144,31 +146,29 @@ std::string zones_text(const OperatingPoint& point, const std::vector<Zone>& zon
   return text;
 }
 
-studies::DisplayUnit unit_of_column(const CurveColumn& column,
-                                    const std::vector<OperatingPoint>& points) {
+ColumnScale scale_of(const CurveColumn& column, const std::vector<OperatingPoint>& points) {
   double largest = 0;
   for (const OperatingPoint& point : points) {
     const double size = std::abs(column.value(point));
     if (std::isfinite(size)) largest = std::max(largest, size);
   }
-  return studies::display_unit(largest, column.unit);
+  return {studies::display_unit(largest, column.unit), largest};
 }
 
 std::string points_table(const Curve& curve) {
   TextTable table{{{}, {}}, true};
+  std::vector<ColumnScale> scales;
   for (const CurveColumn& column : curve_columns()) {
+    scales.push_back(scale_of(column, curve.points));
     table.rows[0].emplace_back(column.name);
-    const std::string unit = unit_of_column(column, curve.points).text;
+    const std::string& unit = scales.back().unit.text;
     table.rows[1].push_back(unit.empty() ? "" : "[" + unit + "]");
   }
   table.rows[0].emplace_back("zones");
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
     std::vector<std::string> row;
-    for (const CurveColumn& column : curve_columns()) {
-      const double value =
-          column.value(curve.points[i]) / unit_of_column(column, curve.points).divisor;
-      row.push_back(std::isfinite(value) ? studies::rounded_text(value, 4) : "-");
-    }
+    for (std::size_t c = 0; c < scales.size(); ++c)
+      row.push_back(rounded_cell(curve_columns()[c].value(curve.points[i]), scales[c]));
     row.push_back(zones_text(curve.points[i], curve.zones[i]));
     table.rows.push_back(std::move(row));
   }
@@ -189,6 +189,13 @@ std::string plot_script(const Curve& curve) {
   return curve_plot(curve.file, 0, studies::last_curve_speed(Motor(curve.file.design)));
 }
 
+std::set<std::string> reasons_in(const Curve& curve) {
+  std::set<std::string> reasons;
+  for (const MetricValue& value : curve.values) reasons.insert(to_string(value.status));
+  for (const OperatingPoint& point : curve.points) reasons.insert(to_string(point.status));
+  return reasons;
+}
+
 int run_curve(const CurveOptions& options) {
   Output output(options.output.path, {options.motor.path});
   const std::optional<PlotFile> plot =
@@ -199,6 +206,8 @@ int run_curve(const CurveOptions& options) {
                : options.output.format == "csv" ? as_csv(curve)
                                                 : as_table(curve));
   output.finish();
+  print_model_notes(curve.file.design);
+  explain_reasons(reasons_in(curve));
   if (interrupted()) return kInterrupted;
   const bool any = std::any_of(curve.points.begin(), curve.points.end(),
                                [](const OperatingPoint& p) { return p.status == PointStatus::ok; });

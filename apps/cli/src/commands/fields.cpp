@@ -3,6 +3,7 @@
 #include "exit_status.hpp"
 #include "formats.hpp"
 #include "json_parts.hpp"
+#include "notes.hpp"
 #include "options.hpp"
 #include "output.hpp"
 #include "plot/fields_plot.hpp"
@@ -98,29 +99,28 @@ std::string as_csv(const Fields& fields) {
   return text;
 }
 
-studies::DisplayUnit unit_of_column(const FieldColumn& column,
-                                    const std::vector<FieldSample>& samples) {
+ColumnScale scale_of(const FieldColumn& column, const std::vector<FieldSample>& samples) {
   double largest = 0;
   for (const FieldSample& sample : samples)
     largest = std::max(largest, std::abs(sample.*column.value));
-  if (std::string_view(column.unit) == "rad") return {"rad", 1};
-  return studies::display_unit(largest, column.unit);
+  if (std::string_view(column.unit) == "rad") return {{"rad", 1}, largest};
+  return {studies::display_unit(largest, column.unit), largest};
 }
 
 std::string as_table(const Fields& fields) {
   TextTable table{{{}, {}}, true};
   const auto& samples = fields.contact.samples;
+  std::vector<ColumnScale> scales;
   for (const FieldColumn& column : kColumns) {
+    scales.push_back(scale_of(column, samples));
     table.rows[0].emplace_back(column.name);
-    table.rows[1].push_back("[" + unit_of_column(column, samples).text + "]");
+    table.rows[1].push_back("[" + scales.back().unit.text + "]");
   }
   table.rows[0].emplace_back("state");
   for (const FieldSample& sample : samples) {
     std::vector<std::string> row;
-    for (const FieldColumn& column : kColumns) {
-      row.push_back(
-          studies::rounded_text(sample.*column.value / unit_of_column(column, samples).divisor, 4));
-    }
+    for (std::size_t c = 0; c < scales.size(); ++c)
+      row.push_back(rounded_cell(sample.*kColumns[c].value, scales[c]));
     row.emplace_back(state_at(fields.contact.zones, sample.phase));
     table.rows.push_back(std::move(row));
   }
@@ -144,6 +144,7 @@ int run_fields(const FieldsOptions& options) {
   if (fields.contact.point.status != PointStatus::ok) {
     std::fprintf(stderr, "twum: no answer at this speed: %s\n",
                  to_string(fields.contact.point.status));
+    explain_reasons({to_string(fields.contact.point.status)});
     return kNoAnswer;
   }
   if (plot) plot->draw(kFieldsPlotSize, fields_plot(fields.file, speed));
@@ -152,6 +153,7 @@ int run_fields(const FieldsOptions& options) {
                : format == "csv" ? as_csv(fields)
                                  : as_table(fields));
   output.finish();
+  print_model_notes(fields.file.design);
   return kDone;
 }
 

@@ -19,6 +19,7 @@ constexpr const char* kExamples = R"text(Examples:
   twum init motor                    prints the file
   twum init optimize -o study.yaml   a study: curve, sweep, sensitivity, optimize, pareto,
                                      size, uncertainty or calibrate
+  twum init size --motor my-motor.yaml -o size.yaml
   twum init motor -o my-motor.yaml)text";
 
 constexpr const char* kMotorHeading =
@@ -27,6 +28,7 @@ constexpr const char* kMotorHeading =
 
 struct InitOptions {
   std::string kind;
+  std::string motor;
   std::string path;
 };
 
@@ -36,10 +38,12 @@ std::vector<std::string> kinds() {
   return names;
 }
 
-std::string template_of(const std::string& kind) {
-  const auto study = studies::find_study_kind(kind);
-  return study ? studies::study_template(*study)
-               : studies::yaml_template(studies::motor_file_schema(), kMotorHeading);
+std::string template_of(const InitOptions& options) {
+  if (const auto study = studies::find_study_kind(options.kind))
+    return studies::study_template(*study, options.motor);
+  if (!options.motor.empty())
+    throw InputError("init: --motor is for a study; 'twum init motor' writes a motor file itself");
+  return studies::yaml_template(studies::motor_file_schema(), kMotorHeading);
 }
 
 int run_init(const InitOptions& options) {
@@ -48,7 +52,7 @@ int run_init(const InitOptions& options) {
     throw InputError(options.path + ": exists already; choose another name after -o");
   }
   Output output(options.path);
-  output.write(template_of(options.kind));
+  output.write(template_of(options));
   output.finish();
   return kDone;
 }
@@ -62,6 +66,12 @@ void add_init(CLI::App& app, Action& action) {
       ->required()
       ->check(CLI::IsMember(kinds()))
       ->type_name("");
+  command
+      ->add_option(
+          "--motor", options->motor,
+          "Of a study: the motor file that it names, from its own folder (default: a motor "
+          "written into the study)")
+      ->type_name("FILE");
   command->add_option("-o,--output", options->path, "Write the result to this new file")
       ->type_name("FILE");
   command->footer(kExamples);

@@ -7,6 +7,8 @@
 
 #include <twum/core/design/parameters.hpp>
 #include <twum/core/performance/metrics.hpp>
+#include <twum/studies/motor/motor_file.hpp>
+#include <twum/studies/schema/validate.hpp>
 #include <twum/studies/units/engineering.hpp>
 
 #include <CLI/CLI.hpp>
@@ -42,7 +44,10 @@ std::string range_text(const ParameterInfo& row) {
 std::string need_text(const ParameterInfo& row) {
   const std::string twin = row.twin ? std::string(info(*row.twin).name) : "";
   if (row.required) return twin.empty() ? "yes" : "or " + twin;
-  return twin.empty() ? "no" : "instead of " + twin;
+  if (!twin.empty()) return "instead of " + twin;
+  const studies::SchemaEntry* entry =
+      studies::find_path(studies::motor_file_schema(), "motor." + std::string(row.file_entry));
+  return "no; left out: " + entry->fallback;
 }
 
 Listing parameters() {

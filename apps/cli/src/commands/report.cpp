@@ -3,10 +3,12 @@
 #include "exit_status.hpp"
 #include "output.hpp"
 
+#include <twum/base/error.hpp>
 #include <twum/studies/report/report.hpp>
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -17,6 +19,9 @@ constexpr const char* kExamples = R"text(Examples:
   twum report results                 builds results/report.html again)text";
 
 int run_report(const std::string& directory) {
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(directory, ignored))
+    throw InputError(directory + ": no such directory; expected one that 'twum run' wrote");
   const std::string path = studies::write_report(directory);
   Output output("");
   output.write(path + "\n");

@@ -25,8 +25,9 @@ constexpr const char* kExamples = R"text(Examples:
   twum run study.yaml --set "preload=140 N" -o first-140N
   twum run study.yaml -o first --fresh      discards what is in there and starts anew
 
-DIR then holds study.yaml (every default written out), results.db (SQLite: every evaluation),
-results.csv and summary.json. A study that was interrupted, by Ctrl-C or in any other way, goes on
+DIR then holds study.yaml (the study in full), results.db (SQLite: every evaluation), results.csv,
+summary.json, report.html, and what was found as motor files: best.yaml, fitted.yaml, or those of a
+front in front/. A study that was interrupted, by Ctrl-C or in any other way, goes on
 where it was when the same command is given again, and ends with the same results.)text";
 
 struct StudyOptions {
@@ -60,8 +61,8 @@ bool has_feasible_design(const studies::StudyResult& result) {
 int status_of(const studies::StudyResult& result) {
   if (result.outcome == "interrupted") return kInterrupted;
   if (result.outcome == "budget") return has_feasible_design(result) ? kDone : kNoAnswer;
-  const bool answered =
-      result.outcome == "done" || result.outcome == "optimal" || result.outcome == "feasible";
+  const bool answered = result.outcome == "done" || result.outcome == "optimal" ||
+                        result.outcome == "feasible" || result.outcome == "fitted";
   return answered ? kDone : kNoAnswer;
 }
 
@@ -74,6 +75,26 @@ studies::StudyResult run_with_progress(const studies::StudyFile& file, const std
     progress.show(done, fraction_of(done, total), best);
   };
   return studies::run_study(file, directory, options);
+}
+
+// Whether a front has a knee: the point taken for it is an end where the front bends the other way.
+bool has_knee(const studies::ParetoResult& front) {
+  return std::find(front.ends.begin(), front.ends.end(), front.knee) == front.ends.end();
+}
+
+// Of a front the first and the last, and the knee.
+void say_motor_files(const studies::StudyResult& result, const std::string& directory) {
+  const auto path = [&](const std::string& file) {
+    return (std::filesystem::path(directory) / file).string();
+  };
+  const std::vector<std::string>& files = result.motor_files;
+  if (files.empty()) return;
+  std::string text = path(files.front());
+  if (files.size() > 1) text += " to " + path(files.back());
+  if (const auto* front = std::get_if<studies::ParetoResult>(&result.answer);
+      front != nullptr && front->knee < files.size() && has_knee(*front))
+    text += ", the knee is " + path(files[front->knee]);
+  std::fprintf(stderr, "motor file%s: %s\n", files.size() == 1 ? "" : "s", text.c_str());
 }
 
 int run_study(const StudyOptions& options) {
@@ -92,6 +113,7 @@ int run_study(const StudyOptions& options) {
   output.write(studies::summary_text(result));
   output.finish();
   std::fprintf(stderr, "results: %s\n", directory.c_str());
+  say_motor_files(result, directory);
   if (result.outcome == "interrupted")
     std::fprintf(stderr, "twum: interrupted; the same command goes on from here\n");
   return status_of(result);

@@ -6,6 +6,7 @@
 
 #include <twum/studies/run/verify_study.hpp>
 #include <twum/studies/text/number.hpp>
+#include <twum/studies/text/words.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -14,12 +15,15 @@
 namespace twum::cli {
 namespace {
 
+using studies::counted;
+
 constexpr const char* kExamples = R"text(Examples:
   twum verify results/optimize
   twum verify results/sweep --samples 100000 --seed 7
 
 Computes again: rows of results.db drawn at random, the designs of summary.json, their
-certificates, and the answer as it follows from the rows. Exit status 0: all of it holds to
+certificates, and the answer as it follows from the rows; and compares results.csv and the motor
+files with them (not report.html: 'twum report' makes it anew). Exit status 0: all of it holds to
 1e-12 of each number; 1: something does not; 3: the results cannot be read.)text";
 
 struct VerifyCommand {
@@ -27,10 +31,6 @@ struct VerifyCommand {
   std::string samples;
   std::string seed;
 };
-
-std::string counted(std::uint64_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
 
 std::string report(const studies::Verification& found) {
   std::string text =

@@ -15,11 +15,13 @@ class LatinHypercube {
   /// @throws InputError for a dimension of 0 or a count outside 1 to 2^30.
   LatinHypercube(std::size_t dimension, std::uint64_t count, std::uint64_t seed);
 
+  /// Numbers a point.
   std::size_t dimension() const noexcept { return dimension_; }
+  /// Points there are.
   std::uint64_t count() const noexcept { return count_; }
   /// Stratum 0 .. count - 1 of a coordinate in which point `index` < count lies.
   std::uint64_t stratum(std::uint64_t index, std::size_t coordinate) const;
-  /// Writes point `index` to `point`, which has room for dimension() numbers.
+  /// Writes point `index` < count to `point`, which has room for dimension() numbers.
   void point(std::uint64_t index, std::span<double> point) const;
 
  private:

@@ -7,7 +7,7 @@ namespace twum::optim {
 
 /// Residuals r_i(b) of a fit, already weighted, and their Jacobian.
 struct Residuals {
-  std::vector<double> values;
+  std::vector<double> values;    ///< in units of the weights
   std::vector<double> jacobian;  ///< values.size() rows of one entry a parameter
   std::string failure;           ///< short reason; empty: it worked
 };
@@ -15,39 +15,47 @@ struct Residuals {
 /// Parameters in user units; fixed size of the answer. May throw EvaluationError for a failure.
 using ResidualFunction = std::function<Residuals(std::span<const double> parameters)>;
 
+/// How to fit.
 struct LeastSquaresOptions {
-  std::size_t max_evaluations{2000};
+  std::size_t max_evaluations{2000};  ///< calls of the residuals
   double tolerance{
       1e-13};  ///< relative decrease of the sum of squares, and step, that end the search
   double confidence{0.95};  ///< of the intervals
   double rank_tolerance{
-      1e-10};  ///< relative singular value below which a combination is undetermined
-  std::stop_token stop;
+      1e-10};            ///< relative singular value below which a combination is undetermined
+  std::stop_token stop;  ///< a request ends the search with what has been found
 };
 
+/// What a fit says of one parameter, in user units.
 struct Estimate {
-  std::string name;
-  double value{0.0};
+  std::string name;                ///< of the parameter
+  double value{0.0};               ///< at the least sum of squares
   double standard_deviation{0.0};  ///< NaN if the data do not determine it
-  double low{0.0};                 ///< confidence interval, Student's t; NaN likewise
-  double high{0.0};
+  double low{
+      0.0};  ///< confidence interval, Student's t, of a log scale in the logarithm; NaN likewise
+  double high{0.0};      ///< its other end
   bool at_bound{false};  ///< held by a bound: then it counts as known
 };
 
+/// What a fit has found.
 struct LeastSquaresResult {
-  Outcome outcome{Outcome::failed};  ///< optimal: the gradient test passes
-  std::vector<Estimate> estimates;
-  std::vector<double> correlation;  ///< parameters x parameters; NaN where undetermined
-  std::vector<double> covariance;
-  double sum_of_squares{0.0};
-  double residual_deviation{0.0};  ///< sqrt(sum / degrees of freedom); NaN without freedom
-  std::size_t degrees_of_freedom{0};
+  Outcome outcome{Outcome::failed};   ///< optimal: the gradient test passes
+  std::vector<Estimate> estimates;    ///< in the order of the parameters
+  std::vector<double> correlation;    ///< parameters x parameters; NaN where undetermined
+  std::vector<double> covariance;     ///< likewise; 0 for parameters held by a bound
+  double sum_of_squares{0.0};         ///< of the residuals
+  double residual_deviation{0.0};     ///< sqrt(sum / degrees of freedom); NaN without freedom
+  std::size_t degrees_of_freedom{0};  ///< residuals less free parameters
+  double student_t{0.0};              ///< half width of an interval in deviations; NaN likewise
+  /// Parameters x parameters: by how much a free one (row) changes for each unit by which the bound of
+  /// a held one (column) moves, to first order; 0 elsewhere, NaN where undetermined.
+  std::vector<double> follows;
   double gradient{0.0};  ///< largest cosine between the residuals and a free Jacobian column
   std::size_t rank{0};   ///< of the Jacobian in the free parameters
   std::vector<std::vector<std::string>>
-      undetermined;  ///< each a set of parameters that only counts together
-  Counters counters;
-  std::string word;  ///< how the search ended
+      undetermined;   ///< each a set of parameters that only counts together
+  Counters counters;  ///< calls of the residuals
+  std::string word;   ///< how the search ended
 };
 
 /// Fits parameters within bounds by least squares: a Levenberg-Marquardt method that projects onto
@@ -56,6 +64,9 @@ struct LeastSquaresResult {
 /// linearised. A failed evaluation shortens the step.
 /// Variables without a start begin in the middle; bounds may be infinite where a start is given and
 /// the scale is linear.
+/// The residuals should be smooth in the parameters. Local: other starts may find other optima. Safe from
+/// any number of threads if the residuals are. Cost: one evaluation a step, and m n^2 operations for m
+/// residuals of n parameters.
 /// @throws InputError for no parameters, names missing or twice, fewer residuals than free
 ///         parameters, a start without a value
 LeastSquaresResult least_squares(const std::vector<Variable>& parameters,

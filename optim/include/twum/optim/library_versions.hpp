@@ -12,7 +12,7 @@ struct LibraryVersion {
   std::string version;  ///< such as "2.7.1"; "none" if this build does without it
 };
 
-/// Solver libraries that are in use, in a fixed order.
+/// Solver libraries that are in use, in a fixed order. Never throws but for lack of memory.
 std::vector<LibraryVersion> library_versions();
 
 }  // namespace twum::optim

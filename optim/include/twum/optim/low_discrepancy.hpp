@@ -16,8 +16,10 @@ class SobolSequence {
   /// @throws InputError for a dimension of 0 or beyond 3667.
   SobolSequence(std::size_t dimension, std::uint64_t seed);
 
+  /// Numbers a point.
   std::size_t dimension() const noexcept { return shift_.size(); }
   /// Writes point `index` = 0, 1, ... to `point`, which has room for dimension() numbers.
+  /// @throws InputError for an index beyond 10^12.
   void point(std::uint64_t index, std::span<double> point) const;
 
  private:
@@ -25,7 +27,7 @@ class SobolSequence {
   std::vector<double> shift_;
 };
 
-/// The first `count` points of SobolSequence.
+/// The first `count` points of SobolSequence, each in [0, 1)^dimension.
 /// @throws InputError for a dimension of 0 or beyond 3667.
 std::vector<std::vector<double>> sobol_points(std::size_t dimension, std::size_t count,
                                               std::uint64_t seed);

@@ -22,11 +22,12 @@ struct Budget {
 struct Observation {
   std::uint64_t stage{0};  ///< part of the solve: a start, a rung of the ladder, a point of a front
   std::uint64_t index{0};  ///< number of the call within its stage
-  std::span<const double> design;
-  bool gradient{false};  ///< whether the Jacobian was asked for
-  const Evaluation& evaluation;
+  std::span<const double> design;  ///< user units
+  bool gradient{false};            ///< whether the Jacobian was asked for
+  const Evaluation& evaluation;    ///< what came out
 };
 
+/// Told of every evaluation; its exceptions end the solve and reach its caller.
 using Observer = std::function<void(const Observation&)>;
 
 /// How to solve. The defaults are for a user without opinions.
@@ -36,9 +37,9 @@ struct SolveOptions {
   double tolerance{
       1e-6};  ///< stationarity at which the certificate passes, relative to the gradient's scale
   double feasibility_tolerance{1e-8};  ///< of constraints scaled by their gradients at the start
-  std::uint64_t seed{1};
-  Budget budget;
-  std::stop_token stop;    ///< a request ends the solve with what has been found
+  std::uint64_t seed{1};               ///< of whatever is random
+  Budget budget;                       ///< what it may use up
+  std::stop_token stop;                ///< a request ends the solve with what has been found
   Observer observer;       ///< called for every evaluation, never by two threads at once
   std::size_t threads{1};  ///< for the starts of auto; the answer does not depend on it
   std::string global;      ///< auto only: a global algorithm to run first, such as "nlopt:isres"

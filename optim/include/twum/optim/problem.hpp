@@ -11,6 +11,7 @@
 
 namespace twum::optim {
 
+/// No limit.
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// How a variable is spread over its bounds: solvers see it as a number in [0, 1].
@@ -22,23 +23,25 @@ struct Variable {
   double lower{0.0};  ///< finite; > 0 for a log scale
   double upper{1.0};  ///< finite, >= lower; equal bounds fix the variable
   double start{std::numeric_limits<
-      double>::quiet_NaN()};  ///< NaN: the middle of the scale; clamped into the bounds
-  Scale scale{Scale::linear};
-  bool integer{false};  ///< then only whole numbers are ever evaluated
+      double>::quiet_NaN()};   ///< NaN: the middle of the scale; clamped into the bounds
+  Scale scale{Scale::linear};  ///< how solvers see it
+  bool integer{false};         ///< then only whole numbers are ever evaluated
 };
 
+/// What is wanted of an objective.
 enum class Sense : std::uint8_t { minimize, maximize };
 
+/// Something that should be small, or large.
 struct Objective {
-  std::string name;
-  Sense sense{Sense::minimize};
+  std::string name;              ///< unique in the problem
+  Sense sense{Sense::minimize};  ///< which of the two
 };
 
 /// lower <= value <= upper; equal limits make an equality. At least one limit is finite.
 struct Constraint {
-  std::string name;
-  double lower{-kInfinity};
-  double upper{kInfinity};
+  std::string name;          ///< unique in the problem
+  double lower{-kInfinity};  ///< user units
+  double upper{kInfinity};   ///< user units, >= lower
 };
 
 /// What an evaluator knows about a derivative that is not an ordinary one.
@@ -51,11 +54,11 @@ enum class Slope : std::uint8_t {
 /// A Jacobian entry that is not smooth at this point. Optional: an evaluator that cannot tell
 /// gives none, and the certificate then looks for kinks with gradients nearby.
 struct KinkedEntry {
-  std::size_t response{0};
-  std::size_t variable{0};
-  Slope slope{Slope::undefined};
-  double left{0.0};   ///< derivative towards smaller values of the variable
-  double right{0.0};  ///< derivative towards larger values
+  std::size_t response{0};        ///< its row
+  std::size_t variable{0};        ///< its column
+  Slope slope{Slope::undefined};  ///< what it is instead of a derivative
+  double left{0.0};               ///< derivative towards smaller values of the variable
+  double right{0.0};              ///< derivative towards larger values
 };
 
 /// What one design evaluates to. A design that cannot be evaluated has a failure and nothing else.
@@ -66,6 +69,7 @@ struct Evaluation {
   std::vector<KinkedEntry> kinks;  ///< entries of the Jacobian that are not smooth
   std::string failure;             ///< short reason such as "no-periodic-state"; empty: it worked
 
+  /// True if there is no failure.
   bool ok() const noexcept { return failure.empty(); }
 };
 
@@ -78,11 +82,12 @@ using Evaluator = std::function<Evaluation(std::span<const double> design, bool 
 
 /// A design problem: what may vary, what is wanted, what must hold.
 struct Problem {
-  std::vector<Variable> variables;
-  std::vector<Objective> objectives;
-  std::vector<Constraint> constraints;
-  Evaluator evaluate;
+  std::vector<Variable> variables;      ///< what may vary
+  std::vector<Objective> objectives;    ///< what is wanted
+  std::vector<Constraint> constraints;  ///< what must hold
+  Evaluator evaluate;                   ///< what a design comes to
 
+  /// Values that the evaluator gives for a design.
   std::size_t responses() const noexcept { return objectives.size() + constraints.size(); }
 };
 
@@ -92,7 +97,8 @@ struct Problem {
 ///         no whole number in its bounds, a constraint without a limit or with crossed limits.
 void validate(const Problem& problem);
 
-/// The design to start from: each start (or middle of the scale) clamped into its bounds.
+/// The design to start from, user units: each start (or middle of the scale) clamped into its bounds,
+/// rounded where only whole numbers will do. For a problem that validate() accepts.
 std::vector<double> start_design(const Problem& problem);
 
 }  // namespace twum::optim

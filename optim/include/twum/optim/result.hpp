@@ -14,36 +14,40 @@ enum class Outcome : std::uint8_t {
   failed       ///< no design could be evaluated
 };
 
-/// "optimal", "feasible", "infeasible", "budget" or "failed".
+/// "optimal", "feasible", "infeasible", "budget" or "failed"; a text that lives for ever.
 const char* to_string(Outcome outcome);
 
 /// Why the last solver stopped.
 enum class StopReason : std::uint8_t { finished, evaluations, seconds, requested };
 
+/// What a search cost.
 struct Counters {
   std::size_t evaluations{0};                   ///< calls of the evaluator
   std::size_t gradients{0};                     ///< of these, with a Jacobian
   std::size_t reused{0};                        ///< requests answered without a call
   std::map<std::string, std::size_t> failures;  ///< failed calls by reason
 
+  /// Failed calls, of whatever reason.
   std::size_t failed() const;
+  /// Adds the counts of another search.
   void add(const Counters& other);
-  void subtract(const Counters& other);  ///< of something added before
+  /// Takes away counts that were added before.
+  void subtract(const Counters& other);
 };
 
 /// How much one limit has to give way.
 struct Relaxation {
-  std::string name;
-  Side side{Side::upper};
-  double limit{0.0};   ///< as asked
-  double amount{0.0};  ///< >= 0, at the least infeasible design [unit of the constraint]
-  double alone{0.0};   ///< smallest relaxation of this limit alone that would do; NaN: none found
+  std::string name;        ///< of the constraint
+  Side side{Side::upper};  ///< which of its limits
+  double limit{0.0};       ///< as asked
+  double amount{0.0};      ///< >= 0, at the least infeasible design [unit of the constraint]
+  double alone{0.0};  ///< smallest relaxation of this limit alone that would do; NaN: none found
 };
 
 /// Why a problem has no feasible design, by an elastic solve: the sum of the scaled violations is
 /// smallest at `design`.
 struct Infeasibility {
-  std::vector<double> design;
+  std::vector<double> design;           ///< the least infeasible one, user units
   std::vector<Relaxation> relaxations;  ///< limits that must give way, or would help alone
   std::vector<std::string> conflict;    ///< constraints that fight: those with a multiplier there
   bool certified{false};                ///< that design is a stationary point of the violation
@@ -51,28 +55,29 @@ struct Infeasibility {
 
 /// One solver run, for the report.
 struct StageReport {
-  std::uint64_t stage{0};
-  std::string solver;
-  std::string word;  ///< the solver's own word
-  int code{0};       ///< and code
-  bool feasible{false};
-  double objective{0.0};  ///< best found by this stage, user units; NaN without a success
-  std::size_t evaluations{0};
+  std::uint64_t stage{0};      ///< its number
+  std::string solver;          ///< its name
+  std::string word;            ///< the solver's own word
+  int code{0};                 ///< and code
+  bool feasible{false};        ///< it has found a feasible design
+  double objective{0.0};       ///< best found by this stage, user units; NaN without a success
+  std::size_t evaluations{0};  ///< calls of the evaluator
 };
 
+/// What a solve has found, and the evidence for it.
 struct Result {
-  Outcome outcome{Outcome::failed};
-  StopReason stop{StopReason::finished};
+  Outcome outcome{Outcome::failed};       ///< in our words
+  StopReason stop{StopReason::finished};  ///< why it ended
   std::vector<double>
-      design;             ///< best feasible design, or the least infeasible one; empty if failed
-  Evaluation evaluation;  ///< of that design, with its Jacobian where it has one
-  Certificate certificate;
-  Infeasibility infeasibility;  ///< filled when the outcome is infeasible
-  Counters counters;
-  std::vector<StageReport> stages;
-  std::string solver;            ///< whose answer it is
-  double seconds{0.0};           ///< wall time
-  std::uint64_t stages_used{0};  ///< first_stage + stages_used is free for the next solve
+      design;               ///< best feasible design, or the least infeasible one; empty if failed
+  Evaluation evaluation;    ///< of that design, with its Jacobian where it has one
+  Certificate certificate;  ///< of that design
+  Infeasibility infeasibility;      ///< filled when the outcome is infeasible
+  Counters counters;                ///< of all stages
+  std::vector<StageReport> stages;  ///< every solver run
+  std::string solver;               ///< whose answer it is
+  double seconds{0.0};              ///< wall time
+  std::uint64_t stages_used{0};     ///< first_stage + stages_used is free for the next solve
 };
 
 }  // namespace twum::optim

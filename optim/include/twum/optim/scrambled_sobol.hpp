@@ -19,6 +19,7 @@ class ScrambledSobol {
   /// @throws InputError for a dimension of 0 or beyond 3667.
   ScrambledSobol(std::size_t dimension, std::uint64_t seed, std::uint64_t replicate);
 
+  /// Numbers a point.
   std::size_t dimension() const noexcept { return shift_.size(); }
 
   /// Point `index` < 2^40 in (0, 1)^dimension; neither 0 nor 1 ever occurs.

@@ -18,31 +18,33 @@ struct SolverInfo {
   std::string description;  ///< one line
   bool gradient{false};     ///< needs the Jacobian
   bool inequality{
-      false};  ///< takes inequality constraints, possibly through an augmented Lagrangian
-  bool equality{false};
-  bool global{false};
+      false};            ///< takes inequality constraints, possibly through an augmented Lagrangian
+  bool equality{false};  ///< takes equality constraints
+  bool global{false};    ///< searches the whole box
   bool stochastic{false};  ///< follows the seed
   bool augmented{false};   ///< constraints only through an augmented Lagrangian (nlopt:auglag)
   bool available{true};    ///< false: not in this build; `description` says why
-  FailurePolicy on_failure{FailurePolicy::restart};
+  FailurePolicy on_failure{FailurePolicy::restart};  ///< of an evaluation
 };
 
-/// Every solver there is, in a fixed order.
+/// Every solver there is, those that this build lacks included, in a fixed order; the list lives for
+/// ever.
 const std::vector<SolverInfo>& solvers();
 
+/// The row of a name such as "nlopt:slsqp"; it lives for ever.
 /// @throws InputError for a name that does not exist, with the nearest one and the list.
 const SolverInfo& find_solver(const std::string& name);
 
 /// One option that a solver takes in SolveOptions::solver_options.
 struct SolverOption {
   std::string solver;  ///< "ipopt" or "nlopt"
-  std::string name;
-  std::string type;  ///< "number", "integer" or "text"
-  std::string range;
-  std::string text;
+  std::string name;    ///< as the solver calls it
+  std::string type;    ///< "number", "integer" or "text"
+  std::string range;   ///< what it may be, in words
+  std::string text;    ///< what it does, in one line
 };
 
-/// Every option of every solver.
+/// Every option of every solver; the list lives for ever.
 const std::vector<SolverOption>& solver_options();
 
 }  // namespace twum::optim

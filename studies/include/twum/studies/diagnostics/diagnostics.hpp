@@ -13,7 +13,7 @@ namespace twum::studies {
 
 /// One thing that is wrong in a file: where, which entry, what was found, what would be right.
 struct Diagnostic {
-  SourceMark mark;
+  SourceMark mark;                  ///< where
   std::string entry;                ///< path such as "motor.contact_layer.thickness"; may be empty
   std::string found;                ///< "'3 N' is a force [N]"
   std::string expected;             ///< "expected a length [m] such as '0.3 mm'"
@@ -27,6 +27,7 @@ std::string to_string(const Diagnostic& diagnostic, const Source& source);
 /// Everything that is wrong with one file. what() is the text of all of it.
 class FileError : public InputError {
  public:
+  /// What is wrong with a file, in the order in which it is said.
   FileError(const Source& source, std::vector<Diagnostic> diagnostics);
   /// What is wrong with a file and with another one that it names; the text is that of both.
   FileError(const FileError& first, const FileError& second);
@@ -41,13 +42,19 @@ class FileError : public InputError {
 /// Collects what is wrong with one file, so that all of it is said in one pass.
 class Diagnostics {
  public:
+  /// Of a text, which has to outlive this.
   explicit Diagnostics(const Source& source) : source_(source) {}
 
+  /// The text.
   const Source& source() const noexcept { return source_; }
+  /// One more thing that is wrong.
+  /// @{
   void add(Diagnostic diagnostic) { found_.push_back(std::move(diagnostic)); }
   void add(SourceMark mark, std::string entry, std::string found, std::string expected) {
     add({mark, std::move(entry), std::move(found), std::move(expected), {}, {}});
   }
+  /// @}
+  /// True if nothing is wrong so far.
   bool empty() const noexcept { return found_.empty(); }
   /// @throws FileError with all of them, in the order of the file, if there are any.
   void throw_if_any() const;

@@ -10,16 +10,20 @@ namespace twum::studies {
 
 /// A place in a text, counted from 1 in characters, as editors do.
 struct SourceMark {
-  int line{1};
-  int column{1};
+  int line{1};    ///< from the top
+  int column{1};  ///< from the left
 };
 
 /// A text with a name, that errors can point into.
 class Source {
  public:
+  /// @param name  how errors call it, such as its path
+  /// @param text  all of it, UTF-8
   Source(std::string name, std::string text);
 
+  /// How errors call it.
   const std::string& name() const noexcept { return name_; }
+  /// All of it.
   const std::string& text() const noexcept { return text_; }
 
   /// One line without its end, counted from 1; empty beyond the text.

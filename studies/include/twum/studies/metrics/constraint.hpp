@@ -16,6 +16,7 @@ struct Constraint {
   double limit;             ///< in the metric's SI unit
 };
 
+/// Reads a limit: a metric or parameter, "<=" or ">=", and a quantity of its dimension.
 /// @throws ValueError with the position in the text, what was found and what would be right.
 Constraint parse_constraint(std::string_view text);
 

@@ -15,13 +15,14 @@ namespace twum::studies {
 /// ("torque_at(100 rpm)", "efficiency_at(0.5 N.m)"; the dimension tells speed from torque), or a
 /// parameter ("preload"; its value is the design's own).
 struct MetricExpression {
-  std::string text;  ///< as typed, blanks trimmed
-  std::variant<MetricRequest, Parameter> what;
+  std::string text;                             ///< as typed, blanks trimmed
+  std::variant<MetricRequest, Parameter> what;  ///< in SI
 
   /// SI unit of its value, "1" if dimensionless.
   std::string_view unit() const;
 };
 
+/// Reads one expression; parameters may go by the paper's symbols.
 /// @throws ValueError with the position in the text, what was found and what would be right.
 MetricExpression parse_metric(std::string_view text);
 
@@ -36,9 +37,12 @@ std::vector<MetricExpression> plain_metrics();
 /// Keep one evaluator for many motors; it is constant, and safe from any number of threads.
 class ExpressionEvaluator {
  public:
+  /// Of these expressions, which it copies.
   explicit ExpressionEvaluator(std::span<const MetricExpression> expressions);
-  /// `values` has room for one value for each expression.
+  /// Costs what twum::evaluate() does, and throws as little: every value has a status.
+  /// @param values  room for size() of them
   void evaluate(const Motor& motor, std::span<MetricValue> values) const;
+  /// How many expressions there are.
   std::size_t size() const noexcept { return places_.size(); }
 
  private:

@@ -17,8 +17,8 @@ inline constexpr int kFileVersion = 1;
 
 /// A motor as it stands in a file.
 struct MotorFile {
-  std::string name;
-  MotorDesign design;
+  std::string name;    ///< as the file has it; may be empty
+  MotorDesign design;  ///< SI
 };
 
 /// Shape of a value of one parameter: unit, range and example of the parameter table.
@@ -27,12 +27,15 @@ Schema parameter_schema(const ParameterInfo& parameter);
 /// Shape of what stands below `motor:`, made from the parameter table.
 Schema motor_schema();
 
-/// Shape of a motor file.
+/// Shape of a motor file; lives for ever.
 const Schema& motor_file_schema();
 
 /// Reads a motor file; "-" is standard input.
 /// @throws FileError with everything that is wrong in it; InputError if it cannot be read.
 MotorFile read_motor_file(const std::string& path);
+
+/// Reads the text of a motor file.
+/// @throws FileError with everything that is wrong in it.
 MotorFile read_motor(const Source& source);
 
 /// The motor of a mapping that validate() was asked about with motor_schema(): adds what only a look at

@@ -13,7 +13,7 @@ namespace twum::studies {
 /// @throws ValueError with the nearest names if there is none.
 Parameter parse_parameter(std::string_view name);
 
-/// Reads "thickness=0.3 mm".
+/// Reads "thickness=0.3 mm": a name or symbol, and a value with its unit.
 /// @throws ValueError if the name is unknown, or the value has a wrong unit or is out of range.
 ParameterValue parse_setting(std::string_view text);
 

@@ -17,17 +17,17 @@ namespace twum::studies {
 
 /// A motor parameter that may be changed, in its SI unit.
 struct DesignVariable {
-  Parameter parameter{};
-  double min{0};
-  double max{1};
+  Parameter parameter{};                                   ///< which one
+  double min{0};                                           ///< admissible, SI
+  double max{1};                                           ///< admissible, SI, >= min
   bool log{false};                                         ///< spread evenly by ratio; min > 0
   double start{std::numeric_limits<double>::quiet_NaN()};  ///< NaN: the motor's own value
 };
 
 /// What is wanted of a motor.
 struct DesignObjective {
-  MetricExpression metric;
-  bool maximize{false};
+  MetricExpression metric;  ///< what should be large or small
+  bool maximize{false};     ///< large
 };
 
 /// A question about a motor: what may be changed, what is wanted, what must hold.
@@ -38,15 +38,22 @@ struct DesignObjective {
 ///     problem.limit("no_load_speed >= 100 rpm").limit("max_pressure <= 10 MPa");
 ///     optim::Result best = optim::solve(motor_problem(problem));
 struct DesignProblem {
-  MotorDesign motor;  ///< what the variables do not change
-  std::vector<DesignVariable> variables{};
+  MotorDesign motor;                          ///< what the variables do not change
+  std::vector<DesignVariable> variables{};    ///< what may be changed
   std::vector<DesignObjective> objectives{};  ///< one for solve(), two or three for pareto_front()
-  std::vector<Constraint> limits{};
+  std::vector<Constraint> limits{};           ///< what must hold
 
+  /// Lets a parameter change from min to max [SI], evenly or by ratio. Whether that can be is seen when
+  /// the question is posed: motor_problem().
   DesignProblem& vary(Parameter parameter, double min, double max, bool log = false);
-  /// @throws ValueError if the text is no metric, or no limit, as parse_metric and parse_constraint.
+  /// Wants a metric to be large.
+  /// @throws ValueError if the text is no metric, as parse_metric().
   DesignProblem& maximize(std::string_view metric);
+  /// Wants a metric to be small.
+  /// @throws ValueError if the text is no metric, as parse_metric().
   DesignProblem& minimize(std::string_view metric);
+  /// Asks for a limit such as "max_pressure <= 10 MPa".
+  /// @throws ValueError if the text is no limit, as parse_constraint().
   DesignProblem& limit(std::string_view text);
 };
 

@@ -7,13 +7,13 @@ namespace twum::studies {
 
 /// A column of stored rows: a flat parameter name or a metric as typed, in SI.
 struct Column {
-  std::string name;
+  std::string name;  ///< flat name of a parameter, or a metric as typed
   std::string unit;  ///< SI unit, "1" if dimensionless
 };
 
 /// A value with its name, in SI.
 struct NamedValue {
-  std::string name;
+  std::string name;  ///< flat name of a parameter, or a metric as typed
   std::string unit;  ///< SI unit, "1" if dimensionless
   double value;      ///< NaN: none
 };

@@ -11,24 +11,28 @@ namespace twum::studies {
 
 /// Answer of `pareto`: a front, in order of the first goal.
 struct ParetoResult {
+  /// One design of the front.
   struct Point {
     std::vector<double> goals;  ///< values of the goals, SI
-    DesignReport report;        ///< multipliers are those of the weighted goals
+    DesignReport report;        ///< multipliers are those of the weighted goals; see gains()
   };
 
-  std::vector<Goal> goals;
-  std::vector<Point> front;
+  std::vector<Goal> goals;   ///< what was wanted
+  std::vector<Point> front;  ///< in order of the first goal
   /// The point farthest beyond the line (plane) through the ends, in goals scaled by the front's span:
   /// on either side of it one gives much for little. An end where the front bends the other way. Of
   /// no meaning if the front is empty.
   std::size_t knee{0};
   std::vector<std::size_t> ends;  ///< the best point of each goal
-  double hypervolume{0};          ///< product of the goals' units
-  std::vector<double> reference_point;
-  std::vector<NamedValue> before_design;
-  std::vector<NamedValue> before_metrics;
-  std::vector<std::string> conflict;  ///< as in OptimizeResult, where no design is feasible
-  std::vector<RelaxationState> relaxation;
+  /// These points once more, as optima of that one goal alone: what its limits are worth there. Empty
+  /// for a front found without gradients.
+  std::vector<DesignReport> alone;
+  double hypervolume{0};                    ///< product of the goals' units
+  std::vector<double> reference_point;      ///< of the hypervolume, in the goals' units
+  std::vector<NamedValue> before_design;    ///< the motor as it was: its variables
+  std::vector<NamedValue> before_metrics;   ///< the same metrics as those of the front
+  std::vector<std::string> conflict;        ///< as in OptimizeResult, where no design is feasible
+  std::vector<RelaxationState> relaxation;  ///< as in OptimizeResult
 };
 
 }  // namespace twum::studies

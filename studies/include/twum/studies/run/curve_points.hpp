@@ -12,18 +12,21 @@ namespace twum::studies {
 
 /// One quantity of a torque-speed curve.
 struct CurveColumn {
-  const char* name;
+  const char* name;  ///< as in files
   const char* unit;  ///< SI
+  /// Its value at an operating point, SI.
   double (*value)(const OperatingPoint&);
 };
 
-/// speed, torque, powers, efficiency, wear and stick, in the order of tables and files.
+/// speed, torque, powers, efficiency, wear and stick, in the order of tables and files; lives for ever.
 std::span<const CurveColumn> curve_columns();
 
 /// Where a curve ends if nobody says: a little beyond no-load, or what comes nearest to that [rad/s].
+/// Costs one no-load speed; never throws.
 double last_curve_speed(const Motor& motor);
 
-/// The speed of point `index` of `points` (at least 2), equally spaced from rest to `last` [rad/s].
+/// The speed of point `index` = 0, 1, ... of `points` (at least 2), equally spaced from rest to `last`
+/// [rad/s].
 double curve_speed(double last, std::uint64_t index, std::uint64_t points);
 
 /// Equally spaced speeds from rest to last_curve_speed() [rad/s].

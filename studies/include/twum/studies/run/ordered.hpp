@@ -29,9 +29,12 @@ unsigned job_count(unsigned requested);
 template <typename Item, typename Read, typename Work, typename Write>
 class OrderedRun {
  public:
+  /// @param jobs  threads, at least 1; the caller's is one of them
   OrderedRun(unsigned jobs, Read read, Work work, Write write)
       : jobs_(jobs), read_(std::move(read)), work_(std::move(work)), write_(std::move(write)) {}
 
+  /// Goes through all items, once.
+  /// @throws whatever the first callback to throw did, by the order of the items
   void run() {
     std::vector<std::thread> threads;
     try {
@@ -128,7 +131,7 @@ class OrderedRun {
   std::exception_ptr error_;
 };
 
-/// OrderedRun in one call.
+/// OrderedRun in one call; of `jobs` 0 counts as 1.
 template <typename Item, typename Read, typename Work, typename Write>
 void run_ordered(unsigned jobs, Read read, Work work, Write write) {
   OrderedRun<Item, Read, Work, Write>(std::max(jobs, 1U), std::move(read), std::move(work),

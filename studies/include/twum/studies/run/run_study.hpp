@@ -10,23 +10,31 @@
 
 namespace twum::studies {
 
+/// How to run a study.
 struct RunOptions {
-  unsigned jobs{0};  ///< threads; 0: one for each processor. The result does not depend on it
-  bool fresh{false};  ///< discard what the directory holds of this study and start anew
+  unsigned jobs{0};      ///< threads; 0: one for each processor. The result does not depend on it
+  bool fresh{false};     ///< discard what the directory holds of this study and start anew
   std::stop_token stop;  ///< a request ends the run, resumable, with what has been found
   /// Told now and then how far the run is: evaluations, their total (0: unknown), the best so far.
   std::function<void(std::uint64_t done, std::uint64_t total, const std::string& best)> progress;
 };
 
+/// Reads what a valid study file names besides its motor, such as measured points and earlier results.
+/// @throws FileError or InputError for what is wrong there
+void check_named_files(const StudyFile& file);
+
 /// Runs a study and keeps everything in a directory: study.yaml (resolved), results.db, results.csv,
-/// summary.json. A directory in which the same study was interrupted is gone on with; one that holds
+/// summary.json, report.html, and motor files of what was found. A directory in which the same study was interrupted is gone on with; one that holds
 /// a finished result of it answers from there.
+/// The result is the same to the byte, times aside, for any number of threads and interruptions. Two
+/// runs at once need two directories.
 /// @throws FileError or InputError for a wrong input or a directory with another study;
 ///         StoreError if something cannot be written or read back.
 StudyResult run_study(const StudyFile& file, const std::string& directory,
                       const RunOptions& options = {});
 
-/// In memory: no directory, nothing kept.
+/// In memory: no directory, nothing kept. The same answer.
+/// @throws FileError or InputError for a wrong input
 StudyResult run_study(const StudyFile& file, const RunOptions& options = {});
 
 }  // namespace twum::studies

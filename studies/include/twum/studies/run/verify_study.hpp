@@ -7,6 +7,7 @@
 
 namespace twum::studies {
 
+/// What to look at again.
 struct VerifyOptions {
   std::uint64_t samples{1000};  ///< stored rows to evaluate again, drawn at random
   std::uint64_t seed{1};        ///< of the draw
@@ -15,8 +16,8 @@ struct VerifyOptions {
 /// What became of the results in a directory when they were computed again. Numbers hold if they are
 /// equal to 1e-12 of their size.
 struct Verification {
-  std::string study;
-  std::string kind;
+  std::string study;              ///< its name
+  std::string kind;               ///< as in `kind:`
   std::uint64_t rows{0};          ///< stored
   std::uint64_t rows_checked{0};  ///< evaluated again
   std::uint64_t rows_skipped{0};  ///< drawn, but not to be computed by themselves
@@ -27,11 +28,13 @@ struct Verification {
   std::uint64_t failed{0};  ///< things that do not hold
   std::vector<std::string> complaints;  ///< the first of them, a line each
 
+  /// True if everything that was looked at holds.
   bool holds() const noexcept { return failed == 0; }
 };
 
 /// Computes the results of a study again, from its directory alone: random rows, the designs of
-/// summary.json, their certificates, and the answer as it follows from the rows. Changes nothing there.
+/// summary.json, their certificates, and the answer as it follows from the rows; results.csv and motor
+/// files against these. Not report.html, which `twum report` makes anew. Changes nothing there.
 /// @throws InputError if there is no such directory or no result in it; StoreError if it cannot be read.
 Verification verify_study(const std::string& directory, const VerifyOptions& options = {});
 

@@ -8,7 +8,7 @@
 
 namespace twum::studies {
 
-/// A schema as JSON Schema (draft 2020-12), for editors and other programs.
+/// A schema as JSON Schema (draft 2020-12), for editors and other programs: a function of the table alone.
 /// @param id  address that names it
 std::string json_schema(const Schema& schema, std::string_view title, std::string_view id);
 

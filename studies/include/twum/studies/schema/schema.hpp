@@ -26,15 +26,15 @@ struct SchemaEntry;
 /// The shape of a file, or of a part of it: the one table from which it is checked, documented,
 /// published as JSON Schema, and written as a file to start from.
 struct Schema {
-  ValueKind kind{ValueKind::text};
-  std::string text;     ///< what it is, in one line
-  std::string example;  ///< a valid value, as one would type it
-  std::string sample;   ///< mapping or list: lines of YAML to show in a file to start from
+  ValueKind kind{ValueKind::text};  ///< what may stand there
+  std::string text;                 ///< what it is, in one line
+  std::string example;              ///< a valid value, as one would type it
+  std::string sample;  ///< mapping or list: lines of YAML to show in a file to start from
 
   std::string unit{"1"};  ///< quantity: SI unit, "1" if dimensionless
   double min{-std::numeric_limits<double>::infinity()};  ///< quantity, count: in SI
-  double max{std::numeric_limits<double>::infinity()};
-  bool min_excluded{false};
+  double max{std::numeric_limits<double>::infinity()};   ///< likewise
+  bool min_excluded{false};                              ///< the value must exceed `min`
   bool whole{false};  ///< quantity without unit: whole numbers only
 
   std::vector<std::string> words;    ///< word: the choices
@@ -44,20 +44,21 @@ struct Schema {
   std::size_t max_items{std::numeric_limits<std::size_t>::max()};  ///< list
   std::vector<Schema> alternatives;  ///< any_of; variant: one mapping for each of the words
   std::string selector;              ///< variant: the entry whose word decides
-  void (*check)(std::string_view text){nullptr};  ///< text: throws ValueError if it is wrong
+  /// text: throws ValueError if it is wrong
+  void (*check)(std::string_view text){nullptr};
 };
 
 /// One entry of a mapping.
 struct SchemaEntry {
-  std::string name;
-  Schema schema;
-  bool required{false};
-  std::string twin{};   ///< entry that says the same in another way: exactly one of both is needed
-                        ///< if `required`, at most one if not
-  std::string alias{};  ///< another name people may type, understood in `did you mean`
+  std::string name;      ///< as it stands in the file
+  Schema schema;         ///< what may stand there
+  bool required{false};  ///< it must be there
+  std::string twin{};    ///< entry that says the same in another way: exactly one of both is needed
+                         ///< if `required`, at most one if not
+  std::string alias{};   ///< another name people may type, understood in `did you mean`
   bool alias_counts{false};  ///< the alias is as good as the name
   bool shown{true};          ///< in a file to start from; otherwise commented out there
-  std::string fallback{};    ///< what holds if it is left out: a value as one would type it, or words
+  std::string fallback{};  ///< what holds if it is left out: a value as one would type it, or words
 };
 
 }  // namespace twum::studies

@@ -8,10 +8,10 @@
 namespace twum::studies {
 
 /// Adds everything in which a tree departs from a schema: unknown, missing and contradicting entries,
-/// wrong kinds, wrong units, values out of range.
+/// wrong kinds, wrong units, values out of range. Never throws for what the tree holds.
 void validate(const YamlNode& root, const Schema& schema, Diagnostics& diagnostics);
 
-/// The value of a quantity in SI; nothing if it is not valid. Never throws.
+/// The value of a quantity in SI; nothing if it is not valid by its schema. Never throws.
 std::optional<double> quantity_of(const YamlNode& node, const Schema& schema);
 
 /// The node at a path such as "motor.stator.frequency"; null if there is none.

@@ -9,9 +9,13 @@ namespace twum::studies {
 /// quantity itself (also for lognormal ones), before what lies outside the limits is cut off.
 class Distribution {
  public:
+  /// Normal with sd > 0.
   static Distribution normal(double mean, double sd);
-  static Distribution lognormal(double mean, double sd);  ///< mean > 0
+  /// Lognormal with mean > 0 and sd > 0.
+  static Distribution lognormal(double mean, double sd);
+  /// Uniform over min < max.
   static Distribution uniform(double min, double max);
+  /// Triangular over min < max with its peak at min <= mode <= max.
   static Distribution triangular(double min, double mode, double max);
 
   /// The distribution given that the quantity is within the limits.

@@ -14,11 +14,16 @@ namespace twum::studies {
 /// random order, by 2/3 up or down. A trajectory is a function of the seed and its number.
 class MorrisDesign {
  public:
+  /// @param variables  dimension of the box, >= 1
   MorrisDesign(std::size_t variables, std::uint64_t seed) : variables_(variables), seed_(seed) {}
 
+  /// Dimension of the box.
   std::size_t variables() const noexcept { return variables_; }
+  /// Points of a trajectory.
   std::size_t trajectory_size() const noexcept { return variables_ + 1; }
-  /// One point of a trajectory; `unit` has room for a number for each variable.
+  /// One point of a trajectory; `unit` has room for a number for each variable. Safe from any number of
+  /// threads.
+  /// @param member  0 .. trajectory_size() - 1
   void point(std::uint64_t trajectory, std::size_t member, std::span<double> unit) const;
 
  private:
@@ -37,14 +42,19 @@ struct ElementaryEffect {
 /// Student's interval for mu*, and Bonett's for sigma.
 class ElementaryEffects {
  public:
+  /// Of a function of so many variables, without trajectories yet.
   explicit ElementaryEffects(std::size_t variables) : effects_(variables), magnitudes_(variables) {}
 
   /// Adds a trajectory: its d + 1 points, one after another, that differ from their neighbour in
   /// one coordinate, and the values there. A value that is NaN drops the whole trajectory.
   void add(std::span<const double> points, std::span<const double> values);
 
-  std::uint64_t trajectories() const noexcept { return trajectories_; }  ///< that count
+  /// Trajectories that count.
+  std::uint64_t trajectories() const noexcept { return trajectories_; }
+  /// Trajectories that were dropped.
   std::uint64_t dropped() const noexcept { return dropped_; }
+  /// One for each variable; intervals are NaN with fewer than two trajectories.
+  /// @param confidence  between 0 and 1
   std::vector<ElementaryEffect> effects(double confidence) const;
 
  private:

@@ -7,9 +7,9 @@ namespace twum::studies {
 
 /// A number known from samples, with a confidence interval; NaN where there is none.
 struct Estimate {
-  double value{std::numeric_limits<double>::quiet_NaN()};
-  double low{std::numeric_limits<double>::quiet_NaN()};
-  double high{std::numeric_limits<double>::quiet_NaN()};
+  double value{std::numeric_limits<double>::quiet_NaN()};  ///< the estimate itself
+  double low{std::numeric_limits<double>::quiet_NaN()};    ///< lower end of the interval
+  double high{std::numeric_limits<double>::quiet_NaN()};   ///< upper end
 };
 
 }  // namespace twum::studies

@@ -20,6 +20,7 @@ RunsTest runs_test(std::span<const double> residuals);
 
 /// Probability that chi-square with so many degrees of freedom is as large as this, or larger.
 /// 1 without freedom.
+/// @param chi_square  >= 0
 double chi_square_tail(double chi_square, std::size_t degrees_of_freedom);
 
 }  // namespace twum::studies

@@ -11,11 +11,15 @@ namespace twum::studies {
 /// is large beside the spread. The result depends on the order of the draws to rounding.
 class Moments {
  public:
+  /// Adds a draw, a finite number.
   void add(double value) noexcept;
 
+  /// Draws so far.
   std::uint64_t count() const noexcept { return count_; }
-  double mean() const noexcept;  ///< NaN of nothing
-  double sd() const noexcept;    ///< with n - 1; NaN of fewer than 2
+  /// Mean; NaN of nothing.
+  double mean() const noexcept;
+  /// Standard deviation, with n - 1; NaN of fewer than 2.
+  double sd() const noexcept;
 
   /// Student's interval. Right for normal draws, and by the central limit theorem for many others.
   /// @param confidence  between 0 and 1

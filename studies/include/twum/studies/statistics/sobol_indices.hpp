@@ -16,11 +16,15 @@ namespace twum::studies {
 /// turns among kReplicates randomizations of one Sobol sequence in 2 d dimensions.
 class SobolDesign {
  public:
+  /// Independent randomizations of the sequence.
   static constexpr std::uint64_t kReplicates = 16;
 
+  /// @throws InputError as optim::ScrambledSobol, for twice as many dimensions as variables
   SobolDesign(std::size_t variables, std::uint64_t seed);
 
+  /// Variables of the function, d.
   std::size_t variables() const noexcept { return variables_; }
+  /// Points of a block, d + 2.
   std::size_t block_size() const noexcept { return variables_ + 2; }
   /// The least power of two, and of at least 16 points a replicate, that is not below `blocks`:
   /// elsewhere the points are not evenly spread.
@@ -52,6 +56,7 @@ struct SobolShares {
 /// Ishigami and Sobol, at 256 to 4096 blocks, 95 % intervals cover 92 to 98 %.
 class SobolIndices {
  public:
+  /// Of a function of so many variables, without blocks yet. One thread at a time.
   explicit SobolIndices(std::size_t variables);
 
   /// Adds the values at the points of a block. A value that is NaN drops the whole block: a part of
@@ -62,9 +67,13 @@ class SobolIndices {
   /// such block has its derivatives there is no bound.
   void add_gradient(std::uint64_t block, std::span<const double> gradient);
 
-  std::uint64_t blocks() const noexcept { return blocks_; }    ///< that count
-  std::uint64_t dropped() const noexcept { return dropped_; }  ///< blocks
+  /// Blocks that count.
+  std::uint64_t blocks() const noexcept { return blocks_; }
+  /// Blocks that were dropped.
+  std::uint64_t dropped() const noexcept { return dropped_; }
+  /// Mean of the function over the box; NaN without blocks.
   double mean() const;
+  /// Its variance over the box; NaN without blocks.
   double variance() const;
   /// True if the values differ by no more than the accuracy of a computation: no variance to share.
   bool constant() const;

@@ -30,20 +30,24 @@ class DesignTable {
 
   /// What a user may want to know about the columns, such as one that looks like a mistyped parameter.
   const std::vector<std::string>& warnings() const noexcept { return warnings_; }
+  /// Columns of the table, carried ones included.
   std::size_t columns() const noexcept { return columns_.size(); }
+  /// True if a column replaces the parameter.
   bool has(Parameter parameter) const;
 
   /// Buffers of one thread.
   struct Scratch {
-    std::vector<std::string_view> cells;
-    std::vector<ParameterValue> values;
-    std::vector<MetricValue> metrics;
-    std::string reason;
-    bool well_formed{true};
+    std::vector<std::string_view> cells;  ///< of the row being read
+    std::vector<ParameterValue> values;   ///< of its parameter columns, SI
+    std::vector<MetricValue> metrics;     ///< its answers
+    std::string reason;                   ///< why it has none; empty: it has
+    bool well_formed{true};               ///< it can be carried along as it stands
   };
 
   /// Evaluates one row and appends it to `out` with its metrics and status; true if its status is ok.
   /// A row that is malformed or has no answer gets empty metrics and the reason; it never throws for it.
+  /// Safe from any number of threads, each with its own scratch. About the time of the metrics.
+  /// @param line  of the row in its file, for the reason
   bool append_result(std::string_view record, std::size_t line, Scratch& scratch,
                      std::string& out) const;
 
@@ -70,7 +74,7 @@ class DesignTable {
 
 /// What evaluate_designs() did.
 struct DesignCounts {
-  std::size_t rows{0};
+  std::size_t rows{0};    ///< rows done
   std::size_t failed{0};  ///< rows whose status is not ok
   std::size_t bytes{0};   ///< of the table read up to these rows
 };
@@ -80,6 +84,7 @@ struct DesignCounts {
 /// @param write     takes the result piece by piece
 /// @param proceed   asked between blocks of rows; false ends the run after what is in flight
 /// @param progress  told the counts now and then
+/// @throws InputError as CsvReader::read(), once the rows before are written; and what `write` throws
 DesignCounts evaluate_designs(CsvReader& reader, const DesignTable& table, unsigned jobs,
                               const std::function<void(std::string_view)>& write,
                               const std::function<bool()>& proceed,

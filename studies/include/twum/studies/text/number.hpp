@@ -18,11 +18,14 @@ std::optional<double> parse_decimal(std::string_view text, int power) noexcept;
 /// Length of the number that `text` begins with (sign and exponent included), 0 if there is none.
 std::size_t number_prefix(std::string_view text) noexcept;
 
-/// The shortest text that reads back as the same double; nothing is appended for NaN.
+/// Appends the shortest text that reads back as the same double; nothing for NaN. The same under every
+/// locale.
 void append_number(std::string& out, double value);
+
+/// The shortest text that reads back as the same double; empty for NaN.
 std::string number_text(double value);
 
-/// The value to a number of significant digits, without trailing zeros.
+/// The value to a number of significant digits (1 to 17), without trailing zeros.
 std::string rounded_text(double value, int digits);
 
 }  // namespace twum::studies

@@ -12,6 +12,9 @@ namespace twum::studies {
 /// other so that a reader of files can add the place, and the command line the option.
 class ValueError : public InputError {
  public:
+  /// @param found     what stands there
+  /// @param expected  what would be right
+  /// @param position  where in the text it went wrong, in bytes from its start
   ValueError(std::string found, std::string expected, std::size_t position = 0)
       : InputError(found + "; " + expected),
         found_(std::move(found)),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,17 +10,18 @@
 namespace twum::studies {
 
 /// Number of insertions, deletions, replacements and swaps of neighbours between two words; stops
-/// counting above `limit` and then returns limit + 1.
+/// counting above `limit` and then returns limit + 1. Cost: the product of their lengths.
 int edit_distance(std::string_view a, std::string_view b, int limit);
 
 /// The candidate nearest to a word, at edit distance <= 2 and less than half its length (a word that
-/// differs in case only always counts); empty if there is none.
+/// differs in case only always counts), otherwise the only one that it is the larger part of the beginning
+/// of; empty if there is none.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
 
 /// "did you mean 'x'?" or, where nothing is near, "expected one of a, b, c".
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> candidates);
 
-/// The text without blanks at its ends (no-break spaces included).
+/// The text without blanks at its ends (no-break spaces included); a view into it.
 std::string_view trimmed(std::string_view text);
 
 /// A user's text made safe to print: control characters as \\xNN, at most `limit` characters.
@@ -27,6 +29,9 @@ std::string printable(std::string_view text, std::size_t limit = 60);
 
 /// printable() between single quotes.
 std::string quoted(std::string_view text);
+
+/// "1 row", "2 rows"
+std::string counted(std::uint64_t count, std::string_view what);
 
 /// Pieces between commas that stand outside parentheses, blanks removed from their ends; views into text.
 std::vector<std::string_view> split_list(std::string_view text);

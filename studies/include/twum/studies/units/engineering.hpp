@@ -7,6 +7,7 @@
 namespace twum::studies {
 
 /// An SI value as people say it: "1.6 um", "3 GPa", "100 rpm" (speeds [rad/s] in rpm), "0.35".
+/// @param digits  significant ones, 1 to 17
 std::string engineering(double value, std::string_view si_unit, int digits = 4);
 
 /// The unit in which a column of values is shown, and what to divide SI values by.

@@ -14,8 +14,10 @@ class Scale {
  public:
   /// A number that is in SI already.
   Scale() = default;
+  /// A number whose unit is `factor` SI units, > 0.
   explicit Scale(double factor);
 
+  /// What a number is multiplied by.
   double factor() const noexcept { return factor_; }
   /// A number without unit, in SI; decimal units round once, so "26.5" in mm is exactly 0.0265.
   /// Nothing if it is not a finite number. Safe from any number of threads.
@@ -47,13 +49,15 @@ struct Quantity {
 /// @throws ValueError naming what was found, its dimension, and the dimension that is right.
 double parse_quantity(std::string_view text, const Expected& expected);
 /// The same where any of several dimensions will do, such as a speed or a torque.
+/// @throws ValueError likewise, naming all of them.
 Quantity parse_quantity(std::string_view text, std::span<const Expected> expected);
 
 /// Scale of a unit such as "mm", in a place where `expected` is right.
 /// @throws ValueError as parse_quantity().
 Scale parse_unit(std::string_view unit, const Expected& expected);
 
-/// "length", "torque", ... for an SI unit such as "m", "N.m"; empty if it has no common name.
+/// "length", "torque", ... for an SI unit such as "m", "N.m"; empty if it has no common name. Lives for
+/// ever.
 std::string_view dimension_name(std::string_view si_unit);
 
 /// "a length [m]", "a number without unit": how error texts speak of a dimension.

@@ -13,6 +13,7 @@ struct YamlEntry;
 
 /// A YAML value with the place where it stands. Scalars stay text: what they mean is for the schema.
 struct YamlNode {
+  /// What stands there.
   enum class Kind : unsigned char {
     empty,   ///< nothing, "~" or "null"
     scalar,  ///< one word or text
@@ -21,9 +22,9 @@ struct YamlNode {
     refused  ///< already reported as wrong; nobody complains about it again
   };
 
-  Kind kind{Kind::empty};
-  SourceMark mark;
-  std::string scalar;
+  Kind kind{Kind::empty};          ///< what stands there
+  SourceMark mark;                 ///< where it begins
+  std::string scalar;              ///< the text, as it stands there
   std::vector<YamlNode> items;     ///< of a list
   std::vector<YamlEntry> entries;  ///< of a mapping, in the order of the file, each key once
 
@@ -33,12 +34,12 @@ struct YamlNode {
 
 /// One "key: value" of a mapping.
 struct YamlEntry {
-  std::string key;
-  SourceMark key_mark;
-  YamlNode value;
+  std::string key;      ///< its name
+  SourceMark key_mark;  ///< where the name begins
+  YamlNode value;       ///< what it is
 };
 
-/// "a text", "a list", ...: how error texts speak of a node.
+/// "a text", "a list", ...: how error texts speak of a node. Lives for ever.
 std::string_view kind_phrase(YamlNode::Kind kind);
 
 }  // namespace twum::studies

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/core/design/motor_design.hpp>
+
+#include <string>
+#include <vector>
+
+namespace twum::studies {
+
+/// A reason to doubt what the model says of a motor that is valid as it stands.
+struct ModelNote {
+  std::string topic;  ///< what it is about: the same words for every motor
+  double size{0};     ///< how far off; only to compare notes of one topic
+  std::string text;   ///< a sentence with the motor's numbers, without a full stop
+};
+
+/// What to know before believing numbers of this motor: parameters outside the ranges in which the
+/// solver is tested (often a wrong unit), a layer too thick for a foundation, a contact that never
+/// opens. Empty for a usual motor. About the time of one metric; throws nothing for a valid design.
+std::vector<ModelNote> model_notes(const MotorDesign& design);
+
+}  // namespace twum::studies

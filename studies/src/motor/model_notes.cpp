@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/studies/motor/model_notes.hpp>
+
+#include <twum/core/design/parameters.hpp>
+#include <twum/core/performance/motor.hpp>
+#include <twum/studies/metrics/expression.hpp>
+#include <twum/studies/text/number.hpp>
+#include <twum/studies/units/engineering.hpp>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace twum::studies {
+namespace {
+
+// The box of docs/theory/contact-model.md, section 10, in which random motors are tested. A value of 0
+// is a limit of the model that has tests of its own.
+struct Range {
+  Parameter parameter;
+  double low;
+  double high;
+};
+
+constexpr Range kTested[] = {
+    {Parameter::wavelengths, 1, 30},
+    {Parameter::contact_radius, 2e-3, 0.1},
+    {Parameter::neutral_plane_distance, 0.2e-3, 10e-3},
+    {Parameter::frequency, 20e3, 150e3},
+    {Parameter::amplitude, 0.05e-6, 5e-6},
+    {Parameter::thickness, 10e-6, 5e-3},
+    {Parameter::youngs_modulus, 1e6, 500e9},
+    {Parameter::density, 500, 8000},
+    {Parameter::loss_factor, 0, 2},
+    {Parameter::kinetic_friction, 0, 1},
+};
+
+// Limits are powers of ten times small numbers: a value typed as one differs in the last digit at most.
+bool outside(double value, double low, double high) {
+  constexpr double kRounding = 1e-12;
+  return value < low * (1 - kRounding) || value > high * (1 + kRounding);
+}
+
+void add_range(const MotorDesign& design, const Range& range, std::vector<ModelNote>& notes) {
+  const double value = get(design, range.parameter);
+  const bool stated = in_use(design, range.parameter) || range.parameter == Parameter::loss_factor;
+  if (!stated || value == 0 || !outside(value, range.low, range.high)) return;
+  const ParameterInfo& row = info(range.parameter);
+  const auto shown = [&](double v) { return v == 0 ? "0" : engineering(v, row.unit); };
+  const double off = value > range.high ? value / range.high : range.low / value;
+  notes.push_back({std::string(row.name), off,
+                   std::string(row.name) + " " + shown(value) + " is outside " + shown(range.low) +
+                       " to " + shown(range.high) + ", where the solver is tested" +
+                       (row.unit == "1" ? "" : "; is its unit right?")});
+}
+
+void add_ratio(const std::string& topic, double ratio, double low, double high,
+               const std::string& what, std::vector<ModelNote>& notes) {
+  if (!std::isfinite(ratio) || ratio == 0 || !outside(ratio, low, high)) return;
+  notes.push_back({topic, ratio > high ? ratio / high : low / ratio,
+                   what + " is " + rounded_text(ratio, 3) + ", outside " + rounded_text(low, 2) +
+                       " to " + rounded_text(high, 2) + ", where the solver is tested"});
+}
+
+// Preload in parts of what presses the layer on all round, T3.2 at theta_L = pi.
+double preload_ratio(const MotorDesign& design) {
+  const double n = get(design, Parameter::wavelengths);
+  const double wave_number = n / get(design, Parameter::contact_radius);
+  const double full = 2 * std::numbers::pi * n * get(design, Parameter::contact_width) *
+                      get(design, Parameter::youngs_modulus) * get(design, Parameter::amplitude) /
+                      (get(design, Parameter::thickness) * wave_number);
+  return get(design, Parameter::preload) / full;
+}
+
+void add_ratios(const MotorDesign& design, std::vector<ModelNote>& notes) {
+  add_ratio("contact_width",
+            get(design, Parameter::contact_width) / get(design, Parameter::contact_radius), 0.02,
+            0.4, "contact_width / contact_radius", notes);
+  add_ratio("static_friction",
+            get(design, Parameter::static_friction) / get(design, Parameter::kinetic_friction), 1,
+            2, "static_friction / kinetic_friction", notes);
+  add_ratio("preload", preload_ratio(design), 1e-6, 10, "preload in parts of that of full contact",
+            notes);
+}
+
+double metric_of(const MotorDesign& design, const char* name) {
+  const std::vector<MetricExpression> metric{parse_metric(name)};
+  std::vector<MetricValue> value(1);
+  ExpressionEvaluator(metric).evaluate(Motor(design), value);
+  return value[0].status == MetricStatus::ok ? value[0].value
+                                             : std::numeric_limits<double>::quiet_NaN();
+}
+
+void add_contact(const MotorDesign& design, std::vector<ModelNote>& notes) {
+  constexpr double kThin = 0.1;
+  constexpr double kClosed = 0.5;
+  const double length = 2 * metric_of(design, "contact_half_length");
+  const double thickness = get(design, Parameter::thickness);
+  const double part = thickness / length;
+  if (part > kThin * (1 + 1e-9))
+    notes.push_back({"thick layer", part,
+                     "thickness " + engineering(thickness, "m") + " is " +
+                         rounded_text(100 * part, 2) + " % of the contact length " +
+                         engineering(length, "m") +
+                         " (twice contact_half_length); beyond a tenth the layer is not the "
+                         "foundation of the model"});
+  if (get(design, Parameter::amplitude) > 0 && metric_of(design, "contact_ratio") >= kClosed)
+    notes.push_back({"full contact", 0,
+                     "the layer touches the stator all round (contact_ratio 0.5), which would "
+                     "hinder a real wave"});
+}
+
+}  // namespace
+
+std::vector<ModelNote> model_notes(const MotorDesign& design) {
+  std::vector<ModelNote> notes;
+  for (const Range& range : kTested) add_range(design, range, notes);
+  add_ratios(design, notes);
+  add_contact(design, notes);
+  return notes;
+}
+
+}  // namespace twum::studies

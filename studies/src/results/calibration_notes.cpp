@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "results/calibration_notes.hpp"
+
+#include "results/search_words.hpp"
+
+#include <twum/studies/text/number.hpp>
+#include <twum/studies/text/words.hpp>
+#include <twum/studies/units/engineering.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace twum::studies {
+namespace {
+
+using Bound = CalibrateResult::Bound;
+using Notes = std::vector<std::string>;
+
+// Root mean squares of what was measured and of what the motor gives [N m].
+struct Sizes {
+  double measured{0};
+  double fitted{0};
+};
+
+Sizes sizes_of(const CalibrateResult& result) {
+  Sizes sizes;
+  for (const CalibrateResult::Point& point : result.data) {
+    sizes.measured += point.torque * point.torque;
+    sizes.fitted += point.fitted * point.fitted;
+  }
+  const auto count = static_cast<double>(result.data.size());
+  return {std::sqrt(sizes.measured / count), std::sqrt(sizes.fitted / count)};
+}
+
+// Two digits, and as many zeros as it takes.
+std::string about(double value) {
+  return value < 100 ? rounded_text(value, 2) : std::to_string(std::llround(value));
+}
+
+// A unit taken for another shows in sizes or in signs.
+void add_unit_hints(const CalibrateResult& result, Notes& notes) {
+  constexpr double kFar = 3;
+  const Sizes sizes = sizes_of(result);
+  const double ratio = sizes.measured / sizes.fitted;
+  if (sizes.measured > 0 && sizes.fitted > 0 && (ratio > kFar || ratio < 1 / kFar))
+    notes.push_back(
+        "The torques measured are " + about(ratio > 1 ? ratio : 1 / ratio) + " times " +
+        (ratio > 1 ? "larger" : "smaller") + " than those of the motor (root mean squares " +
+        engineering(sizes.measured, "N.m", 3) + " and " + engineering(sizes.fitted, "N.m", 3) +
+        "): check the unit of torque in the data file.");
+  const auto opposite = static_cast<std::size_t>(
+      std::count_if(result.data.begin(), result.data.end(),
+                    [](const auto& point) { return point.torque * point.fitted < 0; }));
+  if (2 * opposite > result.data.size())
+    notes.push_back("At " + std::to_string(opposite) + " of " +
+                    counted(result.data.size(), "point") +
+                    " the motor brakes where a driving torque was measured, or drives where a "
+                    "braking one was: check the unit of speed in the data file.");
+}
+
+void add_misfit(const CalibrateResult& result, Notes& notes) {
+  if (!result.poor()) return;
+  std::string text = "The fit is poor: the residuals";
+  constexpr double kUnlikely = 0.05;
+  if (result.chi_square && result.chi_square_p < kUnlikely)
+    text += " are larger than the standard deviations given";
+  else if (result.runs && result.runs->p < kUnlikely)
+    text += " keep their sign over whole stretches of speed";
+  else
+    text += " are large";
+  notes.push_back(text + ", " + about(100 * result.misfit()) +
+                  " % of the largest torque (root mean square). The model lacks something, a "
+                  "parameter that was not estimated, or a point or a unit is wrong; the intervals "
+                  "mean little.");
+}
+
+void add_undetermined(const CalibrateResult::Undetermined& set, Notes& notes) {
+  if (set.names.size() == 1) {
+    notes.push_back("The data say nothing about " + set.names[0] + ": set it in the motor.");
+    return;
+  }
+  std::string text = enumeration(set.names) +
+                     " only count together: the data do not tell them apart. Set one of them in "
+                     "the motor.";
+  if (std::isfinite(set.undone_by))
+    text += " 1 % more " + set.names[0] + " is undone by " +
+            rounded_text(std::fabs(set.undone_by), 3) + " % " +
+            (set.undone_by < 0 ? "less " : "more ") + set.names[1] + ".";
+  notes.push_back(std::move(text));
+}
+
+// Pairs that are determined, but hardly apart.
+void add_correlated(const CalibrateResult& result, Notes& notes) {
+  constexpr double kStrong = 0.95;
+  const std::size_t n = result.estimates.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = i + 1; j < n; ++j) {
+      const double c = result.correlation[i * n + j];
+      if (std::fabs(c) > kStrong)
+        notes.push_back(result.estimates[i].parameter.name + " and " +
+                        result.estimates[j].parameter.name +
+                        " are hard to tell apart: correlation " + rounded_text(c, 4) + ".");
+    }
+  }
+}
+
+// "-1 % kinetic_friction"
+std::string follower_words(const CalibrateResult::Estimate& e) {
+  std::vector<std::string> parts;
+  for (const CalibrateResult::Follower& follower : e.followers)
+    parts.push_back((follower.percent > 0 ? "+" : "") + rounded_text(follower.percent, 2) + " % " +
+                    follower.name);
+  return enumeration(parts);
+}
+
+void add_held(const CalibrateResult& result, Notes& notes) {
+  for (const CalibrateResult::Estimate& e : result.estimates) {
+    if (e.bound == Bound::none) continue;
+    const std::string end = e.bound == Bound::min ? "min" : "max";
+    std::string text = e.parameter.name + " is held by its " + end +
+                       ": the other estimates and their intervals hold for " +
+                       engineering(e.parameter.value, e.parameter.unit) + ".";
+    const std::string followers = follower_words(e);
+    if (!followers.empty()) text += " With 1 % more of it they would change: " + followers + ".";
+    notes.push_back(std::move(text));
+  }
+}
+
+void add_wide(const CalibrateResult& result, Notes& notes) {
+  std::vector<std::string> wide;
+  std::vector<std::string> impossible;
+  for (const CalibrateResult::Estimate& e : result.estimates) {
+    if (wider_than_range(e)) wide.push_back(e.parameter.name);
+    if (!e.log && e.low < 0 && e.min >= 0) impossible.push_back(e.parameter.name);
+  }
+  if (!wide.empty())
+    notes.push_back("The points hardly determine " + enumeration(wide) + ": " +
+                    (wide.size() == 1 ? "its interval is wider than its range."
+                                      : "their intervals are wider than their ranges."));
+  if (!impossible.empty())
+    notes.push_back("The interval of " + enumeration(impossible) +
+                    " reaches below 0, which cannot be: with scale: log it would not.");
+}
+
+void add_starts(const CalibrateResult& result, Notes& notes) {
+  const std::size_t count = result.starts.size();
+  const auto short_of =
+      std::count_if(result.starts.begin(), result.starts.end(),
+                    [](const auto& s) { return s.outcome != optim::Outcome::optimal; });
+  if (result.optima.size() == 1 && short_of == 0 && count > 1)
+    notes.push_back("All " + std::to_string(count) + " starts ended in the same " +
+                    (result.undetermined.empty() ? "place." : "valley."));
+  if (result.optima.size() > 1)
+    notes.push_back(std::to_string(count) + " starts ended in " +
+                    std::to_string(result.optima.size()) +
+                    " different places; the one with the smallest residuals is the answer.");
+  if (short_of > 0)
+    notes.push_back(std::to_string(short_of) + " of " + counted(count, "start") +
+                    " did not reach an optimum; summary.json says why.");
+}
+
+void add_freedom(const CalibrateResult& result, Notes& notes) {
+  if (result.degrees_of_freedom == 0)
+    notes.emplace_back(
+        "As many points as parameters: there is nothing left to tell how good the estimates are.");
+  if (result.exact) notes.emplace_back("The points lie on the curve to rounding.");
+  if (result.static_ratio != 1)
+    notes.push_back("static_friction is " + rounded_text(result.static_ratio, 4) +
+                    " times kinetic_friction, as in the motor, and followed it.");
+}
+
+}  // namespace
+
+bool wider_than_range(const CalibrateResult::Estimate& e) {
+  if (e.bound != Bound::none || !std::isfinite(e.low)) return false;
+  return e.log ? e.high / e.low > e.max / e.min : e.high - e.low > e.max - e.min;
+}
+
+std::vector<std::string> calibration_notes(const CalibrateResult& result) {
+  Notes notes;
+  if (result.estimates.empty()) return notes;
+  if (result.at_bounds())
+    notes.emplace_back(
+        "Every parameter is held by an end of its range, so that nothing was fitted: check the "
+        "units in the heading of the data file, then the ranges.");
+  if (result.at_bounds() || result.poor()) add_unit_hints(result, notes);
+  if (!result.at_bounds()) add_misfit(result, notes);
+  for (const auto& set : result.undetermined) add_undetermined(set, notes);
+  add_wide(result, notes);
+  add_correlated(result, notes);
+  if (!result.at_bounds()) add_held(result, notes);
+  add_freedom(result, notes);
+  add_starts(result, notes);
+  return notes;
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/studies/results/calibrate_result.hpp>
+
+#include <string>
+#include <vector>
+
+namespace twum::studies {
+
+/// The data leave more room for a parameter than the range that was searched.
+bool wider_than_range(const CalibrateResult::Estimate& estimate);
+
+/// What to know before believing the estimates, a sentence each, the gravest first; the same on a
+/// terminal, in summary.json and on the page.
+std::vector<std::string> calibration_notes(const CalibrateResult& result);
+
+}  // namespace twum::studies

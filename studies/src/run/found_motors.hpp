@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/studies/results/study_result.hpp>
+#include <twum/studies/study/study_file.hpp>
+
+#include <string>
+#include <vector>
+
+namespace twum::studies {
+
+/// A motor that a study has found.
+struct FoundMotor {
+  std::string file;  ///< of its motor file in the result directory
+  std::string what;  ///< "best design", "point 3 of 20"
+  MotorFile motor;
+};
+
+/// The best design, the points of a front, the fitted motor; none of a study that was interrupted or
+/// found no answer.
+std::vector<FoundMotor> found_motors(const StudyFile& file, const StudyResult& result);
+
+/// Text of its motor file.
+std::string found_motor_text(const FoundMotor& found, const StudyResult& result);
+
+/// model_notes() of what was found, or of the motor asked about, a sentence each; of several motors the
+/// one that is farthest off.
+std::vector<std::string> notes_on(const StudyFile& file, const StudyResult& result);
+
+}  // namespace twum::studies

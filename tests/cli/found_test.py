@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a study has found: motor files, words on a fit, notes on the model."""
+import json
+
+import program
+from program import RING
+
+OPTIMIZE = f"""twum: 1
+motor: {RING}
+study:
+  kind: optimize
+  variables: {{preload: {{min: 60 N, max: 300 N}}, thickness: {{min: 0.1 mm, max: 1 mm}}}}
+  maximize: peak_power
+  constraints: [max_pressure <= 3 MPa]
+"""
+PARETO = (OPTIMIZE.replace("optimize", "pareto")
+          .replace("maximize: peak_power", "objectives: [{maximize: peak_power}, {minimize: max_pressure}]\n  points: 5"))
+CALIBRATE = f"""twum: 1
+motor: {RING}
+study: {{kind: calibrate, data: points.csv, variables: {{kinetic_friction: {{min: 0.05, max: 0.5}},
+        youngs_modulus: {{min: 0.5 GPa, max: 20 GPa, scale: log}}}}}}
+"""
+POINTS = "speed [rpm],torque [{}]\n85,.765\n95,.765\n105,.755\n115,.720\n125,.595\n132,.410\n138,.165\n"
+
+
+class Found(program.Case):
+    def run_study(self, name, text, status=0, *options):
+        done = program.twum("run", self.write(f"{name}.yaml", text), "-o", self.folder / name, *options)
+        self.assertEqual(done.returncode, status, done.stderr)
+        return done
+
+    def summary(self, name):
+        return json.loads((self.folder / name / "summary.json").read_text())
+
+    def curve(self, file):
+        return json.loads(self.ok("curve", file, "--points", 2, "--format", "json"))
+
+
+class MotorFiles(Found):
+    def test_the_best_design_is_a_motor_file(self):
+        done = self.run_study("one", OPTIMIZE)
+        best = self.folder / "one/best.yaml"
+        self.assertIn(f"motor file: {best}\n", done.stderr)
+        self.assertIn("valid motor file", self.ok("check", best))
+        found, again = self.summary("one")["best"], self.curve(best)
+        for name, value in found["design"].items():
+            self.assertEqual(again["motor"][name], value)  # all digits are in the file
+        for name, value in found["metrics"].items():
+            self.assertEqual(again["metrics"][name], value, name)
+
+    def test_every_point_of_a_front_is_one(self):
+        self.run_study("two", PARETO)
+        points = self.summary("two")["front"]
+        files = sorted((self.folder / "two/front").iterdir())
+        self.assertEqual([file.name for file in files], [f"{i + 1}.yaml" for i in range(len(points))])
+        for file, point in zip(files, points):
+            motor = self.curve(file)["motor"]
+            self.assertEqual({name: motor[name] for name in point["design"]}, point["design"])
+        self.ok("verify", self.folder / "two")
+
+    def test_a_run_anew_removes_what_it_made_and_nothing_else(self):
+        self.run_study("two", PARETO)
+        first, ninth, mine = (self.folder / "two/front" / name for name in ("1.yaml", "9.yaml", "mine.yaml"))
+        before = first.read_bytes()
+        for file in (first, ninth, mine):
+            file.write_text("old")
+        self.run_study("two", PARETO, 0, "--fresh")
+        self.assertEqual(first.read_bytes(), before)
+        self.assertFalse(ninth.exists())
+        self.assertEqual(mine.read_text(), "old")
+
+    def test_changed_files_do_not_hold(self):
+        self.run_study("two", PARETO)
+        for name, old, new, said in (("front/3.yaml", "preload: ", "preload: 1", "front/3.yaml: preload is not that of"),
+                                     ("front/3.yaml", "motor:", "engine:", "front/3.yaml: "),
+                                     ("results.csv", "ok", "OK", "results.csv: is not what results.db holds")):
+            file = self.folder / "two" / name
+            before = file.read_text()
+            file.write_text(before.replace(old, new, 1))
+            done = program.twum("verify", self.folder / "two")
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertIn(said, done.stdout.decode())
+            file.write_text(before)
+        (self.folder / "two/front/2.yaml").unlink()
+        self.assertEqual(program.twum("verify", self.folder / "two").returncode, 1)
+
+    def test_none_where_no_limit_is_kept(self):
+        text = OPTIMIZE.replace("max_pressure <= 3 MPa", "holding_torque >= 0.8 N.m").replace("300 N", "100 N")
+        self.assertNotIn("motor file", self.run_study("no", text, 1).stderr)
+        self.assertFalse((self.folder / "no/best.yaml").exists())
+
+
+class Calibration(Found):
+    def test_it_says_what_came_of_it(self):
+        for unit, status, outcome in (("N.m", 0, "fitted"), ("mN.m", 1, "at-bounds"), ("kN.m", 1, "at-bounds")):
+            with self.subTest(unit):
+                self.write("points.csv", POINTS.format(unit))
+                self.run_study("fit", CALIBRATE, status, "--fresh")
+                summary = self.summary("fit")
+                self.assertEqual(summary["outcome"], outcome)
+                self.assertEqual((self.folder / "fit/fitted.yaml").exists(), status == 0)
+                self.assertEqual(any("check the unit" in note for note in summary["notes"]), status == 1)
+                self.ok("verify", self.folder / "fit")
+
+
+class Notes(Found):
+    def test_a_thick_layer_is_noted(self):
+        text = f"twum: 1\nmotor: {RING}\nset: {{thickness: 1 mm}}\nstudy: {{kind: curve, points: 3}}\n"
+        said = self.run_study("thick", text).stdout.decode()
+        summary = self.summary("thick")
+        length = 2 * summary["curves"][0]["metrics"]["contact_half_length"]
+        note, = summary["model_notes"]
+        self.assertTrue(note.startswith(f"thickness 1 mm is {round(0.1 / length)} % of the contact length"), note)
+        self.assertIn(f"note: {note}\n", said)
+
+    def test_of_a_family_the_worst_is_named(self):
+        text = (f"twum: 1\nmotor: {RING}\n"
+                "study: {kind: curve, family: {thickness: [0.2 mm, 0.6 mm, 1 mm]}, points: 3}\n")
+        self.run_study("family", text)
+        note, = self.summary("family")["model_notes"]
+        self.assertTrue(note.startswith("motor with thickness 1 mm: thickness 1 mm is "), note)
+        self.assertTrue(note.endswith("; 1 other likewise, by less"), note)
+
+    def test_a_usual_motor_has_none(self):
+        self.run_study("usual", f"twum: 1\nmotor: {RING}\nstudy: {{kind: curve, points: 3}}\n")
+        self.assertEqual(self.summary("usual")["model_notes"], [])
+
+
+if __name__ == "__main__":
+    program.main()

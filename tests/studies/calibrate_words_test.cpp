@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a calibration says where its estimates deserve doubt.
+#include "calibrate_support.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <string>
+
+using namespace twum;
+using namespace twum::studies;
+using namespace twum::test;
+using Catch::Matchers::Contains;
+
+TEST_CASE("a bound that holds an estimate is named", "[studies][calibrate]") {
+  Case one;
+  one.variables = "kinetic_friction: {min: 0.05, max: 0.2}, amplitude: {min: 1 um, max: 2.2 um}";
+  const Run run(one.file(points_of(with(one.design(), kTruth))));
+  const auto& estimate = run.result().estimates[0];
+  CHECK(estimate.parameter.value == 0.2);
+  CHECK(estimate.bound == CalibrateResult::Bound::max);
+  CHECK_THAT(run.text(), Contains("held by its max"));
+  CHECK(run.result().poor());  // and the curve cannot follow the points
+  CHECK(run.answer.outcome == "poor");
+}
+
+TEST_CASE("a bound that holds a factor of a product moves the other factor the other way",
+          "[studies][calibrate][closed-form]") {
+  Case one;
+  one.variables = "kinetic_friction: {min: 0.05, max: 0.5}, preload: {min: 100 N, max: 140 N}";
+  const Run run(one.file(points_of(one.design(), 1e-3)));  // of a motor with 160 N
+  const auto& preload = run.result().estimates[1];
+  CHECK(preload.bound == CalibrateResult::Bound::max);
+  REQUIRE(preload.followers.size() == 1);
+  CHECK(preload.followers[0].name == "kinetic_friction");
+  // Where the whole contact slips, 20 of 28 points, torque is mu F_N r: there it is -1 exactly. Beyond,
+  // preload lowers the torque by widening the contact, which friction makes up for.
+  CHECK(preload.followers[0].percent < -0.5);
+  CHECK(preload.followers[0].percent > -1.5);
+  CHECK_THAT(run.text(), Contains("preload is held by its max"));
+  CHECK_THAT(run.text(), Contains("hold for 140 N. With 1 % more of it they would change: -"));
+}
+
+TEST_CASE(
+    "units taken for others leave every parameter at an end of its range, and the text says so",
+    "[studies][calibrate][errors]") {
+  Case one;
+  one.variables = "kinetic_friction: {min: 0.05, max: 0.5}";
+  const double factor = GENERATE(1e-3, 1e3);  // mN.m or kN.m read as N.m
+  std::string csv = "speed [rpm],torque\n";
+  for (int i = 1; i <= 6; ++i) csv += number(i) + "," + number(0.8 * factor) + "\n";
+  const Run run(one.file(csv));
+  CHECK(run.answer.outcome == "at-bounds");
+  CHECK(run.result().at_bounds());
+  const auto bound = factor < 1 ? CalibrateResult::Bound::min : CalibrateResult::Bound::max;
+  CHECK(run.result().estimates[0].bound == bound);
+  CHECK_THAT(run.text(), Contains(factor < 1 ? "held by its min" : "held by its max"));
+  CHECK_THAT(run.text(), Contains("Every parameter is held by an end of its range"));
+  CHECK_THAT(run.text(), Contains("check the unit of torque in the data file"));
+  CHECK_THAT(run.json(), Contains("check the unit of torque in the data file"));
+}
+
+TEST_CASE("speeds in a wrong unit show in the signs of the torque",
+          "[studies][calibrate][errors]") {
+  Case one;
+  one.variables = "kinetic_friction: {min: 0.05, max: 0.5}";
+  // No-load is at 142 rpm: speeds in rad/s that were meant in rpm lie far beyond it.
+  const Run run(one.file("speed [rad/s],torque\n85,0.765\n95,0.765\n105,0.755\n115,0.72\n"));
+  CHECK(run.answer.outcome == "at-bounds");
+  CHECK_THAT(run.text(), Contains("At 4 of 4 points the motor brakes"));
+}
+
+TEST_CASE("a fit that misses by a tenth of the torque is no fit", "[studies][calibrate]") {
+  // The amplitude, not estimated, is wrong by a fifth, and with it the no-load speed.
+  Case one;
+  one.variables = "kinetic_friction: {min: 0.05, max: 0.5}";
+  const Run run(one.file(points_of(with(one.design(), Parameter::amplitude, 2e-6), 1e-3)));
+  CHECK(run.answer.outcome == "poor");
+  CHECK(run.result().misfit() > 0.02);
+  CHECK_THAT(run.text(), Contains("The fit is poor"));
+  CHECK_THAT(run.text(), Contains("keep their sign over whole stretches of speed"));
+  const Run right(one.file(points_of(one.design(), 1e-3)));
+  CHECK(right.answer.outcome == "fitted");
+}
+
+TEST_CASE("the interval of a variable on a log scale stays above zero", "[studies][calibrate]") {
+  Case one;
+  one.variables =
+      "youngs_modulus: {min: 0.5 GPa, max: 20 GPa, scale: log}, "
+      "thickness: {min: 0.05 mm, max: 1 mm, scale: log}, kinetic_friction: {min: 0.05, max: 0.5}";
+  const Run run(one.file(points_of(one.design(), 20e-3)));
+  for (const auto& estimate : run.result().estimates)
+    if (std::isfinite(estimate.low)) CHECK(estimate.low > 0);
+  // Modulus and thickness act nearly through their ratio: twenty points with this noise leave both open.
+  CHECK_THAT(run.text(), Contains("The points hardly determine youngs_modulus and thickness") ||
+                             Contains("only count together"));
+}
