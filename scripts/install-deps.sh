@@ -24,6 +24,8 @@ build_packages=(
 )
 test_packages=(
   catch2 librapidcheck-dev libbenchmark-dev
+  # turns the clock in tests of the command line
+  faketime
   # independent checks, in tests and bench only
   libsundials-dev python3-jsonschema
   # the Python module's plots, types and examples
@@ -38,6 +40,8 @@ test_packages=(
 long_packages=(
   # pagmo is a cross-check of fronts
   libpagmo-dev debootstrap valgrind gcovr clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14
+  # checks the scripts of the report page
+  node-typescript
 )
 
 list_only=false

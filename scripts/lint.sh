@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Format and lint. Needs the packages of `scripts/install-deps.sh long`.
 #
-#   scripts/lint.sh           says which files clang-format would change
+#   scripts/lint.sh           says which files clang-format would change, and checks the report's scripts
 #   scripts/lint.sh --fix     changes them
 #   scripts/lint.sh --tidy    format, then clang-tidy over core, optim, studies and apps
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
@@ -13,6 +13,9 @@ if [[ ${1:-} == --fix ]]; then
   exec "$format" -i "${files[@]}"
 fi
 "$format" --dry-run --Werror "${files[@]}"
+# The page's scripts as one program: names, arguments and types, as far as they can be inferred.
+tsc --noEmit --allowJs --checkJs --noUnusedLocals --noUnusedParameters --target es2022 \
+  --lib es2022,dom,dom.iterable studies/report/*.d.ts studies/report/*.js
 
 if [[ ${1:-} == --tidy ]]; then
   configure dev

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Changes the sources one token at a time and sees whether the tests notice.
 
-    scripts/mutate.py --count 30                           30 changes somewhere in core/src
+    scripts/mutate.py --count 30                           30 changes somewhere in the core, headers included
     scripts/mutate.py --files core/src/contact --seed 2    elsewhere, other ones
     scripts/mutate.py --layer optim --count 30             the optimizers with their own tests
     scripts/mutate.py --list --files core/src/contact/lap.cpp
@@ -32,8 +32,8 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 # Test programs with their Catch2 arguments, the quickest first: most changes die at once.
 LAYERS = {
-    "core": (["core/src"], ["core_inside_tests", "core_tests ~[slow]~[long]", "core_tests [slow]~[long]"]),
-    "optim": (["optim/src"], ["optim_tests"]),
+    "core": (["core/src", "core/include", "core/base"], ["core_inside_tests", "core_tests ~[slow]~[long]", "core_tests [slow]~[long]"]),
+    "optim": (["optim/src", "optim/include"], ["optim_tests"]),
 }
 SWAPS = {" + ": " - ", " - ": " + ", " * ": " / ", " / ": " * ", " += ": " -= ", " -= ": " += ",
          " *= ": " /= ", " /= ": " *= ", " < ": " <= ", " <= ": " < ", " > ": " >= ", " >= ": " > ",

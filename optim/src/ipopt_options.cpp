@@ -92,12 +92,13 @@ IpoptSettings check_ipopt_settings(const RunSettings& settings) {
       checked.texts.emplace_back(e.name, text_option(settings, e));
       continue;
     }
-    const double value =
-        number_option(settings, e.name, given ? 0.0 : std::stod(e.standard), e.least, e.most);
+    const double standard = given ? 0.0 : std::stod(e.standard);
     if (e.kind == Kind::integer)
-      checked.integers.emplace_back(e.name, static_cast<int>(value));
+      checked.integers.emplace_back(e.name,
+                                    whole_option(settings, e.name, standard, e.least, e.most));
     else
-      checked.numbers.emplace_back(e.name, value);
+      checked.numbers.emplace_back(e.name,
+                                   number_option(settings, e.name, standard, e.least, e.most));
   }
   checked.texts.emplace_back("hessian_approximation", "limited-memory");
   checked.texts.emplace_back("sb", "yes");  // no banner

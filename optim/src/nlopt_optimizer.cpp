@@ -142,8 +142,8 @@ Opt make(nlopt_algorithm id, std::size_t n, const RunSettings& settings) {
 // AUGLAG and MLSL crash without a subsidiary, so they always get one with its own limits.
 Opt build(const NloptAlgorithm& a, const Bridge& b, const RunSettings& settings) {
   const std::size_t n = b.nlp->size();
-  const auto inner_calls = static_cast<int>(number_option(
-      settings, "inner_evaluations", 200.0 + 100.0 * static_cast<double>(n), 1.0, 1e9));
+  const int inner_calls =
+      whole_option(settings, "inner_evaluations", 200.0 + 100.0 * static_cast<double>(n), 1.0, 1e9);
   const auto with_subsidiary = [&](nlopt_algorithm outer, Opt inner, double tolerance) {
     nlopt_set_maxeval(inner.get(), inner_calls);
     if (tolerance > 0.0) nlopt_set_xtol_rel(inner.get(), tolerance);
@@ -178,10 +178,10 @@ void add_rows(nlopt_opt opt, Bridge& b, const RunSettings& settings) {
 }
 
 void apply_options(nlopt_opt opt, const RunSettings& settings) {
-  const double population = number_option(settings, "population", 0.0, 0.0, 1e6);
-  if (population > 0.0) nlopt_set_population(opt, static_cast<unsigned>(population));
-  const double storage = number_option(settings, "vector_storage", 0.0, 0.0, 1e4);
-  if (storage > 0.0) nlopt_set_vector_storage(opt, static_cast<unsigned>(storage));
+  const int population = whole_option(settings, "population", 0.0, 0.0, 1e6);
+  if (population > 0) nlopt_set_population(opt, static_cast<unsigned>(population));
+  const int storage = whole_option(settings, "vector_storage", 0.0, 0.0, 1e4);
+  if (storage > 0) nlopt_set_vector_storage(opt, static_cast<unsigned>(storage));
   const double step = number_option(settings, "initial_step", 0.0, 0.0, 1.0);
   if (step > 0.0) nlopt_set_initial_step1(opt, step);
 }

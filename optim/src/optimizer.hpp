@@ -43,10 +43,15 @@ const Optimizer& find_optimizer(const std::string& name);
 /// @throws InputError
 void require_fit(const SolverInfo& solver, const Nlp& nlp);
 
-/// The number or integer given for an option, or the default.
+/// The number given for an option, or the default.
 /// @throws InputError for text that is no number or lies outside [least, most]
 double number_option(const RunSettings& settings, const std::string& name, double standard,
                      double least, double most);
+
+/// The same for an option that counts something.
+/// @throws InputError also for a number with a fraction
+int whole_option(const RunSettings& settings, const std::string& name, double standard,
+                 double least, double most);
 
 /// Refuses option names that a solver does not have, with the nearest one.
 /// @throws InputError

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace twum::optim {
 namespace {
@@ -112,6 +113,15 @@ double number_option(const RunSettings& settings, const std::string& name, doubl
     throw InputError("solver option '" + name + "': '" + text + "' is not a number from " +
                      std::to_string(least) + " to " + std::to_string(most));
   return value;
+}
+
+int whole_option(const RunSettings& settings, const std::string& name, double standard,
+                 double least, double most) {
+  const double value = number_option(settings, name, standard, least, most);
+  if (value != std::floor(value))
+    throw InputError("solver option '" + name + "': '" + settings.options->at(name) +
+                     "' is not a whole number");
+  return static_cast<int>(value);
 }
 
 void require_known_options(const RunSettings& settings, const std::vector<SolverOption>& known) {

@@ -26,8 +26,10 @@ struct Coverage {
 
  private:
   int at(double coverage, double level) const {
+    using namespace boost::math;
+    using Doubles = policies::policy<policies::promote_double<false>>;  // valgrind has no others
     return static_cast<int>(
-        boost::math::quantile(boost::math::binomial_distribution<double>(trials, coverage), level));
+        quantile(binomial_distribution<double, Doubles>(trials, coverage), level));
   }
 };
 
