@@ -74,7 +74,7 @@ small_study() {  # KIND ENTRY...
 # The command line on small tasks. Leaks are errors, but not possible ones: UDUNITS keeps its units in trees of the C
 # library, which hide a bit in their pointers.
 step_valgrind() {
-  build dev || return 1
+  build ci || return 1
   local scratch=build/valgrind
   rm -rf "$scratch" && mkdir -p "$scratch" || return 1
   printf 'preload,amplitude [um]\n160,1.6\n120,1.2\nx,1\n' >"$scratch/designs.csv"
@@ -84,7 +84,7 @@ step_valgrind() {
   while read -r arguments; do
     # shellcheck disable=SC2086
     valgrind --quiet --leak-check=full --show-leak-kinds=definite --errors-for-leak-kinds=definite \
-      --error-exitcode=99 build/dev/bin/twum $arguments >/dev/null || return 1
+      --error-exitcode=99 build/ci/bin/twum $arguments >/dev/null || return 1
     echo "valgrind twum $arguments: no errors"
   done <<COMMANDS
 check examples/motors/ring-60.yaml
