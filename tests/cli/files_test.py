@@ -43,7 +43,10 @@ class Check(program.Case):
     def test_files_that_a_study_names_are_read(self):
         study = self.write("c.yaml", f"twum: 1\nmotor: {RING}\nstudy: {{kind: calibrate, data: points.csv, "
                                      "variables: {kinetic_friction: {min: 0.1, max: 0.3}}}\n")
-        self.assertIn("expected measured points", self.refused("check", study))
+        done = program.twum("check", study)
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("points.csv: not there yet", done.stderr)
+        self.assertIn("expected measured points", self.refused("run", study, "-o", self.folder / "fit"))
         self.write("points.csv", "speed,torqe\n1,2\n")
         self.assertIn("did you mean 'torque'?", self.refused("check", study))
         self.write("points.csv", "speed,torque\n1,0.8\n2,0.8\n")
