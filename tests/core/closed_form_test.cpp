@@ -249,7 +249,9 @@ TEST_CASE("soft layers carry the torque of a contact that sticks all through (T4
         // and rounding of a torque that is small beside mu F_N r
         const double bound = track * largest * width + 1e-14 * m.full_torque();
         CHECK(soft.add(m.share(motor, v) * m.full_torque(), stuck, bound) <= 1);
-        CHECK(bound <= 0.2 * stuck);  // the bound means something
+        // The bound means something: width / phi = 2 (sin phi - v phi) / (compliance (1 - cos phi)), which
+        // is largest for phi = 0.3 at rest and compliance 100: 0.132.
+        CHECK(bound <= 0.14 * stuck);
       }
     }
   }

@@ -130,8 +130,9 @@ TEST_CASE("without amplitude the contact is full and brakes any motion", "[core]
   CHECK(metric(motor, Metric::no_load_speed).value == 0);
 }
 
-// A layer of uniform pressure, released at mu_0 p from a stator that stands still, by Runge and Kutta's method in
-// time: the least slip velocity once it has begun to fall, over forty oscillations, of U.
+// A layer of uniform pressure, released at mu_0 p from a stator that stands still, by Runge and
+// Kutta's method in time: the least slip velocity once it has begun to fall, over forty oscillations,
+// of U.
 static double least_slip_after_release(const MotorDesign& d, double speed) {
   const double m = inertia(d), c = shear_viscosity(d), g = shear_modulus(d);
   const double pressure =

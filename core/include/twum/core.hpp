@@ -14,7 +14,8 @@
 ///   object, may be called by any number of threads at once.
 /// * A wrong argument is an InputError that says what was found and what would be right; nothing has
 ///   changed then. Memory may run out besides (std::bad_alloc).
-/// * The answer follows from the arguments alone: not from threads, time or locale.
+/// * The answer follows from the arguments alone: not from threads, time or locale, whose decimal point
+///   shows in the words of an error only.
 
 #include <twum/base/error.hpp>
 #include <twum/base/version.hpp>

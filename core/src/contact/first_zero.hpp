@@ -12,6 +12,7 @@ struct CurveSample {
   double f, f1, f2;  ///< value and two derivatives
   double l2, l3;     ///< bounds of |f''| and |f'''| from here on
   double skip;       ///< f has no zero for at least this far, by another bound; 0 if unknown
+  double f3;         ///< third derivative
 };
 
 /// What is known exactly of f at the start of a zone.
@@ -59,17 +60,27 @@ inline double zero_bracket(const CurveSample& c) {
   return falls && c.f + t * (c.f1 + t * (c.f2 / 2 + c.l3 * t / 6)) < 0 ? t : 0;
 }
 
-/// Halley's iteration for the only zero between low, where f > 0, and high, where f < 0; from x in
-/// between with the sample c there. Its error is of third order in the step, so it stops once the
-/// step's share of the bends is below 1e-5.
+/// Zero of the Taylor polynomial of degree three: Halley's step, and Newton's from there. Newton's step
+/// alone where the bends are too strong for that.
+inline double taylor_step(const CurveSample& c) {
+  const double newton = -c.f / c.f1, bend = 1 + 0.5 * newton * c.f2 / c.f1;
+  if (!(bend > 0.5 && bend < 2)) return newton;
+  const double t = newton / bend;
+  const double slope = c.f1 + t * (c.f2 + t * c.f3 / 2);
+  if (!(std::fabs(slope) > 0.5 * std::fabs(c.f1))) return t;
+  return t - (c.f + t * (c.f1 + t * (c.f2 / 2 + t * c.f3 / 6))) / slope;
+}
+
+/// The only zero between low, where f > 0, and high, where f < 0, by zeros of Taylor polynomials from x
+/// in between with the sample c there. Their error is of fourth order in the step, so it stops once the
+/// step's share of the bends is below 1e-4.
 template <typename Curve>
 double polish_zero(const Curve& curve, double low, double high, double x, CurveSample c) {
   for (int i = 0; i < 100; ++i) {
     (c.f > 0 ? low : high) = x;
-    const double newton = -c.f / c.f1, bend = 1 + 0.5 * newton * c.f2 / c.f1;
-    double next = x + (bend > 0.5 && bend < 2 ? newton / bend : newton);
+    double next = x + taylor_step(c);
     const double step = next - x, slope = std::fabs(c.f1);
-    if (std::fabs(step * c.f2) < 1e-5 * slope && c.l3 * step * step < 1e-10 * slope) return next;
+    if (std::fabs(step * c.f2) < 1e-4 * slope && c.l3 * step * step < 1e-8 * slope) return next;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
     if (next == x) return x;
     x = next;

@@ -233,8 +233,8 @@ class LapRunner {
     const FreeMotion<double> own{value_of(motion.u), value_of(motion.w)};
     const double length = value_of(n_.half_angle) - value_of(theta_);
     const auto& layer = layer_.values();  // lives as long as the curve
-    const SlipCurve curve(layer, own, slow.values(), sigma, value_of(theta_), values(at_));
-    if (order_ == StartOrder::positive && curve.lasts(length, values(n_.edge))) return kNoZero;
+    const SlipCurve curve(layer, own, slow.values(), sigma, value_of(theta_), values(at_), length,
+                          values(n_.edge));
     return first_zero(curve, length, order_, samples_, kMaxSamples);
   }
 
@@ -302,8 +302,7 @@ class LapRunner {
     const double exit = value_of(n_.half_angle), length = exit - value_of(theta_);
     const double likely = traction.at(exit, values(n_.edge)) < 0 ? -1 : 1;
     const StickCurve curve(reserve(t, likely).values(), value_of(theta_), values(at_));
-    double first =
-        side_order(likely) == StartOrder::positive ? curve.only_zero(length, values(n_.edge)) : NAN;
+    double first = curve.only_zero(length, side_order(likely), values(n_.edge));
     if (std::isnan(first))
       first = first_zero(curve, length, side_order(likely), samples_, kMaxSamples);
     if (std::isnan(first)) return {first, 0};
@@ -319,11 +318,13 @@ class LapRunner {
   }
 
   bool stays_off(const Harmonic<S>& t, double iota, double reach) const {
-    if (side_order(iota) != StartOrder::positive || reach > 3) return false;
+    const StartOrder order = side_order(iota);
+    if (order == StartOrder::double_zero || reach > 3) return false;
     const Harmonic<double> f = reserve(t, iota).values();
     const double from = value_of(theta_), to = from + reach;
     const Trig<double> a = values(at_), b = quick_trig(to);
-    return f.curvature(a) < 0 && f.curvature(b) < 0 && f.at(from, a) > 0 && f.at(to, b) > 0;
+    const bool leaves = order == StartOrder::zero || f.at(from, a) > 0;
+    return leaves && f.curvature(a) < 0 && f.curvature(b) < 0 && f.at(to, b) > 0;
   }
 
   StartOrder side_order(double iota) const { return side_order_[iota > 0 ? 0 : 1]; }

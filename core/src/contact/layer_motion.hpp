@@ -35,10 +35,10 @@ class LayerMotion {
       if (kind_ == LayerKind::relaxing) slow_ = -1.0 / C;
       return;
     }
-    natural_frequency_ = 1 / std::sqrt(value_of(M));
-    inverse_inertia_ = 1 / value_of(M);
-    const S half_rate = C / (2.0 * M);
-    const S square = 1.0 / M - half_rate * half_rate;  // beta^2, negative past critical damping
+    const S inverse = 1.0 / M, half_rate = 0.5 * C * inverse;
+    const S square = inverse - half_rate * half_rate;  // beta^2, negative past critical damping
+    inverse_inertia_ = value_of(inverse);
+    natural_frequency_ = std::sqrt(inverse_inertia_);
     if (value_of(C) * value_of(C) < 9.0 * value_of(M)) {
       kind_ = LayerKind::oscillating;
       decay_ = half_rate;

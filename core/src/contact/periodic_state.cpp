@@ -14,7 +14,7 @@ constexpr int kMaxLaps = 1500;
 constexpr long kMaxZonesInAll = 60'000;
 constexpr double kFloor = 1000;      // of tolerances: where rounding may keep Newton's method
 constexpr double kSameState = 1000;  // of tolerances: a state that came back
-constexpr double kResonance = 1e-16;
+constexpr double kResonance = 1e16;  // response to the wave's own frequency, squared
 
 struct Matrix2 {
   double a, b, c, d;
@@ -79,12 +79,13 @@ class Search {
         layer_(layer),
         monotone_(!(numbers.static_ > numbers.kinetic)),
         unique_(monotone_ && layer.C > 0 && !numbers.full),
-        tolerance_(4e-16 * numbers.static_ * (std::sqrt(layer.response) + numbers.peak)),
-        tight_(4e-16 * numbers.static_ * std::fmin(numbers.peak, 1.0) * std::sqrt(layer.response)),
+        swing_(std::sqrt(layer.response)),
+        tolerance_(4e-16 * numbers.static_ * (swing_ + numbers.peak)),
+        tight_(4e-16 * numbers.static_ * std::fmin(numbers.peak, 1.0) * swing_),
         loose_(unique_ ? accuracy / 4e-16 * tight_ : 0) {}
 
   void run(const LapEntry<double>* guess) {
-    if (1 / layer_.response < kResonance) return give_up(PeriodicStatus::resonance);
+    if (layer_.response > kResonance) return give_up(PeriodicStatus::resonance);
     turn(guess && unique_ ? *guess : LapEntry<double>{{0, 0}, false, ZoneState::stick});
     while (s_.laps < kMaxLaps && zones_ < kMaxZonesInAll && s_.lap.status == LapStatus::ok) {
       if (settled()) return finish();
@@ -211,7 +212,8 @@ class Search {
   const ContactNumbers<double>& n_;
   const LayerMotion<double>& layer_;
   bool monotone_;
-  bool unique_;  // only where there is one periodic state may the search start anywhere
+  bool unique_;   // only where there is one periodic state may the search start anywhere
+  double swing_;  // of the layer that the wave's pressure shakes
   double tolerance_, tight_, loose_;
   double gap_{0}, contraction_{1};
   int repeats_{0}, patience_{4}, checked_{0};

@@ -58,27 +58,40 @@ struct SlippingContact {
   Harmonic<double> slow;
   LayerState<double> own;  // of the layer at entry
   double start, length;
+  Trig<double> exit;
 
-  CurveSample sample(double x) const { return curve(0, 0).sample(x); }
+  CurveSample sample(double x) const { return curve(0, x).first(); }
 
   // Margin less `level`, from `x` on.
   SlipCurve curve(double level, double x) const {
     const LayerState<double> h = layer.at(layer.start(own), x);
-    return {layer,    layer.start(h), {slow.k0 - kDriving * level, 0, slow.kw, slow.ks},
-            kDriving, start + x,      trig(start + x)};
+    return {layer,
+            layer.start(h),
+            {slow.k0 - kDriving * level, 0, slow.kw, slow.ks},
+            kDriving,
+            start + x,
+            trig(start + x),
+            length - x,
+            exit};
   }
 };
 
-// Slides down from x to the next minimum by steps that cannot pass it, and ends with Newton's method on
-// the slope where the bound l3 makes that safe. Stops at the exit.
+// Length over which f keeps falling, by the bounds of its second and its third derivative: f' stays
+// negative as long as f' + l2 t and f' + f'' t + l3 t^2 / 2 do. Near the minimum the latter is Newton's
+// step, short by what l3 may bend.
+double falling_step(const CurveSample& c) {
+  const double bend = c.f2 + std::sqrt(c.f2 * c.f2 - 2 * c.l3 * c.f1);
+  return std::fmax(-c.f1 / c.l2, bend > 0 ? -2 * c.f1 / bend : 0);
+}
+
+// Slides down from x to the next minimum by steps that cannot pass it. Stops at the exit.
 double next_minimum(const SlippingContact& contact, double x) {
   for (int i = 0; i < kMaxSlides && x < contact.length; ++i) {
     const CurveSample c = contact.sample(x);
-    const bool close = c.f2 > 0 && std::fabs(c.f1) * c.l3 < 0.25 * c.f2 * c.f2;
-    if (!close && !(c.f1 < 0)) break;
-    const double step = close ? -c.f1 / c.f2 : -c.f1 / c.l2;
+    if (!(c.f1 < 0)) break;
+    const double step = falling_step(c);
     x += step;
-    if (std::fabs(step) < 1e-13) break;
+    if (step < 1e-13) break;
   }
   return std::fmin(x, contact.length);
 }
@@ -91,21 +104,25 @@ SlipMargin slip_margin(const ContactNumbers<double>& n) {
   const LayerState<double> entry = slipping_entry(n, layer);
   const LayerState<double> f0 =
       state_of(f, -n.half_angle, {-n.edge.sin, n.edge.cos, n.edge.versine});
-  const SlippingContact contact{layer, relative_rate(n, f), layer.own_part(difference(entry, f0)),
-                                -n.half_angle, 2 * n.half_angle};
+  const SlippingContact contact{
+      layer,         relative_rate(n, f), layer.own_part(difference(entry, f0)),
+      -n.half_angle, 2 * n.half_angle,    n.edge};
   SlipMargin low{contact.sample(0).f, 0, false, false, entry};
   const double at_exit = contact.sample(contact.length).f;
   if (at_exit < low.value) low = {at_exit, contact.length, true, false, entry};
   const double hair = 1e-14 * (n.stick_rate * (1 + std::fabs(n.speed_ratio)) + n.kinetic);
   double x = 0;
   long samples = 0;
+  StartOrder order = StartOrder::positive;
   while (x < contact.length) {
-    const double zero = first_zero(contact.curve(low.value - hair, x), contact.length - x,
-                                   StartOrder::positive, samples, kMaxSamples);
+    const double zero = first_zero(contact.curve(low.value - hair, x), contact.length - x, order,
+                                   samples, kMaxSamples);
     if (!(zero < contact.length - x)) break;
     x = next_minimum(contact, x + zero);
-    const double value = contact.sample(x).f;
-    if (value < low.value) low = {value, x, !(x < contact.length), false, entry};
+    const CurveSample c = contact.sample(x);
+    if (c.f < low.value) low = {c.f, x, !(x < contact.length), false, entry};
+    // The search goes on from the minimum itself, where only f'' says how f rises (E3.4).
+    order = c.f2 > 0 ? StartOrder::double_zero : StartOrder::positive;
   }
   low.slips = low.value > 0;
   return low;
@@ -124,8 +141,7 @@ S slip_margin_at(const ContactNumbers<S>& n, const SlipMargin& margin) {
   return -(slow.at(theta, trig(theta)) + h.rate);
 }
 
-#define TWUM_INSTANTIATE(S)                                                          \
-  template S slip_margin_at(const ContactNumbers<S>&, const SlipMargin&);
+#define TWUM_INSTANTIATE(S) template S slip_margin_at(const ContactNumbers<S>&, const SlipMargin&);
 TWUM_FOR_EACH_CONTACT_SCALAR(TWUM_INSTANTIATE)
 
 }  // namespace twum::contact

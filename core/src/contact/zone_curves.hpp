@@ -56,37 +56,38 @@ class StickCurve {
   CurveSample first() const { return sample(theta_, at_); }
   CurveSample sample(double x) const { return sample(theta_ + x, quick_trig(theta_ + x)); }
 
-  /// The only zero on (0, length), if a glance at both ends shows that there is just one: f is concave,
-  /// not negative at first and negative at the end. NaN if that cannot be told.
-  double only_zero(double length, const Trig<double>& end) const {
-    const CurveSample a = first(), b = sample(theta_ + length, end);
-    if (!(length < 3 && a.f2 < 0 && b.f2 < 0 && b.f < 0 && a.f >= 0)) return NAN;
-    const double guess = taylor_zero(a);
-    if (!(guess > 0 && guess < length)) return NAN;
+  /// The only zero on (0, length), if a glance at both ends shows that there is just one (E4.7): f leaves
+  /// its start upwards or above zero, bent down, and ends below zero. NaN if that cannot be told.
+  double only_zero(double length, StartOrder order, const Trig<double>& end) const {
+    const CurveSample a = first();
+    const bool leaves =
+        order == StartOrder::positive ? a.f > 0 : order == StartOrder::zero && a.f1 > 0;
+    if (!(leaves && length < 3 && a.f2 < 0 && f_.at(theta_ + length, end) < 0)) return NAN;
+    const double guess = taylor_zero(a, length);
     return polish_zero(*this, 0, length, guess, sample(guess));
   }
 
  private:
   CurveSample sample(double theta, const Trig<double>& a) const {
-    return {f_.at(theta, a), f_.slope(a), f_.curvature(a), bound_, bound_, 0};
+    const double slope = f_.slope(a);
+    return {f_.at(theta, a), slope, f_.curvature(a), bound_, bound_, 0, f_.kb - slope};
   }
 
-  // Zero of the Taylor polynomial of degree 7; the second and third derivative repeat with alternating
-  // signs.
-  double taylor_zero(const CurveSample& a) const {
-    const double f3 = -(f_.kw * at_.sin + f_.ks * at_.cos);
-    double t = (a.f1 + std::sqrt(a.f1 * a.f1 - 2 * a.f2 * a.f)) / -a.f2;
+  // Zero of the Taylor polynomial of degree 7 within the length, or the middle; the second and third
+  // derivative repeat with alternating signs.
+  double taylor_zero(const CurveSample& a, double length) const {
+    double t = std::fmin((a.f1 + std::sqrt(a.f1 * a.f1 - 2 * a.f2 * a.f)) / -a.f2, length);
     for (int i = 0; i < 3; ++i) {
       const double q = t * t;
       const double even = q * (1.0 / 2 - q * (1.0 / 24 - q / 720)),
                    odd = t * q * (1.0 / 6 - q * (1.0 / 120 - q / 5040));
       const double even1 = t * (1 - q * (1.0 / 6 - q / 120)),
                    odd1 = q * (1.0 / 2 - q * (1.0 / 24 - q / 720));
-      const double slope = a.f1 + a.f2 * even1 + f3 * odd1;
+      const double slope = a.f1 + a.f2 * even1 + a.f3 * odd1;
       if (!(slope < 0)) break;
-      t -= (a.f + a.f1 * t + a.f2 * even + f3 * odd) / slope;
+      t -= (a.f + a.f1 * t + a.f2 * even + a.f3 * odd) / slope;
     }
-    return t;
+    return t > 0 && t < length ? t : 0.5 * length;
   }
 
   Harmonic<double> f_;
@@ -101,50 +102,46 @@ class StickCurve {
 /// M h''^2 + h'^2 falls (E4.2, E4.3), and so do both modes of an overdamped one (E4.4).
 class SlipCurve {
  public:
+  /// @param theta, at    phase where the zone starts
+  /// @param length, end  how long it may last, and the phase there
   SlipCurve(const LayerMotion<double>& layer, const FreeMotion<double>& motion,
-            const Harmonic<double>& slow, double sigma, double theta, const Trig<double>& at)
+            const Harmonic<double>& slow, double sigma, double theta, const Trig<double>& at,
+            double length, const Trig<double>& end)
       : layer_(layer),
         motion_(motion),
         slow_{sigma * slow.k0, 0, sigma * slow.kw, sigma * slow.ks},
         sigma_(sigma),
         theta_(theta),
         at_(at),
-        swing_(std::sqrt(slow.kw * slow.kw + slow.ks * slow.ks)) {}
+        length_(length),
+        swing_(std::sqrt(slow.kw * slow.kw + slow.ks * slow.ks)),
+        last_(slow_.at(0, end)),
+        last_slope_(slow_.slope(end)) {}
 
   CurveSample first() const { return sample(0, at_, own_start()); }
   CurveSample sample(double x) const { return sample(x, quick_trig(theta_ + x), own_motion(x)); }
 
-  /// True if a glance shows that the zone lasts: the harmonic part stays above what the layer's own
-  /// motion can reach.
-  bool lasts(double length, const Trig<double>& b) const {
-    const Trig<double>& a = at_;
-    const double bound = own_start().bound0;
-    const bool may_turn = length > 3 || (slow_.slope(a) < 0 && slow_.slope(b) > 0);
-    const double low = may_turn ? slow_.k0 + slow_.kw - swing_
-                                : std::min<double>(slow_.at(theta_, a), slow_.at(theta_, b));
-    return low > bound;
-  }
-
  private:
-  // h', h'', h''' and bounds of |h'|, |h'''|, |h''''| from x on.
+  // h' and its three derivatives, and bounds of |h'|, |h'''|, |h''''| from x on.
   struct Own {
-    double rate, rate1, rate2, bound0, bound2, bound3;
+    double rate, rate1, rate2, rate3, bound0, bound2, bound3;
   };
 
   CurveSample sample(double x, const Trig<double>& a, const Own& own) const {
-    const double slow = slow_.at(theta_ + x, a), slope = slow_.slope(a);
+    const double slow = slow_.at(0, a), slope = slow_.slope(a);
     return {slow + sigma_ * own.rate,
             slope + sigma_ * own.rate1,
             slow_.curvature(a) + sigma_ * own.rate2,
             swing_ + own.bound2,
             swing_ + own.bound3,
-            slow > own.bound0 ? skip(slow, slope, own.bound0) : 0};
+            slow > own.bound0 ? skip(length_ - x, slow, slope, own.bound0) : 0,
+            sigma_ * own.rate3 - slope};
   }
 
   Own own_motion(double x) const {
     switch (layer_.kind()) {
       case LayerKind::oscillating: return oscillation(layer_.at(motion_, x));
-      case LayerKind::elastic: return {0, 0, 0, 0, 0, 0};
+      case LayerKind::elastic: return {0, 0, 0, 0, 0, 0, 0};
       default: break;
     }
     const double fast = motion_.u == 0 ? 0 : motion_.u * std::exp(layer_.fast() * x);
@@ -154,7 +151,7 @@ class SlipCurve {
   Own own_start() const {
     switch (layer_.kind()) {
       case LayerKind::oscillating: return oscillation({motion_.u, motion_.w});
-      case LayerKind::elastic: return {0, 0, 0, 0, 0, 0};
+      case LayerKind::elastic: return {0, 0, 0, 0, 0, 0, 0};
       default: return modes(motion_.u, motion_.w);
     }
   }
@@ -165,7 +162,8 @@ class SlipCurve {
     const double reach = std::sqrt(h.rate * h.rate + M * h2 * h2),
                  reach1 = reach * layer_.natural_frequency();
     const double bound2 = (C * reach1 + reach) * inverse;
-    return {h.rate, h2, h3, reach, bound2, (C * bound2 + reach1) * inverse};
+    return {
+        h.rate, h2, h3, -(C * h3 + h2) * inverse, reach, bound2, (C * bound2 + reach1) * inverse};
   }
 
   Own modes(double u, double w) const {
@@ -174,14 +172,18 @@ class SlipCurve {
     return {fast + slow,
             fast * l1 + slow * l2,
             fast2 + slow2,
+            fast2 * l1 + slow2 * l2,
             std::fabs(fast) + std::fabs(slow),
             std::fabs(fast2) + std::fabs(slow2),
             std::fabs(fast2 * l1) + std::fabs(slow2 * l2)};
   }
 
-  // (E4.6) How far the harmonic part mean + rho cos(u) stays above `bound`, from where it is `slow` and falls or
-  // rises with `slope` = -rho sin(u).
-  double skip(double slow, double slope, double bound) const {
+  // (E4.6) How far the harmonic part mean + rho cos(u) stays above `bound`, from where it is `slow` and
+  // falls or rises with `slope` = -rho sin(u): all the `rest` of the zone if it is above it there too and
+  // has no minimum between.
+  double skip(double rest, double slow, double slope, double bound) const {
+    const bool may_turn = rest > 3 || (slope < 0 && last_slope_ > 0);
+    if (!may_turn && last_ > bound) return kNoZero;
     const double mean = slow_.k0 + slow_.kw, level = (bound - mean) / swing_;
     if (level <= -1) return kNoZero;
     return std::acos(level) - std::atan2(-slope, slow - mean);
@@ -192,7 +194,9 @@ class SlipCurve {
   Harmonic<double> slow_;
   double sigma_, theta_;
   Trig<double> at_;
-  double swing_;
+  double length_;
+  double swing_;              // rho
+  double last_, last_slope_;  // the harmonic part at the end of the length
 };
 
 }  // namespace twum::contact

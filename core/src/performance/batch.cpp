@@ -8,7 +8,6 @@
 #include <exception>
 #include <mutex>
 #include <string>
-#include <system_error>
 #include <thread>
 
 namespace twum {
@@ -48,8 +47,8 @@ std::vector<Answer> ask_all(std::span<const MotorDesign> designs, unsigned jobs,
   std::vector<std::thread> helpers;
   try {
     for (std::size_t i = 1; i < std::min(wanted, blocks); ++i) helpers.emplace_back(work);
-  } catch (const std::system_error&) {
-    // No more threads to be had: those that are there do the work.
+  } catch (const std::exception&) {
+    // No more threads or memory to be had: the threads that are there do the work.
   }
   work();
   for (std::thread& helper : helpers) helper.join();

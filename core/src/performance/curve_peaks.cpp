@@ -71,13 +71,29 @@ std::optional<Peak> CurveSearch::peak_between(Goal goal, double low, double high
              : Peak{b.high, right.value, kink ? PeakKind::kink : PeakKind::smooth};
 }
 
-// The zero of the slope by inverse interpolation, from the vertex of the parabola through three nodes;
-// nothing if that does not settle at once inside the nodes, as at a kink.
-std::optional<Peak> CurveSearch::peak_near(Goal goal, const Node& a, const Node& b, const Node& c) {
-  const double fa = value(goal, a), fb = value(goal, b), fc = value(goal, c);
-  const double left = (fb - fa) / (b.speed - a.speed), right = (fc - fb) / (c.speed - b.speed);
-  const double curvature = 2 * (right - left) / (c.speed - a.speed);
-  double speed = 0.5 * (a.speed + b.speed) - left / curvature;
+// Where the polynomial through the nodes about `top`, those of the plateau left out, has its maximum; its
+// curvature there goes to `curvature`.
+double CurveSearch::likely_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top,
+                                double& curvature) const {
+  Interpolant line;
+  for (std::size_t k = top < 2 ? 0 : top - 2; k < std::min(top + 3, nodes.size()); ++k) {
+    if (!nodes[k].plateau) line.add(nodes[k].speed, value(goal, nodes[k]));
+  }
+  double speed = nodes[top].speed;
+  for (int i = 0; i < 4; ++i) {
+    const Interpolant::Value p = line.at(speed);
+    curvature = p.curvature;
+    speed -= p.slope / p.curvature;
+  }
+  return speed;
+}
+
+// The zero of the slope by inverse interpolation, from where the nodes about `top` have their maximum;
+// nothing if that does not settle at once between its neighbours, as at a kink.
+std::optional<Peak> CurveSearch::peak_near(Goal goal, const std::vector<Node>& nodes,
+                                           std::size_t top) {
+  const Node &a = nodes[top - 1], &b = nodes[top], &c = nodes[top + 1];
+  double curvature = 0, speed = likely_peak(goal, nodes, top, curvature);
   Trail trail;
   trail.add(b.speed < speed ? c.speed : a.speed, b.speed < speed ? c.entry : a.entry);
   trail.add(b.speed, b.entry);
@@ -106,7 +122,7 @@ Peak CurveSearch::named(Peak peak) {
 
 Peak CurveSearch::smooth_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top) {
   if (top > 0 && top + 1 < nodes.size()) {
-    const std::optional<Peak> near = peak_near(goal, nodes[top - 1], nodes[top], nodes[top + 1]);
+    const std::optional<Peak> near = peak_near(goal, nodes, top);
     if (near && near->value >= value(goal, nodes[top]) * (1 - 1e3 * kScanAccuracy)) return *near;
   }
   const Peak at_node{nodes[top].speed, value(goal, answered(nodes[top].speed)),

@@ -80,18 +80,20 @@ void CurveSearch::require_drive() {
 }
 
 // A layer that slips all through at one speed does so at every lower one: halving finds the last node on
-// the plateau, and of those before only the one at rest is kept.
-void CurveSearch::skip_plateau(double step, Trail& trail) {
+// the plateau, and of those before only the one at rest is kept. Returns the nodes met beyond, the
+// slowest last.
+std::vector<CurveSearch::Node> CurveSearch::skip_plateau(double step, Trail& trail) {
   int low = 0, high = kIntervals;
-  std::vector<Node> found;
+  std::vector<Node> on_plateau, beyond;
   while (high - low > 1) {
     const int middle = (low + high + 1) / 2;
     const Node next = scanned(middle * step, trail);
     if (!next.ok()) throw SearchFailure{next.status};
     (next.plateau ? low : high) = middle;
-    if (next.plateau) found.assign(1, next);
+    next.plateau ? on_plateau.assign(1, next) : beyond.push_back(next);
   }
-  nodes_.insert(nodes_.end(), found.begin(), found.end());
+  nodes_.insert(nodes_.end(), on_plateau.begin(), on_plateau.end());
+  return beyond;
 }
 
 // Nodes from rest to the first speed at which the torque is not positive. With mu_0 > mu points without
@@ -104,11 +106,18 @@ void CurveSearch::scan() {
     double step = crest_ / (rough_ ? kRoughIntervals : kIntervals);
     int missing = 0;
     Trail trail;
-    if (!rough_ && forgets_a_turn(m_) && starts_on_plateau()) skip_plateau(step, trail);
+    std::vector<Node> known;
+    if (!rough_ && forgets_a_turn(m_) && starts_on_plateau()) known = skip_plateau(step, trail);
     for (double speed = nodes_.back().speed + step; nodes_.back().torque > 0; speed += step) {
       if (speed > kFarthest * crest_) throw SearchFailure{MetricStatus::unresolved};
       if (speed > 2 * crest_) step *= 1.5;
-      const Node next = scanned(speed, trail);
+      Node next;
+      if (!known.empty() && known.back().speed < speed + 0.5 * step) {
+        next = known.back();
+        known.pop_back();
+      } else {
+        next = scanned(speed, trail);
+      }
       missing = next.ok() ? 0 : missing + 1;
       if (missing > (rough_ ? kMissing : 0)) throw SearchFailure{next.status};
       if (next.ok()) nodes_.push_back(next);

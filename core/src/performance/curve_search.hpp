@@ -70,7 +70,7 @@ class CurveSearch {
   Node scanned(double speed, Trail& trail) const;
   Node answered(double speed, Trail* trail = nullptr) const;
   void scan();
-  void skip_plateau(double step, Trail& trail);
+  std::vector<Node> skip_plateau(double step, Trail& trail);
   void require_drive();
   double value(Goal goal, const Node& node) const;
   const TorqueSlope& torque_slope_at(double speed, Trail* trail = nullptr);
@@ -78,7 +78,9 @@ class CurveSearch {
   Peak peak(Goal goal);
   Peak smooth_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top);
   Peak rough_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top);
-  std::optional<Peak> peak_near(Goal goal, const Node& a, const Node& b, const Node& c);
+  double likely_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top,
+                     double& curvature) const;
+  std::optional<Peak> peak_near(Goal goal, const std::vector<Node>& nodes, std::size_t top);
   std::optional<Peak> peak_between(Goal goal, double low, double high);
   std::pair<Node, Node> stretch_end(const Node& low, const Node& end) const;
   Peak named(Peak peak);

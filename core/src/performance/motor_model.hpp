@@ -21,6 +21,8 @@ struct MotorModel {
   S thickness, shear, viscosity, inertia;
   S kinetic, static_, preload, stator_damping, amplitude;
   NormalContact<S> contact;
+  S compliance;           ///< 1 / G
+  S stick_gain;           ///< G V0 / (h P), s W of (E1.1)
   S peak;                 ///< p(0) / P = 1 - c
   contact::Trig<S> edge;  ///< of theta_L
 };
@@ -90,6 +92,8 @@ MotorModel<S> motor_model(const MotorDesign& given, const ParameterArray<S>& p) 
   m.kinetic = at(P::kinetic_friction), m.static_ = at(P::static_friction);
   m.preload = at(P::preload), m.stator_damping = at(P::modal_damping);
   m.contact = normal_contact(m.preload, m.n, m.b, m.kappa, S(E * m.amplitude / m.thickness));
+  m.compliance = 1.0 / m.shear;
+  m.stick_gain = m.shear * m.crest_velocity / (m.thickness * m.contact.pressure_amplitude);
   m.edge = contact::trig(m.contact.half_angle);
   if (m.contact.full) m.edge = {S(0.0), S(-1.0), S(2.0)};
   m.peak = m.contact.full ? S(1.0 - m.contact.edge_cosine) : m.edge.versine;
@@ -116,10 +120,10 @@ template <typename S, typename R>
 contact::ContactNumbers<R> contact_numbers(const MotorModel<S>& m, const R& speed) {
   const R surface = m.r * speed;
   const R W = m.omega + m.kappa * surface;
-  const R rate = W / m.shear;
+  const R rate = W * m.compliance;
   return {m.inertia * W * rate,
           m.viscosity * rate,
-          m.crest_velocity / (m.thickness * m.contact.pressure_amplitude * rate),
+          m.stick_gain / W,
           surface / m.crest_velocity,
           R(m.contact.half_angle),
           R(m.peak),

@@ -35,7 +35,8 @@ bool drags_steadily(const MotorModel<double>& m, double speed) {
   const double drift = m.shear * m.r * speed / (m.thickness * W * pressure);
   const contact::FreeMotion<double> motion =
       layer.start({-sigma * (m.static_ - m.kinetic), -drift});
-  const contact::SlipCurve curve(layer, motion, {drift, 0, 0, 0}, sigma, 0, {0, 1, 0});
+  const contact::SlipCurve curve(layer, motion, {drift, 0, 0, 0}, sigma, 0, {0, 1, 0}, 1e300,
+                                 {0, 1, 0});
   long samples = 0;
   return contact::first_zero(curve, 1e300, contact::StartOrder::zero, samples, 1'000'000) ==
          contact::kNoZero;

@@ -60,6 +60,38 @@ class Trail {
   contact::LapEntry<double> guess_{};
 };
 
+/// Polynomial through a few points of a function, in Newton's form: where to begin an iteration.
+class Interpolant {
+ public:
+  static constexpr int kMost = 5;
+  struct Value {
+    double value, slope, curvature;
+  };
+
+  void add(double x, double f) {
+    std::array<double, kMost> differences{f};
+    for (int k = 1; k <= count_; ++k)
+      differences[k] = (differences[k - 1] - last_[k - 1]) / (x - x_[count_ - k]);
+    x_[count_] = x;
+    coefficients_[count_] = differences[count_];
+    last_ = differences;
+    ++count_;
+  }
+
+  Value at(double x) const {
+    Value p{0, 0, 0};
+    for (int k = count_ - 1; k >= 0; --k) {
+      const double t = x - x_[k];
+      p = {p.value * t + coefficients_[k], p.slope * t + p.value, p.curvature * t + 2 * p.slope};
+    }
+    return p;
+  }
+
+ private:
+  std::array<double, kMost> x_{}, coefficients_{}, last_{};
+  int count_{0};
+};
+
 /// Inverse interpolation through the last two or three points of a function: the steps of an iteration
 /// to its zero. Their lengths say when the next one would be lost in rounding.
 class InverseInterpolation {

@@ -77,3 +77,37 @@ TEST_CASE("the bounds of the stick curve (E2.4, E4.5) hold everywhere",
     }
   }
 }
+
+TEST_CASE("a stick zone that begins bent down and ends past its threshold ends once (E4.7)",
+          "[core][events][identity]") {
+  Dice dice(15);
+  int convex = 0, rising = 0, found = 0;
+  for (int i = 0; i < 20000; ++i) {
+    Harmonic<double> f{dice.uniform(-1, 1), dice.uniform(-1, 1), dice.uniform(-1, 1),
+                       dice.uniform(-1, 1)};
+    const double start = dice.uniform(-3, 0), length = dice.uniform(0.01, 2.99);
+    const StartOrder order = dice.uniform(0, 1) < 0.5 ? StartOrder::zero : StartOrder::positive;
+    if (order == StartOrder::zero) f.k0 -= f.at(start, trig(start));
+    const StickCurve curve(f, start, trig(start));
+    const double zero = curve.only_zero(length, order, trig(start + length));
+    if (std::isnan(zero)) continue;
+    ++found;
+    convex += curve.sample(length).f2 > 0;
+    rising += order == StartOrder::zero;
+    REQUIRE(zero > 0);
+    REQUIRE(zero < length);
+    // The sign changes at the zero, and on a fine grid nowhere else: what lies within a step of it, or of
+    // the start where f = 0, is left out.
+    const double step = length / 500;
+    for (int k = 1; k <= 500; ++k) {
+      const double x = k * step;
+      if (std::fabs(x - zero) > step) REQUIRE((curve.sample(x).f > 0) == (x < zero));
+    }
+    // A root is good to rounding of the terms, each below 1 + 3 + 2 + 1, over the slope.
+    const CurveSample c = curve.sample(zero);
+    REQUIRE(std::fabs(c.f) <= 7 * 4e-16 + 1e-15 * std::fabs(c.f1));
+  }
+  CHECK(found > 1000);
+  CHECK(convex > 100);
+  CHECK(rising > 100);
+}

@@ -19,7 +19,7 @@ struct TwoDips {
   CurveSample sample(double x) const {
     const double p = x - a, q = x - b;
     const double f2 = 2 * (p * p + q * q) + 8 * p * q;
-    return {p * p * q * q + floor, 2 * p * q * (p + q), f2, 60, 60, 0};  // on 0 .. 2
+    return {p * p * q * q + floor, 2 * p * q * (p + q), f2, 60, 60, 0, 12 * (p + q)};  // on 0 .. 2
   }
 };
 
@@ -54,7 +54,7 @@ TEST_CASE("steps after an event (E3.3, E3.4) stay where the curve is positive",
   const double step = zero_free_step(rising.first(), StartOrder::double_zero);
   CHECK(step > 0);
   for (int k = 1; k <= 100; ++k) CHECK(rising.sample(step * k / 100).f > 0);
-  const CurveSample simple{0, 1, -3, 3, 0, 0};  // f = t - 1.5 t^2
+  const CurveSample simple{0, 1, -3, 3, 0, 0, 0};  // f = t - 1.5 t^2
   CHECK(zero_free_step(simple, StartOrder::zero) <= 1.0 / 1.5);
 }
 

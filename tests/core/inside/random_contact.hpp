@@ -66,7 +66,10 @@ struct RandomSlip {
         length(2 * n.half_angle) {}
 
   contact::SlipCurve curve() const {
-    return {layer, motion, slow, sigma, start, contact::trig(start)};
+    return {layer,  motion,
+            slow,   sigma,
+            start,  contact::trig(start),
+            length, contact::trig(start + length)};
   }
 
  private:
