@@ -2,12 +2,12 @@
 'use strict';
 // Measured points with the fit and its band, residuals, correlation of the estimates.
 
-/** Half width of the band of the fitted torque: the factor of the estimates' own intervals, carried to the torque. */
+/** Half width of the band of the fitted torque: the factor of the estimates' own intervals, carried to the torque; NaN where they have none. */
 function fitBand() {
   const names = Object.keys(summary.estimates).filter((n) => Number.isFinite(summary.estimates[n].sd) && summary.estimates[n].sd > 0);
   const speeds = numbers(data.fit.speed, Float64Array);
   const gradients = names.map((n) => numbers(data.fit.gradients[n], Float64Array));
-  const factor = summary.student_t ?? 0;
+  const factor = names.length ? summary.student_t : NaN;
   return Float64Array.from(speeds, (_, s) => {
     let variance = 0;
     names.forEach((a, i) => names.forEach((b, j) => { variance += gradients[i][s] * gradients[j][s] * summary.estimates[a].sd * summary.estimates[b].sd * (i === j ? 1 : (summary.correlation[a] || {})[b] ?? 0); }));
@@ -20,15 +20,16 @@ function fitChart(node) {
   const torque = numbers(data.fit.torque, Float64Array);
   const band = fitBand();
   const points = summary.data;
+  const measuredSpeeds = points.map((p) => (p.speed * 30) / Math.PI);
   const unit = displayUnit(largest([torque, points.map((p) => p.torque)]), 'N.m');
   const low = torque.map((t, i) => (t - band[i]) / unit.divisor);
   const high = torque.map((t, i) => (t + band[i]) / unit.divisor);
   const measured = points.map((p) => p.torque / unit.divisor);
-  node.append(legend([{ name: 'measured', colour: 'ink', kind: 'dot' }, { name: 'fit', colour: 'c0' }, { name: percent(summary.confidence) + ' band of the fit', colour: 'band', kind: 'area' }]));
+  node.append(legend([{ name: 'measured', colour: 'ink', kind: 'dot' }, { name: 'fit', colour: 'c0' }, ...(low.some(Number.isFinite) ? [{ name: percent(summary.confidence) + ' band of the fit', colour: 'band', kind: 'area' }] : [])]));
   chart(node, speeds, [{ name: 'fit', y: scaled(torque, unit.divisor), colour: 'c0' }, { name: 'low', y: low, colour: 'band' }, { name: 'high', y: high, colour: 'band' }], {
-    name: 'fit', x: { label: 'speed [rpm]', range: [0, 1.04 * largest([speeds, points.map((p) => p.speed * 30 / Math.PI)])] }, y: { label: axisLabel('torque', unit), range: paddedRange([low, high, measured]) }, height: 320,
+    name: 'fit', x: { label: 'speed [rpm]', range: [Math.min(0, 1.04 * Math.min(...measuredSpeeds)), 1.04 * Math.max(0, ...measuredSpeeds) || 1] }, y: { label: axisLabel('torque', unit), range: paddedRange([low, high, scaled(torque, unit.divisor), measured]) }, height: 320,
     bands: [{ series: [3, 2], fill: () => colour('band') + '55' }],
-    marks: points.map((p, i) => ({ x: (p.speed * 30) / Math.PI, y: measured[i], small: true })),
+    marks: points.map((_, i) => ({ x: measuredSpeeds[i], y: measured[i], small: true })),
   });
 }
 

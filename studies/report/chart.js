@@ -126,7 +126,8 @@ function paddedRange(arrays, withZero) {
   let high = withZero ? 0 : -Infinity;
   for (const array of arrays) for (const v of array) if (Number.isFinite(v)) { if (v < low) low = v; if (v > high) high = v; }
   if (!(low <= high)) return [0, 1];
-  const pad = (high - low || Math.abs(high) || 1) * 0.09;
+  const size = Math.max(Math.abs(low), Math.abs(high));
+  const pad = (high - low > 1e-9 * size ? high - low : size || 1) * 0.09; // what differs by rounding is the same
   return [withZero && low === 0 ? 0 : low - pad, high + pad];
 }
 

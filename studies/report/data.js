@@ -13,15 +13,19 @@ function numbers(text, Type) {
 const data = JSON.parse(document.getElementById('data').textContent);
 const summary = data.summary;
 
-/** The stored rows: columns by position, and which status each row has. */
+/** The stored rows: columns by position, and which status each row has. Of very many, one of each `every`. */
 const rows = {
   count: data.rows.count,
   every: data.rows.every,
+  offsets: data.rows.every > 1 ? numbers(data.rows.offsets, Uint16Array) : null,
   total: data.rows.total,
   columns: data.rows.columns.map((c, i) => ({ ...c, values: numbers(data.rows.values[i], Float64Array) })),
   statuses: data.rows.statuses,
   status: numbers(data.rows.status, Uint16Array),
 };
+
+/** Number of a row that the page holds, counted from 1 among all that are stored. */
+function rowNumber(i) { return i * rows.every + (rows.offsets ? rows.offsets[i] : 0) + 1; }
 
 const curveColumns = ['speed', 'torque', 'output_power', 'stator_power', 'friction_power', 'layer_loss',
   'contact_efficiency', 'wear_intensity', 'stick_fraction', 'efficiency', 'stator_loss'];

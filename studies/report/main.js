@@ -20,23 +20,32 @@ function curvePage() {
 
 const pages = { curve: curvePage, sweep: sweepPage, sensitivity: sensitivityPage, optimize: searchPage, size: searchPage, pareto: paretoPage, uncertainty: uncertaintyPage, calibrate: calibratePage };
 
-const outcomeWords = { optimal: 'a certified optimum', feasible: 'keeps the limits, not shown to be best', infeasible: 'no design keeps the limits', budget: 'stopped by its budget', failed: 'nothing could be computed', done: 'complete', fitted: 'the motor follows the points', poor: 'the motor does not follow the points', 'at-bounds': 'every parameter at an end of its range', interrupted: 'interrupted' };
+const outcomeWords = { feasible: 'keeps the limits, not shown to be best', infeasible: 'no design keeps the limits', budget: 'stopped by its budget', failed: 'nothing could be computed', done: 'complete', fitted: 'the motor follows the points', poor: 'the motor does not follow the points', 'at-bounds': 'every parameter at an end of its range', interrupted: 'interrupted' };
 
 function outcomeText() {
-  if (summary.outcome === 'optimal') return { pareto: 'every point certified', calibrate: 'best fit (local)' }[summary.kind] || 'certified local optimum';
+  if (summary.outcome === 'optimal') return summary.kind === 'pareto' ? 'every point certified' : 'certified local optimum';
   return outcomeWords[summary.outcome] || summary.outcome;
+}
+
+/** What a row of the results is: a motor, or a point of a motor's curve. */
+function rowWord() { return summary.kind === 'curve' ? 'points' : 'motors'; }
+
+/** Said where the results are too many for a page. */
+function partNote() {
+  if (rows.every === 1) return null;
+  return sentence('This page holds one in ' + rows.every + ' of the ' + rows.total + ' ' + rowWord() + ' that were computed; results.csv has all of them.');
 }
 
 function facts() {
   const failed = Object.values(summary.failures).reduce((a, b) => a + b, 0);
-  const list = [['outcome', outcomeText()], ['motors computed', String(summary.evaluations)], ['of these without a full answer', String(failed)]];
+  const list = [['outcome', outcomeText()], [rowWord() + ' computed', String(summary.evaluations)], ['of these without a full answer', String(failed)]];
   return el('div', { class: 'facts' }, list.map(([name, value]) => el('div', {}, el('span', {}, name), el('strong', {}, value))));
 }
 
 function failuresCard() {
   if (!summary.failure_regions.length) return;
   const where = (r) => Object.entries(r.where).filter(([, v]) => v.low !== null).map(([n, v]) => plain(n) + ' ' + (v.high > v.low ? between(v.low, v.high, unitOf(n)) : engineering(v.low, unitOf(n)))).join(', ');
-  card('Motors without a full answer', 'A number that was asked for does not exist for these motors, or could not be computed. They are counted here and enter nothing else.', 'wide').append(table('failures', ['reason', 'meaning', 'count', 'where'], summary.failure_regions.map((r) => [words(r.reason), words(failureText(r.reason)), { text: String(r.count), value: r.count }, words(where(r))])));
+  card(capital(rowWord()) + ' without a full answer', 'A number that was asked for does not exist for these ' + rowWord() + ', or could not be computed. They are counted here and enter nothing else.', 'wide').append(table('failures', ['reason', 'meaning', 'count', 'where'], summary.failure_regions.map((r) => [words(r.reason), words(failureText(r.reason)), { text: String(r.count), value: r.count }, words(where(r))])));
 }
 
 /** What the names on this page stand for. */
@@ -66,8 +75,8 @@ function build() {
   const page = document.getElementById('page');
   page.append(el('header', {}, el('h1', {}, summary.study), el('p', { class: 'of' }, (kindWords[summary.kind] || summary.kind) + (summary.motor ? ' of ' + summary.motor : ''))));
   const verdict = summary.outcome === 'interrupted' ? { look: 'bad', lines: [sentence(bold('This study was interrupted'), '; what is here is not all of it.')] } : verdicts[summary.kind]();
-  (summary.model_notes || []).forEach((note) => verdict.lines.push(sentence(bold('Mind the model: '), note.replace(/\b[a-z]+(_[a-z]+)+\b/g, plain), '.')));
-  const top = card(null, null, 'wide', ...verdict.lines, facts());
+  (summary.model_notes || []).forEach((note) => verdict.lines.push(sentence(bold('Mind the model: '), plainNames(note), '.')));
+  const top = card(null, null, 'wide', ...verdict.lines, facts(), partNote());
   top.classList.add('verdict', verdict.look);
   pages[summary.kind]();
   failuresCard();

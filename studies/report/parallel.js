@@ -5,6 +5,12 @@
 // More lines than these would be a grey block, and slow to draw.
 const mostLines = 1500;
 
+/** Which one of the k-th `count` lines is drawn: any, since always the first would show a part of a grid or of a Sobol sequence only. */
+function drawnOf(k, count) {
+  const mixed = Math.imul(k + 1, 0x9e3779b1);
+  return (Math.imul(mixed ^ (mixed >>> 15), 0x85ebca6b) >>> 8) % count;
+}
+
 class Parallel {
   constructor(node, columns, filter, choose) {
     this.columns = columns;
@@ -76,7 +82,7 @@ class Parallel {
     ctx.strokeStyle = colour(name);
     ctx.globalAlpha = Math.min(alpha, Math.max(0.05, (alpha * 60) / Math.max(total / every, 1)));
     let seen = 0;
-    for (let i = 0; i < this.filter.count; ++i) if (this.filter.chosen[i] === pass && seen++ % every === 0) this.line(ctx, i);
+    for (let i = 0; i < this.filter.count; ++i) if (this.filter.chosen[i] === pass && seen % every === drawnOf(Math.floor(seen++ / every), every)) this.line(ctx, i);
     ctx.globalAlpha = 1;
     return every;
   }
@@ -90,7 +96,7 @@ class Parallel {
     const every = this.lines(ctx, 1, 'c0', 0.85);
     if (this.marked >= 0) { ctx.lineWidth = 2.5; ctx.strokeStyle = colour('c1'); this.line(ctx, this.marked); }
     this.axes(ctx);
-    this.note.textContent = this.filter.total + ' of ' + this.filter.count + ' chosen' + (every > 1 ? '; every ' + every + 'th of them is drawn' : '');
+    this.note.textContent = this.filter.total + ' of ' + this.filter.count + ' chosen' + (every > 1 ? '; one in ' + every + ' of them is drawn' : '');
   }
 
   axes(ctx) {

@@ -93,35 +93,38 @@ function shadeOf(column) {
   };
 }
 
+/** What a drag over the plot chooses: an interval of the column across, and one of the column up if it is tall enough. */
+function dragged(u, ix, iy, ux, uy) {
+  const s = u.select;
+  const across = [ix, u.posToVal(s.left, 'x') * ux.divisor, u.posToVal(s.left + s.width, 'x') * ux.divisor];
+  const up = [iy, u.posToVal(s.top + s.height, 'y') * uy.divisor, u.posToVal(s.top, 'y') * uy.divisor];
+  return s.height > 2 && s.height < u.over.clientHeight - 2 ? [across, up] : [across];
+}
+
 /** A scatter of two columns, coloured by a third (-1: none); drag chooses, hover and arrow keys tell. */
 function scatterChart(node, filter, ix, iy, ic, hover) {
   const [cx, cy] = [filter.columns[ix], filter.columns[iy]];
-  const ux = displayUnit(largest([cx.values]), cx.unit);
-  const uy = displayUnit(largest([cy.values]), cy.unit);
+  const [ux, uy] = [cx, cy].map((c) => displayUnit(largest([c.values]), c.unit));
   const x = scaled(cx.values, ux.divisor);
   const y = scaled(cy.values, uy.divisor);
-  const rx = paddedRange([x]);
-  const ry = paddedRange([y]);
-  let near = -1;
+  const [rx, ry] = [paddedRange([x]), paddedRange([y])];
   const layer = new PointLayer(filter, x, y, rx, ry, ic >= 0 ? shadeOf(filter.columns[ic]) : null);
+  const repaint = () => { layer.stale = true; };
+  filter.onChange(repaint);
+  onTheme(repaint);
   if (ic >= 0) node.append(rampBar(filter.columns[ic]));
+  let near = -1;
   const point = (i, u) => { near = i; u.redraw(false); hover(near); };
-  filter.onChange(() => { layer.stale = true; });
-  onTheme(() => { layer.stale = true; });
-  const paint = (u) => {
-    layer.show(u);
-    if (near >= 0) drawMarks(u, [{ x: x[near], y: y[near], colour: 'c1' }]);
-  };
-  const plot = chart(node, rx, [{ name: cy.name, y: ry, colour: 'c0', hidden: true }], {
-    name: 'scatter', x: { label: axisLabel(cx.name, ux), range: rx }, y: { label: axisLabel(cy.name, uy), range: ry }, height: 380, front: paint, points: false,
+  return chart(node, rx, [{ name: cy.name, y: ry, colour: 'c0', hidden: true }], {
+    name: 'scatter', x: { label: axisLabel(cx.name, ux), range: rx }, y: { label: axisLabel(cy.name, uy), range: ry }, height: 380, points: false,
+    front: (u) => {
+      layer.show(u);
+      if (near >= 0) drawMarks(u, [{ x: x[near], y: y[near], colour: 'c1' }]);
+    },
     onSelect: (u) => {
-      const s = u.select;
-      const low = u.posToVal(s.left, 'x') * ux.divisor;
-      const high = u.posToVal(s.left + s.width, 'x') * ux.divisor;
-      const tall = s.height > 2 && s.height < u.over.clientHeight - 2;
-      const upright = [iy, u.posToVal(s.top + s.height, 'y') * uy.divisor, u.posToVal(s.top, 'y') * uy.divisor];
+      const intervals = dragged(u, ix, iy, ux, uy);
       u.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
-      filter.setAll(tall ? [[ix, low, high], upright] : [[ix, low, high]]);
+      filter.setAll(intervals);
     },
     onMove: (_, u) => {
       if (u.cursor.left < 0) return;
@@ -130,13 +133,11 @@ function scatterChart(node, filter, ix, iy, ic, hover) {
     },
     onKey: (u, event) => {
       const order = byValue(x, filter, y);
-      const at = order.indexOf(near);
-      const next = keyStep(event, at, order.length);
+      const next = keyStep(event, order.indexOf(near), order.length);
       if (next !== null) point(order[next], u);
       if (event.key === 'Escape') filter.clear();
     },
   });
-  return plot;
 }
 
 /** Chosen rows that have a point, from left to right. */
@@ -162,62 +163,95 @@ function nearest(u, x, y, filter) {
   return found;
 }
 
-/** Colour map of a column over a grid of two others. */
+/** One side of a grid: the values of a column in order, and the edges of their cells in the unit shown. */
+class GridAxis {
+  constructor(column) {
+    this.column = column;
+    this.unit = displayUnit(largest([column.values]), column.unit);
+    this.values = [...new Set(column.values)].sort((a, b) => a - b);
+    const v = this.values;
+    const last = v.length - 1;
+    this.edges = [v[0] - (v[1] - v[0]) / 2, ...v.slice(1).map((w, i) => (w + v[i]) / 2), v[last] + (v[last] - v[last - 1]) / 2].map((e) => e / this.unit.divisor);
+    this.range = [this.edges[0], this.edges[last + 1]];
+    this.label = axisLabel(column.name, this.unit);
+  }
+
+  /** The cell at a place in the unit shown; the nearest beyond the ends. */
+  at(place) {
+    let i = 0;
+    while (i < this.values.length - 1 && this.edges[i + 1] <= place) ++i;
+    return i;
+  }
+
+  inside(i) { return Math.min(Math.max(i, 0), this.values.length - 1); }
+}
+
+/** Cells of a grid of two columns, each with the row that is there. */
+class Grid {
+  constructor(cx, cy) {
+    this.x = new GridAxis(cx);
+    this.y = new GridAxis(cy);
+    const places = [this.x, this.y].map((side) => new Map(side.values.map((v, i) => [v, i])));
+    this.cells = new Map(Array.from(cx.values, (v, row) => [this.key(places[0].get(v), places[1].get(cy.values[row])), row]));
+  }
+
+  key(a, b) { return a * this.y.values.length + b; }
+  row(a, b) { return this.cells.get(this.key(a, b)); }
+
+  /** Left, top, width and height of a cell on the canvas. */
+  box(u, a, b) {
+    const [x0, x1] = [0, 1].map((k) => u.valToPos(this.x.edges[a + k], 'x', true));
+    const [y0, y1] = [0, 1].map((k) => u.valToPos(this.y.edges[b + k], 'y', true));
+    return [x0, y1, x1 - x0, y0 - y1];
+  }
+
+  paint(u, colourOf) {
+    for (const [key, row] of this.cells) {
+      const [left, top, width, height] = this.box(u, Math.floor(key / this.y.values.length), key % this.y.values.length);
+      u.ctx.fillStyle = colourOf(row);
+      u.ctx.fillRect(left, top, Math.ceil(width) + 0.5, Math.ceil(height) + 0.5);
+    }
+  }
+
+  mark(u, a, b) {
+    u.ctx.strokeStyle = colour('c1');
+    u.ctx.lineWidth = 3 * devicePixelRatio;
+    u.ctx.strokeRect(...this.box(u, a, b));
+  }
+}
+
+const arrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] };
+
+/** Colour map of a column over a grid of two others; the cell that is pointed at or stepped to is marked and read out. */
 function heatMap(node, cx, cy, cz, hover) {
-  const distinct = (values) => [...new Set(values)].sort((a, b) => a - b);
-  const [xs, ys] = [distinct(cx.values), distinct(cy.values)];
-  const [ux, uy] = [cx, cy].map((c) => displayUnit(largest([c.values]), c.unit));
+  const grid = new Grid(cx, cy);
   const { share } = extent(cz.values);
-  const edges = (list) => [list[0] - (list[1] - list[0]) / 2, ...list.slice(1).map((v, i) => (v + list[i]) / 2), list[list.length - 1] + (list[list.length - 1] - list[list.length - 2]) / 2];
-  const [ex, ey] = [edges(xs), edges(ys)];
-  const where = (list, v) => list.indexOf(v);
-  const cells = new Map();
-  for (let i = 0; i < cz.values.length; ++i) cells.set(where(xs, cx.values[i]) * ys.length + where(ys, cy.values[i]), i);
-  const rx = [ex[0] / ux.divisor, ex[ex.length - 1] / ux.divisor];
-  const ry = [ey[0] / uy.divisor, ey[ey.length - 1] / uy.divisor];
-  const inside = (list, v) => { let i = 0; while (i < list.length - 2 && list[i + 1] <= v) ++i; return i; };
-  node.append(rampBar(cz));
-  let place = [0, 0];
-  let marked = false;
+  const shade = (row) => (Number.isFinite(cz.values[row]) ? rampColour(share(cz.values[row])) : colour('faint'));
   const read = el('div', { class: 'read', 'aria-live': 'polite' });
-  const show = (a, b) => {
-    const found = cells.get(a * ys.length + b);
-    if (found === undefined) return;
+  let place = null;
+  const show = (a, b, u) => {
+    const row = grid.row(a, b);
+    if (row === undefined) return;
     place = [a, b];
-    readout(read, [cx, cy, cz].map((c) => [plain(c.name), engineering(c.values[found], c.unit)]));
-    hover(found);
+    readout(read, [cx, cy, cz].map((c) => [plain(c.name), engineering(c.values[row], c.unit)]));
+    hover(row);
+    u.redraw(false);
   };
-  const plot = chart(node, rx, [{ name: cz.name, y: ry, colour: 'c0', hidden: true }], {
-    name: 'heat', x: { label: axisLabel(cx.name, ux), range: rx }, y: { label: axisLabel(cy.name, uy), range: ry }, height: 380, points: false,
-    front: (u) => {
-      for (const [key, i] of cells) {
-        const a = Math.floor(key / ys.length);
-        const b = key % ys.length;
-        const [x0, x1] = [u.valToPos(ex[a] / ux.divisor, 'x', true), u.valToPos(ex[a + 1] / ux.divisor, 'x', true)];
-        const [y0, y1] = [u.valToPos(ey[b] / uy.divisor, 'y', true), u.valToPos(ey[b + 1] / uy.divisor, 'y', true)];
-        u.ctx.fillStyle = Number.isFinite(cz.values[i]) ? rampColour(share(cz.values[i])) : colour('faint');
-        u.ctx.fillRect(x0, y1, Math.ceil(x1 - x0) + 0.5, Math.ceil(y0 - y1) + 0.5);
-      }
-      if (!marked) return;
-      const [x0, x1, y0, y1] = [u.valToPos(ex[place[0]] / ux.divisor, 'x', true), u.valToPos(ex[place[0] + 1] / ux.divisor, 'x', true), u.valToPos(ey[place[1]] / uy.divisor, 'y', true), u.valToPos(ey[place[1] + 1] / uy.divisor, 'y', true)];
-      u.ctx.strokeStyle = colour('c1');
-      u.ctx.lineWidth = 3 * devicePixelRatio;
-      u.ctx.strokeRect(x0, y1, x1 - x0, y0 - y1);
-    },
+  node.append(rampBar(cz));
+  const plot = chart(node, grid.x.range, [{ name: cz.name, y: grid.y.range, colour: 'c0', hidden: true }], {
+    name: 'heat', x: { label: grid.x.label, range: grid.x.range }, y: { label: grid.y.label, range: grid.y.range }, height: 380, points: false,
+    front: (u) => { grid.paint(u, shade); if (place) grid.mark(u, ...place); },
     onMove: (_, u) => {
       if (u.cursor.left < 0) return;
-      const a = inside(ex, u.posToVal(u.cursor.left, 'x') * ux.divisor);
-      const b = inside(ey, u.posToVal(u.cursor.top, 'y') * uy.divisor);
-      if (!marked || a !== place[0] || b !== place[1]) { marked = true; show(a, b); u.redraw(false); }
+      const [a, b] = [grid.x.at(u.posToVal(u.cursor.left, 'x')), grid.y.at(u.posToVal(u.cursor.top, 'y'))];
+      if (!place || a !== place[0] || b !== place[1]) show(a, b, u);
     },
     onKey: (u, event) => {
-      const [dx, dy] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] }[event.key] || [0, 0];
-      if (!dx && !dy) return;
+      const step = arrows[event.key];
+      if (!step) return;
       event.preventDefault();
-      if (marked) show(Math.min(Math.max(place[0] + dx, 0), xs.length - 1), Math.min(Math.max(place[1] + dy, 0), ys.length - 1));
-      else show(...place);
-      marked = true;
-      u.redraw(false);
+      if (place) show(grid.x.inside(place[0] + step[0]), grid.y.inside(place[1] + step[1]), u);
+      else show(0, 0, u);
     },
   });
   node.append(read);

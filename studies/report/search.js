@@ -36,7 +36,7 @@ function convergence(node) {
     best[i] = record;
   }
   node.append(legend([{ name: 'best so far', colour: 'c0' }, { name: 'keeps every limit', colour: 'c2', kind: 'dot' }, { name: 'breaks a limit', colour: 'faint', kind: 'dot' }]));
-  chart(node, Float64Array.from({ length: n }, (_, i) => i + 1), [{ name: 'breaks a limit', y: outside, colour: 'faint', scatter: true }, { name: 'keeps every limit', y: inside, colour: 'c2', scatter: true }, { name: 'best so far', y: best, colour: 'c0', steps: true }],
+  chart(node, Float64Array.from({ length: n }, (_, i) => rowNumber(i)), [{ name: 'breaks a limit', y: outside, colour: 'faint', scatter: true }, { name: 'keeps every limit', y: inside, colour: 'c2', scatter: true }, { name: 'best so far', y: best, colour: 'c0', steps: true }],
     { name: 'convergence', x: { label: 'evaluation' }, y: { label: axisLabel(goal.metric, unit), range: paddedRange([inside, outside, best]) }, height: 280 });
 }
 
@@ -107,6 +107,6 @@ function searchPage() {
   const labels = { before: 'before', best: 'best design' };
   const list = curves.filter(Boolean);
   if (list.length) curveSection(list, list.map((c) => labels[c.label]), 'Torque: before and after');
-  convergence(card('How the search went', 'Every motor that was computed, in order.', 'half'));
+  convergence(card('How the search went', 'The motors that were computed, in order.', 'half'));
   card('The starts', 'Each run of a solver, and what it said of itself. ' + (summary.relaxation ? '' : certificateText(summary.best.certificate)), 'half short').append(stagesTable());
 }

@@ -14,15 +14,15 @@ class DesignView {
     this.curves = smallCurves();
     this.body = el('div', { 'data-design': '' }, el('p', {}, 'Point at a design.'));
     this.plotNode = el('div', {});
-    if (rows.every > 1) node.append(el('p', { class: 'read' }, 'This page holds every ' + rows.every + 'th of ' + rows.total + ' designs; results.csv has all.'));
     node.append(this.body, this.plotNode);
   }
 
-  show(i) {
+  /** note: what else to say of it. */
+  show(i, note = '') {
     if (i < 0) return;
     const lines = this.columns.map((c) => el('tr', {}, el('td', { title: describe(c.name) }, plain(c.name)), el('td', {}, engineering(c.values[i], c.unit))));
     const status = rows.statuses[rows.status[i]];
-    this.body.replaceChildren(el('p', {}, 'Design ' + (i * rows.every + 1) + (status === 'ok' ? '' : ': ' + status)), el('table', {}, el('tbody', {}, lines)));
+    this.body.replaceChildren(el('p', {}, 'Design ' + rowNumber(i) + (status === 'ok' ? '' : ': ' + status) + note), el('table', {}, el('tbody', {}, lines)));
     this.curve(i);
   }
 
@@ -31,7 +31,7 @@ class DesignView {
     const at = Math.floor(i / c.every);
     const near = i % c.every === 0;
     this.plotNode.replaceChildren();
-    if (!near) { this.plotNode.append(el('p', { class: 'read' }, 'Curves are kept of every ' + c.every + 'th design.')); return; }
+    if (!near) { this.plotNode.append(el('p', { class: 'read' }, 'The page has curves of one design in ' + c.every * rows.every + '.')); return; }
     if (!Number.isFinite(c.speed[at])) { this.plotNode.append(el('p', { class: 'read' }, 'This design has no torque-speed curve.')); return; }
     const unit = displayUnit(c.torque[at], 'N.m');
     const x = Float64Array.from({ length: c.points }, (_, k) => (c.speed[at] * k) / (c.points - 1) / (Math.PI / 30));
@@ -75,13 +75,13 @@ function filterBoxes(filter) {
     pair.forEach((n, s) => { if (document.activeElement !== n) n.value = Number.isFinite(interval[s]) ? rounded(interval[s] / units[k].divisor) : ''; });
   }));
   const count = el('p', { class: 'read', 'aria-live': 'polite', 'data-count': '' });
-  const tell = () => { count.replaceChildren(el('b', {}, String(filter.total)), ' of ' + filter.count + ' designs'); };
+  const tell = () => { count.replaceChildren(el('b', {}, String(filter.total)), ' of ' + filter.count + ' designs' + (rows.every > 1 ? ' on this page' : '')); };
   filter.onChange(tell);
   tell();
   return el('div', {}, count, el('table', {}, el('tbody', {}, lines)), el('div', { class: 'tools' }, el('button', { type: 'button', onclick: () => filter.clear() }, 'Show all')));
 }
 
-/** The chosen designs, sorted by a column, 100 of them on the page and all in the file. */
+/** The chosen designs, sorted by a column: 100 of them to read, all that the page holds in the file to save. */
 function designsTable(filter, view) {
   const node = el('div', {});
   const order = { column: 0, down: false };
@@ -97,10 +97,10 @@ function designsTable(filter, view) {
     const list = sorted();
     const head = filter.columns.map((c, k) => el('th', { scope: 'col', 'aria-sort': k === order.column ? (order.down ? 'descending' : 'ascending') : 'none' },
       el('button', { type: 'button', onclick: () => { order.down = order.column === k ? !order.down : false; order.column = k; build(); } }, plain(c.name) + (k === order.column ? (order.down ? ' ▼' : ' ▲') : ''))));
-    const body = list.slice(0, 100).map((i) => el('tr', { onmouseenter: () => view.show(i) }, el('td', {}, String(i + 1)), filter.columns.map((c) => el('td', { 'data-value': c.values[i] }, engineering(c.values[i], c.unit))), el('td', { class: 'words' }, rows.statuses[rows.status[i]])));
-    node.replaceChildren(el('p', { class: 'read' }, list.length > 100 ? 'The first 100 of ' + list.length + '; the file has all.' : list.length + ' designs.'),
+    const body = list.slice(0, 100).map((i) => el('tr', { onmouseenter: () => view.show(i) }, el('td', {}, String(rowNumber(i))), filter.columns.map((c) => el('td', { 'data-value': c.values[i] }, engineering(c.values[i], c.unit))), el('td', { class: 'words' }, rows.statuses[rows.status[i]])));
+    node.replaceChildren(el('p', { class: 'read' }, (list.length > 100 ? 'The first 100 of ' + list.length + (rows.every > 1 ? ' on this page' : '') + '; saved as CSV, all of these.' : list.length + ' designs.') + (rows.every > 1 ? ' results.csv has every design.' : '')),
       el('div', { class: 'scroll', tabindex: '0', role: 'region', 'aria-label': 'designs' }, el('table', { 'data-table': 'designs' }, el('thead', {}, el('tr', {}, el('th', { scope: 'col' }, 'design'), head, el('th', { class: 'words' }, 'status'))), el('tbody', {}, body))),
-      saveButton('designs', () => csvText(['design', ...filter.columns.map((c) => c.name + ' [' + c.unit + ']'), 'status'], sorted().map((i) => [i + 1, ...filter.columns.map((c) => c.values[i]), rows.statuses[rows.status[i]]]))));
+      saveButton('designs', () => csvText(['design', ...filter.columns.map((c) => c.name + ' [' + c.unit + ']'), 'status'], sorted().map((i) => [rowNumber(i), ...filter.columns.map((c) => c.values[i]), rows.statuses[rows.status[i]]]))));
   };
   let due = 0;
   filter.onChange(() => { clearTimeout(due); due = setTimeout(build, 30); });
@@ -118,6 +118,16 @@ function chooser(columns, at, label, change, none) {
 function spreadTable() {
   const names = Object.keys(summary.metrics);
   return table('spread', ['metric', 'lowest', 'median', 'highest', 'designs'], names.map((n) => { const m = summary.metrics[n]; const u = unitOf(n); return [named(n), quantity(m.min, u), quantity(m.median, u), quantity(m.max, u), { text: String(m.count), value: m.count }]; }), ['metric', 'lowest [SI]', 'median [SI]', 'highest [SI]', 'designs']);
+}
+
+/** The design with the most of a metric, or with the most on this page where that one is not here, and a word on it. */
+function firstDesign(name) {
+  const top = summary.metrics[name]?.highest;
+  if (!top) return { row: 0, note: '' };
+  const near = Math.floor(top.row / rows.every);
+  if (rowNumber(near) === top.row + 1) return { row: near, note: '' };
+  const { values } = rows.columns.find((c) => c.name === name);
+  return { row: values.indexOf(extent(values).high), note: ': the highest ' + plain(name) + ' on this page; that of all is design ' + (top.row + 1) };
 }
 
 function sweepPage() {
@@ -139,8 +149,8 @@ function sweepPage() {
     holder.replaceChildren();
     state.plot = scatterChart(holder, filter, state.x, state.y, state.colour, (i) => view.show(i));
   };
-  const first = summary.metrics[metricNames[0]];
-  view.show(first && first.highest ? first.highest.row : 0);
+  const first = firstDesign(metricNames[0]);
+  view.show(first.row, first.note);
   filter.onChange(() => state.plot.redraw(false));
   tools.append(chooser(rows.columns, state.x, 'across', (k) => { state.x = k; build(); }), chooser(rows.columns, state.y, 'up', (k) => { state.y = k; build(); }), chooser(rows.columns, -1, 'colour', (k) => { state.colour = k; build(); }, 'none'));
   build();

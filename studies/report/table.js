@@ -39,7 +39,7 @@ function describe(name) {
 function table(file, header, lines, csvHeader) {
   const head = el('tr', {}, header.map((h, i) => el('th', { scope: 'col', class: i > 0 && lines[0] && lines[0][i] && lines[0][i].words ? 'words' : null }, h)));
   const body = lines.map((line) => el('tr', {}, line.map((c) => cell('td', c))));
-  const raw = (c) => (typeof c === 'string' ? c : c.file ?? c.value);
+  const raw = (c) => (typeof c === 'string' ? c : c.value);
   return el('div', {},
     el('div', { class: 'scroll', tabindex: '0', role: 'region', 'aria-label': file }, el('table', { 'data-table': file }, el('thead', {}, head), el('tbody', {}, body))),
     saveButton(file, () => csvText(csvHeader || header, lines.map((line) => line.map(raw)))));

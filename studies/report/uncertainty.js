@@ -9,7 +9,7 @@ function limitsOn(metric) {
 
 function keeps(limit, value) { return limit.sense === 'at least' ? value >= limit.limit : value <= limit.limit; }
 
-/** Share of the motors on this page that keep every limit, one of them moved. */
+/** Share of the motors on this page that keep every limit, one of them moved (null: none). */
 function yieldWith(moved, limit) {
   const columns = summary.limits.map((l) => rows.columns.find((c) => c.name === l.metric));
   if (!rows.count || columns.some((c) => !c)) return null;
@@ -18,39 +18,63 @@ function yieldWith(moved, limit) {
   return good / rows.count;
 }
 
-/** Each limit: what it costs, and what 1 % of it would bring. */
+/**
+ * Each limit: what it costs, and what 1 % of it would bring. Where the page holds a part of the motors, the
+ * difference in that part is added to the yield of all.
+ */
 function yieldList() {
   const list = [...summary.limits].sort((a, b) => a.kept.value - b.kept.value);
+  const now = yieldWith(null, null);
   return el('ul', { class: 'holders' }, list.map((l) => {
     const kept = [bold(limitWords(l.text)), ': kept by ' + percent(l.kept.value, 4) + ' of the motors'];
     if (l.metric === undefined || l.limit === null) return el('li', {}, kept, '.');
     const moved = l.limit + (l.sense === 'at least' ? -0.01 : 0.01) * Math.abs(l.limit);
     const then = yieldWith(l, moved);
-    if (then !== null && Math.abs(then - summary.yield.value) < 0.5 / summary.samples) return el('li', {}, kept, '; loosening it by 1 % changes nothing.');
-    return el('li', {}, kept, then === null ? '.' : ['; 1 % looser, at ' + engineering(moved, unitOf(l.metric)) + ', the yield is ', bold(percent(then, 4)), '.']);
+    if (then === null) return el('li', {}, kept, '.');
+    if (then === now) return el('li', {}, kept, '; loosening it by 1 % changes nothing' + (rows.every > 1 ? ' for the motors on this page.' : '.'));
+    const all = Math.min(summary.yield.value + then - now, 1);
+    return el('li', {}, kept, '; 1 % looser, at ' + engineering(moved, unitOf(l.metric)) + ', the yield is ' + (rows.every > 1 ? 'about ' : ''), bold(percent(all, 4)), '.');
   }));
 }
 
-/** Bins over a column; a limit is the edge of one, so that no bar is on both sides. */
+/** The values between which the limits on a metric are kept; null where a side is open. */
+function windowOf(limits) {
+  const of = (sense, worst) => { const values = limits.filter((l) => l.sense === sense).map((l) => l.limit); return values.length ? worst(...values) : null; };
+  return { least: of('at least', Math.max), most: of('at most', Math.min) };
+}
+
+/**
+ * Bins over a column. Both ends of the window that the limits leave are edges of bins, so that no bar is on
+ * both sides; unless it is so narrow that this took more bins than are seen.
+ */
 function binsOf(finite, limits) {
   let [low, high] = [Infinity, -Infinity];
   for (const v of finite) { low = Math.min(low, v); high = Math.max(high, v); }
   const count = Math.min(60, Math.max(8, Math.ceil(Math.sqrt(finite.length) / 1.5)));
-  const width = (high - low) / count;
-  const anchor = limits.length ? limits[0].limit : low;
+  const { least, most } = windowOf(limits);
+  const open = least !== null && most !== null ? Math.abs(most - least) : 0;
+  const even = (high - low) / count;
+  const width = open > (high - low) / 240 ? open / Math.max(Math.round(open / even), 1) : even;
+  const anchor = least ?? most ?? low;
   const first = Math.floor((low - anchor) / width + 1e-9);
   const last = Math.max(Math.ceil((high - anchor) / width - 1e-9), first + 1);
-  return { low, high, width, count: last - first, edge: (i) => anchor + (first + i) * width };
+  const edge = (i) => anchor + (first + i) * width;
+  const ends = [{ limit: least, above: (v) => v >= least }, { limit: most, above: (v) => v > most }].filter((e) => e.limit !== null)
+    .map((e) => ({ ...e, at: Math.round((e.limit - anchor) / width) - first })).filter((e) => Math.abs(edge(e.at) - e.limit) < 1e-6 * width);
+  return { low, high, width, count: last - first, edge, ends };
+}
+
+/** The bin of a value; at an end of the window the limit itself decides, since the edges are rounded. */
+function binOf(v, bins) {
+  const at = Math.min(Math.max(Math.floor((v - bins.edge(0)) / bins.width), 0), bins.count - 1);
+  return bins.ends.reduce((i, end) => (end.above(v) ? Math.max(i, end.at) : Math.min(i, end.at - 1)), at);
 }
 
 /** How many motors of each bin keep the limits on this metric, and how many do not. */
 function countBins(finite, bins, limits) {
   const kept = new Float64Array(bins.count + 1);
   const failed = new Float64Array(bins.count + 1);
-  for (const v of finite) {
-    const at = Math.min(Math.max(Math.floor((v - bins.edge(0)) / bins.width), 0), bins.count - 1);
-    (limits.every((l) => keeps(l, v)) ? kept : failed)[at] += 1;
-  }
+  for (const v of finite) (limits.every((l) => keeps(l, v)) ? kept : failed)[binOf(v, bins)] += 1;
   // A bar of no height would still draw its foot.
   const bars = (counts) => counts.map((n, i) => (n > 0 && i < bins.count ? n : NaN));
   const all = kept.map((n, i) => n + failed[i]);

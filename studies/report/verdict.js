@@ -61,21 +61,28 @@ function paretoVerdict() {
   if (!summary.front.length) return { look: 'bad', lines: [sentence(bold('No point of the front was found.'))] };
   const goals = summary.objectives;
   const values = (i) => goals.map((o) => plain(o.metric) + ' ' + engineering(goalValue(summary.front[i], o), unitOf(o.metric), 3)).join(' with ');
-  const isEnd = summary.ends.includes(summary.knee);
-  const lines = [sentence(bold(String(summary.front.length)), ' best compromises: none of them can be improved in one goal without loss in another. ', isEnd ? 'The front has no knee: it bends the other way.' : '')];
-  if (!isEnd) {
+  const hasKnee = summary.knee !== null;
+  const lines = [sentence(bold(String(summary.front.length)), ' best compromises: none of them can be improved in one goal without loss in another. ', hasKnee ? '' : 'The front has no knee: it bends the other way.')];
+  if (hasKnee) {
     lines.push(sentence('The knee has ', bold(values(summary.knee)), '. ' + (tradeWords(summary.knee) || 'On either side of it one gives much for little.')));
     lines.push(...pointHolders(summary.knee));
   }
   [...new Set(summary.ends)].forEach((i) => {
-    lines.push(sentence('The ' + frontRole(i).replace(/, knee$/, '') + ': ', bold(values(i)), '.'), ...pointHolders(i, 2));
+    lines.push(sentence('The ' + frontRole(i) + ': ', bold(values(i)), '.'), ...pointHolders(i, 2));
   });
   return { look: 'good', lines };
+}
+
+/** Of a motor without a peak power: what else there is. */
+function knownWords(m) {
+  const known = ['stall_torque', 'no_load_speed'].filter((name) => m[name] !== null).map((name) => 'its ' + plain(name) + ' is ' + engineering(m[name], unitOf(name)));
+  return known.length ? capital(known.join(', ')) + '.' : '';
 }
 
 function curveVerdict() {
   const list = summary.curves;
   const m = list[0].metrics;
+  if (!summary.family && m.peak_power === null) return { look: 'bad', lines: [sentence(bold('This motor has no peak power that could be computed. '), knownWords(m))] };
   if (!summary.family && !(m.peak_power > 0)) return { look: 'bad', lines: [sentence(bold('This motor drives no load: '), 'its torque at stall is ' + engineering(m.stall_torque, 'N.m') + '.')] };
   if (!summary.family) return { look: 'good', lines: [sentence('This motor holds ', bold(engineering(m.stall_torque, 'N.m')), ' at stall, runs up to ', bold(engineering(m.no_load_speed, 'rad/s')), ' without load, and gives at most ', bold(engineering(m.peak_power, 'W')), ' (at ' + engineering(m.speed_at_peak_power, 'rad/s') + ', ' + engineering(m.torque_at_peak_power, 'N.m') + ').')] };
   const name = summary.family.parameter;
@@ -124,11 +131,11 @@ function uncertaintyVerdict() {
 function calibrateVerdict() {
   const entries = Object.entries(summary.estimates);
   if (!entries.length) return { look: 'bad', lines: [sentence(bold('No fit was found.'))] };
-  const known = (n, e) => (e.at_bound ? ' (held by its ' + e.at_bound + ')' : e.low === null ? ' (not determined)' : ' (' + engineering(e.low, unitOf(n), 4) + ' to ' + engineering(e.high, unitOf(n), 4) + ')');
+  const known = (n, e) => (e.remark ? ' (' + e.remark + ')' : e.low === null ? '' : ' (' + engineering(e.low, unitOf(n), 4) + ' to ' + engineering(e.high, unitOf(n), 4) + ')');
   const begin = { fitted: 'The data say: ', poor: 'The motor does not follow these points; it comes nearest with ', 'at-bounds': 'Nothing was fitted: the search stopped at ' }[summary.outcome] || 'The search stopped short, at ';
   const lines = [sentence(begin, bold(entries.map(([n, e]) => plain(n) + ' ' + engineering(e.value, unitOf(n)) + known(n, e)).join(', ')), '.'),
     sentence('What is left between motor and points: ' + engineering(summary.residual_rms, 'N.m', 3) + ' (root mean square).')];
-  if ((summary.notes || []).length) lines.push(bullets(summary.notes.map((note) => note.replace(/\b[a-z]+(_[a-z]+)+\b/g, plain))));
+  if ((summary.notes || []).length) lines.push(bullets(summary.notes.map(plainNames)));
   return { look: summary.outcome !== 'fitted' || entries.some(([, e]) => e.remark) ? 'bad' : 'good', lines };
 }
 

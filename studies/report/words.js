@@ -13,6 +13,9 @@ function plain(name) {
 
 function shortName(name) { return Object.hasOwn(nameWords, name) ? nameWords[name] : name.replace(/_/g, ' '); }
 
+/** A sentence with the names in it as one reads them. */
+function plainNames(text) { return text.replace(/\b[a-z]+(_[a-z]+)+\b/g, plain); }
+
 function capital(text) { return text.charAt(0).toUpperCase() + text.slice(1); }
 
 function axisLabel(name, shown) { return plain(name) + (shown.text ? ' [' + shown.text + ']' : ''); }
@@ -63,11 +66,21 @@ function standing(c, name, key, unit, direction, goals) {
   };
 }
 
-function limitStanding(c, goals) {
+/**
+ * How far beyond a limit still keeps it: a millionth of it, which is nothing of a limit at 0; or as far as the
+ * design goes, if all its limits together are met as closely as a solver is asked for.
+ */
+function allowance(c, report) {
+  const { weights, infeasibility } = report.certificate; // without weights nothing was measured
+  const met = weights.length > 0 && infeasibility !== null && infeasibility <= 1e-8;
+  return Math.max(1e-6 * Math.abs(c.limit), met ? c.violation : 0);
+}
+
+function limitStanding(c, goals, report) {
   const s = standing(c, limitWords(c.text), c.text, unitOf(metricOfLimit(c.text)), isLowerLimit(c.text) ? -1 : 1, goals);
-  const broken = c.violation > 1e-6 * Math.abs(c.limit);
+  const broken = c.violation > allowance(c, report);
   const slack = c.value === null ? null : s.direction * (c.limit - c.value);
-  return { ...s, value: c.value, active: c.active && !broken, slack: slack !== null && Math.abs(slack) <= 1e-6 * Math.abs(c.limit) ? 0 : slack,
+  return { ...s, value: c.value, active: c.active && !broken, slack: slack !== null && Math.abs(slack) <= allowance(c, report) ? 0 : slack,
     state: c.violation === null ? 'cannot be reached' : broken ? 'broken by ' + engineering(c.violation, s.unit, 3) : c.active ? 'binds' : 'holds' };
 }
 
@@ -78,7 +91,7 @@ function boundStanding(b, goals) {
 /** Every limit and every end of a range that is met, the most valuable first, then those with the least room. */
 function standings(report, goals) {
   const room = (s) => (s.slack === null ? 0 : s.slack / (Math.abs(s.limit) || 1));
-  return [...report.constraints.map((c) => limitStanding(c, goals)), ...report.bounds.map((b) => boundStanding(b, goals))]
+  return [...report.constraints.map((c) => limitStanding(c, goals, report)), ...report.bounds.map((b) => boundStanding(b, goals))]
     .sort((a, b) => Number(b.active) - Number(a.active) || b.worth - a.worth || room(a) - room(b));
 }
 
@@ -94,13 +107,13 @@ function wholeEnds(report) {
 function wholeLine(end, report, goal) {
   const best = goal ? bestWith(end.name, end.inner, goal, report) : null;
   return el('li', {}, bold(end.words), ': whole numbers have no slope. ' + (best === null ? 'A wider range would tell.'
-    : 'The best that the search saw with ' + end.inner + ' has a ' + plain(goal.metric) + ' of ' + engineering(best, unitOf(goal.metric)) + '; a wider range would tell whether this goes on.'));
+    : (rows.every > 1 ? 'The best on this page with ' : 'The best that the search saw with ') + end.inner + ' has a ' + plain(goal.metric) + ' of ' + engineering(best, unitOf(goal.metric)) + '; a wider range would tell whether this goes on.'));
 }
 
 /** Which stored motors keep every limit of a search. */
 function keepsLimits(report) {
-  const limits = report.constraints.map((c) => ({ column: rows.columns.find((r) => r.name === metricOfLimit(c.text)), least: isLowerLimit(c.text), limit: c.limit })).filter((l) => l.column);
-  return (i) => limits.every((l) => { const v = l.column.values[i]; const slack = 1e-6 * Math.abs(l.limit); return l.least ? v >= l.limit - slack : v <= l.limit + slack; });
+  const limits = report.constraints.map((c) => ({ column: rows.columns.find((r) => r.name === metricOfLimit(c.text)), least: isLowerLimit(c.text), limit: c.limit, slack: allowance(c, report) })).filter((l) => l.column);
+  return (i) => limits.every((l) => { const v = l.column.values[i]; return l.least ? v >= l.limit - l.slack : v <= l.limit + l.slack; });
 }
 
 /** The best value of a goal among stored motors that keep the limits and have this value of a parameter. */
@@ -132,7 +145,8 @@ function holderLine(s, goals, report) {
     const now = goalValue(report, g);
     return [plain(g.metric) + ' by ', bold(signed(s.changes[k], unitOf(g.metric))), now ? ' (' + signed((100 * s.changes[k]) / Math.abs(now), '%') + ')' : ''];
   }).filter(Boolean);
-  return el('li', {}, bold(s.name), ': 1 % looser, at ' + movedWords(s) + ', changes ', changes.flatMap((c, k) => (k ? [' or ', ...c] : c)), '.');
+  // One per cent of nothing is nothing: a limit at 0 is moved by as much as its scale says.
+  return el('li', {}, bold(s.name), (s.limit === 0 ? ': moved to ' : ': 1 % looser, at ') + movedWords(s) + ', changes ', changes.flatMap((c, k) => (k ? [' or ', ...c] : c)), '.');
 }
 
 /** most: how many lines at most; the rest is counted. */
@@ -155,13 +169,8 @@ function ratioUnit(above, below) {
   return above + '/' + (/[/.]/.test(below) ? '(' + below + ')' : below);
 }
 
-const failureWords = {
-  undefined: 'not defined for such a motor', unreachable: 'the motor cannot carry this load', 'no-periodic-state': 'the contact finds no steady state', 'not-converged': 'the computation did not converge',
-  resonance: 'the contact layer is in resonance', unresolved: 'the computation could not decide', 'out-of-range': 'beyond the speeds that the model holds for',
-};
-
-/** "speed_at(0.9 N.m): unreachable; ..." in other words. */
+/** "speed_at(0.9 N.m): unreachable; ..." and what each of them means. */
 function failureText(reason) {
   const codes = [...new Set(reason.split(';').map((one) => one.split(':').pop().trim()))];
-  return codes.filter((code) => Object.hasOwn(failureWords, code)).map((code) => failureWords[code]).join('; ');
+  return codes.filter((code) => Object.hasOwn(data.reasons, code)).map((code) => plainNames(data.reasons[code])).join('; ');
 }

@@ -69,7 +69,7 @@ class Curve(program.Case):
         self.assertIsNone(result["metrics"]["max_efficiency"])
         done = program.twum("curve", RING, "--set", "modal_damping=0 N.s/m")
         self.assertIn("max_efficiency                    - (undefined)", done.stdout.decode())
-        self.assertIn("note: undefined: it has no meaning for this motor", done.stderr)
+        self.assertIn("note: undefined: no meaning for this motor", done.stderr)
         self.assertEqual(program.twum("curve", RING).stderr, "")
 
     def test_settings_change_the_motor_and_replace_twins(self):

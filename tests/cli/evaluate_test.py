@@ -67,6 +67,14 @@ class Evaluate(program.Case):
         self.assertEqual(done.returncode, 1)
         self.assertIn("2 of 2 designs", done.stderr)
 
+    def test_a_part_of_an_answer_is_an_answer(self):
+        designs = self.write("designs.csv", "preload [N]\n160\n")
+        done = program.twum("evaluate", RING, "--set", "modal_damping=0 N.s/m", "--designs", designs,
+                            "--metrics", "stall_torque, max_efficiency")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("1 of 1 designs have no full answer", done.stderr)
+        self.assertIn(b"max_efficiency: undefined", done.stdout)
+
     def test_wrong_tables_are_refused(self):
         for text in ("", "\n\n", "id\n1\n", "preload [m]\n1\n", "preload,F_N\n1,2\n", "nu,G\n1,2\n", "preload;h\n1;2\n",
                      'preload,"x\n1,2\n', b"\x00\x01\x02\n1\n"):

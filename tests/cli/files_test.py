@@ -52,12 +52,25 @@ class Check(program.Case):
         self.write("points.csv", "speed,torque\n1,0.8\n2,0.8\n")
         self.assertIn("valid study file", self.ok("check", study))
 
+    def test_a_study_whose_points_are_missing_is_checked_all_the_same(self):
+        text = f"twum: 1\nmotor: {RING}\nstudy: {{kind: calibrate, data: %s, variables: {{%s}}}}\n"
+        study = self.write("c.yaml", text % ("points.csv", "wavelengths: {min: 8, max: 10}"))
+        self.assertIn("c.yaml:3:56: study.variables.wavelengths: only whole numbers", self.refused("check", study))
+        study = self.write("c.yaml", text % ("x" * 5000, "kinetic_friction: {min: 0.1, max: 0.3}"))
+        self.assertIn("File name too long", self.refused("check", study))
+
     def test_unlikely_values_are_noted_and_valid(self):
         done = program.twum("check", RING, "--set", "amplitude=1.2 mm", "--set", "thickness=2 mm")
         self.assertEqual(done.returncode, 0)
         self.assertIn("note: amplitude 1.2 mm is outside 50 nm to 5 um", done.stderr)
         self.assertIn("note: thickness 2 mm is ", done.stderr)
         self.assertIn(" % of the contact length", done.stderr)
+        for value, said, unsaid in (("preload=0 N", "", "contact length"),
+                                    ("preload=0.1 N", "thickness 300 um is 114 % of the contact length 262.4 um", "e+02"),
+                                    ("amplitude=6 um", "tested (is its unit right?)\n", "; is its")):
+            note = program.twum("check", RING, "--set", value).stderr
+            self.assertIn(said, note)
+            self.assertNotIn(unsaid, note)
         for motor in sorted((ROOT / "examples/motors").glob("*.yaml")):
             self.assertEqual(program.twum("check", motor).stderr, "")
 
@@ -103,7 +116,7 @@ class Init(program.Case):
                 self.ok("check", self.write("named.yaml", text))
 
     def test_a_motor_is_named_whatever_its_path(self):
-        for name in ("it's.yaml", "- dash.yaml", "a: b.yaml", "größe #1.yaml", "{x}.yaml"):
+        for name in ("it's.yaml", "- dash.yaml", "a: b.yaml", "größe #1.yaml", "{x}.yaml", "null", "true"):
             with self.subTest(name):
                 self.write(name, (ROOT / "examples/motors/ring-60.yaml").read_bytes())
                 self.ok("check", self.write("study.yaml", self.ok("init", "curve", "--motor", name)))

@@ -52,7 +52,7 @@ class MotorFiles(Found):
         self.run_study("two", PARETO)
         points = self.summary("two")["front"]
         files = sorted((self.folder / "two/front").iterdir())
-        self.assertEqual([file.name for file in files], [f"{i + 1}.yaml" for i in range(len(points))])
+        self.assertEqual([file.name for file in files], [f"{i + 1:02}.yaml" for i in range(len(points))])
         for file, point in zip(files, points):
             motor = self.curve(file)["motor"]
             self.assertEqual({name: motor[name] for name in point["design"]}, point["design"])
@@ -60,7 +60,7 @@ class MotorFiles(Found):
 
     def test_a_run_anew_removes_what_it_made_and_nothing_else(self):
         self.run_study("two", PARETO)
-        first, ninth, mine = (self.folder / "two/front" / name for name in ("1.yaml", "9.yaml", "mine.yaml"))
+        first, ninth, mine = (self.folder / "two/front" / name for name in ("01.yaml", "09.yaml", "mine.yaml"))
         before = first.read_bytes()
         for file in (first, ninth, mine):
             file.write_text("old")
@@ -71,8 +71,8 @@ class MotorFiles(Found):
 
     def test_changed_files_do_not_hold(self):
         self.run_study("two", PARETO)
-        for name, old, new, said in (("front/3.yaml", "preload: ", "preload: 1", "front/3.yaml: preload is not that of"),
-                                     ("front/3.yaml", "motor:", "engine:", "front/3.yaml: "),
+        for name, old, new, said in (("front/03.yaml", "preload: ", "preload: 1", "front/03.yaml: preload is not that of"),
+                                     ("front/03.yaml", "motor:", "engine:", "front/03.yaml: "),
                                      ("results.csv", "ok", "OK", "results.csv: is not what results.db holds")):
             file = self.folder / "two" / name
             before = file.read_text()
@@ -81,8 +81,26 @@ class MotorFiles(Found):
             self.assertEqual(done.returncode, 1, done.stderr)
             self.assertIn(said, done.stdout.decode())
             file.write_text(before)
-        (self.folder / "two/front/2.yaml").unlink()
+        (self.folder / "two/front/02.yaml").unlink()
         self.assertEqual(program.twum("verify", self.folder / "two").returncode, 1)
+
+    def test_a_limit_at_zero_is_kept_as_closely_as_any(self):
+        text = (OPTIMIZE.replace("maximize: peak_power", "minimize: no_load_speed")
+                .replace("thickness: {min: 0.1 mm, max: 1 mm}", "amplitude: {min: 0.5 um, max: 2 um}")
+                .replace("max_pressure <= 3 MPa", '"torque_at(120 rpm) >= 0 N.m"'))
+        for solver in ("auto", "nlopt:cobyla"):
+            done = self.run_study("zero", f"{text}  solver: '{solver}'\n", 0, "--fresh")
+            self.assertNotIn(b"broken", done.stdout)
+            self.assertTrue((self.folder / "zero/best.yaml").exists())
+
+    def test_tolerances_of_a_front_name_a_motor_file_that_is_there(self):
+        self.run_study("two", PARETO)
+        study = self.write("spread.yaml", f"twum: 1\nmotor: {RING}\nstudy: {{kind: uncertainty, metrics: "
+                           "[stall_torque], start: two, samples: 10,\n"
+                           "  variables: {preload: {distribution: normal, mean: 160 N, sd: 8 N}}}\n")
+        said = self.refused("run", study, "-o", self.folder / "spread")
+        self.assertIn("'motor: two/front/01.yaml'", said)
+        self.assertTrue((self.folder / "two/front/01.yaml").exists())
 
     def test_none_where_no_limit_is_kept(self):
         text = OPTIMIZE.replace("max_pressure <= 3 MPa", "holding_torque >= 0.8 N.m").replace("300 N", "100 N")
@@ -120,6 +138,14 @@ class Notes(Found):
         note, = self.summary("family")["model_notes"]
         self.assertTrue(note.startswith("motor with thickness 1 mm: thickness 1 mm is "), note)
         self.assertTrue(note.endswith("; 1 other likewise, by less"), note)
+
+    def test_of_equals_none_is_less(self):
+        # Three amplitudes with one layer that is never open: full contact has no size.
+        text = (f"twum: 1\nmotor: {RING}\nset: {{preload: 20 kN}}\n"
+                "study: {kind: curve, family: {amplitude: [1.0 um, 1.5 um, 2.0 um]}, points: 3}\n")
+        self.run_study("closed", text)
+        note, = [note for note in self.summary("closed")["model_notes"] if "all round" in note]
+        self.assertTrue(note.endswith("a real wave; 2 others likewise"), note)
 
     def test_a_usual_motor_has_none(self):
         self.run_study("usual", f"twum: 1\nmotor: {RING}\nstudy: {{kind: curve, points: 3}}\n")

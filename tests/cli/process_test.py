@@ -87,7 +87,7 @@ class Interrupts(program.Case):
         process.wait(60)
         os.close(other_end)
         os.close(terminal)
-        self.assertRegex(text, rb"\d+ motors, \d+/s, .*left")
+        self.assertRegex(text, rb"\d+ evaluations, \d+/s, .*left")
 
     def test_colours_only_on_a_terminal_and_without_no_color(self):
         wrong = self.write("wrong.yaml", "twum: 2\n")

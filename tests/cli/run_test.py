@@ -165,6 +165,39 @@ class Refusals(Run):
             self.assertEqual((folder / name).read_text(), "mine")
             (folder / name).unlink()
 
+    def test_other_peoples_points_of_a_front_are_not_written_over(self):
+        (self.folder / "mine/front").mkdir(parents=True)
+        point = self.folder / "mine/front/1.yaml"
+        point.write_text("mine")
+        for option in ([], ["--fresh"]):
+            self.assertIn("front/1.yaml: is there already", self.refused(
+                "run", self.study(), "-o", self.folder / "mine", *option))
+        self.assertEqual(point.read_text(), "mine")
+        point.rename(self.folder / "mine/front/notes.yaml")  # which no point of a front is called
+        self.ok("run", self.study(8), "-o", self.folder / "mine")
+
+    def test_a_file_in_the_place_of_a_front_is_found_before_the_run(self):
+        (self.folder / "out").mkdir()
+        (self.folder / "out/front").write_text("mine")
+        self.assertIn("front: is there already", self.refused("run", self.study(), "-o", self.folder / "out"))
+        self.assertFalse((self.folder / "out/results.db").exists())
+
+    def test_what_check_lets_pass_begins(self):
+        text = ("twum: 1\nmotor: %s\nstudy: {kind: optimize, variables: {preload: {min: 60 N, max: 300 N}},\n"
+                "  maximize: stall_torque, solver: {name: '%s', max_evaluations: 50, options: {%s}}}\n")
+        for solver, option, said in (("nlopt:isres", "population: 1.5", "'1.5' is not a whole number"),
+                                     ("ipopt", "max_iter: 1e99", "'1e99' is too large; must be at most 1000000"),
+                                     ("ipopt", "tol: 1", "'1' is too large; must be at most 0.1")):
+            with self.subTest(option):
+                study = self.write("s.yaml", text % (RING, solver, option))
+                for command in (["check", study], ["run", study, "-o", self.folder / "out"]):
+                    self.assertIn(said, self.refused(*command))
+                self.assertFalse((self.folder / "out").exists())
+        for option in ("population: +20", "xtol_rel: 1 %"):
+            study = self.write("s.yaml", text % (RING, "nlopt:isres", option))
+            done = twum("run", study, "-o", self.folder / "out", "--fresh")
+            self.assertEqual(done.returncode, 0, done.stderr)
+
     def test_the_study_itself_is_not_written_over(self):
         study = self.study(name="study.yaml")
         before = study.read_bytes()
@@ -287,7 +320,7 @@ class Processes(Run):
             shown += piece
         os.close(ours)
         self.assertEqual(process.wait(60), 0)
-        self.assertRegex(shown, rb"\d+ motors, \d+/s, \d+ s left")
+        self.assertRegex(shown, rb"\d+ evaluations, \d+/s, \d+ s left")
 
 
 if __name__ == "__main__":

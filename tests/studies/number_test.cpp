@@ -46,6 +46,16 @@ TEST_CASE("every double survives being written and read", "[studies][text][prope
   CHECK(parse_number(number_text(5e-324)) == 5e-324);
 }
 
+TEST_CASE("a size in a sentence has two digits, or is whole", "[studies][text]") {
+  CHECK(about(0.123) == "0.12");
+  CHECK(about(-3.16) == "-3.2");
+  CHECK(about(99.4) == "99");
+  CHECK(about(99.6) == "100");
+  CHECK(about(1234.4) == "1234");
+  CHECK(about(1e20) == "1e+20");
+  CHECK(about(std::numeric_limits<double>::infinity()) == "inf");
+}
+
 TEST_CASE("numbers do not depend on the locale", "[studies][text]") {
   struct Comma : std::numpunct<char> {
     char do_decimal_point() const override { return ','; }

@@ -9,6 +9,8 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 using namespace twum;
 using namespace twum::test;
@@ -70,6 +72,57 @@ TEST_CASE("the multiplier of a limit is what relaxing it buys", "[studies][optim
   CHECK(limit.active);
   CHECK_THAT(limit.multiplier, WithinRel(expected, 1e-5));
   CHECK_THAT(limit.one_percent_buys, WithinRel(0.01 * s.speed * expected, 1e-5));
+}
+
+TEST_CASE("a limit is broken beyond a millionth of it and the tolerance of the search",
+          "[studies][optimize]") {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  struct Row {
+    double limit, violation, infeasibility;
+    bool broken;
+  };
+  const Row rows[] = {
+      {0, 0, 0, false},          {0, 1e-8, 9e-9, false},     {0, 1e-8, 1.1e-8, true},
+      {0, 1e-8, kUnknown, true}, {100, 9e-5, 1e-3, false},   {100, 2e-4, 1e-3, true},
+      {100, 2e-4, 9e-9, false},  {-5, 6e-6, kUnknown, true}, {5, kUnknown, 0, true},
+  };
+  for (const Row& row : rows) {
+    CAPTURE(row.limit, row.violation, row.infeasibility);
+    DesignReport report;
+    report.certificate.infeasibility = row.infeasibility;
+    report.constraints.push_back({"torque_at(120 rpm) >= 0 N.m", "torque_at(120 rpm)", "N.m", true,
+                                  row.limit - row.violation, row.limit, row.violation});
+    CHECK(broken(report.constraints[0], report) == row.broken);
+    CHECK(keeps_limits(report) == !row.broken);
+  }
+  CHECK(keeps_limits(DesignReport()));
+}
+
+TEST_CASE("an optimum at a limit of 0 keeps it", "[studies][optimize]") {
+  // The least no-load speed of a motor that still does not brake at 120 rpm: it is at no load there.
+  const Search s(study_of("ring-60", "",
+                          "{kind: optimize, variables: {preload: {min: 60 N, max: 300 N}, "
+                          "amplitude: {min: 0.5 um, max: 2 um}}, minimize: no_load_speed, "
+                          "constraints: ['torque_at(120 rpm) >= 0 N.m'], solver: 'nlopt:cobyla'}"));
+  CHECK(s.answer.outcome == "optimal");
+  const OptimizeResult& r = s.optimum();
+  // The search meets limits to 1e-8 of their slope over the box, here some N m; the torque falls by
+  // 0.3 N m for each rad/s before no load, so that the speed is met to 1e-7 of 12.6 rad/s.
+  CHECK_THAT(r.best.constraints.at(0).value, WithinAbs(0, 1e-7));
+  CHECK(keeps_limits(r.best));
+  CHECK(s.text().find("broken by") == std::string::npos);
+  CHECK_THAT(value(r.best.metrics, "no_load_speed"), WithinRel(120 * 2 * M_PI / 60, 1e-6));
+}
+
+TEST_CASE("a search that was cut short does not claim to keep its limits", "[studies][optimize]") {
+  const Search s(study_of("ring-60", "",
+                          "{kind: optimize, variables: {preload: {min: 60 N, max: 300 N}}, "
+                          "minimize: no_load_speed, constraints: ['torque_at(120 rpm) >= 5 N.m'], "
+                          "solver: {name: 'nlopt:cobyla', max_evaluations: 2}}"));
+  CHECK(s.answer.outcome == "budget");
+  CHECK_FALSE(keeps_limits(s.optimum().best));
+  CHECK(s.kind_json()["best"]["certificate"]["infeasibility"].is_null());
+  CHECK(s.text().find("broken by") != std::string::npos);
 }
 
 TEST_CASE("limits that fight are named with the relaxation that would do", "[studies][optimize]") {

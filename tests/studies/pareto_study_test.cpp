@@ -108,6 +108,8 @@ TEST_CASE("no point of a front lies farther beyond the line through its ends tha
     const auto& knee = f.front[f.knee].goals;
     CHECK_THAT(beyond * cross(knee[0], knee[1]), WithinAbs(farthest, 1e-12 * std::fabs(farthest)));
     CHECK((f.knee != f.ends[0] && f.knee != f.ends[1]) == bulges);
+    CHECK(f.has_knee() == bulges);
+    CHECK(answer_json(f)["knee"].is_null() != bulges);
   }
 }
 

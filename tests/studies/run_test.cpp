@@ -3,6 +3,7 @@
 
 #include "support/scratch_folder.hpp"
 
+#include <twum/studies/metrics/reasons.hpp>
 #include <twum/studies/store/result_store.hpp>
 
 #include <catch2/catch.hpp>
@@ -187,6 +188,30 @@ TEST_CASE("the content of a file that the study names belongs to the study", "[s
                     Catch::Contains("content of a file"));
   write_data(0.1);
   CHECK(run_study(read_study_file(path), folder.path("out")).was_complete);
+}
+
+TEST_CASE("a study left before its first row makes way for another one", "[studies][run]") {
+  const ScratchFolder folder;
+  const StudyFile file = read_study_file(write_study(folder, kGrid));
+  std::filesystem::create_directory(folder.path("out"));
+  {
+    ResultStore store(folder.path("out/results.db"), {{"x", "1"}});
+    store.set_fact("study", "kind: curve");
+    store.set_fact("hash", "of another study");
+  }
+  std::ofstream(folder.path("out/study.yaml")) << "kind: curve\n";
+  CHECK(run_study(file, folder.path("out")).evaluations == 6);
+  CHECK(content(folder.path("out/study.yaml")).find("kind: sweep") != std::string::npos);
+}
+
+TEST_CASE("the page knows what reasons for missing answers mean", "[studies][run]") {
+  const ScratchFolder folder;
+  run_study(read_study_file(write_study(folder, kGrid)), folder.path("out"));
+  for (const Reason& reason : reasons()) {
+    const std::string entry =
+        std::string("\"") + twum::to_string(reason.status) + "\":\"" + reason.meaning + "\"";
+    CHECK(content(folder.path("out/report.html")).find(entry) != std::string::npos);
+  }
 }
 
 TEST_CASE("a database left before its first fact is begun anew", "[studies][run]") {

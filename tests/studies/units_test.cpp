@@ -76,11 +76,13 @@ const Bad kBad[] = {
     {"25 us", "Hz", "'25 us' is a time [s]; expected a frequency [Hz] such as 'x'"},
     {"2 Hz", "rad/s", "'2 Hz' is a frequency [Hz]; expected an angular speed [rad/s] such as 'x'"},
     {"100 min^-1", "rad/s",
-     "'100 min^-1' is a frequency [Hz], did you mean 'rpm'?; expected an angular speed [rad/s] "
-     "such as 'x'"},
+     "'100 min^-1' is a frequency [Hz]; expected an angular speed [rad/s] such as 'x'; did you "
+     "mean "
+     "'rpm'?"},
     {"100 1/min", "rad/s",
-     "'100 1/min': '1/min' is not a unit, did you mean 'rpm'?; expected an angular speed [rad/s] "
-     "such as 'x'"},
+     "'100 1/min': '1/min' is not a unit; expected an angular speed [rad/s] such as 'x'; did you "
+     "mean "
+     "'rpm'?"},
     {"40000 1/min", "Hz",
      "'40000 1/min': '1/min' is not a unit; expected a frequency [Hz] such as 'x'"},
     {"2 s", "rad/s", "'2 s' is a time [s]; expected an angular speed [rad/s] such as 'x'"},
@@ -90,7 +92,7 @@ const Bad kBad[] = {
     {"3 mm", "1", "'3 mm' is a length [m]; expected a number without unit such as 'x'"},
     {"3 %", "m", "'3 %' is a number without dimension; expected a length [m] such as 'x'"},
     {"3 Mpa", "Pa",
-     "'3 Mpa': unknown unit 'Mpa', did you mean 'MPa'?; expected a pressure [Pa] such as 'x'"},
+     "'3 Mpa': unknown unit 'Mpa'; expected a pressure [Pa] such as 'x'; did you mean 'MPa'?"},
     {"3 5 mm", "m", "'3 5 mm': '5 mm' is not a unit; expected a length [m] such as 'x'"},
     {"3 mm from 2", "m",
      "'3 mm from 2': 'mm from 2' is not a unit; expected a length [m] such as 'x'"},

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <twum/studies/metrics/reasons.hpp>
 #include <twum/studies/text/words.hpp>
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <random>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -87,4 +90,20 @@ TEST_CASE("a list is split at commas outside parentheses", "[studies][text]") {
   CHECK(split_list("") == List{""});
   CHECK(split_list("a,,b") == List{"a", "", "b"});
   CHECK(split_list("a), b") == List{"a)", "b"});
+}
+
+TEST_CASE("every reason for a missing answer is explained, in the guide with the same words",
+          "[studies][text]") {
+  using twum::MetricStatus;
+  std::ostringstream guide;
+  guide << std::ifstream(TWUM_SOURCE_DIR "/docs/guide/results.md").rdbuf();
+  auto expected = static_cast<unsigned>(MetricStatus::ok);
+  for (const Reason& reason : reasons()) {
+    CHECK(static_cast<unsigned>(reason.status) == ++expected);
+    const std::string row =
+        "| `" + std::string(to_string(reason.status)) + "` | " + reason.meaning + " |";
+    CAPTURE(row);
+    CHECK(guide.str().find(row) != std::string::npos);
+  }
+  CHECK(expected == static_cast<unsigned>(MetricStatus::out_of_range));  // the last there is
 }

@@ -41,7 +41,7 @@ void Progress::show(std::size_t done, double fraction, const std::string& best) 
     more = ", " + duration_text(left) + " left";
   }
   if (!best.empty()) more += ", best so far: " + best;
-  std::fprintf(stderr, "\r\033[K%zu motors, %.0f/s%s", done, rate, more.c_str());
+  std::fprintf(stderr, "\r\033[K%zu evaluations, %.0f/s%s", done, rate, more.c_str());
   std::fflush(stderr);
 }
 

@@ -24,16 +24,6 @@ namespace {
 constexpr std::uint64_t kStarts = 8;
 constexpr double kConfidence = 0.95;
 
-void refuse_whole_numbers(const std::vector<entries::Range>& ranges) {
-  for (const entries::Range& range : ranges) {
-    const ParameterInfo& row = info(range.parameter);
-    if (row.integer)
-      throw InputError("study.variables." + std::string(row.name) +
-                       ": only whole numbers are possible, which a fit cannot move between; set it "
-                       "in the motor, one study for each value");
-  }
-}
-
 // A path that leads nowhere is the study's mistake; what is wrong inside the file is the file's.
 std::vector<MeasuredPoint> points_of(const std::string& path) {
   try {
@@ -49,7 +39,6 @@ std::vector<MeasuredPoint> points_of(const std::string& path) {
 
 TorqueFit fit_of(const StudyFile& file) {
   const auto ranges = entries::ranges(file.study);
-  refuse_whole_numbers(ranges);
   const std::string path =
       (std::filesystem::path(file.folder) / file.study.find("data")->scalar).string();
   auto points = points_of(path);

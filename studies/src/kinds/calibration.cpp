@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/calibration.hpp"
 
+#include "results/calibration_notes.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -245,7 +247,6 @@ bool CalibrateResult::at_bounds() const {
 
 bool CalibrateResult::poor() const {
   constexpr double kRare = 0.01;
-  constexpr double kUnlikely = 0.05;
   constexpr double kNoticeable = 0.02;
   constexpr double kLarge = 0.1;
   const double chance = std::min(runs ? runs->p : 1.0, chi_square ? chi_square_p : 1.0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/earlier_result.hpp"
+#include "run/found_motors.hpp"
 #include "run/sample_rows.hpp"
 #include "study/distribution_entries.hpp"
 #include "study/entries.hpp"
@@ -91,7 +92,7 @@ MotorDesign motor_of(const StudyFile& file) {
                      std::to_string(designs.size()) +
                      " designs; tolerances are those of one motor: name one of its motor files "
                      "instead, such as 'motor: " +
-                     start->scalar + "/front/01.yaml'");
+                     start->scalar + "/" + front_file(1, designs.size()) + "'");
   }
   return with(file.motor.design, designs.front());
 }

@@ -51,7 +51,7 @@ void add_range(const MotorDesign& design, const Range& range, std::vector<ModelN
   notes.push_back({std::string(row.name), off,
                    std::string(row.name) + " " + shown(value) + " is outside " + shown(range.low) +
                        " to " + shown(range.high) + ", where the solver is tested" +
-                       (row.unit == "1" ? "" : "; is its unit right?")});
+                       (row.unit == "1" ? "" : " (is its unit right?)")});
 }
 
 void add_ratio(const std::string& topic, double ratio, double low, double high,
@@ -97,11 +97,10 @@ void add_contact(const MotorDesign& design, std::vector<ModelNote>& notes) {
   const double length = 2 * metric_of(design, "contact_half_length");
   const double thickness = get(design, Parameter::thickness);
   const double part = thickness / length;
-  if (part > kThin * (1 + 1e-9))
+  if (std::isfinite(part) && part > kThin * (1 + 1e-9))  // without preload there is no contact
     notes.push_back({"thick layer", part,
-                     "thickness " + engineering(thickness, "m") + " is " +
-                         rounded_text(100 * part, 2) + " % of the contact length " +
-                         engineering(length, "m") +
+                     "thickness " + engineering(thickness, "m") + " is " + about(100 * part) +
+                         " % of the contact length " + engineering(length, "m") +
                          " (twice contact_half_length); beyond a tenth the layer is not the "
                          "foundation of the model"});
   if (get(design, Parameter::amplitude) > 0 && metric_of(design, "contact_ratio") >= kClosed)

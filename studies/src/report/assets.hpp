@@ -3,7 +3,8 @@
 
 #include <string_view>
 
-/// The parts of the page that are the same in every report; made at build time by cmake/EmbedReport.cmake.
+/// The parts of the page that are the same in every report; made at build time by
+/// cmake/EmbedReport.cmake.
 namespace twum::studies::assets {
 
 std::string_view page();

@@ -141,15 +141,15 @@ Json curve_json(const MotorDesign& base, const DesignValues& values, const std::
 }
 
 Json slopes_json(const MotorDesign& base, const DesignValues& values,
-                 const std::vector<std::string>& names, double last_speed) {
+                 const std::vector<std::string>& names, double first_speed, double last_speed) {
   const std::optional<Motor> motor = motor_of(base, values);
   if (!motor) return nullptr;
   Numbers speeds;
   Numbers torques;
   std::vector<Numbers> gradients(names.size());
   for (std::size_t i = 0; i < kCurvePoints; ++i) {
-    const double speed =
-        last_speed * static_cast<double>(i) / static_cast<double>(kCurvePoints - 1);
+    const double share = static_cast<double>(i) / static_cast<double>(kCurvePoints - 1);
+    const double speed = std::lerp(first_speed, last_speed, share);
     const MetricRequest request{Metric::torque_at, Argument::speed, speed};
     const MetricDerivative torque = differentiate(*motor, {&request, 1}).front();
     speeds.push_back(speed);

@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
-/// Columns of numbers as base64 of their little-endian bytes, which a browser turns into typed arrays
-/// without reading a digit; internal.
+/// Columns of numbers as base64 of their little-endian bytes, which a browser turns into typed
+/// arrays without reading a digit; internal.
 namespace twum::studies {
 
 std::string base64(std::span<const double> values);

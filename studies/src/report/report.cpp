@@ -10,7 +10,9 @@
 #include <twum/base/error.hpp>
 #include <twum/core/design/parameters.hpp>
 #include <twum/core/performance/metrics.hpp>
+#include <twum/studies/metrics/reasons.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -40,6 +42,12 @@ Json metrics_json() {
   Json json = Json::object();
   for (const MetricInfo& row : metric_table())
     json[std::string(row.name)] = {{"unit", row.unit}, {"text", row.text}};
+  return json;
+}
+
+Json reasons_json() {
+  Json json = Json::object();
+  for (const Reason& reason : reasons()) json[to_string(reason.status)] = reason.meaning;
   return json;
 }
 
@@ -102,10 +110,13 @@ Json fit_json(const Json& summary, const MotorDesign& base) {
   const DesignValues values = estimates(summary);
   std::vector<std::string> names;
   for (const auto& [name, value] : values) names.push_back(name);
+  double first = 0;
   double last = 0;
-  for (const Json& point : part(summary, {"data"}))
+  for (const Json& point : part(summary, {"data"})) {
+    first = std::min(first, point.value("speed", 0.0));
     last = std::max(last, point.value("speed", 0.0));
-  return names.empty() ? Json(nullptr) : slopes_json(base, values, names, last);
+  }
+  return names.empty() ? Json(nullptr) : slopes_json(base, values, names, first, last);
 }
 
 Json curves_json(StudyKind kind, const Json& summary, const MotorDesign& base) {
@@ -187,6 +198,7 @@ std::string report_html(const StudyFile& study, const std::string& text, const s
             {"motor", {{"name", study.motor.name}, {"design", base_json(base)}}},
             {"parameters", parameters_json()},
             {"metrics", metrics_json()},
+            {"reasons", reasons_json()},
             {"ranges", ranges_json(study)},
             {"curves", curves_json(study.kind, result, base)},
             {"rows", rows_json(store)}};

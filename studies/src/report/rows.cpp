@@ -7,10 +7,12 @@
 #include <twum/core/design/parameters.hpp>
 #include <twum/core/performance/metrics.hpp>
 #include <twum/core/performance/motor.hpp>
+#include <twum/optim/random.hpp>
 #include <twum/studies/run/ordered.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
@@ -62,6 +64,39 @@ std::uint64_t thinning(std::uint64_t count, std::uint64_t most) {
   return std::max<std::uint64_t>(1, (count + most - 1) / most);
 }
 
+// Rows of the store that the page holds: one of each `every`. Which one is drawn at random, since
+// every k-th of a Sobol sequence or of a grid lies in a part of the space only.
+class Sample {
+ public:
+  explicit Sample(const ResultStore& store)
+      : store_(store), total_(store.rows()), every_(thinning(total_, kMostRows)) {}
+
+  std::uint64_t total() const { return total_; }
+  std::uint64_t every() const { return every_; }
+  std::uint64_t count() const { return (total_ + every_ - 1) / every_; }
+
+  // Place of the i-th in its group; it fits into two bytes.
+  std::uint64_t offset(std::uint64_t i) const {
+    const std::uint64_t group = std::min(every_, total_ - i * every_);
+    return optim::Random(0, 0, i).below(std::min<std::uint64_t>(group, 65536));
+  }
+
+  // Calls back with each row and its number in the page.
+  void read(const std::function<void(const Row&, std::uint64_t)>& visit) const {
+    std::uint64_t number = 0;
+    std::uint64_t i = 0;
+    store_.read([&](const Row& row) {
+      if (number++ != i * every_ + (i < count() ? offset(i) : 0)) return;
+      visit(row, i++);
+    });
+  }
+
+ private:
+  const ResultStore& store_;
+  std::uint64_t total_;
+  std::uint64_t every_;
+};
+
 }  // namespace
 
 Json rows_json(const ResultStore& store) {
@@ -70,18 +105,23 @@ Json rows_json(const ResultStore& store) {
   std::vector<std::uint16_t> status;
   std::map<std::string, std::uint16_t> numbers;
   std::vector<std::string> words;
-  const std::uint64_t every = thinning(store.rows(), kMostRows);
-  std::uint64_t number = 0;
-  store.read([&](const Row& row) {
-    if (number++ % every != 0) return;
+  std::vector<std::uint16_t> offsets;
+  const Sample sample(store);
+  sample.read([&](const Row& row, std::uint64_t number) {
+    offsets.push_back(static_cast<std::uint16_t>(sample.offset(number)));
     for (std::size_t i = 0; i < columns.size(); ++i) values[i].push_back(row.values[i]);
     const auto [found, fresh] =
         numbers.try_emplace(row.status, static_cast<std::uint16_t>(words.size()));
     if (fresh) words.push_back(row.status);
     status.push_back(found->second);
   });
-  Json json{{"count", status.size()},   {"every", every},          {"total", number},
-            {"columns", Json::array()}, {"values", Json::array()}, {"statuses", words},
+  Json json{{"count", status.size()},
+            {"every", sample.every()},
+            {"offsets", sample.every() > 1 ? base64(offsets) : ""},
+            {"total", sample.total()},
+            {"columns", Json::array()},
+            {"values", Json::array()},
+            {"statuses", words},
             {"status", base64(status)}};
   for (std::size_t i = 0; i < columns.size(); ++i) {
     json["columns"].push_back({{"name", columns[i].name}, {"unit", columns[i].unit}});
@@ -96,12 +136,11 @@ Json row_curves_json(const ResultStore& store, const MotorDesign& base) {
     if (const auto parameter = find_parameter(store.columns()[i].name))
       variables.emplace_back(i, *parameter);
   }
-  const std::uint64_t row = thinning(store.rows(), kMostRows);  // what the page holds
-  const std::uint64_t every = thinning((store.rows() + row - 1) / row, kMostCurves);
+  const Sample sample(store);
+  const std::uint64_t every = thinning(sample.count(), kMostCurves);
   std::vector<SmallCurve> curves;
-  std::uint64_t number = 0;
-  store.read([&](const Row& stored) {
-    if (number++ % (row * every) != 0) return;
+  sample.read([&](const Row& stored, std::uint64_t number) {
+    if (number % every != 0) return;
     SmallCurve curve;
     for (const auto& [column, parameter] : variables)
       curve.design.emplace_back(parameter, stored.values[column]);

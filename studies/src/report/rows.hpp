@@ -9,11 +9,14 @@
 /// Stored evaluations for the page; internal.
 namespace twum::studies {
 
-/// At most 100,000 rows, every k-th one of "total" where there are more: {"count", "every", "total", "columns", "values": base64 of each column, "statuses": words, "status": base64 of which}.
+/// At most 100,000 rows: where there are more, one of each "every" of the "total", which one by
+/// "offsets": {"count", "every", "offsets": base64 of the place of each row among its "every",
+/// empty where all are there, "total", "columns", "values": base64 of each column, "statuses":
+/// words, "status": base64 of which}.
 Json rows_json(const ResultStore& store);
 
-/// Small torque-speed curves of these rows, of every k-th one where there are many:
-/// {"every", "points", "speed": last speeds, "torque": largest torques, "shape": shares of it}.
+/// Small torque-speed curves of these rows, of every k-th one where there are many: {"every",
+/// "points", "speed": last speeds, "torque": largest torques, "shape": shares of it}.
 Json row_curves_json(const ResultStore& store, const MotorDesign& base);
 
 }  // namespace twum::studies

@@ -16,8 +16,7 @@ namespace {
 using Bound = CalibrateResult::Bound;
 
 Json bound_json(Bound bound) {
-  if (bound == Bound::none) return nullptr;
-  return bound == Bound::min ? "min" : "max";
+  return bound == Bound::none ? Json(nullptr) : Json(end_word(bound));
 }
 
 bool undetermined(const CalibrateResult& result, const std::string& name) {
@@ -26,12 +25,8 @@ bool undetermined(const CalibrateResult& result, const std::string& name) {
   });
 }
 
-const char* end_of(const CalibrateResult::Estimate& e) {
-  return e.bound == Bound::min ? "min" : "max";
-}
-
 std::string remark(const CalibrateResult& result, const CalibrateResult::Estimate& e) {
-  if (e.bound != Bound::none) return std::string("held by its ") + end_of(e);
+  if (e.bound != Bound::none) return std::string("held by its ") + end_word(e.bound);
   if (undetermined(result, e.parameter.name)) return "not determined";
   return wider_than_range(e) ? "wider than its range" : "";
 }
@@ -156,7 +151,7 @@ std::string residual_words(const CalibrateResult& result) {
       [](const auto& a, const auto& b) { return std::fabs(a.residual) < std::fabs(b.residual); });
   return counted(result.data.size(), "point") + ", residual rms " +
          engineering(result.residual_rms, "N.m", 3) + ", largest " +
-         engineering(largest->residual, "N.m", 3) + " at " +
+         engineering(largest->residual + 0.0, "N.m", 3) + " at " +  // -0 + 0 is 0
          engineering(largest->speed, "rad/s", 4) + " (measured - fitted)\n";
 }
 

@@ -32,11 +32,6 @@ Sizes sizes_of(const CalibrateResult& result) {
   return {std::sqrt(sizes.measured / count), std::sqrt(sizes.fitted / count)};
 }
 
-// Two digits, and as many zeros as it takes.
-std::string about(double value) {
-  return value < 100 ? rounded_text(value, 2) : std::to_string(std::llround(value));
-}
-
 // A unit taken for another shows in sizes or in signs.
 void add_unit_hints(const CalibrateResult& result, Notes& notes) {
   constexpr double kFar = 3;
@@ -61,7 +56,6 @@ void add_unit_hints(const CalibrateResult& result, Notes& notes) {
 void add_misfit(const CalibrateResult& result, Notes& notes) {
   if (!result.poor()) return;
   std::string text = "The fit is poor: the residuals";
-  constexpr double kUnlikely = 0.05;
   if (result.chi_square && result.chi_square_p < kUnlikely)
     text += " are larger than the standard deviations given";
   else if (result.runs && result.runs->p < kUnlikely)
@@ -116,8 +110,7 @@ std::string follower_words(const CalibrateResult::Estimate& e) {
 void add_held(const CalibrateResult& result, Notes& notes) {
   for (const CalibrateResult::Estimate& e : result.estimates) {
     if (e.bound == Bound::none) continue;
-    const std::string end = e.bound == Bound::min ? "min" : "max";
-    std::string text = e.parameter.name + " is held by its " + end +
+    std::string text = e.parameter.name + " is held by its " + end_word(e.bound) +
                        ": the other estimates and their intervals hold for " +
                        engineering(e.parameter.value, e.parameter.unit) + ".";
     const std::string followers = follower_words(e);
@@ -129,9 +122,12 @@ void add_held(const CalibrateResult& result, Notes& notes) {
 void add_wide(const CalibrateResult& result, Notes& notes) {
   std::vector<std::string> wide;
   std::vector<std::string> impossible;
+  bool from_zero = false;  // a range that cannot have a log scale as it is
   for (const CalibrateResult::Estimate& e : result.estimates) {
     if (wider_than_range(e)) wide.push_back(e.parameter.name);
-    if (!e.log && e.low < 0 && e.min >= 0) impossible.push_back(e.parameter.name);
+    if (e.log || !(e.low < 0) || e.min < 0) continue;
+    impossible.push_back(e.parameter.name);
+    from_zero = from_zero || e.min == 0;
   }
   if (!wide.empty())
     notes.push_back("The points hardly determine " + enumeration(wide) + ": " +
@@ -139,7 +135,8 @@ void add_wide(const CalibrateResult& result, Notes& notes) {
                                       : "their intervals are wider than their ranges."));
   if (!impossible.empty())
     notes.push_back("The interval of " + enumeration(impossible) +
-                    " reaches below 0, which cannot be: with scale: log it would not.");
+                    " reaches below 0, which cannot be: with scale: log " +
+                    (from_zero ? "and a min above 0 " : "") + "it would not.");
 }
 
 void add_starts(const CalibrateResult& result, Notes& notes) {
@@ -170,6 +167,8 @@ void add_freedom(const CalibrateResult& result, Notes& notes) {
 }
 
 }  // namespace
+
+const char* end_word(Bound bound) { return bound == Bound::min ? "min" : "max"; }
 
 bool wider_than_range(const CalibrateResult::Estimate& e) {
   if (e.bound != Bound::none || !std::isfinite(e.low)) return false;

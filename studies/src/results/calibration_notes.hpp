@@ -8,6 +8,12 @@
 
 namespace twum::studies {
 
+/// Chance below which a misfit is more than scatter.
+inline constexpr double kUnlikely = 0.05;
+
+/// "min" or "max": the end of its range that holds a parameter.
+const char* end_word(CalibrateResult::Bound bound);
+
 /// The data leave more room for a parameter than the range that was searched.
 bool wider_than_range(const CalibrateResult::Estimate& estimate);
 

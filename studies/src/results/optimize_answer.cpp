@@ -54,12 +54,9 @@ std::string metric_table_text(const OptimizeResult& result) {
   return aligned(table);
 }
 
-// By more than the solver's tolerance, to which an active limit is met.
-bool broken(const LimitState& limit) { return limit.violation > 1e-6 * std::fabs(limit.limit); }
-
-std::string state_words(const LimitState& limit) {
+std::string state_words(const LimitState& limit, const DesignReport& report) {
   if (std::isnan(limit.violation)) return "cannot be reached";
-  if (broken(limit)) return "broken by " + engineering(limit.violation, limit.unit, 3);
+  if (broken(limit, report)) return "broken by " + engineering(limit.violation, limit.unit, 3);
   return limit.active ? "binds" : "holds";
 }
 
@@ -67,8 +64,9 @@ std::string limit_table(const OptimizeResult& result) {
   if (result.best.constraints.empty()) return {};
   TextTable table{{{"limit", "best", "", "1 % looser buys"}}};
   for (const LimitState& limit : result.best.constraints)
-    table.rows.push_back({limit.text, cell(limit.value, limit.unit), state_words(limit),
-                          limit.active && !broken(limit)
+    table.rows.push_back({limit.text, cell(limit.value, limit.unit),
+                          state_words(limit, result.best),
+                          limit.active && !broken(limit, result.best)
                               ? change_words(limit.one_percent_buys, result.goal.unit)
                               : ""});
   return "\n" + aligned(table);

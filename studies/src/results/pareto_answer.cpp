@@ -26,8 +26,7 @@ std::vector<Shown> shown(const ParetoResult& result) {
   std::vector<Shown> list;
   for (std::size_t k = 0; k < result.ends.size(); ++k)
     list.push_back({goal_words(result.goals[k]), &result.front[result.ends[k]]});
-  const auto knee = std::find(result.ends.begin(), result.ends.end(), result.knee);
-  if (knee == result.ends.end()) list.push_back({"knee", &result.front[result.knee]});
+  if (result.has_knee()) list.push_back({"knee", &result.front[result.knee]});
   return list;
 }
 
@@ -97,7 +96,7 @@ std::string worth_table(const std::string& title, const DesignReport& report,
 std::string worth_text(const ParetoResult& result) {
   if (result.alone.empty()) return {};
   std::string text;
-  if (std::find(result.ends.begin(), result.ends.end(), result.knee) == result.ends.end())
+  if (result.has_knee())
     text += worth_table("1 % looser at the knee buys one of", result.front[result.knee].report,
                         result.goals);
   for (std::size_t k = 0; k < result.alone.size(); ++k)
@@ -128,12 +127,16 @@ std::string binding_words(const ParetoResult& result) {
 
 }  // namespace
 
+bool ParetoResult::has_knee() const {
+  return !front.empty() && std::find(ends.begin(), ends.end(), knee) == ends.end();
+}
+
 Json answer_json(const ParetoResult& result) {
   Json json{{"objectives", Json::array()}, {"front", Json::array()}};
   for (const Goal& goal : result.goals) json["objectives"].push_back(goal_json(goal));
   for (const ParetoResult::Point& point : result.front)
     json["front"].push_back(report_json(point.report));
-  json["knee"] = result.front.empty() ? Json(nullptr) : Json(result.knee);
+  json["knee"] = result.has_knee() ? Json(result.knee) : Json(nullptr);
   json["ends"] = result.ends;
   json["alone"] = Json::array();
   for (const DesignReport& report : result.alone) json["alone"].push_back(limits_json(report));

@@ -4,6 +4,7 @@
 #include <twum/studies/text/text_table.hpp>
 #include <twum/studies/units/engineering.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -87,6 +88,19 @@ std::vector<double> gains(double multiplier, const optim::Certificate& certifica
     list.push_back(certificate.weights[k] > kNoWeight ? multiplier / certificate.prices[k]
                                                       : std::numeric_limits<double>::quiet_NaN());
   return list;
+}
+
+bool broken(const LimitState& limit, const DesignReport& report) {
+  constexpr double kMillionth = 1e-6;
+  if (std::isnan(limit.violation)) return true;
+  const bool feasible =
+      report.certificate.infeasibility <= optim::SolveOptions().feasibility_tolerance;
+  return !feasible && limit.violation > kMillionth * std::fabs(limit.limit);
+}
+
+bool keeps_limits(const DesignReport& report) {
+  return std::none_of(report.constraints.begin(), report.constraints.end(),
+                      [&](const LimitState& limit) { return broken(limit, report); });
 }
 
 Json limits_json(const DesignReport& report) {

@@ -8,7 +8,6 @@
 #include <twum/studies/units/engineering.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace twum::studies {
 namespace {
@@ -23,19 +22,6 @@ MotorFile motor_with(const StudyFile& file, const std::vector<NamedValue>& value
   }
   return {file.motor.name.empty() ? name : file.motor.name + ", " + name,
           with(file.motor.design, replaced)};
-}
-
-// Within the tolerance to which a search meets its limits.
-bool keeps_limits(const DesignReport& report) {
-  return std::all_of(report.constraints.begin(), report.constraints.end(), [](const auto& limit) {
-    return limit.violation <= 1e-6 * std::fabs(limit.limit);
-  });
-}
-
-// "07" of 12
-std::string padded(std::size_t number, std::size_t count) {
-  const std::string text = std::to_string(number);
-  return std::string(std::to_string(count).size() - text.size(), '0') + text;
 }
 
 struct Finder {
@@ -54,7 +40,7 @@ struct Finder {
     for (std::size_t i = 0; i < count; ++i) {
       const std::string point = "point " + std::to_string(i + 1) + " of " + std::to_string(count);
       motors.push_back(
-          {"front/" + padded(i + 1, count) + ".yaml", point,
+          {front_file(i + 1, count), point,
            motor_with(file, answer.front[i].report.design, point + " of " + result.study)});
     }
     return motors;
@@ -90,13 +76,42 @@ std::vector<FoundMotor> asked_about(const StudyFile& file, const StudyResult& re
   return motors;
 }
 
+// The farthest off of the notes of one topic, and how many others there are.
 struct Worst {
   ModelNote note;
   std::string what;
-  std::size_t count{0};
+  double smallest{0};
+  std::size_t others{0};
+
+  std::string others_text() const {
+    if (others == 0) return "";
+    return "; " + counted(others, "other") + " likewise" +
+           (smallest < note.size ? ", by less" : "");
+  }
 };
 
+void add(ModelNote note, const std::string& what, std::vector<Worst>& worst) {
+  const auto known = std::find_if(worst.begin(), worst.end(),
+                                  [&](const Worst& one) { return one.note.topic == note.topic; });
+  if (known == worst.end()) {
+    const double size = note.size;
+    worst.push_back({std::move(note), what, size, 0});
+    return;
+  }
+  ++known->others;
+  known->smallest = std::min(known->smallest, note.size);
+  if (note.size <= known->note.size) return;
+  known->note = std::move(note);
+  known->what = what;
+}
+
 }  // namespace
+
+std::string front_file(std::size_t number, std::size_t count) {
+  const std::string text = std::to_string(number);
+  const std::size_t digits = std::max(std::to_string(count).size(), std::size_t{2});
+  return "front/" + std::string(digits - text.size(), '0') + text + ".yaml";
+}
 
 std::vector<FoundMotor> found_motors(const StudyFile& file, const StudyResult& result) {
   if (result.outcome == "interrupted") return {};
@@ -113,23 +128,12 @@ std::vector<std::string> notes_on(const StudyFile& file, const StudyResult& resu
   if (motors.empty()) motors = asked_about(file, result);
   std::vector<Worst> worst;  // in the order in which the topics came up
   for (const FoundMotor& found : motors) {
-    for (ModelNote& note : model_notes(found.motor.design)) {
-      const auto known = std::find_if(worst.begin(), worst.end(), [&](const Worst& one) {
-        return one.note.topic == note.topic;
-      });
-      Worst& one = known == worst.end() ? worst.emplace_back() : *known;
-      ++one.count;
-      if (one.count > 1 && note.size <= one.note.size) continue;
-      one.note = std::move(note);
-      one.what = found.what;
-    }
+    for (ModelNote& note : model_notes(found.motor.design)) add(std::move(note), found.what, worst);
   }
   std::vector<std::string> texts;
   for (const Worst& one : worst) {
     const std::string where = motors.size() == 1 ? "" : one.what + ": ";
-    const std::string others =
-        one.count > 1 ? "; " + counted(one.count - 1, "other") + " likewise, by less" : "";
-    texts.push_back(where + one.note.text + others);
+    texts.push_back(where + one.note.text + one.others_text());
   }
   return texts;
 }

@@ -4,6 +4,7 @@
 #include <twum/studies/results/study_result.hpp>
 #include <twum/studies/study/study_file.hpp>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,10 @@ struct FoundMotor {
   std::string what;  ///< "best design", "point 3 of 20"
   MotorFile motor;
 };
+
+/// Motor file of a point of a front: "front/07.yaml" of 12, "front/007.yaml" of 120.
+/// @param number  of the point, from 1
+std::string front_file(std::size_t number, std::size_t count);
 
 /// The best design, the points of a front, the fitted motor; none of a study that was interrupted or
 /// found no answer.

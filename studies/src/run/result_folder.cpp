@@ -78,6 +78,11 @@ bool ResultFolder::has(std::string_view name) const {
 
 namespace {
 
+[[noreturn]] void refuse_foreign(const std::string& path, const std::string& remark) {
+  throw InputError(path + ": is there already and is no result of twum" + remark +
+                   "; choose another directory with -o, or remove it yourself");
+}
+
 // "07.yaml", or what was to become of it
 bool is_front_point(const fs::path& path) {
   std::string name = path.filename().string();
@@ -100,13 +105,17 @@ void ResultFolder::discard_front() const {
 }
 
 void ResultFolder::check_ours() const {
-  const bool ours = has_database() && is_our_database(file(kDatabase));
-  if (ours) return;
+  std::error_code error;
+  const std::string front = file(kFront);
+  if (has(kFront) && !fs::is_directory(front, error)) refuse_foreign(front, "");
+  if (has_database() && is_our_database(file(kDatabase))) return;
+  if (has_database()) refuse_foreign(file(kDatabase), "");
+  const std::string alone = " (there is no results.db with it)";
   for (const std::string_view name : kResults) {
-    if (!has(name)) continue;
-    throw InputError(file(name) + ": is there already and is no result of twum" +
-                     (name == kDatabase ? "" : " (there is no results.db with it)") +
-                     "; choose another directory with -o, or remove it yourself");
+    if (has(name)) refuse_foreign(file(name), alone);
+  }
+  for (const auto& entry : fs::directory_iterator(front, error)) {
+    if (is_front_point(entry.path())) refuse_foreign(entry.path().string(), alone);
   }
 }
 

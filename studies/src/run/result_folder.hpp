@@ -21,8 +21,9 @@ class ResultFolder {
   bool has(std::string_view name) const;
   bool has_database() const { return has(kDatabase); }
 
-  /// @throws InputError if there are files named like results, but no database of ours with them: they
-  ///         are someone else's, and nothing may write over them.
+  /// @throws InputError if there are files named like results, those of a front included, but no
+  ///         database of ours with them: they are someone else's, and nothing may write over them;
+  ///         or a file where the folder of a front has to be.
   void check_ours() const;
   /// Removes the results, and nothing else.
   void discard() const;

@@ -146,7 +146,7 @@ class KeptRun {
   bool begun_already(const std::string& path) const {
     const ResultStore stored(path);
     const std::string hash = stored.fact(kHash);
-    if (hash.empty()) return false;
+    if (hash.empty() || stored.rows() == 0) return false;
     std::vector<std::string> differ;
     if (hash != study_.hash()) {
       differ = differences(stored.fact(kStudyText), study_.text());

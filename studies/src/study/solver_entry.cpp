@@ -4,7 +4,9 @@
 #include "study/entries.hpp"
 #include "study/shapes.hpp"
 
+#include <twum/base/error.hpp>
 #include <twum/optim/solvers.hpp>
+#include <twum/studies/text/number.hpp>
 #include <twum/studies/text/words.hpp>
 #include <twum/studies/units/units.hpp>
 
@@ -26,11 +28,35 @@ std::vector<std::string> choices(const std::string& range) {
   return words;
 }
 
+// "1e-14 to 0.1"
+void set_range(Schema& value, std::string_view range) {
+  constexpr std::string_view kTo = " to ";
+  const std::size_t at = range.find(kTo);
+  TWUM_ASSERT(at != std::string_view::npos);
+  const auto least = parse_number(range.substr(0, at));
+  const auto most = parse_number(range.substr(at + kTo.size()));
+  TWUM_ASSERT(least && most);
+  value.min = *least;
+  value.max = *most;
+}
+
 Schema option_value(const optim::SolverOption& option) {
   const std::string text = option.text + " (" + option.solver + ", " + option.range + ")";
   if (option.type == "text")
     return word(option.text + " (" + option.solver + ")", choices(option.range));
-  return quantity(text, "1", option.type == "integer" ? "100" : "1e-9");
+  Schema value = quantity(text, "1", option.type == "integer" ? "1" : "1e-9");
+  if (option.type == "integer") value.kind = ValueKind::count;
+  set_range(value, option.range);
+  return value;
+}
+
+// As the solvers read it: "5e-9", whatever way the number is written.
+std::string option_text(const YamlEntry& entry) {
+  const auto& known = optim::solver_options();
+  const bool number = std::any_of(known.begin(), known.end(), [&](const auto& o) {
+    return o.name == entry.key && o.type != "text";
+  });
+  return number ? number_text(parse_quantity(entry.value.scalar, {"1", ""})) : entry.value.scalar;
 }
 
 Schema options_schema() {
@@ -203,7 +229,7 @@ optim::SolveOptions solver_options_of(const YamlNode& study) {
   options.seed = entries::count(*solver, "seed", options.seed);
   if (const YamlNode* own = solver->find("options")) {
     for (const YamlEntry& entry : own->entries)
-      options.solver_options[entry.key] = entry.value.scalar;
+      options.solver_options[entry.key] = option_text(entry);
   }
   return options;
 }

@@ -132,6 +132,19 @@ void check_goals(const YamlNode& study, Diagnostics& diagnostics) {
   }
 }
 
+// A fit moves between the values of its variables.
+void refuse_whole_numbers(const YamlNode& study, Diagnostics& diagnostics) {
+  const YamlNode* variables = study.find("variables");
+  if (variables == nullptr) return;
+  for (const YamlEntry& entry : variables->entries) {
+    const auto parameter = find_parameter(entry.key);
+    if (parameter && info(*parameter).integer)
+      diagnostics.add(entry.key_mark, "study.variables." + entry.key,
+                      "only whole numbers, which a fit cannot move between",
+                      "set it in the motor, one study for each value");
+  }
+}
+
 }  // namespace
 
 void check_study(const YamlNode& study, Diagnostics& diagnostics) {
@@ -144,6 +157,7 @@ void check_study(const YamlNode& study, Diagnostics& diagnostics) {
   if (kind != nullptr && kind->scalar == "sweep") check_sweep(study, diagnostics);
   if (kind != nullptr && kind->scalar == "sensitivity") check_sensitivity(study, diagnostics);
   if (kind != nullptr && kind->scalar == "uncertainty") check_uncertainty(study, diagnostics);
+  if (kind != nullptr && kind->scalar == "calibrate") refuse_whole_numbers(study, diagnostics);
   check_repeats(study, "constraints", diagnostics);
   check_repeats(study, "limits", diagnostics);
   check_goals(study, diagnostics);

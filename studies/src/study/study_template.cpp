@@ -15,12 +15,12 @@ SchemaEntry entry(const char* name, const char* text, const std::string& example
   return result;
 }
 
-// In quotes where YAML would take a plain path for something else.
+// In quotes where YAML would take a plain path for something else, such as null.
 std::string path_text(std::string_view path) {
   const bool plain = path.find_first_not_of(
                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-") ==
                          std::string_view::npos &&
-                     path.front() != '-';
+                     path.find_first_of("./") != std::string_view::npos && path.front() != '-';
   if (plain) return std::string(path);
   std::string text = "'";
   for (const char c : path) text += c == '\'' ? "''" : std::string(1, c);

@@ -2,6 +2,8 @@
 #include <twum/studies/run/ordered.hpp>
 #include <twum/studies/tables/design_table.hpp>
 
+#include <algorithm>
+
 namespace twum::studies {
 namespace {
 
@@ -11,8 +13,14 @@ struct Block {
   CsvChunk rows;
   std::string result;
   std::size_t failed{0};
+  std::size_t empty{0};
   std::size_t bytes{0};  // of the stream up to the end of this block
 };
+
+bool any_value(const std::vector<MetricValue>& metrics) {
+  return std::any_of(metrics.begin(), metrics.end(),
+                     [](const MetricValue& m) { return m.status == MetricStatus::ok; });
+}
 
 void evaluate_block(const DesignTable& table, Block& block) {
   DesignTable::Scratch scratch;
@@ -20,6 +28,7 @@ void evaluate_block(const DesignTable& table, Block& block) {
     const bool ok = table.append_result(block.rows.record(i), block.rows.records[i].line, scratch,
                                         block.result);
     block.failed += ok ? 0 : 1;
+    block.empty += any_value(scratch.metrics) ? 0 : 1;
   }
 }
 
@@ -43,6 +52,7 @@ DesignCounts evaluate_designs(CsvReader& reader, const DesignTable& table, unsig
         write(block.result);
         counts.rows += block.rows.records.size();
         counts.failed += block.failed;
+        counts.empty += block.empty;
         counts.bytes = block.bytes;
         progress(counts);
       });

@@ -44,6 +44,7 @@ class PointReader {
       diagnostics_.add({1, 1}, "", "no points below the header", "expected one on each line");
     diagnostics_.throw_if_any();
     weigh();
+    diagnostics_.throw_if_any();
     return std::move(points_);
   }
 
@@ -175,6 +176,7 @@ class PointReader {
     for (std::size_t i = 0; i < cells_.size(); ++i)
       read_cell(*columns_[i], cells_[i], mark(record, line, cells_[i]), point);
     points_.push_back(point);
+    weight_marks_.push_back(weight_mark_);
   }
 
   void read_cell(const Column& column, std::string_view cell, SourceMark mark,
@@ -194,6 +196,7 @@ class PointReader {
                        "must be more than 0; to ignore a point leave out its line");
       return;
     }
+    if (positive) weight_mark_ = mark;
     if (column.kind == kSpeed) point.speed = *value;
     if (column.kind == kTorque) point.torque = *value;
     if (column.kind == kWeight) point.weight = *value;
@@ -213,7 +216,19 @@ class PointReader {
     for (const MeasuredPoint& point : points_) largest = std::max(largest, point.weight);
     double sum = 0;  // of weights relative to the largest one: large ones have no finite sum
     for (MeasuredPoint& point : points_) sum += point.weight /= largest;
+    refuse_weightless();
     for (MeasuredPoint& point : points_) point.weight *= static_cast<double>(points_.size()) / sum;
+  }
+
+  // A point whose weight is below the smallest number beside that of another one.
+  void refuse_weightless() {
+    const std::string name(kNames[find(kDeviation) != nullptr ? kDeviation : kWeight]);
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      if (points_[i].weight > 0) continue;
+      diagnostics_.add(weight_marks_[i], name,
+                       "so far from the others that the point would count nothing",
+                       "to ignore a point leave out its line");
+    }
   }
 
   const Source& source_;
@@ -224,6 +239,8 @@ class PointReader {
   std::vector<std::string_view> cells_;
   std::vector<std::optional<Column>> columns_;
   std::vector<MeasuredPoint> points_;
+  SourceMark weight_mark_;                // of the row being read
+  std::vector<SourceMark> weight_marks_;  // of each point
 };
 
 }  // namespace

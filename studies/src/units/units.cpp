@@ -69,10 +69,17 @@ std::string_view usual_unit_for(std::string_view unit) {
   return {};
 }
 
-std::string usual_unit_hint(std::string_view unit, std::span<const Expected> expected) {
+// expectation(), then the unit that may be meant, if there is one.
+std::string expectation(std::span<const Expected> expected, std::string_view meant) {
+  const std::string hint =
+      meant.empty() ? std::string() : "; did you mean '" + std::string(meant) + "'?";
+  return expectation(expected) + hint;
+}
+
+std::string expectation_instead_of(std::string_view unit, std::span<const Expected> expected) {
   const std::string_view usual = usual_unit_for(unit);
-  if (usual.empty() || !fits_any(usual, expected)) return {};
-  return ", did you mean '" + std::string(usual) + "'?";
+  const bool fits = !usual.empty() && fits_any(usual, expected);
+  return expectation(expected, fits ? usual : std::string_view());
 }
 
 // A usual unit of the right dimension that the text may stand for; empty if there is none.
@@ -97,21 +104,18 @@ struct Match {
 Match match_unit(std::string_view unit, std::string_view whole, std::size_t at,
                  std::span<const Expected> expected) {
   if (const std::string wrong = unit_form_complaint(unit); !wrong.empty()) {
-    throw ValueError(
-        quoted(whole) + ": " + quoted(unit) + " " + wrong + usual_unit_hint(unit, expected),
-        expectation(expected), at);
+    throw ValueError(quoted(whole) + ": " + quoted(unit) + " " + wrong,
+                     expectation_instead_of(unit, expected), at);
   }
   if (!is_unit(unit)) {
-    const std::string_view meant = usual_unit_near(unit, expected);
-    throw ValueError(quoted(whole) + ": unknown unit " + quoted(unit) +
-                         (meant.empty() ? "" : ", did you mean '" + std::string(meant) + "'?"),
-                     expectation(expected), at);
+    throw ValueError(quoted(whole) + ": unknown unit " + quoted(unit),
+                     expectation(expected, usual_unit_near(unit, expected)), at);
   }
   for (std::size_t i = 0; i < expected.size(); ++i) {
     if (const auto factor = factor_to(unit, expected[i].unit)) return {Scale(*factor), i};
   }
-  throw ValueError(quoted(whole) + " is " + phrase_of_unit(unit) + usual_unit_hint(unit, expected),
-                   expectation(expected), at);
+  throw ValueError(quoted(whole) + " is " + phrase_of_unit(unit),
+                   expectation_instead_of(unit, expected), at);
 }
 
 [[noreturn]] void no_number(std::string_view text, std::span<const Expected> expected) {

@@ -34,12 +34,15 @@ struct Checked {
   std::string missing;
 };
 
-// A study may be written before its points are measured.
+// A study may be written before its points are measured. What else may be wrong with the path, its
+// reader says.
 std::string missing_data(const studies::StudyFile& study) {
   const studies::YamlNode* data = study.study.find("data");
   if (data == nullptr) return "";
   const std::filesystem::path path = std::filesystem::path(study.folder) / data->scalar;
-  return std::filesystem::exists(path) ? "" : path.string();
+  std::error_code error;
+  const auto type = std::filesystem::status(path, error).type();
+  return type == std::filesystem::file_type::not_found ? path.string() : "";
 }
 
 // Throws what is wrong with the file. Standard input can be read only once.

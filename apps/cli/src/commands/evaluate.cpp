@@ -126,7 +126,7 @@ int run_evaluate(const EvaluateOptions& options) {
     std::fprintf(stderr, "twum: %zu of %zu designs have no full answer, see the column status\n",
                  counts.failed, counts.rows);
   }
-  if (!interrupted()) return counts.rows > 0 && counts.failed == counts.rows ? kNoAnswer : kDone;
+  if (!interrupted()) return counts.rows > 0 && counts.empty == counts.rows ? kNoAnswer : kDone;
   std::fprintf(stderr, "twum: interrupted after %zu designs\n", counts.rows);
   return kInterrupted;
 }

@@ -12,7 +12,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -53,9 +52,7 @@ bool has_feasible_design(const studies::StudyResult& result) {
   if (const auto* front = std::get_if<studies::ParetoResult>(&result.answer))
     return !front->front.empty();
   const auto* best = std::get_if<studies::OptimizeResult>(&result.answer);
-  return best != nullptr && best->found &&
-         std::all_of(best->best.constraints.begin(), best->best.constraints.end(),
-                     [](const studies::LimitState& limit) { return limit.violation <= 0; });
+  return best != nullptr && best->found && studies::keeps_limits(best->best);
 }
 
 int status_of(const studies::StudyResult& result) {
@@ -77,11 +74,6 @@ studies::StudyResult run_with_progress(const studies::StudyFile& file, const std
   return studies::run_study(file, directory, options);
 }
 
-// Whether a front has a knee: the point taken for it is an end where the front bends the other way.
-bool has_knee(const studies::ParetoResult& front) {
-  return std::find(front.ends.begin(), front.ends.end(), front.knee) == front.ends.end();
-}
-
 // Of a front the first and the last, and the knee.
 void say_motor_files(const studies::StudyResult& result, const std::string& directory) {
   const auto path = [&](const std::string& file) {
@@ -92,7 +84,7 @@ void say_motor_files(const studies::StudyResult& result, const std::string& dire
   std::string text = path(files.front());
   if (files.size() > 1) text += " to " + path(files.back());
   if (const auto* front = std::get_if<studies::ParetoResult>(&result.answer);
-      front != nullptr && front->knee < files.size() && has_knee(*front))
+      front != nullptr && front->has_knee())
     text += ", the knee is " + path(files[front->knee]);
   std::fprintf(stderr, "motor file%s: %s\n", files.size() == 1 ? "" : "s", text.c_str());
 }

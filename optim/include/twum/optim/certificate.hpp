@@ -3,6 +3,8 @@
 
 #include <twum/optim/options.hpp>
 
+#include <limits>
+
 namespace twum::optim {
 
 /// What keeps an optimum from being a plain one.
@@ -54,8 +56,9 @@ struct Activity {
 /// by non-negative least squares. With several objectives, grad f is sum_k w_k grad f_k with the
 /// best weights w >= 0, sum w = 1: Pareto stationarity.
 struct Certificate {
-  bool passed{false};         ///< feasible, stationary, complementary, and not curved downwards
-  double infeasibility{0.0};  ///< largest scaled violation
+  bool passed{false};  ///< feasible, stationary, complementary, and not curved downwards
+  double infeasibility{
+      std::numeric_limits<double>::quiet_NaN()};  ///< largest scaled violation; NaN: not measured
   double stationarity{
       0.0};  ///< largest |r|, relative to the objective's gradient here or at the start
   double complementarity{0.0};  ///< largest lambda times scaled slack

@@ -13,7 +13,8 @@ namespace twum::studies {
 /// @param study    the study that was run
 /// @param text     the study as it was run, shown as it is
 /// @param summary  content of summary.json
-/// @param store    its evaluations; of more than 100,000 an even sample is shown, and the page says so
+/// @param store    its evaluations; of more than 100,000 the page holds one of each so many, drawn at
+///                 random but always the same, and says so
 /// @throws InputError if `summary` is no such file
 std::string report_html(const StudyFile& study, const std::string& text, const std::string& summary,
                         const ResultStore& store);

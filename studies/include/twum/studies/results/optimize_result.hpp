@@ -49,6 +49,14 @@ struct DesignReport {
   optim::Certificate certificate;       ///< the evidence
 };
 
+/// Whether a limit of this design is broken by more than an active limit may be: by a millionth of itself,
+/// or, where the certificate measured it (a limit of 0 has no millionth), by the tolerance of the
+/// search. True where there is no value.
+bool broken(const LimitState& limit, const DesignReport& report);
+
+/// Whether none of its limits is broken().
+bool keeps_limits(const DesignReport& report);
+
 /// What a unit by which a limit gives way improves each goal while the other goals stay as they are,
 /// by the multiplier of the limit; NaN for a goal that does not trade to first order.
 std::vector<double> gains(double multiplier, const optim::Certificate& certificate);

@@ -33,6 +33,9 @@ struct ParetoResult {
   std::vector<NamedValue> before_metrics;   ///< the same metrics as those of the front
   std::vector<std::string> conflict;        ///< as in OptimizeResult, where no design is feasible
   std::vector<RelaxationState> relaxation;  ///< as in OptimizeResult
+
+  /// False of a front that bends the other way, and of an empty one.
+  bool has_knee() const;
 };
 
 }  // namespace twum::studies

@@ -8,7 +8,6 @@
 #include <limits>
 #include <map>
 #include <mutex>
-#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -39,8 +38,8 @@ class OrderedRun {
     std::vector<std::thread> threads;
     try {
       for (unsigned i = 1; i < jobs_; ++i) threads.emplace_back([this] { serve(); });
-    } catch (const std::system_error&) {
-      // No more threads to be had: those that are there do the work.
+    } catch (const std::exception&) {
+      // No more threads, or no memory for them: those that are there do the work.
     }
     serve();
     for (std::thread& thread : threads) thread.join();

@@ -24,8 +24,8 @@ struct RunOptions {
 void check_named_files(const StudyFile& file);
 
 /// Runs a study and keeps everything in a directory: study.yaml (resolved), results.db, results.csv,
-/// summary.json, report.html, and motor files of what was found. A directory in which the same study was interrupted is gone on with; one that holds
-/// a finished result of it answers from there.
+/// summary.json, report.html, and motor files of what was found. A directory in which the same study
+/// was interrupted is gone on with; one that holds a finished result of it answers from there.
 /// The result is the same to the byte, times aside, for any number of threads and interruptions. Two
 /// runs at once need two directories.
 /// @throws FileError or InputError for a wrong input or a directory with another study;

@@ -76,6 +76,7 @@ class DesignTable {
 struct DesignCounts {
   std::size_t rows{0};    ///< rows done
   std::size_t failed{0};  ///< rows whose status is not ok
+  std::size_t empty{0};   ///< of these, rows without any value
   std::size_t bytes{0};   ///< of the table read up to these rows
 };
 

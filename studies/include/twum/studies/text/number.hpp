@@ -28,4 +28,7 @@ std::string number_text(double value);
 /// The value to a number of significant digits (1 to 17), without trailing zeros.
 std::string rounded_text(double value, int digits);
 
+/// A size for a sentence: two significant digits, or a whole number where that has more.
+std::string about(double value);
+
 }  // namespace twum::studies

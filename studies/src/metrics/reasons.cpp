@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/studies/metrics/reasons.hpp>
+
+namespace twum::studies {
+
+std::span<const Reason> reasons() {
+  static constexpr Reason kReasons[] = {
+      {MetricStatus::undefined,
+       "no meaning for this motor: peaks need a stall torque, efficiencies an input, "
+       "max_efficiency "
+       "modal_damping"},
+      {MetricStatus::unreachable, "the motor cannot carry this load"},
+      {MetricStatus::no_periodic_state,
+       "the contact never repeats itself from wave to wave, usual with static friction above the "
+       "kinetic one"},
+      {MetricStatus::not_converged, "no steady state was found, usual for a layer without damping"},
+      {MetricStatus::resonance, "the layer has no damping and is driven at its own resonance"},
+      {MetricStatus::unresolved, "more zones of stick and slip than can be followed"},
+      {MetricStatus::out_of_range, "a speed at or below the negative one of the wave"}};
+  return kReasons;
+}
+
+}  // namespace twum::studies
