@@ -14,6 +14,7 @@ constexpr int kMaxLaps = 1500;
 constexpr long kMaxZonesInAll = 60'000;
 constexpr double kFloor = 1000;      // of tolerances: where rounding may keep Newton's method
 constexpr double kSameState = 1000;  // of tolerances: a state that came back
+constexpr double kFast = 0.1;        // contraction by a lap that leaves no doubt where laps lead
 constexpr double kResonance = 1e16;  // response to the wave's own frequency, squared
 
 struct Matrix2 {
@@ -100,18 +101,27 @@ class Search {
   void turn(const LapEntry<double>& entry) {
     const std::uint64_t before = s_.lap.itinerary;
     const double gap_before = gap_;
+    const LayerState<double> from = s_.entry.layer, to = s_.lap.next.layer;
     s_.entry = entry;
     s_.lap = run_lap(n_, layer_, entry);
     ++s_.laps;
     zones_ += s_.lap.zones;
     gap_ = distance(s_.entry.layer, s_.lap.next.layer);
     repeats_ = s_.lap.itinerary == before ? repeats_ + 1 : 0;
-    contraction_ = gap_before > 0 ? gap_ / gap_before : 1;
+    progress_ = gap_before > 0 ? gap_ / gap_before : 1;
+    moved_in_ = difference(s_.entry.layer, from);
+    moved_out_ = difference(s_.lap.next.layer, to);
   }
 
+  static LayerState<double> difference(const LayerState<double>& a, const LayerState<double>& b) {
+    return {a.e - b.e, a.rate - b.rate};
+  }
+  double product(const LayerState<double>& a, const LayerState<double>& b) const {
+    return layer_.M * a.rate * b.rate + a.e * b.e;
+  }
   double distance(const LayerState<double>& a, const LayerState<double>& b) const {
-    const LayerState<double> d{a.e - b.e, a.rate - b.rate};
-    return std::sqrt(layer_.M * d.rate * d.rate + d.e * d.e);
+    const LayerState<double> d = difference(a, b);
+    return std::sqrt(product(d, d));
   }
 
   bool same_zone() const {
@@ -121,7 +131,7 @@ class Search {
   // Rounding of the closed forms sets the looser bound; in small contacts series do better.
   bool settled() const {
     return same_zone() &&
-           (gap_ <= std::fmax(tight_, loose_) || (gap_ <= tolerance_ && contraction_ > 0.5));
+           (gap_ <= std::fmax(tight_, loose_) || (gap_ <= tolerance_ && progress_ > 0.5));
   }
 
   void finish() {
@@ -133,14 +143,45 @@ class Search {
 
   void advance() {
     if (sticks_all_round()) return turn(after_drift());
+    if (secant_may_help()) return turn(secant());
     if (newton_may_help() && newton()) return;
     turn(s_.lap.next);
   }
 
-  // Fast contraction needs no help: laps gain four digits each.
+  // The last lap brought states much closer to one another.
+  bool contracts_fast() const {
+    return s_.laps > 1 &&
+           product(moved_out_, moved_out_) <= kFast * kFast * product(moved_in_, moved_in_);
+  }
+
+  bool sticks() const { return s_.lap.means.stick_length > 0; }
+
+  // Sticking leaves the layer one way to differ, so the return map has a slope of rank one, which two laps
+  // tell. With mu_0 > mu they must go through the same zones.
+  bool secant_may_help() const {
+    return sticks() && same_zone() && (monotone_ || repeats_ > 0) && contracts_fast();
+  }
+
+  // (E6.4) The next entry, with what the last two laps tell of the return map's slope: that of a plain lap but
+  // for a share of about the contraction.
+  LapEntry<double> secant() const {
+    LapEntry<double> entry = s_.lap.next;
+    const LayerState<double> gap = difference(entry.layer, s_.entry.layer);
+    const double along =
+        product(moved_in_, gap) / (product(moved_in_, moved_in_) - product(moved_in_, moved_out_));
+    if (!std::isfinite(along)) return entry;
+    entry.layer.e += along * moved_out_.e;
+    entry.layer.rate += along * moved_out_.rate;
+    return entry;
+  }
+
+  // At first nothing is known but how much of the layer's motion outlives the free flight. With mu_0 > mu
+  // laps come first, until they seem to settle.
   bool newton_may_help() const {
-    if (!same_zone() || contraction_ < 1e-4) return false;
-    return monotone_ ? true : repeats_ >= patience_;
+    if (!same_zone()) return false;
+    if (!monotone_) return repeats_ >= (!sticks() && contracts_fast() ? 1 : patience_);
+    const double flight = n_.full ? 0 : 2 * (std::numbers::pi - n_.half_angle);
+    return s_.laps > 1 || layer_.slowest_decay() * flight < -std::log(kFast);
   }
 
   bool newton() {
@@ -215,7 +256,8 @@ class Search {
   bool unique_;   // only where there is one periodic state may the search start anywhere
   double swing_;  // of the layer that the wave's pressure shakes
   double tolerance_, tight_, loose_;
-  double gap_{0}, contraction_{1};
+  double gap_{0}, progress_{1};
+  LayerState<double> moved_in_{0, 0}, moved_out_{0, 0};  // last lap less the one before
   int repeats_{0}, patience_{4}, checked_{0};
   LayerState<double> checkpoint_{0, 0};
   long zones_{0};

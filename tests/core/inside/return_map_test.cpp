@@ -53,6 +53,42 @@ TEST_CASE("the periodic state repeats itself and Newton's steps (E6.2) keep it f
   CHECK(most <= 100);
 }
 
+TEST_CASE("secants (E6.4) and Newton's steps lead where plain laps from rest lead",
+          "[core][contact][differential]") {
+  Dice dice(44);
+  int compared = 0, sticking = 0, laps = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const ContactNumbers<double> n = random_contact(dice, i, true);
+    const LayerMotion<double> layer(n.inertia, n.damping);
+    LapEntry<double> entry{{0, 0}, false, ZoneState::stick};
+    Lap<double> lap;
+    double gap = 1, before = 1;
+    for (int k = 0; k < 300 && gap > 1e-13; ++k) {
+      lap = run_lap(n, layer, entry);
+      REQUIRE(lap.status == LapStatus::ok);
+      before = gap;
+      gap = std::sqrt(
+          layer.energy({lap.next.layer.e - entry.layer.e, lap.next.layer.rate - entry.layer.rate}));
+      entry = lap.next;
+    }
+    if (gap > 1e-13) continue;
+    ++compared;
+    sticking += lap.means.stick_length > 0;
+    const PeriodicState state = find_periodic_state(n, layer);
+    REQUIRE(state.status == PeriodicStatus::ok);
+    laps += state.laps;
+    // Laps that contract by r and end with a gap g are g r / (1 - r) away from the state that repeats itself,
+    // up to a tenth; forces of order one, amplified by the response, bring rounding.
+    const double rate = gap / before;
+    const double bound = 1.1 * gap * rate / (1 - rate) + 1e-13 * std::sqrt(1 + layer.response);
+    CHECK(std::fabs(state.entry.layer.e - entry.layer.e) <= bound);
+    CHECK(std::fabs(state.lap.means.traction - lap.means.traction) <= bound);
+  }
+  CHECK(compared > 2000);
+  CHECK(sticking > 500);
+  CHECK(laps <= 10 * compared);
+}
+
 TEST_CASE("a layer that sticks all round drifts by 2 pi s V a lap (E6.3)",
           "[core][contact][closed_form]") {
   ContactNumbers<double> n{0.01, 0.05, 0.2, 1e-4, std::numbers::pi, 9, 0.3, 0.3, {0, -1, 2}, true};
