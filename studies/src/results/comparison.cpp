@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/studies/results/comparison.hpp>
 
+#include "results/stored_summary.hpp"
+
 #include <twum/core/design/parameters.hpp>
 #include <twum/studies/metrics/expression.hpp>
 #include <twum/studies/store/result_store.hpp>
@@ -11,9 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
 namespace twum::studies {
 namespace {
@@ -30,12 +30,7 @@ Json read_summary(const std::string& directory) {
   const std::string path = (fs::path(directory) / "summary.json").string();
   if (!fs::exists(path, ignored))
     throw InputError(directory + ": holds no result: there is no summary.json");
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) throw StoreError(path + ": cannot be read");
-  Json json = Json::parse(text.str(), nullptr, false);
-  if (!json.is_object()) throw StoreError(path + ": is damaged: no JSON object");
-  return json;
+  return stored_summary(path);
 }
 
 // SI unit of a parameter or metric; "1" for what is neither.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/studies/run/verify_study.hpp>
 
+#include "results/stored_summary.hpp"
 #include "run/result_folder.hpp"
 #include "run/verify_checks.hpp"
 
@@ -8,8 +9,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 namespace twum::studies {
 namespace {
@@ -49,15 +48,6 @@ void require_result(const std::string& directory) {
   }
 }
 
-Json read_summary(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) throw StoreError(path + ": cannot be read");
-  Json json = Json::parse(text.str(), nullptr, false);
-  if (!json.is_object()) throw StoreError(path + ": is damaged: no JSON object");
-  return json;
-}
-
 // The study as it was run; that it is wrong is damage, not a user's mistake.
 StudyFile read_stored_study(const std::string& path) {
   try {
@@ -90,7 +80,7 @@ std::string copy_database(const std::string& directory, const std::string& to) {
 Verification verify_study(const std::string& directory, const VerifyOptions& options) {
   require_result(directory);
   const ResultFolder folder(directory);  // nobody may write to it meanwhile
-  const Json summary = read_summary(folder.file(ResultFolder::kSummary));
+  const Json summary = stored_summary(folder.file(ResultFolder::kSummary));
   const StudyFile file = read_stored_study(folder.file(ResultFolder::kStudy));
   const std::unique_ptr<StudyKindRun> kind = make_stored_kind(file);
   Verification found;

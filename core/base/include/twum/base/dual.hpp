@@ -72,8 +72,8 @@ Dual<T, N> chain(const Dual<T, N>& x, const T& f, const T& slope) {
 
 }  // namespace detail
 
-/// Arithmetic by the rules of differentiation; a double is a constant. Cost: that of T alone times about 1 + N.
-/// Division by zero gives what it gives for T; nothing throws.
+/// Arithmetic by the rules of differentiation; a double is a constant. Cost: that of T alone times about
+/// 1 + N. Division by zero gives what it gives for T; nothing throws.
 /// @{
 template <typename T, int N>
 Dual<T, N> operator-(const Dual<T, N>& a) {
@@ -181,7 +181,8 @@ Dual<T, N>& operator*=(Dual<T, N>& a, const B& b) {
 }
 /// @}
 
-/// Elementary functions: f(x) with the derivatives f'(x) dx; angles in rad. The derivative of sqrt at 0 is infinite.
+/// Elementary functions: f(x) with the derivatives f'(x) dx; angles in rad. The derivative of sqrt at 0
+/// is infinite.
 /// @{
 
 template <typename T, int N>
