@@ -3,23 +3,10 @@
 
 #include <catch2/catch.hpp>
 
-#include <cstdlib>
-#include <new>
 #include <numeric>
 #include <stdexcept>
 
 using namespace twum::studies;
-
-// Memory that a test can refuse to its own thread.
-static thread_local bool no_memory = false;
-
-void* operator new(std::size_t size) {
-  void* place = no_memory ? nullptr : std::malloc(size > 0 ? size : 1);
-  if (place == nullptr) throw std::bad_alloc();
-  return place;
-}
-void operator delete(void* place) noexcept { std::free(place); }
-void operator delete(void* place, std::size_t /*size*/) noexcept { std::free(place); }
 
 namespace {
 
@@ -47,25 +34,6 @@ TEST_CASE("results come in the order of reading for any number of threads", "[st
   std::iota(expected.begin(), expected.end(), 0);
   CHECK(run(jobs, 1000, dawdle) == expected);
   CHECK(run(jobs, 0, dawdle).empty());
-}
-
-TEST_CASE("without memory for threads the caller's does the work", "[studies][run]") {
-  int next = 0;
-  int sum = 0;
-  const auto read = [&](int& item) {
-    no_memory = false;  // what follows needs some
-    return (item = next++) < 10;
-  };
-  bool refused = false;
-  no_memory = true;
-  try {
-    run_ordered<int>(4, read, dawdle, [&](int& item) { sum += item; });
-  } catch (const std::bad_alloc&) {
-    refused = true;
-  }
-  no_memory = false;
-  CHECK_FALSE(refused);
-  CHECK(sum == 45);
 }
 
 TEST_CASE("what comes before a failure is written, and the failure comes out", "[studies][run]") {
