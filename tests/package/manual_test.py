@@ -32,7 +32,7 @@ class Manual(unittest.TestCase):
 
     def completed_by_bash(self, *words):
         line = " ".join(f"'{word}'" for word in words)
-        script = f"source {FOLDER}/twum.bash; compopt() {{ :; }}; COMP_WORDS=({line}); COMP_CWORD={len(words) - 1}; _twum; " \
+        script = f"source '{FOLDER}/twum.bash'; compopt() {{ :; }}; COMP_WORDS=({line}); COMP_CWORD={len(words) - 1}; _twum; " \
                  'printf "%s\\n" "${COMPREPLY[@]}"'
         done = run("bash", "-c", script)
         self.assertEqual(done.stderr, "")
@@ -49,7 +49,7 @@ class Manual(unittest.TestCase):
     def test_fish(self):
         if not shutil.which("fish"):
             self.skipTest("fish is not there")
-        done = run("fish", "--no-config", "-c", f"source {FOLDER}/twum.fish; complete -C 'twum curve --format '")
+        done = run("fish", "--no-config", "-c", f"source '{FOLDER}/twum.fish'; complete -C 'twum curve --format '")
         words = [line.split("\t")[0] for line in done.stdout.splitlines()]
         self.assertEqual((words, done.stderr), (["csv", "json", "table"], ""))
 
