@@ -156,15 +156,15 @@ class Search {
 
   bool sticks() const { return s_.lap.means.stick_length > 0; }
 
-  // Sticking leaves the layer one way to differ, so the return map has a slope of rank one, which two laps
-  // tell. With mu_0 > mu they must go through the same zones; in full contact a state that is not quite one
-  // of the zone it is carried on in would be torn out of it.
+  // Sticking leaves the layer one way to differ, so the return map has a slope of rank one, which two
+  // laps tell. With mu_0 > mu they must go through the same zones; in full contact a state that is not
+  // quite one of the zone it is carried on in would be torn out of it.
   bool secant_may_help() const {
     return !n_.full && sticks() && (monotone_ || repeats_ > 0) && contracts_fast();
   }
 
-  // (E6.4) The next entry, with what the last two laps tell of the return map's slope: that of a plain lap but
-  // for a share of about the contraction.
+  // (E6.4) The next entry, with what the last two laps tell of the return map's slope. It is that of a plain
+  // lap but for a share of the gap as large as the contraction.
   LapEntry<double> secant() const {
     LapEntry<double> entry = s_.lap.next;
     const LayerState<double> gap = difference(entry.layer, s_.entry.layer);

@@ -84,7 +84,7 @@ class Evaluator {
 
   double speed_of(const MetricRequest& request) {
     if (request.argument == Argument::torque) return search_.speed_at(request.at).speed;
-    if (!(request.at > -motor_.wave_speed()) || !std::isfinite(request.at)) {
+    if (!wave_meets_rotor(m_, request.at)) {
       throw SearchFailure{MetricStatus::out_of_range};
     }
     return request.at;

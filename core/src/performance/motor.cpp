@@ -77,9 +77,7 @@ double Motor::holding_torque() const noexcept {
 bool Motor::locks_at_rest() const noexcept { return performance::locks_at_rest(*model_); }
 
 void Motor::require_speed(double speed) const {
-  const bool meets_the_wave =
-      model_->omega + model_->kappa * (model_->r * speed) > 0;  // W of (T2.1)
-  if (!meets_the_wave || !std::isfinite(speed)) {
+  if (!performance::wave_meets_rotor(*model_, speed)) {
     throw InputError("rotor speed must be more than the wave's backward speed, " +
                      speed_text(-wave_speed()) + ", but is " + speed_text(speed));
   }

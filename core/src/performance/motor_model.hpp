@@ -115,6 +115,11 @@ bool is_trivial(const MotorModel<S>& m) {
          value_of(m.contact.half_angle) == 0;
 }
 
+/// True if the wave still meets the rotor at this speed: finite, and W > 0 in (T2.1).
+inline bool wave_meets_rotor(const MotorModel<double>& m, double speed) {
+  return std::isfinite(speed) && m.omega + m.kappa * (m.r * speed) > 0;
+}
+
 /// The contact's seven numbers (E1.1) at rotor speed Omega, with W of (T2.1); R is S or carries more derivatives than S.
 template <typename S, typename R>
 contact::ContactNumbers<R> contact_numbers(const MotorModel<S>& m, const R& speed) {

@@ -56,14 +56,15 @@ TEST_CASE("the periodic state repeats itself and Newton's steps (E6.2) keep it f
 TEST_CASE("secants (E6.4) and Newton's steps lead where plain laps from rest lead",
           "[core][contact][differential]") {
   Dice dice(44);
-  int compared = 0, sticking = 0, laps = 0;
+  int compared = 0, sticking = 0, laps = 0, plain = 0;
   for (int i = 0; i < 3000; ++i) {
     const ContactNumbers<double> n = random_contact(dice, i, true);
     const LayerMotion<double> layer(n.inertia, n.damping);
     LapEntry<double> entry{{0, 0}, false, ZoneState::stick};
     Lap<double> lap;
     double gap = 1, before = 1;
-    for (int k = 0; k < 300 && gap > 1e-13; ++k) {
+    int k = 0;
+    for (; k < 300 && gap > 1e-13; ++k) {
       lap = run_lap(n, layer, entry);
       REQUIRE(lap.status == LapStatus::ok);
       before = gap;
@@ -73,6 +74,7 @@ TEST_CASE("secants (E6.4) and Newton's steps lead where plain laps from rest lea
     }
     if (gap > 1e-13) continue;
     ++compared;
+    plain += k;
     sticking += lap.means.stick_length > 0;
     const PeriodicState state = find_periodic_state(n, layer);
     REQUIRE(state.status == PeriodicStatus::ok);
@@ -86,7 +88,7 @@ TEST_CASE("secants (E6.4) and Newton's steps lead where plain laps from rest lea
   }
   CHECK(compared > 2000);
   CHECK(sticking > 500);
-  CHECK(laps <= 10 * compared);
+  CHECK(laps < plain);  // they are there to save some
 }
 
 TEST_CASE("a layer that sticks all round drifts by 2 pi s V a lap (E6.3)",
