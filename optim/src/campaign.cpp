@@ -131,12 +131,14 @@ std::vector<Attempt> Campaign::run_all(const Optimizer& optimizer,
   return attempts;
 }
 
+void Campaign::allow(Attempt& attempt, std::size_t wanted) {
+  book(attempt);  // what it has used is not left
+  attempt.session->allow(std::min(wanted, left()));
+}
+
 void Campaign::finish(Attempt& attempt) {
   if (attempt.certified || !attempt.best) return;
-  const std::size_t wanted = 4 * certificate_cost(scaling_.size());
-  const std::size_t open = attempt.session->left();
-  const std::size_t allowed = std::min(wanted, left());
-  if (open < allowed) attempt.session->extend(allowed - open);
+  allow(attempt, std::max(attempt.session->left(), 4 * certificate_cost(scaling_.size())));
   finish_attempt(attempt, scaling_);
   book(attempt);
 }

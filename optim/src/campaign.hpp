@@ -25,6 +25,9 @@ class Campaign {
   std::vector<Attempt> run_all(const Optimizer& optimizer,
                                const std::vector<std::vector<double>>& starts);
 
+  /// Lets a stage make as many more calls as are wanted, or as the budget has left.
+  void allow(Attempt& attempt, std::size_t wanted);
+
   /// Certifies and polishes within the reserve.
   void finish(Attempt& attempt);
 

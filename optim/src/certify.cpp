@@ -67,7 +67,7 @@ class Certifier {
   }
 
   bool derivatives_exist() {
-    if (result_.point.jacobian.allFinite() && !undefined_entry()) return true;
+    if (!undefined_entry()) return true;
     certificate().stationarity = std::numeric_limits<double>::infinity();
     certificate().findings.push_back({Degeneracy::undefined_gradient,
                                       "a derivative that the test needs does not exist here",
@@ -78,8 +78,14 @@ class Certifier {
   bool undefined_entry() const {
     const auto& kinks = result_.point.evaluation.kinks;
     return std::any_of(kinks.begin(), kinks.end(), [&](const KinkedEntry& k) {
-      return k.slope == Slope::undefined && limit_matters(k.response);
+      return k.slope == Slope::undefined && limit_matters(k.response) && varies(k.variable);
     });
+  }
+
+  bool varies(std::size_t variable) const {
+    for (std::size_t k = 0; k < scaling_.size(); ++k)
+      if (scaling_.variable(k) == variable) return true;
+    return false;
   }
 
   // Gradients of the objective with one entry taken from the left or the right. A concave kink

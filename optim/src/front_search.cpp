@@ -30,8 +30,7 @@ std::optional<Solved> FrontSearch::solved(Attempt& attempt) {
 bool FrontSearch::fill(Attempt& attempt, Solved& s) {
   s.design = campaign_.scaling().to_design(s.unit);
   try {
-    if (attempt.session->left() == 0)
-      attempt.session->extend(std::min<std::size_t>(1, campaign_.left()));
+    if (attempt.session->left() == 0) campaign_.allow(attempt, 1);
     s.evaluation = attempt.session->at(s.design, true);
   } catch (const Stop&) {
     return false;
@@ -292,7 +291,7 @@ std::optional<Solved> FrontSearch::scalarize_predicted(const std::vector<double>
   z.push_back(0.0);
   Attempt attempt = campaign_.run(find_optimizer("nlopt:slsqp"), f, z, kCalls);
   auto s = solved(attempt);
-  if (s) attempt.session->extend(std::min(campaign_.left(), 4 * certificate_cost(a.unit.size())));
+  if (s) campaign_.allow(attempt, attempt.session->left() + 4 * certificate_cost(a.unit.size()));
   const bool good = s && settle(attempt, *s);
   campaign_.book(attempt);
   return good ? std::move(s) : std::nullopt;

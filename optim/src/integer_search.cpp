@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integer_search.hpp"
 
+#include "scaling.hpp"
 #include "solve_continuous.hpp"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ using Whole = std::vector<double>;  // one value for each integer variable
 class IntegerSearch {
  public:
   IntegerSearch(const Problem& problem, const SolveOptions& options, const Deadline& deadline)
-      : problem_(problem), options_(options), deadline_(deadline) {
+      : problem_(problem), options_(options), deadline_(deadline), scaling_(problem) {
     const auto start = start_design(problem);
     for (std::size_t j = 0; j < problem.variables.size(); ++j) {
       const Variable& v = problem.variables[j];
@@ -35,9 +36,9 @@ class IntegerSearch {
     result.stages = std::move(total_.stages);
     result.stages_used = total_.stages_used;
     result.seconds = deadline_.elapsed();
-    if (!complete_ && result.outcome == Outcome::optimal) {
+    if (!complete_ && result.outcome != Outcome::failed) {
       result.outcome = Outcome::budget;
-      result.stop = StopReason::evaluations;
+      result.stop = why_cut_short();
     }
     return result;
   }
@@ -52,6 +53,11 @@ class IntegerSearch {
     double product = 1.0;
     for (std::size_t i = 0; i < integers_.size(); ++i) product *= high(i) - low(i) + 1.0;
     return product;
+  }
+
+  StopReason why_cut_short() const {
+    if (options_.stop.stop_requested()) return StopReason::requested;
+    return deadline_.passed() ? StopReason::seconds : StopReason::evaluations;
   }
 
   void enumerate() {
@@ -104,6 +110,10 @@ class IntegerSearch {
     total_.counters.add(result.counters);
     total_.stages.insert(total_.stages.end(), result.stages.begin(), result.stages.end());
     total_.stages_used += result.stages_used;
+    if (!scaled_ && !result.evaluation.jacobian.empty()) {
+      scaling_.scale_responses(result.design, result.evaluation);
+      scaled_ = true;
+    }
     if (best_at_.empty() || beats(result)) {
       best_ = std::move(result);
       best_at_ = at;
@@ -111,15 +121,30 @@ class IntegerSearch {
     return true;
   }
 
-  static int rank(const Result& r) {
-    if (r.design.empty() || r.evaluation.values.empty()) return 0;
-    return r.outcome == Outcome::infeasible || r.outcome == Outcome::failed ? 1 : 2;
+  // Designs that could be looked at come before others, feasible ones before those.
+  int rank(const Result& r) const {
+    if (r.evaluation.values.empty()) return 0;
+    return r.certificate.infeasibility <= options_.feasibility_tolerance ? 2 : 1;
+  }
+
+  // The largest violation, with all whole numbers on one scale: what certificates measure is scaled
+  // by slopes of the variables that one combination leaves free.
+  double violation(const Result& r) const {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < problem_.constraints.size(); ++i) {
+      const Constraint& c = problem_.constraints[i];
+      const std::size_t row = problem_.objectives.size() + i;
+      const double value = r.evaluation.values[row];
+      const double excess = std::max(c.lower - value, value - c.upper);
+      largest = std::max(largest, scaling_.factor(row) * excess);
+    }
+    return largest;
   }
 
   bool beats(const Result& r) const {
     if (rank(r) != rank(best_)) return rank(r) > rank(best_);
     if (rank(r) == 0) return false;
-    if (rank(r) == 1) return r.certificate.infeasibility < best_.certificate.infeasibility;
+    if (rank(r) == 1) return violation(r) < violation(best_);
     const double sign = problem_.objectives[0].sense == Sense::maximize ? -1.0 : 1.0;
     return sign * r.evaluation.values[0] < sign * best_.evaluation.values[0];
   }
@@ -127,6 +152,8 @@ class IntegerSearch {
   const Problem& problem_;
   const SolveOptions& options_;
   const Deadline& deadline_;
+  Scaling scaling_;
+  bool scaled_{false};
   std::vector<std::size_t> integers_;
   Whole start_;
   std::map<Whole, bool> seen_;

@@ -97,10 +97,10 @@ FrontPoint finished(Session& session, const Scaling& scaling, FrontPoint point) 
 
 void certify_points(FrontSearch& search, const std::vector<Solved>& solved, Front& front) {
   Campaign& campaign = search.campaign();
-  const std::size_t quota = std::max(campaign.left(), solved.size());
   Attempt stage;
-  stage.session = std::make_unique<Session>(campaign.problem(), campaign.options(),
-                                            campaign.deadline(), campaign.take_stage(), quota);
+  stage.session =
+      std::make_unique<Session>(campaign.problem(), campaign.options(), campaign.deadline(),
+                                campaign.take_stage(), campaign.left());
   for (const Solved& s : solved) {
     stage.session->remember(s.design, s.evaluation);
     FrontPoint point{s.design, s.evaluation, {}};

@@ -47,8 +47,8 @@ class Session {
   std::uint64_t stage() const { return stage_; }
   std::size_t left() const { return quota_ - counters_.evaluations; }
 
-  /// Lets this many more calls be made.
-  void extend(std::size_t calls) { quota_ += calls; }
+  /// This many more calls may be made, whatever was allowed before.
+  void allow(std::size_t calls) { quota_ = counters_.evaluations + calls; }
 
  private:
   struct Memory {

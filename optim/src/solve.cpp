@@ -195,21 +195,23 @@ class ContinuousSolve {
       unit = found->z;
     }
     result.infeasibility = explain_infeasible(campaign_, unit);
-    if (!result.infeasibility.relaxations.empty())
-      move_to(result.infeasibility.design);
-    else
-      result.outcome = Outcome::feasible;  // the elastic solve found what the solver did not
+    move_to(result.infeasibility.design);
+    if (!result.infeasibility.relaxations.empty()) return;
+    // The elastic solve found what the solver did not, or the budget ended before it could tell.
+    result.outcome = outcome();
+    result.infeasibility = {};
   }
 
-  // The least infeasible design is the one to show.
+  // The least infeasible design is the one to show, if the budget lets it be looked at.
   void move_to(const std::vector<double>& design) {
-    best_.design = design;
-    best_.certified.reset();
     Attempt look;
     look.session = std::make_unique<Session>(campaign_.problem(), options_, campaign_.deadline(),
                                              campaign_.take_stage(), campaign_.left());
     try {
-      best_.certified = certify_in(*look.session, campaign_.scaling(), design, false);
+      if (auto certified = certify_in(*look.session, campaign_.scaling(), design, false)) {
+        best_.design = design;
+        best_.certified = std::move(certified);
+      }
     } catch (const Stop&) {
     }
     campaign_.book(look);

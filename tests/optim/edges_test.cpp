@@ -110,6 +110,43 @@ TEST_CASE("whole numbers that a budget leaves untried are not called optimal", "
   CHECK(solve(few, options).outcome == Outcome::budget);
 }
 
+TEST_CASE("whole numbers may be wanted large, contradict each other, or lead nowhere",
+          "[optim][integer]") {
+  Problem p = whole_numbers();
+  p.objectives[0].sense = Sense::maximize;
+  p.evaluate = [down = p.evaluate](std::span<const double> x, bool gradient) {
+    Evaluation e = down(x, gradient);
+    for (double& v : e.values) v = -v;
+    for (double& d : e.jacobian) d = -d;
+    return e;
+  };
+  const Result top = solve(p);
+  REQUIRE(top.outcome == Outcome::optimal);
+  CHECK(std::vector(top.design.begin(), top.design.begin() + 3) == std::vector{2.0, 7.0, 4.0});
+
+  p = whole_numbers();
+  p.constraints = {{"sum", -kInfinity, 1.0}, {"least", 2.0, kInfinity}};
+  p.evaluate = test::dual_evaluator<4>(3, [](const D* x, D* r) {
+    r[0] = x[3] * x[3];
+    r[1] = x[0] + x[1] + x[2];
+    r[2] = x[0];
+  });
+  SolveOptions options;
+  options.budget.evaluations = 4000;
+  const Result never = solve(p, options);
+  CHECK((never.outcome == Outcome::infeasible || never.outcome == Outcome::budget));
+  CHECK_FALSE(never.certificate.passed);
+  REQUIRE(never.design.size() == 4);
+  // The larger of the two violations, both in units of the same steps, is 1 at least.
+  const double sum = never.design[0] + never.design[1] + never.design[2];
+  CHECK(std::max(sum - 1.0, 2.0 - never.design[0]) == 1.0);
+
+  p.evaluate = [](std::span<const double>, bool) { return Evaluation{{}, {}, {}, "torn"}; };
+  const Result torn = solve(p, options);
+  CHECK((torn.outcome == Outcome::failed || torn.outcome == Outcome::budget));
+  CHECK(torn.counters.failures.at("torn") == torn.counters.evaluations);
+}
+
 TEST_CASE("a global search finds the deeper valley, which a start in the other one misses",
           "[optim][global]") {
   SolveOptions options;

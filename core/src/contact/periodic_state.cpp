@@ -348,26 +348,24 @@ ContactMeans<Dual<double, N>> differentiated_means(const ContactNumbers<Dual<dou
 template <typename S>
 ContactMeans<S> periodic_means(const ContactNumbers<S>& numbers,
                                const ContactNumbers<double>& values, const PeriodicState& state) {
-  const LayerMotion<S> layer(numbers.inertia, numbers.damping);
-  LapEntry<S> entry = constant_entry<S>(state.entry);
-  const Script* script = &state.lap.script;
-  if (!state.remembers) return run_lap(numbers, layer, entry, script).means;
-  if constexpr (kDualDepth<S> == 1) {
-    return differentiated_means(numbers, state);
+  if constexpr (kDualDepth<S> == 0) {
+    return state.lap.means;
   } else {
-    const Matrix2 j = return_jacobian(values, state.entry, script);
-    for (int i = 0; i < kDualDepth<S>; ++i) {
-      const LayerState<S> next = run_lap(numbers, layer, entry, script).next.layer;
-      correct(j, next, entry.layer, state.entry.layer);
+    const LayerMotion<S> layer(numbers.inertia, numbers.damping);
+    LapEntry<S> entry = constant_entry<S>(state.entry);
+    const Script* script = &state.lap.script;
+    if (!state.remembers) return run_lap(numbers, layer, entry, script).means;
+    if constexpr (kDualDepth<S> == 1) {
+      return differentiated_means(numbers, state);
+    } else {
+      const Matrix2 j = return_jacobian(values, state.entry, script);
+      for (int i = 0; i < kDualDepth<S>; ++i) {
+        const LayerState<S> next = run_lap(numbers, layer, entry, script).next.layer;
+        correct(j, next, entry.layer, state.entry.layer);
+      }
+      return run_lap(numbers, layer, entry, script).means;
     }
-    return run_lap(numbers, layer, entry, script).means;
   }
-}
-
-template <>
-ContactMeans<double> periodic_means(const ContactNumbers<double>&, const ContactNumbers<double>&,
-                                    const PeriodicState& state) {
-  return state.lap.means;
 }
 
 #define TWUM_INSTANTIATE(S)                                                                        \

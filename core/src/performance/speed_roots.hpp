@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <optional>
 
@@ -63,14 +64,14 @@ class Trail {
 /// Polynomial through a few points of a function, in Newton's form: where to begin an iteration.
 class Interpolant {
  public:
-  static constexpr int kMost = 5;
+  static constexpr std::size_t kMost = 5;
   struct Value {
     double value, slope, curvature;
   };
 
   void add(double x, double f) {
     std::array<double, kMost> differences{f};
-    for (int k = 1; k <= count_; ++k)
+    for (std::size_t k = 1; k <= count_; ++k)
       differences[k] = (differences[k - 1] - last_[k - 1]) / (x - x_[count_ - k]);
     x_[count_] = x;
     coefficients_[count_] = differences[count_];
@@ -80,7 +81,7 @@ class Interpolant {
 
   Value at(double x) const {
     Value p{0, 0, 0};
-    for (int k = count_ - 1; k >= 0; --k) {
+    for (std::size_t k = count_; k-- > 0;) {
       const double t = x - x_[k];
       p = {p.value * t + coefficients_[k], p.slope * t + p.value, p.curvature * t + 2 * p.slope};
     }
@@ -89,7 +90,7 @@ class Interpolant {
 
  private:
   std::array<double, kMost> x_{}, coefficients_{}, last_{};
-  int count_{0};
+  std::size_t count_{0};
 };
 
 /// Inverse interpolation through the last two or three points of a function: the steps of an iteration
