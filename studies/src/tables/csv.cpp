@@ -4,6 +4,7 @@
 #include <twum/base/error.hpp>
 #include <twum/studies/text/words.hpp>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -43,22 +44,22 @@ class QuoteState {
 
 bool CsvReader::fill() {
   if (at_end_) return false;
-  buffer_.erase(0, at_);
+  std::memmove(buffer_.data(), buffer_.data() + at_, end_ - at_);
+  end_ -= at_;
   at_ = 0;
-  const std::size_t old = buffer_.size();
   // A long record grows the block, so that it is not copied over and over.
-  const std::size_t room = std::max(kBlock, old);
-  buffer_.resize(old + room);
-  const std::size_t got = bytes_(buffer_.data() + old, room);
-  buffer_.resize(old + got);
+  const std::size_t room = std::max(kBlock, end_);
+  if (buffer_.size() < end_ + room) buffer_.resize(end_ + room);
+  const std::size_t got = bytes_(buffer_.data() + end_, room);
+  end_ += got;
   bytes_read_ += got;
   at_end_ = got == 0;
   if (at_start_ && !at_end_) {
     constexpr std::string_view kMark = "\xEF\xBB\xBF";
     // A stream may come byte by byte.
-    if (buffer_.size() < kMark.size() && kMark.starts_with(buffer_)) return fill();
+    if (rest().size() < kMark.size() && kMark.starts_with(rest())) return fill();
     at_start_ = false;
-    if (buffer_.starts_with(kMark)) at_ = kMark.size();
+    if (rest().starts_with(kMark)) at_ = kMark.size();
   }
   return !at_end_;
 }
@@ -67,21 +68,21 @@ bool CsvReader::fill() {
 bool CsvReader::find_record(std::size_t& length, std::size_t& lines) {
   QuoteState quotes;
   while (true) {
-    const std::string_view rest = std::string_view(buffer_).substr(at_);
-    const std::size_t feed = rest.find('\n');
+    const std::string_view text = rest();
+    const std::size_t feed = text.find('\n');
     const bool simple =
-        feed != std::string_view::npos && rest.substr(0, feed).find('"') == std::string_view::npos;
-    const std::size_t end = simple ? feed : quotes.find_end(rest);
+        feed != std::string_view::npos && text.substr(0, feed).find('"') == std::string_view::npos;
+    const std::size_t end = simple ? feed : quotes.find_end(text);
     if (end != std::string_view::npos) {
       length = end + 1;
       break;
     }
-    if (rest.size() > kLongestRecord) {
+    if (text.size() > kLongestRecord) {
       throw InputError(name_ + ":" + std::to_string(line_) +
                        ":1: a row longer than 64 MiB; is a quotation mark missing?");
     }
     if (!fill()) {
-      length = buffer_.size() - at_;
+      length = rest().size();
       break;
     }
   }
@@ -99,7 +100,7 @@ bool CsvReader::next(CsvChunk& chunk) {
   std::size_t length = 0;
   std::size_t lines = 0;
   while (find_record(length, lines)) {
-    std::string_view record = std::string_view(buffer_).substr(at_, length);
+    std::string_view record = rest().substr(0, length);
     if (record.ends_with('\n')) record.remove_suffix(1);
     if (record.ends_with('\r')) record.remove_suffix(1);
     const std::size_t line = line_;

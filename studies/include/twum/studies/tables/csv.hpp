@@ -47,17 +47,20 @@ class CsvReader {
   /// Name of the file, as errors say it.
   const std::string& name() const noexcept { return name_; }
   /// Bytes of the stream up to the end of the last record read.
-  std::size_t bytes_taken() const noexcept { return bytes_read_ - (buffer_.size() - at_); }
+  std::size_t bytes_taken() const noexcept { return bytes_read_ - rest().size(); }
 
  private:
+  /// What was read and not yet cut.
+  std::string_view rest() const noexcept { return {buffer_.data() + at_, end_ - at_}; }
   bool fill();
   bool find_record(std::size_t& length, std::size_t& lines);
   bool next(CsvChunk& chunk);
 
   std::string name_;
   Bytes bytes_;
-  std::string buffer_;
+  std::string buffer_;  // grows, never shrinks: bytes from at_ to end_ count
   std::size_t at_{0};
+  std::size_t end_{0};
   std::size_t line_{1};
   std::size_t bytes_read_{0};
   bool at_start_{true};
