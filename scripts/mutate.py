@@ -108,7 +108,8 @@ class Copy:
                         f"{ROOT}/", f"{self.tree}/"], check=True)
         launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
         subprocess.run(["cmake", "-S", self.tree, "-B", self.build, "-G", "Ninja", "-DTWUM_BUILD_CLI=OFF",
-                        "-DTWUM_BUILD_PYTHON=OFF", "-DCMAKE_BUILD_TYPE=Release", *launcher], check=True, stdout=subprocess.DEVNULL)
+                        "-DTWUM_BUILD_PYTHON=OFF", "-DTWUM_PRECOMPILE=ON", "-DCMAKE_BUILD_TYPE=Release",
+                        "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG", *launcher], check=True, stdout=subprocess.DEVNULL)
 
     def compile(self, jobs):
         targets = sorted({test[0] for test in self.tests})

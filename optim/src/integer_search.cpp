@@ -31,6 +31,7 @@ class IntegerSearch {
       enumerate();
     else
       descend();
+    if (options_.analyse_infeasible && complete_ && best_.outcome == Outcome::infeasible) explain();
     Result result = std::move(best_);
     result.counters = total_.counters;
     result.stages = std::move(total_.stages);
@@ -93,23 +94,39 @@ class IntegerSearch {
     }
   }
 
-  // False when nothing is left of the budget.
-  bool visit(const Whole& at) {
-    seen_[at] = true;
-    const std::size_t used = total_.counters.evaluations;
-    if (used >= options_.budget.evaluations || deadline_.passed() || options_.stop.stop_requested())
-      return false;
+  // With these whole numbers, in stages of its own.
+  Result solve_at(const Whole& at, bool analyse) {
     Problem fixed = problem_;
     for (std::size_t i = 0; i < at.size(); ++i)
       fixed.variables[integers_[i]].lower = fixed.variables[integers_[i]].upper = at[i];
     SolveOptions options = options_;
-    options.budget.evaluations -= used;
+    options.budget.evaluations -= total_.counters.evaluations;
     options.first_stage += total_.stages_used;
-    options.analyse_infeasible = options_.analyse_infeasible && combinations() == 1.0;
+    options.analyse_infeasible = analyse;
     Result result = solve_continuous(fixed, options, deadline_);
     total_.counters.add(result.counters);
     total_.stages.insert(total_.stages.end(), result.stages.begin(), result.stages.end());
     total_.stages_used += result.stages_used;
+    return result;
+  }
+
+  bool exhausted() const {
+    return total_.counters.evaluations >= options_.budget.evaluations || deadline_.passed() ||
+           options_.stop.stop_requested();
+  }
+
+  // The least infeasible design again, with the limits that fight there.
+  void explain() {
+    if (exhausted()) return;
+    Result told = solve_at(best_at_, true);
+    if (told.outcome == Outcome::infeasible || rank(told) == 2) best_ = std::move(told);
+  }
+
+  // False when nothing is left of the budget.
+  bool visit(const Whole& at) {
+    seen_[at] = true;
+    if (exhausted()) return false;
+    Result result = solve_at(at, false);
     if (!scaled_ && !result.evaluation.jacobian.empty()) {
       scaling_.scale_responses(result.design, result.evaluation);
       scaled_ = true;
