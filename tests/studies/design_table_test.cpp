@@ -76,7 +76,7 @@ TEST_CASE("a row that fails has empty metrics and a reason, and the others go on
   CHECK(text ==
         "preload,mu,preload [N],status\n"
         "100,0.2,100,ok\n"
-        "100,,,\"line 3: 1 cells, the header has 2\"\n"
+        "100,,,\"line 3: 1 cell, the header has 2\"\n"
         "100,0.2,,\"line 4: 3 cells, the header has 2\"\n"
         "abc,0.2,,line 5: preload: 'abc' is not a number\n"
         ",0.2,,line 6: preload: no number\n"

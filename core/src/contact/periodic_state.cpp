@@ -88,7 +88,7 @@ class Search {
   void run(const LapEntry<double>* guess) {
     if (layer_.response > kResonance) return give_up(PeriodicStatus::resonance);
     turn(guess && unique_ ? *guess : LapEntry<double>{{0, 0}, false, ZoneState::stick});
-    while (s_.laps < kMaxLaps && zones_ < kMaxZonesInAll && s_.lap.status == LapStatus::ok) {
+    while (s_.laps < kMaxLaps && s_.zones < kMaxZonesInAll && s_.lap.status == LapStatus::ok) {
       if (settled()) return finish();
       if (cycles()) break;
       advance();
@@ -105,7 +105,7 @@ class Search {
     s_.entry = entry;
     s_.lap = run_lap(n_, layer_, entry);
     ++s_.laps;
-    zones_ += s_.lap.zones;
+    s_.zones += s_.lap.zones;
     gap_ = distance(s_.entry.layer, s_.lap.next.layer);
     repeats_ = s_.lap.itinerary == before ? repeats_ + 1 : 0;
     progress_ = gap_before > 0 ? gap_ / gap_before : 1;
@@ -261,7 +261,6 @@ class Search {
   LayerState<double> moved_in_{0, 0}, moved_out_{0, 0};  // last lap less the one before
   int repeats_{0}, patience_{4}, checked_{0};
   LayerState<double> checkpoint_{0, 0};
-  long zones_{0};
 };
 
 }  // namespace

@@ -20,6 +20,7 @@ struct PeriodicState {
   PeriodicStatus status{};
   bool remembers{false};  ///< false: the layer enters at rest whatever happened before
   int laps{0};            ///< turns it took to find, those with derivatives included
+  long zones{0};          ///< of all these turns: what the search cost
 };
 
 /// Finds the periodic state that laps from rest lead to (theory section 10).

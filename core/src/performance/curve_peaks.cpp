@@ -144,6 +144,7 @@ Peak CurveSearch::rough_peak(Goal goal, const std::vector<Node>& nodes, std::siz
     if (n.ok() && value(goal, n) > best.value) best = {n.speed, value(goal, n), PeakKind::kink};
   };
   const double worth = 0.7 * best.value;
+  lost_ = 0;
   for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
     if (std::max(value(goal, nodes[k]), value(goal, nodes[k + 1])) < worth) continue;
     Node low = nodes[k];
@@ -171,10 +172,10 @@ Peak CurveSearch::rough_peak(Goal goal, const std::vector<Node>& nodes, std::siz
 
 // Neighbouring speeds between which the sequence of zones that holds at `low` ends.
 std::pair<CurveSearch::Node, CurveSearch::Node> CurveSearch::stretch_end(const Node& low,
-                                                                         const Node& end) const {
+                                                                         const Node& end) {
   Node left = low, right = end;
   while (right.speed - left.speed > 4e-16 * (crest_ + right.speed)) {
-    const Node middle = node(0.5 * (left.speed + right.speed));
+    const Node& middle = halved(0.5 * (left.speed + right.speed));
     if (middle.speed <= left.speed || middle.speed >= right.speed) break;
     (middle.itinerary == low.itinerary ? left : right) = middle;
   }

@@ -14,6 +14,7 @@ constexpr int kIntervals = 20;
 constexpr int kRoughIntervals = 40;
 constexpr int kMissing = 4;        // points without a periodic state that may follow one another
 constexpr double kFarthest = 1e4;  // times the crest speed
+constexpr long kMostLost = 1'000'000;  // zones that one search may follow in vain: about a second
 
 // True if less than half of the layer's own motion is left after a turn. What is left longer can upset the
 // plateau at single speeds, where a turn is a multiple of the layer's own period.
@@ -45,7 +46,7 @@ CurveSearch::CurveSearch(const MotorModel<double>& model)
 CurveSearch::Node CurveSearch::node(double speed, Trail* trail, double accuracy) const {
   const SolvedPoint p = solve_point(m_, speed, trail ? trail->at(speed) : nullptr, accuracy);
   if (p.status != PointStatus::ok)
-    return {speed, 0, 0, false, kNoState, metric_status(p.status), {}};
+    return {speed, 0, 0, false, kNoState, metric_status(p.status), {}, p.state.zones};
   if (trail && !p.special) trail->add(speed, p.state.entry);
   const bool drives =
       !p.special && p.state.lap.one_slip && p.state.lap.first == ZoneState::slip_plus;
@@ -68,6 +69,16 @@ CurveSearch::Node CurveSearch::answered(double speed, Trail* trail) const {
   const Node n = node(speed, trail);
   if (!n.ok()) throw SearchFailure{n.status};
   return n;
+}
+
+// A node of a halving. Speeds without a periodic state, each followed up to its limit, may lie close
+// together: then the search ends with their status.
+const CurveSearch::Node& CurveSearch::halved(double speed) {
+  const auto [place, fresh] = halved_.try_emplace(speed);
+  if (fresh) place->second = node(speed);
+  lost_ += place->second.lost;
+  if (lost_ > kMostLost) throw SearchFailure{place->second.status};
+  return place->second;
 }
 
 double CurveSearch::stall_torque() {
@@ -224,10 +235,10 @@ double CurveSearch::plateau_end() {
   }
   // With mu_0 > mu the layer may hold on to sticking where slipping all through would be possible too.
   if (rough_ && !node(speed * (1 - 1e-9)).plateau) {
-    low = nodes_[k - 1].speed, high = speed;
+    low = nodes_[k - 1].speed, high = speed, lost_ = 0;
     while (high - low > 1e-15 * crest_) {
       const double middle = 0.5 * (low + high);
-      (node(middle).plateau ? low : high) = middle;
+      (halved(middle).plateau ? low : high) = middle;
     }
     speed = low;
   }

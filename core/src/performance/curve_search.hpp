@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -57,6 +58,7 @@ class CurveSearch {
     std::uint64_t itinerary;  ///< kNoState where the point has no answer
     MetricStatus status;
     contact::LapEntry<double> entry;  ///< of the periodic state
+    long lost{0};                     ///< zones followed in vain, without an answer
     bool ok() const { return status == MetricStatus::ok; }
   };
   static constexpr double kScanAccuracy = 1e-7;  // of the nodes
@@ -82,7 +84,8 @@ class CurveSearch {
                      double& curvature) const;
   std::optional<Peak> peak_near(Goal goal, const std::vector<Node>& nodes, std::size_t top);
   std::optional<Peak> peak_between(Goal goal, double low, double high);
-  std::pair<Node, Node> stretch_end(const Node& low, const Node& end) const;
+  const Node& halved(double speed);
+  std::pair<Node, Node> stretch_end(const Node& low, const Node& end);
   Peak named(Peak peak);
   std::vector<Node> working_nodes();
   bool starts_on_plateau();
@@ -99,6 +102,8 @@ class CurveSearch {
   std::optional<double> plateau_end_;
   std::optional<Peak> peaks_[3];
   std::deque<std::pair<double, TorqueSlope>> slopes_;  // by speed; references stay valid
+  std::map<double, Node> halved_;                      // nodes of halvings, the same for every goal
+  long lost_{0};                                       // by halving in this search
 };
 
 }  // namespace twum::performance

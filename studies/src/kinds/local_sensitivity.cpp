@@ -26,6 +26,11 @@ class LocalSensitivity : public SensitivityStudy {
     SensitivityResult result = frame("local");
     result.motor = motor_;
     context.store.read(0, [&](const Row& row) { answer(row, result); });
+    for (MetricSensitivity& metric : result.metrics) {
+      if (metric.samples + metric.dropped > 0) continue;
+      metric.value = metric.sd = kNone;
+      refused(metric, "motors");
+    }
     std::string word = outcome(result, complete);
     return {std::move(word), std::move(result)};
   }

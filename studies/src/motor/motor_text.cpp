@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/studies/motor/motor_file.hpp>
 
+#include "yaml/yaml_text.hpp"
+
 #include <twum/studies/text/number.hpp>
 
 namespace twum::studies {
 namespace {
-
-std::string double_quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c == '\n' || c == '\t' ? ' ' : c;
-  }
-  return out + "\"";
-}
 
 std::string value_text(double value, const ParameterInfo& row) {
   return number_text(value) + (row.unit == "1" ? "" : " " + std::string(row.unit));

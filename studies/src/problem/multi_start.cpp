@@ -60,22 +60,28 @@ class MultiStart {
  private:
   // False once nothing more may be spent.
   bool solve(const std::vector<double>& start) {
+    const bool first = total_.stages_used == 0;
+    optim::Result result = search(start);
+    const bool stopped = result.stop != optim::StopReason::finished;
+    if (first || better(result, best_, problem_)) best_ = std::move(result);
+    if (stopped) end_here();
+    return !stopped && total_.counters.evaluations < options_.budget.evaluations &&
+           !options_.stop.stop_requested();
+  }
+
+  // One local search; what it cost is added to the total.
+  optim::Result search(const std::vector<double>& start) {
     optim::Problem problem = problem_;
     for (std::size_t j = 0; j < start.size(); ++j) problem.variables[j].start = start[j];
     optim::SolveOptions options = options_;
     options.first_stage += total_.stages_used;
     options.budget.evaluations -= total_.counters.evaluations;
     optim::Result result = optim::solve(problem, options);
-    const bool stopped = result.stop != optim::StopReason::finished;
     total_.counters.add(result.counters);
     total_.stages.insert(total_.stages.end(), result.stages.begin(), result.stages.end());
     total_.stages_used += result.stages_used;
     total_.seconds += result.seconds;
-    const bool first = total_.stages_used == result.stages_used;
-    if (first || better(result, best_, problem_)) best_ = std::move(result);
-    if (stopped) end_here();
-    return !stopped && total_.counters.evaluations < options_.budget.evaluations &&
-           !options_.stop.stop_requested();
+    return result;
   }
 
   // What was found stays what it is, but the search was not done with.
@@ -85,10 +91,14 @@ class MultiStart {
                                                 : optim::StopReason::evaluations;
   }
 
-  // No start led to a feasible design: the least infeasible one is where the reason is looked for.
+  // No start led to a feasible design: the least infeasible one is where the reason is looked for. What
+  // is found there is told, be the design no better than the one it began with.
   void explain() {
     options_.analyse_infeasible = true;
-    solve(best_.design);
+    optim::Result result = search(best_.design);
+    const bool stopped = result.stop != optim::StopReason::finished;
+    if (!better(best_, result, problem_)) best_ = std::move(result);
+    if (stopped) end_here();
   }
 
   const optim::Problem& problem_;

@@ -2,6 +2,7 @@
 #include "results/answers.hpp"
 
 #include <twum/studies/text/text_table.hpp>
+#include <twum/studies/text/words.hpp>
 #include <twum/studies/units/engineering.hpp>
 
 #include <algorithm>
@@ -98,8 +99,8 @@ std::string answer_text(const CurveResult& result) {
   }
   std::string text = aligned(table);
   if (shown.members.size() < result.members.size()) {
-    text += "and " + std::to_string(result.members.size() - shown.members.size()) +
-            " more curves, see summary.json\n";
+    text += "and " + counted(result.members.size() - shown.members.size(), "more curve") +
+            ", see summary.json\n";
   }
   return text + failed_points_text(result);
 }

@@ -2,6 +2,7 @@
 #include "results/search_words.hpp"
 
 #include <twum/studies/text/text_table.hpp>
+#include <twum/studies/text/words.hpp>
 #include <twum/studies/units/engineering.hpp>
 
 #include <algorithm>
@@ -108,7 +109,7 @@ std::string worth_text(const ParetoResult& result) {
 // Limits that bind somewhere, and along how much of the front.
 std::string binding_words(const ParetoResult& result) {
   std::string text;
-  const std::string of = " of " + std::to_string(result.front.size()) + " points.\n";
+  const std::string of = " of " + counted(result.front.size(), "point") + ".\n";
   const auto& limits = result.front.front().report.constraints;
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const auto count = std::count_if(result.front.begin(), result.front.end(),
@@ -156,7 +157,7 @@ std::string answer_text(const ParetoResult& result) {
   if (!result.relaxation.empty() || !result.conflict.empty())
     return relaxation_words(result.conflict, result.relaxation);
   if (result.front.empty()) return "No point of the front was found.\n";
-  return std::to_string(result.front.size()) + " points, " + std::to_string(certified(result)) +
+  return counted(result.front.size(), "point") + ", " + std::to_string(certified(result)) +
          " of them certified\n\n" + front_table(result) + "\n" + binding_words(result) +
          worth_text(result);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/estimate_json.hpp"
+#include "results/search_words.hpp"
 
 #include <twum/core/design/parameters.hpp>
 #include <twum/studies/text/number.hpp>
@@ -94,16 +95,9 @@ std::string with_unit(const Estimate& e, const std::string& unit) {
   return text(e.value) + "  (" + text(e.low) + " to " + text(e.high) + ")";
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-  return text;
-}
-
 std::string idle_sentence(const std::vector<std::string>& names) {
   if (names.empty()) return {};
-  return listed(names) + (names.size() == 1 ? " does" : " do") + " not matter.\n";
+  return enumeration(names) + (names.size() == 1 ? " does" : " do") + " not matter.\n";
 }
 
 std::string percent(double share) { return rounded_text(100 * share, 3) + " %"; }
@@ -176,9 +170,7 @@ class MetricText {
 
   std::string gradient(double value, std::size_t j) const {
     if (!std::isfinite(value)) return "-";
-    const auto unit = [](const std::string& u) { return u == "1" ? std::string("1") : u; };
-    return rounded_text(value, 4) + " " + unit(metric_.metric.unit) + " per " +
-           unit(result_.variables[j].unit);
+    return rounded_text(value, 4) + " " + metric_.metric.unit + " per " + result_.variables[j].unit;
   }
 
   std::string smoothness_sentence() const {

@@ -54,16 +54,15 @@ std::string failures_text(const StudyResult& result) {
     if (!where.empty()) text += "     at " + where + "\n";
   }
   if (result.failure_regions.size() > kReasonsShown) {
-    text += "  and " + std::to_string(result.failure_regions.size() - kReasonsShown) +
-            " more reasons, see summary.json\n";
+    text += "  and " + counted(result.failure_regions.size() - kReasonsShown, "more reason") +
+            ", see summary.json\n";
   }
   return text;
 }
 
 std::string count_text(const StudyResult& result) {
-  return std::to_string(result.evaluations) +
-         (result.evaluations == 1 ? " evaluation in " : " evaluations in ") +
-         rounded_text(result.seconds, 3) + " s\n";
+  return counted(result.evaluations, "evaluation") + " in " + rounded_text(result.seconds, 3) +
+         " s\n";
 }
 
 std::string heading(const StudyResult& result) {

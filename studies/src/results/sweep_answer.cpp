@@ -2,6 +2,7 @@
 #include "results/answers.hpp"
 
 #include <twum/studies/text/text_table.hpp>
+#include <twum/studies/text/words.hpp>
 #include <twum/studies/units/engineering.hpp>
 
 namespace twum::studies {
@@ -77,10 +78,8 @@ Json answer_json(const SweepResult& result) {
 std::string answer_text(const SweepResult& result) {
   if (result.stored == 0) return {};
   std::string text =
-      std::to_string(result.stored) +
-      (result.stored < result.designs ? " of " + std::to_string(result.designs) + " designs"
-                                      : " designs") +
-      " (" + result.sampling + ")";
+      (result.stored < result.designs ? std::to_string(result.stored) + " of " : "") +
+      counted(result.designs, "design") + " (" + result.sampling + ")";
   if (result.failed > 0) text += ", " + std::to_string(result.failed) + " without a full answer";
   return text + "\n\n" + spread_table(result) + "\n" + ends_table(result);
 }

@@ -3,6 +3,7 @@
 
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/text/text_table.hpp>
+#include <twum/studies/text/words.hpp>
 #include <twum/studies/units/engineering.hpp>
 
 #include <algorithm>
@@ -63,13 +64,18 @@ std::string spread_table(const UncertaintyResult& result) {
   return aligned(table);
 }
 
+std::string without(std::uint64_t count) {
+  return counted(count, "motor") + (count == 1 ? " has" : " have") + " no value";
+}
+
 std::string missing_text(const UncertaintyResult& result) {
   std::string text;
   for (const UncertaintyResult::Metric& metric : result.metrics) {
     const std::uint64_t missing = result.samples - metric.count;
     if (missing == 0) continue;
-    text += metric.column.name + ": " + std::to_string(missing) +
-            " motors have no value; the numbers are those of the others.\n";
+    text += metric.column.name + ": ";
+    text += metric.count == 0 ? "no motor has a value.\n"
+                              : without(missing) + "; the numbers are those of the others.\n";
   }
   for (const UncertaintyResult::CutOff& cut : result.cut_off) {
     text += percent(cut.share) + " of the distribution of " + cut.variable +
@@ -91,8 +97,8 @@ std::string yield_text(const UncertaintyResult& result) {
   if (result.limits.size() > 1 && worst->kept.value < 1)
     text += "'" + worst->text + "' costs most.\n";
   if (result.no_value > 0) {
-    text += std::to_string(result.no_value) +
-            " motors have no value for a limit and count as not keeping it.\n";
+    text += without(result.no_value) + " for a limit and " +
+            (result.no_value == 1 ? "counts" : "count") + " as not keeping it.\n";
   }
   return text;
 }
@@ -129,7 +135,7 @@ Json answer_json(const UncertaintyResult& result) {
 
 std::string answer_text(const UncertaintyResult& result) {
   if (result.samples == 0) return {};
-  std::string text = std::to_string(result.samples) + " motors drawn, " +
+  std::string text = counted(result.samples, "motor") + " drawn, " +
                      rounded_text(100 * result.confidence, 3) + " % intervals in parentheses";
   if (result.failed > 0) text += "; " + std::to_string(result.failed) + " without a full answer";
   return text + "\n\n" + spread_table(result) + missing_text(result) + yield_text(result);

@@ -119,8 +119,8 @@ std::vector<FoundMotor> found_motors(const StudyFile& file, const StudyResult& r
 }
 
 std::string found_motor_text(const FoundMotor& found, const StudyResult& result) {
-  return "# The " + found.what + " of the study " + result.study + ", twum " + version() + ".\n" +
-         motor_text(found.motor);
+  return "# The " + found.what + " of the study " + printable(result.study, 255) + ", twum " +
+         version() + ".\n" + motor_text(found.motor);
 }
 
 std::vector<std::string> notes_on(const StudyFile& file, const StudyResult& result) {

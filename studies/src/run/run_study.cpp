@@ -13,6 +13,7 @@
 #include <twum/studies/report/report.hpp>
 #include <twum/studies/run/ordered.hpp>
 #include <twum/studies/text/number.hpp>
+#include <twum/studies/text/words.hpp>
 
 #include <array>
 #include <filesystem>
@@ -170,8 +171,8 @@ class KeptRun {
   }
 
   std::string study_text() const {
-    return "# The study " + name_of(file_) + " as it was run: the motor in full, every default " +
-           "written out.\n# Hash " + study_.hash() + ", twum " + version() + ".\n" +
+    return "# The study " + printable(name_of(file_), 255) + " as it was run: the motor in full, " +
+           "every default written out.\n# Hash " + study_.hash() + ", twum " + version() + ".\n" +
            study_.text(directory_);
   }
 

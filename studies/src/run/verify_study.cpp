@@ -7,7 +7,9 @@
 
 #include <twum/base/error.hpp>
 
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 
 namespace twum::studies {
@@ -19,9 +21,15 @@ using Json = nlohmann::ordered_json;
 // A folder of its own that goes when it is no longer needed.
 class ScratchFolder {
  public:
-  ScratchFolder() : path_((fs::temp_directory_path() / "twum-verify-XXXXXX").string()) {
-    if (::mkdtemp(path_.data()) == nullptr)
-      throw StoreError(path_ + ": no folder for a copy of the results can be made");
+  ScratchFolder() {
+    std::error_code error;
+    path_ = (fs::temp_directory_path(error) / "twum-verify-XXXXXX").string();
+    if (error || ::mkdtemp(path_.data()) == nullptr) {
+      throw StoreError(
+          "no folder for a copy of the results can be made in that for temporary files: " +
+          (error ? error.message() : path_ + ": " + std::strerror(errno)) +
+          "; set TMPDIR to another one");
+    }
   }
   ~ScratchFolder() {
     std::error_code ignored;

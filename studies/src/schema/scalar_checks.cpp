@@ -22,15 +22,19 @@ std::string such_as(const Schema& schema) {
   return schema.example.empty() ? "" : " such as '" + schema.example + "'";
 }
 
+std::string comma_such_as(const Schema& schema) {
+  return schema.example.empty() ? "" : "," + such_as(schema);
+}
+
 void check_range(double value, std::string_view text, const Schema& schema) {
   if (schema.min_excluded ? !(value > schema.min) : !(value >= schema.min)) {
     throw ValueError(quoted(text) + " is too small",
                      (schema.min_excluded ? "must be more than " : "must be at least ") +
-                         limit_text(schema.min, schema) + "," + such_as(schema));
+                         limit_text(schema.min, schema) + comma_such_as(schema));
   }
   if (!(value <= schema.max)) {
     throw ValueError(quoted(text) + " is too large",
-                     "must be at most " + limit_text(schema.max, schema) + "," + such_as(schema));
+                     "must be at most " + limit_text(schema.max, schema) + comma_such_as(schema));
   }
   if ((schema.whole || schema.kind == ValueKind::count) && value != std::floor(value)) {
     throw ValueError(quoted(text) + " is not a whole number", expectation(schema));

@@ -86,8 +86,7 @@ class Validator {
     if (node.kind != YamlNode::Kind::list) return wrong_kind(node, schema, path, place);
     const std::size_t count = node.items.size();
     if (count < schema.min_items || count > schema.max_items) {
-      diagnostics_.add(node.mark, path,
-                       count == 0 ? "an empty list" : std::to_string(count) + " items",
+      diagnostics_.add(node.mark, path, count == 0 ? "an empty list" : counted(count, "item"),
                        count == 0 ? expectation(schema.items.front()) : items_allowed(schema));
     }
     for (std::size_t i = 0; i < node.items.size(); ++i) {

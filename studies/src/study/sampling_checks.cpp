@@ -4,6 +4,7 @@
 #include "study/distribution_entries.hpp"
 #include "study/repeats.hpp"
 
+#include <twum/studies/schema/validate.hpp>
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/text/value_error.hpp>
 #include <twum/studies/text/words.hpp>
@@ -87,9 +88,10 @@ void check_uncertainty(const YamlNode& study, Diagnostics& diagnostics) {
   const YamlNode* quantiles = study.find("quantiles");
   if (quantiles == nullptr) return;
   Repeats repeats("study.quantiles", "leave one of them out", diagnostics);
+  Schema probability;  // 5 % is 0.05
+  probability.kind = ValueKind::quantity;
   for (const YamlNode& item : quantiles->items) {
-    if (const auto value = parse_number(trimmed(item.scalar)))
-      repeats.see(item, number_text(*value));
+    if (const auto value = quantity_of(item, probability)) repeats.see(item, number_text(*value));
   }
 }
 

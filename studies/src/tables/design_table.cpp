@@ -132,7 +132,7 @@ bool DesignTable::compute(std::string_view record, std::size_t line, Scratch& sc
   if (!scratch.well_formed || scratch.cells.size() != columns_.size()) {
     scratch.reason =
         at_line(line) + (scratch.well_formed
-                             ? std::to_string(scratch.cells.size()) + " cells, the header has " +
+                             ? counted(scratch.cells.size(), "cell") + ", the header has " +
                                    std::to_string(columns_.size())
                              : std::string("a quotation mark that cannot stand there"));
     return false;

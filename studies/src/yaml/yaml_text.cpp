@@ -23,19 +23,7 @@ bool is_plain(const std::string& text) {
 }
 
 std::string scalar_text(const std::string& text) {
-  if (is_plain(text)) return text;
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    if (c == '\n') {
-      out += "\\n";
-    } else if (c == '\t') {
-      out += "\\t";
-    } else {
-      out += c;
-    }
-  }
-  return out + "\"";
+  return is_plain(text) ? text : double_quoted(text);
 }
 
 std::string inline_text(const YamlNode& node) {
@@ -68,6 +56,26 @@ std::string item_lines(const YamlNode& list, std::size_t depth) {
 }
 
 }  // namespace
+
+std::string double_quoted(std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string out = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      out += std::string("\\") + c;
+    } else if (c == '\n') {
+      out += "\\n";
+    } else if (c == '\t') {
+      out += "\\t";
+    } else if (byte < 0x20 || byte == 0x7F) {
+      out += std::string("\\x") + kDigits[byte >> 4U] + kDigits[byte & 0xFU];
+    } else {
+      out += c;
+    }
+  }
+  return out + "\"";
+}
 
 std::string yaml_text(const YamlNode& mapping, std::size_t depth) {
   std::string out;

@@ -4,8 +4,12 @@
 #include <twum/studies/yaml/node.hpp>
 
 #include <string>
+#include <string_view>
 
 namespace twum::studies {
+
+/// A text in quotation marks, which load_yaml() reads back as it is: control characters are escaped.
+std::string double_quoted(std::string_view text);
 
 /// The entries of a mapping as lines of YAML, which load_yaml() reads back as they are.
 std::string yaml_text(const YamlNode& mapping, std::size_t depth);

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "results/answers.hpp"
+
+#include <limits>
+#include <string>
+
+/// Answers made by hand, for tests of what is said of them.
+namespace twum::test {
+
+using namespace twum::studies;
+
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// The text with a bar in place of the blanks between the columns of its tables.
+inline std::string barred(const std::string& text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t blanks = 0;
+    while (i + blanks < text.size() && text[i + blanks] == ' ') ++blanks;
+    if (blanks > 1)
+      out += " | ";
+    else
+      out.append(text, i, 1);
+    i += blanks > 0 ? blanks : 1;
+  }
+  return out;
+}
+
+}  // namespace twum::test

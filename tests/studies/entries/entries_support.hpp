@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "run/study_kind.hpp"
+#include "support/scratch_folder.hpp"
+
+#include <twum/studies/study/study_file.hpp>
+
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Small studies and a kind that answers what the test wants, for tests of what stands round a study.
+namespace twum::test {
+
+using namespace twum::studies;
+
+/// A study of examples/motors/MOTOR.yaml, read from a file in a folder that stays.
+inline StudyFile study_in(const ScratchFolder& folder, const std::string& study,
+                          const std::string& motor = "elastic-layer",
+                          const std::string& name = "study.yaml") {
+  std::ofstream(folder.path(name)) << "twum: 1\nmotor: " << TWUM_SOURCE_DIR << "/examples/motors/"
+                                   << motor << ".yaml\nstudy: " << study << "\n";
+  return read_study_file(folder.path(name));
+}
+
+inline std::string content(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+inline void write(const std::string& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+/// Replaces the first `from` in a file; false if there is none.
+inline bool replace_in(const std::string& path, const std::string& from, const std::string& to) {
+  std::string text = content(path);
+  const std::size_t at = text.find(from);
+  if (at == std::string::npos) return false;
+  write(path, text.replace(at, from.size(), to));
+  return true;
+}
+
+/// A kind of study whose rows, answer and certificates are what the test says.
+struct ScriptedKind : StudyKindRun {
+  std::vector<Column> all{{"preload", "N"}, {"stall_torque", "N.m"}};
+  std::function<std::optional<Row>(const Row&)> again = [](const Row&) { return std::nullopt; };
+  std::function<std::optional<optim::Certificate>(std::span<const double>)> evidence =
+      [](std::span<const double>) { return std::nullopt; };
+  std::function<KindAnswer(RunContext&)> answer;
+
+  std::vector<Column> columns() const override { return all; }
+  std::size_t variables() const override { return 1; }
+  KindAnswer run(RunContext& context) override { return answer(context); }
+  std::optional<Row> recompute(const Row& stored) const override { return again(stored); }
+  std::optional<optim::Certificate> certify(std::span<const double> variables) const override {
+    return evidence(variables);
+  }
+};
+
+}  // namespace twum::test

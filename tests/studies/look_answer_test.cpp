@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// What sweeps and curves say of numbers that are given.
+#include "answer_support.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace twum;
+using namespace twum::test;
+using Catch::Matchers::Contains;
+using Catch::Matchers::EndsWith;
+using Catch::Matchers::StartsWith;
+
+namespace {
+
+SweepResult sweep() {
+  SweepResult result;
+  result.sampling = "grid";
+  result.designs = 6;
+  result.stored = 6;
+  result.variables = {{"amplitude", "m"}, {"preload", "N"}};
+  SweepResult::Metric torque;
+  torque.column = {"stall_torque", "N.m"};
+  torque.count = 6;
+  torque.min = 0.4;
+  torque.median = 0.5;
+  torque.max = 0.8;
+  torque.lowest = {0, {1e-6, 100}, {0.4}};
+  torque.highest = {5, {2e-6, 200}, {0.8}};
+  result.metrics.push_back(torque);
+  return result;
+}
+
+CurveResult::Member member(double value, double torque, const std::string& status = "ok") {
+  CurveResult::Member one;
+  one.value = value;
+  one.metrics = {{"stall_torque", "N.m", torque}, {"peak_power", "W", 3}, {"preload", "N", 160}};
+  one.statuses = {status, "ok", "ok"};
+  one.points = 51;
+  one.last_speed = 15;
+  return one;
+}
+
+}  // namespace
+
+TEST_CASE("a sweep says where each metric is least and most", "[studies][sweep][words]") {
+  const SweepResult result = sweep();
+  CHECK(barred(answer_text(result)) ==
+        "6 designs (grid)\n"
+        "\n"
+        "metric | lowest | median | highest\n"
+        "stall_torque | 400 mN.m | 500 mN.m | 800 mN.m\n"
+        "\n"
+        "stall_torque | lowest at | amplitude 1 um, preload 100 N\n"
+        " | highest at | amplitude 2 um, preload 200 N\n");
+  const Json json = answer_json(result);
+  CHECK(json["units"] == Json{{"amplitude", "m"}, {"preload", "N"}, {"stall_torque", "N.m"}});
+  const Json& torque = json["metrics"]["stall_torque"];
+  CHECK(torque["count"] == 6);
+  CHECK(torque["median"] == 0.5);
+  CHECK(torque["highest"] == Json{{"row", 5},
+                                  {"design", {{"amplitude", 2e-6}, {"preload", 200.0}}},
+                                  {"metrics", {{"stall_torque", 0.8}}}});
+}
+
+TEST_CASE("a sweep that is not over counts what it has", "[studies][sweep][words]") {
+  SweepResult result = sweep();
+  result.stored = 4;
+  result.failed = 1;
+  CHECK_THAT(answer_text(result), StartsWith("4 of 6 designs (grid), 1 without a full answer\n"));
+  CHECK(answer_json(result)["stored"] == 4);
+  result.stored = 0;
+  CHECK(answer_text(result).empty());
+  result.stored = result.designs = 1;
+  CHECK_THAT(answer_text(result), StartsWith("1 design (grid), 1 without"));
+}
+
+TEST_CASE("a metric that never changes, and one without a value, have no design to name",
+          "[studies][sweep][words]") {
+  SweepResult result = sweep();
+  result.metrics[0].min = result.metrics[0].max;
+  CHECK_THAT(barred(answer_text(result)), EndsWith("\nstall_torque | the same in all designs\n"));
+  result.metrics[0] = {{"stall_torque", "N.m"}, 0, kNaN, kNaN, kNaN, {}, {}};
+  CHECK_THAT(barred(answer_text(result)), EndsWith("\nstall_torque | - | - | -\n"
+                                                   "\nstall_torque | no design has a value\n"));
+  const Json json = answer_json(result);
+  CHECK(json["metrics"]["stall_torque"]["min"].is_null());
+  CHECK(json["metrics"]["stall_torque"]["lowest"].is_null());
+}
+
+TEST_CASE("a motor by itself has one column, and the metrics that curves are compared by",
+          "[studies][curve][words]") {
+  CurveResult result;
+  result.members.push_back(member(kNaN, 0.6));
+  CHECK(barred(answer_text(result)) == " | motor\nstall_torque | 600 mN.m\npeak_power | 3 W\n");
+  const Json json = answer_json(result);
+  CHECK_FALSE(json.contains("family"));
+  CHECK_FALSE(json["curves"][0].contains("missing"));
+  CHECK(json["curves"][0]["metrics"] ==
+        Json{{"stall_torque", 0.6}, {"peak_power", 3.0}, {"preload", 160.0}});
+  CHECK(json["units"]["last_speed"] == "rad/s");
+  CHECK(json["units"]["preload"] == "N");
+}
+
+TEST_CASE("a family says which of its curves lack something", "[studies][curve][words]") {
+  CurveResult result;
+  result.family = Column{"amplitude", "m"};
+  result.members = {member(1e-6, 0.5), member(2e-6, kNaN, "lift-off")};
+  result.members[1].failed = 7;
+  CHECK(barred(answer_text(result)) ==
+        "amplitude | 1 um | 2 um\n"
+        "stall_torque | 500 mN.m | - (lift-off)\n"
+        "peak_power | 3 W | 3 W\n"
+        "2 um: 7 of 51 points without an answer\n");
+  const Json json = answer_json(result);
+  CHECK(json["family"] == Json{{"parameter", "amplitude"}, {"unit", "m"}});
+  CHECK(json["curves"][1]["amplitude"] == 2e-6);
+  CHECK(json["curves"][1]["failed_points"] == 7);
+  CHECK(json["curves"][1]["missing"] == Json{{"stall_torque", "lift-off"}});
+  CHECK(json["curves"][1]["metrics"]["stall_torque"].is_null());
+}
+
+TEST_CASE("of a large family the first eight curves are shown", "[studies][curve][words]") {
+  CurveResult result;
+  result.family = Column{"preload", "N"};
+  for (int i = 1; i <= 9; ++i) result.members.push_back(member(100 * i, 0.1 * i));
+  const std::string text = answer_text(result);
+  CHECK_THAT(barred(text), StartsWith("preload | 100 N | 200 N | 300 N | 400 N | 500 N | 600 N | "
+                                      "700 N | 800 N\n"));
+  CHECK_THAT(text, EndsWith("\nand 1 more curve, see summary.json\n"));
+  result.members.push_back(member(1000, 1));
+  CHECK_THAT(answer_text(result), EndsWith("\nand 2 more curves, see summary.json\n"));
+  CHECK(answer_json(result)["curves"].size() == 10);
+}
+
+TEST_CASE("no curve yet is nothing said", "[studies][curve][words]") {
+  CHECK(answer_text(CurveResult{}).empty());
+  CHECK(answer_json(CurveResult{})["curves"].empty());
+  CHECK(answer_json(CurveResult{})["units"] == Json{{"last_speed", "rad/s"}});
+}

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is said of a front that is given: its ends and knee, what binds, and what a limit is worth.
+#include "answer_support.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+using namespace twum;
+using namespace twum::test;
+using Catch::Matchers::Contains;
+using Catch::Matchers::EndsWith;
+using Catch::Matchers::StartsWith;
+
+namespace {
+
+LimitState pressure(bool active, double multiplier, double one_percent_buys) {
+  LimitState state;
+  state.text = "max_pressure <= 2 MPa";
+  state.metric = "max_pressure";
+  state.unit = "Pa";
+  state.limit = 2e6;
+  state.active = active;
+  state.multiplier = multiplier;
+  state.one_percent_buys = one_percent_buys;
+  return state;
+}
+
+ParetoResult::Point point(double power, double torque, double preload, bool passed) {
+  ParetoResult::Point one;
+  one.goals = {power, torque};
+  one.report.design = {{"preload", "N", preload}};
+  one.report.metrics = {{"peak_power", "W", power}};
+  one.report.constraints = {pressure(false, 0, 0)};
+  one.report.certificate.passed = passed;
+  one.report.certificate.weights = {0.5, 0.5};
+  one.report.certificate.prices = {1, 4};
+  return one;
+}
+
+// Largest power against smallest torque, in three points.
+ParetoResult front() {
+  ParetoResult result;
+  result.goals = {{"peak_power", "W", true}, {"stall_torque", "N.m", false}};
+  result.front = {point(3, 0.2, 100, true), point(4, 0.3, 150, true), point(5, 0.8, 200, false)};
+  result.knee = 1;
+  result.ends = {2, 0};
+  result.hypervolume = 1.5;
+  result.reference_point = {2, 1};
+  result.before_design = {{"preload", "N", 160}};
+  result.before_metrics = {{"peak_power", "W", 3.5}};
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("the ends of a front and its knee stand side by side", "[studies][pareto][words]") {
+  const ParetoResult result = front();
+  CHECK(result.has_knee());
+  CHECK(barred(answer_text(result)) ==
+        "3 points, 2 of them certified\n"
+        "\n"
+        " | largest peak_power | smallest stall_torque | knee\n"
+        "peak_power | 5 W | 3 W | 4 W\n"
+        "stall_torque | 800 mN.m | 200 mN.m | 300 mN.m\n"
+        "preload | 200 N | 100 N | 150 N\n"
+        "\n");
+  const Json json = answer_json(result);
+  CHECK(json["objectives"][1] == Json{{"metric", "stall_torque"}, {"sense", "minimize"}});
+  CHECK(json["front"].size() == 3);
+  CHECK(json["front"][1]["design"] == Json{{"preload", 150.0}});
+  CHECK(json["knee"] == 1);
+  CHECK(json["ends"] == Json::array({2, 0}));
+  CHECK(json["hypervolume"] == 1.5);
+  CHECK(json["reference_point"] == Json::array({2.0, 1.0}));
+  CHECK(json["units"] == Json{{"preload", "N"}, {"peak_power", "W"}});
+  CHECK_FALSE(json.contains("relaxation"));
+}
+
+TEST_CASE("a front that bends the other way has no knee", "[studies][pareto][words]") {
+  ParetoResult result = front();
+  result.knee = 2;
+  CHECK_FALSE(result.has_knee());
+  CHECK_THAT(answer_text(result), !Contains("knee"));
+  CHECK(answer_json(result)["knee"].is_null());
+}
+
+TEST_CASE("what binds along a front is counted", "[studies][pareto][words]") {
+  ParetoResult result = front();
+  result.front[0].report.constraints[0].active = true;
+  result.front[1].report.constraints[0].active = true;
+  result.front[2].report.bounds = {{{"preload", "N"}, true, 200, 0.01, 0.02}};
+  CHECK_THAT(answer_text(result), EndsWith("\nmax_pressure <= 2 MPa binds at 2 of 3 points.\n"
+                                           "preload is at a bound at 1 of 3 points.\n"));
+  result.front.resize(1);
+  result.ends = {0, 0};
+  result.knee = 0;
+  CHECK_THAT(answer_text(result), StartsWith("1 point, 1 of them certified\n"));
+  CHECK_THAT(answer_text(result), EndsWith("\nmax_pressure <= 2 MPa binds at 1 of 1 point.\n"));
+}
+
+TEST_CASE("variables at a bound are found among others", "[studies][pareto][words]") {
+  ParetoResult result = front();
+  for (ParetoResult::Point& point : result.front)
+    point.report.design = {{"a", "1", 1}, {"b", "1", 1}, {"c", "1", 1}, {"d", "1", 1},
+                           {"e", "1", 1}, {"f", "1", 1}, {"g", "1", 1}};
+  const auto hold = [&](std::size_t point, const std::vector<std::string>& names) {
+    for (const std::string& name : names)
+      result.front[point].report.bounds.push_back({{name, "1"}, true, 1, 0, 0});
+  };
+  hold(0, {"a", "b", "c", "d", "e", "f"});
+  hold(1, {"a", "b", "c", "d", "e"});
+  hold(2, {"g", "f", "a"});
+  CHECK_THAT(answer_text(result), EndsWith("\n\na is at a bound at 3 of 3 points.\n"
+                                           "b is at a bound at 2 of 3 points.\n"
+                                           "c is at a bound at 2 of 3 points.\n"
+                                           "d is at a bound at 2 of 3 points.\n"
+                                           "e is at a bound at 2 of 3 points.\n"
+                                           "f is at a bound at 2 of 3 points.\n"
+                                           "g is at a bound at 1 of 3 points.\n"));
+}
+
+TEST_CASE("many limits are in order of what 1 % of them buys, equals in theirs",
+          "[studies][pareto][words]") {
+  ParetoResult result = front();
+  result.alone = {result.front[2].report, result.front[0].report};
+  result.alone[0].certificate.weights = result.alone[0].certificate.prices = {1};
+  result.alone[0].constraints.clear();
+  for (int i = 0; i < 40; ++i) {  // 1 W to 20 W, each twice
+    LimitState limit = pressure(true, 1, 1 + 7 * i % 20);
+    limit.text = "limit " + std::to_string(i);
+    result.alone[0].constraints.push_back(limit);
+  }
+  std::string expected;
+  for (int watts = 20; watts > 0; --watts) {
+    for (int i = 0; i < 40; ++i) {
+      if (1 + 7 * i % 20 == watts)
+        expected += "limit " + std::to_string(i) + " | +" + std::to_string(watts) + " W\n";
+    }
+  }
+  CHECK_THAT(barred(answer_text(result)), EndsWith(" buys | peak_power\n" + expected));
+}
+
+TEST_CASE("1 % of a limit is worth something of either goal, the most valuable first",
+          "[studies][pareto][words]") {
+  ParetoResult result = front();
+  DesignReport& knee = result.front[1].report;
+  // 1 % of 2 MPa is 20 kPa: at 1 uW/Pa it buys 20 mW, or a quarter of that in N.m, torque that goes.
+  knee.constraints = {pressure(true, 1e-6, 0.02)};
+  // 1 % of 150 N is 1.5 N: at 0.1 W/N it buys 150 mW, or 37.5 mN.m.
+  knee.bounds = {{{"preload", "N"}, true, 150, 0.1, 0.15}, {{"width", "m"}, false, 1e-3, 0, 0}};
+  result.alone = {result.front[2].report, result.front[0].report};
+  for (DesignReport& report : result.alone)
+    report.certificate.weights = report.certificate.prices = {1};
+  result.alone[0].constraints = {pressure(true, 2e-6, 0.04)};
+  CHECK_THAT(barred(answer_text(result)),
+             EndsWith("\n1 % looser at the knee buys one of | peak_power | stall_torque\n"
+                      "preload at its largest | +150 mW | -37.5 mN.m\n"
+                      "max_pressure <= 2 MPa | +20 mW | -5 mN.m\n"
+                      "\n1 % looser for the largest peak_power buys | peak_power\n"
+                      "max_pressure <= 2 MPa | +40 mW\n"));
+  const Json json = answer_json(result);
+  CHECK(json["front"][1]["constraints"][0]["gains"] == Json::array({1e-6, 1e-6 / 4}));
+  CHECK(json["front"][1]["bounds"][0]["gains"] == Json::array({0.1, 0.025}));
+  CHECK_FALSE(json["front"][0]["constraints"][0].contains("gains"));  // it holds nothing back there
+  CHECK(json["alone"].size() == 2);
+  CHECK_FALSE(json["alone"][0]["constraints"][0].contains("gains"));  // one goal
+
+  // A goal of no weight does not trade to first order.
+  result.front[1].report.certificate.weights = {1, 0};
+  CHECK_THAT(barred(answer_text(result)), Contains("\nmax_pressure <= 2 MPa | +20 mW | nothing\n"));
+  CHECK(answer_json(result)["front"][1]["bounds"][0]["gains"][1].is_null());
+  // Without a knee only the ends are asked.
+  result.knee = 2;
+  CHECK_THAT(answer_text(result), !Contains("at the knee"));
+  CHECK_THAT(answer_text(result), Contains("1 % looser for the largest peak_power buys"));
+}
+
+TEST_CASE("gains share a multiplier by the prices of the goals", "[studies][pareto]") {
+  optim::Certificate certificate;
+  certificate.weights = {0.5, 0.5, 1e-12};
+  certificate.prices = {1, 4, 2};
+  const std::vector<double> shares = gains(8, certificate);
+  CHECK(shares[0] == 8);
+  CHECK(shares[1] == 2);
+  CHECK(std::isnan(shares[2]));
+}
+
+TEST_CASE("a front that no design is on says what stands in the way", "[studies][pareto][words]") {
+  ParetoResult result;
+  result.goals = front().goals;
+  CHECK_FALSE(result.has_knee());
+  CHECK(answer_text(result) == "No point of the front was found.\n");
+  CHECK(answer_json(result)["knee"].is_null());
+  result.conflict = {"stall_torque >= 1 N.m"};
+  CHECK(answer_text(result) ==
+        "No design satisfies all limits: stall_torque >= 1 N.m is out of reach.\n");
+  CHECK(answer_json(result)["relaxation"]["conflict"] == Json::array({"stall_torque >= 1 N.m"}));
+  result.conflict.clear();
+  result.relaxation = {{"stall_torque >= 1 N.m", "stall_torque", "N.m", true, 1, 0.1, kNaN}};
+  CHECK_THAT(barred(answer_text(result)),
+             EndsWith("\nstall_torque >= 1 N.m | >= 900 mN.m | does not help alone\n"));
+  CHECK(answer_json(result)["relaxation"]["limits"][0]["amount"] == 0.1);
+}

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+// The numbers inside a report page: curves, fields, slopes and rows, against closed forms.
+#include "report/curves.hpp"
+#include "report/encode.hpp"
+#include "report/rows.hpp"
+#include "search_support.hpp"
+
+#include <twum/core/performance/motor.hpp>
+#include <twum/studies/motor/motor_file.hpp>
+#include <twum/studies/run/curve_points.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <numbers>
+#include <string>
+#include <vector>
+
+using namespace twum;
+using namespace twum::test;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+// The numbers behind a text in base64.
+template <typename Number>
+std::vector<Number> numbers(const Json& text) {
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  unsigned bits = 0;
+  int held = 0;
+  for (const char c : text.get<std::string>()) {
+    if (c == '=') break;
+    bits = bits << 6U | static_cast<unsigned>(digits.find(c));
+    held += 6;
+    if (held < 8) continue;
+    held -= 8;
+    bytes += static_cast<char>(bits >> static_cast<unsigned>(held) & 0xFFU);
+  }
+  std::vector<Number> values(bytes.size() / sizeof(Number));
+  std::memcpy(values.data(), bytes.data(), values.size() * sizeof(Number));
+  return values;
+}
+
+MotorDesign elastic_motor() {
+  return read_motor_file(TWUM_SOURCE_DIR "/examples/motors/elastic-layer.yaml").design;
+}
+
+std::vector<Column> torque_columns() { return {{"preload", "N"}, {"stall_torque", "N.m"}}; }
+
+}  // namespace
+
+TEST_CASE("columns are encoded as RFC 4648 does", "[studies][report]") {
+  // Section 10 there, the bytes of its examples of two, four and six letters as little-endian numbers.
+  const auto encoded = [](const std::vector<std::uint16_t>& values) { return base64(values); };
+  CHECK(encoded({}).empty());
+  CHECK(encoded({0x6f66}) == "Zm8=");
+  CHECK(encoded({0x6f66, 0x626f}) == "Zm9vYg==");
+  CHECK(encoded({0x6f66, 0x626f, 0x7261}) == "Zm9vYmFy");
+}
+
+TEST_CASE("the curve of a report begins at the torque of the plateau (C8.5)", "[studies][report]") {
+  const ElasticLayer exact{elastic_motor()};
+  const Json curve =
+      curve_json(exact.motor, {{"preload", 120}, {"unknown", 1}}, "x", Detail::curve);
+  CHECK(curve["label"] == "x");
+  CHECK(curve["design"]["preload"] == 120);
+  CHECK(curve["design"]["amplitude"] == 1.6e-6);  // that of the base
+  CHECK(curve["fields"].is_null());
+  const auto torque = numbers<double>(curve["torque"]);
+  const auto speed = numbers<double>(curve["speed"]);
+  REQUIRE(torque.size() == speed.size());
+  // Products of a few factors, summed over zones.
+  CHECK_THAT(torque[0], WithinRel(exact.plateau_torque(120), 1e-12));
+  CHECK_THAT(curve["metrics"]["stall_torque"].get<double>(),
+             WithinRel(exact.plateau_torque(120), 1e-12));
+  // A little beyond no-load (C8.6), whose root is solved to about 1e-12.
+  CHECK_THAT(speed.back(), WithinRel(1.05 * exact.no_load(exact.angle_of_preload(120)), 1e-10));
+  CHECK(torque.back() < 0);
+}
+
+TEST_CASE("the fields of a report add up to preload and torque", "[studies][report]") {
+  const MotorDesign design = elastic_motor();
+  const Json fields = curve_json(design, {}, "x", Detail::fields)["fields"];
+  CHECK(fields["kinetic"] == 0.2);
+  CHECK(fields["static"] == 0.2);
+  const auto phase = numbers<float>(fields["phase"]);
+  const auto pressure = numbers<float>(fields["pressure"]);
+  REQUIRE(phase.size() == pressure.size());
+  const double step = (phase.back() - phase.front()) / static_cast<double>(phase.size() - 1);
+  const double area = design.stator.contact_width * design.stator.contact_radius * step;
+  // n waves of length 2 pi r / n: F_N = b r sum of p dphase. 100 places across the contact with kinks
+  // at its ends: the trapezoid rule errs by some (1 / 100)^2, the ends by a place more or less of a
+  // pressure of 1/50 of the largest; single precision by 1e-7.
+  double force = 0;
+  for (const float p : pressure) force += area * p;
+  CHECK_THAT(force, WithinRel(160.0, 1e-3));
+  const Motor motor(design);
+  REQUIRE(fields["frames"].size() > 40);
+  for (const Json& frame : {fields["frames"].front(), fields["frames"].back()}) {
+    double torque = 0;
+    for (const float t : numbers<float>(frame["traction"]))
+      torque += area * t * design.stator.contact_radius;
+    const double speed = frame["speed"].get<double>();
+    CHECK_THAT(torque, WithinAbs(motor.operating_point(speed).torque, 2e-3));  // of 0.85 N.m
+    for (const Json& zone : frame["zones"]) {
+      CHECK(zone.size() == 3);
+      CHECK(zone[1].get<double>() < zone[2].get<double>());
+    }
+  }
+}
+
+TEST_CASE("a motor out of contact has a curve without fields", "[studies][report]") {
+  const Json curve = curve_json(elastic_motor(), {{"preload", 0}}, "x", Detail::fields);
+  CHECK(curve["fields"].is_null());
+  for (const double torque : numbers<double>(curve["torque"])) CHECK(torque == 0);
+}
+
+TEST_CASE("only speeds with a periodic state have fields", "[studies][report]") {
+  // Full contact, no damping, and a static friction above the kinetic one: near rest it never repeats.
+  const DesignValues values{{"preload", 20e3}, {"static_friction", 0.4}};
+  const Json fields = curve_json(elastic_motor(), values, "x", Detail::fields)["fields"];
+  const MotorDesign pressed = with(elastic_motor(), Parameter::preload, 20e3);
+  const Motor motor(with(pressed, Parameter::static_friction, 0.4));
+  std::vector<double> answered;
+  for (const double speed : curve_speeds(motor, 51)) {
+    if (motor.operating_point(speed).status == PointStatus::ok) answered.push_back(speed);
+  }
+  CHECK(answered.size() < 51);
+  std::vector<double> shown;
+  for (const Json& frame : fields["frames"]) shown.push_back(frame["speed"].get<double>());
+  CHECK(shown == answered);
+}
+
+TEST_CASE("values that make no motor have no curve", "[studies][report]") {
+  const MotorDesign base = elastic_motor();
+  CHECK(curve_json(base, {{"preload", -1}}, "x", Detail::fields).is_null());
+  CHECK(slopes_json(base, {{"preload", -1}}, {"preload"}, 0, 1).is_null());
+}
+
+TEST_CASE("numbers are read from a design, and nothing else", "[studies][report]") {
+  const DesignValues values =
+      design_values(Json{{"preload", 160}, {"amplitude", nullptr}, {"thickness", "thin"}});
+  CHECK(values == DesignValues{{"preload", 160.0}});
+}
+
+TEST_CASE("slopes of a fit are those of the product on the plateau (C8.5)", "[studies][report]") {
+  const ElasticLayer exact{elastic_motor()};
+  const Json slopes =
+      slopes_json(exact.motor, {{"preload", 120}}, {"kinetic_friction", "unknown"}, 0, 0.5);
+  const auto speed = numbers<double>(slopes["speed"]);
+  const auto torque = numbers<double>(slopes["torque"]);
+  const auto friction = numbers<double>(slopes["gradients"]["kinetic_friction"]);
+  CHECK(speed.front() == 0);
+  CHECK(speed.back() == 0.5);  // 5 rpm, where the whole contact slips
+  for (std::size_t i = 0; i < speed.size(); ++i) {
+    CHECK_THAT(torque[i], WithinRel(exact.plateau_torque(120), 1e-12));
+    CHECK_THAT(friction[i], WithinRel(120 * exact.motor.stator.contact_radius, 1e-12));
+  }
+  for (const double gradient : numbers<double>(slopes["gradients"]["unknown"]))
+    CHECK(std::isnan(gradient));
+}
+
+TEST_CASE("rows of a report are those of the store", "[studies][report]") {
+  ResultStore store(":memory:", torque_columns());
+  store.add({0, 0, {100, 0.5}, "ok", {}});
+  store.add({0, 1, {200, kNaN}, "a", {}});
+  store.add({1, 0, {300, 1.5}, "ok", {}});
+  const Json rows = rows_json(store);
+  CHECK(rows["count"] == 3);
+  CHECK(rows["total"] == 3);
+  CHECK(rows["every"] == 1);
+  CHECK(rows["offsets"] == "");
+  CHECK(rows["columns"][1] == Json{{"name", "stall_torque"}, {"unit", "N.m"}});
+  CHECK(numbers<double>(rows["values"][0]) == std::vector<double>{100, 200, 300});
+  CHECK(std::isnan(numbers<double>(rows["values"][1])[1]));
+  CHECK(rows["statuses"] == Json::array({"ok", "a"}));
+  CHECK(numbers<std::uint16_t>(rows["status"]) == std::vector<std::uint16_t>{0, 1, 0});
+}
+
+TEST_CASE("of more rows than a page holds one of each few is kept, from its place",
+          "[studies][report]") {
+  // More than 100000: one of two, and a last group of one or two rows.
+  const std::uint64_t total = GENERATE(100001, 100002, 100004);
+  ResultStore store(":memory:", {{"preload", "N"}});
+  for (std::uint64_t i = 0; i < total; ++i) store.add({0, i, {static_cast<double>(i)}, "ok", {}});
+  const Json rows = rows_json(store);
+  CHECK(rows["total"] == total);
+  CHECK(rows["every"] == 2);
+  CHECK(rows["count"] == (total + 1) / 2);
+  const auto values = numbers<double>(rows["values"][0]);
+  const auto offsets = numbers<std::uint16_t>(rows["offsets"]);
+  REQUIRE(values.size() == (total + 1) / 2);
+  REQUIRE(offsets.size() == values.size());
+  std::size_t wrong = 0;
+  std::size_t second = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    wrong += values[i] == static_cast<double>(2 * i + offsets[i]) && offsets[i] < 2 ? 0 : 1;
+    second += offsets[i];
+  }
+  CHECK(wrong == 0);
+  if (total % 2 == 1) CHECK(offsets.back() == 0);  // there is no other row in it
+  // Drawn by fair coins: 25000 of 50000, standard deviation sqrt(50000) / 2 = 112; five of them.
+  CHECK_THAT(static_cast<double>(second), WithinAbs(25000, 560));
+}
+
+TEST_CASE("small curves fall from the stall torque to nothing, and missing ones are nothing",
+          "[studies][report]") {
+  const ElasticLayer exact{elastic_motor()};
+  ResultStore store(":memory:", {{"preload", "N"},
+                                 {"kinetic_friction", "1"},
+                                 {"static_friction", "1"},
+                                 {"amplitude", "m"},
+                                 {"stall_torque", "N.m"}});
+  store.add({0, 0, {120, 0.2, 0.2, 1.6e-6, 1}, "ok", {}});
+  store.add({0, 1, {-1, 0.2, 0.2, 1.6e-6, kNaN}, "not admissible", {}});
+  store.add({0, 2, {0, 0.2, 0.2, 1.6e-6, 0}, "ok", {}});  // out of contact
+  store.add({0, 3, {120, 0, 0, 1.6e-6, 0}, "ok", {}});    // without friction
+  store.add({0, 4, {120, 0.2, 0.2, 0, 0}, "ok", {}});     // without a wave
+  store.add({0, 5, {20e3, 0.2, 0.4, 1.6e-6, kNaN}, "no-periodic-state", {}});
+  const Json curves = row_curves_json(store, exact.motor);
+  CHECK(curves["every"] == 1);
+  const auto points = curves["points"].get<std::size_t>();
+  const auto speed = numbers<float>(curves["speed"]);
+  const auto torque = numbers<float>(curves["torque"]);
+  const auto shape = numbers<std::uint16_t>(curves["shape"]);
+  REQUIRE(speed.size() == 6);
+  REQUIRE(torque.size() == 6);
+  REQUIRE(shape.size() == 6 * points);
+  // Single precision: half of 2^-23, relative.
+  CHECK_THAT(speed[0], WithinRel(exact.no_load(exact.angle_of_preload(120)), 1e-7));
+  CHECK_THAT(torque[0], WithinRel(exact.plateau_torque(120), 1e-7));
+  CHECK(shape[0] == 65535);
+  CHECK(shape[points - 1] == 0);
+  for (std::size_t i = 1; i < points; ++i) CHECK(shape[i] <= shape[i - 1]);
+  for (std::size_t row = 1; row < 6; ++row) {
+    CHECK(std::isnan(speed[row]));
+    CHECK(std::isnan(torque[row]));
+  }
+  for (std::size_t i = points; i < shape.size(); ++i) CHECK(shape[i] == 0);
+}
+
+TEST_CASE("of many rows some have a small curve, and which is told", "[studies][report]") {
+  // 20001 rows that need no work: no motor has such a preload.
+  ResultStore store(":memory:", {{"preload", "N"}});
+  for (std::uint64_t i = 0; i < 20001; ++i) store.add({0, i, {-1.0}, "not admissible", {}});
+  const Json curves = row_curves_json(store, elastic_motor());
+  CHECK(curves["every"] == 2);
+  CHECK(numbers<float>(curves["speed"]).size() == 10001);
+}

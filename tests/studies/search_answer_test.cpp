@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a search says of a design that is given: bounds, limits, verdict, and why there is none.
+#include "answer_support.hpp"
+#include "results/search_words.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+using namespace twum;
+using namespace twum::test;
+using Catch::Matchers::Contains;
+using Catch::Matchers::EndsWith;
+using Catch::Matchers::StartsWith;
+
+namespace {
+
+LimitState limit(const std::string& text, double value, double bound, double violation = 0) {
+  LimitState state;
+  state.text = text;
+  state.metric = "max_pressure";
+  state.unit = "Pa";
+  state.value = value;
+  state.limit = bound;
+  state.violation = violation;
+  return state;
+}
+
+LimitState active(LimitState state, double multiplier, double one_percent_buys) {
+  state.active = true;
+  state.multiplier = multiplier;
+  state.one_percent_buys = one_percent_buys;
+  return state;
+}
+
+// The largest peak power, at the largest amplitude and at a pressure that binds.
+OptimizeResult optimum() {
+  OptimizeResult result;
+  result.goal = {"peak_power", "W", true};
+  result.found = true;
+  result.best.design = {{"amplitude", "m", 2e-6}, {"preload", "N", 180}, {"thickness", "m", 3e-4}};
+  result.best.metrics = {{"peak_power", "W", 5}, {"max_pressure", "Pa", 2e6}};
+  result.best.constraints = {active(limit("max_pressure <= 2 MPa", 2e6, 2e6), 1e-6, 0.02),
+                             limit("contact_ratio <= 0.5", 0.4, 0.5)};
+  result.best.constraints[1].unit = "1";
+  result.best.bounds = {{{"amplitude", "m"}, true, 2e-6, 1e6, 0.02},
+                        {{"thickness", "m"}, false, 3e-4, 0, 0}};
+  result.best.certificate.passed = true;
+  result.best.certificate.infeasibility = 0;
+  result.best.certificate.stationarity = 1.2e-7;
+  result.best.certificate.weights = {1};
+  result.best.certificate.prices = {1};
+  result.before_design = {{"amplitude", "m", 1.6e-6}, {"preload", "N", 160}};
+  result.before_metrics = {{"peak_power", "W", 4}, {"max_pressure", "Pa", 1.5e6}};
+  result.solver = "nlopt:slsqp";
+  result.stages = {{0, "nlopt:slsqp", "XTOL_REACHED", 4, true, 5, 30},
+                   {1, "nlopt:slsqp", "XTOL_REACHED", 4, true, 5, 31},
+                   {2, "ipopt", "Solve_Succeeded", 0, true, 4.5, 40},
+                   {3, "", "", 0, false, kNaN, 0}};
+  return result;
+}
+
+RelaxationState relaxation(const std::string& text, bool at_least, double amount, double alone) {
+  return {text, "stall_torque", "N.m", at_least, 1, amount, alone};
+}
+
+}  // namespace
+
+TEST_CASE("an optimum says what it is, what holds it, and who found it",
+          "[studies][optimize][words]") {
+  const OptimizeResult result = optimum();
+  CHECK(barred(answer_text(result)) ==
+        "largest peak_power: 5 W (was 4 W)\n"
+        "\n"
+        "design | start | best\n"
+        "amplitude | 1.6 um | 2 um | at its largest; 1 % further buys +20 mW\n"
+        "preload | 160 N | 180 N\n"
+        "thickness | - | 300 um | at its smallest\n"
+        "\n"
+        "limit | best | 1 % looser buys\n"
+        "max_pressure <= 2 MPa | 2 MPa | binds | +20 mW\n"
+        "contact_ratio <= 0.5 | 0.4 | holds\n"
+        "\n"
+        "metric | start | best\n"
+        "peak_power | 4 W | 5 W\n"
+        "max_pressure | 1.5 MPa | 2 MPa\n"
+        "\n"
+        "Optimal by our own check: no feasible change improves it to first order (stationarity "
+        "1.2e-07); found by nlopt:slsqp.\n"
+        "Solver runs: 1 x ipopt (Solve_Succeeded), 2 x nlopt:slsqp (XTOL_REACHED).\n");
+}
+
+TEST_CASE("an optimum in summary.json has its evidence beside it", "[studies][optimize]") {
+  OptimizeResult result = optimum();
+  result.best.certificate.curvature = kNaN;
+  result.best.certificate.findings = {{optim::Degeneracy::kink, "Derivatives differ", {"preload"}}};
+  result.idle = {"width"};
+  const Json json = answer_json(result);
+  CHECK(json["objective"] == Json{{"metric", "peak_power"}, {"sense", "maximize"}});
+  const Json& best = json["best"];
+  CHECK(best["design"]["preload"] == 180);
+  CHECK(best["metrics"]["peak_power"] == 5);
+  CHECK(best["constraints"][0]["active"] == true);
+  CHECK(best["constraints"][0]["multiplier"] == 1e-6);
+  CHECK_FALSE(best["constraints"][0].contains("gains"));  // one goal: the multiplier says it
+  CHECK(best["constraints"][1]["active"] == false);
+  CHECK(best["bounds"][0]["side"] == "upper");
+  CHECK(best["bounds"][1]["side"] == "lower");
+  CHECK(best["certificate"]["passed"] == true);
+  CHECK(best["certificate"]["curvature"].is_null());
+  CHECK(best["certificate"]["findings"][0] ==
+        Json{{"kind", "kink"}, {"text", "Derivatives differ"}, {"names", {"preload"}}});
+  CHECK(json["before"]["design"] == Json{{"amplitude", 1.6e-6}, {"preload", 160.0}});
+  CHECK(json["idle_variables"] == Json::array({"width"}));
+  CHECK(json["stages"][2]["word"] == "Solve_Succeeded");
+  CHECK(json["stages"][3]["objective"].is_null());
+  CHECK(json["units"]["peak_power"] == "W");
+  CHECK_FALSE(json.contains("relaxation"));
+  result.goal.maximize = false;
+  CHECK(answer_json(result)["objective"]["sense"] == "minimize");
+  CHECK_THAT(answer_text(result), StartsWith("smallest peak_power: 5 W"));
+}
+
+TEST_CASE("a design that is not certified says why, and what is odd about it",
+          "[studies][optimize][words]") {
+  OptimizeResult result = optimum();
+  result.best.certificate.passed = false;
+  result.best.certificate.reason = "the evaluations ran out";
+  result.solver.clear();
+  result.stages.clear();
+  result.best.constraints.clear();
+  result.idle = {"width", "thickness"};
+  result.best.certificate.findings = {
+      {optim::Degeneracy::flat_direction, "unused", {"preload", "thickness", "width"}},
+      {optim::Degeneracy::flat_direction, "unused", {"preload"}},
+      {optim::Degeneracy::kink, "Derivatives differ", {"preload", "amplitude"}},
+      {optim::Degeneracy::flat_objective, "The goal has no slope", {}}};
+  const std::string text = answer_text(result);
+  CHECK_THAT(text, !Contains("1 % looser"));
+  CHECK_THAT(text,
+             EndsWith("\n\nNot certified as an optimum: the evaluations ran out.\n"
+                      "Without influence here: width and thickness.\n"
+                      "A valley: preload, thickness and width can change together without changing "
+                      "the answer; this design is one of many.\n"
+                      "A valley: preload can change without changing the answer; this design is "
+                      "one of many.\n"
+                      "Derivatives differ: preload and amplitude.\n"
+                      "The goal has no slope.\n"));
+}
+
+TEST_CASE("limits that are broken, or that have no value, say so", "[studies][optimize][words]") {
+  OptimizeResult result = optimum();
+  result.best.certificate.infeasibility = 0.1;
+  result.best.constraints = {active(limit("a", 2.2e6, 2e6, 0.2e6), 1, 1), limit("b", kNaN, 1, kNaN),
+                             active(limit("c", 1, 1), 1, 0), limit("d", 2e6, 2e6, 1)};
+  // d: off by 1 Pa of 2 MPa, half a millionth, which is rounding and not a broken limit.
+  CHECK_THAT(barred(answer_text(result)), Contains("\na | 2.2 MPa | broken by 200 kPa\n"
+                                                   "b | - | cannot be reached\n"
+                                                   "c | 1 Pa | binds | nothing\n"
+                                                   "d | 2 MPa | holds\n"));
+  CHECK(broken(result.best.constraints[0], result.best));
+  CHECK_FALSE(keeps_limits(result.best));
+  // What the certificate measured as feasible is not broken, but a missing value still is.
+  result.best.certificate.infeasibility = 0;
+  CHECK_FALSE(broken(result.best.constraints[0], result.best));
+  CHECK_FALSE(keeps_limits(result.best));
+  result.best.constraints.erase(result.best.constraints.begin() + 1);
+  CHECK(keeps_limits(result.best));
+}
+
+TEST_CASE("no design at all is one sentence", "[studies][optimize][words]") {
+  OptimizeResult result = optimum();
+  result.found = false;
+  CHECK(answer_text(result) == "No design could be evaluated.\n");
+  CHECK(answer_json(result)["best"].is_null());
+}
+
+TEST_CASE("limits that no design keeps are named with what would do",
+          "[studies][optimize][words]") {
+  OptimizeResult result = optimum();
+  result.conflict = {"stall_torque >= 1 N.m", "max_pressure <= 2 MPa"};
+  result.relaxation = {relaxation("stall_torque >= 1 N.m", true, 0.1, 0.3),
+                       relaxation("max_torque <= 1 N.m", false, 0, kNaN),
+                       relaxation("peak_torque <= 1 N.m", false, 0.25, 0.5)};
+  const std::string text = barred(answer_text(result));
+  CHECK_THAT(text,
+             StartsWith("No design satisfies all limits; these cannot hold together: stall_torque "
+                        ">= 1 N.m and max_pressure <= 2 MPa.\n"
+                        "\n"
+                        "the least that would do | all together | this one alone\n"
+                        "stall_torque >= 1 N.m | >= 900 mN.m | >= 700 mN.m\n"
+                        "max_torque <= 1 N.m | as it is | does not help alone\n"
+                        "peak_torque <= 1 N.m | <= 1.25 N.m | <= 1.5 N.m\n"
+                        "\n"
+                        "The design that breaks them least:\n"
+                        "\n"
+                        "design | start | best\n"));
+  CHECK_THAT(text, !Contains("Optimal by our own check"));
+  CHECK_THAT(text, EndsWith("\nSolver runs: 1 x ipopt (Solve_Succeeded), 2 x nlopt:slsqp "
+                            "(XTOL_REACHED).\n"));
+  const Json json = answer_json(result)["relaxation"];
+  CHECK(json["conflict"] == Json::array({"stall_torque >= 1 N.m", "max_pressure <= 2 MPa"}));
+  CHECK(json["limits"][0] ==
+        Json{{"text", "stall_torque >= 1 N.m"}, {"limit", 1.0}, {"amount", 0.1}, {"alone", 0.3}});
+  CHECK(json["limits"][1]["alone"].is_null());
+
+  // One limit that is out of reach by itself, without a way out; and a way out without a conflict.
+  result.conflict = {"stall_torque >= 1 N.m"};
+  result.relaxation.clear();
+  CHECK_THAT(answer_text(result),
+             StartsWith("No design satisfies all limits: stall_torque >= 1 N.m is out of reach.\n\n"
+                        "The design that breaks them least:\n"));
+  CHECK(answer_json(result).contains("relaxation"));
+  result.conflict.clear();
+  result.relaxation = {relaxation("stall_torque >= 1 N.m", true, 0.1, 0.1)};
+  CHECK_THAT(answer_text(result), StartsWith("No design satisfies all limits.\n\nthe least"));
+}
+
+TEST_CASE("changes have a sign, and no change is nothing", "[studies][optimize][words]") {
+  CHECK(change_words(0.02, "W") == "+20 mW");
+  CHECK(change_words(-0.02, "W") == "-20 mW");
+  CHECK(change_words(0, "W") == "nothing");
+  CHECK(change_words(-0.0, "W") == "nothing");
+  CHECK(change_words(kNaN, "W") == "nothing");
+}
+
+TEST_CASE("names are enumerated, and looked up", "[studies][optimize][words]") {
+  CHECK(enumeration({}).empty());
+  CHECK(enumeration({"a"}) == "a");
+  CHECK(enumeration({"a", "b"}) == "a and b");
+  CHECK(enumeration({"a", "b", "c"}) == "a, b and c");
+  const std::vector<NamedValue> values{{"preload", "N", 160}, {"amplitude", "m", 1e-6}};
+  CHECK(value_of(values, "amplitude") == 1e-6);
+  CHECK(std::isnan(value_of(values, "thickness")));
+}

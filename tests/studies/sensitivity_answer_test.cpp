@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a sensitivity study says of indices that are given: which sentence follows from which numbers.
+#include "answer_support.hpp"
+#include "studies/statistics/study_text.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <stop_token>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace twum;
+using namespace twum::test;
+using Catch::Matchers::Contains;
+using Catch::Matchers::EndsWith;
+
+namespace {
+
+SensitivityResult frame(const std::string& method) {
+  SensitivityResult result;
+  result.method = method;
+  result.samples = 1024;
+  result.variables = {{"amplitude", "m"}, {"preload", "N"}, {"kinetic_friction", "1"}};
+  MetricSensitivity metric;
+  metric.metric = {"stall_torque", "N.m"};
+  metric.samples = 1024;
+  metric.value = 0.6;
+  metric.sd = 0.05;
+  result.metrics.push_back(metric);
+  return result;
+}
+
+SensitivityResult sobol(MetricSensitivity::Sobol shares) {
+  SensitivityResult result = frame("sobol");
+  result.metrics[0].effects = std::move(shares);
+  return result;
+}
+
+SensitivityResult morris(MetricSensitivity::Morris effects) {
+  SensitivityResult result = frame("morris");
+  result.samples = 20;
+  result.metrics[0].effects = std::move(effects);
+  return result;
+}
+
+SensitivityResult local(MetricSensitivity::Local effects) {
+  SensitivityResult result = frame("local");
+  result.motor = {1.6e-6, 160, 0.2};
+  result.metrics[0].sd = kNaN;
+  result.metrics[0].effects = std::move(effects);
+  return result;
+}
+
+// An index without an interval round it.
+SobolShares sharp(double first, double total) {
+  return {{first, first, first}, {total, total, total}, {}};
+}
+
+ElementaryEffect effect(Estimate mu_star, Estimate sigma) { return {0, mu_star, sigma}; }
+
+}  // namespace
+
+TEST_CASE("Sobol indices are told from the largest total on, then what they add up to",
+          "[studies][sensitivity][words]") {
+  SensitivityResult result = sobol({{{0, -0.001, 0.001}, {0.0004, 0, 0.002}, {}},
+                                    {{0.3, 0.25, 0.36}, {0.45, 0.4, 0.5}, {0.6, 0.5, 0.7}},
+                                    {{0.5, 0.45, 0.55}, {0.62, 0.5, 0.7}, {}}});
+  result.width = 0.05;
+  result.narrow = false;
+  // The first indices add up to 0.8, and their upper ends to 0.111 more: less than the 0.2 that is left.
+  CHECK(barred(answer_text(result)) ==
+        "Shares of the variance (Sobol), 1024 base samples, 95 % intervals\n"
+        "Some intervals are still wider than the 0.05 asked for: raise max_samples.\n"
+        "\n"
+        "stall_torque: mean 600 mN.m, standard deviation 50 mN.m\n"
+        "variable | first order | total\n"
+        "kinetic_friction | 0.500 | (0.450 to 0.550) | 0.620 | (0.500 to 0.700)\n"
+        "preload | 0.300 | (0.250 to 0.360) | 0.450 | (0.400 to 0.500)\n"
+        "amplitude | 0.000 | (-0.001 to 0.001) | 0.000 | (0.000 to 0.002)\n"
+        "kinetic_friction matters most: alone it explains 50 % of the variance, with its "
+        "interactions 62 %.\n"
+        "Interactions explain 20 %.\n"
+        "amplitude does not matter.\n");
+
+  const Json json = answer_json(result);
+  CHECK(json["method"] == "sobol");
+  CHECK(json["samples"] == 1024);
+  CHECK(json["confidence"] == 0.95);
+  CHECK(json["width"] == 0.05);
+  CHECK(json["narrow"] == false);
+  CHECK_FALSE(json.contains("at"));
+  CHECK(json["units"] == Json{{"amplitude", "m"},
+                              {"preload", "N"},
+                              {"kinetic_friction", "1"},
+                              {"stall_torque", "N.m"}});
+  const Json& preload = json["indices"]["stall_torque"]["preload"];
+  CHECK(preload["first"] == Json{{"value", 0.3}, {"low", 0.25}, {"high", 0.36}});
+  CHECK(preload["derivative_bound"] == Json{{"value", 0.6}, {"low", 0.5}, {"high", 0.7}});
+  CHECK_FALSE(json["indices"]["stall_torque"]["amplitude"].contains("derivative_bound"));
+  CHECK(json["metrics"]["stall_torque"]["mean"] == 0.6);
+  CHECK(json["metrics"]["stall_torque"]["sd"] == 0.05);
+}
+
+TEST_CASE("indices that add up to one leave nothing to interactions",
+          "[studies][sensitivity][words]") {
+  SensitivityResult result = sobol({sharp(0, 0), sharp(0.25, 0.25), sharp(0.75, 0.75)});
+  CHECK_THAT(barred(answer_text(result)),
+             EndsWith("kinetic_friction matters most: alone it explains 75 % of the variance.\n"
+                      "amplitude does not matter.\n"));
+  CHECK_THAT(answer_text(result), !Contains("max_samples"));
+  CHECK_FALSE(answer_json(result).contains("width"));  // none was asked for
+  // What is left, 0.2, is less than the intervals leave open: it may be nothing.
+  auto& shares = std::get<MetricSensitivity::Sobol>(result.metrics[0].effects);
+  shares[1].first = {0.05, -0.2, 0.3};
+  CHECK_THAT(answer_text(result), !Contains("Interactions"));
+}
+
+TEST_CASE("an index below zero is an estimate of nothing", "[studies][sensitivity][words]") {
+  const SensitivityResult result = sobol({sharp(-0.01, 0.9), sharp(0, 0.5), sharp(0, 0.4)});
+  CHECK_THAT(answer_text(result),
+             Contains("amplitude matters most: alone it explains 0 % of the variance, with its "
+                      "interactions 90 %.\nInteractions explain 101 %.\n"));
+}
+
+TEST_CASE("variables that do not matter are listed in one sentence",
+          "[studies][sensitivity][words]") {
+  SensitivityResult result = sobol({sharp(0, 0), sharp(0, 0), sharp(1, 1)});
+  CHECK_THAT(answer_text(result), EndsWith("\namplitude and preload do not matter.\n"));
+  result.variables.push_back({"thickness", "m"});
+  std::get<MetricSensitivity::Sobol>(result.metrics[0].effects).push_back(sharp(0, 0));
+  CHECK_THAT(answer_text(result), EndsWith("\namplitude, preload and thickness do not matter.\n"));
+  // Below a hundredth as a whole: an interval that reaches to it leaves it open.
+  std::get<MetricSensitivity::Sobol>(result.metrics[0].effects)[3].total.high = 0.01;
+  CHECK_THAT(answer_text(result), EndsWith("\namplitude and preload do not matter.\n"));
+}
+
+TEST_CASE("indices that there are none of are dashes, and lead to no sentence",
+          "[studies][sensitivity][words]") {
+  const SensitivityResult result = sobol({SobolShares{}, SobolShares{}, SobolShares{}});
+  CHECK_THAT(barred(answer_text(result)),
+             EndsWith("variable | first order | total\n"
+                      "amplitude | - | (- to -) | - | (- to -)\n"
+                      "preload | - | (- to -) | - | (- to -)\n"
+                      "kinetic_friction | - | (- to -) | - | (- to -)\n"));
+  CHECK(answer_json(result)["indices"]["stall_torque"]["preload"]["total"]["value"].is_null());
+}
+
+TEST_CASE("elementary effects carry the unit of the metric", "[studies][sensitivity][words]") {
+  // Of 0.2 N.m, 2 mN.m are a hundredth: the amplitude does no more than that, the preload more.
+  SensitivityResult result = morris({effect({1e-3, 0, 2e-3}, {0.5e-3, 0, 1e-3}),
+                                     effect({0.05, 0.04, 0.06}, {0.01, 0.005, 0.02}),
+                                     effect({0.2, 0.19, 0.21}, {0.02, 0.01, 0.03})});
+  CHECK(barred(answer_text(result)) ==
+        "Elementary effects across the ranges (Morris), 20 trajectories, 95 % intervals\n"
+        "\n"
+        "stall_torque: mean 600 mN.m, standard deviation 50 mN.m\n"
+        "variable | mu* | sigma\n"
+        "kinetic_friction | 200 mN.m | (190 mN.m to 210 mN.m) | 20 mN.m | (10 mN.m to 30 mN.m)\n"
+        "preload | 50 mN.m | (40 mN.m to 60 mN.m) | 10 mN.m | (5 mN.m to 20 mN.m)\n"
+        "amplitude | 1 mN.m | (0 N.m to 2 mN.m) | 500 uN.m | (0 N.m to 1 mN.m)\n"
+        "kinetic_friction matters most: across its range it changes stall_torque by 200 mN.m on "
+        "average.\n"
+        "amplitude does not matter.\n");
+  const Json json = answer_json(result);
+  const Json& preload = json["indices"]["stall_torque"]["preload"];
+  CHECK(preload["mu_star"] == 0.05);
+  CHECK(preload["sigma"] == 0.01);
+  CHECK(preload["mu"] == 0.0);
+  CHECK(preload["mu_star_interval"] == Json{{"low", 0.04}, {"high", 0.06}});
+  CHECK(preload["sigma_interval"] == Json{{"low", 0.005}, {"high", 0.02}});
+
+  // One trajectory has no intervals, so nothing is known not to matter.
+  result = morris(
+      {effect({0, kNaN, kNaN}, {}), effect({0.1, kNaN, kNaN}, {}), effect({0.2, kNaN, kNaN}, {})});
+  CHECK_THAT(barred(answer_text(result)),
+             Contains("preload | 100 mN.m | (- to -) | - | (- to -)\n"));
+  CHECK_THAT(answer_text(result), EndsWith("on average.\n"));
+}
+
+TEST_CASE("a metric that nothing changes says so", "[studies][sensitivity][words]") {
+  const ElementaryEffect none = effect({0, 0, 0}, {0, 0, 0});
+  CHECK_THAT(answer_text(morris({none, none, none})), EndsWith("\nNo variable changes it.\n"));
+}
+
+TEST_CASE("local effects stand beside the motor where they hold", "[studies][sensitivity][words]") {
+  // T = mu F_N r: 1 % more of either factor is 1 % more torque; dT/dF_N = T / F_N, dT/dmu = T / mu.
+  SensitivityResult result = local({{0, 0}, {0.6 / 160, 1}, {0.6 / 0.2, 1}});
+  CHECK(barred(answer_text(result)) ==
+        "Derivatives at the motor\n"
+        "\n"
+        "stall_torque: 600 mN.m\n"
+        "variable | at | elasticity | gradient\n"
+        "preload | 160 N | 1.000 | 0.00375 N.m per N\n"
+        "kinetic_friction | 0.2 | 1.000 | 3 N.m per 1\n"
+        "amplitude | 1.6 um | 0.000 | 0 N.m per m\n"
+        "preload matters most: 1 % more of it changes stall_torque by 1 %.\n");
+  const Json json = answer_json(result);
+  CHECK(json["at"] == Json{{"amplitude", 1.6e-6}, {"preload", 160}, {"kinetic_friction", 0.2}});
+  CHECK(json["metrics"]["stall_torque"] == Json{{"value", 0.6}, {"smoothness", "smooth"}});
+  CHECK(json["indices"]["stall_torque"]["preload"] ==
+        Json{{"gradient", 0.6 / 160}, {"elasticity", 1}});
+  CHECK_FALSE(json.contains("samples"));
+  CHECK_FALSE(json.contains("confidence"));
+
+  // A metric and a variable without dimension.
+  result.metrics[0].metric = {"contact_efficiency_at_peak_power", "1"};
+  CHECK_THAT(barred(answer_text(result)), Contains("| 3 1 per 1\n"));
+}
+
+TEST_CASE("what a gradient is good for is a sentence", "[studies][sensitivity][words]") {
+  SensitivityResult result = local({{0, 0}, {0, 0}, {0, 0}});
+  CHECK_THAT(answer_text(result), !Contains("matters most"));
+  result.metrics[0].smoothness = Smoothness::flat;
+  CHECK_THAT(answer_text(result),
+             EndsWith("\nIt sits on a plateau here: a gradient of zero holds nearby only.\n"));
+  CHECK(answer_json(result)["metrics"]["stall_torque"]["smoothness"] == "flat");
+  result.metrics[0].smoothness = Smoothness::one_sided;
+  CHECK_THAT(answer_text(result),
+             EndsWith("\nIt has a kink or jump here: gradients are those of one side.\n"));
+  result.metrics[0].smoothness = Smoothness::undefined;
+  result.metrics[0].effects = MetricSensitivity::Local(3, LocalEffect{kNaN, kNaN});
+  CHECK_THAT(barred(answer_text(result)), EndsWith("kinetic_friction | 0.2 | - | -\n"
+                                                   "It has no derivative here.\n"));
+  CHECK(answer_json(result)["indices"]["stall_torque"]["preload"]["gradient"].is_null());
+}
+
+TEST_CASE("elasticities have three decimals, whatever their size",
+          "[studies][sensitivity][words]") {
+  const auto shown = [](double elasticity) {
+    const std::string text = barred(answer_text(local({{0, kNaN}, {1, elasticity}, {0, kNaN}})));
+    const std::size_t from = text.find("160 N | ") + 8;
+    return text.substr(from, text.find(" |", from) - from);
+  };
+  CHECK(shown(12) == "12.000");
+  CHECK(shown(-1.5) == "-1.500");
+  CHECK(shown(0.12) == "0.120");
+  CHECK(shown(0.12345) == "0.123");
+  CHECK(shown(-0.0001) == "0.000");  // and not minus nothing
+  CHECK(shown(1e21) == "1e+21");
+  CHECK(shown(kNaN) == "-");
+}
+
+TEST_CASE("a variable that takes whole numbers has a derivative between them",
+          "[studies][sensitivity][words]") {
+  SensitivityResult result = local({{0, 0}, {0, 0}, {0, 0}});
+  result.variables = {{"wavelengths", "1"}, {"preload", "N"}, {"not_a_parameter", "1"}};
+  CHECK_THAT(answer_text(result),
+             Contains("Derivatives at the motor\nwavelengths takes whole numbers only; its "
+                      "derivative is that between them.\n\n"));
+}
+
+TEST_CASE("samples that were dropped are counted, or explained by the note",
+          "[studies][sensitivity][words]") {
+  SensitivityResult result = sobol({sharp(0, 0), sharp(0, 0), sharp(1, 1)});
+  result.metrics[0].dropped = 24;
+  result.metrics[0].samples = 1000;
+  CHECK_THAT(answer_text(result), Contains("deviation 50 mN.m; 24 of 1024 samples dropped for a "
+                                           "failure\n"));
+  result.metrics[0].note = "half of them";
+  CHECK_THAT(answer_text(result), Contains("deviation 50 mN.m\nhalf of them\n"));
+  CHECK(answer_json(result)["metrics"]["stall_torque"]["note"] == "half of them");
+  CHECK(answer_json(result)["metrics"]["stall_torque"]["dropped"] == 24);
+
+  // No value, no effects: the name and the reason, and nothing that looks like a number.
+  result.metrics[0].value = kNaN;
+  result.metrics[0].effects = MetricSensitivity::Sobol();
+  CHECK_THAT(answer_text(result), EndsWith("intervals\n\nstall_torque\nhalf of them\n"));
+  CHECK(answer_json(result)["indices"]["stall_torque"].is_null());
+  CHECK(answer_json(result)["metrics"]["stall_torque"]["mean"].is_null());
+}
+
+TEST_CASE("a study that was stopped before its first motor has no value to tell",
+          "[studies][sensitivity][words]") {
+  const std::string method = GENERATE(as<std::string>{}, "local", "morris", "sobol");
+  CAPTURE(method);
+  RunOptions options;
+  std::stop_source stop;
+  stop.request_stop();
+  options.stop = stop.get_token();
+  const StudyResult result =
+      run_study(elastic_study("  kind: sensitivity\n  method: " + method +
+                              "\n  variables:\n    preload: {min: 100 N, max: 200 N}\n"
+                              "  metrics: [stall_torque]\n"),
+                options);
+  CHECK(result.outcome == "interrupted");
+  CHECK(result.evaluations == 0);
+  CHECK_THAT(summary_text(result), Contains("\n\nstall_torque\nnothing evaluated yet\n"));
+  const Json metric = Json::parse(summary_json(result))["metrics"]["stall_torque"];
+  CHECK(metric[method == "local" ? "value" : "mean"].is_null());
+}

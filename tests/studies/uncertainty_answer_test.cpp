@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an uncertainty study says of spreads that are given.
+#include "answer_support.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <string>
+
+using namespace twum;
+using namespace twum::test;
+using Catch::Matchers::Contains;
+using Catch::Matchers::EndsWith;
+using Catch::Matchers::StartsWith;
+
+namespace {
+
+UncertaintyResult spread() {
+  UncertaintyResult result;
+  result.samples = 1000;
+  result.variables = {{"preload", "N"}};
+  UncertaintyResult::Metric torque;
+  torque.column = {"stall_torque", "N.m"};
+  torque.count = 1000;
+  torque.mean = {0.6, 0.59, 0.61};
+  torque.sd = {0.05, 0.04, 0.06};
+  torque.quantiles = {{0.05, {0.5, 0.49, 0.51}}, {0.5, {0.6, 0.585, 0.615}}};
+  result.metrics.push_back(torque);
+  return result;
+}
+
+UncertaintyResult with_limits() {
+  UncertaintyResult result = spread();
+  result.limits = {{"stall_torque >= 0.5 N.m", "stall_torque", true, 0.5, {0.95, 0.93, 0.97}},
+                   {"max_pressure <= 2 MPa", "max_pressure", false, 2e6, {0.9, 0.88, 0.92}}};
+  result.yield = Estimate{0.875, 0.85, 0.9};
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("spreads stand above their intervals", "[studies][uncertainty][words]") {
+  const UncertaintyResult result = spread();
+  CHECK(barred(answer_text(result)) ==
+        "1000 motors drawn, 95 % intervals in parentheses\n"
+        "\n"
+        "metric | mean | standard deviation | 5 % quantile | 50 % quantile\n"
+        "stall_torque | 600 mN.m | 50 mN.m | 500 mN.m | 600 mN.m\n"
+        " | (590 mN.m to 610 mN.m) | (40 mN.m to 60 mN.m) | (490 mN.m to 510 mN.m) | (585 mN.m to "
+        "615 mN.m)\n");
+  const Json json = answer_json(result);
+  CHECK(json["samples"] == 1000);
+  CHECK(json["confidence"] == 0.95);
+  CHECK(json["units"] == Json{{"preload", "N"}, {"stall_torque", "N.m"}});
+  const Json& torque = json["metrics"]["stall_torque"];
+  CHECK(torque["mean"] == 0.6);
+  CHECK(torque["mean_interval"] == Json{{"low", 0.59}, {"high", 0.61}});
+  CHECK(torque["sd_interval"] == Json{{"low", 0.04}, {"high", 0.06}});
+  CHECK(torque["quantiles"] == Json{{"0.05", 0.5}, {"0.5", 0.6}});
+  CHECK(torque["quantile_intervals"]["0.05"] == Json{{"low", 0.49}, {"high", 0.51}});
+  CHECK(torque["missing"] == 0);
+  for (const char* absent : {"start", "yield", "limits", "without_value", "cut_off"})
+    CHECK_FALSE(json.contains(absent));
+}
+
+TEST_CASE("nothing drawn is nothing said", "[studies][uncertainty][words]") {
+  UncertaintyResult result = spread();
+  result.samples = 0;
+  CHECK(answer_text(result).empty());
+}
+
+TEST_CASE("motors without an answer are counted where they are missed",
+          "[studies][uncertainty][words]") {
+  UncertaintyResult result = spread();
+  result.failed = 40;
+  result.metrics[0].count = 970;
+  CHECK_THAT(answer_text(result), StartsWith("1000 motors drawn, 95 % intervals in parentheses; 40 "
+                                             "without a full answer\n"));
+  CHECK_THAT(answer_text(result), EndsWith("\nstall_torque: 30 motors have no value; the numbers "
+                                           "are those of the others.\n"));
+  CHECK(answer_json(result)["metrics"]["stall_torque"]["missing"] == 30);
+  result.metrics[0].count = 999;
+  CHECK_THAT(answer_text(result), EndsWith("\nstall_torque: 1 motor has no value; the numbers are "
+                                           "those of the others.\n"));
+  // All of them: there are no others.
+  result.metrics[0] = {{"stall_torque", "N.m"}, 0, {}, {}, {{0.5, {}}}};
+  CHECK_THAT(barred(answer_text(result)),
+             EndsWith("stall_torque | - | - | -\n | (- to -) | (- to -) | (- to -)\n"
+                      "stall_torque: no motor has a value.\n"));
+  CHECK(answer_json(result)["metrics"]["stall_torque"]["mean"].is_null());
+}
+
+TEST_CASE("a distribution that was cut off says by how much", "[studies][uncertainty][words]") {
+  UncertaintyResult result = spread();
+  result.start = "../size";
+  result.cut_off = {{"preload", 0.0123}};
+  CHECK_THAT(answer_text(result), EndsWith("\n1.23 % of the distribution of preload is not "
+                                           "admissible and was cut off.\n"));
+  CHECK(answer_json(result)["cut_off"] == Json{{"preload", 0.0123}});
+  CHECK(answer_json(result)["start"] == "../size");
+}
+
+TEST_CASE("the yield names the limit that costs most", "[studies][uncertainty][words]") {
+  UncertaintyResult result = with_limits();
+  CHECK_THAT(barred(answer_text(result)),
+             EndsWith("\n\nYield: 87.5 % | (85 % to 90 %) of the motors keep all limits.\n"
+                      "limit | kept by\n"
+                      "stall_torque >= 0.5 N.m | 95 % | (93 % to 97 %)\n"
+                      "max_pressure <= 2 MPa | 90 % | (88 % to 92 %)\n"
+                      "'max_pressure <= 2 MPa' costs most.\n"));
+  const Json json = answer_json(result);
+  CHECK(json["yield"] == Json{{"value", 0.875}, {"low", 0.85}, {"high", 0.9}});
+  CHECK(json["limits"][0]["sense"] == "at least");
+  CHECK(json["limits"][1]["sense"] == "at most");
+  CHECK(json["limits"][1]["limit"] == 2e6);
+  CHECK(json["limits"][1]["kept"]["high"] == 0.92);
+  CHECK(json["without_value"] == 0);
+
+  result.no_value = 12;
+  CHECK_THAT(answer_text(result), EndsWith("\n12 motors have no value for a limit and count as not "
+                                           "keeping it.\n"));
+  CHECK(answer_json(result)["without_value"] == 12);
+  result.no_value = 1;
+  CHECK_THAT(answer_text(result), EndsWith("\n1 motor has no value for a limit and counts as not "
+                                           "keeping it.\n"));
+}
+
+TEST_CASE("limits that all motors keep, and a limit by itself, cost nothing to name",
+          "[studies][uncertainty][words]") {
+  UncertaintyResult result = with_limits();
+  for (auto& limit : result.limits) limit.kept = {1, 0.99, 1};
+  CHECK_THAT(answer_text(result), !Contains("costs most"));
+  result = with_limits();
+  result.limits.pop_back();
+  CHECK_THAT(answer_text(result), !Contains("costs most"));
+  CHECK_THAT(answer_text(result), Contains("Yield: 87.5 %"));
+}
+
+TEST_CASE("limits without metrics have no table of spreads", "[studies][uncertainty][words]") {
+  UncertaintyResult result = with_limits();
+  result.metrics.clear();
+  CHECK_THAT(answer_text(result), StartsWith("1000 motors drawn, 95 % intervals in parentheses\n\n"
+                                             "\nYield: "));
+}
