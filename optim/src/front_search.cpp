@@ -154,6 +154,7 @@ Solved FrontSearch::hopped(std::size_t objective, Solved from) {
 
 bool FrontSearch::find_ends(std::vector<std::vector<double>> starts) {
   const std::size_t objectives = campaign_.problem().objectives.size();
+  ends_.clear();
   for (std::size_t k = 0; k < objectives; ++k) {
     const auto first = best_alone(k, starts);
     if (!first) return false;

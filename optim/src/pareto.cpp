@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace twum::optim {
 namespace {
@@ -127,15 +128,26 @@ void drop_dominated(const Problem& problem, Front& front) {
   front.points = std::move(kept);
 }
 
-void explain(FrontSearch& search, Front& front) {
+// The ends of the front, if need be from the design that breaks the limits least; that design is kept in
+// `least` if it breaks them all the same.
+bool find_ends(FrontSearch& search, std::vector<std::vector<double>> starts,
+               std::optional<Candidate>& least) {
+  if (search.find_ends(starts)) return true;
   Campaign& campaign = search.campaign();
+  least = elastic_search(campaign, usual_starts(campaign, campaign.options().starts));
+  if (!least || least->f > campaign.options().feasibility_tolerance) return false;
+  starts = {least->z};
+  least.reset();
+  return search.find_ends(starts);
+}
+
+void explain(Campaign& campaign, const std::optional<Candidate>& least, Front& front) {
   const bool evaluable = campaign.counters().failed() < campaign.counters().evaluations;
   front.outcome = evaluable ? Outcome::infeasible : Outcome::failed;
-  if (campaign.exhausted()) front.outcome = Outcome::budget;
-  if (front.outcome != Outcome::infeasible) return;
-  const auto least = elastic_search(campaign, usual_starts(campaign, campaign.options().starts));
   if (least && campaign.options().analyse_infeasible)
     front.infeasibility = explain_infeasible(campaign, least->z);
+  if (campaign.exhausted() && front.infeasibility.relaxations.empty())
+    front.outcome = Outcome::budget;
 }
 
 void conclude(Campaign& campaign, Front& front) {
@@ -173,14 +185,15 @@ Front pareto_front(const Problem& problem, const ParetoOptions& options) {
   }
   auto starts = usual_starts(campaign, solve.starts);
   ask_population(problem, options, search, starts);
-  if (search.find_ends(starts)) {
+  std::optional<Candidate> least;
+  if (find_ends(search, std::move(starts), least)) {
     auto solved = problem.objectives.size() == 2 ? two_objective_front(search, options)
                                                  : three_objective_front(search, options);
     certify_points(search, best_spread(problem, options, std::move(solved)), front);
     drop_dominated(problem, front);
     measure(front, problem, options.reference);
   } else {
-    explain(search, front);
+    explain(campaign, least, front);
   }
   conclude(campaign, front);
   return front;

@@ -100,6 +100,23 @@ TEST_CASE("values outside their range are refused for every parameter", "[core][
   CHECK_FALSE(complaint(P::wavelengths, 8.5).empty());
 }
 
+// Theory sections 1 and 10: what the model divides by must exceed zero, all else may vanish.
+TEST_CASE("zero is admissible where the model has an answer for it", "[core][design][limit]") {
+  for (const P p :
+       {P::amplitude, P::modal_damping, P::poisson_ratio, P::density, P::loss_factor,
+        P::shear_viscosity, P::inertia, P::kinetic_friction, P::static_friction, P::preload}) {
+    CAPTURE(info(p).name);
+    CHECK(complaint(p, 0).empty());
+  }
+  for (const P p : {P::wavelengths, P::contact_radius, P::contact_width, P::neutral_plane_distance,
+                    P::frequency, P::thickness, P::youngs_modulus, P::shear_modulus}) {
+    CAPTURE(info(p).name);
+    CHECK_FALSE(complaint(p, 0).empty());
+  }
+  CHECK_FALSE(complaint(P::poisson_ratio, -1).empty());  // G = E / (2 (1 + nu)) has no value there
+  CHECK(complaint(P::poisson_ratio, 0.5).empty());       // rubber
+}
+
 TEST_CASE("a design's complaints are complete", "[core][design][error]") {
   MotorDesign design = ring();
   CHECK(complaints(design).empty());
