@@ -42,8 +42,8 @@ SWAPS = {" + ": " - ", " - ": " + ", " * ": " / ", " / ": " * ", " += ": " -= ",
 OPERATOR = re.compile("|".join(re.escape(op) for op in sorted(SWAPS, key=len, reverse=True)))
 SIGN = re.compile(r"(?<=[(=,?:{] )-(?=[\w(])|(?<=[({])-(?=[\w(])|(?<=return )-(?=[\w(])")
 WORD = re.compile(r"\b(?:true|false)\b")
-NUMBER = re.compile(r"(?<![\w.\"'])(?:\d+\.?\d*(?:e[+-]?\d+)?|0x[\da-f.]+p[+-]?\d+)(?![\w.])")
-NOISE = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:[^"\\\n]|\\.)*"|\'(?:[^\'\\\n]|\\.)+\'', re.S)
+NUMBER = re.compile(r"(?<![\w.\"'])(?:\d+(?:'\d+)*\.?\d*(?:e[+-]?\d+)?|0x[\da-f.]+p[+-]?\d+)(?![\w.])")
+NOISE = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:[^"\\\n]|\\.)*"|(?<!\d)\'(?:[^\'\\\n]|\\.)+\'', re.S)
 # Lines that say nothing a test could notice: the preprocessor, checks of types, our own assertions.
 SKIPPED = re.compile(r"^\s*(#|template <|static_assert|TWUM_ASSERT|using )")
 
@@ -56,8 +56,8 @@ def blanked(source):
 def other_number(text):
     if "x" in text:
         return f"(2 * {text})"
-    if text.isdigit():
-        return str(int(text) + 1)
+    if text.replace("'", "").isdigit():
+        return str(int(text.replace("'", "")) + 1)
     return "1.0" if float(text) == 0 else f"(1.5 * {text})"
 
 
