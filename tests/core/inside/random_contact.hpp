@@ -54,14 +54,15 @@ inline contact::ContactNumbers<double> random_contact(Dice& dice, int index,
 struct RandomSlip {
   contact::LayerMotion<double> layer;
   contact::FreeMotion<double> motion;
+  double sigma;
   contact::Harmonic<double> slow;
-  double sigma, start, length;
+  double start, length;
 
   RandomSlip(const contact::ContactNumbers<double>& n, Dice& dice)
       : layer(n.inertia, n.damping),
         motion(layer.start(layer.own_part({dice.uniform(-0.3, 0.3), dice.uniform(-1, 1)}))),
-        slow(contact::relative_rate(n, contact::forced_response(n, layer, sigma_of(dice)))),
-        sigma(last_),
+        sigma(dice.uniform(-1, 1) < 0 ? -1 : 1),
+        slow(contact::relative_rate(n, contact::forced_response(n, layer, sigma))),
         start(-n.half_angle),
         length(2 * n.half_angle) {}
 
@@ -71,10 +72,6 @@ struct RandomSlip {
             start,  contact::trig(start),
             length, contact::trig(start + length)};
   }
-
- private:
-  double sigma_of(Dice& dice) { return last_ = dice.uniform(-1, 1) < 0 ? -1 : 1; }
-  double last_{1};
 };
 
 }  // namespace twum::test
