@@ -49,8 +49,8 @@ double metric(const MotorDesign& design, Metric metric) {
 }  // namespace
 
 TEST_CASE("each stratum of a Latin hypercube holds one point", "[studies][sweep][identity]") {
-  const std::uint64_t count = GENERATE(1, 2, 3, 5, 16, 17, 1000, 4097);
-  const std::uint64_t seed = GENERATE(1, 2, 99);
+  const std::uint64_t count = GENERATE(1U, 2U, 3U, 5U, 16U, 17U, 1000U, 4097U);
+  const std::uint64_t seed = GENERATE(1U, 2U, 99U);
   CAPTURE(count, seed);
   const optim::LatinHypercube hypercube(4, count, seed);
   std::vector<std::vector<int>> hits(4, std::vector<int>(count, 0));
