@@ -186,7 +186,7 @@ TEST_CASE("rows of a report are those of the store", "[studies][report]") {
 TEST_CASE("of more rows than a page holds one of each few is kept, from its place",
           "[studies][report]") {
   // More than 100000: one of two, and a last group of one or two rows.
-  const std::uint64_t total = GENERATE(100001, 100002, 100004);
+  const std::uint64_t total = GENERATE(100001U, 100002U, 100004U);
   ResultStore store(":memory:", {{"preload", "N"}});
   for (std::uint64_t i = 0; i < total; ++i) store.add({0, i, {static_cast<double>(i)}, "ok", {}});
   const Json rows = rows_json(store);
