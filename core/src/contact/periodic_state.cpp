@@ -3,6 +3,7 @@
 
 #include "contact/scalars.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -211,7 +212,7 @@ class Search {
       }
       if (!monotone_) break;
     }
-    patience_ *= 2;
+    patience_ = std::min(2 * patience_, kMaxLaps);
     s_.entry = from;
     s_.lap = plain;
     gap_ = gap;
