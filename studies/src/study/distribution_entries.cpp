@@ -20,8 +20,11 @@ class Shape {
     if (name == "normal") return Distribution::normal(value("mean"), spread());
     if (name == "lognormal") return lognormal();
     ordered("min", "max");
-    if (name == "triangular")
+    if (name == "triangular") {
+      if (value("mode") < value("min") || value("mode") > value("max"))
+        throw ValueError(quoted(find("mode").scalar), "must be from min to max");
       return Distribution::triangular(value("min"), value("mode"), value("max"));
+    }
     // Whole numbers: each has the same share once draws are rounded.
     const double half = parameter_.integer ? 0.5 : 0.0;
     return Distribution::uniform(value("min") - half, value("max") + half);
@@ -48,6 +51,13 @@ class Shape {
     if (!(value("mean") > 0)) {
       throw ValueError(quoted(find("mean").scalar) + " as the mean of a lognormal distribution",
                        "must be more than 0");
+    }
+    // Beyond, the variance of the logarithm is lost in rounding, or infinite.
+    const double ratio = spread() / value("mean");
+    if (!(ratio >= 1e-7 && ratio <= 1e7)) {
+      throw ValueError(quoted(find("mean").scalar) + " with a standard deviation of " +
+                           quoted(find("sd").scalar) + ", of a lognormal distribution",
+                       "the deviation must be from 1e-7 to 1e7 times the mean");
     }
     return Distribution::lognormal(value("mean"), spread());
   }
