@@ -45,13 +45,14 @@ std::vector<MetricGradients::Gradient> MetricGradients::at(const MotorDesign& de
 
 std::string packed(std::span<const double> numbers) {
   std::string bytes(numbers.size_bytes(), '\0');
-  std::memcpy(bytes.data(), numbers.data(), bytes.size());
+  if (!numbers.empty()) std::memcpy(bytes.data(), numbers.data(), bytes.size());
   return bytes;
 }
 
 std::vector<double> unpacked(std::string_view bytes) {
   std::vector<double> numbers(bytes.size() / sizeof(double));
-  std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(double));
+  if (!numbers.empty())  // memcpy takes no null pointer, not even for nothing
+    std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(double));
   return numbers;
 }
 
