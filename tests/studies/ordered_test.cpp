@@ -70,3 +70,21 @@ TEST_CASE("what comes before a failure is written, and the failure comes out", "
   fail_at(-1, 100, -1);
   fail_at(-1, -1, 100);
 }
+
+TEST_CASE("nothing is read behind a failed read", "[studies][run]") {
+  for (int round = 0; round < 100; ++round) {
+    int next = 0;
+    std::vector<int> written;
+    CHECK_THROWS_WITH(run_ordered<int>(
+                          8,
+                          [&](int& item) {
+                            item = next++;
+                            if (item == 20) throw std::runtime_error("no");
+                            return true;
+                          },
+                          [](int&) {}, [&](int& item) { written.push_back(item); }),
+                      "no");
+    CHECK(next == 21);
+    CHECK(written.size() == 20);
+  }
+}

@@ -73,7 +73,13 @@ class OrderedRun {
           lock, [&] { return ended_ || next_read_ - next_write_ < 4 * std::size_t{jobs_}; });
       if (ended_) return kNone;
     }
-    const bool more = read_(item);
+    bool more = false;
+    try {
+      more = read_(item);
+    } catch (...) {
+      fail(kNone);  // before another thread may read on
+      return kNone;
+    }
     const std::lock_guard lock(mutex_);
     if (!more) ended_ = true;
     return more ? next_read_++ : kNone;
