@@ -128,17 +128,15 @@ void drop_dominated(const Problem& problem, Front& front) {
   front.points = std::move(kept);
 }
 
-// The ends of the front, if need be from the design that breaks the limits least; that design is kept in
-// `least` if it breaks them all the same.
-bool find_ends(FrontSearch& search, std::vector<std::vector<double>> starts,
+// The ends of the front, if need be from the design that breaks the limits least, `least`.
+bool find_ends(FrontSearch& search, const std::vector<std::vector<double>>& starts,
                std::optional<Candidate>& least) {
   if (search.find_ends(starts)) return true;
   Campaign& campaign = search.campaign();
   least = elastic_search(campaign, usual_starts(campaign, campaign.options().starts));
-  if (!least || least->f > campaign.options().feasibility_tolerance) return false;
-  starts = {least->z};
-  least.reset();
-  return search.find_ends(starts);
+  const double tolerance = campaign.options().feasibility_tolerance;
+  if (!least || least->f > tolerance || least->violation > tolerance) return false;
+  return search.find_ends({least->z});
 }
 
 void explain(Campaign& campaign, const std::optional<Candidate>& least, Front& front) {
@@ -186,7 +184,7 @@ Front pareto_front(const Problem& problem, const ParetoOptions& options) {
   auto starts = usual_starts(campaign, solve.starts);
   ask_population(problem, options, search, starts);
   std::optional<Candidate> least;
-  if (find_ends(search, std::move(starts), least)) {
+  if (find_ends(search, starts, least)) {
     auto solved = problem.objectives.size() == 2 ? two_objective_front(search, options)
                                                  : three_objective_front(search, options);
     certify_points(search, best_spread(problem, options, std::move(solved)), front);
