@@ -45,7 +45,7 @@ class Surroundings(program.Case):
         self.assertIn(b"preload", process.stdout.readline())
         process.stdout.close()
         self.assertEqual(process.stderr.read(), b"")
-        self.assertEqual(process.wait(60), 0)
+        self.assertEqual(process.wait(600), 0)
         process.stderr.close()
 
 
@@ -61,7 +61,7 @@ class Interrupts(program.Case):
             while not (self.result.exists() and self.result.stat().st_size > 0):
                 time.sleep(0.01)
             process.send_signal(number)
-            _, errors = process.communicate(timeout=60)
+            _, errors = process.communicate(timeout=600)
             self.assertEqual(process.returncode, 130)
             self.assertIn(b"interrupted after", errors)
             lines = self.result.read_text().splitlines()

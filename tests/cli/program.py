@@ -12,7 +12,7 @@ RING = str(ROOT / "examples/motors/ring-60.yaml")
 PROGRAM = None
 
 
-def twum(*arguments, stdin=b"", cwd=None, env=None, timeout=60):
+def twum(*arguments, stdin=b"", cwd=None, env=None, timeout=600):
     """Finished process with bytes in stdout and text in stderr."""
     done = subprocess.run([PROGRAM, *map(str, arguments)], input=stdin, capture_output=True, cwd=cwd,
                           env={**os.environ, **(env or {})}, timeout=timeout)

@@ -290,7 +290,7 @@ class Processes(Run):
             with self.subTest(name):
                 process = self.begin(name)
                 process.send_signal(getattr(signal, name))
-                out, errors = process.communicate(timeout=60)
+                out, errors = process.communicate(timeout=600)
                 self.assertEqual(process.returncode, 130, errors)
                 self.assertIn(b"interrupted", out)
                 self.assertIn(b"goes on", errors)

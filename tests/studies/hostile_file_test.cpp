@@ -10,7 +10,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <chrono>
 #include <fstream>
 #include <random>
 
@@ -76,7 +75,6 @@ TEST_CASE("bytes that are no text are refused where they stand", "[studies][yaml
 }
 
 TEST_CASE("deep and wide files are refused at once", "[studies][yaml][error]") {
-  const auto begin = std::chrono::steady_clock::now();
   const std::string brackets(1000000, '[');
   CHECK(outcome("motor: " + brackets).find("nested more than") != std::string::npos);
   std::string block;
@@ -91,8 +89,8 @@ TEST_CASE("deep and wide files are refused at once", "[studies][yaml][error]") {
   std::string words = "motor: ";
   for (int i = 0; i < 500000; ++i) words += "word ";
   CHECK(!outcome(words).empty());
-  // Each is linear in its size and takes a second at most; a quadratic one would take an hour.
-  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::minutes(2));
+  // Each is linear in its size and takes a second at most; a quadratic one would take an hour, which the
+  // limit of every test ends.
 }
 
 TEST_CASE("mutilated motor files give a FileError or a motor, never anything else",
@@ -123,7 +121,6 @@ TEST_CASE("mutilated motor files give a FileError or a motor, never anything els
 
 TEST_CASE("lists and numbers beyond reason are refused or read at once",
           "[studies][study][error]") {
-  const auto begin = std::chrono::steady_clock::now();
   CHECK_THROWS_WITH(study_of("  kind: sweep\n  sampling: grid\n  metrics: [stall_torque]\n"
                              "  variables: {wavelengths: {min: 5, max: 12, points: 1e300}}\n"),
                     Catch::Contains("study.variables.wavelengths.points"));
@@ -136,8 +133,7 @@ TEST_CASE("lists and numbers beyond reason are refused or read at once",
   CHECK_THROWS_WITH(study_of(tolerances + quantiles + ", 0.10]\n"),
                     Catch::Contains("'0.10' is there twice"));
   // A second where the time grows with the list; a comparison of all pairs took minutes, and the
-  // points of the grid have no end.
-  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(60));
+  // points of the grid have no end, which the limit of every test ends.
 }
 
 TEST_CASE("headers of one column many times are refused in a few words",

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interrupt.hpp"
 
+#include <atomic>
 #include <chrono>
 #include <csignal>
 
 namespace twum::cli {
 namespace {
 
-volatile std::sig_atomic_t stop_asked = 0;
+// Written by a signal handler and read by threads: only an atomic without a lock may be both.
+std::atomic<bool> stop_asked = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
 
-extern "C" void ask_to_stop(int /*signal*/) { stop_asked = 1; }
+extern "C" void ask_to_stop(int /*signal*/) { stop_asked = true; }
 
 }  // namespace
 
@@ -24,7 +27,7 @@ void install_interrupt_handler() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-bool interrupted() noexcept { return stop_asked != 0; }
+bool interrupted() noexcept { return stop_asked; }
 
 // A signal handler may not request a stop: it would have to take locks. So a thread looks after it.
 StopOnInterrupt::StopOnInterrupt()

@@ -71,16 +71,21 @@ inline double taylor_step(const CurveSample& c) {
   return t - (c.f + t * (c.f1 + t * (c.f2 / 2 + t * c.f3 / 6))) / slope;
 }
 
-/// The only zero between low, where f > 0, and high, where f < 0, by zeros of Taylor polynomials from x
-/// in between with the sample c there. Their error is of fourth order in the step, so it stops once the
+/// The error of a Taylor step is of fourth order in its length. It leaves nothing that counts where the
 /// step's share of the bends is below 1e-4.
+inline bool is_last_step(const CurveSample& c, double step) {
+  const double slope = std::fabs(c.f1);
+  return std::fabs(step * c.f2) < 1e-4 * slope && c.l3 * step * step < 1e-8 * slope;
+}
+
+/// The only zero between low, where f > 0, and high, where f < 0, by zeros of Taylor polynomials from x
+/// in between with the sample c there.
 template <typename Curve>
 double polish_zero(const Curve& curve, double low, double high, double x, CurveSample c) {
   for (int i = 0; i < 100; ++i) {
     (c.f > 0 ? low : high) = x;
     double next = x + taylor_step(c);
-    const double step = next - x, slope = std::fabs(c.f1);
-    if (std::fabs(step * c.f2) < 1e-4 * slope && c.l3 * step * step < 1e-8 * slope) return next;
+    if (is_last_step(c, next - x)) return next;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
     if (next == x) return x;
     x = next;
@@ -90,12 +95,51 @@ double polish_zero(const Curve& curve, double low, double high, double x, CurveS
   return x;
 }
 
+/// A zero near x, first or not. NaN if Taylor steps do not lead to one on (0, length).
+template <typename Curve>
+double followed_zero(const Curve& curve, double x, double length) {
+  constexpr double kShort = 1e-3;  // its fourth power is lost in what followed zeros are used for
+  for (int i = 0; i < 4 && x > 0 && x < length; ++i) {
+    const double step = taylor_step(curve.terms(x));
+    x += step;
+    if (std::fabs(step) < kShort * x && x < length) return x;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+/// A zero of which nothing is known but that it is one.
+struct KnownZero {
+  double zero{kNoZero};           ///< kNoZero if none is known
+  double place{0}, f1{0}, f2{0};  ///< a place close to it, with f' < 0 and f'' there
+
+  /// True if it is the first zero from x on (E3.6).
+  /// @param c  sample with bounds that hold from x on
+  bool is_first_from(double x, const CurveSample& c) const {
+    if (zero == kNoZero) return false;
+    const double bend = std::fabs(f2) + std::sqrt(f2 * f2 - 2 * c.l3 * f1);
+    const double falling = std::max(-f1 / c.l2, -2 * f1 / bend);
+    return x >= place - falling && std::fabs(zero - place) < falling;
+  }
+};
+
+/// The zero near x, if one step of polish_zero() leads there.
+template <typename Curve>
+KnownZero known_zero(const Curve& curve, double x, double length) {
+  if (!(x > 0 && x < length)) return {};
+  const CurveSample c = curve.sample(x);
+  const double zero = x + taylor_step(c);
+  if (!(c.f1 < 0 && is_last_step(c, zero - x) && zero > 0 && zero < length)) return {};
+  return {zero, x, c.f1, c.f2};
+}
+
 /// First zero of a curve on (0, length), or kNoZero; none can be missed: the march takes only steps
 /// that are proven free of zeros until one is bracketed (docs/theory/events.md).
 ///
-/// @param work  counts samples; past `limit` the march gives up and returns NaN.
+/// @param work   counts samples; past `limit` the march gives up and returns NaN.
+/// @param known  a zero to stop at once it is proven to be the first
 template <typename Curve>
-double first_zero(const Curve& curve, double length, StartOrder order, long& work, long limit) {
+double first_zero(const Curve& curve, double length, StartOrder order, long& work, long limit,
+                  const KnownZero& known = {}) {
   double x = 0;
   CurveSample c = curve.first();
   while (++work <= limit) {
@@ -109,6 +153,7 @@ double first_zero(const Curve& curve, double length, StartOrder order, long& wor
     const double step = std::max(zero_free_step(c, order), c.skip);
     if (!(step > 0)) return x;
     x += step;
+    if (known.is_first_from(x, c)) return known.zero;
     if (x >= length) return kNoZero;
     order = StartOrder::positive;
     c = curve.sample(x);

@@ -22,12 +22,18 @@ constexpr int kMaxZones = 200'000;
 // A free layer that has decayed by exp(-37) = 9e-17 enters the next contact at rest.
 constexpr double kForgotten = 37;
 
-// The return map needs no means.
-template <typename S>
-constexpr bool kHasMeans = !std::is_same_v<S, StateDual>;
+// Where the ends of zones come from.
+enum class Ends : unsigned char {
+  searched,  // the first root of a function; given by a script, if there is one
+  proven,    // those near the ones of a script, once they are proven to be the first
+  followed   // those near the ones of a script, without proof
+};
 
-template <typename S>
+template <typename S, Ends kEnds = Ends::searched>
 class LapRunner {
+  // The return map needs no means.
+  static constexpr bool kHasMeans = kEnds != Ends::followed && !std::is_same_v<S, StateDual>;
+
  public:
   LapRunner(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer, const Script* script,
             std::vector<ZoneTrace>* trace, Lap<S>& lap)
@@ -45,6 +51,7 @@ class LapRunner {
     entry.carried ? carry_on(entry.zone) : enter();
     lap_.first = zone_;
     while (!done_ && lap_.status == LapStatus::ok) {
+      if (!follows_on()) return fail();
       zone_ == ZoneState::stick ? stick() : slip();
       if (lap_.zones > kMaxZones) lap_.status = LapStatus::unresolved;
     }
@@ -145,6 +152,9 @@ class LapRunner {
 
   bool has_static_excess() const { return value_of(n_.static_) > value_of(n_.kinetic); }
 
+  // A lap that follows another goes through the same zones.
+  bool follows_on() const { return kEnds != Ends::followed || known_end().zone == zone_; }
+
   void after_slip(double sigma) {
     if (!layer_.has_inertia()) {
       // With mu_0 = mu the traction leaves its threshold where slip ends: at once with damping, from rest
@@ -181,7 +191,7 @@ class LapRunner {
   // Elastic layer: t falls from mu_0 p to mu p at once; all the energy released is friction work (T4.4).
   void snap(double iota) {
     const S before = iota * n_.static_ * pressure(), after = iota * n_.kinetic * pressure();
-    if constexpr (kHasMeans<S>)
+    if constexpr (kHasMeans)
       lap_.means.friction_power += 0.5 * (before * before - after * after) / n_.stick_rate;
     state_.e = after;
     mark(7);
@@ -198,7 +208,7 @@ class LapRunner {
     const Harmonic<S> slow = relative_rate(n_, f);
     const double x = find_slip_end(motion, slow, sigma);
     if (std::isnan(x)) return fail();
-    note({x, 0});
+    note({x, 0, zone_});
     const Phase<S> from{theta_, at_};
     S length = n_.half_angle - theta_;
     if (x == kNoZero) {
@@ -211,13 +221,13 @@ class LapRunner {
     const Phase<S> to{theta_, at_};
     if (delicate_ && ShortSlip<S>::rate(layer_) * value_of(length) <= ShortSlip<S>::kReach) {
       const ShortSlip<S> zone(n_, layer_, sigma, from, length, state_, motion.u);
-      if constexpr (kHasMeans<S>) {
+      if constexpr (kHasMeans) {
         add(lap_.means, slip_integrals(n_, sigma, Moments<S>(from, to), zone.work(from, to)));
       }
       state_ = zone.end();
     } else {
       const LayerState<S> h1 = layer_.at(motion, length);
-      if constexpr (kHasMeans<S>) {
+      if constexpr (kHasMeans) {
         const Moments<S> moments(from, to);
         const SlipWork<S> work = slip_work(n_, layer_, f, moments, from, to, h0, h1);
         add(lap_.means, slip_integrals(n_, sigma, moments, work));
@@ -229,13 +239,38 @@ class LapRunner {
   }
 
   double find_slip_end(const FreeMotion<S>& motion, const Harmonic<S>& slow, double sigma) {
-    if (script_) return script_->ends[lap_.script.count].length;
+    if (is_given()) return known_end().length;
     const FreeMotion<double> own{value_of(motion.u), value_of(motion.w)};
     const double length = value_of(n_.half_angle) - value_of(theta_);
     const auto& layer = layer_.values();  // lives as long as the curve
     const SlipCurve curve(layer, own, slow.values(), sigma, value_of(theta_), values(at_), length,
                           values(n_.edge));
-    return first_zero(curve, length, order_, samples_, kMaxSamples);
+    return find_zero(curve, length, order_, kEnds == Ends::searched ? kNoZero : known_end().length);
+  }
+
+  // The script's end of a zone like this one, or none.
+  Script::End known_end() const {
+    const int i = lap_.script.count;
+    const bool known = script_ && i < script_->count && script_->ends[i].zone == zone_;
+    return known ? script_->ends[i] : Script::End{kNoZero, 0, zone_};
+  }
+
+  // True if the zone's end needs no search.
+  bool is_given() const {
+    return kEnds == Ends::searched ? script_ != nullptr
+                                   : kEnds == Ends::followed && known_end().length == kNoZero;
+  }
+
+  template <typename Curve>
+  double find_zero(const Curve& curve, double length, StartOrder order, double near) {
+    if constexpr (kEnds == Ends::searched) {
+      return first_zero(curve, length, order, samples_, kMaxSamples);
+    } else if constexpr (kEnds == Ends::proven) {
+      return first_zero(curve, length, order, samples_, kMaxSamples,
+                        known_zero(curve, near, length));
+    } else {
+      return followed_zero(curve, near, length);
+    }
   }
 
   // Newton steps in S from the root in double: the value stays, the derivatives come in.
@@ -279,7 +314,7 @@ class LapRunner {
       advance(settle_stick_end(t, end));
     }
     record(from);
-    if constexpr (kHasMeans<S>) {
+    if constexpr (kHasMeans) {
       add(lap_.means, stick_integrals(n_, layer_, t, from, Phase<S>{theta_, at_}));
     }
     state_.e = e0 + s * (at_.sin - from.at.sin) - drift * (theta_ - from.theta);
@@ -295,36 +330,41 @@ class LapRunner {
   }
 
   // The side that the traction would reach at the exit comes first. The other is mostly ruled out at a
-  // glance: a reserve that is concave and positive at both ends is positive between.
+  // glance.
   Script::End find_stick_end(const Harmonic<S>& t) {
-    if (script_) return script_->ends[lap_.script.count];
+    if (is_given()) return known_end();
     const Harmonic<double> traction = t.values();
     const double exit = value_of(n_.half_angle), length = exit - value_of(theta_);
+    const Script::End known = kEnds == Ends::searched ? Script::End{} : known_end();
+    if constexpr (kEnds == Ends::followed) {
+      return stick_end(find_zero(stick_curve(t, known.side), length, {}, known.length), known.side);
+    }
     const double likely = traction.at(exit, values(n_.edge)) < 0 ? -1 : 1;
-    const StickCurve curve(reserve(t, likely).values(), value_of(theta_), values(at_));
-    double first = curve.only_zero(length, side_order(likely), values(n_.edge));
-    if (std::isnan(first))
-      first = first_zero(curve, length, side_order(likely), samples_, kMaxSamples);
-    if (std::isnan(first)) return {first, 0};
-    const double reach = std::min<double>(first, length);
-    if (stays_off(t, -likely, reach)) return {first, likely};
-    const double second = find_stick_end(t, -likely, reach);
-    return second == kNoZero ? Script::End{first, likely} : Script::End{second, -likely};
+    const double first = find_stick_end(t, likely, length, values(n_.edge), known);
+    if (std::isnan(first)) return stick_end(first, 0);
+    const double second =
+        first == kNoZero
+            ? find_stick_end(t, -likely, length, values(n_.edge), known)
+            : find_stick_end(t, -likely, first, quick_trig(value_of(theta_) + first), known);
+    return second == kNoZero ? stick_end(first, likely) : stick_end(second, -likely);
   }
 
-  double find_stick_end(const Harmonic<S>& t, double iota, double length) {
-    const StickCurve curve(reserve(t, iota).values(), value_of(theta_), values(at_));
-    return first_zero(curve, length, side_order(iota), samples_, kMaxSamples);
+  double find_stick_end(const Harmonic<S>& t, double iota, double length, const Trig<double>& end,
+                        const Script::End& known) {
+    const StickCurve curve = stick_curve(t, iota);
+    const double near = known.side == iota ? known.length : kNoZero;
+    const StickCurve::Glance glance = curve.glance(length, side_order(iota), end);
+    if (glance == StickCurve::Glance::no_zero) return kNoZero;
+    if (glance == StickCurve::Glance::one_zero) return curve.only_zero(length, near);
+    return find_zero(curve, length, side_order(iota), near);
   }
 
-  bool stays_off(const Harmonic<S>& t, double iota, double reach) const {
-    const StartOrder order = side_order(iota);
-    if (order == StartOrder::double_zero || reach > 3) return false;
-    const Harmonic<double> f = reserve(t, iota).values();
-    const double from = value_of(theta_), to = from + reach;
-    const Trig<double> a = values(at_), b = quick_trig(to);
-    const bool leaves = order == StartOrder::zero || f.at(from, a) > 0;
-    return leaves && f.curvature(a) < 0 && f.curvature(b) < 0 && f.at(to, b) > 0;
+  StickCurve stick_curve(const Harmonic<S>& t, double iota) const {
+    return {reserve(t, iota).values(), value_of(theta_), values(at_)};
+  }
+
+  static Script::End stick_end(double length, double side) {
+    return {length, static_cast<float>(side), ZoneState::stick};
   }
 
   StartOrder side_order(double iota) const { return side_order_[iota > 0 ? 0 : 1]; }
@@ -394,7 +434,7 @@ class LapRunner {
       lap_.next.layer = layer_.slowest_decay() * value_of(flight) > kForgotten
                             ? LayerState<S>{S(0.0), S(0.0)}
                             : layer_.at(layer_.start(state_), flight);
-      if constexpr (kHasMeans<S>) {
+      if constexpr (kHasMeans) {
         m.layer_loss += 0.5 *
                         (layer_.energy(layer_.own_part(state_)) - layer_.energy(lap_.next.layer)) /
                         n_.stick_rate;
@@ -431,6 +471,25 @@ Lap<S> run_lap(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
   Lap<S> lap;
   LapRunner<S>(numbers, layer, script, trace, lap).run(entry);
   return lap;
+}
+
+Lap<double> prove_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
+                      const LapEntry<double>& entry, const Script& near) {
+  if (!near.complete()) return run_lap(numbers, layer, entry);
+  Lap<double> lap;
+  LapRunner<double, Ends::proven>(numbers, layer, &near, nullptr, lap).run(entry);
+  return lap;
+}
+
+bool follow_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
+                const LayerState<double>& entry, Script& script, LayerState<double>& next) {
+  if (!script.complete()) return false;
+  Lap<double> lap;
+  LapRunner<double, Ends::followed>(numbers, layer, &script, nullptr, lap).run({entry});
+  if (lap.status != LapStatus::ok || lap.script.count != script.count) return false;
+  script = lap.script;
+  next = lap.next.layer;
+  return true;
 }
 
 #define TWUM_INSTANTIATE(S)                                                                    \

@@ -29,8 +29,9 @@ struct ZoneTrace {
 /// Where each zone of a lap ends, for following it again without a search.
 struct Script {
   struct End {
-    double length;  ///< of the zone [rad]; kNoZero if it lasts to the exit
-    double side;    ///< stick: sign of the traction at its threshold
+    double length;   ///< of the zone [rad]; kNoZero if it lasts to the exit
+    float side;      ///< stick: sign of the traction at its threshold
+    ZoneState zone;  ///< what it is the end of
   };
   static constexpr int kCapacity = 8;
   Script() {}  // the ends are not initialised: laps are many
@@ -67,5 +68,19 @@ template <typename S>
 Lap<S> run_lap(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
                const LapEntry<S>& entry, const Script* script = nullptr,
                std::vector<ZoneTrace>* trace = nullptr);
+
+/// run_lap() where the ends of the zones are known from a lap nearby, but not yet proven to be the first
+/// (E3.6).
+Lap<double> prove_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
+                      const LapEntry<double>& entry, const Script& near);
+
+/// The return map continued through the zones of a lap nearby: it does not search for their ends but
+/// follows them to where they have moved (E6.5). A quarter of the work of a lap, and no proof: what is found
+/// so has to be gone through by prove_lap().
+///
+/// @param script  of the lap nearby; replaced by the ends of this one
+/// @return false if the zones are others here
+bool follow_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
+                const LayerState<double>& entry, Script& script, LayerState<double>& next);
 
 }  // namespace twum::contact

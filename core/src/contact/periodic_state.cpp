@@ -2,6 +2,7 @@
 #include "contact/periodic_state.hpp"
 
 #include "contact/scalars.hpp"
+#include "contact/zone_curves.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +14,11 @@ namespace {
 
 constexpr int kMaxLaps = 1500;
 constexpr long kMaxZonesInAll = 60'000;
+constexpr int kMaxFollowed = 12;
 constexpr double kFloor = 1000;      // of tolerances: where rounding may keep Newton's method
 constexpr double kSameState = 1000;  // of tolerances: a state that came back
 constexpr double kFast = 0.1;        // contraction by a lap that leaves no doubt where laps lead
+constexpr LapEntry<double> kAtRest{{0, 0}, false, ZoneState::stick};
 constexpr double kResonance = 1e16;  // response to the wave's own frequency, squared
 
 struct Matrix2 {
@@ -88,7 +91,7 @@ class Search {
 
   void run(const LapEntry<double>* guess) {
     if (layer_.response > kResonance) return give_up(PeriodicStatus::resonance);
-    turn(guess && unique_ ? *guess : LapEntry<double>{{0, 0}, false, ZoneState::stick});
+    turn(!unique_ ? kAtRest : guess ? *guess : after_slip());
     while (s_.laps < kMaxLaps && s_.zones < kMaxZonesInAll && s_.lap.status == LapStatus::ok) {
       if (settled()) return finish();
       if (cycles()) break;
@@ -99,19 +102,50 @@ class Search {
   }
 
  private:
-  void turn(const LapEntry<double>& entry) {
-    const std::uint64_t before = s_.lap.itinerary;
-    const double gap_before = gap_;
+  // What the last lap told, to go back to.
+  struct Trail {
+    double gap{0}, progress{1};
+    LayerState<double> moved_in{0, 0}, moved_out{0, 0};  // last lap less the one before
+    int repeats{0};
+  };
+  struct Standing {
+    LapEntry<double> entry;
+    Lap<double> lap;
+    Trail trail;
+  };
+
+  Standing standing() const { return {s_.entry, s_.lap, trail_}; }
+  void go_back(const Standing& where) {
+    s_.entry = where.entry;
+    s_.lap = where.lap;
+    trail_ = where.trail;
+  }
+
+  // Entry of a layer that left the contact as if it had slipped all through, and long enough for its own
+  // motion to be over: nearer than rest where that motion is not over at the next entry.
+  LapEntry<double> after_slip() const {
+    if (forgets(1e-16)) return kAtRest;
+    const double mean_slip = n_.edge.sin / n_.half_angle - n_.speed_ratio;
+    const Harmonic<double> f = forced_response(n_, layer_, mean_slip > 0 ? -1 : 1);
+    const LayerState<double> exit{f.at(n_.half_angle, n_.edge), f.slope(n_.edge)};
+    return {layer_.at(layer_.start(layer_.own_part(exit)), flight()), false, ZoneState::stick};
+  }
+
+  double flight() const { return n_.full ? 0 : 2 * (std::numbers::pi - n_.half_angle); }
+  // What is left of the layer's motion after the free flight is less than a share.
+  bool forgets(double share) const { return layer_.slowest_decay() * flight() > -std::log(share); }
+
+  void turn(const LapEntry<double>& entry, const Script* near = nullptr) {
     const LayerState<double> from = s_.entry.layer, to = s_.lap.next.layer;
+    const std::uint64_t itinerary = s_.lap.itinerary;
     s_.entry = entry;
-    s_.lap = run_lap(n_, layer_, entry);
+    s_.lap = near ? prove_lap(n_, layer_, entry, *near) : run_lap(n_, layer_, entry);
     ++s_.laps;
     s_.zones += s_.lap.zones;
-    gap_ = distance(s_.entry.layer, s_.lap.next.layer);
-    repeats_ = s_.lap.itinerary == before ? repeats_ + 1 : 0;
-    progress_ = gap_before > 0 ? gap_ / gap_before : 1;
-    moved_in_ = difference(s_.entry.layer, from);
-    moved_out_ = difference(s_.lap.next.layer, to);
+    const double gap = distance(s_.entry.layer, s_.lap.next.layer);
+    trail_ = {gap, trail_.gap > 0 ? gap / trail_.gap : 1, difference(s_.entry.layer, from),
+              difference(s_.lap.next.layer, to),
+              s_.lap.itinerary == itinerary ? trail_.repeats + 1 : 0};
   }
 
   static LayerState<double> difference(const LayerState<double>& a, const LayerState<double>& b) {
@@ -131,8 +165,8 @@ class Search {
 
   // Rounding of the closed forms sets the looser bound; in small contacts series do better.
   bool settled() const {
-    return same_zone() &&
-           (gap_ <= std::fmax(tight_, loose_) || (gap_ <= tolerance_ && progress_ > 0.5));
+    return same_zone() && (trail_.gap <= std::fmax(tight_, loose_) ||
+                           (trail_.gap <= tolerance_ && trail_.progress > 0.5));
   }
 
   void finish() {
@@ -144,36 +178,87 @@ class Search {
 
   void advance() {
     if (sticks_all_round()) return turn(after_drift());
-    if (secant_may_help()) return turn(secant());
+    if (secants_may_help()) {
+      if (!may_follow()) return turn(after_secant());
+      if (follow()) return;
+    }
     if (newton_may_help() && newton()) return;
     turn(s_.lap.next);
   }
 
-  // The last lap brought states much closer to one another.
-  bool contracts_fast() const {
-    return s_.laps > 1 &&
-           product(moved_out_, moved_out_) <= kFast * kFast * product(moved_in_, moved_in_);
+  // The last lap brought states closer to one another, to less than a share.
+  bool contracts(double share) const {
+    return s_.laps > 1 && product(trail_.moved_out, trail_.moved_out) <=
+                              share * share * product(trail_.moved_in, trail_.moved_in);
   }
 
   bool sticks() const { return s_.lap.means.stick_length > 0; }
 
   // Sticking leaves the layer one way to differ, so the return map has a slope of rank one, which two
-  // laps tell. With mu_0 > mu they must go through the same zones; in full contact a state that is not
-  // quite one of the zone it is carried on in would be torn out of it.
-  bool secant_may_help() const {
-    return !n_.full && sticks() && (monotone_ || repeats_ > 0) && contracts_fast();
+  // laps tell. With mu_0 > mu they must go through the same zones and seem to settle; in full contact a state
+  // that is not quite one of the zone it is carried on in would be torn out of it.
+  bool secants_may_help() const {
+    return !n_.full && sticks() && (monotone_ || (trail_.repeats > 0 && contracts(kFast)));
   }
 
-  // (E6.4) The next entry, with what the last two laps tell of the return map's slope. It is that of a plain
-  // lap but for a share of the gap as large as the contraction.
-  LapEntry<double> secant() const {
+  // Undamped layers with mu_0 > mu may have a state that repeats itself in the zones of a lap and draws no
+  // other to it.
+  bool may_follow() const { return s_.laps >= follow_from_ && (monotone_ || layer_.C > 0); }
+
+  // States at entry and at the next.
+  struct Turn {
+    LayerState<double> in, out;
+  };
+
+  // (E6.4) The next entry, with what two laps tell of the return map's slope.
+  LayerState<double> secant(const Turn& before, const Turn& now) const {
+    const LayerState<double> in = difference(now.in, before.in),
+                             out = difference(now.out, before.out),
+                             gap = difference(now.out, now.in);
+    const double along = product(in, gap) / (product(in, in) - product(in, out));
+    if (!std::isfinite(along)) return now.out;
+    return {now.out.e + along * out.e, now.out.rate + along * out.rate};
+  }
+
+  LapEntry<double> after_secant() const {
+    const LayerState<double> in = s_.entry.layer, out = s_.lap.next.layer;
+    const Turn before{difference(in, trail_.moved_in), difference(out, trail_.moved_out)};
     LapEntry<double> entry = s_.lap.next;
-    const LayerState<double> gap = difference(entry.layer, s_.entry.layer);
-    const double along =
-        product(moved_in_, gap) / (product(moved_in_, moved_in_) - product(moved_in_, moved_out_));
-    if (!std::isfinite(along)) return entry;
-    entry.layer.e += along * moved_out_.e;
-    entry.layer.rate += along * moved_out_.rate;
+    if (contracts(kFast)) entry.layer = secant(before, {in, out});
+    return entry;
+  }
+
+  // Follows laps through the zones of the last one to the state that repeats itself there, and proves the lap
+  // from it. False if that goes through other zones or is no better: then nothing has happened.
+  bool follow() {
+    const Standing from = standing();
+    Script script = s_.lap.script;
+    const LapEntry<double> entry = followed(script);
+    turn(entry, &script);
+    const bool kept = s_.lap.status == LapStatus::ok &&
+                      (monotone_ || s_.lap.itinerary == from.lap.itinerary) &&
+                      trail_.gap <= 0.5 * from.trail.gap;
+    if (kept) return true;
+    follow_from_ = 2 * s_.laps;
+    go_back(from);
+    return false;
+  }
+
+  // (E6.5) The entry that secants over followed laps lead to, and the ends of the last of them.
+  LapEntry<double> followed(Script& script) {
+    Turn before, now{s_.entry.layer, s_.lap.next.layer};
+    LapEntry<double> entry = s_.lap.next;
+    double gap = trail_.gap;
+    for (int i = 0; i < kMaxFollowed; ++i) {
+      before = now;
+      now.in = entry.layer;
+      if (!follow_lap(n_, layer_, now.in, script, now.out)) break;
+      ++s_.laps;
+      entry.layer = secant(before, now);
+      const double gap_before = gap;
+      gap = distance(now.in, now.out);
+      if (gap * gap <= tight_ * gap_before || gap > gap_before) break;
+    }
     return entry;
   }
 
@@ -181,41 +266,38 @@ class Search {
   // laps come first, until they seem to settle.
   bool newton_may_help() const {
     if (!same_zone()) return false;
-    if (!monotone_) return repeats_ >= (!sticks() && contracts_fast() ? 1 : patience_);
-    const double flight = n_.full ? 0 : 2 * (std::numbers::pi - n_.half_angle);
-    return s_.laps > 1 || layer_.slowest_decay() * flight < -std::log(kFast);
+    if (!monotone_) return trail_.repeats >= (!sticks() && contracts(kFast) ? 1 : patience_);
+    return s_.laps > 1 || !forgets(kFast);
   }
 
   bool newton() {
-    const LapEntry<double> from = s_.entry;
-    const Lap<double> plain = s_.lap;
-    const double gap = gap_;
+    const Standing from = standing();
+    const LayerState<double> at = from.entry.layer, next = from.lap.next.layer;
     const Matrix2 j = return_jacobian(n_, s_.entry, &s_.lap.script);
     ++s_.laps;
     LayerState<double> step{0, 0};
-    const LayerState<double> r{plain.next.layer.e - from.layer.e,
-                               plain.next.layer.rate - from.layer.rate};
     // Near a threshold that is just touched the full step overshoots: shorten it.
-    double share = solve_return(j, r, step) ? 1 : 0;
+    double share = solve_return(j, difference(next, at), step) ? 1 : 0;
     for (int i = 0; i < 12 && share > 0; ++i, share *= 0.25) {
-      LapEntry<double> entry = from;
-      entry.layer = {from.layer.e + share * step.e, from.layer.rate + share * step.rate};
+      LapEntry<double> entry = from.entry;
+      entry.layer = {at.e + share * step.e, at.rate + share * step.rate};
       turn(entry);
       if (s_.lap.status != LapStatus::ok) break;
       // A state that sticks all round drifts: it is no step towards one that slips as much as it drifts.
       const bool kept = (monotone_ && !sticks_all_round()) ||
-                        (s_.lap.itinerary == plain.itinerary && attracts(j));
-      if (kept && (gap_ < (1 - 0.5 * share) * gap || gap_ <= tolerance_)) return true;
+                        (s_.lap.itinerary == from.lap.itinerary && attracts(j));
+      const double gap = from.trail.gap;
+      if (kept && (trail_.gap < (1 - 0.5 * share) * gap || trail_.gap <= tolerance_)) return true;
       if (kept && gap <= kFloor * tolerance_) {
-        gap_ = 0;  // at the floor of rounding no step can do better
+        trail_.gap = 0;  // at the floor of rounding no step can do better
         return true;
       }
       if (!monotone_) break;
     }
     patience_ = std::min(2 * patience_, kMaxLaps);
-    s_.entry = from;
-    s_.lap = plain;
-    gap_ = gap;
+    const int repeats = trail_.repeats;
+    go_back(from);
+    trail_.repeats = repeats;  // a step through other zones is a reason to wait as well
     return false;
   }
 
@@ -224,7 +306,8 @@ class Search {
   bool cycles() {
     if (monotone_) return false;
     const double back = distance(s_.entry.layer, checkpoint_);
-    if (s_.laps > 8 && back <= kSameState * tolerance_ && gap_ > 1e3 * kSameState * tolerance_)
+    if (s_.laps > 8 && back <= kSameState * tolerance_ &&
+        trail_.gap > 1e3 * kSameState * tolerance_)
       return true;
     if ((s_.laps & (s_.laps - 1)) == 0 || s_.laps - checked_ > s_.laps / 2) {
       checkpoint_ = s_.entry.layer;
@@ -258,9 +341,8 @@ class Search {
   bool unique_;   // only where there is one periodic state may the search start anywhere
   double swing_;  // of the layer that the wave's pressure shakes
   double tolerance_, tight_, loose_;
-  double gap_{0}, progress_{1};
-  LayerState<double> moved_in_{0, 0}, moved_out_{0, 0};  // last lap less the one before
-  int repeats_{0}, patience_{4}, checked_{0};
+  Trail trail_;
+  int patience_{4}, follow_from_{0}, checked_{0};
   LayerState<double> checkpoint_{0, 0};
 };
 

@@ -55,15 +55,32 @@ class StickCurve {
 
   CurveSample first() const { return sample(theta_, at_); }
   CurveSample sample(double x) const { return sample(theta_ + x, quick_trig(theta_ + x)); }
+  CurveSample terms(double x) const { return sample(x); }
 
-  /// The only zero on (0, length), if a glance at both ends shows that there is just one (E4.7): f leaves
-  /// its start upwards or above zero, bent down, and ends below zero. NaN if that cannot be told.
-  double only_zero(double length, StartOrder order, const Trig<double>& end) const {
-    const CurveSample a = first();
+  /// What both ends of a stretch tell of the zeros between them, mostly enough: f'' is a sinusoid.
+  enum class Glance : unsigned char { no_zero, one_zero, unknown };
+
+  /// @param order  what is known at the start
+  /// @param end    phase after `length`
+  Glance glance(double length, StartOrder order, const Trig<double>& end) const {
+    const CurveSample a = first(), b = sample(theta_ + length, end);
     const bool leaves =
         order == StartOrder::positive ? a.f > 0 : order == StartOrder::zero && a.f1 > 0;
-    if (!(leaves && length < 3 && a.f2 < 0 && f_.at(theta_ + length, end) < 0)) return NAN;
-    const double guess = taylor_zero(a, length);
+    if (!(length < kHalfTurn && leaves)) return Glance::unknown;
+    // above zero as long as it is convex, if it starts so
+    const bool starts_well = a.f2 < 0 || a.f1 >= 0 || a.f + a.f1 * length > 0;
+    if (b.f < 0) return starts_well ? Glance::one_zero : Glance::unknown;  // (E4.7)
+    if (!(b.f > 0)) return Glance::unknown;
+    const bool ends_well = b.f2 < 0 || b.f1 <= 0 || b.f - b.f1 * length > 0;
+    const bool convex = a.f2 >= 0 && b.f2 >= 0;
+    const bool positive = convex ? stays_above(a, b) : starts_well && ends_well;  // (E4.8)
+    return positive ? Glance::no_zero : Glance::unknown;
+  }
+
+  /// The zero on (0, length) where a glance has told that there is one.
+  /// @param near  a place close to it, or kNoZero
+  double only_zero(double length, double near) const {
+    const double guess = near > 0 && near < length ? near : taylor_zero(first(), length);
     return polish_zero(*this, 0, length, guess, sample(guess));
   }
 
@@ -73,10 +90,19 @@ class StickCurve {
     return {f_.at(theta, a), slope, f_.curvature(a), bound_, bound_, 0, f_.kb - slope};
   }
 
+  // A little less than pi, over which a sinusoid changes its sign once.
+  static constexpr double kHalfTurn = 3.14;
+
+  // Convex and above zero at both ends: a parabola with the least curvature between lies below f.
+  static bool stays_above(const CurveSample& a, const CurveSample& b) {
+    return a.f1 >= 0 || b.f1 <= 0 || a.f1 * a.f1 < 2 * a.f * std::fmin(a.f2, b.f2);
+  }
+
   // Zero of the Taylor polynomial of degree 7 within the length, or the middle; the second and third
-  // derivative repeat with alternating signs.
-  double taylor_zero(const CurveSample& a, double length) const {
-    double t = std::fmin((a.f1 + std::sqrt(a.f1 * a.f1 - 2 * a.f2 * a.f)) / -a.f2, length);
+  // derivative repeat with alternating signs. A convex start says little of it: then from the end.
+  static double taylor_zero(const CurveSample& a, double length) {
+    double t = length;
+    if (a.f2 < 0) t = std::fmin((a.f1 + std::sqrt(a.f1 * a.f1 - 2 * a.f2 * a.f)) / -a.f2, length);
     for (int i = 0; i < 3; ++i) {
       const double q = t * t;
       const double even = q * (1.0 / 2 - q * (1.0 / 24 - q / 720)),
@@ -98,8 +124,8 @@ class StickCurve {
 
 /// sigma v_rel along a slip zone, f = sigma (h' + harmonic): positive as long as the zone lasts.
 ///
-/// The bounds (E4.1) come from the layer's own motion, which can only lose: an oscillating layer's energy
-/// M h''^2 + h'^2 falls (E4.2, E4.3), and so do both modes of an overdamped one (E4.4).
+/// The bounds (E4.1) come from the layer's own motion, which can only lose: the energy of an oscillating
+/// layer's every derivative falls (E4.2, E4.3), and so do both modes of an overdamped one (E4.4).
 class SlipCurve {
  public:
   /// @param theta, at    phase where the zone starts
@@ -120,6 +146,20 @@ class SlipCurve {
 
   CurveSample first() const { return sample(0, at_, own_start()); }
   CurveSample sample(double x) const { return sample(x, quick_trig(theta_ + x), own_motion(x)); }
+
+  /// Value and derivatives alone.
+  CurveSample terms(double x) const {
+    const Trig<double> a = quick_trig(theta_ + x);
+    const Own own = own_motion(x);
+    const double slope = slow_.slope(a);
+    return {slow_.at(0, a) + sigma_ * own.rate,
+            slope + sigma_ * own.rate1,
+            slow_.curvature(a) + sigma_ * own.rate2,
+            0,
+            0,
+            0,
+            sigma_ * own.rate3 - slope};
+  }
 
  private:
   // h' and its three derivatives, and bounds of |h'|, |h'''|, |h''''| from x on.
@@ -158,12 +198,15 @@ class SlipCurve {
 
   Own oscillation(const LayerState<double>& h) const {
     const double M = layer_.M, C = layer_.C, inverse = layer_.inverse_inertia();
-    const double h2 = -(C * h.rate + h.e) * inverse, h3 = -(C * h2 + h.rate) * inverse;
-    const double reach = std::sqrt(h.rate * h.rate + M * h2 * h2),
-                 reach1 = reach * layer_.natural_frequency();
-    const double bound2 = (C * reach1 + reach) * inverse;
-    return {
-        h.rate, h2, h3, -(C * h3 + h2) * inverse, reach, bound2, (C * bound2 + reach1) * inverse};
+    const double h2 = -(C * h.rate + h.e) * inverse, h3 = -(C * h2 + h.rate) * inverse,
+                 h4 = -(C * h3 + h2) * inverse, h5 = -(C * h4 + h3) * inverse;
+    return {h.rate,
+            h2,
+            h3,
+            h4,
+            std::sqrt(h.rate * h.rate + M * h2 * h2),
+            std::sqrt(h3 * h3 + M * h4 * h4),
+            std::sqrt(h4 * h4 + M * h5 * h5)};
   }
 
   Own modes(double u, double w) const {

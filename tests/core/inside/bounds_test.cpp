@@ -23,6 +23,7 @@ TEST_CASE("the bounds of a slip zone (E4.1, E4.2, E4.3, E4.4) hold at every late
     for (std::size_t k = 0; k < samples.size(); ++k) {
       for (std::size_t later = k; later < samples.size(); ++later) {
         REQUIRE(std::fabs(samples[later].f2) <= samples[k].l2 * kSlack);
+        REQUIRE(std::fabs(samples[later].f3) <= samples[k].l3 * kSlack);
       }
     }
   }
@@ -78,36 +79,85 @@ TEST_CASE("the bounds of the stick curve (E2.4, E4.5) hold everywhere",
   }
 }
 
-TEST_CASE("a stick zone that begins bent down and ends past its threshold ends once (E4.7)",
+namespace {
+
+// Sinusoid and line that leave their start above zero, or rising from it.
+struct RandomStick {
+  explicit RandomStick(Dice& dice)
+      : f{dice.uniform(-1, 1), dice.uniform(-1, 1), dice.uniform(-1, 1), dice.uniform(-1, 1)},
+        start(dice.uniform(-3, 0)),
+        length(dice.uniform(0.01, 3.13)),
+        order(dice.uniform(0, 1) < 0.5 ? StartOrder::zero : StartOrder::positive) {
+    if (order == StartOrder::zero) f.k0 -= f.at(start, trig(start));
+  }
+  StickCurve curve() const { return {f, start, trig(start)}; }
+  StickCurve::Glance glance() const { return curve().glance(length, order, trig(start + length)); }
+
+  Harmonic<double> f;
+  double start, length;
+  StartOrder order;
+};
+
+}  // namespace
+
+TEST_CASE("where a glance at a stick zone tells one zero, there is just one (E4.7)",
           "[core][events][identity]") {
   Dice dice(15);
-  int convex = 0, rising = 0, found = 0;
+  int convex_end = 0, convex_start = 0, rising = 0, found = 0;
   for (int i = 0; i < 20000; ++i) {
-    Harmonic<double> f{dice.uniform(-1, 1), dice.uniform(-1, 1), dice.uniform(-1, 1),
-                       dice.uniform(-1, 1)};
-    const double start = dice.uniform(-3, 0), length = dice.uniform(0.01, 2.99);
-    const StartOrder order = dice.uniform(0, 1) < 0.5 ? StartOrder::zero : StartOrder::positive;
-    if (order == StartOrder::zero) f.k0 -= f.at(start, trig(start));
-    const StickCurve curve(f, start, trig(start));
-    const double zero = curve.only_zero(length, order, trig(start + length));
-    if (std::isnan(zero)) continue;
+    const RandomStick stick(dice);
+    if (stick.glance() != StickCurve::Glance::one_zero) continue;
+    const StickCurve curve = stick.curve();
     ++found;
-    convex += curve.sample(length).f2 > 0;
-    rising += order == StartOrder::zero;
+    convex_end += curve.sample(stick.length).f2 > 0;
+    convex_start += curve.first().f2 > 0;
+    rising += stick.order == StartOrder::zero;
+    const double zero = curve.only_zero(stick.length, kNoZero);
     REQUIRE(zero > 0);
-    REQUIRE(zero < length);
+    REQUIRE(zero < stick.length);
     // The sign changes at the zero, and on a fine grid nowhere else: what lies within a step of it, or of
     // the start where f = 0, is left out.
-    const double step = length / 500;
+    const double step = stick.length / 500;
     for (int k = 1; k <= 500; ++k) {
       const double x = k * step;
       if (std::fabs(x - zero) > step) REQUIRE((curve.sample(x).f > 0) == (x < zero));
     }
-    // A root is good to rounding of the terms, each below 1 + 3 + 2 + 1, over the slope.
+    // A root is good to rounding of the terms, each below 1 + 3 + 2 + 1, over the slope; from a place
+    // nearby it is the same.
     const CurveSample c = curve.sample(zero);
     REQUIRE(std::fabs(c.f) <= 7 * 4e-16 + 1e-15 * std::fabs(c.f1));
+    const double near = curve.only_zero(stick.length, zero * (1 + 1e-3));
+    REQUIRE(std::fabs(near - zero) * std::fabs(c.f1) <= 2 * (7 * 4e-16 + 1e-15 * std::fabs(c.f1)));
   }
   CHECK(found > 1000);
-  CHECK(convex > 100);
+  CHECK(convex_end > 100);
+  CHECK(convex_start > 100);
   CHECK(rising > 100);
+}
+
+TEST_CASE("where a glance at a stick zone tells no zero, there is none (E4.8)",
+          "[core][events][identity]") {
+  Dice dice(16);
+  int kinds[2][2] = {};
+  for (int i = 0; i < 20000; ++i) {
+    const RandomStick stick(dice);
+    if (stick.glance() != StickCurve::Glance::no_zero) continue;
+    const StickCurve curve = stick.curve();
+    ++kinds[curve.first().f2 > 0][curve.sample(stick.length).f2 > 0];
+    for (int k = 1; k <= 500; ++k) REQUIRE(curve.sample(stick.length * k / 500).f > 0);
+  }
+  for (const auto& [concave_end, convex_end] : kinds) {
+    CHECK(concave_end > 100);
+    CHECK(convex_end > 100);
+  }
+}
+
+TEST_CASE("a glance says nothing of what it cannot see", "[core][events][range]") {
+  // cos x - 0.5 over more than half a turn, and a curve that starts below zero.
+  const StickCurve turn({0.5, 0, -1, 0}, 0, trig(0.0));
+  CHECK(turn.glance(3.15, StartOrder::positive, trig(3.15)) == StickCurve::Glance::unknown);
+  CHECK(turn.glance(3.13, StartOrder::positive, trig(3.13)) == StickCurve::Glance::one_zero);
+  CHECK(turn.glance(1, StartOrder::double_zero, trig(1.0)) == StickCurve::Glance::unknown);
+  const StickCurve below({-0.5, 0, -1, 0}, 0, trig(0.0));
+  CHECK(below.glance(1, StartOrder::positive, trig(1.0)) == StickCurve::Glance::unknown);
 }

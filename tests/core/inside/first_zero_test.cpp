@@ -16,6 +16,7 @@ namespace {
 struct TwoDips {
   double a, b, floor;
   CurveSample first() const { return sample(0); }
+  CurveSample terms(double x) const { return sample(x); }
   CurveSample sample(double x) const {
     const double p = x - a, q = x - b;
     const double f2 = 2 * (p * p + q * q) + 8 * p * q;
@@ -101,6 +102,47 @@ TEST_CASE("the march finds the zero that a fine grid finds, never a later one",
     CHECK(std::fabs(c.f) <= 1e-13 * (1 + std::fabs(c.f1)));
   }
   CHECK(zeros > 500);
+}
+
+TEST_CASE("a known zero (E3.6) ends the march where it is the first, and only there",
+          "[core][events][differential]") {
+  Dice dice(24);
+  int first = 0, later = 0;
+  long with = 0, without = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const RandomSlip slip(random_contact(dice, i), dice);
+    const SlipCurve curve = slip.curve();
+    if (!(curve.first().f > 1e-6)) continue;
+    const double zero = first_zero(curve, slip.length, StartOrder::positive, without, 1'000'000);
+    if (zero == kNoZero) continue;
+    // Every falling zero, told as if it were the first.
+    double last = curve.first().f;
+    for (int k = 1; k <= 500; ++k) {
+      const double x = slip.length * k / 500, f = curve.sample(x).f;
+      const bool falls = last > 0 && f <= 0;
+      last = f;
+      if (!falls) continue;
+      const double told = polish_zero(curve, x - slip.length / 500, x, x, curve.sample(x));
+      const KnownZero known = known_zero(curve, told * (1 + 1e-9), slip.length);
+      const double found =
+          first_zero(curve, slip.length, StartOrder::positive, with, 1'000'000, known);
+      const double slope = std::fabs(curve.sample(zero).f1);
+      // Both are good to rounding over the slope, as above.
+      REQUIRE(std::fabs(found - zero) * slope <= 2e-13 * (1 + slope));
+      if (known.zero == kNoZero) continue;
+      (std::fabs(told - zero) * slope <= 2e-13 * (1 + slope) ? first : later) += 1;
+    }
+  }
+  CHECK(first > 1000);
+  CHECK(later > 100);
+}
+
+TEST_CASE("what is no zero nearby is not known", "[core][events][range]") {
+  const TwoDips curve{0.5, 1.3, -1e-3};
+  CHECK(known_zero(curve, kNoZero, 2).zero == kNoZero);
+  CHECK(known_zero(curve, 0.1, 2).zero == kNoZero);  // a step from here is no last one
+  CHECK(known_zero(curve, 0.9, 2).zero == kNoZero);  // f rises
+  CHECK(std::isnan(followed_zero(TwoDips{0.5, 1.3, 1}, 0.4, 2)));
 }
 
 TEST_CASE("dips are told from zeros however shallow", "[core][events][closed_form]") {

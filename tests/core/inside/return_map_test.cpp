@@ -53,8 +53,10 @@ TEST_CASE("the periodic state repeats itself and Newton's steps (E6.2) keep it f
   CHECK(most <= 100);
 }
 
-TEST_CASE("secants (E6.4) and Newton's steps lead where plain laps from rest lead",
-          "[core][contact][differential]") {
+TEST_CASE(
+    "secants over followed laps (E6.4, E6.5) and Newton's steps lead where plain laps from rest "
+    "lead",
+    "[core][contact][differential]") {
   Dice dice(44);
   int compared = 0, sticking = 0, laps = 0, plain = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -89,6 +91,49 @@ TEST_CASE("secants (E6.4) and Newton's steps lead where plain laps from rest lea
   CHECK(compared > 2000);
   CHECK(sticking > 500);
   CHECK(laps < plain);  // they are there to save some
+}
+
+TEST_CASE("a lap that follows another (E6.5), or is proven beside it, is the lap that is marched",
+          "[core][contact][differential]") {
+  Dice dice(45);
+  int followed = 0, refused = 0, wrong = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const ContactNumbers<double> n = random_contact(dice, i, i % 2 == 0);
+    const LayerMotion<double> layer(n.inertia, n.damping);
+    const LapEntry<double> entry{{dice.uniform(-0.1, 0.1), dice.uniform(-0.3, 0.3)}};
+    const double move = dice.log_uniform(1e-9, 1e-1);
+    LapEntry<double> beside = entry;
+    beside.layer.e += move * dice.uniform(-0.1, 0.1);
+    beside.layer.rate += move * dice.uniform(-0.3, 0.3);
+    const Lap<double> lap = run_lap(n, layer, entry), marched = run_lap(n, layer, beside);
+    // States of order one; zones end to rounding over the slope of their f, which may be small.
+    const double tolerance = 1e-11 * std::sqrt(1 + layer.response);
+    const auto apart = [&](const LayerState<double>& a, const LayerState<double>& b) {
+      return std::sqrt(layer.energy({a.e - b.e, a.rate - b.rate}));
+    };
+
+    const Lap<double> proven = prove_lap(n, layer, beside, lap.script);
+    REQUIRE(proven.itinerary == marched.itinerary);
+    CHECK(apart(proven.next.layer, marched.next.layer) <= tolerance);
+    CHECK(std::fabs(proven.means.traction - marched.means.traction) <= tolerance);
+
+    Script script = lap.script;
+    LayerState<double> next{0, 0};
+    if (!follow_lap(n, layer, beside.layer, script, next)) {
+      ++refused;
+      continue;
+    }
+    if (lap.itinerary != marched.itinerary) {
+      ++wrong;  // an event that only a march sees: such a lap has to be proven
+      continue;
+    }
+    ++followed;
+    CHECK(script.count == marched.script.count);
+    CHECK(apart(next, marched.next.layer) <= tolerance);
+  }
+  CHECK(followed > 1500);
+  CHECK(refused > 50);
+  CHECK(wrong < 100);
 }
 
 TEST_CASE("a layer that sticks all round drifts by 2 pi s V a lap (E6.3)",
