@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Relative links in Markdown lead to files, and to headings, that exist. Code named in backticks with
-a path of the tree exists too."""
+a path of the tree exists too. No blank line cuts a table in two: what is below it would not be one."""
 import re
 
 import tree
@@ -24,7 +24,17 @@ def prose(markdown):
     return re.sub(r"^```.*?^```", lambda m: re.sub(r"[^\n]", "", m.group(0)), markdown, flags=re.M | re.S)
 
 
+def torn_tables(lines):
+    """Numbers of the rows below a blank line that belong to the table above it."""
+    for i in range(2, len(lines)):
+        heading = i + 1 < len(lines) and re.match(r"\|[\s|:-]+$", lines[i + 1])
+        if lines[i].startswith("|") and not lines[i - 1] and lines[i - 2].startswith("|") and not heading:
+            yield i + 1
+
+
 def check(path):
+    for number in torn_tables(prose(tree.text(path)).splitlines()):
+        yield f"{tree.name(path)}:{number}: a table cut in two by the blank line above"
     for number, line in enumerate(prose(tree.text(path)).splitlines(), 1):
         place = f"{tree.name(path)}:{number}"
         for spelled in (a or b for a, b in LINK.findall(line)):

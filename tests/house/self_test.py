@@ -57,6 +57,7 @@ FAULTS = [
     ("links", "README.md", "[gone](docs/gone.md)\n", "does not exist"),
     ("links", "README.md", "[gone](docs/theory/a.md#two)\n", "no heading #two"),
     ("links", "README.md", "`core/src/gone.cpp`\n", "does not exist"),
+    ("links", "README.md", "\n| a |\n| --- |\n| 1 |\n\n| 2 |\n", "cut in two"),
     ("equations", "core/src/contact/a.cpp", "// (T9.9)\n", "cites T9.9"),
     ("equations", "docs/theory/a.md", "\n    e = f   (T1.2)\n", "T1.2 is not cited by code nor by a test"),
     ("equations", "docs/theory/a.md", "\n    e = f   (C1.2)\n", "C1.2 is not cited by a test"),
