@@ -3,6 +3,8 @@
 
 #include "contact/zone_integrals.hpp"
 
+#include <array>
+
 namespace twum::contact {
 
 /// A slip zone that is short against the layer's own times, by Taylor series (E5.3) from its start.
@@ -39,15 +41,22 @@ class ShortSlip {
 
   /// Integrals of p e' and C e'^2.
   SlipWork<S> work(const Phase<S>& from, const Phase<S>& to) const {
+    // Coefficients of the products, all of them at once: no sum has to wait for itself.
+    S a[kTerms], b[kTerms];
+    for (int k = 0; k < terms_; ++k) {
+      a[k] = pressure_[0] * rate_[k];
+      b[k] = rate_[0] * rate_[k];
+    }
+    for (int i = 1; i < terms_; ++i) {
+      for (int k = i; k < terms_; ++k) {
+        a[k] += pressure_[i] * rate_[k - i];
+        b[k] += rate_[i] * rate_[k - i];
+      }
+    }
     SlipWork<S> w{S(0.0), S(0.0)};
     for (int k = terms_ - 1; k >= 0; --k) {
-      S a(0.0), b(0.0);
-      for (int i = 0; i <= k; ++i) {
-        a += pressure_[i] * rate_[k - i];
-        b += rate_[i] * rate_[k - i];
-      }
-      w.rate_pressure += a / static_cast<double>(k + 1);
-      w.loss += b / static_cast<double>(k + 1);
+      w.rate_pressure += inverse(k + 1) * a[k];
+      w.loss += inverse(k + 1) * b[k];
     }
     w = {w.rate_pressure * length_, layer_.C * (w.loss * length_)};
     if (layer_.kind() == LayerKind::overdamped) add_fast_mode(w, from, to);
@@ -62,6 +71,13 @@ class ShortSlip {
 
  private:
   static constexpr int kTerms = 44;
+  static constexpr std::array<double, kTerms + 1> kInverse = [] {
+    std::array<double, kTerms + 1> inverse{};
+    for (int k = 1; k <= kTerms; ++k) inverse[static_cast<std::size_t>(k)] = 1.0 / k;
+    return inverse;
+  }();
+
+  static double inverse(int k) { return kInverse[static_cast<std::size_t>(k)]; }
 
   static int count(double z) {
     int terms = 2;
@@ -75,7 +91,7 @@ class ShortSlip {
     S power(1.0);
     pressure_[0] = n_.peak - from.at.versine;
     for (int k = 1; k < terms_; ++k) {
-      power = power * length_ / static_cast<double>(k);
+      power = power * (inverse(k) * length_);
       pressure_[k] = wave[k % 4] * power;
     }
   }
@@ -85,10 +101,10 @@ class ShortSlip {
     S strain = start.e;
     strain_ = start.e;
     rate_[0] = start.rate;
+    const S scale = length_ / layer_.M;
     for (int k = 0; k + 1 < terms_; ++k) {
-      rate_[k + 1] = (q_ * pressure_[k] - layer_.C * rate_[k] - strain) * length_ /
-                     (layer_.M * static_cast<double>(k + 1));
-      strain = rate_[k] * length_ / static_cast<double>(k + 1);
+      rate_[k + 1] = (q_ * pressure_[k] - layer_.C * rate_[k] - strain) * (inverse(k + 1) * scale);
+      strain = rate_[k] * (inverse(k + 1) * length_);
     }
   }
 
@@ -109,20 +125,20 @@ class ShortSlip {
          strain);
     S power(1.0);
     for (int k = 1; k < terms_; ++k) {
-      power = power * length_ / static_cast<double>(k);
+      power = power * (inverse(k) * length_);
       step(k, S(drive[k % 4] * power), strain);
     }
   }
 
   void step(int k, const S& drive, S& strain) {
     rate_[k] = layer_.slow() * strain + drive;
-    strain = rate_[k] * length_ / static_cast<double>(k + 1);
+    strain = rate_[k] * (inverse(k + 1) * length_);
   }
 
   LayerState<S> series_at_end() const {
     S e(0.0), rate(0.0);
     for (int k = terms_ - 1; k >= 0; --k) {
-      e += rate_[k] / static_cast<double>(k + 1);
+      e += inverse(k + 1) * rate_[k];
       rate += rate_[k];
     }
     return {strain_ + e * length_, rate};
