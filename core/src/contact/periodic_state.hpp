@@ -19,16 +19,17 @@ struct PeriodicState {
   Lap<double> lap{};       ///< the turn that starts there
   PeriodicStatus status{};
   bool remembers{false};  ///< false: the layer enters at rest whatever happened before
-  int laps{0};            ///< turns it took to find, those with derivatives included
-  long zones{0};          ///< of all these turns: what the search cost
+  int laps{0};    ///< turns it took to find, followed ones and those with derivatives included
+  long zones{0};  ///< of all these turns: what the search cost
 };
 
 /// Finds the periodic state that laps from rest lead to (theory section 10).
 ///
 /// With mu_0 = mu the lap never increases the energy of a difference of states, because Coulomb's law
-/// is monotone (E6.1): the periodic state of a damped layer is unique, and Newton's method on the two-state
-/// return map (E6.2) goes there in a few laps. With mu_0 > mu Newton's method takes over only when the
-/// sequence of zones has settled, must keep it, and must end in an attracting state.
+/// is monotone (E6.1): the periodic state of a damped layer is unique, and secants over laps that follow known
+/// zones (E6.4, E6.5) or Newton's method on the two-state return map (E6.2) go there in a few laps, of
+/// which the last is always searched in full. With mu_0 > mu they take over only when the sequence of zones has
+/// settled, must keep it, and must end in an attracting state.
 ///
 /// @param guess     state at entry of a neighbouring point, where the search may begin if the periodic
 ///                  state is unique; null: at rest
