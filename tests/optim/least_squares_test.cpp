@@ -358,6 +358,28 @@ TEST_CASE("the interval of a log scale is that of the logarithm fitted linearly"
   CHECK(a.student_t == Approx(3.182446305).epsilon(1e-9));  // tables: t of 3 degrees, 97.5 %
 }
 
+TEST_CASE("the mean of a few numbers has the spread of tables down to one degree of freedom",
+          "[optim][least_squares][closed_form]") {
+  const auto mean_of = [](const std::vector<double>& numbers) {
+    return least_squares({{"mean", -10.0, 10.0, 0.0}}, [&](std::span<const double> p) {
+      Residuals r;
+      for (const double y : numbers) r.values.push_back(p[0] - y);
+      r.jacobian.assign(numbers.size(), 1.0);
+      return r;
+    });
+  };
+  const auto two = mean_of({1.0, 3.0});
+  CHECK(two.estimates[0].value == Approx(2.0).epsilon(1e-12));
+  CHECK(two.degrees_of_freedom == 1);
+  CHECK(two.residual_deviation == Approx(std::sqrt(2.0)).epsilon(1e-12));
+  // tables: t of one degree, 97.5 %; it is tan(0.475 pi)
+  CHECK(two.student_t == Approx(std::tan(0.475 * std::numbers::pi)).epsilon(1e-9));
+  const auto one = mean_of({1.0});
+  CHECK(one.degrees_of_freedom == 0);
+  CHECK(std::isnan(one.residual_deviation));
+  CHECK(std::isnan(one.student_t));
+}
+
 TEST_CASE("what follows a held parameter is what a fit with the bound elsewhere finds",
           "[optim][least_squares][derivative]") {
   const auto offset = [](double bound) {

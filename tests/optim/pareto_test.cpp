@@ -97,6 +97,7 @@ TEST_CASE("a population and gradients find the same front, gradients with fewer 
     INFO(known.name);
     CHECK(by_population.hypervolume <= by_gradients.hypervolume);
     CHECK(by_population.hypervolume >= 0.98 * by_gradients.hypervolume);
+    CHECK(by_population.stages_used == 1);
     CHECK(by_gradients.counters.evaluations * 4 < by_population.counters.evaluations);
   }
 }
