@@ -65,6 +65,22 @@ double slope_zero(double low, double high) {
 
 }  // namespace
 
+TEST_CASE("an optimum on a bound is the bound to the last bit, on a logarithmic scale too",
+          "[optim][identity]") {
+  // Of these lower * exp(log(upper / lower)) falls short of upper in its last bits.
+  const double bounds[][2] = {{1.867, 13.07}, {0.15, 4.51}, {0.036, 1.82}, {0.282, 14.1}};
+  for (const auto& [lower, upper] : bounds) {
+    for (const bool largest : {true, false}) {
+      Problem p;
+      p.variables = {{"x", lower, upper, std::sqrt(lower * upper), Scale::log}};
+      p.objectives = {{"f"}};
+      p.objectives[0].sense = largest ? Sense::maximize : Sense::minimize;
+      p.evaluate = test::dual_evaluator<4>(1, [](const D* x, D* r) { r[0] = x[0]; });
+      CHECK(solve(p, {}).design[0] == (largest ? upper : lower));
+    }
+  }
+}
+
 TEST_CASE("each stratum of each coordinate of a Latin hypercube holds one point", "[optim][lhs]") {
   for (const std::uint64_t count : {1U, 2U, 3U, 7U, 64U, 65U, 1000U}) {
     const LatinHypercube design(3, count, 5);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "optim/bank/fronts.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
@@ -99,6 +100,26 @@ TEST_CASE("a population and gradients find the same front, gradients with fewer 
     CHECK(by_population.hypervolume >= 0.98 * by_gradients.hypervolume);
     CHECK(by_population.stages_used == 1);
     CHECK(by_gradients.counters.evaluations * 4 < by_population.counters.evaluations);
+  }
+}
+
+TEST_CASE("a front without a reference is measured from a tenth of its span beyond its worst",
+          "[optim][pareto][closed_form]") {
+  for (const auto& known : test::known_fronts(10)) {
+    if (known.name != "BNH") continue;  // two objectives to minimize
+    ParetoOptions options = options_for(known);
+    options.reference.clear();
+    options.points = 10;
+    const Front front = pareto_front(known.problem, options);
+    for (std::size_t k = 0; k < 2; ++k) {
+      double low = HUGE_VAL, high = -HUGE_VAL;
+      for (const auto& p : front.points) {
+        low = std::min(low, p.evaluation.values[k]);
+        high = std::max(high, p.evaluation.values[k]);
+      }
+      REQUIRE(high > low);
+      CHECK(front.reference[k] == Approx(high + 0.1 * (high - low)).epsilon(1e-15));
+    }
   }
 }
 
