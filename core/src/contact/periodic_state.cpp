@@ -102,10 +102,15 @@ class Search {
   }
 
  private:
-  // What the last lap told, to go back to.
+  // States at entry and at the next.
+  struct Turn {
+    LayerState<double> in, out;
+  };
+
+  // What the last lap told beside the one before, to go back to.
   struct Trail {
     double gap{0}, progress{1};
-    LayerState<double> moved_in{0, 0}, moved_out{0, 0};  // last lap less the one before
+    Turn before{};
     int repeats{0};
   };
   struct Standing {
@@ -136,17 +141,18 @@ class Search {
   bool forgets(double share) const { return layer_.slowest_decay() * flight() > -std::log(share); }
 
   void turn(const LapEntry<double>& entry, const Script* near = nullptr) {
-    const LayerState<double> from = s_.entry.layer, to = s_.lap.next.layer;
+    const Turn before = last_turn();
     const std::uint64_t itinerary = s_.lap.itinerary;
     s_.entry = entry;
     s_.lap = near ? prove_lap(n_, layer_, entry, *near) : run_lap(n_, layer_, entry);
     ++s_.laps;
     s_.zones += s_.lap.zones;
     const double gap = distance(s_.entry.layer, s_.lap.next.layer);
-    trail_ = {gap, trail_.gap > 0 ? gap / trail_.gap : 1, difference(s_.entry.layer, from),
-              difference(s_.lap.next.layer, to),
+    trail_ = {gap, trail_.gap > 0 ? gap / trail_.gap : 1, before,
               s_.lap.itinerary == itinerary ? trail_.repeats + 1 : 0};
   }
+
+  Turn last_turn() const { return {s_.entry.layer, s_.lap.next.layer}; }
 
   static LayerState<double> difference(const LayerState<double>& a, const LayerState<double>& b) {
     return {a.e - b.e, a.rate - b.rate};
@@ -188,8 +194,9 @@ class Search {
 
   // The last lap brought states closer to one another, to less than a share.
   bool contracts(double share) const {
-    return s_.laps > 1 && product(trail_.moved_out, trail_.moved_out) <=
-                              share * share * product(trail_.moved_in, trail_.moved_in);
+    const Turn now = last_turn();
+    return s_.laps > 1 &&
+           distance(now.out, trail_.before.out) <= share * distance(now.in, trail_.before.in);
   }
 
   bool sticks() const { return s_.lap.means.stick_length > 0; }
@@ -205,11 +212,6 @@ class Search {
   // other to it.
   bool may_follow() const { return s_.laps >= follow_from_ && (monotone_ || layer_.C > 0); }
 
-  // States at entry and at the next.
-  struct Turn {
-    LayerState<double> in, out;
-  };
-
   // (E6.4) The next entry, with what two laps tell of the return map's slope.
   LayerState<double> secant(const Turn& before, const Turn& now) const {
     const LayerState<double> in = difference(now.in, before.in),
@@ -221,10 +223,8 @@ class Search {
   }
 
   LapEntry<double> after_secant() const {
-    const LayerState<double> in = s_.entry.layer, out = s_.lap.next.layer;
-    const Turn before{difference(in, trail_.moved_in), difference(out, trail_.moved_out)};
     LapEntry<double> entry = s_.lap.next;
-    if (contracts(kFast)) entry.layer = secant(before, {in, out});
+    if (contracts(kFast)) entry.layer = secant(trail_.before, last_turn());
     return entry;
   }
 
@@ -246,17 +246,18 @@ class Search {
 
   // (E6.5) The entry that secants over followed laps lead to, and the ends of the last of them.
   LapEntry<double> followed(Script& script) {
-    Turn before, now{s_.entry.layer, s_.lap.next.layer};
+    Turn now = last_turn();
     LapEntry<double> entry = s_.lap.next;
     double gap = trail_.gap;
     for (int i = 0; i < kMaxFollowed; ++i) {
-      before = now;
+      const Turn before = now;
       now.in = entry.layer;
       if (!follow_lap(n_, layer_, now.in, script, now.out)) break;
       ++s_.laps;
       entry.layer = secant(before, now);
       const double gap_before = gap;
       gap = distance(now.in, now.out);
+      // The next gap would be below rounding, or they do not settle.
       if (gap * gap <= tight_ * gap_before || gap > gap_before) break;
     }
     return entry;

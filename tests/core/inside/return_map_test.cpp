@@ -53,10 +53,8 @@ TEST_CASE("the periodic state repeats itself and Newton's steps (E6.2) keep it f
   CHECK(most <= 100);
 }
 
-TEST_CASE(
-    "secants over followed laps (E6.4, E6.5) and Newton's steps lead where plain laps from rest "
-    "lead",
-    "[core][contact][differential]") {
+TEST_CASE("secants (E6.4, E6.5) and Newton's steps lead where plain laps from rest lead",
+          "[core][contact][differential]") {
   Dice dice(44);
   int compared = 0, sticking = 0, laps = 0, plain = 0;
   for (int i = 0; i < 3000; ++i) {
