@@ -33,10 +33,11 @@ bool solve_return(const Matrix2& j, const LayerState<double>& r, LayerState<doub
   return std::isfinite(step.e) && std::isfinite(step.rate);
 }
 
-// Largest eigenvalue below one: laps near the state come back to it.
+// (E6.6) Only a real eigenvalue can lead laps away from the state; the least damping brings them back from
+// a circle round it. Above one the determinant is rounding.
 bool attracts(const Matrix2& j) {
   const double trace = j.a + j.d, det = j.a * j.d - j.b * j.c;
-  return std::fabs(det) < 1 && std::fabs(trace) < 1 + det + 1e-12;
+  return std::fabs(trace) < 1 + std::fmin(det, 1.0) + 1e-12;
 }
 
 ContactNumbers<StateDual> constant(const ContactNumbers<double>& n) {
@@ -208,8 +209,7 @@ class Search {
     return !n_.full && sticks() && (monotone_ || (trail_.repeats > 0 && contracts(kFast)));
   }
 
-  // Undamped layers with mu_0 > mu may have a state that repeats itself in the zones of a lap and draws no
-  // other to it.
+  // Laps of undamped layers may circle round a state without coming nearer.
   bool may_follow() const { return s_.laps >= follow_from_ && (monotone_ || layer_.C > 0); }
 
   // (E6.4) The next entry, with what two laps tell of the return map's slope.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/periodic_state.hpp"
+#include "contact/scalars.hpp"
 #include "random_contact.hpp"
 
 #include <catch2/catch.hpp>
@@ -132,6 +133,76 @@ TEST_CASE("a lap that follows another (E6.5), or is proven beside it, is the lap
   CHECK(followed > 1500);
   CHECK(refused > 50);
   CHECK(wrong < 100);
+}
+
+TEST_CASE("no lap increases areas of the plane of states (E6.6)", "[core][contact][identity]") {
+  Dice dice(46);
+  int reversing = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const ContactNumbers<double> v = random_contact(dice, i, i % 2 == 0);
+    const LayerMotion<double> layer(v.inertia, v.damping);
+    if (!layer.has_inertia()) continue;
+    LapEntry<StateDual> entry{
+        {StateDual(dice.uniform(-0.1, 0.1)), StateDual(dice.uniform(-0.3, 0.3))},
+        false,
+        ZoneState::stick};
+    entry.layer.e.d[0] = 1;
+    entry.layer.rate.d[1] = 1;
+    const ContactNumbers<StateDual> n{
+        v.inertia,     v.damping,    v.stick_rate,
+        v.speed_ratio, v.half_angle, v.peak,
+        v.kinetic,     v.static_,    {v.edge.sin, v.edge.cos, v.edge.versine},
+        v.full};
+    const Lap<StateDual> lap =
+        run_lap<StateDual>(n, LayerMotion<StateDual>(n.inertia, n.damping), entry);
+    REQUIRE(lap.status == LapStatus::ok);
+    const LayerState<StateDual> next = lap.next.layer;
+    const double det = next.e.d[0] * next.rate.d[1] - next.e.d[1] * next.rate.d[0];
+    reversing += lap.zones > 1 && lap.means.stick_length.v == 0;
+    // Each entry of F' is of order one in the energy norm; where slip nearly turns into stick a reversal
+    // divides rounding by a small v_rel'.
+    CHECK(std::fabs(det) <= std::exp(-2 * std::numbers::pi * v.damping / v.inertia) + 1e-10);
+  }
+  CHECK(reversing > 50);
+}
+
+TEST_CASE("an undamped layer slips as one of vanishing damping does, with mu_0 > mu too (E6.6)",
+          "[core][contact][limit]") {
+  Dice dice(47);
+  int slipping = 0;
+  for (int i = 0; i < 3000 && slipping < 200; ++i) {
+    ContactNumbers<double> n = random_contact(dice, i, true);
+    if (!(n.inertia > 0) || n.full) continue;
+    n.damping = 0;
+    const LayerMotion<double> layer(n.inertia, 0.0);
+    if (layer.response > 1e4) continue;
+    // Where laps from rest stick now and then they may end in a cycle of several.
+    LapEntry<double> entry{{0, 0}, false, ZoneState::stick};
+    int slips = 0;
+    for (; slips < 100; ++slips) {
+      const Lap<double> lap = run_lap(n, layer, entry);
+      if (lap.zones > 1 || lap.first == ZoneState::stick) break;
+      entry = lap.next;
+    }
+    if (slips < 100) continue;
+    ++slipping;
+    CAPTURE(i, n.inertia, n.half_angle, n.speed_ratio);
+    const PeriodicState state = find_periodic_state(n, layer);
+    REQUIRE(state.status == PeriodicStatus::ok);
+    // The error of a little damping is linear in it: twice the damping, twice the difference, but for the
+    // share of it that is lost from entry to entry, 2 pi 5e-9, over the distance from a resonance of laps.
+    double difference[2];
+    for (const int times : {1, 2}) {
+      n.damping = 1e-8 * times * n.inertia;
+      const PeriodicState damped =
+          find_periodic_state(n, LayerMotion<double>(n.inertia, n.damping));
+      REQUIRE(damped.status == PeriodicStatus::ok);
+      difference[times - 1] = damped.entry.layer.e - state.entry.layer.e;
+    }
+    CHECK(std::fabs(difference[1] - 2 * difference[0]) <=
+          1e-3 * std::fabs(difference[0]) + 1e-12 * std::sqrt(1 + layer.response));
+  }
+  CHECK(slipping == 200);
 }
 
 TEST_CASE("a layer that sticks all round drifts by 2 pi s V a lap (E6.3)",
