@@ -24,16 +24,19 @@ enum class StartOrder : unsigned char {
 
 inline constexpr double kNoZero = std::numeric_limits<double>::infinity();
 
-/// Step over which f stays positive by the bound l2 (E3.1): f + f' t - l2 t^2 / 2 > 0 up to there.
-inline double quadratic_step(const CurveSample& c) {
-  const double root = std::sqrt(c.f1 * c.f1 + 2 * c.l2 * c.f);
-  return c.f1 > 0 ? (c.f1 + root) / c.l2 : 2 * c.f / (root - c.f1);
+/// The positive root of a + b t - c t^2 / 2 with a >= 0 < c, without cancellation.
+inline double positive_root(double a, double b, double c) {
+  const double root = std::sqrt(b * b + 2 * c * a);
+  return b > 0 ? (b + root) / c : 2 * a / (root - b);
 }
 
-/// The same by the bound l3 (E3.2), from a step that is known to be safe: the cubic
+/// Step over which f stays positive by the bound l2 (E3.1).
+inline double quadratic_step(const CurveSample& c) { return positive_root(c.f, c.f1, c.l2); }
+
+/// The same by the bound l3 for an f that falls (E3.2), from a step that is known to be safe: the cubic
 /// q = f + f' t + min(f'', 0) t^2 / 2 - l3 t^3 / 6 is concave, so between a place where it is positive
 /// and its tangent's zero, where it is not, it lies above the chord, whose zero is safe again.
-inline double cubic_step(const CurveSample& c, double t) {
+inline double falling_step(const CurveSample& c, double t) {
   const double a = c.f2 < 0 ? c.f2 / 2 : 0, b = c.l3 / 6;
   const double q = c.f + t * (c.f1 + t * (a - t * b)), slope = c.f1 + t * (2 * a - 3 * t * b);
   if (!(q > 0 && slope < 0)) return t;
@@ -41,11 +44,27 @@ inline double cubic_step(const CurveSample& c, double t) {
   return q_over < 0 ? t + (over - t) * q / (q - q_over) : t;
 }
 
-/// Step over which f stays positive; after an event the next derivative decides (E3.3, E3.4).
+/// The same for an f that rises (E3.7): the cubic q = f + f' t + f'' t^2 / 2 - l3 t^3 / 6 up to its top and
+/// beyond. NaN where q is flat there.
+inline double rising_step(const CurveSample& c) {
+  const double top = positive_root(c.f1, c.f2, c.l3), bend = c.l3 * top - c.f2;
+  const double q = c.f + top * (c.f1 + top * (c.f2 / 2 - top * c.l3 / 6));
+  const double down = std::sqrt(2 * q / bend);
+  return top + down / std::sqrt(1 + c.l3 * down / (3 * bend));
+}
+
+/// Step over which f stays positive from an event where it is zero (E3.3), with a little to spare (E3.4):
+/// the next sample is to be above zero.
+inline double leaving_step(double f1, const CurveSample& c) {
+  return 0.95 * std::max(2 * f1 / c.l2, positive_root(f1, c.f2 / 2, c.l3 / 3));
+}
+
+/// Step over which f stays positive.
 inline double zero_free_step(const CurveSample& c, StartOrder order) {
-  if (order == StartOrder::double_zero) return 1.5 * c.f2 / c.l3;
-  if (order == StartOrder::zero) return c.f1 / c.l2;
-  return cubic_step(c, quadratic_step(c));
+  if (order == StartOrder::double_zero) return leaving_step(0, c);
+  if (order == StartOrder::zero) return leaving_step(c.f1, c);
+  const double t = quadratic_step(c);
+  return c.f1 < 0 ? falling_step(c, t) : std::max(t, rising_step(c));
 }
 
 /// Length over which f is sure to fall through zero once, and monotonically: a little past the zero of
@@ -122,14 +141,17 @@ struct KnownZero {
   }
 };
 
-/// The zero near x, if one step of polish_zero() leads there.
+/// The zero near x, if few steps of polish_zero() lead there.
 template <typename Curve>
 KnownZero known_zero(const Curve& curve, double x, double length) {
-  if (!(x > 0 && x < length)) return {};
-  const CurveSample c = curve.sample(x);
-  const double zero = x + taylor_step(c);
-  if (!(c.f1 < 0 && is_last_step(c, zero - x) && zero > 0 && zero < length)) return {};
-  return {zero, x, c.f1, c.f2};
+  for (int i = 0; i < 3 && x > 0 && x < length; ++i) {
+    const CurveSample c = curve.sample(x);
+    const double zero = x + taylor_step(c);
+    if (!(c.f1 < 0 && zero > 0 && zero < length)) break;
+    if (is_last_step(c, zero - x)) return {zero, x, c.f1, c.f2};
+    x = zero;
+  }
+  return {};
 }
 
 /// First zero of a curve on (0, length), or kNoZero; none can be missed: the march takes only steps
@@ -150,6 +172,7 @@ double first_zero(const Curve& curve, double length, StartOrder order, long& wor
         return zero < length ? zero : kNoZero;
       }
     }
+    if (c.skip >= length - x) return kNoZero;
     const double step = std::max(zero_free_step(c, order), c.skip);
     if (!(step > 0)) return x;
     x += step;

@@ -141,11 +141,13 @@ class Search {
   // What is left of the layer's motion after the free flight is less than a share.
   bool forgets(double share) const { return layer_.slowest_decay() * flight() > -std::log(share); }
 
-  void turn(const LapEntry<double>& entry, const Script* near = nullptr) {
+  void turn(const LapEntry<double>& entry) { turn(entry, s_.lap.script); }
+
+  void turn(const LapEntry<double>& entry, const Script& near) {
     const Turn before = last_turn();
     const std::uint64_t itinerary = s_.lap.itinerary;
     s_.entry = entry;
-    s_.lap = near ? prove_lap(n_, layer_, entry, *near) : run_lap(n_, layer_, entry);
+    s_.lap = prove_lap(n_, layer_, entry, near);
     ++s_.laps;
     s_.zones += s_.lap.zones;
     const double gap = distance(s_.entry.layer, s_.lap.next.layer);
@@ -234,7 +236,7 @@ class Search {
     const Standing from = standing();
     Script script = s_.lap.script;
     const LapEntry<double> entry = followed(script);
-    turn(entry, &script);
+    turn(entry, script);
     const bool kept = s_.lap.status == LapStatus::ok &&
                       (monotone_ || s_.lap.itinerary == from.lap.itinerary) &&
                       trail_.gap <= 0.5 * from.trail.gap;

@@ -35,8 +35,9 @@ double first_on_grid(const Curve& curve, double length, int steps) {
 
 }  // namespace
 
-TEST_CASE("steps (E3.1, E3.2) stay where the curve is positive", "[core][events][identity]") {
+TEST_CASE("steps (E3.1, E3.2, E3.7) stay where the curve is positive", "[core][events][identity]") {
   Dice dice(21);
+  int rising = 0;
   for (int i = 0; i < 1000; ++i) {
     const RandomSlip slip(random_contact(dice, i), dice);
     const SlipCurve curve = slip.curve();
@@ -44,8 +45,36 @@ TEST_CASE("steps (E3.1, E3.2) stay where the curve is positive", "[core][events]
     const CurveSample c = curve.sample(x);
     if (!(c.f > 1e-9)) continue;
     const double step = zero_free_step(c, StartOrder::positive);
+    CHECK(step >= quadratic_step(c));
+    rising += c.f1 > 0 && step > quadratic_step(c);
     // The bounds hold with rounding of about 1e-15 of the curve's largest terms.
     for (int k = 0; k <= 100; ++k) REQUIRE(curve.sample(x + step * k / 100).f > -1e-14);
+  }
+  CHECK(rising > 50);
+}
+
+TEST_CASE("steps of cubics that are their own bound end at their zero (E3.3, E3.7)",
+          "[core][events][closed_form]") {
+  Dice dice(24);
+  for (int i = 0; i < 1000; ++i) {
+    // f = f_0 + f_1 t + f_2 t^2 / 2 - l t^3 / 6 with the third derivative -l all along
+    const double f1 = dice.log_uniform(1e-6, 1), f2 = dice.uniform(-1, 1),
+                 l = dice.log_uniform(1e-2, 10);
+    const auto cubic = [&](double f0, double t) {
+      return f0 + t * (f1 + t * (f2 / 2 - t * l / 6));
+    };
+    const double huge = 1e6;  // a bound of f'' that says nothing
+    const double left = zero_free_step({0, f1, f2, huge, l, 0, -l}, StartOrder::zero);
+    CHECK(cubic(0, left) > 0);
+    CHECK(cubic(0, left / 0.95 * (1 + 1e-9)) < 0);
+    const double f0 = dice.log_uniform(1e-6, 1);
+    const double step = zero_free_step({f0, f1, f2, huge, l, 0, -l}, StartOrder::positive);
+    const double top = (f2 + std::sqrt(f2 * f2 + 2 * l * f1)) / l;
+    CHECK(cubic(f0, step) > 0);
+    CHECK(step > top);
+    // At twice y = 1 / sqrt(1 + c) the cubic is below zero as long as 4 + 8 c y > 1 + c, which c < 60 meets.
+    const double bend = l * top - f2, c = l * std::sqrt(2 * cubic(f0, top) / bend) / (3 * bend);
+    if (c < 60) CHECK(cubic(f0, top + 2 * (step - top)) < 0);
   }
 }
 
@@ -56,7 +85,7 @@ TEST_CASE("steps after an event (E3.3, E3.4) stay where the curve is positive",
   CHECK(step > 0);
   for (int k = 1; k <= 100; ++k) CHECK(rising.sample(step * k / 100).f > 0);
   const CurveSample simple{0, 1, -3, 3, 0, 0, 0};  // f = t - 1.5 t^2
-  CHECK(zero_free_step(simple, StartOrder::zero) <= 1.0 / 1.5);
+  CHECK(std::fabs(zero_free_step(simple, StartOrder::zero) - 0.95 / 1.5) < 1e-15);
 }
 
 TEST_CASE("a bracket (E3.5) holds exactly one zero", "[core][events][identity]") {
