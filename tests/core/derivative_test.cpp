@@ -274,3 +274,56 @@ TEST_CASE("static friction held fixed has its own derivative", "[core][derivativ
   CHECK(fixed[0].gradient[mu] == 0);
   CHECK(fixed[0].gradient[mu0] == Approx(160 * 0.0265).epsilon(1e-14));
 }
+
+TEST_CASE(
+    "a maximum where the torque jumps up from its plateau has the derivatives of its limit (T7.16)",
+    "[core][derivative][differential][limit]") {
+  // Beyond the jump the torque moves like the square root of the distance; two distances give the limit.
+  const auto limits = [](const MotorDesign& design) {
+    constexpr double kDistance = 1e-9;
+    const Motor motor(design);
+    const double end = evaluate(motor, {Metric::plateau_speed}).value;
+    const auto torque = [&](double distance) {
+      return motor.operating_point(end * (1 + distance)).torque;
+    };
+    const double limit = 2 * torque(kDistance) - torque(4 * kDistance);
+    return std::vector<double>{limit, limit * end};
+  };
+  const std::vector<MetricRequest> requests{{Metric::max_torque}, {Metric::peak_power}};
+  Deviation deviation("derivatives of maxima at a jump against differences of the limit, relative",
+                      1e-6);
+  Uniform random(77);
+  int compared[2] = {0, 0};
+  for (int i = 0; i < 300; ++i) {
+    MotorDesign design = realistic_design(random);
+    if (design.friction.static_ < 1.1 * design.friction.kinetic) continue;
+    const auto exact = differentiate(Motor(design), requests);
+    const std::vector<double> at = limits(design);
+    for (const Parameter p : {Parameter::amplitude, Parameter::preload, Parameter::youngs_modulus,
+                              Parameter::thickness, Parameter::kinetic_friction}) {
+      const double x = get(design, p);
+      std::vector<DifferenceQuotient> found;
+      for (std::size_t k = 0; k < 2; ++k) {
+        // a maximum elsewhere has other derivatives
+        const double value = exact[k].value.value;
+        const bool here =
+            exact[k].smoothness == Smoothness::one_sided && std::abs(value - at[k]) <= 1e-6 * value;
+        if (!here) continue;
+        if (found.empty()) {
+          found = central_differences([&](double y) { return limits(with(design, p, y)); }, x, x);
+        }
+        const double unit = value / x;
+        if (!(found[k].error <= 1e-6 * unit)) continue;
+        ++compared[k];
+        CAPTURE(i, info(requests[k].metric).name, x, found[k].error / unit);
+        // The limit is good to 1e-11: its differences over steps of a percent to 1e-8 or so, as they say
+        // themselves, and what the square root leaves of two distances is of their order.
+        CHECK(deviation.add(exact[k].gradient[index_of(p)], found[k].value, unit) <=
+              1e-7 + 3 * found[k].error / unit);
+      }
+    }
+  }
+  CHECK(compared[0] >= 200);
+  CHECK(compared[1] >= 10);
+  CHECK(deviation.holds());
+}

@@ -111,12 +111,13 @@ std::optional<Peak> CurveSearch::peak_near(Goal goal, const std::vector<Node>& n
   return {};
 }
 
+// With mu_0 > mu the torque may jump there, so the speed stays on its side of the jump.
 Peak CurveSearch::named(Peak peak) {
-  if (peak.kind == PeakKind::kink && starts_on_plateau() &&
-      std::fabs(peak.speed - plateau_end()) <= 1e-8 * crest_) {
-    peak.kind = PeakKind::plateau_end;
-    peak.speed = plateau_end();
-  }
+  const bool at_plateau_end = peak.kind == PeakKind::kink && starts_on_plateau() &&
+                              std::fabs(peak.speed - plateau_end()) <= 1e-8 * crest_;
+  if (!at_plateau_end) return peak;
+  if (!rough_) return {plateau_end(), peak.value, PeakKind::plateau_end};
+  peak.kind = answered(peak.speed).plateau ? PeakKind::plateau_end : PeakKind::beyond_plateau;
   return peak;
 }
 

@@ -20,10 +20,11 @@ MetricStatus metric_status(PointStatus status);
 
 /// How a supremum over speed is reached.
 enum class PeakKind : unsigned char {
-  smooth,       ///< slope zero inside
-  rest,         ///< at speed 0
-  plateau_end,  ///< where the torque leaves its plateau
-  kink          ///< at another kink or jump: the one-sided limit there
+  smooth,          ///< slope zero inside
+  rest,            ///< at speed 0
+  plateau_end,     ///< where the torque leaves its plateau
+  beyond_plateau,  ///< just beyond, where it jumps to a higher value
+  kink             ///< at another kink or jump: the one-sided limit there
 };
 
 struct Peak {

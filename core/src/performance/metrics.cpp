@@ -116,13 +116,15 @@ class Evaluator {
   std::deque<std::pair<double, SolvedPoint>> points_;  // references stay valid
 };
 
+Smoothness worse(Smoothness a, Smoothness b) { return a < b ? b : a; }
+
 // A number with its derivatives in the parameters, the speed no longer free.
 struct Derived {
   ModelDual dual;
   Smoothness smoothness{Smoothness::smooth};
-};
 
-Smoothness worse(Smoothness a, Smoothness b) { return a < b ? b : a; }
+  Derived at_kink() const { return {dual, worse(smoothness, Smoothness::one_sided)}; }
+};
 
 // One-sided where a zone is about to vanish, unless the torque is C1 there (theory section 8): elastic
 // layers with mu_0 = mu. Special points are limits (locked at rest) or stand where nothing rubs.
@@ -148,7 +150,7 @@ class Differentiator : private Evaluator {
       result.gradient.fill(kNaN);
       return result;
     }
-    const Derived derived = derive(request);
+    const Derived derived = derived_or_undefined(request);
     result.smoothness = derived.smoothness;
     for (std::size_t i = 0; i < kParameterCount; ++i) {
       result.gradient[i] = derived.dual.d[i];
@@ -159,6 +161,15 @@ class Differentiator : private Evaluator {
   }
 
  private:
+  // A limit may need points nearby that have no answer.
+  Derived derived_or_undefined(const MetricRequest& request) {
+    try {
+      return derive(request);
+    } catch (const SearchFailure&) {
+      return {ModelDual(kNaN), Smoothness::undefined};
+    }
+  }
+
   Derived derive(const MetricRequest& request) {
     switch (request.metric) {
       case M::holding_torque: return {model_.static_ * model_.preload * model_.r};
@@ -172,8 +183,9 @@ class Differentiator : private Evaluator {
       case M::plateau_speed: return plateau();
       case M::peak_power: return at_peak(M::output_power_at, search_.peak_power());
       case M::speed_at_peak_power: return speed_of_peak(M::output_power_at, search_.peak_power());
-      case M::torque_at_peak_power: return at(M::torque_at, peak_speed());
-      case M::contact_efficiency_at_peak_power: return at(M::contact_efficiency_at, peak_speed());
+      case M::torque_at_peak_power: return along_peak(M::torque_at, search_.peak_power());
+      case M::contact_efficiency_at_peak_power:
+        return along_peak(M::contact_efficiency_at, search_.peak_power());
       case M::max_efficiency: return at_peak(M::efficiency_at, search_.max_efficiency());
       case M::speed_at_max_efficiency:
         return speed_of_peak(M::efficiency_at, search_.max_efficiency());
@@ -187,8 +199,6 @@ class Differentiator : private Evaluator {
   }
 
   Derived fixed_speed(double speed) const { return {ModelDual(speed)}; }
-
-  Derived peak_speed() { return speed_of_peak(M::output_power_at, search_.peak_power()); }
 
   // Where partial turns into full contact the contact angle has no derivative.
   Smoothness of_contact() const {
@@ -225,41 +235,64 @@ class Differentiator : private Evaluator {
 
   // The value of a peak: the speed drops out where the slope is zero.
   Derived at_peak(Metric metric, const Peak& peak) {
-    if (peak.kind == PeakKind::smooth || peak.kind == PeakKind::rest)
-      return at(metric, fixed_speed(peak.speed));
-    // A jump that lifts the value above the plateau's: its limit moves with a speed that is not smooth.
-    const bool above = peak.value > plateau_value(metric, peak.speed) * (1 + 1e-9);
-    if (peak.kind == PeakKind::kink || above) return {ModelDual(peak.value), Smoothness::undefined};
-    const Derived speed = plateau();
-    const ModelDual torque = model_.kinetic * model_.preload * model_.r;
-    if (metric == M::output_power_at) return {torque * speed.dual, Smoothness::one_sided};
-    if (metric == M::torque_at) return {torque, Smoothness::flat};
-    Derived efficiency = at(metric, speed);
-    efficiency.smoothness = Smoothness::one_sided;
-    return efficiency;
+    switch (peak.kind) {
+      case PeakKind::smooth:
+      case PeakKind::rest: return at(metric, fixed_speed(peak.speed));
+      case PeakKind::plateau_end: return at_plateau_end(metric, peak.speed);
+      case PeakKind::beyond_plateau: return beyond_plateau(metric);
+      case PeakKind::kink: break;
+    }
+    return {ModelDual(peak.value), Smoothness::undefined};
   }
 
-  // What a metric is on the plateau, where T = mu F_N r.
-  double plateau_value(Metric metric, double speed) {
-    const double torque = m_.kinetic * m_.preload * m_.r;
-    if (metric == M::torque_at) return torque;
-    return metric == M::output_power_at ? torque * speed : HUGE_VAL;
+  static Derived with_speed(const Derived& moving, double speed) {
+    return {with_value(moving.dual, speed), moving.smoothness};
+  }
+
+  // A point metric where the power has its peak.
+  Derived along_peak(Metric metric, const Peak& peak) {
+    if (peak.kind == PeakKind::beyond_plateau) return beyond_plateau(metric);
+    return at(metric, speed_of_peak(M::output_power_at, peak));
+  }
+
+  // On the plateau T = mu F_N r.
+  Derived at_plateau_end(Metric metric, double speed) {
+    const ModelDual torque = model_.kinetic * model_.preload * model_.r;
+    if (metric == M::torque_at) return {torque, Smoothness::flat};
+    const Derived end = plateau();
+    if (metric == M::output_power_at) return Derived{torque * end.dual, end.smoothness}.at_kink();
+    return at(metric, with_speed(end, speed)).at_kink();
+  }
+
+  // The limit where the torque has jumped off its plateau. There slip ends where v_rel just touches zero, at a
+  // place that moves like the square root of the distance to the jump: two distances tell the limit.
+  Derived beyond_plateau(Metric metric) {
+    constexpr double kDistance = 1e-10;  // its root is far from rounding, itself from what counts
+    const Derived end = plateau();
+    const double near = value_of(end.dual) * (1 + kDistance),
+                 far = value_of(end.dual) * (1 + 4 * kDistance);
+    const contact::Lap<double>&a = point(near).state.lap, &b = point(far).state.lap;
+    if (a.one_slip || a.itinerary != b.itinerary)
+      return {ModelDual(point_value(metric, near)), Smoothness::undefined};
+    const Derived f = at(metric, {end.dual * (1 + kDistance), end.smoothness}),
+                  g = at(metric, {end.dual * (1 + 4 * kDistance), end.smoothness});
+    return Derived{2.0 * f.dual - g.dual, worse(f.smoothness, g.smoothness)}.at_kink();
   }
 
   Derived plateau() {
     const double end = search_.plateau_end();
     if (!(end > 0)) return {ModelDual(end), Smoothness::flat};
-    return {plateau_end_derivative(m_, model_, end), worse(Smoothness::smooth, of_contact())};
+    // With mu_0 > mu the laps may leave the plateau for another state before they must.
+    const Margin margin = plateau_margin(m_, end);
+    if (std::fabs(margin.value / margin.slope) > 1e-9 * m_.crest_velocity / m_.r)
+      return {ModelDual(end), Smoothness::undefined};
+    return {plateau_end_derivative(m_, model_, end), of_contact()};
   }
 
   // dOmega = -dT / T_Omega at fixed load.
   Derived crossing(const Crossing& crossing, double torque) {
     const bool on_plateau = search_.plateau_end() > 0 && crossing.speed == search_.plateau_end();
-    if (on_plateau) {
-      Derived end = plateau();
-      end.smoothness = Smoothness::one_sided;
-      return end;
-    }
+    if (on_plateau) return plateau().at_kink();
     if (crossing.jump) return {ModelDual(crossing.speed), Smoothness::undefined};
     if (crossing.speed == 0) return {ModelDual(0.0), Smoothness::one_sided};
     const ModelDual t = numbers(crossing.speed).torque - torque;
@@ -272,11 +305,8 @@ class Differentiator : private Evaluator {
   Derived speed_of_peak(Metric metric, const Peak& peak) {
     if (peak.kind == PeakKind::rest) return {ModelDual(0.0), Smoothness::flat};
     if (peak.kind == PeakKind::kink) return {ModelDual(peak.speed), Smoothness::undefined};
-    if (peak.kind == PeakKind::plateau_end) {
-      Derived end = plateau();
-      end.smoothness = Smoothness::one_sided;
-      return end;
-    }
+    if (peak.kind == PeakKind::plateau_end || peak.kind == PeakKind::beyond_plateau)
+      return with_speed(plateau(), peak.speed).at_kink();
     if (!model2_) model2_ = differentiated_model<ModelDual2>(motor_.design(), fixed_);
     const PointNumbers<ModelDual2> n =
         differentiate_point(m_, *model2_, point(peak.speed), peak.speed);
