@@ -83,6 +83,13 @@ class Evaluate(program.Case):
         self.refused("evaluate", RING, "--designs", self.folder / "absent.csv")
         self.refused("evaluate", RING, "--designs", self.folder)
 
+    def test_rows_before_one_that_cannot_be_read_are_not_lost(self):
+        designs = self.write("designs.csv", 'preload\n160\n80\n"40\n')
+        done = program.twum("evaluate", RING, "--designs", designs, "--metrics", "preload")
+        self.assertEqual(done.returncode, 2)
+        self.assertEqual(done.stdout.decode(), "preload,preload [N],status\n160,160,ok\n80,80,ok\n")
+        self.assertIn(b"designs.csv:4:1: a quotation that does not end", done.stderr)
+
     def test_wrong_expressions_are_refused_with_a_caret(self):
         designs = self.write("designs.csv", "preload\n160\n")
         self.assertEqual(self.refused("evaluate", RING, "--designs", designs, "--metrics", "stall_torque, torque_at(1 N)"),

@@ -62,6 +62,14 @@ TEST_CASE("a quotation that does not end is an error with its line", "[studies][
                     "t.csv:2:1: a quotation that does not end; close it with '\"'");
 }
 
+TEST_CASE("records before a quotation that does not end are not lost", "[studies][csv][error]") {
+  CsvReader reader("t.csv", pieces_of("a\n1\n2\n\"3\n", 100));
+  CsvChunk chunk;
+  REQUIRE(reader.read(chunk, 100));
+  CHECK(chunk.records.size() == 3);
+  for (int i = 0; i < 2; ++i) CHECK_THROWS_AS(reader.read(chunk, 100), twum::InputError);
+}
+
 TEST_CASE("cells are cut at commas outside quotes", "[studies][csv]") {
   std::vector<std::string_view> cells;
   using Cells = std::vector<std::string_view>;

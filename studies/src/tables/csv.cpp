@@ -119,8 +119,14 @@ bool CsvReader::next(CsvChunk& chunk) {
 bool CsvReader::read(CsvChunk& chunk, std::size_t most) {
   chunk.text.clear();
   chunk.records.clear();
-  while (chunk.records.size() < most && chunk.text.size() < kBlock) {
-    if (!next(chunk)) break;
+  if (failure_) std::rethrow_exception(failure_);
+  try {
+    while (chunk.records.size() < most && chunk.text.size() < kBlock) {
+      if (!next(chunk)) break;
+    }
+  } catch (const InputError&) {
+    if (chunk.records.empty()) throw;
+    failure_ = std::current_exception();  // what came before it counts
   }
   return !chunk.records.empty();
 }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdio>
+#include <exception>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -41,7 +42,8 @@ class CsvReader {
   CsvReader(std::string name, Bytes bytes) : name_(std::move(name)), bytes_(std::move(bytes)) {}
 
   /// Replaces the chunk by the next records, at most `most` and about 256 KiB; false at the end.
-  /// @throws InputError if a quotation does not end or a record is longer than 64 MiB.
+  /// @throws InputError if a quotation does not end or a record is longer than 64 MiB, once the records
+  ///         before have been returned.
   bool read(CsvChunk& chunk, std::size_t most);
 
   /// Name of the file, as errors say it.
@@ -65,6 +67,7 @@ class CsvReader {
   std::size_t bytes_read_{0};
   bool at_start_{true};
   bool at_end_{false};
+  std::exception_ptr failure_;  // to be thrown by the next read
 };
 
 /// The bytes of a C file, which must outlive them.
