@@ -88,7 +88,7 @@ class Evaluate(program.Case):
         done = program.twum("evaluate", RING, "--designs", designs, "--metrics", "preload")
         self.assertEqual(done.returncode, 2)
         self.assertEqual(done.stdout.decode(), "preload,preload [N],status\n160,160,ok\n80,80,ok\n")
-        self.assertIn(b"designs.csv:4:1: a quotation that does not end", done.stderr)
+        self.assertIn("designs.csv:4:1: a quotation that does not end", done.stderr)
 
     def test_wrong_expressions_are_refused_with_a_caret(self):
         designs = self.write("designs.csv", "preload\n160\n")
