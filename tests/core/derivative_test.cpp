@@ -327,3 +327,73 @@ TEST_CASE(
   CHECK(compared[1] >= 10);
   CHECK(deviation.holds());
 }
+
+TEST_CASE("gradients obey the law of a longer track, the number of waves included",
+          "[core][derivative][scaling]") {
+  // n, r and F_N times the same factor: the same wave, contact and load on every length of a longer track. Torques go
+  // with the second power of the factor, speeds with the power -1, so by Euler's theorem on homogeneous functions
+  // n f_n + r f_r + F_N f_(F_N) = k f.
+  const std::pair<Metric, double> degrees[] = {
+      {Metric::stall_torque, 2},         {Metric::max_torque, 2},
+      {Metric::holding_torque, 2},       {Metric::no_load_speed, -1},
+      {Metric::plateau_speed, -1},       {Metric::peak_power, 1},
+      {Metric::speed_at_peak_power, -1}, {Metric::torque_at_peak_power, 2},
+      {Metric::contact_half_length, 0},  {Metric::contact_ratio, 0},
+      {Metric::max_pressure, 0},         {Metric::contact_efficiency_at_peak_power, 0}};
+  Deviation deviation("gradients against Euler's theorem for a longer track, relative", 1e-8);
+  Uniform random(31);
+  int compared = 0;
+  for (int i = 0; i < 60; ++i) {
+    const MotorDesign design = design_of(random, i);
+    const Motor motor(design);
+    for (const auto& [metric, degree] : degrees) {
+      const MetricDerivative found = differentiate(motor, std::vector{MetricRequest{metric}})[0];
+      if (found.smoothness == Smoothness::undefined) continue;
+      double sum = 0, size = std::abs(found.value.value);
+      for (const Parameter p :
+           {Parameter::wavelengths, Parameter::contact_radius, Parameter::preload}) {
+        const double term = get(design, p) * found.gradient[index_of(p)];
+        sum += term;
+        size = std::max(size, std::abs(term));
+      }
+      CAPTURE(i, info(metric).name, to_string(found.smoothness));
+      ++compared;
+      // The terms cancel; each is good to some 1e-10, speeds of peaks through f' / f'' a little less.
+      CHECK(deviation.add(sum, degree * found.value.value, size) <= 1e-8);
+    }
+  }
+  CHECK(compared > 500);
+  CHECK(deviation.holds());
+}
+
+TEST_CASE("derivatives of a point in speed are those of differences",
+          "[core][derivative][differential]") {
+  Deviation deviation("derivatives of points in speed against Richardson differences, relative",
+                      1e-7);
+  Uniform random(32);
+  int compared = 0;
+  for (int i = 0; i < 40; ++i) {
+    const Motor motor(design_of(random, i));
+    const double speed = motor.crest_speed() * random(-0.2, 1.3);
+    const SpeedDerivative exact = differentiate_in_speed(motor, speed);
+    if (exact.smoothness != Smoothness::smooth) continue;
+    const auto numbers = [&](double at) {
+      const OperatingPoint p = motor.operating_point(at);
+      return std::vector<double>{p.torque,         p.output_power, p.stator_power,
+                                 p.friction_power, p.layer_loss,   p.stick_fraction};
+    };
+    const double slopes[] = {exact.torque,         exact.output_power, exact.stator_power,
+                             exact.friction_power, exact.layer_loss,   exact.stick_fraction};
+    const std::vector<double> values = numbers(speed);
+    const auto found = central_differences(numbers, speed, motor.crest_speed());
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      const double unit = std::max(std::abs(values[k] / speed), std::abs(found[k].value));
+      if (!(found[k].error <= 1e-8 * unit)) continue;
+      CAPTURE(i, k, speed / motor.crest_speed());
+      ++compared;
+      CHECK(deviation.add(slopes[k], found[k].value, unit) <= 1e-7);
+    }
+  }
+  CHECK(compared > 100);
+  CHECK(deviation.holds());
+}

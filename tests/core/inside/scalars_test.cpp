@@ -94,6 +94,9 @@ TEST_CASE("dual numbers obey the rules of differentiation", "[core][derivative][
   check(sqrt(x) + cos(y) * 2.0, std::sqrt(0.7) + 2 * std::cos(1.3), 0.5 / std::sqrt(0.7),
         -2 * std::sin(1.3));
   check(-(3.0 - x) + y / 2.0, -2.3 + 0.65, 1, 0.5);
+  D z = x;
+  z += y, z *= 2.0, z -= x;
+  check(z, 0.7 + 2.6, 1, 2);
 }
 
 TEST_CASE("nested dual numbers carry second derivatives", "[core][derivative][closed_form]") {
