@@ -48,7 +48,8 @@ def arguments_of(command_line=None):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--layer", choices=LAYERS, default="core", help="whose sources and tests")
     parser.add_argument("--files", nargs="+", help="files or folders to change instead of the layer's")
-    parser.add_argument("--tests", nargs="+", help="test programs with arguments, each one word of the shell (--one-by-one)")
+    parser.add_argument("--tests", nargs="+",
+                        help="test programs with arguments, each one word of the shell (--one-by-one)")
     parser.add_argument("--count", type=int, help="how many of the changes, drawn by the seed; all by default")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=1, help="compile jobs and tests at a time")
@@ -80,6 +81,11 @@ def is_open(row, arguments):
     return row["outcome"] in SURVIVED and arguments.again
 
 
+def tell(number, total, change, found):
+    said = [found["outcome"], *(found[name] for name in ("class", "by") if name in found)]
+    print(f"{number}/{total} {text_of(change)}: {', '.join(said)}", flush=True)
+
+
 def work(waiting, trials, arguments, results, total):
     """One worker: takes changes until there are none."""
     while True:
@@ -92,7 +98,7 @@ def work(waiting, trials, arguments, results, total):
             before = None
         found = trials[layer_of(change["file"])].outcome(number, change, before)
         results.add(change, found)
-        print(f"{total - waiting.qsize()}/{total} {text_of(change)}: {found['outcome']} {found.get('by', '')}", flush=True)
+        tell(total - waiting.qsize(), total, change, found)
 
 
 def try_switched(chosen, arguments, results):
@@ -130,7 +136,7 @@ def try_one_by_one(chosen, arguments, results):
     for number, change in enumerate(wanted, 1):
         found = plain.outcome(change, arguments.jobs)
         results.add(change, found)
-        print(f"{number}/{len(wanted)} {text_of(change)}: {found['outcome']} {found.get('by', '')}", flush=True)
+        tell(number, len(wanted), change, found)
 
 
 def main():

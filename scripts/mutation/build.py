@@ -12,7 +12,8 @@ from .rewrite import Source, numbered
 
 LIBRARIES = ["twum_base", "twum_core", "twum_optim"]
 PROGRAMS = ["core_inside_tests", "core_tests", "optim_tests", "twum_answers"]
-PLACE = re.compile(r"^(?P<path>/[^:\n]+):(?P<line>\d+):(?:\d+:)?\s+(?P<what>fatal error|error|note|required from|recursively required from)?")
+PLACE = re.compile(r"^(?P<path>/[^:\n]+):(?P<line>\d+):(?:\d+:)?\s+"
+                   r"(?P<what>fatal error|error|note|required from|recursively required from)?")
 
 
 class Copy:

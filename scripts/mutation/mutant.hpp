@@ -5,11 +5,14 @@
 #pragma once
 
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <type_traits>
 #include <utility>
+
+#include <sys/prctl.h>
 
 namespace mutant {
 
@@ -32,7 +35,10 @@ inline bool begun = false;
 [[gnu::constructor(101)]] static void begin() {
   if (begun) return;
   begun = true;
-  if (const char* number = std::getenv("TWUM_MUTANT")) state[std::atoi(number) % kMost] = kOn;
+  if (const char* number = std::getenv("TWUM_MUTANT")) {
+    state[std::atoi(number) % kMost] = kOn;
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // it may run for ever
+  }
   if (std::getenv("TWUM_MUTANT_RECORD")) {
     for (short& each : state) each = kRecorded;
     std::atexit(write_record);
@@ -41,6 +47,7 @@ inline bool begun = false;
 
 [[gnu::noinline, gnu::cold]] inline void note(int id, bool differs) {
   seen[id] |= differs ? kReached | kDiffered : kReached;
+  if (differs) state[id] = 0;  // there is no more to see
 }
 [[gnu::noinline, gnu::cold]] inline void note_formless(int id) { seen[id] |= kFormless; }
 

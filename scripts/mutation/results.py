@@ -6,7 +6,8 @@ import threading
 
 from .changes import LAYERS, key, text_of
 
-OUTCOMES = ["killed", "endless", "stillborn", "equivalent", "unreached", "survived", "survived so far", "fixed", "untried"]
+OUTCOMES = ["killed", "endless", "stillborn", "equivalent", "unreached", "survived", "survived so far", "fixed",
+            "untried"]
 SURVIVED = {"survived", "survived so far"}
 LISTED = ["survived", "survived so far", "unreached"]
 
@@ -76,6 +77,7 @@ def report(chosen, results, survivors):
         writer = csv.writer(file)
         writer.writerow(["file", "line", "column", "old", "new", "class"])
         for row in sorted(listed, key=key):
-            writer.writerow([row["file"], row["line"], row["column"], row["old"].strip(), row["new"].strip(), group_of(row)])
+            place = row["file"], row["line"], row["column"]
+            writer.writerow([*place, row["old"].strip(), row["new"].strip(), group_of(row)])
     seconds = sum(row.get("seconds", 0) for row in rows)
     print(f"\n{len(rows)} changes, {seconds:.0f} s of tests; survivors: {survivors}")
