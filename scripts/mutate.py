@@ -107,8 +107,7 @@ def try_switched(chosen, arguments, results):
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     layers = sorted({layer_of(change["file"]) for change in chosen} & set(LAYERS))
-    trials = {layer: Trial(cases, arguments.budget)
-              for layer, cases in cases_of(layers, switched, arguments.folder).items()}
+    trials = {layer: Trial(cases_of(layer, switched, arguments.folder), arguments.budget) for layer in layers}
     switchable = switched.switchable()
     numbers = {key(change): number for number, change in switched.numbers.items() if number in switchable}
     waiting = queue.Queue()

@@ -100,11 +100,8 @@ def named(program, filters):
     return names
 
 
-def fingerprint(paths):
-    total = hashlib.sha256()
-    for path in paths:
-        total.update(path.read_bytes())
-    return total.hexdigest()[:16]
+def fingerprint(path):
+    return hashlib.sha256(path.read_bytes()).hexdigest()[:16]
 
 
 def measured(case, folder, index):
@@ -119,24 +116,24 @@ def measured(case, folder, index):
     case.record = record.read_bytes()
 
 
-def cases_of(layers, copy, folder):
-    """The cases of some layers, measured once for each build, and the case of the answers."""
-    found = {}
-    for layer in layers:
-        programs = [copy.program(name) for name in PROGRAMS[layer]]
-        if layer == "core":
-            programs.append(copy.program("twum_answers"))
-        place = folder / "records" / f"{layer}-{fingerprint(programs)}"
-        listed = [Case(program, name) for program in programs
-                  for name in named(program, PROGRAMS[layer].get(program.name, [])) or [ANSWERS]]
-        index = place / "cases.json"
-        if index.exists():
-            for i, (case, seconds) in enumerate(zip(listed, json.loads(index.read_text(encoding="utf-8")))):
-                case.seconds, case.record = seconds, (place / f"{i}.record").read_bytes()
-        else:
-            place.mkdir(parents=True, exist_ok=True)
-            for i, case in enumerate(listed):
-                measured(case, place, i)
-            index.write_text(json.dumps([case.seconds for case in listed]), encoding="utf-8")
-        found[layer] = listed
-    return found
+def cases_in(program, filters, folder):
+    """The cases of a program, measured once for each build."""
+    place = folder / "records" / f"{program.name}-{fingerprint(program)}"
+    listed = [Case(program, name) for name in (named(program, filters) if filters else [ANSWERS])]
+    index = place / "cases.json"
+    if index.exists():
+        for i, (case, seconds) in enumerate(zip(listed, json.loads(index.read_text(encoding="utf-8")))):
+            case.seconds, case.record = seconds, (place / f"{i}.record").read_bytes()
+        return listed
+    place.mkdir(parents=True, exist_ok=True)
+    print(f"measuring the {len(listed)} cases of {program.name}", flush=True)
+    for i, case in enumerate(listed):
+        measured(case, place, i)
+    index.write_text(json.dumps([case.seconds for case in listed]), encoding="utf-8")
+    return listed
+
+
+def cases_of(layer, copy, folder):
+    """The cases of a layer's programs, and that of the answers."""
+    programs = PROGRAMS[layer] | ({"twum_answers": []} if layer == "core" else {})
+    return [case for name, filters in programs.items() for case in cases_in(copy.program(name), filters, folder)]

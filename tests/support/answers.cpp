@@ -20,8 +20,8 @@ using namespace twum;
 using namespace twum::test;
 
 constexpr int kSpeeds = 5;
-constexpr int kMetricsEvery = 4;     // designs of which one is asked all metrics
-constexpr int kGradientsEvery = 12;  // and one their gradients
+constexpr int kMetricsEvery = 12;    // designs of which one is asked all metrics
+constexpr int kGradientsEvery = 36;  // and one their gradients
 
 void put(double value, double allowed) {
   const double pair[2]{value, allowed};
