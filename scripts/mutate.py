@@ -76,7 +76,7 @@ def is_open(row, arguments):
     """A change that is not known yet, or not well enough."""
     if row is None or row["outcome"] not in SURVIVED | {"killed", "endless"}:
         return True
-    if row["outcome"] == "survived so far" and (arguments.budget is None or row["seconds"] < arguments.budget):
+    if row["outcome"] == "survived so far" and (arguments.budget is None or row.get("budget", 0) < arguments.budget):
         return True
     return row["outcome"] in SURVIVED and arguments.again
 

@@ -151,6 +151,9 @@ class Switched(Copy):
         return set()
 
     def blamed_changes(self, block):
+        named = {int(number) for line in block for number in re.findall(r"error: .*mutant::.*\[with int id = (\d+)", line)}
+        if named:
+            return {key(self.numbers[number]) for number in named}
         for file, line in self.places(block):
             spots = self.active.get(file, ((), ()))[0]
             hit = ([s for s in spots if s.change["line"] == line] or

@@ -69,8 +69,11 @@ class Trial:
         if "left" in before:
             waiting = [case for case in waiting if case.title in before["left"]]
         spent, ran = before.get("seconds", 0), before.get("cases", 0)
-        while waiting and (spent < self.budget or not ran):
-            case = self.odds.ordered(change["file"], waiting)[0]
+        while True:
+            fitting = [case for case in waiting if spent + case.seconds <= self.budget]
+            if not fitting:
+                break
+            case = self.odds.ordered(change["file"], fitting)[0]
             waiting.remove(case)
             start = time.monotonic()
             status = run(case.command(), environment(number), max(LEAST_LIMIT, TIMES_LIMIT * case.seconds))
@@ -82,9 +85,9 @@ class Trial:
                         "cases": ran}
         row = {"outcome": "survived so far" if waiting else "survived", "seconds": round(spent, 3), "cases": ran}
         if waiting:
-            row["left"] = [case.title for case in waiting]
+            row |= {"left": [case.title for case in waiting], "budget": self.budget}
         if self.answers:
-            row["class"] = self.answers_with(number)
+            row["class"] = before.get("class") or self.answers_with(number)
         return row
 
     def ask(self, number):
