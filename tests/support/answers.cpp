@@ -13,6 +13,9 @@
 #include <cstdlib>
 #include <exception>
 #include <limits>
+#include <numbers>
+#include <string_view>
+#include <vector>
 
 namespace {
 
@@ -31,9 +34,18 @@ void put(double value, double allowed) {
 // 1e-9 of the value; 1e-10 of the scale is what rounding may cost the laws (broken_law).
 void put_number(double value, double scale) { put(value, 1e-9 * std::abs(value) + 1e-10 * scale); }
 
+// What a search finds: a speed at which something is largest is known to half the digits of what it is
+// largest of, so 1e-7 of the value and 1e-9 of the scale.
+void put_searched(double value, double scale) { put(value, 1e-7 * std::abs(value) + 1e-9 * scale); }
+
 template <typename Status>
 void put_status(Status status) {
   put(static_cast<double>(status), 0);
+}
+
+double rubbed_area(const Motor& motor) {
+  const auto& stator = motor.design().stator;
+  return 2 * std::numbers::pi * stator.contact_radius * stator.contact_width;
 }
 
 void put_point(const Motor& motor, const OperatingPoint& point) {
@@ -44,7 +56,7 @@ void put_point(const Motor& motor, const OperatingPoint& point) {
        {point.output_power, point.stator_power, point.friction_power, point.layer_loss})
     put_number(each, power);
   put_number(point.stator_loss, 0);
-  put_number(point.wear_intensity, 0);
+  put_number(point.wear_intensity, power / rubbed_area(motor));
   put_number(point.stick_fraction, 1);
 }
 
@@ -89,20 +101,35 @@ std::vector<MetricRequest> requests(const Motor& motor) {
   return all;
 }
 
+// How large a number of this unit may be.
+double scale_of(std::string_view unit, const Motor& motor) {
+  const double power = power_scale(motor, 0);
+  if (unit == "1") return 1;
+  if (unit == "N.m") return torque_scale(motor.design());
+  if (unit == "rad/s") return motor.crest_speed();
+  if (unit == "W") return power;
+  if (unit == "W/m^2") return power / rubbed_area(motor);
+  return 0;
+}
+
 void put_metrics(const Motor& motor) {
-  for (const MetricValue& each : evaluate(motor, requests(motor))) {
-    put_status(each.status);
-    put_number(each.value, 0);
+  const auto all = requests(motor);
+  const auto found = evaluate(motor, all);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    put_status(found[i].status);
+    put_searched(found[i].value, scale_of(info(all[i].metric).unit, motor));
   }
 }
 
 void put_gradients(const Motor& motor) {
-  for (const MetricDerivative& each : differentiate(motor, requests(motor))) {
-    put_status(each.smoothness);
+  const auto all = requests(motor);
+  const auto found = differentiate(motor, all);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const double scale = scale_of(info(all[i].metric).unit, motor);
+    put_status(found[i].smoothness);
     for (const ParameterInfo& row : parameter_table()) {
-      const double at = get(motor.design(), row.parameter);
-      put_number(each.gradient[index_of(row.parameter)],
-                 at == 0 ? 0 : std::abs(each.value.value / at));
+      const double at = std::abs(get(motor.design(), row.parameter));
+      put_searched(found[i].gradient[index_of(row.parameter)], at == 0 ? 0 : scale / at);
     }
   }
 }
