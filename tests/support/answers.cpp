@@ -9,12 +9,12 @@
 
 #include <twum/core/performance/metrics.hpp>
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <limits>
 #include <numbers>
-#include <string_view>
 #include <vector>
 
 namespace {
@@ -34,18 +34,9 @@ void put(double value, double allowed) {
 // 1e-9 of the value; 1e-10 of the scale is what rounding may cost the laws (broken_law).
 void put_number(double value, double scale) { put(value, 1e-9 * std::abs(value) + 1e-10 * scale); }
 
-// What a search finds: a speed at which something is largest is known to half the digits of what it is
-// largest of, so 1e-7 of the value and 1e-9 of the scale.
-void put_searched(double value, double scale) { put(value, 1e-7 * std::abs(value) + 1e-9 * scale); }
-
 template <typename Status>
 void put_status(Status status) {
   put(static_cast<double>(status), 0);
-}
-
-double rubbed_area(const Motor& motor) {
-  const auto& stator = motor.design().stator;
-  return 2 * std::numbers::pi * stator.contact_radius * stator.contact_width;
 }
 
 void put_point(const Motor& motor, const OperatingPoint& point) {
@@ -56,7 +47,9 @@ void put_point(const Motor& motor, const OperatingPoint& point) {
        {point.output_power, point.stator_power, point.friction_power, point.layer_loss})
     put_number(each, power);
   put_number(point.stator_loss, 0);
-  put_number(point.wear_intensity, power / rubbed_area(motor));
+  const auto& stator = motor.design().stator;
+  put_number(point.wear_intensity,
+             power / (2 * std::numbers::pi * stator.contact_radius * stator.contact_width));
   put_number(point.stick_fraction, 1);
 }
 
@@ -79,13 +72,20 @@ void put_slopes(const Motor& motor, double speed) {
   put_number(slopes.stick_fraction, 1 / motor.crest_speed());
 }
 
+// A field of a few samples, rounding of the largest of them in all.
+template <typename Member>
+void put_field(const std::vector<FieldSample>& samples, Member member) {
+  double largest = 0;
+  for (const FieldSample& sample : samples) largest = std::fmax(largest, std::abs(sample.*member));
+  for (const FieldSample& sample : samples) put_number(sample.*member, largest);
+}
+
 void put_fields(const Motor& motor, double speed) {
-  const ContactFields fields = motor.fields(speed, 16);
-  for (const FieldSample& sample : fields.samples) {
-    for (const double each : {sample.phase, sample.pressure, sample.traction, sample.displacement,
-                              sample.stator_velocity, sample.layer_velocity})
-      put_number(each, 0);
-  }
+  const std::vector<FieldSample> samples = motor.fields(speed, 16).samples;
+  for (const auto member :
+       {&FieldSample::phase, &FieldSample::pressure, &FieldSample::traction,
+        &FieldSample::displacement, &FieldSample::stator_velocity, &FieldSample::layer_velocity})
+    put_field(samples, member);
 }
 
 std::vector<MetricRequest> requests(const Motor& motor) {
@@ -101,35 +101,27 @@ std::vector<MetricRequest> requests(const Motor& motor) {
   return all;
 }
 
-// How large a number of this unit may be.
-double scale_of(std::string_view unit, const Motor& motor) {
-  const double power = power_scale(motor, 0);
-  if (unit == "1") return 1;
-  if (unit == "N.m") return torque_scale(motor.design());
-  if (unit == "rad/s") return motor.crest_speed();
-  if (unit == "W") return power;
-  if (unit == "W/m^2") return power / rubbed_area(motor);
-  return 0;
+// A maximum at a jump is found between neighbouring numbers, beyond which torque moves like a square root:
+// good to 1e-8, and to a hundred times that where a slope follows.
+void put_searched(double value, double scale) {
+  put(value, 1e-6 * std::fmax(std::abs(value), scale));
 }
 
 void put_metrics(const Motor& motor) {
-  const auto all = requests(motor);
-  const auto found = evaluate(motor, all);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    put_status(found[i].status);
-    put_searched(found[i].value, scale_of(info(all[i].metric).unit, motor));
+  for (const MetricValue& each : evaluate(motor, requests(motor))) {
+    put_status(each.status);
+    put_searched(each.value, 0);
   }
 }
 
 void put_gradients(const Motor& motor) {
-  const auto all = requests(motor);
-  const auto found = differentiate(motor, all);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const double scale = scale_of(info(all[i].metric).unit, motor);
-    put_status(found[i].smoothness);
+  for (const MetricDerivative& each : differentiate(motor, requests(motor))) {
+    // Which of two equal maxima is taken, and so on which side a kink is, may be a matter of rounding.
+    put_status(each.smoothness == Smoothness::undefined);
     for (const ParameterInfo& row : parameter_table()) {
-      const double at = std::abs(get(motor.design(), row.parameter));
-      put_searched(found[i].gradient[index_of(row.parameter)], at == 0 ? 0 : scale / at);
+      const double at = get(motor.design(), row.parameter);
+      put_searched(each.gradient[index_of(row.parameter)],
+                   at == 0 ? 0 : std::abs(each.value.value / at));
     }
   }
 }
