@@ -397,3 +397,47 @@ TEST_CASE("derivatives of a point in speed are those of differences",
   CHECK(compared > 100);
   CHECK(deviation.holds());
 }
+
+TEST_CASE("in full contact, too, derivatives are those of differences",
+          "[core][derivative][differential]") {
+  Tally tally;
+  Deviation deviation("derivatives in full contact against Richardson differences, relative", 1e-7);
+  Uniform random(34);
+  for (int i = 0; i < 6; ++i) {
+    MotorDesign design = design_of(random, i);
+    design.preload = full_contact_load(design) * random(1.1, 1.6);
+    const Motor motor(design);
+    REQUIRE(motor.contact().full);
+    std::vector<MetricRequest> requests;
+    for (const Metric metric :
+         {Metric::torque_at, Metric::stator_power_at, Metric::friction_power_at,
+          Metric::layer_loss_at, Metric::stick_fraction_at}) {
+      for (const double share : {0.4, 0.9})
+        requests.push_back({metric, Argument::speed, share * motor.crest_speed()});
+    }
+    for (const Metric metric : {Metric::max_pressure, Metric::stall_torque, Metric::no_load_speed})
+      requests.push_back({metric});
+    const auto exact = differentiate(motor, requests);
+    for (const ParameterInfo& row : parameter_table()) {
+      if (movable(design, row)) check_parameter(design, row, requests, exact, tally, deviation);
+    }
+  }
+  int sharp = 0;
+  for (const auto& [name, count] : tally.sharp) sharp += count;
+  CAPTURE(sharp, tally.blunt, tally.examples);
+  CHECK(tally.wrong == 0);
+  CHECK(sharp > 200);
+  CHECK(deviation.holds());
+}
+
+TEST_CASE("the speed of a peak that cannot move has derivative zero", "[core][derivative][limit]") {
+  // Without drive there is no power, at no speed.
+  MotorDesign design = ring_motor();
+  design.stator.amplitude = 0;
+  const auto still = differentiate(
+      Motor(design),
+      std::vector{MetricRequest{Metric::peak_power}, MetricRequest{Metric::speed_at_peak_power}});
+  CHECK(still[1].value.value == 0);
+  CHECK(still[1].smoothness == Smoothness::flat);
+  for (const double each : still[1].gradient) CHECK(each == 0);
+}

@@ -169,8 +169,10 @@ TEST_CASE("a layer dragged over a still stator slips steadily unless it comes ba
       CAPTURE(loss, speed, least);
       if (std::abs(least) < 1e-6) continue;  // too close to tell by steps in time
       ++(least > 0 ? steady : rhythm);
-      CHECK(motor.operating_point(speed).status ==
-            (least > 0 ? PointStatus::ok : PointStatus::no_periodic_state));
+      // Over a stator without a wave both directions are the same.
+      for (const double either : {speed, -speed})
+        CHECK(motor.operating_point(either).status ==
+              (least > 0 ? PointStatus::ok : PointStatus::no_periodic_state));
     }
   }
   CHECK(steady > 0);
@@ -231,6 +233,11 @@ TEST_CASE("a period-one state that does not exist is reported, not invented",
     const MetricValue value = evaluate(motor, {Metric::torque_at, Argument::speed, speed});
     CHECK(value.status == MetricStatus::no_periodic_state);
     CHECK(std::isnan(value.value));
+    const SpeedDerivative slopes = differentiate_in_speed(motor, speed);
+    CHECK(slopes.smoothness == Smoothness::undefined);
+    for (const double each : {slopes.torque, slopes.output_power, slopes.stator_power,
+                              slopes.friction_power, slopes.layer_loss, slopes.stick_fraction})
+      CHECK(std::isnan(each));
   }
   CHECK(absent > 0);
 }

@@ -301,6 +301,33 @@ TEST_CASE("a layer that is locked at rest sticks all round", "[core][fields][lim
         1e-12 * stress * problem.track_area * problem.radius);
 }
 
+TEST_CASE("fields of full contact close: both ends are one place", "[core][fields][identity]") {
+  Uniform random(91);
+  for (int i = 0; i < 30; ++i) {
+    MotorDesign design = realistic_design(random);
+    if (i % 3 == 1) design = damped(design);
+    if (i % 3 == 2) design = elastic(design);
+    design.friction.static_ = design.friction.kinetic;  // no snap there
+    design.preload = full_contact_load(design) * random(1.1, 3);
+    const Motor motor(design);
+    const double speed = random(0.1, 1.2) * motor.crest_speed();
+    if (motor.operating_point(speed).status != PointStatus::ok) continue;
+    const std::vector<FieldSample> samples = motor.fields(speed, 64).samples;
+    const FieldSample &first = samples.front(), &last = samples.back();
+    const double stress = design.friction.kinetic * motor.contact().max_pressure;
+    const double velocity = design.stator.contact_radius * (motor.crest_speed() + speed);
+    CAPTURE(i, design.preload, speed);
+    // What the search for the periodic state leaves, in units of the largest traction.
+    CHECK(std::abs(first.traction - last.traction) <= 1e-11 * stress);
+    CHECK(std::abs(first.displacement - last.displacement) <=
+          1e-11 * stress * design.layer.thickness / shear_modulus(design));
+    if (i % 3 !=
+        2) {  // an elastic layer's velocity is a slope of the traction, which may jump with a zone
+      CHECK(std::abs(first.layer_velocity - last.layer_velocity) <= 1e-9 * velocity);
+    }
+  }
+}
+
 TEST_CASE("over a flat stator the layer hangs back evenly", "[core][fields][closed_form]") {
   MotorDesign design = GENERATE(ring_motor(), damped(ring_motor()), elastic(ring_motor()));
   design.stator.amplitude = 0;

@@ -243,6 +243,23 @@ TEST_CASE("geometry metrics are those of the normal contact (T3.4)", "[core][met
   }
 }
 
+TEST_CASE("the speed at the torque of the plateau is where the plateau ends (T7.15, T7.17)",
+          "[core][metrics][identity]") {
+  int plateaus = 0;
+  for (const Motor& motor : motors(8, 40, false)) {
+    const double torque = ask(motor, Metric::stall_torque).value;
+    const double end = ask(motor, Metric::plateau_speed).value;
+    const double top = ask(motor, Metric::max_torque).value;
+    if (!(end > 0) || top > torque * (1 + 1e-12)) continue;
+    ++plateaus;
+    const MetricValue found =
+        evaluate(motor, MetricRequest{Metric::speed_at, Argument::torque, torque});
+    REQUIRE(found.status == MetricStatus::ok);
+    CHECK(found.value == end);
+  }
+  CHECK(plateaus > 5);
+}
+
 TEST_CASE("efficiency has a maximum only if the stator loses power (T7.18)",
           "[core][metrics][limit]") {
   const MetricValue none = ask(Motor(ring_motor()), Metric::max_efficiency);

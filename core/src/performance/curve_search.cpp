@@ -14,6 +14,7 @@ constexpr int kIntervals = 20;
 constexpr int kRoughIntervals = 40;
 constexpr int kMissing = 4;        // points without a periodic state that may follow one another
 constexpr double kFarthest = 1e4;  // times the crest speed
+constexpr double kSameTorque = 1e-14;  // what rounding leaves of the plateau's torque
 constexpr long kMostLost = 1'000'000;  // zones that one search may follow in vain: about a second
 
 // True if less than half of the layer's own motion is left after a turn. What is left longer can upset the
@@ -59,9 +60,11 @@ CurveSearch::Node CurveSearch::node(double speed, Trail* trail, double accuracy)
           p.state.entry};
 }
 
-// Nodes only say between which speeds to look, so they need not be exact, unless their sign is in doubt.
+// Nodes only say between which speeds to look, so they need not be exact, unless their sign is in doubt. On
+// the plateau all torques are one, but for rounding.
 CurveSearch::Node CurveSearch::scanned(double speed, Trail& trail) const {
-  const Node n = node(speed, &trail, kScanAccuracy);
+  Node n = node(speed, &trail, kScanAccuracy);
+  if (n.plateau && nodes_.front().plateau) n.torque = nodes_.front().torque;
   return n.ok() && std::fabs(n.torque) < 1e3 * kScanAccuracy * holding_ ? node(speed, &trail) : n;
 }
 
@@ -195,13 +198,14 @@ Crossing CurveSearch::speed_at(double torque) {
   const double carried =
       torque * (1 - 1e-12);  // a torque typed with rounding, such as the stall torque itself
   if (!(carried <= top.value)) throw SearchFailure{MetricStatus::unreachable};
+  const bool plateau_is_top = top.kind == PeakKind::rest && starts_on_plateau();
+  if (plateau_is_top && torque >= stall_torque() * (1 - kSameTorque)) return {plateau_end(), false};
   const std::vector<Node> nodes = working_nodes();
   std::size_t k = nodes.size() - 1;
   while (k > 0 && !(nodes[k - 1].torque >= torque)) --k;
   const double high = nodes[k].speed;
   if (k > 0 && nodes[k - 1].speed >= top.speed)
     return falls_through(torque, nodes[k - 1], nodes[k]);
-  if (top.kind == PeakKind::rest && starts_on_plateau()) return {plateau_end(), false};
   if (torque >= top.value || top.speed >= high) return {top.speed, false};
   if (const Node at_top = answered(top.speed); at_top.torque > torque)
     return falls_through(torque, at_top, nodes[k]);
