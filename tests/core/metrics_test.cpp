@@ -278,6 +278,36 @@ TEST_CASE("efficiency has a maximum only if the stator loses power (T7.18)",
   CHECK(best <= seen * (1 + 1e-5));
 }
 
+TEST_CASE(
+    "the plateau of a layer that still rings at the next entry ends where its slip does (T7.17)",
+    "[core][metrics][differential]") {
+  int plateaus = 0;
+  Deviation slopes("derivative of the plateau's end of a ringing layer, relative", 1e-6);
+  for (int i = 0; i < 30; ++i) {
+    MotorDesign design = ring_motor();
+    design.layer.loss_factor = 0.002 * (1 + i % 5);
+    design.layer.given_inertia = 1e-4 * (1 + i);
+    const Motor motor(design);
+    const double end = ask(motor, Metric::plateau_speed).value;
+    if (!(end > 0)) continue;
+    ++plateaus;
+    CAPTURE(i, end / motor.crest_speed());
+    CHECK(motor.zones(end * (1 - 1e-7)).size() == 1);
+    CHECK(motor.zones(end * (1 + 1e-7)).size() > 1);
+    // The end's derivative in the preload, by its values at a distance of 1e-4: the error of the difference is
+    // 1e-8 of a third derivative, which may be some tens.
+    const auto end_at = [&](double preload) {
+      return ask(Motor(with(design, Parameter::preload, preload)), Metric::plateau_speed).value;
+    };
+    const double load = design.preload, step = 1e-4 * load;
+    const double difference = (end_at(load + step) - end_at(load - step)) / (2 * step);
+    const double slope = differentiate(motor, std::vector{MetricRequest{Metric::plateau_speed}})[0]
+                             .gradient[index_of(Parameter::preload)];
+    CHECK(slopes.add(slope * load, difference * load, end) <= 1e-6);
+  }
+  CHECK(plateaus > 5);
+}
+
 TEST_CASE("plateau speed is where the contact stops slipping one way (T7.17)",
           "[core][metrics][identity]") {
   for (const Motor& motor : motors(7, 45, true)) {
