@@ -80,6 +80,24 @@ TEST_CASE("a straight line has the covariances of the textbook",
   CHECK(fit.follows == std::vector<double>(4, 0.0));
 }
 
+TEST_CASE("units of a parameter change its numbers and nothing else",
+          "[optim][least_squares][scaling]") {
+  // Means of two pairs of readings; the second in units so large that its column is tiny.
+  const double unit = GENERATE(1.0, 1e12);
+  const std::vector<Reading> readings{
+      {{1, 0}, 2}, {{1, 0}, 4}, {{1, 1 / unit}, 9}, {{1, 1 / unit}, 11}};
+  const auto fit =
+      least_squares({wide("level"), {"step", -kInfinity, kInfinity, 1.0}}, residuals_of(readings));
+  CHECK(fit.rank == 2);
+  CHECK(fit.undetermined.empty());
+  CHECK(fit.estimates[1].value / unit == searched(7.0));
+  // s^2 = 4 / 2; half of it for each mean.
+  CHECK(fit.covariance[0] == rounded(1.0));
+  CHECK(fit.covariance[1] / unit == rounded(-1.0));
+  CHECK(fit.covariance[3] / unit / unit == rounded(2.0));
+  CHECK(fit.correlation[1] == rounded(-1.0 / std::sqrt(2.0)));
+}
+
 TEST_CASE(
     "differences of means share the errors of what they have in common, around a held parameter",
     "[optim][least_squares][closed_form]") {
