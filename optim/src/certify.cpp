@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <vector>
 
 namespace twum::optim {
 namespace {
@@ -89,18 +91,24 @@ class Certifier {
   }
 
   // Gradients of the objective with one entry taken from the left or the right. A concave kink
-  // mixes nothing: both its sides would have to be stationary.
+  // mixes nothing: both its sides would have to be stationary. Nor do kinks in several variables: their
+  // entries do not tell which sides go together.
   Eigen::MatrixXd one_sided_gradients(const KktPoint& p) {
     Eigen::MatrixXd g = objective_gradients(p, objectives_);
     if (objectives_ > 1) return g;
+    std::vector<KinkedEntry> kinks;
+    std::set<std::size_t> kinked;
     for (const KinkedEntry& kink : p.evaluation.kinks) {
       if (kink.slope != Slope::one_sided || kink.response >= objectives_) continue;
-      add_kink(kink, g);
+      if (!varies(kink.variable)) continue;
+      kinks.push_back(kink);
+      kinked.insert(kink.variable);
     }
+    for (const KinkedEntry& kink : kinks) add_kink(kink, kinked.size() == 1, g);
     return g;
   }
 
-  void add_kink(const KinkedEntry& kink, Eigen::MatrixXd& g) {
+  void add_kink(const KinkedEntry& kink, bool mixes, Eigen::MatrixXd& g) {
     for (Index k = 0; k < g.rows(); ++k) {
       const auto at = static_cast<std::size_t>(k);
       if (scaling_.variable(at) != kink.variable) continue;
@@ -110,7 +118,7 @@ class Certifier {
       name_kink({variable_name(k)});
       const double left = scale * kink.left;
       const double right = scale * kink.right;
-      if (left > right) continue;
+      if (left > right || !mixes) continue;
       const Index columns = g.cols();
       g.conservativeResize(Eigen::NoChange, columns + 2);
       g.col(columns) = g.col(0);

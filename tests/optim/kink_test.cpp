@@ -66,6 +66,27 @@ std::string refusal(const std::string& name) {
 
 }  // namespace
 
+TEST_CASE("kinks in two variables are not mixed into a certificate", "[optim][certificate]") {
+  // |x + y| + (x - y) / 2 falls along (-1, 1), by 1 per unit, though each variable alone has slopes of both signs.
+  Problem p;
+  p.variables = {{"x", -1.0, 1.0, 0.5}, {"y", -1.0, 1.0, 0.25}};
+  p.objectives = {{"f"}};
+  p.evaluate = [](std::span<const double> x, bool) {
+    Evaluation e;
+    const double sum = x[0] + x[1], side = sum < 0 ? -1.0 : 1.0;
+    e.values = {std::abs(sum) + 0.5 * (x[0] - x[1])};
+    e.jacobian = {side + 0.5, side - 0.5};
+    if (sum == 0) {
+      e.kinks.push_back({0, 0, Slope::one_sided, -0.5, 1.5});
+      e.kinks.push_back({0, 1, Slope::one_sided, -1.5, 0.5});
+    }
+    return e;
+  };
+  const Certificate c = certify(p, std::vector<double>{0.0, 0.0}, {});
+  CHECK_FALSE(c.passed);
+  CHECK(c.stationarity > 0.1);
+}
+
 TEST_CASE("a kink between the slopes that balance a limit is an optimum, with the limit's price",
           "[optim][certificate][kink]") {
   const bool maximize = GENERATE(false, true);
