@@ -9,7 +9,9 @@
 #include <twum/core/design/motor_design.hpp>
 #include <twum/core/performance/motor.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -325,6 +327,32 @@ TEST_CASE("fields of full contact close: both ends are one place", "[core][field
         2) {  // an elastic layer's velocity is a slope of the traction, which may jump with a zone
       CHECK(std::abs(first.layer_velocity - last.layer_velocity) <= 1e-9 * velocity);
     }
+  }
+}
+
+TEST_CASE("a layer that rings on in free flight comes to the next entry as it is there",
+          "[core][fields][identity]") {
+  MotorDesign design = ring_motor();
+  design.layer.given_inertia = 5e-4;
+  for (const double loss : {0.001, 0.01, 0.03}) {
+    design.layer.loss_factor = loss;
+    const Motor motor(design);
+    const double entry = -motor.contact().half_angle;
+    REQUIRE(entry > -3.0);
+    const int count = 20'001;
+    const std::vector<FieldSample> samples = motor.fields(0.8 * motor.crest_speed(), count).samples;
+    double largest = 0;
+    for (const FieldSample& s : samples) largest = std::max(largest, std::abs(s.displacement));
+    const FieldSample &first = samples.front(), &last = samples.back();
+    CAPTURE(loss, first.displacement / largest);
+    CHECK(std::abs(first.displacement) > 1e-6 * largest);  // it does ring
+    CHECK(std::abs(first.displacement - last.displacement) <= 1e-11 * largest);
+    // From one sample to the next, the entry between them, it moves no further than its velocity leads: by
+    // 2 pi / count times a few natural frequencies of the layer in units of the wave's.
+    const auto after = std::find_if(samples.begin(), samples.end(),
+                                    [&](const FieldSample& s) { return s.phase > entry; });
+    REQUIRE(after != samples.begin());
+    CHECK(std::abs(after->displacement - std::prev(after)->displacement) <= 0.05 * largest);
   }
 }
 
