@@ -74,6 +74,12 @@ struct Tally {
   int blunt{0};                      // differences too noisy or across a kink
   int wrong{0};
   std::vector<std::string> examples;
+
+  int total_sharp() const {
+    int total = 0;
+    for (const auto& [name, count] : sharp) total += count;
+    return total;
+  }
 };
 
 // Does an exact derivative agree with the differences? `unit` is |f / x|, what a relative change means.
@@ -130,18 +136,22 @@ void check_parameter(const MotorDesign& design, const ParameterInfo& row,
   }
 }
 
+// Exact derivatives of all requests by all parameters that can be moved.
+void check_gradients(const MotorDesign& design, const std::vector<MetricRequest>& requests,
+                     Tally& tally, Deviation& deviation) {
+  const auto exact = differentiate(Motor(design), requests);
+  for (const ParameterInfo& row : parameter_table()) {
+    if (movable(design, row)) check_parameter(design, row, requests, exact, tally, deviation);
+  }
+}
+
 Tally check_designs(std::uint64_t seed, int count) {
   Tally tally;
   Deviation deviation("metric derivatives against Richardson differences, relative", 1e-7);
   Uniform random(seed);
   for (int i = 0; i < count; ++i) {
     const MotorDesign design = design_of(random, i);
-    const Motor motor(design);
-    const auto requests = all_requests(motor);
-    const auto exact = differentiate(motor, requests);
-    for (const ParameterInfo& row : parameter_table()) {
-      if (movable(design, row)) check_parameter(design, row, requests, exact, tally, deviation);
-    }
+    check_gradients(design, all_requests(Motor(design)), tally, deviation);
   }
   return tally;
 }
@@ -188,9 +198,7 @@ TEST_CASE("every metric's derivative by every parameter is that of differences",
   CAPTURE(sharp, tally.blunt, tally.examples);
   CHECK(tally.wrong == 0);
   CHECK(tally.sharp.size() >= kMetricCount - 2);
-  int total = 0;
-  for (const auto& [name, count] : tally.sharp) total += count;
-  CHECK(total > 1000);
+  CHECK(tally.total_sharp() > 1000);
 }
 
 TEST_CASE("a layer that still rings at the next entry has the derivatives of differences (E6.2)",
@@ -208,18 +216,13 @@ TEST_CASE("a layer that still rings at the next entry has the derivatives of dif
   }
   // and the second derivatives, by which a peak moves
   requests.push_back({Metric::speed_at_peak_power});
-  const auto exact = differentiate(motor, requests);
   Tally tally;
   Deviation deviation("derivatives of a ringing layer against Richardson differences, relative",
                       1e-7);
-  for (const ParameterInfo& row : parameter_table()) {
-    if (movable(design, row)) check_parameter(design, row, requests, exact, tally, deviation);
-  }
-  int sharp = 0;
-  for (const auto& [name, count] : tally.sharp) sharp += count;
-  CAPTURE(sharp, tally.blunt, tally.examples);
+  check_gradients(design, requests, tally, deviation);
+  CAPTURE(tally.total_sharp(), tally.blunt, tally.examples);
   CHECK(tally.wrong == 0);
-  CHECK(sharp >= 50);
+  CHECK(tally.total_sharp() >= 50);
   CHECK(tally.sharp["speed_at_peak_power"] >= 5);
 }
 
@@ -417,16 +420,11 @@ TEST_CASE("in full contact, too, derivatives are those of differences",
     }
     for (const Metric metric : {Metric::max_pressure, Metric::stall_torque, Metric::no_load_speed})
       requests.push_back({metric});
-    const auto exact = differentiate(motor, requests);
-    for (const ParameterInfo& row : parameter_table()) {
-      if (movable(design, row)) check_parameter(design, row, requests, exact, tally, deviation);
-    }
+    check_gradients(design, requests, tally, deviation);
   }
-  int sharp = 0;
-  for (const auto& [name, count] : tally.sharp) sharp += count;
-  CAPTURE(sharp, tally.blunt, tally.examples);
+  CAPTURE(tally.total_sharp(), tally.blunt, tally.examples);
   CHECK(tally.wrong == 0);
-  CHECK(sharp > 200);
+  CHECK(tally.total_sharp() > 200);
   CHECK(deviation.holds());
 }
 
