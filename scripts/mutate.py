@@ -22,8 +22,8 @@ In a && b || c an operator is replaced where it stands, brackets added: (a || b)
 Outcomes: killed (a case failed or crashed), endless (a case took 8 times as long; counts as killed), stillborn
 (does not compile for any type it is used with), equivalent (no case gave it another value), unreached (no case
 runs it), survived, survived so far (the budget ended first), fixed (the compiler needs it: --one-by-one).
-Survivors of the core have a class, by the answers on 300 designs: same answers, other answers, not asked
-(never another value there).
+Survivors have a class, by what tests/core/answers.cpp or tests/optim/answers.cpp writes: same answers, other
+answers, not asked (never another value there).
 """
 import argparse
 import pathlib

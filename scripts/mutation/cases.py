@@ -135,5 +135,5 @@ def cases_in(program, filters, folder):
 
 def cases_of(layer, copy, folder):
     """The cases of a layer's programs, and that of the answers."""
-    programs = PROGRAMS[layer] | ({"twum_answers": []} if layer == "core" else {})
+    programs = PROGRAMS[layer] | {f"twum_{layer}_answers": []}
     return [case for name, filters in programs.items() for case in cases_in(copy.program(name), filters, folder)]

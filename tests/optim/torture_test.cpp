@@ -371,3 +371,20 @@ TEST_CASE("every algorithm that is offered runs, with and without constraints", 
     CHECK(b.certificate.infeasibility <= 1e-8);
   }
 }
+
+// nlopt:newuoa_bound is not offered since it went on for ever on one of these, without an evaluation.
+TEST_CASE("every algorithm that is offered comes to an end on textbook problems",
+          "[optim][nlopt][budget]") {
+  for (const auto& info : solvers()) {
+    if (!info.available) continue;
+    SolveOptions options;
+    options.solver = info.name;
+    options.budget.evaluations = 2000;
+    for (const auto* name : {"HS1", "HS43", "HS71"}) {
+      const Result result = solve(test::hock_schittkowski(name).problem, options);
+      INFO(info.name << " on " << name);
+      CHECK(result.counters.evaluations <= 2000);
+      CHECK(result.outcome != Outcome::failed);
+    }
+  }
+}

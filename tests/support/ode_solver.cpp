@@ -19,10 +19,16 @@ using Vector = std::array<double, kSize>;
 
 enum class Mode : signed char { slip_minus = -1, stick = 0, slip_plus = 1, open = 2 };
 
+const gsl_odeiv2_step_type* step_type(OdeMethod method) {
+  return method == OdeMethod::fehlberg_4_5 ? gsl_odeiv2_step_rkf45 : gsl_odeiv2_step_rk8pd;
+}
+
 class OdeMarch {
  public:
   OdeMarch(const ContactProblem& problem, const OdeOptions& options)
-      : p_(problem), options_(options), step_(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, kSize)) {
+      : p_(problem),
+        options_(options),
+        step_(gsl_odeiv2_step_alloc(step_type(options.method), kSize)) {
     system_ = {&OdeMarch::derivative, nullptr, kSize, this};
     set_scales();
     control_.reset(

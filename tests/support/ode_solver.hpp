@@ -5,7 +5,14 @@
 
 namespace twum::test {
 
+/// Explicit Runge-Kutta pairs of GSL: order of the step, and of its error estimate.
+enum class OdeMethod : unsigned char {
+  prince_dormand_8_9,
+  fehlberg_4_5,  ///< the order of MATLAB's ode45
+};
+
 struct OdeOptions {
+  OdeMethod method{OdeMethod::prince_dormand_8_9};
   double tolerance{1e-13};  ///< error per step of each component, relative to its scale
   double repeat{1e-12};     ///< the state at entry repeats to this, relative to its scale
   int max_laps{5000};
@@ -17,7 +24,7 @@ struct OdeOptions {
 /// Periodic state of a damped or inertial layer by a general ODE solver with event location.
 ///
 /// What an engineer without the closed forms would write: the layer equation (T4.1) and the four integrals
-/// of torque and powers as one system for GSL's Prince-Dormand 8(9) method with step control; an event
+/// of torque and powers as one system for a Runge-Kutta method of GSL with step control; an event
 /// (slip velocity changes sign, traction reaches the static threshold) inside a step is found as a
 /// root by repeating the step with shorter lengths; laps are marched from rest until the state at
 /// entry repeats.

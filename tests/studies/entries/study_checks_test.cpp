@@ -205,7 +205,7 @@ TEST_CASE("a solver has to be one that can be used, with options of its own",
   CHECK(optimize("solver: {name: auto}").empty());
   CHECK(optimize("solver: nlopt:newuoa") ==
         Lines{"study.solver: 'nlopt:newuoa' cannot be used here; it takes no bounds; use "
-              "nlopt:newuoa_bound or nlopt:bobyqa"});
+              "nlopt:bobyqa"});
   CHECK(optimize("solver: {name: nlopt:newuoa}").at(0).starts_with("study.solver.name: "));
   CHECK(optimize("solver: magic") ==
         Lines{"study.solver: unknown solver 'magic'; 'twum solvers' lists them; 'auto' chooses"});

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Answers of the core on designs drawn from the box of theory section 10 and from realistic motors, for
-// scripts/mutate.py: does a change that no test noticed alter an answer, or only the way there? Writes pairs
-// of doubles, value and allowed difference, to standard output: always the same ones for the same core.
+// scripts/mutate.py: does a change that no test noticed alter an answer, or only the way there? Always the same
+// answers of the same core.
 //
-//   twum_answers [DESIGNS]      300 by default
+//   twum_core_answers [DESIGNS]      300 by default
+#include "support/answers.hpp"
 #include "support/point_checks.hpp"
 #include "support/test_motors.hpp"
 
 #include <twum/core/performance/metrics.hpp>
 
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <limits>
@@ -26,18 +26,8 @@ constexpr int kSpeeds = 5;
 constexpr int kMetricsEvery = 12;    // designs of which one is asked all metrics
 constexpr int kGradientsEvery = 36;  // and one their gradients
 
-void put(double value, double allowed) {
-  const double pair[2]{value, allowed};
-  std::fwrite(pair, sizeof(double), 2, stdout);
-}
-
 // 1e-9 of the value; 1e-10 of the scale is what rounding may cost the laws (broken_law).
-void put_number(double value, double scale) { put(value, 1e-9 * std::abs(value) + 1e-10 * scale); }
-
-template <typename Status>
-void put_status(Status status) {
-  put(static_cast<double>(status), 0);
-}
+void put_number(double value, double scale) { test::put_number(value, 1e-9, 1e-10 * scale); }
 
 void put_point(const Motor& motor, const OperatingPoint& point) {
   const double power = power_scale(motor, point.speed);
@@ -104,7 +94,7 @@ std::vector<MetricRequest> requests(const Motor& motor) {
 // A maximum at a jump is found between neighbouring numbers, beyond which torque moves like a square root:
 // good to 1e-8, and to a hundred times that where a slope follows.
 void put_searched(double value, double scale) {
-  put(value, 1e-6 * std::fmax(std::abs(value), scale));
+  test::put_number(value, 1e-6, 1e-6 * scale);
 }
 
 void put_metrics(const Motor& motor) {
