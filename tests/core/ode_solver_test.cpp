@@ -37,7 +37,7 @@ TEST_CASE(
     for (int k = 0; k < 3; ++k) {
       const double speed = motor.crest_speed() * random(-0.2, 1.3);
       const auto point = motor.operating_point(speed);
-      const auto oracle = ode_solver(design, speed, {1e-13, 1e-12, 500});
+      const auto oracle = ode_solver(design, speed, {.max_laps = 500});
       CAPTURE(i, speed, motor.contact().half_angle, to_string(point.status), oracle.laps);
       if (!oracle.converged) continue;
       REQUIRE(point.status == PointStatus::ok);
