@@ -96,6 +96,17 @@ TEST_CASE("without friction there is no torque", "[core][edge][limit]") {
   CHECK(metric(motor, Metric::holding_torque).value == 0);
 }
 
+TEST_CASE("friction of exactly one is friction like any other", "[core][edge][limit]") {
+  MotorDesign one = elastic(ring_motor()), nearly = one;
+  one.friction = {1, 1};
+  nearly.friction = {1 - 1e-9, 1 - 1e-9};
+  const double speed = 0.01 * Motor(one).crest_speed();
+  const double torque = Motor(nearly).operating_point(speed).torque;
+  CHECK(torque > 0);
+  // Torque is at most proportional to friction, some units of which are lost with 1e-9 of it.
+  CHECK(Motor(one).operating_point(speed).torque == Approx(torque).epsilon(1e-8));
+}
+
 TEST_CASE("without preload there is no torque", "[core][edge][limit]") {
   MotorDesign design = GENERATE(ring_motor(), damped(ring_motor()), elastic(ring_motor()));
   design.preload = 0;

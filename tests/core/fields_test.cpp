@@ -388,6 +388,29 @@ TEST_CASE("a motor without preload has neither zones nor traction", "[core][fiel
   for (const FieldSample& s : fields.samples) {
     CHECK(s.pressure == 0);
     CHECK(s.traction == 0);
+    CHECK(s.displacement == 0);
+  }
+}
+
+TEST_CASE("without friction the contact presses all the same (T3.1, T3.3)",
+          "[core][fields][limit]") {
+  for (const double load : {0.05, 0.5, 1.5}) {
+    MotorDesign design = with_load(ring_motor(), load);
+    const ContactFields rough = Motor(design).fields(10.0, 101);
+    design.friction = {0, 0};
+    const Motor motor(design);
+    const ContactFields smooth = motor.fields(10.0, 101);
+    REQUIRE(smooth.zones.size() == 1);
+    CHECK(smooth.zones[0].from == -motor.contact().half_angle);
+    CHECK(smooth.zones[0].to == motor.contact().half_angle);
+    for (std::size_t i = 0; i < smooth.samples.size(); ++i) {
+      const FieldSample& s = smooth.samples[i];
+      CHECK(s.pressure == rough.samples[i].pressure);
+      CHECK(s.stator_velocity == rough.samples[i].stator_velocity);
+      CHECK(s.traction == 0);
+      CHECK(s.displacement == 0);
+      CHECK(s.layer_velocity == 10.0 * design.stator.contact_radius);
+    }
   }
 }
 

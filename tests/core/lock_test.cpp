@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include <twum/core/design/motor_design.hpp>
+#include <twum/core/performance/metrics.hpp>
 #include <twum/core/performance/motor.hpp>
 
 #include <algorithm>
@@ -17,28 +18,52 @@ namespace {
 using namespace twum;
 using namespace twum::test;
 
-// What is left between the largest and the smallest constant traction with which a layer that follows the
-// stator everywhere stays below the threshold of friction, at 20,000 places, in units of mu_0 times the
-// mean pressure; negative: there is none.
-double room(const MotorDesign& d) {
+// The constant tractions [Pa] with which a layer that follows the stator everywhere stays below the threshold of
+// friction, at 20,000 places, and what its viscosity takes meanwhile.
+struct Following {
+  double least, most;
+  double loss;  // [W], by the rectangle rule, which is exact here
+  double mean;  // mu_0 times the mean pressure [Pa]
+  double track_area;
+};
+
+Following following(const MotorDesign& d) {
   const Stator& s = d.stator;
   const double omega = 2 * std::numbers::pi * s.frequency, kappa = s.wavelengths / s.contact_radius;
   const double wave = d.layer.youngs_modulus * s.amplitude / d.layer.thickness;
-  const double mean = d.preload * kappa / (2 * std::numbers::pi * s.wavelengths * s.contact_width);
+  const double area = 2 * std::numbers::pi * s.contact_radius * s.contact_width;
+  const double mean = d.preload / area;
   // h eps = (V0 / omega) sin theta: the surface moves as the stator does, eps' = V0 cos theta / (h omega).
   const double strain = kappa * s.neutral_plane_distance * s.amplitude / d.layer.thickness;
   const double stiff = shear_modulus(d) - inertia(d) * omega * omega;
   const double viscous = shear_viscosity(d) * omega;
-  double least = -std::numeric_limits<double>::infinity(), most = -least;
+  Following f{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), 0,
+              d.friction.static_ * mean, area};
   constexpr int kPlaces = 20000;
   for (int i = 0; i < kPlaces; ++i) {
     const double theta = 2 * std::numbers::pi * i / kPlaces;
     const double threshold = d.friction.static_ * (wave * std::cos(theta) + mean);
     const double traction = strain * (stiff * std::sin(theta) + viscous * std::cos(theta));
-    least = std::max(least, -threshold - traction);
-    most = std::min(most, threshold - traction);
+    f.least = std::max(f.least, -threshold - traction);
+    f.most = std::min(f.most, threshold - traction);
+    const double rate = strain * omega * std::cos(theta);  // of the strain in time
+    f.loss += shear_viscosity(d) * rate * rate * area * d.layer.thickness / kPlaces;
   }
-  return (most - least) / (d.friction.static_ * mean);
+  return f;
+}
+
+// Between two of the places the ends miss their extremes by less than (pi / 20,000)^2 of the amplitudes, some
+// ten times the mean pressure at most.
+constexpr double kMissed = 1e-5;
+
+MotorDesign random_full_contact(Uniform& random) {
+  MotorDesign design = ring_motor();
+  design.friction.static_ = design.friction.kinetic * random(1, 1.5);
+  design.layer.given_shear_modulus = random.logarithmic(3e7, 1e10);
+  design.layer.loss_factor = random.chance(0.2) ? 0 : random.logarithmic(0.01, 3);
+  if (random.chance(0.5)) design.layer.given_inertia = 0;
+  design.preload = random(1.01, 8) * full_contact_load(design);
+  return design;
 }
 
 }  // namespace
@@ -48,20 +73,58 @@ TEST_CASE("a motor is locked where some constant traction keeps to the threshold
   Uniform random(31);
   int locked = 0, free = 0;
   for (int i = 0; i < 400; ++i) {
-    MotorDesign design = ring_motor();
-    design.friction.static_ = design.friction.kinetic * random(1, 1.5);
-    design.layer.given_shear_modulus = random.logarithmic(3e7, 1e10);
-    design.layer.loss_factor = random.chance(0.2) ? 0 : random.logarithmic(0.01, 3);
-    if (random.chance(0.5)) design.layer.given_inertia = 0;
-    design.preload = random(1.01, 8) * full_contact_load(design);
-    const double left = room(design);
-    // Between two of the places the ends miss their extremes by less than (pi / 20,000)^2 of the amplitudes, some
-    // ten times the mean pressure at most.
-    if (std::abs(left) < 1e-5) continue;
+    const MotorDesign design = random_full_contact(random);
+    const Following f = following(design);
+    const double left = (f.most - f.least) / f.mean;
+    if (std::abs(left) < kMissed) continue;
     CAPTURE(i, left);
     CHECK(Motor(design).locks_at_rest() == (left > 0));
     ++(left > 0 ? locked : free);
   }
   CHECK(locked > 50);
   CHECK(free > 50);
+}
+
+TEST_CASE("a locked layer follows the stator and takes its viscous loss (T7.4, T7.12)",
+          "[core][edge][quadrature]") {
+  Uniform random(32);
+  int locked = 0;
+  for (int i = 0; i < 400; ++i) {
+    MotorDesign design = random_full_contact(random);
+    design.friction.static_ = design.friction.kinetic;
+    const Following f = following(design);
+    if (!(f.most - f.least > kMissed * f.mean)) continue;
+    ++locked;
+    CAPTURE(i);
+    const Motor motor(design);
+    const OperatingPoint point = motor.operating_point(0);
+    REQUIRE(point.status == PointStatus::ok);
+    const double torque = f.track_area * design.stator.contact_radius * f.least;
+    CHECK(std::abs(point.torque - torque) <= kMissed * motor.holding_torque());
+    // Rounding of 20,000 terms.
+    CHECK(std::abs(point.stator_power - f.loss) <= 1e-12 * f.loss);
+    CHECK(std::abs(point.layer_loss - f.loss) <= 1e-12 * f.loss);
+    CHECK(point.friction_power == 0);
+    CHECK(point.output_power == 0);
+    CHECK(point.stick_fraction == 1);
+  }
+  CHECK(locked > 50);
+}
+
+TEST_CASE("a motor that holds no load has no peak of power to speak of (T7.16)",
+          "[core][edge][limit]") {
+  MotorDesign without_friction = ring_motor();
+  without_friction.friction = {0, 0};
+  MotorDesign locked = ring_motor();
+  locked.layer.given_shear_modulus = 1e7;
+  locked.layer.given_inertia = 0;
+  locked.preload = 8 * full_contact_load(locked);
+  for (const MotorDesign& design : {without_friction, locked}) {
+    const Motor motor(design);
+    for (const Metric which : {Metric::peak_power, Metric::speed_at_peak_power})
+      CHECK(evaluate(motor, MetricRequest{which}).value == 0);
+    for (const Metric which :
+         {Metric::torque_at_peak_power, Metric::contact_efficiency_at_peak_power})
+      CHECK(evaluate(motor, MetricRequest{which}).status == MetricStatus::undefined);
+  }
 }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <vector>
 
@@ -25,6 +26,9 @@ MetricValue at_speed(const Motor& motor, Metric which, double speed) {
 }
 MetricValue at_torque(const Motor& motor, Metric which, double torque) {
   return evaluate(motor, {which, Argument::torque, torque});
+}
+MetricDerivative differentiated(const Motor& motor, const MetricRequest& request) {
+  return differentiate(motor, std::span(&request, 1)).front();
 }
 
 struct Scan {
@@ -258,6 +262,119 @@ TEST_CASE("the speed at the torque of the plateau is where the plateau ends (T7.
     CHECK(found.value == end);
   }
   CHECK(plateaus > 5);
+}
+
+TEST_CASE("efficiencies have no value exactly where no power is put in (T7.6, T7.7)",
+          "[core][metrics][identity]") {
+  int braking = 0, helped = 0;
+  for (Motor motor : motors(9, 12, true)) {
+    MotorDesign design = motor.design();
+    design.stator.modal_damping = 20;
+    motor = Motor(design);
+    for (int i = -2; i <= 15; ++i) {
+      const double speed = 0.1 * i * motor.crest_speed();
+      const OperatingPoint point = motor.operating_point(speed);
+      if (point.status != PointStatus::ok) continue;
+      CAPTURE(i, point.stator_power, point.stator_loss);
+      const double velocity =
+          2 * std::numbers::pi * design.stator.frequency * design.stator.amplitude;
+      CHECK(point.stator_loss == Approx(20 * velocity * velocity).epsilon(1e-14));
+      const auto status = [&](Metric which) { return at_speed(motor, which, speed).status; };
+      const bool contact = point.stator_power > 0;
+      const bool whole = point.stator_power + point.stator_loss > 0;
+      CHECK((status(Metric::contact_efficiency_at) == MetricStatus::ok) == contact);
+      CHECK((status(Metric::efficiency_at) == MetricStatus::ok) == whole);
+      for (const Metric which : {Metric::torque_at, Metric::output_power_at, Metric::layer_loss_at})
+        CHECK(status(which) == MetricStatus::ok);
+      braking += !contact;
+      helped += whole && !contact;
+    }
+  }
+  CHECK(braking > 20);
+  CHECK(helped > 5);
+}
+
+TEST_CASE("a motor without a plateau has none for its neighbours either (T7.17)",
+          "[core][metrics][limit]") {
+  // Contact beyond 90 degrees, where the crests' neighbours move backwards even at rest.
+  MotorDesign design = ring_motor();
+  design.layer.given_shear_modulus = 60e9;
+  design.preload = 0.7 * full_contact_load(design);
+  const Motor motor(design);
+  REQUIRE(ask(motor, Metric::plateau_speed).value == 0);
+  const MetricDerivative plateau = differentiated(motor, MetricRequest{Metric::plateau_speed});
+  CHECK(plateau.smoothness == Smoothness::flat);
+  for (const double each : plateau.gradient) CHECK(each == 0);
+}
+
+// With mu_0 > mu torque may jump: a maximum is the limit on its side of a jump.
+TEST_CASE(
+    "speeds and maxima are those of a fine scan, with mu_0 > mu too (T7.13, T7.14, T7.15, T7.16)",
+    "[core][metrics][brute_force]") {
+  Uniform random(51);
+  int smooth = 0;
+  for (int i = 0; i < 60; ++i) {
+    MotorDesign design = i % 2 == 0 ? realistic_design(random) : random_box_point(random).design;
+    design.friction.static_ = design.friction.kinetic * (i % 4 == 3 ? 1 : random(1.05, 2.5));
+    if (i % 3 == 1) design = damped(design);
+    const Motor motor(design);
+    if (motor.contact().full || !(ask(motor, Metric::stall_torque).value > 0)) continue;
+    const double unit = motor.holding_torque(), free = ask(motor, Metric::no_load_speed).value;
+    constexpr int kPlaces = 2000;
+    std::vector<double> torques;
+    bool answered = std::isfinite(free);
+    for (int k = 1; k <= kPlaces && answered; ++k) {
+      const OperatingPoint point = motor.operating_point(1.1 * free * k / kPlaces);
+      answered = point.status == PointStatus::ok;
+      torques.push_back(point.torque);
+    }
+    if (!answered) continue;
+    const auto speed_of = [&](int k) { return 1.1 * free * (k + 1) / kPlaces; };
+    const auto torque_at = [&](double speed) { return motor.operating_point(speed).torque; };
+    CAPTURE(i, free);
+    for (const double load : {0.0, 0.1 * unit, 0.3 * unit}) {
+      const MetricValue found = at_torque(motor, Metric::speed_at, load);
+      CAPTURE(load, found.value);
+      if (*std::max_element(torques.begin(), torques.end()) < load) continue;
+      REQUIRE(found.status == MetricStatus::ok);
+      for (int k = 0; k < kPlaces; ++k)
+        if (speed_of(k) > found.value * (1 + 1e-12)) CHECK(torques[k] <= load + 1e-9 * unit);
+      const auto fall = [&](double share) {
+        const double before = torque_at(found.value * (1 - share)),
+                     after = torque_at(found.value * (1 + share));
+        // Whatever its slope, torque is on either side of the load there, but for the root's own error.
+        CHECK(before >= load - 1e-9 * unit);
+        CHECK(after <= load + 1e-9 * unit);
+        return before - after;
+      };
+      const double kept = fall(1e-11) / fall(1e-9);  // of a slope a hundredth, of a jump all
+      if (kept < 0.02) CHECK(std::abs(torque_at(found.value) - load) <= 1e-9 * unit);
+      const bool undefined =
+          differentiated(motor, {Metric::speed_at, Argument::torque, load}).smoothness ==
+          Smoothness::undefined;
+      if (kept < 0.02) CHECK_FALSE(undefined);
+      if (kept > 0.5) CHECK(undefined);
+      smooth += kept < 0.02;
+    }
+    const MetricValue top = ask(motor, Metric::max_torque), peak = ask(motor, Metric::peak_power);
+    REQUIRE(top.status == MetricStatus::ok);
+    REQUIRE(peak.status == MetricStatus::ok);
+    const double best = ask(motor, Metric::speed_at_peak_power).value;
+    for (int k = 0; k < kPlaces; ++k) {
+      CHECK(torques[k] <= top.value * (1 + 1e-12));
+      CHECK(torques[k] * speed_of(k) <= peak.value * (1 + 1e-12));
+    }
+    // Nothing is better nearby, and as good only there: beside a jump power moves like a square root at the most.
+    double nearby = 0;
+    for (int k = -500; k <= 500; ++k) {
+      const double speed = best * (1 + 1e-6 * k);
+      CHECK(torque_at(speed) * speed <= peak.value * (1 + 1e-9));
+    }
+    for (const double side : {-1e-12, 0.0, 1e-12})
+      nearby = std::max(nearby, torque_at(best * (1 + side)) * best);
+    CHECK(nearby >= peak.value * (1 - 1e-4));
+  }
+  CHECK(smooth > 30);
 }
 
 TEST_CASE("efficiency has a maximum only if the stator loses power (T7.18)",

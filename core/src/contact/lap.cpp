@@ -55,7 +55,7 @@ class LapRunner {
       zone_ == ZoneState::stick ? stick() : slip();
       if (lap_.zones > kMaxZones) lap_.status = LapStatus::unresolved;
     }
-    lap_.one_slip = lap_.zones == 1 && zone_ != ZoneState::stick;
+    lap_.one_slip = lap_.zones == 1 && lap_.first != ZoneState::stick;
     leave();
   }
 

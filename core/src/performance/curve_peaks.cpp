@@ -144,31 +144,36 @@ Peak CurveSearch::rough_peak(Goal goal, const std::vector<Node>& nodes, std::siz
   const auto consider = [&](const Node& n) {
     if (n.ok() && value(goal, n) > best.value) best = {n.speed, value(goal, n), PeakKind::kink};
   };
-  const double worth = 0.7 * best.value;
+  const double worth = kWorth * best.value;
   lost_ = 0;
   for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
     if (std::max(value(goal, nodes[k]), value(goal, nodes[k + 1])) < worth) continue;
-    Node low = nodes[k];
-    const Node end = nodes[k + 1];
-    for (int stretch = 0; stretch < kStretches; ++stretch) {
-      // Where zones are born, rounding can tell many sequences apart: the rest counts as one stretch.
-      const bool rest = low.itinerary == end.itinerary || stretch + 1 == kStretches;
-      const auto [left, right] = rest ? std::pair(end, end) : stretch_end(low, end);
-      const bool level = goal == Goal::torque && low.plateau;
-      if (low.ok() && !level) {
-        // A zone that is just born has an end without slope: look for the maximum a little inside.
-        const double inset = kInset * (left.speed - low.speed);
-        const std::optional<Peak> inside =
-            peak_between(goal, low.speed + inset, left.speed - inset);
-        if (inside && inside->value > best.value) best = *inside;
-      }
-      consider(left);
-      consider(right);
-      if (right.speed >= end.speed) break;
-      low = right;
+    const std::vector<Node> ends = stretches(nodes[k], nodes[k + 1]);
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      consider(ends[i]);
+      const bool level = goal == Goal::torque && ends[i].plateau;
+      if (i % 2 != 0 || i + 1 == ends.size() || !ends[i].ok() || level) continue;
+      // A zone that is just born has an end without slope: look for the maximum a little inside.
+      const double low = ends[i].speed, high = ends[i + 1].speed, inset = kInset * (high - low);
+      const std::optional<Peak> inside = peak_between(goal, low + inset, high - inset);
+      if (inside && inside->value > best.value) best = *inside;
     }
   }
   return named(best);
+}
+
+// First and last nodes of each stretch with the same sequence of zones, from `low` on; a last one that is
+// `end` alone is there once.
+std::vector<CurveSearch::Node> CurveSearch::stretches(const Node& low, const Node& end) {
+  std::vector<Node> ends{low};
+  // Where zones are born, rounding can tell many sequences apart: the rest counts as one stretch.
+  while (ends.back().itinerary != end.itinerary && ends.size() < 2 * kStretches - 1) {
+    const auto [left, right] = stretch_end(ends.back(), end);
+    ends.insert(ends.end(), {left, right});
+    if (right.speed >= end.speed) return ends;
+  }
+  ends.push_back(end);
+  return ends;
 }
 
 // Neighbouring speeds between which the sequence of zones that holds at `low` ends.

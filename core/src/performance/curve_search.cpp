@@ -179,7 +179,7 @@ Crossing CurveSearch::falls_through(double torque, const Node& low, const Node& 
         ->second;
   };
   const double at_low = at(b.low), at_high = at(b.high);
-  const bool jump = at_low - at_high > 1e-7 * holding_;
+  const bool jump = at_low > 0 && at_high < 0 && at_low - at_high > 1e-7 * holding_;
   return {std::fabs(at_low) <= std::fabs(at_high) || jump ? b.low : b.high, jump};
 }
 
@@ -200,9 +200,8 @@ Crossing CurveSearch::speed_at(double torque) {
   if (!(carried <= top.value)) throw SearchFailure{MetricStatus::unreachable};
   const bool plateau_is_top = top.kind == PeakKind::rest && starts_on_plateau();
   if (plateau_is_top && torque >= stall_torque() * (1 - kSameTorque)) return {plateau_end(), false};
-  const std::vector<Node> nodes = working_nodes();
-  std::size_t k = nodes.size() - 1;
-  while (k > 0 && !(nodes[k - 1].torque >= torque)) --k;
+  const std::vector<Node> nodes = nodes_around(torque);
+  const std::size_t k = after_last(nodes, torque);
   const double high = nodes[k].speed;
   if (k > 0 && nodes[k - 1].speed >= top.speed)
     return falls_through(torque, nodes[k - 1], nodes[k]);
@@ -247,6 +246,32 @@ double CurveSearch::plateau_end() {
     speed = low;
   }
   return *(plateau_end_ = speed);
+}
+
+// Nodes within [0, no-load] where one may look for a torque. With mu_0 > mu it may jump up between two nodes
+// that carry less: beyond the last one that carries it the ends of stretches are nodes as well.
+std::vector<CurveSearch::Node> CurveSearch::nodes_around(double torque) {
+  const std::vector<Node> nodes = working_nodes();
+  if (!rough_) return nodes;
+  lost_ = 0;
+  const std::size_t from = std::max<std::size_t>(after_last(nodes, torque), 1) - 1;
+  std::vector<Node> all(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(from) + 1);
+  for (std::size_t k = from + 1; k < nodes.size(); ++k) {
+    if (std::max(nodes[k - 1].torque, nodes[k].torque) >= kWorth * torque) {
+      for (const Node& each : stretches(nodes[k - 1], nodes[k]))
+        if (each.ok() && each.speed > all.back().speed) all.push_back(each);
+    } else {
+      all.push_back(nodes[k]);
+    }
+  }
+  return all;
+}
+
+// Position after the last node that carries a torque; 0 if none does.
+std::size_t CurveSearch::after_last(const std::vector<Node>& nodes, double torque) {
+  std::size_t k = nodes.size() - 1;
+  while (k > 0 && !(nodes[k - 1].torque >= torque)) --k;
+  return k;
 }
 
 // Nodes within [0, no-load], the last one at no-load.

@@ -63,6 +63,7 @@ class CurveSearch {
     bool ok() const { return status == MetricStatus::ok; }
   };
   static constexpr double kScanAccuracy = 1e-7;  // of the nodes
+  static constexpr double kWorth = 0.7;  // share of a value above which jumps nearby may pass it
   static constexpr std::uint64_t kNoState = ~std::uint64_t{0};
   struct Sloped {
     double value, slope;
@@ -87,8 +88,11 @@ class CurveSearch {
   std::optional<Peak> peak_between(Goal goal, double low, double high);
   const Node& halved(double speed);
   std::pair<Node, Node> stretch_end(const Node& low, const Node& end);
+  std::vector<Node> stretches(const Node& low, const Node& end);
   Peak named(Peak peak);
   std::vector<Node> working_nodes();
+  std::vector<Node> nodes_around(double torque);
+  static std::size_t after_last(const std::vector<Node>& nodes, double torque);
   bool starts_on_plateau();
   Crossing falls_through(double torque, const Node& low, const Node& high) const;
   std::optional<double> zero_near(double torque, const Node& low, const Node& high) const;

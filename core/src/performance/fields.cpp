@@ -80,13 +80,21 @@ Trace trace_of(const ContactNumbers<double>& n, const LayerMotion<double>& layer
 
 double phase_of(int i, int samples) { return -kPi + 2 * kPi * i / (samples - 1); }
 
-// Points in closed form: at rest the locked layer sticks all round; a flat stator is dragged over.
+// (T3.3) [Pa]
+double pressure_at(const MotorModel<double>& m, double theta) {
+  const double P = m.contact.pressure_amplitude;
+  if (m.contact.full) return P * std::cos(theta) + m.preload / (2 * kPi * m.r * m.b);
+  const double edge = m.contact.half_angle;
+  if (!(std::fabs(theta) <= edge)) return 0;
+  return P * (contact::trig(edge).versine - contact::trig(theta).versine);
+}
+
+// Points in closed form: without friction there is no traction; at rest the locked layer sticks all round; a flat stator is dragged over.
 FieldSample special_sample(const MotorModel<double>& m, const SolvedPoint& point, double speed,
                            double theta) {
   const double area = 2 * kPi * m.r * m.b;
-  FieldSample s{theta, 0, 0, 0, m.crest_velocity * std::cos(theta), m.r * speed};
-  const double mean_pressure = m.preload / area;
-  if (m.contact.full) s.pressure = m.contact.pressure_amplitude * std::cos(theta) + mean_pressure;
+  FieldSample s{theta,      pressure_at(m, theta), 0, 0, m.crest_velocity * std::cos(theta),
+                m.r * speed};
   if (m.amplitude == 0) {
     s.traction = point.numbers.torque / (area * m.r);
     s.displacement = m.thickness * s.traction / m.shear;
@@ -105,10 +113,9 @@ FieldSample special_sample(const MotorModel<double>& m, const SolvedPoint& point
 FieldSample dimensional_sample(const MotorModel<double>& m, const ContactNumbers<double>& n,
                                const LayerAt& at, double theta) {
   const double P = m.contact.pressure_amplitude, c = std::cos(theta);
-  const bool inside = std::fabs(theta) <= n.half_angle;
   const double layer_ratio = n.speed_ratio + at.rate / n.stick_rate;
   return {theta,
-          inside ? P * (n.peak - contact::trig(theta).versine) : 0,
+          pressure_at(m, theta),
           P * at.traction,
           m.thickness * P * at.e / m.shear,
           m.crest_velocity * c,

@@ -78,6 +78,30 @@ TEST_CASE("steps of cubics that are their own bound end at their zero (E3.3, E3.
   }
 }
 
+TEST_CASE("falling steps (E3.2) of a cubic that is its own bound close in on its zero",
+          "[core][events][closed_form]") {
+  Dice dice(25);
+  for (int i = 0; i < 1000; ++i) {
+    const double f0 = dice.log_uniform(1e-3, 1), f1 = -dice.log_uniform(1e-3, 1),
+                 f2 = -dice.log_uniform(1e-3, 1), l = dice.log_uniform(1e-2, 10);
+    const auto cubic = [&](double t) { return f0 + t * (f1 + t * (f2 / 2 - t * l / 6)); };
+    double low = 0, high = 1;
+    while (cubic(high) > 0) high *= 2;
+    for (int k = 0; k < 60; ++k) (cubic(0.5 * (low + high)) > 0 ? low : high) = 0.5 * (low + high);
+    const CurveSample c{f0, f1, f2, HUGE_VAL, l, 0, -l};
+    // Newton's step and the chord to it leave of the distance d to the zero at most d^2 |q''| / (2 |q'|) twice
+    // over: from halfway, where d |q''| < 2 |q'| for a concave cubic, three steps are below a thousandth.
+    double t = 0.5 * low;
+    for (int k = 0; k < 3; ++k) {
+      const double next = falling_step(c, t);
+      CHECK(next >= t);
+      CHECK(next <= low * (1 + 1e-14));
+      t = next;
+    }
+    CHECK(low - t < 1e-3 * low);
+  }
+}
+
 TEST_CASE("steps after an event (E3.3, E3.4) stay where the curve is positive",
           "[core][events][identity]") {
   const TwoDips rising{0, 1.5, 0};  // f = f' = 0 at 0

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <complex>
 
 using namespace twum;
 using namespace twum::contact;
@@ -124,4 +125,36 @@ TEST_CASE("the layer's own motion obeys its equation and loses its energy",
           1e-5 * terms + 1e-12);
     CHECK(zone.layer.energy(b) <= zone.layer.energy(a) * (1 + 1e-13));
   }
+}
+
+TEST_CASE("the slowest decay is that of the slowest root of M x^2 + C x + 1",
+          "[core][contact][closed_form]") {
+  Dice dice(34);
+  for (int i = 0; i < 1000; ++i) {
+    const ContactNumbers<double> n = random_contact(dice, i);
+    const LayerMotion<double> layer(n.inertia, n.damping);
+    if (layer.kind() == LayerKind::elastic) {
+      CHECK(layer.slowest_decay() == HUGE_VAL);
+      continue;
+    }
+    const std::complex<double> root =
+        std::sqrt(std::complex<double>(n.damping * n.damping - 4 * n.inertia, 0));
+    // Of the root that is nearer to zero, without a difference of nearly equal numbers.
+    const double slowest = (2.0 / (n.damping + root)).real();
+    // Near critical damping the root's square is a difference that keeps half of the digits.
+    CHECK(std::fabs(layer.slowest_decay() - slowest) <= 1e-7 * slowest);
+  }
+}
+
+TEST_CASE("layers hold what they have a memory for", "[core][contact][limit]") {
+  const LayerState<double> any{0.3, 2};
+  const LayerState<double> elastic = LayerMotion<double>(0, 0).own_part(any),
+                           relaxing = LayerMotion<double>(0, 0.5).own_part(any),
+                           inertial = LayerMotion<double>(0.1, 0.5).own_part(any);
+  CHECK(elastic.e == 0);
+  CHECK(elastic.rate == 0);
+  CHECK(relaxing.e == any.e);
+  CHECK(relaxing.rate == -any.e / 0.5);  // C e' + e = 0
+  CHECK(inertial.e == any.e);
+  CHECK(inertial.rate == any.rate);
 }

@@ -6,7 +6,10 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <set>
+#include <vector>
 
 using namespace twum;
 using namespace twum::contact;
@@ -133,6 +136,57 @@ TEST_CASE("a lap that follows another (E6.5), or is proven beside it, is the lap
   CHECK(followed > 1500);
   CHECK(refused > 50);
   CHECK(wrong < 100);
+}
+
+TEST_CASE("laps that begin beside a periodic state stay beside it, with mu_0 > mu too (E6.6)",
+          "[core][contact][limit]") {
+  Dice dice(48);
+  int answered = 0, refused = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const ContactNumbers<double> n = random_contact(dice, i, true);
+    const LayerMotion<double> layer(n.inertia, n.damping);
+    const double turn = dice.uniform(0, 2 * std::numbers::pi);
+    if (!layer.has_inertia()) continue;
+    const PeriodicState state = find_periodic_state(n, layer);
+    if (state.status != PeriodicStatus::ok) {
+      ++refused;
+      continue;
+    }
+    if (!state.remembers) continue;
+    ++answered;
+    CAPTURE(i, state.laps, n.half_angle, n.speed_ratio, n.static_ / n.kinetic);
+    // Beside it by 1e-9 of a force of order one: rounding, amplified by the response, is far below, and so are
+    // the curvature of the map and other sequences of zones, but for zones as short as this.
+    LapEntry<double> entry = state.entry;
+    const double away = 1e-9 * std::sqrt(1 + layer.response);
+    entry.layer.e += away * std::cos(turn);
+    entry.layer.rate += away * std::sin(turn) * layer.natural_frequency();
+    Lap<double> lap;
+    for (int k = 0; k < 100; ++k, entry = lap.next) lap = run_lap(n, layer, entry);
+    const double gap = std::sqrt(layer.energy(
+        {entry.layer.e - state.entry.layer.e, entry.layer.rate - state.entry.layer.rate}));
+    CHECK(gap <= 100 * away);
+  }
+  CHECK(answered > 2000);
+  CHECK(refused > 10);
+}
+
+TEST_CASE("laps through other zones have another itinerary", "[core][contact][identity]") {
+  Dice dice(49);
+  std::map<std::uint64_t, std::vector<ZoneState>> zones_of;
+  std::set<std::vector<ZoneState>> sequences;
+  for (int i = 0; i < 3000; ++i) {
+    const ContactNumbers<double> n = random_contact(dice, i, true);
+    const LayerMotion<double> layer(n.inertia, n.damping);
+    std::vector<ZoneTrace> trace;
+    const LapEntry<double> entry{{dice.uniform(-0.1, 0.1), dice.uniform(-0.3, 0.3)}};
+    const Lap<double> lap = run_lap<double>(n, layer, entry, nullptr, &trace);
+    std::vector<ZoneState> zones;
+    for (const ZoneTrace& z : trace) zones.push_back(z.zone.state);
+    CHECK(zones_of.emplace(lap.itinerary, zones).first->second == zones);
+    sequences.insert(zones);
+  }
+  CHECK(sequences.size() > 10);
 }
 
 TEST_CASE("no lap increases areas of the plane of states (E6.6)", "[core][contact][identity]") {
