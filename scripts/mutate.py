@@ -23,7 +23,7 @@ Outcomes: killed (a case failed or crashed), endless (a case took 8 times as lon
 (does not compile for any type it is used with), equivalent (no case gave it another value), unreached (no case
 runs it), survived, survived so far (the budget ended first), fixed (the compiler needs it: --one-by-one).
 Survivors have a class, by what tests/core/answers.cpp or tests/optim/answers.cpp writes: same answers, other
-answers, not asked (never another value there).
+answers, not asked (never another value there). The last two get ten times the budget.
 """
 import argparse
 import pathlib

@@ -9,6 +9,7 @@ import time
 from .cases import ANSWERS, DIFFERED, FORMLESS, REACHED, environment, run
 
 LEAST_LIMIT, TIMES_LIMIT, TIMES_ANSWERS = 1.0, 8.0, 10.0  # [s], of the case's own time
+TIMES_FURTHER = 10  # budgets for changes that may alter an answer
 
 
 class Odds:
@@ -65,12 +66,23 @@ class Trial:
         if said:
             return {"outcome": said}
         before = before or {}
+        row = self.after_cases(number, change, before, self.budget)
+        if not row["outcome"].startswith("survived") or not self.answers:
+            return row
+        row["class"] = before.get("class") or self.answers_with(number)
+        if row["class"] == "same answers" or row["outcome"] == "survived":
+            return row
+        further = self.after_cases(number, change, row, TIMES_FURTHER * self.budget)
+        return {"class": row["class"]} | further if further["outcome"].startswith("survived") else further
+
+    def after_cases(self, number, change, before, budget):
+        """What the cases say that fit into the budget and were not run before."""
         waiting = [case for case in self.cases if case.differs(number)]
         if "left" in before:
             waiting = [case for case in waiting if case.title in before["left"]]
         spent, ran = before.get("seconds", 0), before.get("cases", 0)
         while True:
-            fitting = [case for case in waiting if spent + case.seconds <= self.budget]
+            fitting = [case for case in waiting if spent + case.seconds <= budget]
             if not fitting:
                 break
             case = self.odds.ordered(change["file"], fitting)[0]
@@ -86,8 +98,6 @@ class Trial:
         row = {"outcome": "survived so far" if waiting else "survived", "seconds": round(spent, 3), "cases": ran}
         if waiting:
             row |= {"left": [case.title for case in waiting], "budget": self.budget}
-        if self.answers:
-            row["class"] = before.get("class") or self.answers_with(number)
         return row
 
     def ask(self, number):

@@ -93,9 +93,7 @@ std::vector<MetricRequest> requests(const Motor& motor) {
 
 // A maximum at a jump is found between neighbouring numbers, beyond which torque moves like a square root:
 // good to 1e-8, and to a hundred times that where a slope follows.
-void put_searched(double value, double scale) {
-  test::put_number(value, 1e-6, 1e-6 * scale);
-}
+void put_searched(double value, double scale) { test::put_number(value, 1e-6, 1e-6 * scale); }
 
 void put_metrics(const Motor& motor) {
   for (const MetricValue& each : evaluate(motor, requests(motor))) {

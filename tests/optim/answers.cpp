@@ -3,10 +3,10 @@
 // no test noticed alter an answer, or only the way there? Always the same answers of the same optimizers.
 //
 // A cost is written with itself as the allowed difference: up to twice as many evaluations are the same.
+#include "support/answers.hpp"
 #include "optim/bank/dual_problem.hpp"
 #include "optim/bank/fronts.hpp"
 #include "optim/bank/hock_schittkowski.hpp"
-#include "support/answers.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/optim/hypervolume.hpp>
@@ -181,8 +181,7 @@ std::vector<Problem> odd_problems() {
 void put_searches() {
   for (const KnownProblem& known : hock_schittkowski())
     or_refusal([&] { put_result(solve(known.problem)); });
-  for (const Problem& p : odd_problems())
-    or_refusal([&] { put_result(solve(p)); });
+  for (const Problem& p : odd_problems()) or_refusal([&] { put_result(solve(p)); });
   for (const SolverInfo& row : solvers()) {
     if (!row.available) continue;
     SolveOptions options;
@@ -319,8 +318,7 @@ void put_volumes() {
       std::vector<std::vector<double>> points;
       for (std::size_t i = 0; i < count; ++i) {
         points.emplace_back();
-        for (std::size_t k = 0; k < objectives; ++k)
-          points.back().push_back(random(0.0, 1.1));
+        for (std::size_t k = 0; k < objectives; ++k) points.back().push_back(random(0.0, 1.1));
       }
       const std::vector<double> reference(objectives, 1.0);
       put(hypervolume(points, reference), 1e-12);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/periodic_state.hpp"
 
-#include "contact/scalars.hpp"
+#include "contact/return_map.hpp"
 #include "contact/zone_curves.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace twum::contact {
@@ -20,61 +19,6 @@ constexpr double kSameState = 1000;  // of tolerances: a state that came back
 constexpr double kFast = 0.1;        // contraction by a lap that leaves no doubt where laps lead
 constexpr LapEntry<double> kAtRest{{0, 0}, false, ZoneState::stick};
 constexpr double kResonance = 1e16;  // response to the wave's own frequency, squared
-
-struct Matrix2 {
-  double a, b, c, d;
-};
-
-// (I - J)^-1 r; false where the return map has no isolated fixed point.
-bool solve_return(const Matrix2& j, const LayerState<double>& r, LayerState<double>& step) {
-  const double a = 1 - j.a, d = 1 - j.d, det = a * d - j.b * j.c;
-  if (!(std::fabs(det) > 1e-14)) return false;
-  step = {(d * r.e + j.b * r.rate) / det, (j.c * r.e + a * r.rate) / det};
-  return std::isfinite(step.e) && std::isfinite(step.rate);
-}
-
-// (E6.6) Only a real eigenvalue can lead laps away from the state; the least damping brings them back from
-// a circle round it. Above one the determinant is rounding.
-bool attracts(const Matrix2& j) {
-  const double trace = j.a + j.d, det = j.a * j.d - j.b * j.c;
-  return std::fabs(trace) < 1 + std::fmin(det, 1.0) + 1e-12;
-}
-
-ContactNumbers<StateDual> constant(const ContactNumbers<double>& n) {
-  return {n.inertia,     n.damping,    n.stick_rate,
-          n.speed_ratio, n.half_angle, n.peak,
-          n.kinetic,     n.static_,    {n.edge.sin, n.edge.cos, n.edge.versine},
-          n.full};
-}
-
-template <typename S>
-LapEntry<S> constant_entry(const LapEntry<double>& entry) {
-  return {{S(entry.layer.e), S(entry.layer.rate)}, entry.carried, entry.zone};
-}
-
-// Derivative of the state at the next entry in the state at this one.
-Matrix2 return_jacobian(const ContactNumbers<double>& numbers, const LapEntry<double>& at,
-                        const Script* script) {
-  const ContactNumbers<StateDual> n = constant(numbers);
-  LapEntry<StateDual> entry = constant_entry<StateDual>(at);
-  entry.layer.e.d[0] = 1;
-  entry.layer.rate.d[1] = 1;
-  const LayerState<StateDual> next = run_lap(n, {n.inertia, n.damping}, entry, script).next.layer;
-  return {next.e.d[0], next.e.d[1], next.rate.d[0], next.rate.d[1]};
-}
-
-// One Newton step of the fixed point in S; the values are known, only derivatives come in. Where the
-// return map has no isolated fixed point there are none.
-template <typename S>
-void correct(const Matrix2& j, const LayerState<S>& next, LayerState<S>& at,
-             const LayerState<double>& value) {
-  const double a = 1 - j.a, d = 1 - j.d, det = a * d - j.b * j.c;
-  const double inverse =
-      std::fabs(det) > 1e-14 ? 1 / det : std::numeric_limits<double>::quiet_NaN();
-  const S e = next.e - at.e, rate = next.rate - at.rate;
-  at = {with_value(S(at.e + inverse * (d * e + j.b * rate)), value.e),
-        with_value(S(at.rate + inverse * (j.c * e + a * rate)), value.rate)};
-}
 
 class Search {
  public:
@@ -358,107 +302,5 @@ PeriodicState find_periodic_state(const ContactNumbers<double>& numbers,
   Search(numbers, layer, accuracy, state).run(guess);
   return state;
 }
-
-namespace {
-
-// x with two more directions, in which it does not move.
-template <int N>
-Dual<double, N + 2> widened(const Dual<double, N>& x) {
-  Dual<double, N + 2> wide(x.v);
-  for (int i = 0; i < N; ++i) wide.d[i] = x.d[i];
-  return wide;
-}
-
-template <int N>
-ContactNumbers<Dual<double, N + 2>> widened(const ContactNumbers<Dual<double, N>>& n) {
-  return {widened(n.inertia),
-          widened(n.damping),
-          widened(n.stick_rate),
-          widened(n.speed_ratio),
-          widened(n.half_angle),
-          widened(n.peak),
-          widened(n.kinetic),
-          widened(n.static_),
-          {widened(n.edge.sin), widened(n.edge.cos), widened(n.edge.versine)},
-          n.full};
-}
-
-// How the state at entry moves with N numbers: (I - J)^-1 times what the return map gains in each. Where
-// the return map has no isolated fixed point there are no derivatives.
-template <int N>
-class EntryMotion {
- public:
-  explicit EntryMotion(const LayerState<Dual<double, N + 2>>& next) {
-    const double a = 1 - next.e.d[N], b = next.e.d[N + 1], c = next.rate.d[N],
-                 d = 1 - next.rate.d[N + 1], det = a * d - b * c;
-    const double inverse =
-        std::fabs(det) > 1e-14 ? 1 / det : std::numeric_limits<double>::quiet_NaN();
-    for (int i = 0; i < N; ++i) {
-      e_[i] = inverse * (d * next.e.d[i] + b * next.rate.d[i]);
-      rate_[i] = inverse * (c * next.e.d[i] + a * next.rate.d[i]);
-    }
-  }
-
-  // x along the periodic state.
-  Dual<double, N> along(const Dual<double, N + 2>& x) const {
-    Dual<double, N> r;
-    r.v = x.v;
-    for (int i = 0; i < N; ++i) r.d[i] = x.d[i] + x.d[N] * e_[i] + x.d[N + 1] * rate_[i];
-    return r;
-  }
-
- private:
-  double e_[N], rate_[N];
-};
-
-// The periodic state by the implicit function theorem, from one lap: derivatives in the numbers and in
-// the state at entry together (E6.2).
-template <int N>
-ContactMeans<Dual<double, N>> differentiated_means(const ContactNumbers<Dual<double, N>>& numbers,
-                                                   const PeriodicState& state) {
-  using Wide = Dual<double, N + 2>;
-  const ContactNumbers<Wide> n = widened(numbers);
-  LapEntry<Wide> entry = constant_entry<Wide>(state.entry);
-  entry.layer.e.d[N] = 1;
-  entry.layer.rate.d[N + 1] = 1;
-  const Lap<Wide> lap = run_lap(n, {n.inertia, n.damping}, entry, &state.lap.script);
-  const EntryMotion<N> motion(lap.next.layer);
-  const ContactMeans<Wide>& m = lap.means;
-  return {motion.along(m.traction), motion.along(m.stator_power), motion.along(m.friction_power),
-          motion.along(m.layer_loss), motion.along(m.stick_length)};
-}
-
-}  // namespace
-
-template <typename S>
-ContactMeans<S> periodic_means(const ContactNumbers<S>& numbers,
-                               const ContactNumbers<double>& values, const PeriodicState& state) {
-  if constexpr (kDualDepth<S> == 0) {
-    return state.lap.means;
-  } else {
-    const LayerMotion<S> layer(numbers.inertia, numbers.damping);
-    LapEntry<S> entry = constant_entry<S>(state.entry);
-    const Script* script = &state.lap.script;
-    if (!state.remembers) return run_lap(numbers, layer, entry, script).means;
-    if constexpr (kDualDepth<S> == 1) {
-      return differentiated_means(numbers, state);
-    } else {
-      const Matrix2 j = return_jacobian(values, state.entry, script);
-      for (int i = 0; i < kDualDepth<S>; ++i) {
-        const LayerState<S> next = run_lap(numbers, layer, entry, script).next.layer;
-        correct(j, next, entry.layer, state.entry.layer);
-      }
-      return run_lap(numbers, layer, entry, script).means;
-    }
-  }
-}
-
-#define TWUM_INSTANTIATE(S)                                                                        \
-  template ContactMeans<S> periodic_means(const ContactNumbers<S>&, const ContactNumbers<double>&, \
-                                          const PeriodicState&);
-TWUM_INSTANTIATE(double)
-TWUM_INSTANTIATE(SpeedDual)
-TWUM_INSTANTIATE(NumbersDual)
-TWUM_INSTANTIATE(NumbersDual2)
 
 }  // namespace twum::contact

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "contact/return_map.hpp"
 #include "contact/periodic_state.hpp"
 #include "contact/scalars.hpp"
 #include "random_contact.hpp"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
 #include <map>
 #include <numbers>
 #include <set>
@@ -169,6 +172,35 @@ TEST_CASE("laps that begin beside a periodic state stay beside it, with mu_0 > m
   }
   CHECK(answered > 2000);
   CHECK(refused > 10);
+}
+
+TEST_CASE(
+    "a fixed point attracts if its eigenvalues lie inside the unit circle, or as a pair on it "
+    "(E6.6)",
+    "[core][contact][closed_form]") {
+  Dice dice(50);
+  int inside = 0, outside = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Matrix2 j{dice.uniform(-1.5, 1.5), dice.uniform(-1.5, 1.5), dice.uniform(-1.5, 1.5),
+                    dice.uniform(-1.5, 1.5)};
+    // Half the sum of the eigenvalues, and half their difference.
+    const double middle = 0.5 * (j.a + j.d);
+    const std::complex<double> half =
+        std::sqrt(std::complex<double>(0.25 * (j.a - j.d) * (j.a - j.d) + j.b * j.c, 0));
+    const double largest = std::max(std::abs(middle + half), std::abs(middle - half));
+    if (j.a * j.d - j.b * j.c > 1 || std::fabs(largest - 1) < 1e-9)
+      continue;  // no lap does that (E6.6)
+    CHECK(attracts(j) == (largest < 1));
+    ++(largest < 1 ? inside : outside);
+  }
+  CHECK(inside > 100);
+  CHECK(outside > 100);
+  for (const double turn : {0.1, 1.0, 3.0}) {
+    CHECK(attracts({std::cos(turn), std::sin(turn), -std::sin(turn), std::cos(turn)}));
+    CHECK(attracts({std::cos(turn), 2 * std::sin(turn), -0.5 * std::sin(turn), std::cos(turn)}));
+  }
+  CHECK_FALSE(attracts({1.1, 0, 0, 0.1}));
+  CHECK_FALSE(attracts({-1.1, 0, 0, -0.1}));
 }
 
 TEST_CASE("laps through other zones have another itinerary", "[core][contact][identity]") {

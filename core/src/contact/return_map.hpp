@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "contact/lap.hpp"
+
+namespace twum::contact {
+
+/// A linear map of states of the layer, (e, e') -> (a e + b e', c e + d e').
+struct Matrix2 {
+  double a, b, c, d;
+};
+
+/// An entry that does not move.
+template <typename S>
+LapEntry<S> constant_entry(const LapEntry<double>& entry) {
+  return {{S(entry.layer.e), S(entry.layer.rate)}, entry.carried, entry.zone};
+}
+
+/// Derivative of the state at the next entry in the state at this one (E6.2).
+Matrix2 return_jacobian(const ContactNumbers<double>& numbers, const LapEntry<double>& at,
+                        const Script* script);
+
+/// (I - J)^-1 r; false where the return map has no isolated fixed point.
+bool solve_return(const Matrix2& j, const LayerState<double>& r, LayerState<double>& step);
+
+/// Whether laps from nearby come to the fixed point, if only by the least damping (E6.6).
+bool attracts(const Matrix2& j);
+
+}  // namespace twum::contact
