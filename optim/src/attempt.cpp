@@ -53,7 +53,7 @@ Attempt make_attempt(const Problem& problem, const SolveOptions& options, const 
   attempt.solver = &plan.optimizer->info;
   attempt.session = std::make_unique<Session>(problem, options, deadline, plan.stage, plan.quota);
   Nlp nlp(*attempt.session, scaling, formulation);
-  require_fit(plan.optimizer->info, nlp);
+  require_available(plan.optimizer->info);
   RunSettings settings;
   settings.seed = options.seed + 1000003 * plan.stage;
   settings.max_calls = local_calls(plan.optimizer->info, nlp.size());

@@ -68,7 +68,10 @@ bool Campaign::scale() {
     for (std::size_t i = 0; i < tries.size() && !found; ++i) {
       const Evaluation& e = stage.session->at(tries[i], true);
       found = e.ok();
-      if (found) scaling_.scale_responses(tries[i], e);
+      if (found) {
+        scaling_.scale_responses(tries[i], e);
+        start_ = tries[i];  // no search can begin where nothing can be evaluated
+      }
       if (!found && i == 0 && scaling_.size() > 0)
         for (const auto& u : sobol_points(scaling_.size(), kTries, options_.seed))
           tries.push_back(scaling_.to_design(u));

@@ -35,12 +35,13 @@ class Certifier {
     if (!point) return std::nullopt;
     result_.point = std::move(*point);
     if (derivatives_exist()) {
-      first_order(one_sided_gradients(result_.point));
+      worst_first_order(looks());
       if (stalled() && room()) look_for_kinks();
       name_dependent_limits();
       name_flat_objective();
-      if (second_order && scaling_.size() > 0 && stationary() && room() && !has(Degeneracy::kink))
-        second_order_test();
+      // With several objectives the weighted sum of a concave front curves downwards along it.
+      second_order = second_order && objectives_ == 1 && scaling_.size() > 0;
+      if (second_order && stationary() && room() && !has(Degeneracy::kink)) second_order_test();
     }
     conclude();
     return std::move(result_);
@@ -90,47 +91,64 @@ class Certifier {
     return false;
   }
 
-  // Gradients of the objective with one entry taken from the left or the right. A concave kink
-  // mixes nothing: both its sides would have to be stationary. Nor do kinks in several variables: their
-  // entries do not tell which sides go together.
-  Eigen::MatrixXd one_sided_gradients(const KktPoint& p) {
-    Eigen::MatrixXd g = objective_gradients(p, objectives_);
-    if (objectives_ > 1) return g;
+  // Gradients of the objective as the kinks that it tells leave it: some mixture of the columns of each matrix
+  // has to be stationary, for every matrix.
+  std::vector<Eigen::MatrixXd> looks() {
+    const Eigen::MatrixXd g = objective_gradients(result_.point, objectives_);
     std::vector<KinkedEntry> kinks;
     std::set<std::size_t> kinked;
-    for (const KinkedEntry& kink : p.evaluation.kinks) {
-      if (kink.slope != Slope::one_sided || kink.response >= objectives_) continue;
-      if (!varies(kink.variable)) continue;
+    for (const KinkedEntry& kink : result_.point.evaluation.kinks) {
+      const bool counts = kink.slope == Slope::one_sided && kink.response == 0 && objectives_ == 1;
+      if (!counts || !varies(kink.variable)) continue;
       kinks.push_back(kink);
       kinked.insert(kink.variable);
     }
-    for (const KinkedEntry& kink : kinks) add_kink(kink, kinked.size() == 1, g);
-    return g;
+    std::vector<Eigen::MatrixXd> all;
+    for (const KinkedEntry& kink : kinks) add_looks(kink, kinked.size() == 1, g, all);
+    if (all.empty()) all.push_back(g);
+    return all;
   }
 
-  void add_kink(const KinkedEntry& kink, bool mixes, Eigen::MatrixXd& g) {
-    for (Index k = 0; k < g.rows(); ++k) {
-      const auto at = static_cast<std::size_t>(k);
-      if (scaling_.variable(at) != kink.variable) continue;
-      const bool maximize = session_.problem().objectives[0].sense == Sense::maximize;
-      const double scale =
-          (maximize ? -1.0 : 1.0) * scaling_.factor(0) * scaling_.slope(at, result_.point.design);
-      name_kink({variable_name(k)});
-      const double left = scale * kink.left;
-      const double right = scale * kink.right;
-      if (left > right || !mixes) continue;
-      const Index columns = g.cols();
-      g.conservativeResize(Eigen::NoChange, columns + 2);
-      g.col(columns) = g.col(0);
-      g.col(columns + 1) = g.col(0);
-      g(k, columns) = left;
-      g(k, columns + 1) = right;
+  // At a convex kink any slope between the two counts. At a concave one both sides have to be stationary, and
+  // likewise with kinks in several variables, whose entries do not tell which sides go together. On a bound there
+  // is one side.
+  void add_looks(const KinkedEntry& kink, bool mixes, const Eigen::MatrixXd& g,
+                 std::vector<Eigen::MatrixXd>& all) {
+    std::size_t at = 0;
+    while (scaling_.variable(at) != kink.variable) ++at;
+    name_kink({variable_name(static_cast<Index>(at))});
+    const bool maximize = session_.problem().objectives[0].sense == Sense::maximize;
+    const double scale =
+        (maximize ? -1.0 : 1.0) * scaling_.factor(0) * scaling_.slope(at, result_.point.design);
+    Eigen::MatrixXd left = g, right = g;
+    left(static_cast<Index>(at), 0) = scale * kink.left;
+    right(static_cast<Index>(at), 0) = scale * kink.right;
+    const double u = result_.point.unit[at];
+    if (mixes && kink.left * scale <= kink.right * scale && u > 0.0 && u < 1.0) {
+      left.conservativeResize(Eigen::NoChange, 2);
+      left.col(1) = right.col(0);
+      all.push_back(left);
+      return;
     }
+    if (u > 0.0) all.push_back(left);
+    if (u < 1.0) all.push_back(right);
   }
 
   void name_kink(const std::vector<std::string>& names) {
     certificate().findings.push_back(
         {Degeneracy::kink, "one-sided derivatives of the objective differ", names});
+  }
+
+  void worst_first_order(const std::vector<Eigen::MatrixXd>& looks) {
+    const Eigen::MatrixXd* worst = nullptr;
+    double largest = -1.0;
+    for (const Eigen::MatrixXd& each : looks) {
+      first_order(each);
+      if (certificate().stationarity <= largest) continue;
+      largest = certificate().stationarity;
+      worst = &each;
+    }
+    if (looks.size() > 1 && worst != nullptr) first_order(*worst);
   }
 
   void first_order(const Eigen::MatrixXd& gradients) {
@@ -228,14 +246,9 @@ class Certifier {
           {Degeneracy::flat_objective, "the objective has no slope in any variable", names});
   }
 
-  // A response that is flat at the start was scaled by its value, which makes value times factor 1.
-  bool flat_at_start() const {
-    const double scaled = std::abs(result_.point.evaluation.values[0]) * scaling_.factor(0);
-    return objectives_ == 1 && (scaled == 0.0 || std::abs(scaled - 1.0) < 1e-9);
-  }
+  bool flat_at_start() const { return objectives_ == 1 && scaling_.flat_at_start(0); }
 
   void second_order_test() {
-    certificate().curvature = std::numeric_limits<double>::quiet_NaN();
     const auto curvature =
         lagrangian_curvature(session_, scaling_, result_.point, result_.multipliers, objectives_);
     if (!curvature) return;

@@ -113,7 +113,7 @@ std::optional<Solved> FrontSearch::best_alone(std::size_t objective,
   };
   const auto [least, most] = std::minmax_element(found.begin(), found.end(), less);
   const double apart = most->scaled[objective] - least->scaled[objective];
-  if (apart <= kSamePlace) return std::move(*least);
+  if (apart <= kSamePlace || campaign_.scaling().size() == 0) return std::move(*least);
   return hopped(objective, std::move(*least));
 }
 
@@ -125,7 +125,8 @@ Solved FrontSearch::hopped(std::size_t objective, Solved from) {
   const std::size_t n = campaign_.scaling().size();
   Formulation f = plain_formulation(campaign_.problem(), campaign_.scaling(), objective);
   Random random(campaign_.options().seed, campaign_.next_stage(), 0);
-  for (std::size_t failed = 0; failed < options_.hops && !exhausted(); ++failed) {
+  std::size_t failed = 0;
+  while (failed < options_.hops && !exhausted()) {
     std::vector<double> z = from.unit;
     const std::size_t first = random.below(n);
     const bool alone = random.below(3) > 0;
@@ -145,6 +146,7 @@ Solved FrontSearch::hopped(std::size_t objective, Solved from) {
         campaign_.run(find_optimizer("nlopt:slsqp"), f, z, alone ? kCalls : kCalls + n);
     auto s = solved(attempt);
     const double least = from.scaled[objective];
+    ++failed;
     if (!s || !(s->scaled[objective] < least - 1e-6 * std::abs(least))) continue;
     from = std::move(*s);
     failed = 0;

@@ -95,8 +95,9 @@ double relaxation_alone(Campaign& campaign, std::size_t row, std::span<const dou
 
 // Stationarity of the summed violation: limits that are broken pull with weight one, limits that
 // are just met push back. Returns the constraints that do either.
-std::set<std::size_t> fighting(const KktPoint& point, std::size_t objectives, double tolerance,
+std::set<std::size_t> fighting(const Problem& problem, const KktPoint& point, double tolerance,
                                bool& stationary) {
+  const std::size_t objectives = problem.objectives.size();
   KktPoint met = point;
   met.limits.clear();
   std::set<std::size_t> names;
@@ -107,8 +108,11 @@ std::set<std::size_t> fighting(const KktPoint& point, std::size_t objectives, do
       continue;
     }
     names.insert(l.constraint);
-    const auto row = static_cast<Eigen::Index>(objectives + l.constraint);
-    pull -= (l.side == Side::upper ? -1.0 : 1.0) * point.jacobian.row(row).transpose();
+    const std::size_t response = objectives + l.constraint;
+    const bool from_above =
+        point.evaluation.values[response] > problem.constraints[l.constraint].upper;
+    pull -= (from_above ? -1.0 : 1.0) *
+            point.jacobian.row(static_cast<Eigen::Index>(response)).transpose();
   }
   const Multipliers m = find_multipliers(met, pull, objectives, 1e-6);
   for (std::size_t i = 0; i < m.limits.size(); ++i)
@@ -135,7 +139,7 @@ Infeasibility explain_infeasible(Campaign& campaign, std::span<const double> uni
   campaign.book(look);
   if (!point || total_violation(*point) == 0.0) return report;
   const double tolerance = campaign.options().feasibility_tolerance;
-  const auto names = fighting(*point, problem.objectives.size(), tolerance, report.certified);
+  const auto names = fighting(problem, *point, tolerance, report.certified);
   for (const std::size_t i : names) report.conflict.push_back(problem.constraints[i].name);
   for (const Limit& l : point->limits) {
     if (!names.contains(l.constraint) || (l.excess <= tolerance && l.slack > 1e-6)) continue;

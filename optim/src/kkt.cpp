@@ -103,10 +103,13 @@ Multipliers find_multipliers(const KktPoint& point, const Eigen::MatrixXd& gradi
     a.topLeftCorner(n, mixed) = -gradients;
   else
     b.head(n) = gradients.col(0);
-  // Columns of unit length: sizes may differ by many orders, and rounding must not choose for us.
+  // Columns of unit length: sizes may differ by many orders, and rounding must not choose for us. Those that are
+  // mixed keep their proportions: the least |r| over all weights of sum 1 is that of their multiples, too.
+  const double largest = mixed > 0 ? gradients.colwise().norm().maxCoeff() : 0.0;
   Eigen::VectorXd size(a.cols());
   for (Index j = 0; j < a.cols(); ++j) {
-    size[j] = a.col(j).norm() > 0.0 ? a.col(j).norm() : 1.0;
+    size[j] = j < mixed ? largest : a.col(j).norm();
+    if (!(size[j] > 0.0)) size[j] = 1.0;
     a.col(j) /= size[j];
   }
   if (mixed > 0) {  // not all weights zero: their sum is 1, as one more equation

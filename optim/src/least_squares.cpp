@@ -30,6 +30,7 @@ class Fit {
   LeastSquaresResult run() {
     LeastSquaresResult result;
     if (evaluate(t_, r_, j_)) {
+      first_ = r_.norm();
       iterate(result);
       describe(result);
     } else {
@@ -86,7 +87,8 @@ class Fit {
     const Index n = t_.size();
     if (found.jacobian.size() != found.values.size() * b.size())
       throw InputError("least squares: the Jacobian has the wrong size");
-    if (m < n) throw InputError("least squares: there are fewer residuals than parameters");
+    if (m < n - (lower_.array() == upper_.array()).count())
+      throw InputError("least squares: there are fewer residuals than parameters");
     using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     r = Eigen::Map<const Eigen::VectorXd>(found.values.data(), m);
     jacobian = Eigen::Map<const RowMajor>(found.jacobian.data(), m, n);
@@ -195,6 +197,15 @@ class Fit {
     }
   }
 
+  // What the residuals are a difference of, as far as that is known: the terms of their linear part, and what
+  // they were at first.
+  double size_of_terms() const {
+    double size = first_;
+    for (Index j = 0; j < t_.size(); ++j)
+      size += j_.col(j).norm() * (parameter(j).scale == Scale::log ? 1.0 : std::abs(t_[j]));
+    return size;
+  }
+
   // Cosine between residuals and columns: zero at an optimum, whatever the units.
   double gradient_cosine(const std::vector<Index>& free) const {
     double worst = 0.0;
@@ -226,7 +237,7 @@ class Fit {
     }
     fit_statistics({user_jacobian(b), r_, free, parameters_}, options_, result);
     // Where the residuals vanish to rounding their direction means nothing, and zero is optimal.
-    const bool exact = r_.norm() <= 1e-13 * j_.norm() * (1.0 + t_.norm());
+    const bool exact = r_.norm() <= 1e-13 * size_of_terms();
     const bool stationary = result.gradient <= 1e-5 || exact;
     result.outcome = stationary ? Outcome::optimal
                      : stopped_ || counters_.evaluations >= options_.max_evaluations
@@ -240,6 +251,7 @@ class Fit {
   Eigen::VectorXd t_, lower_, upper_, scale_, r_;
   Eigen::MatrixXd j_;
   Counters counters_;
+  double first_{0.0};  // norm of the residuals at the start
   bool stopped_{false};
 };
 

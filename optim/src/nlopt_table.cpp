@@ -6,6 +6,8 @@ namespace {
 
 constexpr nlopt_algorithm kNone = NLOPT_NUM_ALGORITHMS;
 constexpr const char* kCxx = "it needs the C++ build of NLopt (nlopt_cxx), which is not linked";
+constexpr const char* kCrashes =
+    "NLopt reads memory that is not its own when this is stopped early; use nlopt:direct";
 constexpr bool y = true;
 constexpr bool n = false;
 
@@ -60,9 +62,10 @@ constexpr NloptAlgorithm kAlgorithms[] = {
     {"direct_l_rand_noscal", NLOPT_GN_DIRECT_L_RAND_NOSCAL,
      "dividing rectangles, locally biased, randomized, unscaled", n, n, n, y, y, n, kNone, ""},
     {"orig_direct", NLOPT_GN_ORIG_DIRECT, "dividing rectangles, first implementation", n, n, n, y,
-     n, n, kNone, ""},
+     n, n, kNone, kCrashes},
     {"orig_direct_l", NLOPT_GN_ORIG_DIRECT_L,
-     "dividing rectangles, first implementation, locally biased", n, n, n, y, n, n, kNone, ""},
+     "dividing rectangles, first implementation, locally biased", n, n, n, y, n, n, kNone,
+     kCrashes},
     {"mlsl", NLOPT_GN_MLSL, "many local searches (bobyqa) from random starts", n, n, n, y, y, n,
      NLOPT_LN_BOBYQA, ""},
     {"mlsl_lds", NLOPT_GN_MLSL_LDS, "many local searches (bobyqa) from low-discrepancy starts", n,

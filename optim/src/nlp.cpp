@@ -93,12 +93,12 @@ bool Nlp::fill(const Evaluation& e, std::span<const double> z, bool gradient) {
 const NlpValue* Nlp::at(std::span<const double> z, bool gradient) {
   if (known_ && (has_gradient_ || !gradient) && std::equal(z.begin(), z.end(), point_.begin()))
     return &value_;
+  known_ = false;
   point_.assign(z.begin(), z.end());
   for (std::size_t k = 0; k < size(); ++k) {
     if (!std::isfinite(point_[k])) return nullptr;  // the solver lost its way, not the design
     point_[k] = std::clamp(point_[k], lower_[k], upper_[k]);
   }
-  known_ = false;
   design_ = design(point_);
   const Evaluation& e = session_.at(design_, gradient);
   if (!e.ok()) return nullptr;

@@ -69,6 +69,7 @@ class Nsga2 {
       if (const Variable& v = problem_.variables[j]; v.integer)
         one.design[j] =
             std::clamp(std::round(one.design[j]), std::ceil(v.lower), std::floor(v.upper));
+    one.objectives.clear();
     one.evaluation = session_.at(one.design, false);
     if (!one.evaluation.ok()) return;
     one.objectives = minimized(problem_, one.evaluation);

@@ -39,9 +39,9 @@ std::vector<SolverOption> ipopt_options();
 /// @throws InputError as find_solver()
 const Optimizer& find_optimizer(const std::string& name);
 
-/// Refuses a solver that does not fit, saying which would.
+/// Refuses a solver that this build lacks, saying why.
 /// @throws InputError
-void require_fit(const SolverInfo& solver, const Nlp& nlp);
+void require_available(const SolverInfo& solver);
 
 /// The number given for an option, or the default.
 /// @throws InputError for text that is no number or lies outside [least, most]

@@ -32,12 +32,14 @@ void ask_population(const Problem& problem, const ParetoOptions& options, FrontS
   population.solve = campaign.options();
   population.solve.first_stage = campaign.next_stage();
   population.solve.budget.evaluations = campaign.left();
-  population.generations =
-      std::max<std::size_t>(1, options.population_evaluations / population.population);
+  population.solve.budget.seconds -= campaign.deadline().elapsed();
+  const std::size_t in_all = options.population_evaluations / population.population;
+  population.generations = std::max<std::size_t>(in_all, 2) - 1;  // the first costs as much
   const Front front = nsga2(problem, population);
   Result used;
   used.counters = front.counters;
   used.stages_used = front.stages_used;
+  used.stop = front.stop;
   campaign.book(used);
   const std::size_t step = std::max<std::size_t>(1, front.points.size() / 8);
   for (std::size_t i = 0; i < front.points.size(); ++i) {
@@ -61,9 +63,9 @@ std::vector<Solved> best_spread(const Problem& problem, const ParetoOptions& opt
   for (std::size_t k = 0; k < reference.size(); ++k)
     if (problem.objectives[k].sense == Sense::maximize) reference[k] = -reference[k];
   std::vector<Solved> kept;
-  const auto chosen = problem.objectives.size() == 2
-                          ? best_subset(values, options.points, reference)
-                          : greedy_subset(values, options.points, reference);
+  const bool with_ends = problem.objectives.size() == 2 && options.points > 1;
+  const auto chosen = with_ends ? best_subset(values, options.points, reference)
+                                : greedy_subset(values, options.points, reference);
   for (const std::size_t i : chosen) kept.push_back(std::move(all[i]));
   return kept;
 }

@@ -56,6 +56,7 @@ std::vector<Solved> three_objective_front(FrontSearch& search, const ParetoOptio
   // More candidates than points: the best of them are chosen by hypervolume.
   const auto directions = lattice(5 * options.points / 2);
   const std::size_t n = search.campaign().scaling().size();
+  if (n == 0) return {known.front()};
   const auto far =
       sobol_points(n, options.coarse * options.coarse_starts + 1, options.solve.seed + 7);
   const std::size_t stride =

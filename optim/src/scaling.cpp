@@ -7,7 +7,9 @@
 namespace twum::optim {
 
 Scaling::Scaling(const Problem& problem)
-    : variables_(problem.variables), factors_(problem.responses(), 1.0) {
+    : variables_(problem.variables),
+      factors_(problem.responses(), 1.0),
+      flat_(problem.responses(), false) {
   for (std::size_t j = 0; j < variables_.size(); ++j) {
     fixed_.push_back(variables_[j].lower);
     if (variables_[j].lower < variables_[j].upper) free_.push_back(j);
@@ -26,7 +28,8 @@ void Scaling::scale_responses(std::span<const double> design, const Evaluation& 
       const double d = std::abs(derivative(evaluation, r, k, design));
       if (std::isfinite(d)) size = std::max(size, d);
     }
-    if (size <= 1e-12 * std::abs(evaluation.values[r])) size = std::abs(evaluation.values[r]);
+    flat_[r] = size <= 1e-12 * std::abs(evaluation.values[r]);
+    if (flat_[r]) size = std::abs(evaluation.values[r]);
     if (size == 0.0) size = 1.0;
     factors_[r] = std::clamp(1.0 / size, kLeast, kMost);
   }

@@ -19,6 +19,8 @@ class Scaling {
   std::size_t size() const { return free_.size(); }
   std::size_t variable(std::size_t k) const { return free_[k]; }
   double factor(std::size_t response) const { return factors_[response]; }
+  /// Whether the response had no slope where the factors were taken.
+  bool flat_at_start(std::size_t response) const { return flat_[response]; }
 
   std::vector<double> to_unit(std::span<const double> design) const;
   std::vector<double> to_design(std::span<const double> unit) const;
@@ -35,6 +37,7 @@ class Scaling {
   std::vector<std::size_t> free_;
   std::vector<double> fixed_;  // a design with the fixed variables in place
   std::vector<double> factors_;
+  std::vector<bool> flat_;
 };
 
 }  // namespace twum::optim

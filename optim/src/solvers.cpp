@@ -90,14 +90,9 @@ const std::vector<SolverOption>& solver_options() {
   return list;
 }
 
-void require_fit(const SolverInfo& solver, const Nlp& nlp) {
-  const std::string who = "solver '" + solver.name + "' ";
-  if (!solver.available) throw InputError(who + "cannot be used: " + solver.description);
-  if (nlp.has_equality() && !solver.equality)
-    throw InputError(who + "takes no equality constraints; nlopt:slsqp, nlopt:cobyla and ipopt do");
-  if (nlp.rows() > 0 && !solver.inequality)
-    throw InputError(who +
-                     "takes no constraints; nlopt:slsqp, nlopt:mma, nlopt:cobyla and ipopt do");
+void require_available(const SolverInfo& solver) {
+  if (!solver.available)
+    throw InputError("solver '" + solver.name + "' cannot be used: " + solver.description);
 }
 
 double number_option(const RunSettings& settings, const std::string& name, double standard,

@@ -11,7 +11,7 @@ from .changes import LAYERS, ROOT, all_changes, key, sources
 from .rewrite import Source, numbered
 
 LIBRARIES = ["twum_base", "twum_core", "twum_optim"]
-PROGRAMS = ["core_inside_tests", "core_tests", "optim_tests", "twum_core_answers",
+PROGRAMS = ["core_inside_tests", "core_tests", "optim_inside_tests", "optim_tests", "twum_core_answers",
             "twum_optim_answers"]
 PLACE = re.compile(r"^(?P<path>/[^:\n]+):(?P<line>\d+):(?:\d+:)?\s+"
                    r"(?P<what>fatal error|error|note|required from|recursively required from)?")

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 
 # What is listed of each program; [long] cases are left out.
 PROGRAMS = {"core": {"core_inside_tests": ["~[long]"], "core_tests": ["~[long]", "[slow]~[long]"]},
-            "optim": {"optim_tests": ["~[long]", "[slow]~[long]"]}}
+            "optim": {"optim_inside_tests": ["~[long]"], "optim_tests": ["~[long]", "[slow]~[long]"]}}
 REACHED, DIFFERED, FORMLESS = 1, 2, 4  # bits of a record, as in mutant.hpp
 ANSWERS = "answers"
 RUNNING = set()  # processes

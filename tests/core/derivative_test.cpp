@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/deviations.hpp"
 #include "support/expect_derivatives.hpp"
+#include "support/point_checks.hpp"
 #include "support/test_motors.hpp"
 
 #include <catch2/catch.hpp>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -98,6 +100,22 @@ bool agrees_on_a_side(const MotorDesign& design, const ParameterInfo& row,
   return false;
 }
 
+// What a metric is measured in where it is nearly zero. The ends of zones leave 1e-10 of the scale of powers
+// (as in broken_law()), which is 1e-7 of a thousandth of it.
+double least_size(const Motor& motor, Metric metric) {
+  const double power = 1e-3 * power_scale(motor, 0);
+  const Stator& stator = motor.design().stator;
+  switch (metric) {
+    case Metric::output_power_at:
+    case Metric::stator_power_at:
+    case Metric::friction_power_at:
+    case Metric::layer_loss_at: return power;
+    case Metric::wear_intensity_at:
+      return power / (2 * std::numbers::pi * stator.contact_radius * stator.contact_width);
+    default: return 0;
+  }
+}
+
 void check_parameter(const MotorDesign& design, const ParameterInfo& row,
                      const std::vector<MetricRequest>& requests,
                      const std::vector<MetricDerivative>& exact, Tally& tally,
@@ -108,7 +126,9 @@ void check_parameter(const MotorDesign& design, const ParameterInfo& row,
   for (std::size_t k = 0; k < requests.size(); ++k) {
     if (exact[k].value.status != MetricStatus::ok || exact[k].smoothness == Smoothness::undefined)
       continue;
-    const double unit = std::abs(exact[k].value.value / x);
+    const double unit =
+        std::max(std::abs(exact[k].value.value), least_size(Motor(design), requests[k].metric)) /
+        std::abs(x);
     const double gradient = exact[k].gradient[index_of(row.parameter)];
     const bool sharp =
         differences[k].error <= 1e-8 * std::max(unit, std::abs(differences[k].value));

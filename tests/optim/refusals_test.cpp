@@ -161,7 +161,7 @@ TEST_CASE("a certificate says what it lacks", "[optim][certificate]") {
     options.budget.evaluations = few;  // less than the curvature takes
     const Certificate c = certify(saddle, origin, options);
     CAPTURE(few, c.reason);
-    CHECK((!c.passed || std::isnan(c.curvature) || c.curvature == 0.0));
+    CHECK((!c.passed || std::isnan(c.curvature)));
   }
 }
 

@@ -38,13 +38,14 @@ struct Activity {
   double value{0.0};       ///< of the constraint or variable
   double limit{0.0};       ///< what it is held to
   double violation{0.0};   ///< by how much the limit is broken, >= 0
-  bool active{false};      ///< it holds the design back
+  bool active{false};      ///< the design is at it; it holds it back where it has a multiplier
   double multiplier{0.0};  ///< improvement of the objective per unit of relaxation, >= 0; for an
       ///< equality the improvement per unit that its target is raised, any sign. With several
       ///< objectives that of their weighted sum, see Certificate::prices
-  double one_percent_buys{0.0};  ///< first-order change of the (first) objective's value when the
-                                 ///< limit is relaxed (an equality: raised) by 1 % of itself; by
-                                 ///< 1 % of the response's span over the box where it is zero
+  double one_percent_buys{0.0};  ///< first-order change of the objective's value when the limit is
+                                 ///< relaxed (an equality: raised) by 1 % of itself; by 1 % of the
+                                 ///< response's span over the box where it is zero. With several
+                                 ///< objectives that of their weighted sum, as the multiplier
 };
 
 /// Evidence that a design is a constrained local optimum, from exact gradients alone.
@@ -62,8 +63,9 @@ struct Certificate {
   double stationarity{
       0.0};  ///< largest |r|, relative to the objective's gradient here or at the start
   double complementarity{0.0};  ///< largest lambda times scaled slack
-  double curvature{
-      0.0};  ///< smallest eigenvalue of the reduced Hessian, relative to the largest; NaN: not tested
+  /// Smallest eigenvalue of the reduced Hessian, relative to the largest; NaN: not tested, as with several
+  /// objectives, at kinks, away from stationary points or without the calls that it takes.
+  double curvature{std::numeric_limits<double>::quiet_NaN()};
   std::vector<double> weights;  ///< of the objectives; {1} with one
   /// The same in user units: improving objective k by one unit counts prices[k] units of the first
   /// objective's scale, in which multipliers are. So a limit that gives way by one unit improves

@@ -15,8 +15,7 @@ struct FrontPoint {
 /// How to find a front.
 struct ParetoOptions {
   SolveOptions solve;  ///< starts, tolerances, seed, budget, stop, observer; `solver` is not used
-  std::size_t points{
-      100};  ///< of the front; with three objectives the next number that fills a lattice
+  std::size_t points{100};  ///< of the front, at most
   std::vector<double>
       reference;  ///< of the hypervolume, user units; empty: a tenth of the front's span beyond its worst
   std::size_t coarse{
@@ -60,13 +59,14 @@ Front pareto_front(const Problem& problem, const ParetoOptions& options = {});
 /// How NSGA-II searches.
 struct Nsga2Options {
   std::size_t population{100};   ///< even, >= 4
-  std::size_t generations{250};  ///< each costs `population` evaluations
+  std::size_t generations{250};  ///< each costs `population` evaluations, as the first one does
   double crossover{0.9};         ///< probability, simulated binary crossover
   double crossover_index{15.0};  ///< larger: children nearer to their parents
   double mutation_index{
       20.0};  ///< polynomial mutation; its probability is 1 over the number of variables
   std::vector<double> reference;  ///< as in ParetoOptions
-  SolveOptions solve;             ///< seed, budget, stop, observer, feasibility_tolerance
+  /// Of these seed, budget, stop, observer, and feasibility_tolerance: here relative to 1 + |limit|.
+  SolveOptions solve;
 };
 
 /// Deb's NSGA-II with constraint domination: a second way to a front that shares nothing with the

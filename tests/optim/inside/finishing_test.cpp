@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts of a certificate and the Newton steps that finish an answer, each by its definition.
+#include "certify.hpp"
+#include "nnls.hpp"
+#include "polish.hpp"
+
+#include "optim/bank/dual_problem.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+using namespace twum;
+using namespace twum::optim;
+
+namespace {
+
+using D = Dual<double, 2>;
+using Design = std::vector<double>;
+using Eigen::Index;
+
+Problem posed(std::vector<Variable> variables, std::vector<Constraint> constraints,
+              std::function<void(const D*, D*)> f, std::size_t objectives = 1) {
+  Problem p;
+  p.variables = std::move(variables);
+  for (std::size_t k = 0; k < objectives; ++k) p.objectives.push_back({test::numbered('f', k)});
+  p.constraints = std::move(constraints);
+  p.evaluate = test::dual_evaluator<2>(p.responses(), std::move(f));
+  return p;
+}
+
+// A stage of its own for a problem scaled at its start.
+struct Stage {
+  explicit Stage(const Problem& problem, std::size_t quota = 1000)
+      : scaling(problem), session(problem, options, deadline, 0, quota) {
+    const Design start = start_design(problem);
+    scaling.scale_responses(start, problem.evaluate(start, true));
+  }
+  std::optional<Design> polished(const Design& design, const Design& weights = {1.0}) {
+    return polish(session, scaling, design, weights);
+  }
+
+  SolveOptions options;
+  Deadline deadline{kInfinity};
+  Scaling scaling;
+  Session session;
+};
+
+Problem bowl() {
+  return posed(test::box(2, -3.0, 3.0, {2.0, 2.5}), {}, [](const D* x, D* r) {
+    r[0] = (x[0] - 1.0) * (x[0] - 1.0) + 2.0 * (x[1] - 0.5) * (x[1] - 0.5) + 1.0;
+  });
+}
+
+// Nobody can do better: no column outside the solution pulls, and none inside.
+void check_least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, double tolerance) {
+  const Eigen::VectorXd x =
+      nonnegative_least_squares(a, b, std::vector<bool>(static_cast<std::size_t>(a.cols()), false));
+  const Eigen::VectorXd pull = a.transpose() * (b - a * x);
+  for (Index j = 0; j < a.cols(); ++j) {
+    CAPTURE(j, x[j], pull[j]);
+    CHECK(x[j] >= 0.0);
+    CHECK(pull[j] <= tolerance);
+    if (x[j] > 0.0) CHECK(pull[j] >= -tolerance);
+  }
+}
+
+Multipliers unconstrained(Index n) {
+  Multipliers m;
+  m.active = Eigen::MatrixXd(n, 0);
+  return m;
+}
+
+}  // namespace
+
+TEST_CASE("non-negative least squares meets its conditions of optimality",
+          "[optim][nnls][identity]") {
+  std::mt19937_64 bits(7);
+  for (Index columns = 1; columns <= 12; ++columns) {
+    for (const Index rows : {2, 5, 12}) {
+      const auto number = [&] { return static_cast<double>(bits() >> 11U) * 0x1.0p-52 - 1.0; };
+      Eigen::MatrixXd a = Eigen::MatrixXd::NullaryExpr(rows, columns, number);
+      a.colwise().normalize();
+      // Rounding of a few hundred operations on numbers near 1.
+      check_least_squares(a, Eigen::VectorXd::NullaryExpr(rows, number), 1e-12);
+    }
+  }
+}
+
+TEST_CASE("columns that all but cancel each other are all used", "[optim][nnls][closed_form]") {
+  // The solution is (1e6, 1e6): the sum of the columns is 1e-5 high.
+  const double angle = 1e-5;
+  Eigen::MatrixXd a(2, 2);
+  a << 1.0, -std::cos(angle), 0.0, std::sin(angle);
+  const Eigen::VectorXd b = 1e6 * (a.col(0) + a.col(1));
+  const Eigen::VectorXd x = nonnegative_least_squares(a, b, {false, false});
+  // Rounding 1e-16 times the condition 1e5 squared.
+  for (const Index j : {0, 1}) CHECK(x[j] == Approx(1e6).epsilon(1e-5));
+}
+
+TEST_CASE("as many directions are flat as the Hessian has zero eigenvalues",
+          "[optim][certificate][closed_form]") {
+  for (Index n = 1; n <= 6; ++n) {
+    for (Index flat = 0; flat <= n; ++flat) {
+      Eigen::VectorXd diagonal = Eigen::VectorXd::Constant(n, 3.0);
+      diagonal.head(flat).setZero();
+      const Curvature c{Eigen::MatrixXd(diagonal.asDiagonal())};
+      const ReducedCurvature reduced = reduced_curvature(c, unconstrained(n));
+      CAPTURE(n, flat);
+      REQUIRE(reduced.flat.cols() == flat);
+      CHECK(reduced.smallest == (flat > 0 ? 0.0 : 1.0));
+      CHECK((c.hessian * reduced.flat).norm() == 0.0);
+    }
+  }
+}
+
+TEST_CASE("a certificate costs no more than it says", "[optim][certificate][budget]") {
+  // Curvature asks for two neighbours of each variable, kinks as well.
+  for (const std::size_t n : {1U, 2U}) {
+    const Problem smooth = posed(test::box(n, -3.0, 3.0, {2.0, 2.5}), {}, [n](const D* x, D* r) {
+      r[0] = D(1.0);
+      for (std::size_t i = 0; i < n; ++i) r[0] = r[0] + x[i] * x[i];
+    });
+    Stage stage(smooth, certificate_cost(n));
+    CHECK(certify_in(stage.session, stage.scaling, Design(n, 0.0))->certificate.curvature > 0.5);
+    CHECK(stage.session.counters().evaluations == 2 * n + 1);
+  }
+}
+
+TEST_CASE("slopes and factors of the unit box", "[optim][closed_form]") {
+  const Problem p = posed({{"still", 2.0, 2.0}, {"x", 0.5, 40.0, 3.0, Scale::log}}, {},
+                          [](const D* x, D* r) { r[0] = 5.0 * x[1]; });
+  Stage stage(p);
+  CHECK(stage.scaling.size() == 1);
+  CHECK(stage.scaling.variable(0) == 1);
+  // x = 0.5 * 80^u, so dx/du = x log 80; two roundings.
+  for (const double x : {0.5, 3.0, 40.0})
+    CHECK(stage.scaling.slope(0, Design{2.0, x}) == Approx(x * std::log(80.0)).epsilon(1e-14));
+  CHECK(stage.scaling.factor(0) == Approx(1.0 / (15.0 * std::log(80.0))).epsilon(1e-14));
+}
+
+TEST_CASE("Newton steps bring a near optimum to machine precision",
+          "[optim][polish][closed_form]") {
+  // Polishing ends where the scaled slope is 1e-11; the curvatures here are about 1 of that scale,
+  // the boxes up to 6 wide.
+  constexpr double kExact = 1e-9;
+  const Problem well = posed(test::box(1, -3.0, 3.0, {2.0}), {},
+                             [](const D* x, D* r) { r[0] = exp(x[0]) - 2.0 * x[0]; });
+  for (const double off : {1e-3, -1e-3, 1e-6}) {
+    const auto bottom = Stage(well).polished({std::log(2.0) + off});
+    REQUIRE(bottom);
+    CHECK((*bottom)[0] == Approx(std::log(2.0)).margin(kExact));
+  }
+  const Problem held =
+      posed(test::box(2, -3.0, 3.0, {2.0, 2.5}), {{"sum", 2.0}}, [](const D* x, D* r) {
+        r[0] = x[0] * x[0] + x[1] * x[1];
+        r[1] = x[0] + x[1];
+      });
+  for (const double off : {1e-3, -1e-3, 1e-5}) {  // inside the limit, and beyond it
+    const auto nearest = Stage(held).polished({1.0 + off, 1.0 + 2.0 * off});
+    CAPTURE(off);
+    REQUIRE(nearest);
+    for (const double x : *nearest) CHECK(x == Approx(1.0).margin(kExact));
+  }
+}
+
+TEST_CASE("a bound that holds a finished answer is met to the last bit",
+          "[optim][polish][identity]") {
+  for (const double upper : {13.07, 4.51, 1.82, 14.1, 0.3, 7.7, 1.1}) {
+    for (const Scale scale : {Scale::linear, Scale::log}) {
+      for (const bool top : {true, false}) {
+        const double lower = upper / 9.7, held = top ? upper : lower, pull = top ? -1.0 : 1.0;
+        const Problem p =
+            posed({{"x", lower, upper, std::sqrt(lower * upper), scale}, {"y", -1.0, 2.0, 1.5}}, {},
+                  [=](const D* x, D* r) {
+                    const D t = x[1] - 0.3 * x[0] / upper;
+                    r[0] = pull * 400.0 * x[0] / upper + 300.0 * t * t;
+                  });
+        for (const double off : {1e-7, 5e-8, 2e-8}) {
+          const double x = held + pull * off * (upper - lower);
+          const auto better = Stage(p).polished({x, 0.3 * held / upper + 0.14});
+          CAPTURE(upper, top, off, x);
+          REQUIRE(better);
+          CHECK((*better)[0] == held);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("polishing leaves an optimum, and what Newton steps do not improve, as it is",
+          "[optim][polish]") {
+  CHECK_FALSE(Stage(bowl()).polished({1.0, 0.5}));
+  // Of |x|^1.5 a Newton step leads from x to -x, which is no better.
+  const Problem spike = posed(test::box(2, -1.0, 1.0, {0.5, 0.5}), {}, [](const D* x, D* r) {
+    const D size = x[0].v < 0.0 ? -x[0] : x[0];
+    r[0] = size * sqrt(size) + x[1] * x[1];
+  });
+  CHECK_FALSE(Stage(spike).polished({0.01, 0.0}));
+  const Problem still = posed({{"x", 2.0, 2.0}}, {}, [](const D* x, D* r) { r[0] = x[0]; });
+  CHECK_FALSE(Stage(still).polished({2.0}));
+}
+
+TEST_CASE("polishing takes what a quota has room for and no more", "[optim][polish][budget]") {
+  // The design, two neighbours for each of two variables, and the step's end: 6 calls. A parabola
+  // is finished by one step.
+  const Problem p = bowl();
+  for (std::size_t quota = 1; quota <= 8; ++quota) {
+    Stage stage(p, quota);
+    std::optional<Design> better;
+    CAPTURE(quota);
+    CHECK_NOTHROW(better = stage.polished({1.01, 0.51}));
+    CHECK(better.has_value() == (quota >= 6));
+    if (!better) continue;
+    CHECK((*better)[0] == Approx(1.0).margin(1e-7));  // differences of exact slopes err by 1e-9
+  }
+}
+
+TEST_CASE("a polished design of a front lies on it", "[optim][polish][pareto][closed_form]") {
+  // Squared distances from (0, 0) and (1, 0): the front is y = 0, 0 <= x <= 1. Beyond its ends the
+  // weights that balance the slopes have different signs.
+  const Problem p = posed(
+      test::box(2, -2.0, 2.0, {0.5, 1.0}), {},
+      [](const D* x, D* r) {
+        r[0] = x[0] * x[0] + x[1] * x[1];
+        r[1] = (x[0] - 1.0) * (x[0] - 1.0) + x[1] * x[1];
+      },
+      2);
+  const auto inside = Stage(p).polished({0.4, 0.01}, {0.6, 0.4});
+  REQUIRE(inside);
+  CHECK((*inside)[1] == Approx(0.0).margin(1e-9));  // scaled slopes of 1e-11, in a box of 4
+  for (const double beyond : {0.005, 0.02, 0.05}) {
+    for (const bool far : {false, true}) {
+      const double x = far ? 1.0 + beyond : -beyond;
+      const auto end = Stage(p).polished({x, 0.01}, far ? Design{0.0, 1.0} : Design{1.0, 0.0});
+      if (!end) continue;  // as it is
+      CAPTURE(x, (*end)[0], (*end)[1]);
+      CHECK((*end)[0] >= -1e-9);
+      CHECK((*end)[0] <= 1.0 + 1e-9);
+    }
+  }
+}
