@@ -70,6 +70,7 @@ TEST_CASE("a batch of derivatives is its designs one by one, on any number of th
     for (const MotorDesign& design : batch)
       one_by_one.push_back(differentiate(Motor(design), kAsked, fixed_static_friction));
     CHECK(same(differentiate_designs(batch, kAsked, fixed_static_friction, 3), one_by_one));
+    if (!fixed_static_friction) CHECK(same(differentiate_designs(batch, kAsked), one_by_one));
   }
 }
 
@@ -97,6 +98,8 @@ TEST_CASE("a batch names the first design that cannot be", "[core][batch]") {
   const auto refused = Contains("design 1: thickness must be more than 0 m, but is -0.0003 m");
   CHECK_THROWS_WITH(evaluate_designs(batch, kAsked), refused);
   CHECK_THROWS_WITH(differentiate_designs(batch, kAsked), refused);
+  batch[0] = batch[1];
+  CHECK_THROWS_WITH(evaluate_designs(batch, kAsked), Contains("design 0: thickness"));
   CHECK(evaluate_designs({}, kAsked).empty());
   CHECK(differentiate_designs({}, kAsked).empty());
 }

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 // Theory section 10, a test for each of its cases.
 namespace {
@@ -139,6 +140,25 @@ TEST_CASE("without amplitude the contact is full and brakes any motion", "[core]
     CHECK(point.stator_power == 0);
   }
   CHECK(metric(motor, Metric::no_load_speed).value == 0);
+}
+
+TEST_CASE("over a still stator the rotor's direction decides which way the layer slips",
+          "[core][edge][limit]") {
+  MotorDesign design = ring_motor();
+  design.stator.amplitude = 0;
+  for (const double ratio : {1.0, 1.5}) {
+    design.friction.static_ = ratio * design.friction.kinetic;
+    design.layer.loss_factor = 1;  // no rhythm
+    const Motor motor(design);
+    for (const double speed : {-3.0, -0.5, -1e-3, 0.0, 1e-3, 0.5, 3.0}) {
+      CAPTURE(ratio, speed);
+      CHECK(motor.operating_point(speed).status == PointStatus::ok);
+      const auto zones = motor.zones(speed);
+      REQUIRE(zones.size() == 1);
+      // At rest the limit of forward speeds.
+      CHECK(zones[0].state == (speed < 0 ? ZoneState::slip_plus : ZoneState::slip_minus));
+    }
+  }
 }
 
 // A layer of uniform pressure, released at mu_0 p from a stator that stands still, by Runge and
@@ -323,6 +343,26 @@ TEST_CASE("a speed at or below the negative wave speed is refused", "[core][edge
     CAPTURE(speed);
     CHECK_THROWS_AS(motor.operating_point(speed), InputError);
     CHECK_THROWS_AS(motor.zones(speed), InputError);
+  }
+  try {
+    motor.operating_point(-2 * motor.wave_speed());
+    FAIL("answered");
+  } catch (const InputError& error) {
+    // "... must be more than X rad/s (Y rpm), but is ...": six digits of each.
+    std::vector<double> numbers;
+    std::string text = error.what();
+    for (std::size_t at = text.find_first_of("-0123456789"); at != std::string::npos;
+         at = text.find_first_of("-0123456789")) {
+      std::size_t used = 0;
+      numbers.push_back(std::stod(text.substr(at), &used));
+      text = text.substr(at + used);
+    }
+    REQUIRE(numbers.size() == 4);
+    const double wave = -motor.wave_speed(), rpm = 30 / 3.14159265358979324;
+    CHECK(numbers[0] == Approx(wave).epsilon(1e-5));
+    CHECK(numbers[1] == Approx(wave * rpm).epsilon(1e-5));
+    CHECK(numbers[2] == Approx(2 * wave).epsilon(1e-5));
+    CHECK(numbers[3] == Approx(2 * wave * rpm).epsilon(1e-5));
   }
   const MetricValue value =
       evaluate(motor, {Metric::torque_at, Argument::speed, -1.01 * motor.wave_speed()});

@@ -401,6 +401,7 @@ TEST_CASE("without friction the contact presses all the same (T3.1, T3.3)",
     const Motor motor(design);
     const ContactFields smooth = motor.fields(10.0, 101);
     REQUIRE(smooth.zones.size() == 1);
+    CHECK(smooth.zones[0].state != ZoneState::stick);
     CHECK(smooth.zones[0].from == -motor.contact().half_angle);
     CHECK(smooth.zones[0].to == motor.contact().half_angle);
     for (std::size_t i = 0; i < smooth.samples.size(); ++i) {

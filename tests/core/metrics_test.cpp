@@ -12,6 +12,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <utility>
 #include <vector>
 
 // Metrics against their definitions in theory section 7, by scanning operating points.
@@ -284,6 +285,8 @@ TEST_CASE("efficiencies have no value exactly where no power is put in (T7.6, T7
       const bool whole = point.stator_power + point.stator_loss > 0;
       CHECK((status(Metric::contact_efficiency_at) == MetricStatus::ok) == contact);
       CHECK((status(Metric::efficiency_at) == MetricStatus::ok) == whole);
+      CHECK(std::isnan(point.contact_efficiency()) == !contact);
+      CHECK(std::isnan(point.efficiency()) == !whole);
       for (const Metric which : {Metric::torque_at, Metric::output_power_at, Metric::layer_loss_at})
         CHECK(status(which) == MetricStatus::ok);
       braking += !contact;
@@ -292,6 +295,49 @@ TEST_CASE("efficiencies have no value exactly where no power is put in (T7.6, T7
   }
   CHECK(braking > 20);
   CHECK(helped > 5);
+}
+
+TEST_CASE("a motor that is locked at rest has a no-load speed and a peak that stay at zero",
+          "[core][metrics][limit]") {
+  MotorDesign design = ring_motor();
+  design.layer.given_shear_modulus = 1e7;
+  design.layer.given_inertia = 0;
+  design.preload = 8 * full_contact_load(design);
+  const Motor motor(design);
+  REQUIRE(motor.locks_at_rest());
+  for (const auto& [which, smoothness] :
+       {std::pair{Metric::no_load_speed, Smoothness::one_sided},
+        std::pair{Metric::speed_at_peak_power, Smoothness::flat}}) {
+    const MetricDerivative at_rest = differentiated(motor, MetricRequest{which});
+    CHECK(at_rest.value.value == 0);
+    CHECK(at_rest.smoothness == smoothness);
+    for (const double each : at_rest.gradient) CHECK(each == 0);
+  }
+  // A request that names no speed is about rest.
+  CHECK(evaluate(motor, MetricRequest{Metric::torque_at}).value == motor.operating_point(0).torque);
+}
+
+TEST_CASE("a peak of power where the torque jumps up moves with the plateau's end (T7.16, T7.17)",
+          "[core][metrics][identity]") {
+  Uniform random(52);
+  int found = 0;
+  for (int i = 0; i < 60; ++i) {
+    MotorDesign design = realistic_design(random);
+    design.friction.static_ = design.friction.kinetic * random(1.2, 2.5);
+    const Motor motor(design);
+    const double end = ask(motor, Metric::plateau_speed).value;
+    const double best = ask(motor, Metric::speed_at_peak_power).value;
+    if (!(end > 0) || std::abs(best - end) > 1e-9 * end) continue;
+    const MetricDerivative of_end = differentiated(motor, MetricRequest{Metric::plateau_speed}),
+                           of_best =
+                               differentiated(motor, MetricRequest{Metric::speed_at_peak_power});
+    if (of_end.smoothness == Smoothness::undefined) continue;
+    ++found;
+    CHECK(of_best.smoothness == Smoothness::one_sided);
+    for (std::size_t j = 0; j < kParameterCount; ++j)
+      CHECK(of_best.gradient[j] == of_end.gradient[j]);
+  }
+  CHECK(found > 3);
 }
 
 TEST_CASE("a motor without a plateau has none for its neighbours either (T7.17)",
