@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "campaign.hpp"
 
-#include <twum/optim/low_discrepancy.hpp>
+#include "first_design.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <exception>
+#include <optional>
 #include <thread>
 
 namespace twum::optim {
@@ -54,33 +55,29 @@ bool Campaign::exhausted() const {
          options_.stop.stop_requested() || deadline_.passed();
 }
 
+// A request, or the end of the time, that comes in the last call of a stage is thrown to nobody.
+StopReason Campaign::stop_reason() const {
+  if (stop_ == StopReason::seconds) return stop_;
+  if (options_.stop.stop_requested()) return StopReason::requested;
+  return left() > 0 && deadline_.passed() ? StopReason::seconds : stop_;
+}
+
 void Campaign::note_stop(StopReason reason) {
   if (reason != StopReason::finished) stop_ = reason;
 }
 
 bool Campaign::scale() {
-  constexpr std::size_t kTries = 64;
   Attempt stage;
   stage.session = std::make_unique<Session>(problem_, options_, deadline_, next_stage_++, left());
-  std::vector<std::vector<double>> tries{start_};
-  bool found = false;
+  std::optional<std::vector<double>> first;
   try {
-    for (std::size_t i = 0; i < tries.size() && !found; ++i) {
-      const Evaluation& e = stage.session->at(tries[i], true);
-      found = e.ok();
-      if (found) {
-        scaling_.scale_responses(tries[i], e);
-        start_ = tries[i];  // no search can begin where nothing can be evaluated
-      }
-      if (!found && i == 0 && scaling_.size() > 0)
-        for (const auto& u : sobol_points(scaling_.size(), kTries, options_.seed))
-          tries.push_back(scaling_.to_design(u));
-    }
+    first = scale_at_first_design(*stage.session, scaling_);
   } catch (const Stop& s) {
     stage.report.stop = s.reason;
   }
+  if (first) start_ = *first;
   book(stage);
-  return found;
+  return first.has_value();
 }
 
 Attempt Campaign::run(const Optimizer& optimizer, std::span<const double> unit_start,

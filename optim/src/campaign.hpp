@@ -12,7 +12,8 @@ class Campaign {
   Campaign(const Problem& problem, const SolveOptions& options, const Deadline& deadline);
 
   /// Finds scale factors from the start or, where it cannot be evaluated, from the first of some
-  /// low-discrepancy points that can. False if none can or nothing is left of the budget.
+  /// low-discrepancy points that can, which then is the start. False if none can or nothing is left of the
+  /// budget.
   bool scale();
 
   /// One attempt on the plain problem in its own stage.
@@ -38,7 +39,7 @@ class Campaign {
   void book(const Result& nested);
 
   bool exhausted() const;
-  StopReason stop_reason() const { return stop_; }
+  StopReason stop_reason() const;
   std::size_t left() const;
   const Problem& problem() const { return problem_; }
   const SolveOptions& options() const { return options_; }

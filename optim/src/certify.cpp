@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "certify.hpp"
 
+#include "first_design.hpp"
 #include "limits_report.hpp"
 
 #include <twum/base/error.hpp>
@@ -116,7 +117,7 @@ class Certifier {
                  std::vector<Eigen::MatrixXd>& all) {
     std::size_t at = 0;
     while (scaling_.variable(at) != kink.variable) ++at;
-    name_kink({variable_name(static_cast<Index>(at))});
+    name_kink(variable_name(static_cast<Index>(at)));
     const bool maximize = session_.problem().objectives[0].sense == Sense::maximize;
     const double scale =
         (maximize ? -1.0 : 1.0) * scaling_.factor(0) * scaling_.slope(at, result_.point.design);
@@ -134,21 +135,29 @@ class Certifier {
     if (u < 1.0) all.push_back(right);
   }
 
-  void name_kink(const std::vector<std::string>& names) {
-    certificate().findings.push_back(
-        {Degeneracy::kink, "one-sided derivatives of the objective differ", names});
+  // Each variable once, whoever finds its kink.
+  void name_kink(const std::string& variable) {
+    const auto named = [&](const Finding& x) {
+      return x.kind == Degeneracy::kink && x.names.front() == variable;
+    };
+    auto& findings = certificate().findings;
+    if (std::any_of(findings.begin(), findings.end(), named)) return;
+    findings.push_back(
+        {Degeneracy::kink, "one-sided derivatives of the objective differ", {variable}});
   }
 
   void worst_first_order(const std::vector<Eigen::MatrixXd>& looks) {
     const Eigen::MatrixXd* worst = nullptr;
-    double largest = -1.0;
+    double largest = -1.0, complementarity = 0.0;
     for (const Eigen::MatrixXd& each : looks) {
       first_order(each);
+      complementarity = std::max(complementarity, certificate().complementarity);
       if (certificate().stationarity <= largest) continue;
       largest = certificate().stationarity;
       worst = &each;
     }
     if (looks.size() > 1 && worst != nullptr) first_order(*worst);
+    certificate().complementarity = complementarity;
   }
 
   void first_order(const Eigen::MatrixXd& gradients) {
@@ -158,7 +167,8 @@ class Certifier {
       return;
     }
     result_.multipliers = find_multipliers(result_.point, gradients, objectives_, kActivity);
-    const double size = gradient_size(gradients);
+    // Each gradient counts as much as its weight: one of weight 0 must not make the others look small.
+    const double size = gradient_size(gradients * result_.multipliers.weights.asDiagonal());
     certificate().stationarity = result_.multipliers.residual.cwiseAbs().maxCoeff() / size;
     certificate().complementarity = 0.0;
     for (std::size_t i = 0; i < result_.multipliers.limits.size(); ++i)
@@ -168,7 +178,7 @@ class Certifier {
                        result_.point.limits[result_.multipliers.limits[i]].slack);
   }
 
-  // Of the gradient here or at the start (1, by the scaling), over the variables that no bound holds:
+  // Of the gradient here or of one at the start (1, by the scaling), over the variables that no bound holds:
   // a steep slope into a bound says nothing about the others.
   double gradient_size(const Eigen::MatrixXd& gradients) const {
     const auto& bounds = result_.multipliers.bounds;
@@ -202,7 +212,7 @@ class Certifier {
       mixed.col(mixed.cols() - 1) = right->jacobian.row(0).transpose();
     }
     if (names.empty()) return;
-    name_kink(names);
+    for (const std::string& name : names) name_kink(name);
     first_order(mixed);
   }
 
@@ -331,9 +341,7 @@ Certificate certify(const Problem& problem, std::span<const double> design,
   Certificate failed;
   failed.reason = "the design cannot be evaluated";
   try {
-    const std::vector<double> start = start_design(problem);
-    const Evaluation first = session.at(start, true);
-    if (first.ok()) scaling.scale_responses(start, first);
+    scale_at_first_design(session, scaling);
     const auto certified = certify_in(session, scaling, design);
     return certified ? certified->certificate : failed;
   } catch (const Stop&) {

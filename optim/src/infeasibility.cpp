@@ -117,8 +117,11 @@ std::set<std::size_t> fighting(const Problem& problem, const KktPoint& point, do
   const Multipliers m = find_multipliers(met, pull, objectives, 1e-6);
   for (std::size_t i = 0; i < m.limits.size(); ++i)
     if (std::abs(m.limit_values[i]) > 1e-6) names.insert(met.limits[m.limits[i]].constraint);
-  stationary = m.residual.size() == 0 ||
-               m.residual.cwiseAbs().maxCoeff() <= 1e-5 * (1.0 + pull.cwiseAbs().maxCoeff());
+  const double tiny = 1e-5 * (1.0 + (pull.size() == 0 ? 0.0 : pull.cwiseAbs().maxCoeff()));
+  // A limit that gives way adds to the sum with weight one, so it holds against no more.
+  const bool held = std::all_of(m.limit_values.begin(), m.limit_values.end(),
+                                [&](double force) { return std::abs(force) <= 1.0 + tiny; });
+  stationary = held && (m.residual.size() == 0 || m.residual.cwiseAbs().maxCoeff() <= tiny);
   return names;
 }
 

@@ -37,7 +37,7 @@ class IntegerSearch {
     result.stages = std::move(total_.stages);
     result.stages_used = total_.stages_used;
     result.seconds = deadline_.elapsed();
-    if (!complete_ && result.outcome != Outcome::failed) {
+    if (!complete_ && !result.counters.all_failed()) {
       result.outcome = Outcome::budget;
       result.stop = why_cut_short();
     }

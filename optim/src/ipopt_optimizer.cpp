@@ -161,7 +161,7 @@ const char* word_of(Ipopt::ApplicationReturnStatus status) {
 
 RunReport solve_locked(const Ipopt::SmartPtr<Bridge>& bridge, const IpoptSettings& settings) {
   RunReport report;
-  const Ipopt::SmartPtr<Ipopt::IpoptApplication> app = new Ipopt::IpoptApplication(false);
+  const Ipopt::SmartPtr<Ipopt::IpoptApplication> app = new Ipopt::IpoptApplication(true);
   app->RethrowNonIpoptException(true);
   apply_ipopt_settings(settings, *app->Options());
   try {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace twum::optim {
 namespace {
@@ -57,6 +58,14 @@ Eigen::MatrixXd active_columns(const KktPoint& point, std::size_t objectives,
   return columns;
 }
 
+// Of the columns that are not zero; 1 if all are.
+double smallest_norm(const Eigen::MatrixXd& columns) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const double norm : columns.colwise().norm())
+    if (norm > 0.0) smallest = std::min(smallest, norm);
+  return std::isfinite(smallest) ? smallest : 1.0;
+}
+
 }  // namespace
 
 std::optional<KktPoint> kkt_point(Session& session, const Scaling& scaling,
@@ -103,18 +112,17 @@ Multipliers find_multipliers(const KktPoint& point, const Eigen::MatrixXd& gradi
     a.topLeftCorner(n, mixed) = -gradients;
   else
     b.head(n) = gradients.col(0);
-  // Columns of unit length: sizes may differ by many orders, and rounding must not choose for us. Those that are
-  // mixed keep their proportions: the least |r| over all weights of sum 1 is that of their multiples, too.
-  const double largest = mixed > 0 ? gradients.colwise().norm().maxCoeff() : 0.0;
-  Eigen::VectorXd size(a.cols());
+  if (mixed > 0) {
+    // Not all weights zero: their sum is 1, as one more equation. What |r| / sum is least does not depend on how
+    // much the equation counts; as much as the smallest gradient, which it is never larger than.
+    b[n] = smallest_norm(gradients);
+    a.row(n).head(mixed).setConstant(b[n]);
+  }
+  // Columns of unit length: sizes may differ by many orders, and rounding must not choose for us.
+  Eigen::VectorXd size = a.colwise().norm();
   for (Index j = 0; j < a.cols(); ++j) {
-    size[j] = j < mixed ? largest : a.col(j).norm();
     if (!(size[j] > 0.0)) size[j] = 1.0;
     a.col(j) /= size[j];
-  }
-  if (mixed > 0) {  // not all weights zero: their sum is 1, as one more equation
-    a.row(n).head(mixed).setOnes();
-    b[n] = 1.0;
   }
   std::vector<bool> free(static_cast<std::size_t>(a.cols()), false);
   for (std::size_t i = 0; i < m.limits.size(); ++i)

@@ -88,7 +88,7 @@ class Fit {
     if (found.jacobian.size() != found.values.size() * b.size())
       throw InputError("least squares: the Jacobian has the wrong size");
     if (m < n - (lower_.array() == upper_.array()).count())
-      throw InputError("least squares: there are fewer residuals than parameters");
+      throw InputError("least squares: there are fewer residuals than free parameters");
     using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     r = Eigen::Map<const Eigen::VectorXd>(found.values.data(), m);
     jacobian = Eigen::Map<const RowMajor>(found.jacobian.data(), m, n);
@@ -197,10 +197,12 @@ class Fit {
     }
   }
 
-  // What the residuals are a difference of, as far as that is known: the terms of their linear part, and what
-  // they were at first.
+  bool cut_short() const { return stopped_ || counters_.evaluations >= options_.max_evaluations; }
+
+  // What the residuals are a difference of, as far as that is known: the terms of their linear part and, if the
+  // search has gone as far as it could, what they were at first.
   double size_of_terms() const {
-    double size = first_;
+    double size = cut_short() ? 0.0 : first_;
     for (Index j = 0; j < t_.size(); ++j)
       size += j_.col(j).norm() * (parameter(j).scale == Scale::log ? 1.0 : std::abs(t_[j]));
     return size;
@@ -239,10 +241,9 @@ class Fit {
     // Where the residuals vanish to rounding their direction means nothing, and zero is optimal.
     const bool exact = r_.norm() <= 1e-13 * size_of_terms();
     const bool stationary = result.gradient <= 1e-5 || exact;
-    result.outcome = stationary ? Outcome::optimal
-                     : stopped_ || counters_.evaluations >= options_.max_evaluations
-                         ? Outcome::budget
-                         : Outcome::feasible;
+    result.outcome = stationary    ? Outcome::optimal
+                     : cut_short() ? Outcome::budget
+                                   : Outcome::feasible;
   }
 
   const std::vector<Variable>& parameters_;

@@ -40,12 +40,6 @@ Nlp::Nlp(Session& session, const Scaling& scaling, Formulation formulation)
   value_.dc.resize(rows() * size());
 }
 
-bool Nlp::has_equality() const {
-  for (std::size_t i = 0; i < rows(); ++i)
-    if (equality(i)) return true;
-  return false;
-}
-
 std::vector<double> Nlp::design(std::span<const double> z) const {
   return scaling_.to_design(z.first(units()));
 }

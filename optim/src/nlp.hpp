@@ -63,7 +63,6 @@ class Nlp {
   const std::vector<double>& lower() const { return lower_; }
   const std::vector<double>& upper() const { return upper_; }
   bool equality(std::size_t i) const { return row(i).lower == row(i).upper; }
-  bool has_equality() const;
 
   /// Null if the design cannot be evaluated or a derivative that is needed does not exist. Points
   /// are clamped into the bounds first. @throws Stop, and what the evaluator throws.

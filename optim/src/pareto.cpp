@@ -34,7 +34,8 @@ void ask_population(const Problem& problem, const ParetoOptions& options, FrontS
   population.solve.budget.evaluations = campaign.left();
   population.solve.budget.seconds -= campaign.deadline().elapsed();
   const std::size_t in_all = options.population_evaluations / population.population;
-  population.generations = std::max<std::size_t>(in_all, 2) - 1;  // the first costs as much
+  population.generations =
+      std::max<std::size_t>(in_all, 1) - 1;  // the first population costs as much
   const Front front = nsga2(problem, population);
   Result used;
   used.counters = front.counters;
@@ -142,8 +143,7 @@ bool find_ends(FrontSearch& search, const std::vector<std::vector<double>>& star
 }
 
 void explain(Campaign& campaign, const std::optional<Candidate>& least, Front& front) {
-  const bool evaluable = campaign.counters().failed() < campaign.counters().evaluations;
-  front.outcome = evaluable ? Outcome::infeasible : Outcome::failed;
+  front.outcome = campaign.counters().all_failed() ? Outcome::failed : Outcome::infeasible;
   if (least && campaign.options().analyse_infeasible)
     front.infeasibility = explain_infeasible(campaign, least->z);
   if (campaign.exhausted() && front.infeasibility.relaxations.empty())
@@ -169,6 +169,7 @@ void conclude(Campaign& campaign, Front& front) {
 
 Front pareto_front(const Problem& problem, const ParetoOptions& options) {
   validate_front(problem, options.reference);
+  if (options.points == 0) throw InputError("a front of no points: `points` is at least 1");
   for (const Variable& v : problem.variables)
     if (v.integer && v.lower < v.upper)
       throw InputError("variable '" + v.name +

@@ -35,6 +35,8 @@ void check_sizes(const Evaluation& e, const Problem& problem, bool gradient) {
 // A derivative that is not finite does not fail the design: it is marked, and only those who need
 // that entry are told.
 void mark_undefined(Evaluation& e, std::size_t variables) {
+  for (KinkedEntry& kink : e.kinks)
+    if (!std::isfinite(kink.left) || !std::isfinite(kink.right)) kink.slope = Slope::undefined;
   for (std::size_t k = 0; k < e.jacobian.size(); ++k)
     if (!std::isfinite(e.jacobian[k]))
       e.kinks.push_back({k / variables, k % variables, Slope::undefined, 0.0, 0.0});

@@ -145,10 +145,8 @@ class ContinuousSolve {
 
   Outcome outcome() const {
     if (!best_.best)
-      return campaign_.exhausted() &&
-                     campaign_.counters().failed() < campaign_.counters().evaluations
-                 ? Outcome::budget
-                 : Outcome::failed;
+      return campaign_.exhausted() && !campaign_.counters().all_failed() ? Outcome::budget
+                                                                         : Outcome::failed;
     const bool ok = feasible(best_) ||
                     (best_.certified &&
                      best_.certified->certificate.infeasibility <= options_.feasibility_tolerance);
@@ -175,8 +173,9 @@ class ContinuousSolve {
       result.certificate = best_.certified->certificate;
       result.evaluation = best_.certified->point.evaluation;
     } else {
-      result.certificate.reason =
-          best_.best ? "stopped before the test was done" : "no design could be evaluated";
+      result.certificate.reason = best_.best || !campaign_.counters().all_failed()
+                                      ? "stopped before the test was done"
+                                      : "no design could be evaluated";
     }
     if (best_.solver != nullptr) result.solver = best_.solver->name;
     result.counters = campaign_.counters();
@@ -208,7 +207,7 @@ class ContinuousSolve {
     look.session = std::make_unique<Session>(campaign_.problem(), options_, campaign_.deadline(),
                                              campaign_.take_stage(), campaign_.left());
     try {
-      if (auto certified = certify_in(*look.session, campaign_.scaling(), design, false)) {
+      if (auto certified = certify_in(*look.session, campaign_.scaling(), design)) {
         best_.design = design;
         best_.certified = std::move(certified);
       }

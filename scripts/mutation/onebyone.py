@@ -12,7 +12,7 @@ from .changes import text_of
 
 # Test programs with their Catch2 arguments, the quickest first: most changes die at once.
 TESTS = {"core": ["core_inside_tests", "core_tests ~[slow]~[long]", "core_tests [slow]~[long]"],
-         "optim": ["optim_tests"]}
+         "optim": ["optim_inside_tests", "optim_tests"]}
 
 
 class Plain(Copy):

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """What became of the changes: the file that keeps it, and the report."""
+import collections
 import csv
 import json
 import threading
 
 from .changes import LAYERS, key, text_of
+from .reasons import reason, rules_of
 
 OUTCOMES = ["killed", "endless", "stillborn", "equivalent", "unreached", "survived", "survived so far", "fixed",
             "untried"]
@@ -63,21 +65,30 @@ def group_of(row):
     return f"{row['outcome']}, {row['class']}" if "class" in row else row["outcome"]
 
 
+def counted(names):
+    counts = collections.Counter(names)
+    width = max(map(len, counts), default=0)
+    return [f"{name:{width}} {count:5}" for name, count in sorted(counts.items(), key=lambda item: -item[1])]
+
+
 def report(chosen, results, survivors):
-    """Prints counts and survivors; writes the survivors as CSV."""
+    """Prints counts and the survivors without a reason; writes all survivors as CSV."""
     rows = [results.of(change) or change | {"outcome": "untried"} for change in chosen]
     print("\n".join(table(rows)))
-    listed = [row for row in rows if row["outcome"] in LISTED]
-    for group in sorted({group_of(row) for row in listed}):
-        members = sorted((row for row in listed if group_of(row) == group), key=key)
-        print(f"\n{group}: {len(members)}")
-        for row in members:
-            print(f"{text_of(row)}\n    {row['text']}")
+    listed = sorted((row for row in rows if row["outcome"] in LISTED), key=key)
+    rules = rules_of()
+    reasons = [reason(row, rules) for row in listed]
+    for title, names in [("survivors", map(group_of, listed)), ("reasons", (kind or "none" for kind, _ in reasons))]:
+        print(f"\n{title}:", *counted(f"{layer_of(row['file'])}: {name}" for row, name in zip(listed, names)), sep="\n")
+    print("\nwithout a reason:")
+    for row, (kind, _) in zip(listed, reasons):
+        if not kind:
+            print(f"{text_of(row)} ({group_of(row)})\n    {row['text']}")
     with survivors.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
-        writer.writerow(["file", "line", "column", "old", "new", "class"])
-        for row in sorted(listed, key=key):
+        writer.writerow(["file", "line", "column", "old", "new", "class", "kind", "why"])
+        for row, why in zip(listed, reasons):
             place = row["file"], row["line"], row["column"]
-            writer.writerow([*place, row["old"].strip(), row["new"].strip(), group_of(row)])
+            writer.writerow([*place, row["old"].strip(), row["new"].strip(), group_of(row), *why])
     seconds = sum(row.get("seconds", 0) for row in rows)
     print(f"\n{len(rows)} changes, {seconds:.0f} s of tests; survivors: {survivors}")

@@ -85,6 +85,41 @@ TEST_CASE("a motor is locked where some constant traction keeps to the threshold
   CHECK(free > 50);
 }
 
+TEST_CASE("a motor of unit friction or unit preload locks like any other", "[core][edge][limit]") {
+  MotorDesign design = ring_motor();
+  design.layer.given_shear_modulus = 1e7;
+  design.layer.given_inertia = 0;
+  design.preload = 8 * full_contact_load(design);
+  for (const double mu : {1.0, 1 - 1e-9}) {
+    design.friction = {mu, mu};
+    REQUIRE(following(design).most > following(design).least);
+    CHECK(Motor(design).locks_at_rest());
+  }
+  // As narrow as 1 N asks for: pressures and tractions stay (C8.11).
+  design.stator.contact_width /= design.preload;
+  design.preload = 1;
+  REQUIRE(following(design).most > following(design).least);
+  CHECK(Motor(design).locks_at_rest());
+}
+
+TEST_CASE("without a wave friction locks a motor, and without friction or preload nothing does",
+          "[core][edge][limit]") {
+  MotorDesign still = ring_motor();
+  still.stator.amplitude = 0;
+  CHECK(Motor(still).locks_at_rest());
+  MotorDesign unloaded = still;
+  unloaded.preload = 0;
+  CHECK_FALSE(Motor(unloaded).locks_at_rest());
+  MotorDesign frictionless = still;
+  frictionless.friction = {0, 0};
+  CHECK_FALSE(Motor(frictionless).locks_at_rest());
+  MotorDesign driven = ring_motor();
+  driven.friction = {0, 0};
+  CHECK_FALSE(Motor(driven).locks_at_rest());
+  driven.preload = 8 * full_contact_load(driven);
+  CHECK_FALSE(Motor(driven).locks_at_rest());
+}
+
 TEST_CASE("a locked layer follows the stator and takes its viscous loss (T7.4, T7.12)",
           "[core][edge][quadrature]") {
   Uniform random(32);

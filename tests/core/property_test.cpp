@@ -11,7 +11,6 @@
 #include <twum/core/performance/motor.hpp>
 
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <ctime>
 #include <ostream>
@@ -61,11 +60,8 @@ using namespace twum::test;
 void check_point(const Drawn& drawn) {
   const BoxPoint box = drawn.point();
   const Motor motor(box.design);
-  const auto start = std::chrono::steady_clock::now();
   const OperatingPoint point = motor.operating_point(box.speed);
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   RC_ASSERT(broken_law(motor, point) == "");
-  RC_ASSERT(taken.count() < 2.0);  // "finishes": far above the slowest point, far below a hang
   RC_TAG(to_string(point.status));
 }
 

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include <twum/core/design/motor_design.hpp>
+#include <twum/core/performance/metrics.hpp>
 #include <twum/core/performance/motor.hpp>
 
 // Exact scaling laws of theory section 8. Tolerance for all of them: rounding of the scaled inputs is
@@ -76,6 +77,45 @@ TEST_CASE("time scaled alike leaves the torque (C8.10)", "[core][performance][sc
     d.layer.given_inertia = *d.layer.given_inertia / (c * c);
     return d;
   });
+}
+
+TEST_CASE("speeds sought scale with time, to the bit in powers of two (C8.10)",
+          "[core][metrics][scaling]") {
+  // G, gamma and m given outright: every number in the search is a power of two times the other's, and such factors
+  // bring no rounding, so that a search free of units takes the same steps.
+  int sought = 0;
+  Uniform random(4712);
+  for (int i = 0; i < 24; ++i) {
+    MotorDesign design = realistic_design(random);
+    design.stator.modal_damping = 20;
+    if (i % 4 != 0) design.friction.static_ = design.friction.kinetic;
+    if (i % 3 == 1) design = damped(design);
+    if (i % 3 == 2) design = elastic(design);
+    design = outright(design);
+    const Motor motor(design);
+    for (const double c : {0x1p-14, 0x1p13}) {
+      MotorDesign timed = design;
+      timed.stator.frequency *= c;
+      timed.layer.given_shear_viscosity = *design.layer.given_shear_viscosity / c;
+      timed.layer.given_inertia = *design.layer.given_inertia / (c * c);
+      timed.stator.modal_damping /= c;
+      const Motor twin(timed);
+      const double load = 0.3 * motor.holding_torque();
+      for (const MetricRequest& request :
+           {MetricRequest{Metric::no_load_speed}, MetricRequest{Metric::plateau_speed},
+            MetricRequest{Metric::speed_at_peak_power},
+            MetricRequest{Metric::speed_at_max_efficiency},
+            MetricRequest{Metric::speed_at, Argument::torque, load}}) {
+        const MetricValue value = evaluate(motor, request), scaled = evaluate(twin, request);
+        CAPTURE(i, c, info(request.metric).name);
+        CHECK(scaled.status == value.status);
+        if (value.status != MetricStatus::ok) continue;
+        ++sought;
+        CHECK(scaled.value == c * value.value);
+      }
+    }
+  }
+  CHECK(sought > 200);
 }
 
 TEST_CASE("a wider track with as much more preload scales the torque (C8.11)",

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""scripts/mutate.py rewrites what it means to: operands reach as far as the language says, and no further."""
+"""scripts/mutate.py rewrites what it means to: operands reach as far as the language says, and no further.
+Its reasons are about lines that exist, and each survivor that docs/survivors.csv names has one."""
+import csv
 import pathlib
 import re
 import sys
@@ -8,6 +10,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts"))
 
 from mutation.changes import LAYERS, all_changes, key  # noqa: E402
+from mutation.places import places  # noqa: E402
+from mutation.reasons import KINDS, places_of, rules_of  # noqa: E402
 from mutation.rewrite import Source, numbered, rewritten_text  # noqa: E402
 
 # A line, and what becomes of it; m. stands for mutant:: and numbers of changes are left out.
@@ -71,10 +75,53 @@ def unplaced():
             yield f"{name}: a change stands twice"
 
 
+# Lines with the function or class that each belongs to.
+PLACES = [
+    ("#define F(x) {", ""),
+    ("namespace a {", ""),
+    ("constexpr int kA[] = {1, 2};", ""),
+    ("template <typename T, int = 3>", "f"),
+    ("T f(T x, B b = {}) {", "f"),
+    ("  if (x) { g(); }", "f"),
+    ("  auto h = [](int y) { return y; };", "f"),
+    ("}", "f"),
+    ("class C : public D {", "C"),
+    ("  int a_{3};", "C"),
+    ("  bool g() const { return a_; }", "C::g"),
+    ("};", "C"),
+    ("C::C(int a)", "C::C"),
+    ("    : a_{a} {}", "C::C"),
+    ("}  // namespace a {", "")]
+
+
+def misplaced():
+    found = places("\n".join(line for line, _ in PLACES))
+    return [f"{line!r} belongs to {name!r}, not {was!r}" for (line, name), was in zip(PLACES, found) if was != name]
+
+
+def stale_rules():
+    """Rules of reasons.tsv that no line of the tree fits."""
+    for rule in rules_of():
+        row = rule.row
+        path = ROOT / row["file"]
+        lines = path.read_text(encoding="utf-8").split("\n") if path.exists() else []
+        if not any(row["text"] in line and row["place"] in ("*", place)
+                   for line, place in zip(lines, places_of(row["file"]) if lines else [])):
+            yield f"reasons.tsv: no line of {row['file']}, {row['place']}, has {row['text']!r}"
+
+
+def unexplained():
+    with (ROOT / "docs/survivors.csv").open(encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(file):
+            if row["kind"] not in KINDS or not row["why"]:
+                yield f"docs/survivors.csv: {row['file']}:{row['line']}: {row['old']} -> {row['new']} has no reason"
+
+
 if __name__ == "__main__":
-    failures = [f"{line!r}\n  gave     {shortened(rewritten_text(line))!r}\n  expected {expected!r}"
+    failures = [*misplaced(), *stale_rules(), *unexplained()]
+    failures += [f"{line!r}\n  gave     {shortened(rewritten_text(line))!r}\n  expected {expected!r}"
                 for line, expected in CASES if shortened(rewritten_text(line)) != expected]
     failures += unplaced()
     print("\n".join(failures))
-    print(f"{len(CASES)} rewritings, {len(failures)} wrong")
+    print(f"{len(CASES)} rewritings, {len(PLACES)} places, {len(rules_of())} reasons: {len(failures)} wrong")
     sys.exit(1 if failures else 0)

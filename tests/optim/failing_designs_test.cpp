@@ -183,7 +183,7 @@ TEST_CASE("an exception of the evaluator ends a solve at once and reaches its ca
           "[optim][failure]") {
   struct Torn {};
   for (const SolverInfo& solver : solvers()) {
-    // NLopt's first DIRECT may crash when it is stopped among its first calls.
+    // Not available is NLopt's first DIRECT, which may crash when it is stopped among its first calls.
     if (!solver.available) continue;
     for (int fatal = 2; fatal < 9; ++fatal) {
       int calls = 0;

@@ -206,9 +206,30 @@ TEST_CASE("no start is an optimum for the units of its parameters", "[optim][lea
     CAPTURE(unit, fit.gradient);
     CHECK(fit.outcome == Outcome::budget);
   }
-  // One residual fewer than parameters, but one of these is fixed: the docstring allows it.
-  CHECK_NOTHROW(
+}
+
+TEST_CASE("a fixed parameter needs no residual", "[optim][least_squares][bounds]") {
+  const auto fit =
       least_squares({{"known", 2.0, 2.0}, {"x", -1.0, 9.0, 0.0}}, [](std::span<const double> p) {
         return Residuals{{p[0] * p[1] - 6.0}, {p[1], p[0]}, {}};
-      }));
+      });
+  CHECK(fit.outcome == Outcome::optimal);
+  CHECK(fit.estimates[1].value == Approx(3.0).epsilon(1e-15));  // a division
+}
+
+TEST_CASE("residuals that were huge at the start do not make a fit optimal that was cut short",
+          "[optim][least_squares][budget]") {
+  // The first step takes x from 1 to rounding, 16 orders smaller, and halves y, which has 24 left to go.
+  for (const std::size_t most : {2U, 3U}) {
+    LeastSquaresOptions options;
+    options.max_evaluations = most;
+    const auto fit = least_squares(
+        {{"x", -kInfinity, kInfinity, 1.0}, {"y", -kInfinity, kInfinity, 10.0}},
+        [](std::span<const double> p) {
+          return Residuals{{1e16 * p[0], p[1] * p[1] - 2.0}, {1e16, 0.0, 0.0, 2.0 * p[1]}, {}};
+        },
+        options);
+    CAPTURE(most, fit.sum_of_squares);
+    CHECK(fit.outcome == Outcome::budget);
+  }
 }

@@ -320,7 +320,7 @@ TEST_CASE("fits that cannot be posed are refused by the parameter that is wrong"
                                   [](std::span<const double>) {
                                     return Residuals{{1}, {1, 0}, {}};
                                   }),
-                    Contains("fewer residuals than parameters"));
+                    Contains("fewer residuals than free parameters"));
   CHECK_THROWS_WITH(least_squares(good,
                                   [](std::span<const double>) {
                                     return Residuals{{1, 2}, {1}, {}};

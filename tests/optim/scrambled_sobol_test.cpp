@@ -19,13 +19,17 @@ TEST_CASE("every 2^m points of a scrambled Sobol sequence share out each axis ev
           "[optim][sobol]") {
   const ScrambledSobol sequence(24, 7, 3);
   std::vector<double> x(24);
-  for (const std::uint64_t first : {0U, 256U, 1024U}) {
-    std::vector<std::set<int>> cells(24);
-    for (std::uint64_t i = 0; i < 256; ++i) {
-      sequence.point(first + i, x);
-      for (std::size_t j = 0; j < 24; ++j) cells[j].insert(static_cast<int>(x[j] * 256));
+  for (int m = 1; m <= 8; ++m) {
+    const std::uint64_t count = std::uint64_t{1} << m;
+    for (const std::uint64_t block : {0U, 1U, 4U}) {
+      std::vector<std::set<int>> cells(24);
+      for (std::uint64_t i = 0; i < count; ++i) {
+        sequence.point(block * count + i, x);
+        for (std::size_t j = 0; j < 24; ++j) cells[j].insert(static_cast<int>(std::ldexp(x[j], m)));
+      }
+      CAPTURE(m, block);
+      for (const auto& axis : cells) CHECK(axis.size() == count);
     }
-    for (const auto& axis : cells) CHECK(axis.size() == 256);
   }
 }
 

@@ -178,6 +178,7 @@ TEST_CASE("Newton steps finish a crude answer, but only where they may", "[optim
   options.polish = true;
   const Result fine = solve(p, options);
   CHECK(fine.certificate.passed);
+  // Curvature 2 and a stationarity of 1e-6 relative to the slope at the start, about one.
   CHECK(std::abs(fine.design[0] - 0.35) < 1e-6);
 }
 

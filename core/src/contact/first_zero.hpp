@@ -104,8 +104,9 @@ double polish_zero(const Curve& curve, double low, double high, double x, CurveS
   for (int i = 0; i < 100; ++i) {
     (c.f > 0 ? low : high) = x;
     double next = x + taylor_step(c);
-    if (is_last_step(c, next - x)) return next;
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    const bool inside = next >= low && next <= high;
+    if (inside && is_last_step(c, next - x)) return next;
+    if (!inside) next = 0.5 * (low + high);
     if (next == x) return x;
     x = next;
     c = curve.sample(x);

@@ -124,13 +124,18 @@ class LapRunner {
     if (layer_.has_inertia())
       return enter_at_rate(value_of(state_.rate) - value_of(sticking_rate()));
     if (n_.full) return enter_under_pressure();
-    if (layer_.kind() == LayerKind::relaxing) {
-      return enter_at_rate(-value_of(state_.e) / value_of(layer_.C) - value_of(sticking_rate()));
-    }
-    const double gain = value_of(sticking_rate()),
-                 allowed = value_of(n_.kinetic) * value_of(n_.edge.sin);
-    if (gain > allowed) return begin_slip(-1, StartOrder::positive);
-    if (gain < -allowed) return begin_slip(+1, StartOrder::positive);
+    const double rate = value_of(sticking_rate());
+    if (layer_.kind() == LayerKind::elastic) return enter_by_slopes(rate, StartOrder::positive);
+    const double C = value_of(layer_.C), relative_rate = -value_of(state_.e) / C - rate;
+    if (relative_rate != 0) return enter_at_rate(relative_rate);
+    enter_by_slopes(rate + C * value_of(n_.stick_rate) * value_of(n_.edge.sin), StartOrder::zero);
+  }
+
+  // Traction and threshold begin at zero: the layer sticks if the traction of stick rises no faster.
+  void enter_by_slopes(double gain, StartOrder slip) {
+    const double allowed = value_of(n_.kinetic) * value_of(n_.edge.sin);
+    if (gain > allowed) return begin_slip(-1, slip);
+    if (gain < -allowed) return begin_slip(+1, slip);
     begin_stick(StartOrder::zero, StartOrder::zero);
   }
 
@@ -153,7 +158,11 @@ class LapRunner {
   bool has_static_excess() const { return value_of(n_.static_) > value_of(n_.kinetic); }
 
   // A lap that follows another goes through the same zones.
-  bool follows_on() const { return kEnds != Ends::followed || known_end().zone == zone_; }
+  bool follows_on() const {
+    if (kEnds != Ends::followed) return true;
+    const int i = lap_.script.count;
+    return i < script_->count && script_->ends[i].zone == zone_;
+  }
 
   void after_slip(double sigma) {
     if (!layer_.has_inertia()) {

@@ -5,9 +5,6 @@
 #include "contact/return_map.hpp"
 #include "contact/scalars.hpp"
 
-#include <cmath>
-#include <limits>
-
 namespace twum::contact {
 namespace {
 
@@ -16,12 +13,8 @@ namespace {
 template <typename S>
 void correct(const Matrix2& j, const LayerState<S>& next, LayerState<S>& at,
              const LayerState<double>& value) {
-  const double a = 1 - j.a, d = 1 - j.d, det = a * d - j.b * j.c;
-  const double inverse =
-      std::fabs(det) > 1e-14 ? 1 / det : std::numeric_limits<double>::quiet_NaN();
-  const S e = next.e - at.e, rate = next.rate - at.rate;
-  at = {with_value(S(at.e + inverse * (d * e + j.b * rate)), value.e),
-        with_value(S(at.rate + inverse * (j.c * e + a * rate)), value.rate)};
+  const LayerState<S> step = resolvent(j) * LayerState<S>{next.e - at.e, next.rate - at.rate};
+  at = {with_value(S(at.e + step.e), value.e), with_value(S(at.rate + step.rate), value.rate)};
 }
 
 // x with two more directions, in which it does not move.
@@ -52,26 +45,23 @@ template <int N>
 class EntryMotion {
  public:
   explicit EntryMotion(const LayerState<Dual<double, N + 2>>& next) {
-    const double a = 1 - next.e.d[N], b = next.e.d[N + 1], c = next.rate.d[N],
-                 d = 1 - next.rate.d[N + 1], det = a * d - b * c;
-    const double inverse =
-        std::fabs(det) > 1e-14 ? 1 / det : std::numeric_limits<double>::quiet_NaN();
-    for (int i = 0; i < N; ++i) {
-      e_[i] = inverse * (d * next.e.d[i] + b * next.rate.d[i]);
-      rate_[i] = inverse * (c * next.e.d[i] + a * next.rate.d[i]);
-    }
+    const Matrix2 inverse =
+        resolvent({next.e.d[N], next.e.d[N + 1], next.rate.d[N], next.rate.d[N + 1]});
+    for (int i = 0; i < N; ++i)
+      motion_[i] = inverse * LayerState<double>{next.e.d[i], next.rate.d[i]};
   }
 
   // x along the periodic state.
   Dual<double, N> along(const Dual<double, N + 2>& x) const {
     Dual<double, N> r;
     r.v = x.v;
-    for (int i = 0; i < N; ++i) r.d[i] = x.d[i] + x.d[N] * e_[i] + x.d[N + 1] * rate_[i];
+    for (int i = 0; i < N; ++i)
+      r.d[i] = x.d[i] + x.d[N] * motion_[i].e + x.d[N + 1] * motion_[i].rate;
     return r;
   }
 
  private:
-  double e_[N], rate_[N];
+  LayerState<double> motion_[N];
 };
 
 // The periodic state by the implicit function theorem, from one lap: derivatives in the numbers and in

@@ -222,9 +222,9 @@ class Search {
     const LayerState<double> at = from.entry.layer, next = from.lap.next.layer;
     const Matrix2 j = return_jacobian(n_, s_.entry, &s_.lap.script);
     ++s_.laps;
-    LayerState<double> step{0, 0};
+    const LayerState<double> step = resolvent(j) * difference(next, at);
     // Near a threshold that is just touched the full step overshoots: shorten it.
-    double share = solve_return(j, difference(next, at), step) ? 1 : 0;
+    double share = std::isfinite(step.e) && std::isfinite(step.rate) ? 1 : 0;
     for (int i = 0; i < 12 && share > 0; ++i, share *= 0.25) {
       LapEntry<double> entry = from.entry;
       entry.layer = {at.e + share * step.e, at.rate + share * step.rate};

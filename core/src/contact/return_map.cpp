@@ -4,14 +4,15 @@
 #include "contact/scalars.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace twum::contact {
 
-bool solve_return(const Matrix2& j, const LayerState<double>& r, LayerState<double>& step) {
+Matrix2 resolvent(const Matrix2& j) {
   const double a = 1 - j.a, d = 1 - j.d, det = a * d - j.b * j.c;
-  if (!(std::fabs(det) > 1e-14)) return false;
-  step = {(d * r.e + j.b * r.rate) / det, (j.c * r.e + a * r.rate) / det};
-  return std::isfinite(step.e) && std::isfinite(step.rate);
+  const double inverse =
+      std::fabs(det) > 1e-14 ? 1 / det : std::numeric_limits<double>::quiet_NaN();
+  return {inverse * d, inverse * j.b, inverse * j.c, inverse * a};
 }
 
 // Only a real eigenvalue can lead laps away from the state; the least damping brings them back from a circle

@@ -10,6 +10,11 @@ struct Matrix2 {
   double a, b, c, d;
 };
 
+template <typename S>
+LayerState<S> operator*(const Matrix2& m, const LayerState<S>& x) {
+  return {m.a * x.e + m.b * x.rate, m.c * x.e + m.d * x.rate};
+}
+
 /// An entry that does not move.
 template <typename S>
 LapEntry<S> constant_entry(const LapEntry<double>& entry) {
@@ -20,8 +25,8 @@ LapEntry<S> constant_entry(const LapEntry<double>& entry) {
 Matrix2 return_jacobian(const ContactNumbers<double>& numbers, const LapEntry<double>& at,
                         const Script* script);
 
-/// (I - J)^-1 r; false where the return map has no isolated fixed point.
-bool solve_return(const Matrix2& j, const LayerState<double>& r, LayerState<double>& step);
+/// (I - J)^-1; NaN where the return map has no isolated fixed point.
+Matrix2 resolvent(const Matrix2& j);
 
 /// Whether laps from nearby come to the fixed point, if only by the least damping (E6.6).
 bool attracts(const Matrix2& j);

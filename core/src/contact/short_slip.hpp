@@ -11,8 +11,8 @@ namespace twum::contact {
 ///
 /// There the layer's own and its forced motion nearly cancel, and their difference would have few
 /// digits. The series of e itself has them all: with z = rate * length its terms fall like z^k / k!, and
-/// those of products like (2 z)^k / k!. Only the fast mode of an overdamped layer, which may be over in
-/// no time, stays in closed form beside the series.
+/// those of products like (2 z)^k / k!. Only a fast mode of an overdamped layer that is over within the
+/// zone stays apart, in closed form beside the series.
 template <typename S>
 class ShortSlip {
  public:
@@ -33,10 +33,12 @@ class ShortSlip {
         layer_(layer),
         q_(-(sigma * n.kinetic)),
         length_(length),
-        fast_(fast),
-        terms_(count(2 * rate(layer) * value_of(length))) {
+        has_mode_apart_(is_over_within(layer, length)),
+        fast_(has_mode_apart_ ? fast : S(0.0)),
+        terms_(count(2 * rate_of_series() * value_of(length))) {
     expand_pressure(from);
-    layer.kind() == LayerKind::oscillating ? expand_oscillation(start) : expand_decay(start, from);
+    layer.kind() == LayerKind::relaxing || has_mode_apart_ ? expand_decay(start, from)
+                                                           : expand_motion(start);
   }
 
   /// Integrals of p e' and C e'^2.
@@ -59,7 +61,7 @@ class ShortSlip {
       w.loss += inverse(k + 1) * b[k];
     }
     w = {w.rate_pressure * length_, layer_.C * (w.loss * length_)};
-    if (layer_.kind() == LayerKind::overdamped) add_fast_mode(w, from, to);
+    if (has_mode_apart_) add_fast_mode(w, from, to);
     return w;
   }
 
@@ -79,10 +81,25 @@ class ShortSlip {
 
   static double inverse(int k) { return kInverse[static_cast<std::size_t>(k)]; }
 
+  static bool is_over_within(const LayerMotion<S>& layer, const S& length) {
+    return layer.kind() == LayerKind::overdamped &&
+           -value_of(layer.fast()) * value_of(length) > kReach;
+  }
+
+  double rate_of_series() const {
+    if (layer_.kind() != LayerKind::overdamped || has_mode_apart_) return rate(layer_);
+    return std::fmax(1, -value_of(layer_.fast()));
+  }
+
+  // Where the layer enters at rest the products begin with terms that nearly cancel, of pressure and motion
+  // alone: of the second to the fourth power, with inertia to the sixth. Those of the layer's own times fall
+  // off behind them.
   static int count(double z) {
+    constexpr int kFirst = 5;
     int terms = 2;
-    for (double term = z * z / 2; term > 1e-17 && terms < kTerms - 1; term *= z / terms) ++terms;
-    return terms + 1;
+    for (double term = z * z / 2; term > 1e-17 && terms < kTerms - kFirst; term *= z / terms)
+      ++terms;
+    return terms + kFirst;
   }
 
   // p = w_L - (1 - cos theta), in powers of x / length.
@@ -97,7 +114,7 @@ class ShortSlip {
   }
 
   // M e'' = t - C e' - e
-  void expand_oscillation(const LayerState<S>& start) {
+  void expand_motion(const LayerState<S>& start) {
     S strain = start.e;
     strain_ = start.e;
     rate_[0] = start.rate;
@@ -108,7 +125,7 @@ class ShortSlip {
     }
   }
 
-  // e' = slow e + r: without inertia r = t / C; else r is what the fast mode's rate makes of t,
+  // e' = slow e + r: without inertia r = t / C; else, the fast mode apart, r is what its rate makes of t,
   // M (r' - fast r) = t.
   void expand_decay(const LayerState<S>& start, const Phase<S>& from) {
     S strain = start.e - fast_;
@@ -146,7 +163,7 @@ class ShortSlip {
 
   LayerState<S> fast_at(const S& x) const {
     using std::exp;
-    if (layer_.kind() != LayerKind::overdamped) return {S(0.0), S(0.0)};
+    if (!has_mode_apart_) return {S(0.0), S(0.0)};
     const S h = fast_ * exp(layer_.fast() * x);
     return {h, layer_.fast() * h};
   }
@@ -166,7 +183,9 @@ class ShortSlip {
 
   const ContactNumbers<S>& n_;
   const LayerMotion<S>& layer_;
-  S q_, length_, fast_, strain_;
+  S q_, length_;
+  bool has_mode_apart_;
+  S fast_, strain_;
   int terms_;
   S pressure_[kTerms], rate_[kTerms];  // of p and e', in powers of x / length
 };

@@ -7,7 +7,8 @@
 namespace twum::performance {
 namespace {
 
-constexpr int kStretches = 8;  // sequences of zones between two nodes
+constexpr std::size_t kStretches = 8;  // sequences of zones between two nodes
+constexpr double kNearly = 0.97;  // share of the best node above which another hump may be higher
 constexpr double kInset =
     1e-7;  // share of a stretch left out at its ends, which stand for themselves
 
@@ -122,6 +123,35 @@ Peak CurveSearch::named(Peak peak) {
 }
 
 Peak CurveSearch::smooth_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top) {
+  Peak best = peak_beside(goal, nodes, top);
+  const auto consider = [&](const Peak& peak) {
+    if (peak.value > best.value) best = peak;
+  };
+  const auto at = [&](std::size_t k) { return value(goal, nodes[k]); };
+  for (std::size_t k = 1; k + 1 < nodes.size(); ++k) {
+    const bool hump = at(k) >= at(k - 1) && at(k) >= at(k + 1);
+    if (hump && k != top && at(k) >= kNearly * at(top)) consider(peak_beside(goal, nodes, k));
+  }
+  if (goal != Goal::torque && plateau_may_top(goal, nodes, best.value)) {
+    const Node end = answered(plateau_end());
+    consider({end.speed, value(goal, end), PeakKind::plateau_end});
+  }
+  return best;
+}
+
+// Power and efficiency may have their maximum at the plateau's end, a kink, wherever the best node is.
+bool CurveSearch::plateau_may_top(Goal goal, const std::vector<Node>& nodes, double best) {
+  if (!starts_on_plateau()) return false;
+  std::size_t k = 1;
+  while (k < nodes.size() && nodes[k].plateau) ++k;
+  if (k == nodes.size()) return false;
+  Node most = nodes[k];
+  most.torque = nodes[0].torque;
+  most.stator_power = std::min(nodes[k - 1].stator_power, nodes[k].stator_power);
+  return value(goal, most) > best;
+}
+
+Peak CurveSearch::peak_beside(Goal goal, const std::vector<Node>& nodes, std::size_t top) {
   if (top > 0 && top + 1 < nodes.size()) {
     const std::optional<Peak> near = peak_near(goal, nodes, top);
     if (near && near->value >= value(goal, nodes[top]) * (1 - 1e3 * kScanAccuracy)) return *near;
@@ -148,32 +178,33 @@ Peak CurveSearch::rough_peak(Goal goal, const std::vector<Node>& nodes, std::siz
   lost_ = 0;
   for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
     if (std::max(value(goal, nodes[k]), value(goal, nodes[k + 1])) < worth) continue;
-    const std::vector<Node> ends = stretches(nodes[k], nodes[k + 1]);
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-      consider(ends[i]);
-      const bool level = goal == Goal::torque && ends[i].plateau;
-      if (i % 2 != 0 || i + 1 == ends.size() || !ends[i].ok() || level) continue;
-      // A zone that is just born has an end without slope: look for the maximum a little inside.
-      const double low = ends[i].speed, high = ends[i + 1].speed, inset = kInset * (high - low);
-      const std::optional<Peak> inside = peak_between(goal, low + inset, high - inset);
-      if (inside && inside->value > best.value) best = *inside;
+    for (const auto& [first, last] : stretches(nodes[k], nodes[k + 1])) {
+      consider(first);
+      const bool level = goal == Goal::torque && first.plateau;
+      if (first.ok() && !level && first.speed < last.speed) {
+        // A zone that is just born has an end without slope: look for the maximum a little inside.
+        const double low = first.speed, high = last.speed, inset = kInset * (high - low);
+        const std::optional<Peak> inside = peak_between(goal, low + inset, high - inset);
+        if (inside && inside->value > best.value) best = *inside;
+      }
+      consider(last);
     }
   }
   return named(best);
 }
 
-// First and last nodes of each stretch with the same sequence of zones, from `low` on; a last one that is
-// `end` alone is there once.
-std::vector<CurveSearch::Node> CurveSearch::stretches(const Node& low, const Node& end) {
-  std::vector<Node> ends{low};
+// What lies between two nodes, cut where the sequence of zones changes.
+std::vector<CurveSearch::Stretch> CurveSearch::stretches(const Node& low, const Node& end) {
+  std::vector<Stretch> all;
+  Node first = low;
   // Where zones are born, rounding can tell many sequences apart: the rest counts as one stretch.
-  while (ends.back().itinerary != end.itinerary && ends.size() < 2 * kStretches - 1) {
-    const auto [left, right] = stretch_end(ends.back(), end);
-    ends.insert(ends.end(), {left, right});
-    if (right.speed >= end.speed) return ends;
+  while (first.itinerary != end.itinerary && all.size() + 1 < kStretches) {
+    const auto [left, right] = stretch_end(first, end);
+    all.push_back({first, left});
+    first = right;
   }
-  ends.push_back(end);
-  return ends;
+  all.push_back({first, end});
+  return all;
 }
 
 // Neighbouring speeds between which the sequence of zones that holds at `low` ends.

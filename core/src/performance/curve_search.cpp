@@ -179,7 +179,7 @@ Crossing CurveSearch::falls_through(double torque, const Node& low, const Node& 
         ->second;
   };
   const double at_low = at(b.low), at_high = at(b.high);
-  const bool jump = at_low > 0 && at_high < 0 && at_low - at_high > 1e-7 * holding_;
+  const bool jump = at_low - at_high > 1e-7 * holding_;
   return {std::fabs(at_low) <= std::fabs(at_high) || jump ? b.low : b.high, jump};
 }
 
@@ -201,14 +201,18 @@ Crossing CurveSearch::speed_at(double torque) {
   const bool plateau_is_top = top.kind == PeakKind::rest && starts_on_plateau();
   if (plateau_is_top && torque >= stall_torque() * (1 - kSameTorque)) return {plateau_end(), false};
   const std::vector<Node> nodes = nodes_around(torque);
-  const std::size_t k = after_last(nodes, torque);
-  const double high = nodes[k].speed;
+  // Torque may jump past it where it jumps past zero.
+  if (const Crossing free = no_load(); free.jump && nodes.back().torque >= torque) return free;
+  std::size_t k = after_last(nodes, torque);
   if (k > 0 && nodes[k - 1].speed >= top.speed)
     return falls_through(torque, nodes[k - 1], nodes[k]);
-  if (torque >= top.value || top.speed >= high) return {top.speed, false};
-  if (const Node at_top = answered(top.speed); at_top.torque > torque)
+  // No node beyond the maximum carries it: it is met between the maximum and the first of them.
+  while (k < nodes.size() && nodes[k].speed <= top.speed) ++k;
+  const Node at_top = answered(top.speed);
+  if (k < nodes.size() && torque < top.value && at_top.torque > torque)
     return falls_through(torque, at_top, nodes[k]);
-  return {top.speed, top.kind != PeakKind::smooth};
+  // The speed has no derivative where the torque has none left to give, nor beside a jump.
+  return {top.speed, torque < top.value || top.kind == PeakKind::smooth};
 }
 
 bool CurveSearch::starts_on_plateau() {
@@ -258,8 +262,9 @@ std::vector<CurveSearch::Node> CurveSearch::nodes_around(double torque) {
   std::vector<Node> all(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(from) + 1);
   for (std::size_t k = from + 1; k < nodes.size(); ++k) {
     if (std::max(nodes[k - 1].torque, nodes[k].torque) >= kWorth * torque) {
-      for (const Node& each : stretches(nodes[k - 1], nodes[k]))
-        if (each.ok() && each.speed > all.back().speed) all.push_back(each);
+      for (const Stretch& stretch : stretches(nodes[k - 1], nodes[k]))
+        for (const Node& each : {stretch.first, stretch.last})
+          if (each.ok() && each.speed > all.back().speed) all.push_back(each);
     } else {
       all.push_back(nodes[k]);
     }

@@ -62,6 +62,9 @@ class CurveSearch {
     long lost{0};                     ///< zones followed in vain, without an answer
     bool ok() const { return status == MetricStatus::ok; }
   };
+  struct Stretch {
+    Node first, last;  ///< with the same sequence of zones, and so all between them
+  };
   static constexpr double kScanAccuracy = 1e-7;  // of the nodes
   static constexpr double kWorth = 0.7;  // share of a value above which jumps nearby may pass it
   static constexpr std::uint64_t kNoState = ~std::uint64_t{0};
@@ -81,6 +84,8 @@ class CurveSearch {
   Sloped sloped(Goal goal, double speed, Trail* trail = nullptr);
   Peak peak(Goal goal);
   Peak smooth_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top);
+  Peak peak_beside(Goal goal, const std::vector<Node>& nodes, std::size_t top);
+  bool plateau_may_top(Goal goal, const std::vector<Node>& nodes, double best);
   Peak rough_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top);
   double likely_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top,
                      double& curvature) const;
@@ -88,7 +93,7 @@ class CurveSearch {
   std::optional<Peak> peak_between(Goal goal, double low, double high);
   const Node& halved(double speed);
   std::pair<Node, Node> stretch_end(const Node& low, const Node& end);
-  std::vector<Node> stretches(const Node& low, const Node& end);
+  std::vector<Stretch> stretches(const Node& low, const Node& end);
   Peak named(Peak peak);
   std::vector<Node> working_nodes();
   std::vector<Node> nodes_around(double torque);

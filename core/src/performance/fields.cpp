@@ -80,7 +80,7 @@ Trace trace_of(const ContactNumbers<double>& n, const LayerMotion<double>& layer
 
 double phase_of(int i, int samples) { return -kPi + 2 * kPi * i / (samples - 1); }
 
-// (T3.3) [Pa]
+// (T3.1), (T3.3) [Pa]
 double pressure_at(const MotorModel<double>& m, double theta) {
   const double P = m.contact.pressure_amplitude;
   if (m.contact.full) return P * std::cos(theta) + m.preload / (2 * kPi * m.r * m.b);
@@ -89,7 +89,8 @@ double pressure_at(const MotorModel<double>& m, double theta) {
   return P * (contact::trig(edge).versine - contact::trig(theta).versine);
 }
 
-// Points in closed form: without friction there is no traction; at rest the locked layer sticks all round; a flat stator is dragged over.
+// Points in closed form: without friction there is no traction; at rest the locked layer sticks all round; a flat
+// stator is dragged over.
 FieldSample special_sample(const MotorModel<double>& m, const SolvedPoint& point, double speed,
                            double theta) {
   const double area = 2 * kPi * m.r * m.b;

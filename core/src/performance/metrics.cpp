@@ -173,10 +173,10 @@ class Differentiator : private Evaluator {
   Derived derive(const MetricRequest& request) {
     switch (request.metric) {
       case M::holding_torque: return {model_.static_ * model_.preload * model_.r};
-      case M::contact_half_length: return {model_.contact.half_length, of_contact()};
+      case M::contact_half_length: return {model_.contact.half_length, of_contact_size()};
       case M::contact_ratio:
-        return {model_.contact.ratio, m_.contact.full ? Smoothness::flat : of_contact()};
-      case M::max_pressure: return {model_.contact.max_pressure, of_contact()};
+        return {model_.contact.ratio, m_.contact.full ? Smoothness::flat : of_contact_size()};
+      case M::max_pressure: return {model_.contact.max_pressure, of_contact_size()};
       case M::stall_torque: return at(M::torque_at, fixed_speed(0));
       case M::max_torque: return at_peak(M::torque_at, search_.max_torque());
       case M::no_load_speed: return crossing(search_.no_load(), 0);
@@ -205,6 +205,11 @@ class Differentiator : private Evaluator {
     const double gap =
         m_.contact.full ? m_.contact.edge_cosine + 1 : m_.contact.half_angle - std::numbers::pi;
     return std::fabs(gap) < 1e-7 ? Smoothness::one_sided : Smoothness::smooth;
+  }
+
+  // By (T3.2) theta_L grows with the cube root of the first preload, and pressure with the square of that.
+  Smoothness of_contact_size() const {
+    return m_.contact.half_angle == 0 ? Smoothness::undefined : of_contact();
   }
 
   Smoothness of_point(double speed) { return worse(smoothness_of(m_, point(speed)), of_contact()); }

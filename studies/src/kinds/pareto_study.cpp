@@ -87,9 +87,6 @@ class ParetoStudy : public SearchStudy {
     optim::Nsga2Options options;
     options.solve = solve;
     options.population = std::max<std::size_t>(4, points_ + points_ % 2);
-    options.generations = std::min<std::size_t>(
-        options.generations,
-        std::max<std::size_t>(1, solve.budget.evaluations / options.population));
     return optim::nsga2(problem, options);
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/scalars.hpp"
 #include "contact/periodic_state.hpp"
+#include "in_scalar.hpp"
 #include "random_contact.hpp"
 
 #include <catch2/catch.hpp>
@@ -12,29 +13,6 @@ using namespace twum::contact;
 using namespace twum::test;
 
 namespace {
-
-// The numbers in S, number k an independent variable where S has a direction for it.
-template <typename S>
-ContactNumbers<S> in_scalar(const ContactNumbers<double>& n) {
-  ContactNumbers<S> k{S(n.inertia),
-                      S(n.damping),
-                      S(n.stick_rate),
-                      S(n.speed_ratio),
-                      S(n.half_angle),
-                      S(0.0),
-                      S(n.kinetic),
-                      S(n.static_),
-                      {},
-                      n.full};
-  if constexpr (std::is_same_v<S, NumbersDual> || std::is_same_v<S, NumbersDual2>) {
-    S* const list[] = {&k.inertia,    &k.damping, &k.stick_rate, &k.speed_ratio,
-                       &k.half_angle, &k.kinetic, &k.static_};
-    for (int i = 0; i < 7; ++i) list[i]->d[i] = 1.0;
-  }
-  k.edge = trig(k.half_angle);
-  k.peak = k.edge.versine;
-  return k;
-}
 
 template <typename S>
 void check_same_bits(const ContactNumbers<double>& n) {
@@ -94,6 +72,8 @@ TEST_CASE("dual numbers obey the rules of differentiation", "[core][derivative][
   check(sqrt(x) + cos(y) * 2.0, std::sqrt(0.7) + 2 * std::cos(1.3), 0.5 / std::sqrt(0.7),
         -2 * std::sin(1.3));
   check(-(3.0 - x) + y / 2.0, -2.3 + 0.65, 1, 0.5);
+  check(x + 2.0, 2.7, 1, 0);
+  check(y - 2.0, -0.7, 0, 1);
   D z = x;
   z += y, z *= 2.0, z -= x;
   check(z, 0.7 + 2.6, 1, 2);

@@ -235,10 +235,9 @@ TEST_CASE("a polished design of a front lies on it", "[optim][polish][pareto][cl
     for (const bool far : {false, true}) {
       const double x = far ? 1.0 + beyond : -beyond;
       const auto end = Stage(p).polished({x, 0.01}, far ? Design{0.0, 1.0} : Design{1.0, 0.0});
-      if (!end) continue;  // as it is
-      CAPTURE(x, (*end)[0], (*end)[1]);
-      CHECK((*end)[0] >= -1e-9);
-      CHECK((*end)[0] <= 1.0 + 1e-9);
+      CAPTURE(x);
+      const bool lies = end && (*end)[0] >= -1e-9 && (*end)[0] <= 1.0 + 1e-9;
+      CHECK((lies || !end));  // or it stays as it is
     }
   }
 }

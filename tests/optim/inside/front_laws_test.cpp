@@ -195,21 +195,6 @@ TEST_CASE("a front without a feasible design is infeasible whether or not it is 
   CHECK(front.infeasibility.relaxations.empty() == !options.solve.analyse_infeasible);
 }
 
-TEST_CASE("a population costs what it is given and at most one generation more",
-          "[optim][pareto][budget]") {
-  const std::size_t size = Nsga2Options{}.population;
-  for (const std::size_t given : {size, 3 * size / 2, 4 * size}) {
-    ParetoOptions options;
-    options.points = 4;
-    options.population_evaluations = given;
-    std::size_t calls = 0;
-    options.solve.observer = [&](const Observation& o) { calls += o.stage == 1 ? 1U : 0U; };
-    pareto_front(two_valleys(), options);
-    CHECK(calls > size);
-    CHECK(calls <= given + size);
-  }
-}
-
 TEST_CASE("what neighbours agree in may differ between them: then nothing is predicted",
           "[optim][pareto][manufactured]") {
   // Between the ends, at x = 0 and x = 1, the bound holds z at 0 but for a bump in the middle.

@@ -101,6 +101,8 @@ TEST_CASE("of two quarrels no limit alone can settle both", "[optim][infeasible]
 TEST_CASE("only a stationary point of the violation is called one", "[optim][infeasible]") {
   CHECK(explained(outvoted(), unit(1.0, 2.0)).certified);
   CHECK_FALSE(explained(outvoted(), unit(0.5, 2.0)).certified);
+  // Two pull up, and the one that is met may push back with weight one, not two.
+  CHECK_FALSE(explained(outvoted(), unit(0.0, 2.0)).certified);
   CHECK_FALSE(explained(outvoted(), unit(4.0, 2.0)).certified);
   CHECK(explained(two_quarrels(), unit(1.5, 1.0)).certified);
   CHECK_FALSE(explained(two_quarrels(), unit(3.0, 1.0)).certified);

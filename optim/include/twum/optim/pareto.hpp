@@ -15,7 +15,7 @@ struct FrontPoint {
 /// How to find a front.
 struct ParetoOptions {
   SolveOptions solve;  ///< starts, tolerances, seed, budget, stop, observer; `solver` is not used
-  std::size_t points{100};  ///< of the front, at most
+  std::size_t points{100};  ///< of the front, at most; >= 1
   std::vector<double>
       reference;  ///< of the hypervolume, user units; empty: a tenth of the front's span beyond its worst
   std::size_t coarse{
@@ -24,7 +24,8 @@ struct ParetoOptions {
   std::size_t hops{200};  ///< kicks in a row without success that end the search for an end of the
                           ///< front, where its starts lead to different places
   std::size_t population_evaluations{
-      0};  ///< if > 0, spent on nsga2() first, whose front then gives starts
+      0};  ///< if > 0, spent on nsga2() first, in whole populations of 100, one at
+           ///< least; its front then gives starts
 };
 
 /// A trade-off.
@@ -52,8 +53,8 @@ struct Front {
 /// of directions from the ideal point. On the test problems of docs/optimization.md it takes 22 to 89
 /// evaluations a point. What solve() says of threads and of the answer's causes holds here.
 ///
-/// @throws InputError for a problem that cannot be posed, one or more than three objectives, an
-///         integer variable.
+/// @throws InputError for a problem that cannot be posed, one or more than three objectives, no
+///         points, an integer variable.
 Front pareto_front(const Problem& problem, const ParetoOptions& options = {});
 
 /// How NSGA-II searches.

@@ -29,6 +29,8 @@ struct Counters {
 
   /// Failed calls, of whatever reason.
   std::size_t failed() const;
+  /// Designs were tried, and none could be evaluated.
+  bool all_failed() const { return evaluations > 0 && failed() == evaluations; }
   /// Adds the counts of another search.
   void add(const Counters& other);
   /// Takes away counts that were added before.

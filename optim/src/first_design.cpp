@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "first_design.hpp"
+
+#include <twum/optim/low_discrepancy.hpp>
+
+namespace twum::optim {
+
+std::optional<std::vector<double>> scale_at_first_design(Session& session, Scaling& scaling) {
+  constexpr std::size_t kTries = 64;
+  std::vector<std::vector<double>> tries{start_design(session.problem())};
+  for (std::size_t i = 0; i < tries.size(); ++i) {
+    const Evaluation e = session.at(tries[i], true);
+    if (e.ok()) {
+      scaling.scale_responses(tries[i], e);
+      return tries[i];
+    }
+    if (i > 0 || scaling.size() == 0) continue;
+    // Another seed than that of the starts, or the same search would run twice.
+    for (const auto& u : sobol_points(scaling.size(), kTries, session.options().seed + 1))
+      tries.push_back(scaling.to_design(u));
+  }
+  return std::nullopt;
+}
+
+}  // namespace twum::optim

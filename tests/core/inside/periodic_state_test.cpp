@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "contact/periodic_state.hpp"
+#include "random_contact.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+using namespace twum;
+using namespace twum::contact;
+using namespace twum::test;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+ContactNumbers<double> with_half_angle(ContactNumbers<double> n, double half_angle) {
+  n.half_angle = half_angle;
+  n.edge = trig(half_angle);
+  n.peak = n.edge.versine;
+  return n;
+}
+
+// Pressed `load` times as hard as it takes for full contact, load > 1.
+ContactNumbers<double> in_full_contact(ContactNumbers<double> n, double load) {
+  n.full = true;
+  n.half_angle = kPi;
+  n.edge = {0, -1, 2};
+  n.peak = 1 + load;
+  return n;
+}
+
+// Contacts of every kind: four in ten of them full and a tenth narrow, a tenth without damping, a quarter of them near
+// rest and some of these backward.
+ContactNumbers<double> any_contact(Dice& dice, int index, bool threshold) {
+  ContactNumbers<double> n = random_contact(dice, index, threshold);
+  const double extent = dice.uniform(0, 1), ringing = dice.uniform(0, 1), pace = dice.uniform(0, 1);
+  const double slow = dice.log_uniform(1e-6, 1), narrow = dice.log_uniform(0.02, 1);
+  const double load = dice.log_uniform(1.02, 12);
+  if (extent < 0.4) {
+    n = in_full_contact(n, load);
+  } else if (extent < 0.5) {
+    n = with_half_angle(n, narrow);
+  }
+  if (ringing < 0.1) n.damping = 0;
+  if (pace < 0.25) n.speed_ratio = pace < 0.05 ? -slow : slow;
+  return n;
+}
+
+double apart(const LayerMotion<double>& layer, const LayerState<double>& a,
+             const LayerState<double>& b) {
+  return std::sqrt(layer.energy({a.e - b.e, a.rate - b.rate}));
+}
+
+// Largest e and t that friction can bring about: the sizes that rounding goes with.
+double size_of(const ContactNumbers<double>& n, const LayerMotion<double>& layer) {
+  return n.static_ * n.peak * (1 + std::sqrt(layer.response));
+}
+
+// M e'' + C e' + e = 0 by its characteristic roots, in complex numbers.
+LayerState<double> left_alone(const ContactNumbers<double>& n, const LayerState<double>& from,
+                              double x) {
+  if (n.inertia == 0) {
+    const double e = from.e * std::exp(-x / n.damping);
+    return {e, -e / n.damping};
+  }
+  using Complex = std::complex<double>;
+  const Complex half = std::sqrt(Complex(n.damping * n.damping - 4 * n.inertia, 0));
+  const Complex fast = (-n.damping - half) / (2 * n.inertia), slow = 1.0 / (n.inertia * fast);
+  const Complex u = (from.rate - slow * from.e) / (fast - slow) * std::exp(fast * x);
+  const Complex w = (from.rate - fast * from.e) / (slow - fast) * std::exp(slow * x);
+  return {(u + w).real(), (fast * u + slow * w).real()};
+}
+
+}  // namespace
+
+TEST_CASE("a layer enters with what its free flight left of the state it left with (E1.2)",
+          "[core][contact][closed_form]") {
+  Dice dice(52);
+  int kept = 0, forgotten = 0;
+  for (int i = 0; i < 1500; ++i) {
+    // Nearly full contact, so that the flight takes a radian at most, and less than 0.1 in many.
+    ContactNumbers<double> n =
+        with_half_angle(random_contact(dice, i, i % 2 == 0), kPi - dice.log_uniform(0.01, 0.5));
+    n.stick_rate = dice.log_uniform(0.02, 50);
+    if (n.damping == 0) continue;
+    const LayerMotion<double> layer(n.inertia, n.damping);
+    const Lap<double> lap = run_lap<double>(n, layer, {{0, 0}, false, ZoneState::stick});
+    REQUIRE(lap.status == LapStatus::ok);
+    const LayerState<double> expected = left_alone(n, lap.exit, 2 * (kPi - n.half_angle));
+    LayerState<double> exit = lap.exit;
+    if (n.inertia == 0) exit.rate = -exit.e / n.damping;
+    const double size = std::sqrt(layer.energy(exit));
+    CAPTURE(i, n.inertia, n.damping, n.half_angle, size);
+    // Near critical damping both ways subtract modes that are nearly alike, which costs the ratio of a rate to the
+    // difference of the two, some hundred in the nearest of these layers: 1e-14 of the state, and as much again for
+    // phases of some hundred radians.
+    CHECK(apart(layer, lap.next.layer, expected) <= 1e-12 * size);
+    const double left = std::sqrt(layer.energy(expected));
+    kept += left > 1e-3 * size;
+    forgotten += left < 1e-15 * size;
+  }
+  CHECK(kept > 300);
+  CHECK(forgotten > 50);
+}
+
+TEST_CASE("with mu_0 = mu every contact in motion has its periodic state, and energy in balance",
+          "[core][contact][identity]") {
+  Dice dice(53);
+  int full = 0, undamped = 0, slow = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const ContactNumbers<double> n = any_contact(dice, i, false);
+    const LayerMotion<double> layer(n.inertia, n.damping);
+    const PeriodicState state = find_periodic_state(n, layer);
+    CAPTURE(i, n.full, n.inertia, n.damping, n.speed_ratio, state.laps);
+    // There is one, and what laps come to is section 6 of the theory; it counts without damping too.
+    REQUIRE(state.status == PeriodicStatus::ok);
+    full += n.full, undamped += n.damping == 0, slow += std::fabs(n.speed_ratio) < 1e-3;
+    // Rounding of some thousand operations on states of this size.
+    const Lap<double> again = run_lap(n, layer, state.entry);
+    CHECK(apart(layer, again.next.layer, state.entry.layer) <= 1e-12 * size_of(n, layer));
+    // (T7.10) in the contact's own units, to the same rounding.
+    const ContactMeans<double>& m = state.lap.means;
+    const double taken = n.speed_ratio * m.traction + m.friction_power + m.layer_loss;
+    CHECK(std::fabs(m.stator_power - taken) <=
+          1e-12 * size_of(n, layer) * std::max(1.0, std::fabs(n.speed_ratio)));
+  }
+  CHECK(full > 1000);
+  CHECK(undamped > 300);
+  CHECK(slow > 200);
+}
+
+TEST_CASE(
+    "contact that would stick all round at rest slips a little in each turn, either way (E6.3)",
+    "[core][contact][limit]") {
+  Dice dice(59);
+  int forward = 0, backward = 0;
+  for (int i = 0; i < 3000; ++i) {
+    ContactNumbers<double> n = in_full_contact(random_contact(dice, i), dice.log_uniform(1.02, 12));
+    // Loss factors up to 2, the range of section 10.
+    n.damping = i % 7 == 0 ? 0 : dice.log_uniform(1e-3, 2);
+    // What a layer that follows the stator swings by, as a share of mu_0 times the mean pressure.
+    const double share = dice.log_uniform(0.03, 1.5), mean = n.static_ * (n.peak - 1);
+    n.stick_rate = share * mean / (n.damping + std::fabs(1 - n.inertia));
+    n.speed_ratio = dice.log_uniform(1e-6, 0.3) * (dice.uniform(0, 1) < 0.5 ? -1 : 1);
+    // Its traction is a constant and s (D sin theta + C cos theta), to stay within mu_0 (cos theta + mean).
+    const double swing = (1 - n.inertia) * n.stick_rate, pull = n.damping * n.stick_rate;
+    const double least = std::hypot(n.static_ + pull, swing) - mean;
+    const double most = mean - std::hypot(n.static_ - pull, swing);
+    if (least > most) continue;
+    const LayerMotion<double> layer(n.inertia, n.damping);
+    const PeriodicState state = find_periodic_state(n, layer);
+    CAPTURE(i, n.inertia, n.damping, n.speed_ratio, state.laps);
+    // Section 6 of the theory: with mu_0 = mu it is there, and laps come to it.
+    CHECK(state.status == PeriodicStatus::ok);
+    CHECK(state.lap.zones > 1);
+    ++(n.speed_ratio > 0 ? forward : backward);
+  }
+  CHECK(forward > 1000);
+  CHECK(backward > 1000);
+}
+
+TEST_CASE("full contact leaves a lap in the zone that it entered in, and no zone has no length",
+          "[core][contact][identity]") {
+  Dice dice(54);
+  int full = 0, partial = 0, changing = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const ContactNumbers<double> n = any_contact(dice, i, i % 4 == 0);
+    const LayerMotion<double> layer(n.inertia, n.damping);
+    const PeriodicState state = find_periodic_state(n, layer);
+    if (state.status != PeriodicStatus::ok) continue;
+    CAPTURE(i, n.full, n.inertia, n.damping, n.speed_ratio);
+    // Zones of random contacts are tenths of a radian long as a rule: only one in some thousands of such draws
+    // would hold one as short as this by chance.
+    CHECK(state.lap.shortest > 1e-9);
+    ++(n.full ? full : partial);
+    if (!n.full) continue;
+    CHECK(state.entry.carried);
+    CHECK(state.entry.zone == state.lap.next.zone);
+    CHECK(state.lap.first == state.entry.zone);
+    changing += state.lap.zones > 1;
+  }
+  CHECK(full > 800);
+  CHECK(partial > 1000);
+  CHECK(changing > 300);
+}
+
+TEST_CASE("friction and stick rate scaled alike scale the state and its means (E1.2, E1.3)",
+          "[core][contact][scaling]") {
+  Dice dice(55);
+  int scaled = 0, without = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const ContactNumbers<double> n = any_contact(dice, i, i % 3 == 0);
+    const LayerMotion<double> layer(n.inertia, n.damping);
+    const PeriodicState state = find_periodic_state(n, layer);
+    const double factor = i % 2 == 0 ? 0x1p-20 : 0x1p20;
+    ContactNumbers<double> k = n;
+    k.kinetic *= factor, k.static_ *= factor, k.stick_rate *= factor;
+    const PeriodicState twin = find_periodic_state(k, layer);
+    CAPTURE(i, factor, n.full, n.inertia, n.damping, n.speed_ratio, state.laps, twin.laps);
+    REQUIRE(twin.status == state.status);
+    if (state.status != PeriodicStatus::ok) {
+      ++without;
+      continue;
+    }
+    ++scaled;
+    // The equations are linear in e, t, mu, mu_0 and s, and powers of two bring no rounding. Only the lap at
+    // which a search ends may differ, by what its laps still close in: 1e-12 of the size in each of a thousand.
+    const double bound = 1e-9 * size_of(n, layer) * std::max(1.0, std::fabs(n.speed_ratio));
+    const ContactMeans<double>&a = state.lap.means, &b = twin.lap.means;
+    CHECK(std::fabs(twin.lap.exit.e / factor - state.lap.exit.e) <= bound);
+    CHECK(std::fabs(b.traction / factor - a.traction) <= bound);
+    CHECK(std::fabs(b.stator_power / factor - a.stator_power) <= bound);
+    CHECK(std::fabs(b.friction_power / factor - a.friction_power) <= bound);
+    CHECK(std::fabs(b.layer_loss / factor - a.layer_loss) <= bound);
+  }
+  CHECK(scaled > 800);
+  CHECK(without > 20);
+}
+
+TEST_CASE(
+    "where the periodic state need not be unique the search begins at rest whatever the guess",
+    "[core][contact][identity]") {
+  Dice dice(56);
+  int undamped = 0, threshold = 0, full = 0;
+  for (int i = 0; i < 800; ++i) {
+    const ContactNumbers<double> n = any_contact(dice, i, i % 4 == 0);
+    const LayerMotion<double> layer(n.inertia, n.damping);
+    const LapEntry<double> guess{{dice.uniform(-0.3, 0.3), dice.uniform(-1, 1)}};
+    const bool unique = n.damping > 0 && n.static_ == n.kinetic && !n.full;
+    if (unique) continue;
+    (n.full ? full : n.static_ > n.kinetic ? threshold : undamped) += 1;
+    const PeriodicState from_rest = find_periodic_state(n, layer);
+    const PeriodicState guessed = find_periodic_state(n, layer, &guess, 1e-3);
+    CAPTURE(i, n.full, n.inertia, n.damping);
+    // The same search: the same bits.
+    CHECK(guessed.status == from_rest.status);
+    CHECK(guessed.laps == from_rest.laps);
+    CHECK(guessed.entry.layer.e == from_rest.entry.layer.e);
+    CHECK(guessed.entry.layer.rate == from_rest.entry.layer.rate);
+  }
+  CHECK(undamped > 50);
+  CHECK(threshold > 50);
+  CHECK(full > 200);
+}
+
+TEST_CASE("a search has cost all the zones that it went through", "[core][contact][identity]") {
+  Dice dice(57);
+  int at_once = 0, later = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const ContactNumbers<double> n = any_contact(dice, i, i % 2 == 0);
+    const LayerMotion<double> layer(n.inertia, n.damping);
+    const PeriodicState state = find_periodic_state(n, layer);
+    CAPTURE(i, state.laps);
+    REQUIRE(state.laps >= 1);
+    REQUIRE(state.lap.zones >= 1);
+    // The last lap is gone through in full, so it counts; where it is the only one, it is all.
+    CHECK(state.zones >= state.lap.zones);
+    if (state.laps == 1) CHECK(state.zones == state.lap.zones);
+    ++(state.laps == 1 ? at_once : later);
+  }
+  CHECK(at_once > 50);
+  CHECK(later > 500);
+}
+
+TEST_CASE("no state that plain laps of an undamped layer come to is refused, with mu_0 > mu",
+          "[core][contact][differential]") {
+  Dice dice(58);
+  int refused = 0;
+  for (int i = 0; i < 300; ++i) {
+    ContactNumbers<double> n = random_contact(dice, 2, true);
+    n.inertia = dice.log_uniform(0.5, 4);
+    n.damping = 0;
+    const LayerMotion<double> layer(n.inertia, 0.0);
+    if (find_periodic_state(n, layer).status == PeriodicStatus::ok) continue;
+    ++refused;
+    LapEntry<double> entry{{0, 0}, false, ZoneState::stick};
+    double gap = 1;
+    for (int k = 0; k < 400 && gap > 1e-13; ++k) {
+      const Lap<double> lap = run_lap(n, layer, entry);
+      gap = apart(layer, lap.next.layer, entry.layer);
+      entry = lap.next;
+    }
+    CAPTURE(i, n.inertia, n.half_angle, n.speed_ratio);
+    // Laps that come to a state come to rounding of each other.
+    CHECK(gap > 1e-13);
+  }
+  CHECK(refused > 3);
+}

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "performance/speed_roots.hpp"
+#include "random_contact.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <vector>
+
+using namespace twum;
+using namespace twum::performance;
+using namespace twum::test;
+
+namespace {
+
+using Function = std::function<double(double)>;
+
+Bracket closed_in(const Function& f, double low, double high) {
+  return close_in(f, low, high, f(low), f(high));
+}
+
+// x(f) = zero + f / slope + bend f^2 + twist f^3, which has its zero where it says. f(x) by Newton's method from
+// f = 0, where x(f) is nearly straight.
+struct Inverse {
+  double zero, slope, bend, twist;
+  double x(double f) const { return zero + f / slope + f * f * (bend + twist * f); }
+  double f(double at) const {
+    double f = 0;
+    for (int i = 0; i < 60; ++i) f -= (x(f) - at) / (1 / slope + f * (2 * bend + 3 * twist * f));
+    return f;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("closing in ends at neighbouring numbers or at an exact zero",
+          "[core][metrics][closed_form]") {
+  const struct {
+    Function f;
+    double low, high, zero;
+  } cases[] = {{[](double x) { return 1 - x; }, 0, 3, 1},
+               {[](double x) { return x - 1; }, 0, 2, 1},
+               {[](double x) { return x - 0.5; }, 0, 1, 0.5},
+               {[](double x) { return x * x - 2; }, 1, 2, std::sqrt(2.0)},
+               {[](double x) { return 2 - x * x; }, 1, 2, std::sqrt(2.0)}};
+  for (const auto& each : cases) {
+    const Bracket b = closed_in(each.f, each.low, each.high);
+    CAPTURE(each.low, each.high, b.low, b.high);
+    // To 51 of 53 bits: a few neighbours apart.
+    const double few = 8 * std::numeric_limits<double>::epsilon() * each.zero;
+    CHECK(b.low <= b.high);
+    CHECK(b.high - b.low <= few);
+    CHECK(std::fabs(b.low - each.zero) <= few);
+    CHECK(
+        (each.f(b.low) == 0 || each.f(b.high) == 0 || (each.f(b.low) < 0) != (each.f(b.high) < 0)));
+  }
+}
+
+TEST_CASE("an end that is a zero is the zero", "[core][metrics][limit]") {
+  const Bracket low = closed_in([](double x) { return x; }, 0, 1);
+  CHECK(low.low == 0);
+  CHECK(low.high == 0);
+  const Bracket high = closed_in([](double x) { return 1 - x; }, 0, 1);
+  CHECK(high.low == 1);
+  CHECK(high.high == 1);
+}
+
+TEST_CASE("what does not change its sign is not closed in on", "[core][metrics][error]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS(closed_in([](double x) { return 1 + x; }, 0, 1), SearchFailure);
+  CHECK_THROWS_AS(closed_in([](double x) { return 0.2 + 0.4 * x; }, 0, 1), SearchFailure);
+  CHECK_THROWS_AS(closed_in([](double x) { return -0.5 - x; }, 0, 1), SearchFailure);
+  const Function falling = [](double x) { return 0.5 - x; };
+  CHECK_THROWS_AS(close_in(falling, 0, 1, nan, -0.5), SearchFailure);
+  CHECK_THROWS_AS(close_in(falling, 0, 1, 0.5, nan), SearchFailure);
+}
+
+TEST_CASE(
+    "two points tell the zero of a line and three that of an inverse parabola, earlier ones "
+    "nothing",
+    "[core][metrics][closed_form]") {
+  Dice dice(71);
+  for (int i = 0; i < 200; ++i) {
+    const Inverse line{dice.uniform(-2, 2), dice.uniform(0.5, 2), 0, 0};
+    Inverse parabola = line;
+    parabola.bend = dice.uniform(-0.03, 0.03);
+    InverseInterpolation straight(1, 1e-16), bent(1, 1e-16);
+    // The first two of a parabola's five points are on no such curve.
+    bent.add(dice.uniform(-9, 9), dice.uniform(1.5, 3));
+    bent.add(dice.uniform(-9, 9), dice.uniform(3.5, 6));
+    for (const double f : {1.0, -0.7, 0.4}) {
+      straight.add(line.x(f), f);
+      bent.add(parabola.x(f), f);
+      CAPTURE(i, f);
+      // A dozen roundings of numbers up to 6.
+      if (straight.count() > 1) CHECK(std::fabs(straight.zero() - line.zero) <= 2e-14);
+    }
+    CHECK(std::fabs(bent.zero() - parabola.zero) <= 2e-14);
+    CHECK(straight.count() == 3);
+  }
+}
+
+TEST_CASE("inverse interpolation settles soon, only at the zero, and in any unit alike",
+          "[core][metrics][scaling]") {
+  constexpr double kAccuracy = 1e-10;
+  Dice dice(72);
+  for (int i = 0; i < 300; ++i) {
+    // Curves whose own scale is a thirtieth of the unit: with x - zero of that size the terms of x(f) are alike.
+    const double slope = dice.log_uniform(0.1, 10), scale = 1.0 / 30;
+    const Inverse curve{dice.uniform(0.5, 2), slope, dice.uniform(-1, 1) / (scale * slope * slope),
+                        dice.uniform(-1, 1) / (scale * scale * slope * slope * slope)};
+    const double first = curve.zero + 0.1 * scale * dice.uniform(-1, 1);
+    const double second = curve.zero + 0.1 * scale * dice.uniform(-1, 1);
+    std::vector<double> zeros;
+    for (const double unit : {1.0, 0x1p-14, 0x1p14}) {
+      InverseInterpolation line(unit, kAccuracy);
+      line.add(first * unit, curve.f(first));
+      line.add(second * unit, curve.f(second));
+      CAPTURE(i, unit);
+      CHECK_FALSE(line.settled());
+      std::vector<double> reached{line.zero() / unit};
+      // From a tenth of the scale the distances are squared, and better, in each step.
+      for (int k = 0; k < 5 && !line.settled(); ++k) {
+        const double x = reached.back();
+        line.add(x * unit, curve.f(x));
+        reached.push_back(line.zero() / unit);
+      }
+      REQUIRE(line.settled());
+      // An inverse parabola misses a cubic x(f) by its last coefficient times the product of the three f. Once
+      // settled that is within the accuracy if f is its slope times the distance, and the bend makes each f up to
+      // a tenth larger.
+      CHECK(std::fabs(reached.back() - curve.zero) <= 1.4 * kAccuracy);
+      // Powers of two are exact.
+      if (unit == 1) zeros = reached;
+      CHECK(reached == zeros);
+    }
+  }
+}
