@@ -62,6 +62,10 @@ StopReason Campaign::stop_reason() const {
   return left() > 0 && deadline_.passed() ? StopReason::seconds : stop_;
 }
 
+Outcome Campaign::without_design() const {
+  return exhausted() && !counters_.all_failed() ? Outcome::budget : Outcome::failed;
+}
+
 void Campaign::note_stop(StopReason reason) {
   if (reason != StopReason::finished) stop_ = reason;
 }

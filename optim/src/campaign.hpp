@@ -40,6 +40,9 @@ class Campaign {
 
   bool exhausted() const;
   StopReason stop_reason() const;
+
+  /// What to say where no design could be looked at.
+  Outcome without_design() const;
   std::size_t left() const;
   const Problem& problem() const { return problem_; }
   const SolveOptions& options() const { return options_; }

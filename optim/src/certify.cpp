@@ -345,7 +345,7 @@ Certificate certify(const Problem& problem, std::span<const double> design,
     const auto certified = certify_in(session, scaling, design);
     return certified ? certified->certificate : failed;
   } catch (const Stop&) {
-    failed.reason = "stopped before the test was done";
+    failed.reason = kCutShort;
     return failed;
   }
 }

@@ -12,6 +12,9 @@ struct Certified {
   Certificate certificate;
 };
 
+/// What the certificate of a design says that no test was made of.
+inline constexpr const char* kCutShort = "stopped before the test was done";
+
 /// Certifies a design within a stage; its evaluations count. Tests of second order and for kinks
 /// are left out when the stage's quota has no room for them. Nothing if the design cannot be
 /// evaluated. @throws Stop

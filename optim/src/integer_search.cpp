@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "integer_search.hpp"
 
+#include "certify.hpp"
 #include "scaling.hpp"
 #include "solve_continuous.hpp"
 
@@ -37,7 +38,9 @@ class IntegerSearch {
     result.stages = std::move(total_.stages);
     result.stages_used = total_.stages_used;
     result.seconds = deadline_.elapsed();
-    if (!complete_ && !result.counters.all_failed()) {
+    if (complete_) return result;
+    if (best_at_.empty()) result.certificate.reason = kCutShort;
+    if (!result.counters.all_failed()) {
       result.outcome = Outcome::budget;
       result.stop = why_cut_short();
     }
@@ -122,11 +125,12 @@ class IntegerSearch {
     if (told.outcome == Outcome::infeasible || rank(told) == 2) best_ = std::move(told);
   }
 
-  // False when nothing is left of the budget.
+  // False when the budget left too little for these numbers.
   bool visit(const Whole& at) {
     seen_[at] = true;
     if (exhausted()) return false;
     Result result = solve_at(at, false);
+    const bool cut = exhausted() && result.outcome != Outcome::optimal;
     if (!scaled_ && !result.evaluation.jacobian.empty()) {
       scaling_.scale_responses(result.design, result.evaluation);
       scaled_ = true;
@@ -135,7 +139,7 @@ class IntegerSearch {
       best_ = std::move(result);
       best_at_ = at;
     }
-    return true;
+    return !cut;
   }
 
   // Designs that could be looked at come before others, feasible ones before those.

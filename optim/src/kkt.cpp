@@ -113,8 +113,8 @@ Multipliers find_multipliers(const KktPoint& point, const Eigen::MatrixXd& gradi
   else
     b.head(n) = gradients.col(0);
   if (mixed > 0) {
-    // Not all weights zero: their sum is 1, as one more equation. What |r| / sum is least does not depend on how
-    // much the equation counts; as much as the smallest gradient, which it is never larger than.
+    // Not all weights zero: their sum is 1, as one more equation. The least |r| / sum does not depend on how much
+    // the equation counts. It is at most the smallest gradient, and with that much the sum stays above one half.
     b[n] = smallest_norm(gradients);
     a.row(n).head(mixed).setConstant(b[n]);
   }

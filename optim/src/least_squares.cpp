@@ -31,7 +31,7 @@ class Fit {
     LeastSquaresResult result;
     if (evaluate(t_, r_, j_)) {
       first_ = r_.norm();
-      iterate(result);
+      result.word = iterate();
       describe(result);
     } else {
       result.word = "the start cannot be evaluated";
@@ -140,30 +140,23 @@ class Fit {
       if (scale_[j] == 0.0) scale_[j] = 1.0;
   }
 
-  void iterate(LeastSquaresResult& result) {
+  // Says why it ended.
+  const char* iterate() {
     double damping = 1e-3;
     double growth = 2.0;
     int small = 0;
-    result.word = "too many evaluations";
-    while (counters_.evaluations < options_.max_evaluations) {
-      if (options_.stop.stop_requested()) {
-        result.word = "stopped on request";
-        stopped_ = true;
-        return;
-      }
+    while (true) {
+      if (options_.stop.stop_requested()) return cut_short("stopped on request");
+      if (counters_.evaluations >= options_.max_evaluations)
+        return cut_short("too many evaluations");
       update_scale();
       const auto free = free_parameters();
-      if (free.empty()) {
-        result.word = "every parameter is held by a bound";
-        return;
-      }
+      if (free.empty()) return "every parameter is held by a bound";
       const Eigen::VectorXd d = step(free, damping);
       const Eigen::VectorXd next = (t_ + d).cwiseMax(lower_).cwiseMin(upper_);
       const Eigen::VectorXd moved = next - t_;
-      if (moved.cwiseProduct(scale_).norm() <= 1e-16 * t_.cwiseProduct(scale_).norm()) {
-        result.word = "no step changes the parameters";
-        return;
-      }
+      if (moved.cwiseProduct(scale_).norm() <= 1e-16 * t_.cwiseProduct(scale_).norm())
+        return "no step changes the parameters";
       Eigen::VectorXd r;
       Eigen::MatrixXd jacobian;
       const double before = r_.squaredNorm();
@@ -182,27 +175,24 @@ class Fit {
         damping = std::max(damping, 1e-30);
         growth = 2.0;
         small = tiny ? small + 1 : 0;
-        if (small >= 3 || after == 0.0) {
-          result.word = "converged";
-          return;
-        }
+        if (small >= 3 || after == 0.0) return "converged";
       } else {
         damping *= growth;
         growth *= 2.0;
-        if (damping > 1e30) {
-          result.word = "no step lowers the sum of squares";
-          return;
-        }
+        if (damping > 1e30) return "no step lowers the sum of squares";
       }
     }
   }
 
-  bool cut_short() const { return stopped_ || counters_.evaluations >= options_.max_evaluations; }
+  const char* cut_short(const char* word) {
+    cut_short_ = true;
+    return word;
+  }
 
   // What the residuals are a difference of, as far as that is known: the terms of their linear part and, if the
   // search has gone as far as it could, what they were at first.
   double size_of_terms() const {
-    double size = cut_short() ? 0.0 : first_;
+    double size = cut_short_ ? 0.0 : first_;
     for (Index j = 0; j < t_.size(); ++j)
       size += j_.col(j).norm() * (parameter(j).scale == Scale::log ? 1.0 : std::abs(t_[j]));
     return size;
@@ -241,9 +231,9 @@ class Fit {
     // Where the residuals vanish to rounding their direction means nothing, and zero is optimal.
     const bool exact = r_.norm() <= 1e-13 * size_of_terms();
     const bool stationary = result.gradient <= 1e-5 || exact;
-    result.outcome = stationary    ? Outcome::optimal
-                     : cut_short() ? Outcome::budget
-                                   : Outcome::feasible;
+    result.outcome = stationary   ? Outcome::optimal
+                     : cut_short_ ? Outcome::budget
+                                  : Outcome::feasible;
   }
 
   const std::vector<Variable>& parameters_;
@@ -253,7 +243,7 @@ class Fit {
   Eigen::MatrixXd j_;
   Counters counters_;
   double first_{0.0};  // norm of the residuals at the start
-  bool stopped_{false};
+  bool cut_short_{false};
 };
 
 }  // namespace

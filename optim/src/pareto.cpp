@@ -143,11 +143,12 @@ bool find_ends(FrontSearch& search, const std::vector<std::vector<double>>& star
 }
 
 void explain(Campaign& campaign, const std::optional<Candidate>& least, Front& front) {
-  front.outcome = campaign.counters().all_failed() ? Outcome::failed : Outcome::infeasible;
+  front.outcome = Outcome::infeasible;
   if (least && campaign.options().analyse_infeasible)
     front.infeasibility = explain_infeasible(campaign, least->z);
-  if (campaign.exhausted() && front.infeasibility.relaxations.empty())
-    front.outcome = Outcome::budget;
+  if (campaign.counters().all_failed() ||
+      (campaign.exhausted() && front.infeasibility.relaxations.empty()))
+    front.outcome = campaign.without_design();
 }
 
 void conclude(Campaign& campaign, Front& front) {
@@ -180,7 +181,7 @@ Front pareto_front(const Problem& problem, const ParetoOptions& options) {
   Campaign& campaign = search.campaign();
   Front front;
   if (!campaign.scale()) {
-    front.outcome = campaign.exhausted() ? Outcome::budget : Outcome::failed;
+    front.outcome = campaign.without_design();
     conclude(campaign, front);
     return front;
   }

@@ -34,9 +34,17 @@ void check_sizes(const Evaluation& e, const Problem& problem, bool gradient) {
 
 // A derivative that is not finite does not fail the design: it is marked, and only those who need
 // that entry are told.
-void mark_undefined(Evaluation& e, std::size_t variables) {
-  for (KinkedEntry& kink : e.kinks)
-    if (!std::isfinite(kink.left) || !std::isfinite(kink.right)) kink.slope = Slope::undefined;
+void mark_undefined(Evaluation& e, const Problem& problem, std::span<const double> design) {
+  const std::size_t variables = problem.variables.size();
+  for (KinkedEntry& kink : e.kinks) {
+    if (kink.slope != Slope::one_sided) continue;
+    // On a bound there is one side, and nothing to tell of the other.
+    const Variable& v = problem.variables[kink.variable];
+    const bool has_left = design[kink.variable] > v.lower,
+               has_right = design[kink.variable] < v.upper;
+    if ((has_left && !std::isfinite(kink.left)) || (has_right && !std::isfinite(kink.right)))
+      kink.slope = Slope::undefined;
+  }
   for (std::size_t k = 0; k < e.jacobian.size(); ++k)
     if (!std::isfinite(e.jacobian[k]))
       e.kinks.push_back({k / variables, k % variables, Slope::undefined, 0.0, 0.0});
@@ -73,7 +81,7 @@ Evaluation Session::call(std::span<const double> design, bool gradient) {
     check_sizes(e, problem_, gradient);
     if (!std::all_of(e.values.begin(), e.values.end(), [](double v) { return std::isfinite(v); }))
       return failure("not-finite");
-    mark_undefined(e, problem_.variables.size());
+    mark_undefined(e, problem_, design);
     return e;
   } catch (const EvaluationError& error) {
     return failure(error.reason());

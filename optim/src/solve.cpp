@@ -144,9 +144,7 @@ class ContinuousSolve {
   }
 
   Outcome outcome() const {
-    if (!best_.best)
-      return campaign_.exhausted() && !campaign_.counters().all_failed() ? Outcome::budget
-                                                                         : Outcome::failed;
+    if (!best_.best) return campaign_.without_design();
     const bool ok = feasible(best_) ||
                     (best_.certified &&
                      best_.certified->certificate.infeasibility <= options_.feasibility_tolerance);
@@ -174,7 +172,7 @@ class ContinuousSolve {
       result.evaluation = best_.certified->point.evaluation;
     } else {
       result.certificate.reason = best_.best || !campaign_.counters().all_failed()
-                                      ? "stopped before the test was done"
+                                      ? kCutShort
                                       : "no design could be evaluated";
     }
     if (best_.solver != nullptr) result.solver = best_.solver->name;

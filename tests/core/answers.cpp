@@ -23,8 +23,8 @@ using namespace twum;
 using namespace twum::test;
 
 constexpr int kSpeeds = 5;
-constexpr int kMetricsEvery =
-    5;  // designs of which one is asked all metrics; odd, as every other is realistic
+// Designs of which one is asked all metrics, odd since every other is realistic.
+constexpr int kMetricsEvery = 5;
 constexpr int kGradientsEvery = 15;  // and one their gradients
 
 // 1e-9 of the value; 1e-10 of the scale is what rounding may cost the laws (broken_law).

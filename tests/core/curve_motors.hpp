@@ -24,6 +24,15 @@ inline MetricDerivative differentiated(const Motor& motor, const MetricRequest& 
   return differentiate(motor, std::span(&request, 1)).front();
 }
 
+/// G, gamma and m given outright, so that each can be scaled.
+inline MotorDesign outright(MotorDesign design) {
+  const MotorDesign derived = design;
+  design.layer.given_shear_modulus = shear_modulus(derived);
+  design.layer.given_shear_viscosity = shear_viscosity(derived);
+  design.layer.given_inertia = inertia(derived);
+  return design;
+}
+
 /// A ring motor with a light, heavy or lightly damped layer: its own motion lasts for several turns, so that
 /// torque and powers have dips, kinks and several maxima over speed. mu_0 = mu.
 inline MotorDesign ringing_motor(Uniform& random, int i) {

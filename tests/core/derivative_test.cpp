@@ -253,6 +253,7 @@ TEST_CASE("a layer that still rings at the next entry has the derivatives of dif
   CHECK(tally.again <= tally.total_sharp() / 100);  // by chance, and seldom
   CHECK(tally.total_sharp() >= 50);
   CHECK(tally.sharp["speed_at_peak_power"] >= 5);
+  CHECK(deviation.holds());
 }
 
 TEST_CASE("derivatives of hundreds of designs are those of differences",
@@ -261,6 +262,7 @@ TEST_CASE("derivatives of hundreds of designs are those of differences",
   CAPTURE(tally.blunt, tally.again, tally.examples);
   CHECK(tally.wrong == 0);
   CHECK(tally.again <= tally.total_sharp() / 100);  // by chance, and seldom
+  CHECK(tally.total_sharp() > 25'000);              // as many for each design as above
 }
 
 TEST_CASE("a parameter that is not in use has no derivative", "[core][derivative][identity]") {

@@ -99,6 +99,7 @@ TEST_CASE("narrow contacts of layers soft and stiff in shear keep the identity (
       }
     }
   }
+  CHECK(identity.holds());
 }
 
 TEST_CASE("input power is output plus losses on random motors that someone might build (T7.10)",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Loads where torque jumps, which takes mu_0 > mu.
+#include "core/curve_motors.hpp"
 #include "support/test_motors.hpp"
 
 #include <twum/core/performance/metrics.hpp>
@@ -14,7 +15,7 @@ using namespace twum::test;
 namespace {
 
 // Ring motors with heavy, lightly damped layers; torque falls by jumps in one of some hundred.
-MotorDesign ringing_motor(int number) {
+MotorDesign jumping_motor(int number) {
   Uniform random(54);
   MotorDesign design;
   for (int i = 0; i <= number; ++i) {
@@ -30,33 +31,34 @@ MotorDesign ringing_motor(int number) {
 }  // namespace
 
 TEST_CASE("a load that torque jumps past is met at the jump (T7.15)", "[core][metrics][limit]") {
-  const Motor motor(ringing_motor(170));
+  const Motor motor(jumping_motor(170));
   const double unit = motor.holding_torque();
   const auto torque_at = [&](double speed) { return motor.operating_point(speed).torque; };
   // Halving between two speeds: the jump from 0.32 to 0.13 of the holding torque.
-  const double free = evaluate(motor, MetricRequest{Metric::no_load_speed}).value;
+  const double free = ask(motor, Metric::no_load_speed).value;
   double low = 0.6 * free, high = 0.7 * free;
   while (low < 0.5 * (low + high) && 0.5 * (low + high) < high)
     (torque_at(0.5 * (low + high)) > 0.2 * unit ? low : high) = 0.5 * (low + high);
   REQUIRE(torque_at(low) - torque_at(high) > 0.1 * unit);
   for (const double load : {0.15 * unit, 0.2 * unit, 0.3 * unit}) {
-    const MetricValue found = evaluate(motor, {Metric::speed_at, Argument::torque, load});
+    const MetricDerivative answer =
+        differentiated(motor, {Metric::speed_at, Argument::torque, load});
+    const MetricValue& found = answer.value;
     CAPTURE(found.value - low);
     // The state ends where its zones do, which rounding of the state tells to 1e-12 or so.
     CHECK(found.value == Approx(low).epsilon(1e-11));
     CHECK(torque_at(found.value) >= load);  // on the side that carries the load
-    const MetricRequest request{Metric::speed_at, Argument::torque, load};
-    CHECK(differentiate(motor, {&request, 1})[0].smoothness == Smoothness::undefined);
+    CHECK(answer.smoothness == Smoothness::undefined);
   }
 }
 
 TEST_CASE("where torque jumps past zero the no-load speed carries every smaller load (T7.15)",
           "[core][metrics][limit]") {
-  const Motor motor(ringing_motor(240));
-  const double free = evaluate(motor, MetricRequest{Metric::no_load_speed}).value;
+  const Motor motor(jumping_motor(240));
+  const double free = ask(motor, Metric::no_load_speed).value;
   const double beside = motor.operating_point(free).torque;
   REQUIRE(beside > 1e-4 * motor.holding_torque());
   REQUIRE(motor.operating_point(free * (1 + 1e-14)).torque < 0);
   for (const double share : {1e-3, 0.5, 0.999})
-    CHECK(evaluate(motor, {Metric::speed_at, Argument::torque, share * beside}).value == free);
+    CHECK(ask_at_torque(motor, Metric::speed_at, share * beside).value == free);
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/curve_motors.hpp"
 #include "support/deviations.hpp"
 #include "support/point_checks.hpp"
 #include "support/test_motors.hpp"
@@ -21,15 +22,8 @@ namespace {
 using namespace twum;
 using namespace twum::test;
 
-MetricValue ask(const Motor& motor, Metric which) { return evaluate(motor, MetricRequest{which}); }
 MetricValue at_speed(const Motor& motor, Metric which, double speed) {
   return evaluate(motor, {which, Argument::speed, speed});
-}
-MetricValue at_torque(const Motor& motor, Metric which, double torque) {
-  return evaluate(motor, {which, Argument::torque, torque});
-}
-MetricDerivative differentiated(const Motor& motor, const MetricRequest& request) {
-  return differentiate(motor, std::span(&request, 1)).front();
 }
 
 struct Scan {
@@ -173,7 +167,7 @@ TEST_CASE("speed_at undoes torque_at on the stable side (T7.15)", "[core][metric
     const double free = ask(motor, Metric::no_load_speed).value;
     const double stall = ask(motor, Metric::stall_torque).value;
     for (const double share : {0.1, 0.5, 0.9}) {
-      const MetricValue speed = at_torque(motor, Metric::speed_at, share * stall);
+      const MetricValue speed = ask_at_torque(motor, Metric::speed_at, share * stall);
       REQUIRE(speed.status == MetricStatus::ok);
       CHECK(speed.value >= 0);
       CHECK(speed.value <= free * (1 + 1e-12));
@@ -191,7 +185,7 @@ TEST_CASE("speed_at undoes torque_at on the stable side (T7.15)", "[core][metric
 
 TEST_CASE("no load at all runs at the no-load speed (T7.14, T7.15)", "[core][metrics][limit]") {
   const Motor motor(ring_motor());
-  CHECK(at_torque(motor, Metric::speed_at, 0).value ==
+  CHECK(ask_at_torque(motor, Metric::speed_at, 0).value ==
         Approx(ask(motor, Metric::no_load_speed).value).epsilon(1e-10));
 }
 
@@ -200,7 +194,7 @@ TEST_CASE("more than the motor can carry is unreachable, not an error (T7.15)",
   const Motor motor(ring_motor());
   for (const Metric which :
        {Metric::speed_at, Metric::output_power_at, Metric::contact_efficiency_at}) {
-    const MetricValue value = at_torque(motor, which, 1.01 * motor.holding_torque());
+    const MetricValue value = ask_at_torque(motor, which, 1.01 * motor.holding_torque());
     CHECK(value.status == MetricStatus::unreachable);
     CHECK(std::isnan(value.value));
   }
@@ -229,12 +223,12 @@ TEST_CASE("point metrics are the numbers of the operating point", "[core][metric
 TEST_CASE("point metrics at a torque are those at its speed (T7.15)", "[core][metrics][identity]") {
   const Motor motor(ring_motor());
   const double load = 0.5 * ask(motor, Metric::stall_torque).value;
-  const double speed = at_torque(motor, Metric::speed_at, load).value;
+  const double speed = ask_at_torque(motor, Metric::speed_at, load).value;
   for (const Metric which :
        {Metric::output_power_at, Metric::stator_power_at, Metric::friction_power_at,
         Metric::layer_loss_at, Metric::wear_intensity_at, Metric::stick_fraction_at}) {
     CAPTURE(info(which).name);
-    CHECK(at_torque(motor, which, load).value ==
+    CHECK(ask_at_torque(motor, which, load).value ==
           Approx(at_speed(motor, which, speed).value).epsilon(1e-10));
   }
 }
@@ -379,7 +373,7 @@ TEST_CASE(
     const auto torque_at = [&](double speed) { return motor.operating_point(speed).torque; };
     CAPTURE(i, free);
     for (const double load : {0.0, 0.01 * unit, 0.1 * unit, 0.3 * unit}) {
-      const MetricValue found = at_torque(motor, Metric::speed_at, load);
+      const MetricValue found = ask_at_torque(motor, Metric::speed_at, load);
       CAPTURE(load, found.value);
       if (*std::max_element(torques.begin(), torques.end()) < load) continue;
       REQUIRE(found.status == MetricStatus::ok);

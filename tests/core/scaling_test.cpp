@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/curve_motors.hpp"
 #include "support/deviations.hpp"
 #include "support/point_checks.hpp"
 #include "support/test_motors.hpp"
@@ -16,15 +17,6 @@ namespace {
 
 using namespace twum;
 using namespace twum::test;
-
-// G, gamma and m spelled out, so that each can be scaled.
-MotorDesign outright(const MotorDesign& design) {
-  MotorDesign copy = design;
-  copy.layer.given_shear_modulus = shear_modulus(design);
-  copy.layer.given_shear_viscosity = shear_viscosity(design);
-  copy.layer.given_inertia = inertia(design);
-  return copy;
-}
 
 // Torques of a design and its scaled twin at a dozen speeds; all layer kinds take turns.
 template <typename Scale>

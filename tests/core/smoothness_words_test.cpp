@@ -25,7 +25,7 @@ Smoothness word(const Motor& motor, const MetricRequest& request) {
 TEST_CASE("a metric at a speed is flat exactly where no parameter of the wave moves it (C8.1)",
           "[core][derivative][identity]") {
   Uniform random(61);
-  int flat_torques = 0, flat_sticks = 0, smooth_torques = 0, smooth_sticks = 0, smooth = 0;
+  int flat_torques = 0, flat_sticks = 0, smooth_torques = 0, smooth_sticks = 0;
   for (int i = 0; i < 60; ++i) {
     const MotorDesign design = i % 3 == 0   ? holding_motor(random, i)
                                : i % 3 == 1 ? ringing_motor(random, i)
@@ -51,7 +51,6 @@ TEST_CASE("a metric at a speed is flat exactly where no parameter of the wave mo
            {Metric::output_power_at, Metric::stator_power_at, Metric::friction_power_at,
             Metric::layer_loss_at, Metric::wear_intensity_at})
         CHECK(at(which) == Smoothness::smooth);
-      ++smooth;
       if (share == 0)
         CHECK(word(motor, {Metric::stall_torque}) ==
               (one_way ? Smoothness::flat : Smoothness::smooth));

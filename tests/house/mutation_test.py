@@ -120,7 +120,7 @@ def unexplained():
 if __name__ == "__main__":
     failures = [*misplaced(), *stale_rules(), *unexplained()]
     failures += [f"{line!r}\n  gave     {shortened(rewritten_text(line))!r}\n  expected {expected!r}"
-                for line, expected in CASES if shortened(rewritten_text(line)) != expected]
+                 for line, expected in CASES if shortened(rewritten_text(line)) != expected]
     failures += unplaced()
     print("\n".join(failures))
     print(f"{len(CASES)} rewritings, {len(PLACES)} places, {len(rules_of())} reasons: {len(failures)} wrong")

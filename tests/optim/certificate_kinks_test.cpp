@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -96,5 +97,32 @@ TEST_CASE("a kink that nobody tells is found in a large objective too",
     REQUIRE(c.findings.size() == 1);
     CHECK(c.findings[0].kind == Degeneracy::kink);
     CHECK(c.findings[0].names == std::vector<std::string>{"x1"});
+  }
+}
+
+TEST_CASE("on a bound a kink has one side, and nothing need be told of the other",
+          "[optim][certificate][closed_form]") {
+  // f = x in [0, 1], told as a kink at either end: least at 0, and greatest at 1.
+  const double nothing = std::nan("");
+  for (const bool maximize : {false, true}) {
+    Problem p;
+    p.variables = test::box(1, 0.0, 1.0, {0.5});
+    p.objectives = {{"f", maximize ? Sense::maximize : Sense::minimize}};
+    p.evaluate = [=](std::span<const double> x, bool) {
+      Evaluation e{{x[0]}, {1.0}, {}, {}};
+      e.kinks = {{0, 0, Slope::one_sided, x[0] > 0.0 ? 1.0 : nothing, x[0] < 1.0 ? 1.0 : nothing}};
+      return e;
+    };
+    const double best = maximize ? 1.0 : 0.0;
+    CAPTURE(maximize);
+    CHECK(certify(p, std::vector<double>{best}).passed);
+    CHECK_FALSE(certify(p, std::vector<double>{1.0 - best}).passed);
+    const Certificate inside = certify(p, std::vector<double>{0.5});
+    CHECK_FALSE(inside.passed);
+    // Inside both sides count, and one that is no number tells nothing.
+    p.evaluate = [=](std::span<const double>, bool) {
+      return Evaluation{{0.0}, {0.0}, {{0, 0, Slope::one_sided, nothing, 1.0}}, {}};
+    };
+    CHECK_FALSE(certify(p, std::vector<double>{0.5}).passed);
   }
 }

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the certificate of a design promises, on functions whose slopes are known by hand.
-#include "optim/bank/dual_problem.hpp"
+#include "optim/bank/posed.hpp"
 
 #include <twum/optim/solve.hpp>
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <functional>
 
 using namespace twum;
 using namespace twum::optim;
@@ -19,16 +18,6 @@ using Names = std::vector<std::string>;
 
 // A quotient of a few products of numbers near 1.
 constexpr double kRounding = 1e-12;
-
-Problem posed(std::vector<Variable> variables, std::vector<Constraint> constraints,
-              std::function<void(const D*, D*)> f, std::size_t objectives = 1) {
-  Problem p;
-  p.variables = std::move(variables);
-  for (std::size_t k = 0; k < objectives; ++k) p.objectives.push_back({test::numbered('f', k)});
-  p.constraints = std::move(constraints);
-  p.evaluate = test::dual_evaluator<3>(p.responses(), std::move(f));
-  return p;
-}
 
 Certificate certified(const Problem& p, const std::vector<double>& design,
                       std::size_t evaluations = 1000) {
@@ -60,7 +49,7 @@ TEST_CASE("stationarity is the slope left over in parts of the slope at the star
   // x^2 from 1: at x the slope is x times the slope at the start, and where it is larger than that
   // it is measured by itself.
   const Problem p =
-      posed({{"x", -4.0, 4.0, 1.0}}, {}, [](const D* x, D* r) { r[0] = x[0] * x[0]; });
+      test::posed<3>({{"x", -4.0, 4.0, 1.0}}, {}, [](const D* x, D* r) { r[0] = x[0] * x[0]; });
   CHECK(certified(p, {0.25}).stationarity == Approx(0.25).epsilon(kRounding));
   CHECK(certified(p, {1.0}).stationarity == Approx(1.0).epsilon(kRounding));
   CHECK(certified(p, {3.0}).stationarity == Approx(1.0).epsilon(kRounding));
@@ -72,9 +61,9 @@ TEST_CASE("a logarithmic scale is the linear one of the logarithm",
   const double u = std::log(100.0), v = std::log(7.0);
   const auto f = [](const D& s, const D& t) { return exp(s) + 0.5 * exp(2.0 * t); };
   const Problem linear =
-      posed({{"s", 0.0, u, 0.5}, {"t", 0.0, v, 0.6}}, {{"sum", 0.0, 20.0}},
-            [&](const D* x, D* r) { r[0] = f(x[0], x[1]), r[1] = exp(x[0]) + exp(x[1]); });
-  const Problem log = posed(
+      test::posed<3>({{"s", 0.0, u, 0.5}, {"t", 0.0, v, 0.6}}, {{"sum", 0.0, 20.0}},
+                     [&](const D* x, D* r) { r[0] = f(x[0], x[1]), r[1] = exp(x[0]) + exp(x[1]); });
+  const Problem log = test::posed<3>(
       {{"x", 1.0, 100.0, std::exp(0.5), Scale::log}, {"y", 1.0, 7.0, std::exp(0.6), Scale::log}},
       {{"sum", 0.0, 20.0}},
       [](const D* x, D* r) { r[0] = x[0] + 0.5 * x[1] * x[1], r[1] = x[0] + x[1]; });
@@ -102,8 +91,8 @@ TEST_CASE("a kink in a single variable is told once and has the weights of one o
 
 TEST_CASE("a fixed variable needs no derivative", "[optim][certificate]") {
   // (x - 2)^2 + 3 has its minimum at 2 whatever is known of the variable that cannot move.
-  Problem p = posed({{"still", 1.0, 1.0}, {"x", 0.0, 5.0, 1.0}}, {},
-                    [](const D* x, D* r) { r[0] = (x[1] - 2.0) * (x[1] - 2.0) + 3.0; });
+  Problem p = test::posed<3>({{"still", 1.0, 1.0}, {"x", 0.0, 5.0, 1.0}}, {},
+                             [](const D* x, D* r) { r[0] = (x[1] - 2.0) * (x[1] - 2.0) + 3.0; });
   CHECK(certified(p, {1.0, 2.0}).findings.empty());
   p.evaluate = [smooth = p.evaluate](std::span<const double> x, bool gradient) {
     Evaluation e = smooth(x, gradient);
@@ -119,7 +108,7 @@ TEST_CASE("a fixed variable needs no derivative", "[optim][certificate]") {
 TEST_CASE("where nothing can move the design is stationary and its weights add up to one",
           "[optim][certificate]") {
   for (const std::size_t objectives : {1U, 2U, 3U}) {
-    const Problem p = posed(
+    const Problem p = test::posed<3>(
         {{"x", 2.0, 2.0}, {"y", 3.0, 3.0}}, {},
         [=](const D* x, D* r) {
           for (std::size_t k = 0; k < objectives; ++k) r[k] = x[0] + x[1];
@@ -139,12 +128,12 @@ TEST_CASE("a kink that nobody tells is named by its variable, and smooth ones ar
           "[optim][certificate][kink]") {
   // 5 + 3 |x| + (y^2 - x^2) / 10 has its minimum at the origin, where x has a steeper slope than
   // at the start; the limit is far away, and steep.
-  Problem p = posed(test::box(2, -1.0, 1.0, {0.5, 0.5}), {{"far", -kInfinity, 100.0}},
-                    [](const D* x, D* r) {
-                      const D size = x[0].v < 0.0 ? -x[0] : x[0];
-                      r[0] = 5.0 + 3.0 * size + 0.1 * (x[1] * x[1] - x[0] * x[0]);
-                      r[1] = 7.0 * x[0] + 20.0 * x[1];
-                    });
+  Problem p = test::posed<3>(test::box(2, -1.0, 1.0, {0.5, 0.5}), {{"far", -kInfinity, 100.0}},
+                             [](const D* x, D* r) {
+                               const D size = x[0].v < 0.0 ? -x[0] : x[0];
+                               r[0] = 5.0 + 3.0 * size + 0.1 * (x[1] * x[1] - x[0] * x[0]);
+                               r[1] = 7.0 * x[0] + 20.0 * x[1];
+                             });
   const Certificate c = certified(p, {0.0, 0.0});
   CHECK(c.passed);
   REQUIRE(c.findings.size() == 1);
@@ -156,7 +145,7 @@ TEST_CASE("only an objective without slope here and at the start is flat", "[opt
   const std::vector<Variable> box = test::box(2, -1.0, 3.0, {2.0, 2.0});
   const std::vector<Constraint> limit{{"far", -kInfinity, 100.0}};
   for (const double level : {3.0, -4.0}) {  // the slope of the bowls vanishes at (1, 1), exactly
-    const Problem bowl = posed(box, limit, [=](const D* x, D* r) {
+    const Problem bowl = test::posed<3>(box, limit, [=](const D* x, D* r) {
       r[0] = (x[0] - 1.0) * (x[0] - 1.0) + (x[1] - 1.0) * (x[1] - 1.0) + level;
       r[1] = 9.0 * x[0];
     });
@@ -164,7 +153,7 @@ TEST_CASE("only an objective without slope here and at the start is flat", "[opt
     CHECK(certified(bowl, {1.0, 1.0}).findings.empty());
   }
   for (const double level : {0.0, 3.0, -4.0, 1e-3}) {
-    const Problem flat = posed(box, limit, [=](const D* x, D* r) {
+    const Problem flat = test::posed<3>(box, limit, [=](const D* x, D* r) {
       r[0] = D(level);
       r[1] = 9.0 * x[0];
     });
@@ -178,16 +167,17 @@ TEST_CASE("only an objective without slope here and at the start is flat", "[opt
 TEST_CASE("a budget without room for the curvature leaves it out and still certifies",
           "[optim][certificate][budget]") {
   // The start, the design, and two neighbours for each of three variables: 8 calls.
-  const Problem p = posed(test::box(3, -1.0, 2.0, {2.0, 2.0, 2.0}), {}, [](const D* x, D* r) {
-    r[0] = D(3.0);
-    for (int i = 0; i < 3; ++i) r[0] = r[0] + (x[i] - 1.0) * (x[i] - 1.0);
-  });
+  const Problem p =
+      test::posed<3>(test::box(3, -1.0, 2.0, {2.0, 2.0, 2.0}), {}, [](const D* x, D* r) {
+        r[0] = D(3.0);
+        for (int i = 0; i < 3; ++i) r[0] = r[0] + (x[i] - 1.0) * (x[i] - 1.0);
+      });
   for (std::size_t evaluations = 2; evaluations <= 9; ++evaluations) {
     const Certificate c = certified(p, {1.0, 1.0, 1.0}, evaluations);
     CAPTURE(evaluations, c.reason);
     CHECK(c.passed);
-    // Of a sphere every curvature is the largest one; differences of exact slopes err by 1e-9.
     CHECK(std::isnan(c.curvature) == (evaluations < 8));
+    // Of a sphere every curvature is the largest one; differences of exact slopes err by 1e-9.
     if (evaluations >= 8) CHECK(c.curvature == Approx(1.0).epsilon(1e-6));
   }
 }
@@ -195,7 +185,7 @@ TEST_CASE("a budget without room for the curvature leaves it out and still certi
 TEST_CASE("a limit without slope where it is met takes no part", "[optim][certificate]") {
   // x^2 + y^2 >= 0 holds everywhere and is met at the minimum of x^2 + y^2 + 1, where it is flat.
   const Problem p =
-      posed(test::box(2, -1.0, 2.0, {1.0, 1.0}), {{"round", 0.0}}, [](const D* x, D* r) {
+      test::posed<3>(test::box(2, -1.0, 2.0, {1.0, 1.0}), {{"round", 0.0}}, [](const D* x, D* r) {
         r[1] = x[0] * x[0] + x[1] * x[1];
         r[0] = r[1] + 1.0;
       });
@@ -206,10 +196,11 @@ TEST_CASE("a limit without slope where it is met takes no part", "[optim][certif
 }
 
 TEST_CASE("a maximized objective that was taken back leaves no trace", "[optim][certificate]") {
-  Problem p = posed(test::box(2, -4.0, 4.0, {2.0, 3.0}), {{"sum", 2.0}}, [](const D* x, D* r) {
-    r[0] = x[0] * x[0] + x[1] * x[1];
-    r[1] = x[0] + x[1];
-  });
+  Problem p =
+      test::posed<3>(test::box(2, -4.0, 4.0, {2.0, 3.0}), {{"sum", 2.0}}, [](const D* x, D* r) {
+        r[0] = x[0] * x[0] + x[1] * x[1];
+        r[1] = x[0] + x[1];
+      });
   p.objectives.push_back({"second thought", Sense::maximize});
   p.objectives.pop_back();
   const Certificate c = certified(p, {1.0, 1.0});

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // What limits and bounds do to a certificate: curvature along them, what their slack is worth, and
 // numbers of very different size. All slopes and curvatures are worked out by hand.
-#include "optim/bank/dual_problem.hpp"
+#include "optim/bank/posed.hpp"
 
 #include <twum/optim/solve.hpp>
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <functional>
 #include <limits>
 
 using namespace twum;
@@ -23,16 +22,6 @@ using Design = std::vector<double>;
 // of its size: a thousand times that.
 constexpr double kDifferences = 1e-6;
 
-Problem posed(std::vector<Variable> variables, std::vector<Constraint> constraints,
-              std::function<void(const D*, D*)> f, std::size_t objectives = 1) {
-  Problem p;
-  p.variables = std::move(variables);
-  for (std::size_t k = 0; k < objectives; ++k) p.objectives.push_back({test::numbered('f', k)});
-  p.constraints = std::move(constraints);
-  p.evaluate = test::dual_evaluator<2>(p.responses(), std::move(f));
-  return p;
-}
-
 }  // namespace
 
 TEST_CASE("a limit that curves away from the design adds to the curvature along it",
@@ -43,12 +32,12 @@ TEST_CASE("a limit that curves away from the design adds to the curvature along 
   for (const double s : {1.0, -1.0}) {
     const double low = s > 0.0 ? -kInfinity : -1.0, high = s > 0.0 ? 1.0 : kInfinity;
     const Problem p =
-        posed(test::box(2, -2.0, 2.0, {1.0, 1.0}),
-              {{"idle", -kInfinity, 50.0}, {"disc", low, high}}, [s](const D* x, D* r) {
-                r[0] = x[0] + 10.0 * (x[0] + 1.0) * (x[0] + 1.0);
-                r[1] = 3.0 * x[0] + x[1];
-                r[2] = s * (x[0] * x[0] + x[1] * x[1]);
-              });
+        test::posed<2>(test::box(2, -2.0, 2.0, {1.0, 1.0}),
+                       {{"idle", -kInfinity, 50.0}, {"disc", low, high}}, [s](const D* x, D* r) {
+                         r[0] = x[0] + 10.0 * (x[0] + 1.0) * (x[0] + 1.0);
+                         r[1] = 3.0 * x[0] + x[1];
+                         r[2] = s * (x[0] * x[0] + x[1] * x[1]);
+                       });
     const Certificate c = certify(p, Design{-1.0, 0.0});
     CAPTURE(s, c.reason);
     CHECK(c.passed);
@@ -64,7 +53,7 @@ TEST_CASE("a limit that curves towards the design takes from the curvature along
   // (-1, 0), which the slope -1 pulls into the disc. The Lagrangian has the curvatures 20 - 1 and
   // 0 - 1, so that along the limit the objective falls.
   const Problem p =
-      posed(test::box(2, -2.0, 2.0, {1.0, 1.0}), {{"disc", 1.0}}, [](const D* x, D* r) {
+      test::posed<2>(test::box(2, -2.0, 2.0, {1.0, 1.0}), {{"disc", 1.0}}, [](const D* x, D* r) {
         r[0] = -x[0] + 10.0 * (x[0] + 1.0) * (x[0] + 1.0);
         r[1] = x[0] * x[0] + x[1] * x[1];
       });
@@ -79,9 +68,10 @@ TEST_CASE("curvature beside a bound is taken from inside the box",
   // A bowl whose bottom is 1e-4 from a bound, in a box 2 wide; its curvatures are 2 and 6.
   for (const double side : {1.0, -1.0}) {
     const double bottom = side * (1.0 - 1e-4);
-    const Problem p = posed(test::box(2, -1.0, 1.0, {0.0, 0.5}), {}, [bottom](const D* x, D* r) {
-      r[0] = (x[0] - bottom) * (x[0] - bottom) + 3.0 * x[1] * x[1];
-    });
+    const Problem p =
+        test::posed<2>(test::box(2, -1.0, 1.0, {0.0, 0.5}), {}, [bottom](const D* x, D* r) {
+          r[0] = (x[0] - bottom) * (x[0] - bottom) + 3.0 * x[1] * x[1];
+        });
     const Certificate c = certify(p, Design{bottom, 0.0});
     CAPTURE(side, c.reason);
     CHECK(c.passed);
@@ -93,7 +83,7 @@ TEST_CASE("complementarity is the slack in parts of the slope that its limit hol
           "[optim][certificate][closed_form]") {
   // x^2 on [0, 20] with x >= 10, 1e-5 inside the limit. Nothing but the limit holds the slope, so the
   // multiplier is all of it, and the slack is 1e-5 / 20 in parts of the box.
-  const Problem p = posed({{"x", 0.0, 20.0, 0.1}}, {{"ten", 10.0}}, [](const D* x, D* r) {
+  const Problem p = test::posed<2>({{"x", 0.0, 20.0, 0.1}}, {{"ten", 10.0}}, [](const D* x, D* r) {
     r[0] = x[0] * x[0];
     r[1] = x[0];
   });
@@ -106,7 +96,7 @@ TEST_CASE("a steep slope into a bound does not make the others small",
           "[optim][certificate][pareto][closed_form]") {
   // At (0, 0.9) both objectives press x against its bound with a slope of 2000, which at the start is
   // nothing, and both would have y fall. The second has less to gain: a slope of 0.4 for 1.4 at the start.
-  const Problem p = posed(
+  const Problem p = test::posed<2>(
       {{"x", 0.0, 1.0, 1.0}, {"y", 0.0, 1.0, 0.0}}, {},
       [](const D* x, D* r) {
         const D press = 2000.0 * x[0] - 1000.0 * x[0] * x[0];
@@ -122,10 +112,11 @@ TEST_CASE("a steep slope into a bound does not make the others small",
 TEST_CASE("a limit that is much steeper at the start has a multiplier like any other",
           "[optim][certificate][closed_form]") {
   // exp(60 x) / 1e9 at 0: the slope 60e-9 there is e^-54 of the one at the start. x falls until it.
-  const Problem p = posed({{"x", -1.0, 1.0, 0.9}}, {{"steep", 1e-9}}, [](const D* x, D* r) {
-    r[0] = x[0];
-    r[1] = 1e-9 * exp(60.0 * x[0]);
-  });
+  const Problem p =
+      test::posed<2>({{"x", -1.0, 1.0, 0.9}}, {{"steep", 1e-9}}, [](const D* x, D* r) {
+        r[0] = x[0];
+        r[1] = 1e-9 * exp(60.0 * x[0]);
+      });
   const Certificate c = certify(p, Design{0.0});
   CAPTURE(c.reason);
   CHECK(c.passed);
@@ -143,7 +134,7 @@ TEST_CASE("limits of very different slopes are not dependent for that",
     limits[a - 1] = {"steep", -kInfinity, steep};
     limits[b - 1] = {"plain", -kInfinity, 0.5};
     const Problem p =
-        posed(test::box(2, -1.0, 1.0, {-0.9, -0.9}), limits, [a, b](const D* x, D* r) {
+        test::posed<2>(test::box(2, -1.0, 1.0, {-0.9, -0.9}), limits, [a, b](const D* x, D* r) {
           r[0] = -x[0] - x[1];
           r[a] = exp(12.0 * x[0]);
           r[b] = x[1];
@@ -160,7 +151,8 @@ TEST_CASE("limits of very different slopes are not dependent for that",
 
 TEST_CASE("an objective without slope in its only variable is flat",
           "[optim][certificate][degenerate]") {
-  const Problem p = posed({{"x", -1.0, 3.0, 2.0}}, {}, [](const D*, D* r) { r[0] = D(3.0); });
+  const Problem p =
+      test::posed<2>({{"x", -1.0, 3.0, 2.0}}, {}, [](const D*, D* r) { r[0] = D(3.0); });
   const Certificate c = certify(p, Design{1.0});
   REQUIRE_FALSE(c.findings.empty());
   CHECK(c.findings[0].kind == Degeneracy::flat_objective);
@@ -169,7 +161,7 @@ TEST_CASE("an objective without slope in its only variable is flat",
 
 TEST_CASE("where a derivative does not exist several objectives have no weights and no prices",
           "[optim][certificate][pareto]") {
-  Problem p = posed(
+  Problem p = test::posed<2>(
       {{"x", -1.0, 1.0, 0.5}}, {}, [](const D* x, D* r) { r[0] = x[0], r[1] = -x[0]; }, 2);
   CHECK(certify(p, Design{0.25}).passed);
   p.evaluate = [smooth = p.evaluate](std::span<const double> x, bool gradient) {

@@ -10,8 +10,10 @@
 #include <catch2/catch.hpp>
 
 #include <chrono>
+#include <map>
 #include <mutex>
 #include <set>
+#include <string>
 #include <thread>
 
 using namespace twum;
@@ -57,7 +59,7 @@ std::set<std::thread::id> threads_of(const SolveOptions& options) {
       const std::lock_guard<std::mutex> guard(lock);
       ids.insert(std::this_thread::get_id());
     }
-    // Long enough that a second thread, if there is one, finds starts that are not taken yet.
+    // Long enough that one thread too many, if there is one, would find starts that are not taken yet.
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
     return right(x, gradient);
   };
@@ -123,7 +125,7 @@ TEST_CASE("a solve uses as many stages wherever they begin, and no more than it 
   }
 }
 
-TEST_CASE("the evaluator is called by as many threads as were asked for, by the caller's if by one",
+TEST_CASE("the evaluator is called by no more threads than were asked for, the caller's among them",
           "[optim][threads]") {
   CHECK(threads_of({}) == std::set<std::thread::id>{std::this_thread::get_id()});
   SolveOptions options;

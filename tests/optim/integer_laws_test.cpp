@@ -11,6 +11,7 @@
 #include <cmath>
 #include <functional>
 #include <set>
+#include <stop_token>
 
 using namespace twum;
 using namespace twum::optim;
@@ -145,5 +146,50 @@ TEST_CASE("what the search for an explanation finds feasible is no longer called
     // A violation of 1e-8 in units of the slope over the box, 4 * 0.47 at the start, is 2e-8.
     const double y = r.design[1];
     CHECK(std::abs(y * y * y - y + 0.1 * r.design[0] - 0.5) < 2e-8);
+  }
+}
+
+TEST_CASE("a search whose budget ends within a combination is not done with it",
+          "[optim][integer][budget]") {
+  // The better one of two whole numbers comes last, and its valley is bent.
+  const Problem p = mixed(1.0, -1.2, {}, [](const D* x, D* r) {
+    const D bend = x[1] * x[1] - 1.0, rest = 1.0 - x[1];
+    r[0] = 1.0 - x[0] + 100.0 * x[0] * bend * bend + rest * rest;
+  });
+  const Result whole = solve(p);
+  REQUIRE(whole.outcome == Outcome::optimal);
+  REQUIRE(whole.design[0] == 1.0);
+  int cut = 0;
+  for (std::size_t budget = 1; budget < whole.counters.evaluations; ++budget) {
+    SolveOptions options;
+    options.budget.evaluations = budget;
+    const Result r = solve(p, options);
+    CAPTURE(budget, r.evaluation.values);
+    if (r.outcome == Outcome::optimal) {
+      CHECK(r.design[0] == 1.0);
+      continue;
+    }
+    CHECK(r.outcome == Outcome::budget);
+    CHECK(r.stop == StopReason::evaluations);
+    ++cut;
+  }
+  CHECK(cut > 5);
+}
+
+TEST_CASE("a search among whole numbers that may not begin says so", "[optim][integer][budget]") {
+  Problem p = mixed(1.0, 0.0, {}, [](const D* x, D* r) { r[0] = x[0] + x[1]; });
+  std::stop_source source;
+  source.request_stop();
+  SolveOptions options;
+  options.stop = source.get_token();
+  for (const bool whole : {true, false}) {
+    p.variables[0].integer = whole;
+    const Result r = solve(p, options);
+    CAPTURE(whole);
+    CHECK(r.outcome == Outcome::budget);
+    CHECK(r.stop == StopReason::requested);
+    CHECK(r.counters.evaluations == 0);
+    CHECK_FALSE(r.certificate.passed);
+    CHECK(r.certificate.reason == "stopped before the test was done");
   }
 }

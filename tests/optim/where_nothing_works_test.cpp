@@ -4,6 +4,7 @@
 #include "optim/bank/dual_problem.hpp"
 
 #include <twum/base/error.hpp>
+#include <twum/optim/pareto.hpp>
 #include <twum/optim/solve.hpp>
 
 #include <catch2/catch.hpp>
@@ -103,4 +104,19 @@ TEST_CASE("a Jacobian of the wrong size is refused, also where it is left out or
   SolveOptions options;
   options.solver = "nlopt:cobyla";
   CHECK_THROWS_WITH(solve(p, options), Contains("gave 1 derivatives where 2 were expected"));
+}
+
+TEST_CASE("where nothing can be evaluated a solve and a front say the same, whatever the budget",
+          "[optim][failure][budget]") {
+  for (const std::size_t budget : {1U, 2U, 3U, 1000U}) {
+    CAPTURE(budget);
+    SolveOptions options;
+    options.budget.evaluations = budget;
+    CHECK(solve(torn(), options).outcome == Outcome::failed);
+    Problem two = torn();
+    two.objectives.push_back({"g"});
+    ParetoOptions front;
+    front.solve = options;
+    CHECK(pareto_front(two, front).outcome == Outcome::failed);
+  }
 }

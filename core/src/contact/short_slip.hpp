@@ -11,8 +11,8 @@ namespace twum::contact {
 ///
 /// There the layer's own and its forced motion nearly cancel, and their difference would have few
 /// digits. The series of e itself has them all: with z = rate * length its terms fall like z^k / k!, and
-/// those of products like (2 z)^k / k!. Only a fast mode of an overdamped layer that is over within the
-/// zone stays apart, in closed form beside the series.
+/// those of products like (2 z)^k / k!. Only a fast mode of an overdamped layer that falls below exp(-2.5)
+/// within the zone stays apart, in closed form beside the series.
 template <typename S>
 class ShortSlip {
  public:
@@ -33,7 +33,7 @@ class ShortSlip {
         layer_(layer),
         q_(-(sigma * n.kinetic)),
         length_(length),
-        has_mode_apart_(is_over_within(layer, length)),
+        has_mode_apart_(nearly_ends_within(layer, length)),
         fast_(has_mode_apart_ ? fast : S(0.0)),
         terms_(count(2 * rate_of_series() * value_of(length))) {
     expand_pressure(from);
@@ -81,7 +81,7 @@ class ShortSlip {
 
   static double inverse(int k) { return kInverse[static_cast<std::size_t>(k)]; }
 
-  static bool is_over_within(const LayerMotion<S>& layer, const S& length) {
+  static bool nearly_ends_within(const LayerMotion<S>& layer, const S& length) {
     return layer.kind() == LayerKind::overdamped &&
            -value_of(layer.fast()) * value_of(length) > kReach;
   }
@@ -92,10 +92,9 @@ class ShortSlip {
   }
 
   // Where the layer enters at rest the products begin with terms that nearly cancel, of pressure and motion
-  // alone: of the second to the fourth power, with inertia to the sixth. Those of the layer's own times fall
-  // off behind them.
+  // alone: up to the fourth power, with inertia the sixth. Those of the layer's own times fall off behind them.
   static int count(double z) {
-    constexpr int kFirst = 5;
+    constexpr int kFirst = 7;
     int terms = 2;
     for (double term = z * z / 2; term > 1e-17 && terms < kTerms - kFirst; term *= z / terms)
       ++terms;

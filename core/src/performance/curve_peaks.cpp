@@ -128,8 +128,8 @@ Peak CurveSearch::smooth_peak(Goal goal, const std::vector<Node>& nodes, std::si
     if (peak.value > best.value) best = peak;
   };
   const auto at = [&](std::size_t k) { return value(goal, nodes[k]); };
-  for (std::size_t k = 1; k + 1 < nodes.size(); ++k) {
-    const bool hump = at(k) >= at(k - 1) && at(k) >= at(k + 1);
+  for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
+    const bool hump = (k == 0 || at(k) >= at(k - 1)) && at(k) >= at(k + 1);
     if (hump && k != top && at(k) >= kNearly * at(top)) consider(peak_beside(goal, nodes, k));
   }
   if (goal != Goal::torque && plateau_may_top(goal, nodes, best.value)) {

@@ -200,19 +200,19 @@ Crossing CurveSearch::speed_at(double torque) {
   if (!(carried <= top.value)) throw SearchFailure{MetricStatus::unreachable};
   const bool plateau_is_top = top.kind == PeakKind::rest && starts_on_plateau();
   if (plateau_is_top && torque >= stall_torque() * (1 - kSameTorque)) return {plateau_end(), false};
-  const std::vector<Node> nodes = nodes_around(torque);
+  // From rest torque falls; elsewhere it may rise to its largest value, and jump.
+  if (torque >= top.value) return {top.speed, top.kind != PeakKind::rest};
   // Torque may jump past it where it jumps past zero.
-  if (const Crossing free = no_load(); free.jump && nodes.back().torque >= torque) return free;
+  if (no_load().slopeless && working_nodes().back().torque >= torque) return no_load();
+  const std::vector<Node> nodes = nodes_around(torque);
   std::size_t k = after_last(nodes, torque);
   if (k > 0 && nodes[k - 1].speed >= top.speed)
     return falls_through(torque, nodes[k - 1], nodes[k]);
   // No node beyond the maximum carries it: it is met between the maximum and the first of them.
   while (k < nodes.size() && nodes[k].speed <= top.speed) ++k;
   const Node at_top = answered(top.speed);
-  if (k < nodes.size() && torque < top.value && at_top.torque > torque)
-    return falls_through(torque, at_top, nodes[k]);
-  // The speed has no derivative where the torque has none left to give, nor beside a jump.
-  return {top.speed, torque < top.value || top.kind == PeakKind::smooth};
+  if (k < nodes.size() && at_top.torque > torque) return falls_through(torque, at_top, nodes[k]);
+  return {top.speed, true};  // beside a jump
 }
 
 bool CurveSearch::starts_on_plateau() {

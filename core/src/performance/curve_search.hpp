@@ -35,7 +35,8 @@ struct Peak {
 /// A speed where the torque takes a value.
 struct Crossing {
   double speed{0};
-  bool jump{false};  ///< it jumps past the value there
+  bool slopeless{
+      false};  ///< it has no slope there to tell how the speed moves: a jump, or a maximum
 };
 
 /// What is searched for over the torque-speed curve. Each result is found once and kept.
@@ -63,7 +64,8 @@ class CurveSearch {
     bool ok() const { return status == MetricStatus::ok; }
   };
   struct Stretch {
-    Node first, last;  ///< with the same sequence of zones, and so all between them
+    Node first,
+        last;  ///< with the same sequence of zones, if there were not too many to tell apart
   };
   static constexpr double kScanAccuracy = 1e-7;  // of the nodes
   static constexpr double kWorth = 0.7;  // share of a value above which jumps nearby may pass it

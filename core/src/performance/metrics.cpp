@@ -296,14 +296,20 @@ class Differentiator : private Evaluator {
 
   // dOmega = -dT / T_Omega at fixed load.
   Derived crossing(const Crossing& crossing, double torque) {
-    const bool on_plateau = search_.plateau_end() > 0 && crossing.speed == search_.plateau_end();
+    const double end = search_.plateau_end();
+    const bool on_plateau =
+        end > 0 && crossing.speed == end && torque <= search_.stall_torque() * (1 + 1e-12);
     if (on_plateau) return plateau().at_kink();
-    if (crossing.jump) return {ModelDual(crossing.speed), Smoothness::undefined};
-    if (crossing.speed == 0) return {ModelDual(0.0), Smoothness::one_sided};
+    const ModelDual speed(crossing.speed);
+    if (crossing.slopeless) return {speed, Smoothness::undefined};
+    const bool at_rest = crossing.speed == 0;
+    if (at_rest && torque == 0) return {speed, Smoothness::one_sided};
     const ModelDual t = numbers(crossing.speed).torque - torque;
-    ModelDual speed(crossing.speed);
-    for (int j = 0; j < kSpeedDirection; ++j) speed.d[j] = -t.d[j] / t.d[kSpeedDirection];
-    return {speed, of_point(crossing.speed)};
+    if (at_rest && !(t.d[kSpeedDirection] < 0)) return {speed, Smoothness::undefined};
+    ModelDual moving = speed;
+    for (int j = 0; j < kSpeedDirection; ++j) moving.d[j] = -t.d[j] / t.d[kSpeedDirection];
+    const Derived found{moving, of_point(crossing.speed)};
+    return at_rest ? found.at_kink() : found;  // a load beyond the largest torque is not carried
   }
 
   // Where the slope f_Omega is zero: dOmega = -df_Omega / f_OmegaOmega.

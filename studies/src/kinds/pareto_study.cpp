@@ -127,7 +127,7 @@ class ParetoStudy : public SearchStudy {
   DesignReport alone(std::size_t goal, const std::vector<double>& design) const {
     DesignProblem one = problem();
     one.objectives = {problem().objectives[goal]};
-    return DesignReporter(one, {}).report(design, optim::certify(motor_problem(one), design));
+    return DesignReporter(one, {}).report(design, certificate(one, design));
   }
 
   std::size_t points_;

@@ -74,7 +74,12 @@ std::optional<Row> SearchStudy::recompute(const Row& stored) const {
 }
 
 std::optional<optim::Certificate> SearchStudy::certify(std::span<const double> variables) const {
-  return optim::certify(motor_problem(problem_), variables, options_);
+  return certificate(problem_, variables);
+}
+
+optim::Certificate SearchStudy::certificate(const DesignProblem& asked,
+                                            std::span<const double> design) const {
+  return optim::certify(motor_problem(asked), design, options_);
 }
 
 }  // namespace twum::studies

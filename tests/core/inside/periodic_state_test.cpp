@@ -17,22 +17,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-ContactNumbers<double> with_half_angle(ContactNumbers<double> n, double half_angle) {
-  n.half_angle = half_angle;
-  n.edge = trig(half_angle);
-  n.peak = n.edge.versine;
-  return n;
-}
-
-// Pressed `load` times as hard as it takes for full contact, load > 1.
-ContactNumbers<double> in_full_contact(ContactNumbers<double> n, double load) {
-  n.full = true;
-  n.half_angle = kPi;
-  n.edge = {0, -1, 2};
-  n.peak = 1 + load;
-  return n;
-}
-
 // Contacts of every kind: four in ten of them full and a tenth narrow, a tenth without damping, a quarter of them near
 // rest and some of these backward.
 ContactNumbers<double> any_contact(Dice& dice, int index, bool threshold) {
@@ -41,18 +25,13 @@ ContactNumbers<double> any_contact(Dice& dice, int index, bool threshold) {
   const double slow = dice.log_uniform(1e-6, 1), narrow = dice.log_uniform(0.02, 1);
   const double load = dice.log_uniform(1.02, 12);
   if (extent < 0.4) {
-    n = in_full_contact(n, load);
+    set_full_contact(n, load);
   } else if (extent < 0.5) {
-    n = with_half_angle(n, narrow);
+    set_half_angle(n, narrow);
   }
   if (ringing < 0.1) n.damping = 0;
   if (pace < 0.25) n.speed_ratio = pace < 0.05 ? -slow : slow;
   return n;
-}
-
-double apart(const LayerMotion<double>& layer, const LayerState<double>& a,
-             const LayerState<double>& b) {
-  return std::sqrt(layer.energy({a.e - b.e, a.rate - b.rate}));
 }
 
 // Largest e and t that friction can bring about: the sizes that rounding goes with.
@@ -83,8 +62,8 @@ TEST_CASE("a layer enters with what its free flight left of the state it left wi
   int kept = 0, forgotten = 0;
   for (int i = 0; i < 1500; ++i) {
     // Nearly full contact, so that the flight takes a radian at most, and less than 0.1 in many.
-    ContactNumbers<double> n =
-        with_half_angle(random_contact(dice, i, i % 2 == 0), kPi - dice.log_uniform(0.01, 0.5));
+    ContactNumbers<double> n = random_contact(dice, i, i % 2 == 0);
+    set_half_angle(n, kPi - dice.log_uniform(0.01, 0.5));
     n.stick_rate = dice.log_uniform(0.02, 50);
     if (n.damping == 0) continue;
     const LayerMotion<double> layer(n.inertia, n.damping);
@@ -134,12 +113,13 @@ TEST_CASE("with mu_0 = mu every contact in motion has its periodic state, and en
 }
 
 TEST_CASE(
-    "contact that would stick all round at rest slips a little in each turn, either way (E6.3)",
+    "contact that would stick all round at rest slips in each turn of a rotor that moves (E6.3)",
     "[core][contact][limit]") {
   Dice dice(59);
-  int forward = 0, backward = 0;
+  int forward = 0, backward = 0, sticking = 0;
   for (int i = 0; i < 3000; ++i) {
-    ContactNumbers<double> n = in_full_contact(random_contact(dice, i), dice.log_uniform(1.02, 12));
+    ContactNumbers<double> n = random_contact(dice, i);
+    set_full_contact(n, dice.log_uniform(1.02, 12));
     // Loss factors up to 2, the range of section 10.
     n.damping = i % 7 == 0 ? 0 : dice.log_uniform(1e-3, 2);
     // What a layer that follows the stator swings by, as a share of mu_0 times the mean pressure.
@@ -156,11 +136,14 @@ TEST_CASE(
     CAPTURE(i, n.inertia, n.damping, n.speed_ratio, state.laps);
     // Section 6 of the theory: with mu_0 = mu it is there, and laps come to it.
     CHECK(state.status == PeriodicStatus::ok);
-    CHECK(state.lap.zones > 1);
+    // A layer that stuck all round would be carried off by the rotor, turn by turn.
+    CHECK((state.lap.zones > 1 || state.lap.one_slip));
+    sticking += state.lap.zones > 1;
     ++(n.speed_ratio > 0 ? forward : backward);
   }
   CHECK(forward > 1000);
   CHECK(backward > 1000);
+  CHECK(sticking > 2000);
 }
 
 TEST_CASE("full contact leaves a lap in the zone that it entered in, and no zone has no length",

@@ -24,6 +24,27 @@ class Dice {
   std::mt19937_64 engine_;
 };
 
+/// Partial contact with this half angle, the pressure's amplitude unchanged.
+inline void set_half_angle(contact::ContactNumbers<double>& n, double half_angle) {
+  n.half_angle = half_angle;
+  n.edge = contact::trig(half_angle);
+  n.peak = n.edge.versine;
+}
+
+/// Pressed `load` times as hard as it takes for full contact, load > 1.
+inline void set_full_contact(contact::ContactNumbers<double>& n, double load) {
+  n.full = true;
+  n.half_angle = std::numbers::pi;
+  n.edge = {0, -1, 2};
+  n.peak = 1 + load;
+}
+
+/// The energy norm of the difference of two states.
+inline double apart(const contact::LayerMotion<double>& layer, const contact::LayerState<double>& a,
+                    const contact::LayerState<double>& b) {
+  return std::sqrt(layer.energy({a.e - b.e, a.rate - b.rate}));
+}
+
 /// Contact numbers (E1.1) of layers of every kind: elastic, relaxing, oscillating, near critical damping
 /// and overdamped in turn.
 inline contact::ContactNumbers<double> random_contact(Dice& dice, int index,
@@ -44,9 +65,9 @@ inline contact::ContactNumbers<double> random_contact(Dice& dice, int index,
                                     0,
                                     mu,
                                     mu * (threshold ? dice.uniform(1, 1.6) : 1.0),
-                                    contact::trig(half_angle),
+                                    {},
                                     false};
-  n.peak = n.edge.versine;
+  set_half_angle(n, half_angle);
   return n;
 }
 

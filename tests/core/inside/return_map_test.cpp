@@ -47,10 +47,9 @@ TEST_CASE("the periodic state repeats itself and Newton's steps (E6.2) keep it f
     const LayerMotion<double> layer(n.inertia, n.damping);
     const PeriodicState state = find_periodic_state(n, layer);
     REQUIRE(state.status == PeriodicStatus::ok);
-    const LayerState<double> d{state.entry.layer.e - state.lap.next.layer.e,
-                               state.entry.layer.rate - state.lap.next.layer.rate};
     // Rounding of forces of order one, amplified by the response at resonance.
-    CHECK(std::sqrt(layer.energy(d)) <= 1e-12 * std::sqrt(1 + layer.response));
+    CHECK(apart(layer, state.entry.layer, state.lap.next.layer) <=
+          1e-12 * std::sqrt(1 + layer.response));
     most = std::max(most, state.laps);
     sum += state.laps;
   }
@@ -167,8 +166,7 @@ TEST_CASE("laps that begin beside a periodic state stay beside it, with mu_0 > m
     entry.layer.rate += away * std::sin(turn) * layer.natural_frequency();
     Lap<double> lap;
     for (int k = 0; k < 100; ++k, entry = lap.next) lap = run_lap(n, layer, entry);
-    const double gap = std::sqrt(layer.energy(
-        {entry.layer.e - state.entry.layer.e, entry.layer.rate - state.entry.layer.rate}));
+    const double gap = apart(layer, entry.layer, state.entry.layer);
     // A map that attracts may stretch before it shrinks; an eigenvalue above 1.05 would have carried it off
     // a hundred times as far in these 100 laps.
     CHECK(gap <= 100 * away);
@@ -193,14 +191,13 @@ TEST_CASE("what laps from rest never come to is no answer, with mu_0 > mu (E6.6)
     double least = HUGE_VAL;
     for (int k = 0; k < 800; ++k) {
       const Lap<double> lap = run_lap(n, layer, entry);
-      least = std::min(least, layer.energy({lap.next.layer.e - entry.layer.e,
-                                            lap.next.layer.rate - entry.layer.rate}));
+      least = std::min(least, apart(layer, lap.next.layer, entry.layer));
       entry = lap.next;
     }
     // Laps that come to a state come to rounding of each other, and those that circle round one keep a share of
     // the way there from rest, 0.1 or so: only what stays above 1e-3 has come to nothing. What slips all through
     // is circled round as well.
-    if (std::sqrt(least) < 1e-3) continue;
+    if (least < 1e-3) continue;
     const PeriodicState state = find_periodic_state(n, layer);
     if (state.status == PeriodicStatus::ok && state.lap.one_slip) continue;
     ++none;

@@ -89,8 +89,10 @@ TEST_CASE(
     parabola.bend = dice.uniform(-0.03, 0.03);
     InverseInterpolation straight(1, 1e-16), bent(1, 1e-16);
     // The first two of a parabola's five points are on no such curve.
-    bent.add(dice.uniform(-9, 9), dice.uniform(1.5, 3));
-    bent.add(dice.uniform(-9, 9), dice.uniform(3.5, 6));
+    const double early[] = {dice.uniform(-9, 9), dice.uniform(1.5, 3), dice.uniform(-9, 9),
+                            dice.uniform(3.5, 6)};
+    bent.add(early[0], early[1]);
+    bent.add(early[2], early[3]);
     for (const double f : {1.0, -0.7, 0.4}) {
       straight.add(line.x(f), f);
       bent.add(parabola.x(f), f);

@@ -15,8 +15,7 @@ namespace {
 
 ContactNumbers<double> layer_numbers(double M, double C, double half_angle, double mu) {
   ContactNumbers<double> n{M, C, 0.3, 0.5, half_angle, 0, mu, mu, {}, false};
-  n.edge = trig(half_angle);
-  n.peak = n.edge.versine;
+  set_half_angle(n, half_angle);
   return n;
 }
 

@@ -74,7 +74,7 @@ TEST_CASE("value and derivatives of the slip curve (E2.2) come alone as they com
     const RandomSlip slip(random_contact(dice, i), dice);
     const double x = dice.uniform(0, 1) * slip.length;
     const CurveSample c = slip.curve().sample(x), t = slip.curve().terms(x);
-    // to the bit: a march that polishes by one may go on by the other
+    // To the bit: a march that polishes by one may go on by the other.
     CHECK(t.f == c.f);
     CHECK(t.f1 == c.f1);
     CHECK(t.f2 == c.f2);
@@ -105,7 +105,7 @@ TEST_CASE("the slip curve starts where its motion starts", "[core][events][ident
       continue;
     }
     skips += a.skip > 0;
-    // A rounding r of the bound moves an arc cosine by sqrt(2 r) at most.
+    // A rounding r of the bound, 1e-13 and less, moves an arc cosine by sqrt(2 r) at most.
     CHECK(std::fabs(a.skip - b.skip) <= 1e-6);
   }
   CHECK(skips > 20);
@@ -135,7 +135,7 @@ TEST_CASE("the third derivatives of slip and stick curves (E2.2, E2.4) are those
     const double start = dice.uniform(-3, 0), x = dice.uniform(0.1, 3), d = 1e-3;
     const StickCurve curve(f, start, trig(start));
     const CurveSample a = curve.sample(x - d), c = curve.sample(x), b = curve.sample(x + d);
-    // d^2 / 6 of a sinusoid's fifth derivative
+    // d^2 / 6 of a sinusoid's fifth derivative, and rounding of f'' of order one over d.
     CHECK(std::fabs((b.f2 - a.f2) / (2 * d) - c.f3) <= 2e-7 * c.l3 + 1e-12);
   }
 }

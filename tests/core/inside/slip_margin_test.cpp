@@ -15,12 +15,6 @@ using namespace twum::test;
 
 namespace {
 
-void set_half_angle(ContactNumbers<double>& n, double half_angle) {
-  n.half_angle = half_angle;
-  n.edge = trig(half_angle);
-  n.peak = n.edge.versine;
-}
-
 // Layers of every kind, of contacts up to nearly the whole wave and speeds up to the wave's.
 ContactNumbers<double> driven_contact(Dice& dice, int index) {
   ContactNumbers<double> n = random_contact(dice, index);
@@ -115,11 +109,9 @@ TEST_CASE("a layer that slips all through comes back to the state at entry that 
     const Lap<double> lap = run_lap<double>(n, layer, {margin.entry});
     CHECK(lap.one_slip);
     CHECK(lap.zones == 1);
-    const LayerState<double> gap{lap.next.layer.e - margin.entry.e,
-                                 lap.next.layer.rate - margin.entry.rate};
     (margin.entry.e == 0 && margin.entry.rate == 0 ? decayed : remembers) += 1;
     // Rounding of forces of order one, amplified by the response.
-    CHECK(std::sqrt(layer.energy(gap)) <= 1e-12 * std::sqrt(1 + layer.response));
+    CHECK(apart(layer, lap.next.layer, margin.entry) <= 1e-12 * std::sqrt(1 + layer.response));
   }
   CHECK(decayed > 100);
   CHECK(remembers > 500);

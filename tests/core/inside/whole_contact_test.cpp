@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 using namespace twum;
 using namespace twum::contact;
@@ -64,10 +63,7 @@ TEST_CASE(
   std::array<int, 3> on{}, other{}, between{};
   for (int i = 0; i < 4000; ++i) {
     ContactNumbers<double> n = random_contact(dice, i, true);
-    n.full = true;
-    n.half_angle = std::numbers::pi;
-    n.edge = {0, -1, 2};
-    n.peak = 1 + dice.log_uniform(1.02, 6);
+    set_full_contact(n, dice.log_uniform(1.02, 6));
     n.static_ = n.kinetic * dice.uniform(1, 2);
     if (n.inertia == 0 && n.damping > 0) n.damping = dice.log_uniform(0.1, 10);
     const LayerMotion<double> layer(n.inertia, n.damping);

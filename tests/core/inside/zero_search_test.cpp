@@ -31,14 +31,20 @@ struct InUnits {
 
 bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
+// How often each of the searches had something to search.
+struct Searched {
+  int steps{0}, marches{0}, zeros{0};
+};
+
 // Every search of the curve in the units told, against that in its own: to the bit.
 template <typename Curve>
-void check_units(const Curve& curve, double length, double x, int k, int m) {
+void check_units(const Curve& curve, double length, double x, int k, int m, Searched& searched) {
   const InUnits<Curve> other{curve, k, m};
   const double unit = std::ldexp(1, -m);
   CAPTURE(k, m, length, x);
   const CurveSample c = curve.sample(x), o = other.sample(x * unit);
   if (c.f > 0) {
+    ++searched.steps;
     CHECK(same(zero_free_step(o, StartOrder::positive),
                zero_free_step(c, StartOrder::positive) * unit));
     CHECK(same(falling_step(o, quadratic_step(o)), falling_step(c, quadratic_step(c)) * unit));
@@ -50,12 +56,14 @@ void check_units(const Curve& curve, double length, double x, int k, int m) {
   CHECK(
       same(followed_zero(other, x * unit, length * unit), followed_zero(curve, x, length) * unit));
   if (!(curve.first().f > 0)) return;
+  ++searched.marches;
   long work = 0, other_work = 0;
   const double zero = first_zero(curve, length, StartOrder::positive, work, 100'000);
   CHECK(same(first_zero(other, length * unit, StartOrder::positive, other_work, 100'000),
              zero * unit));
   CHECK(other_work == work);
   if (zero == kNoZero) return;
+  ++searched.zeros;
   const KnownZero known = known_zero(curve, zero + 1e-4 * length, length);
   const KnownZero told = known_zero(other, (zero + 1e-4 * length) * unit, length * unit);
   REQUIRE(same(told.zero, known.zero * unit));
@@ -71,16 +79,22 @@ void check_units(const Curve& curve, double length, double x, int k, int m) {
 TEST_CASE("the searches for zeros (E3.1 to E3.7) are the same in any unit",
           "[core][events][scaling]") {
   Dice dice(71);
+  Searched searched;
   for (int i = 0; i < 400; ++i) {
     const RandomSlip slip(random_contact(dice, i), dice);
     const double x = dice.uniform(0, 1) * slip.length;
     for (const int k : {-20, 0, 20})
-      for (const int m : {-20, 0, 20}) check_units(slip.curve(), slip.length, x, k, m);
+      for (const int m : {-20, 0, 20}) check_units(slip.curve(), slip.length, x, k, m, searched);
   }
   for (const double floor : {-1e-1, -1e-3, -1e-6, 1e-3})
     for (const double x : {0.1, 0.4, 0.45, 0.6, 1.2, 1.7})
       for (const int k : {-20, 0, 20})
-        for (const int m : {-20, 0, 20}) check_units(TwoDips{0.5, 1.3, floor}, 2, x, k, m);
+        for (const int m : {-20, 0, 20})
+          check_units(TwoDips{0.5, 1.3, floor}, 2, x, k, m, searched);
+  // In nine units each: a hundred random curves at least have something for every search.
+  CHECK(searched.steps > 900);
+  CHECK(searched.marches > 900);
+  CHECK(searched.zeros > 900);
 }
 
 TEST_CASE("a Taylor step of degree three has an error of fourth order",

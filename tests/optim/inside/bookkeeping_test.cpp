@@ -2,12 +2,11 @@
 // What a stage adds to the counts of its solve, and how an answer that a solver left is finished.
 #include "campaign.hpp"
 
-#include "optim/bank/dual_problem.hpp"
+#include "optim/bank/posed.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <functional>
 
 using namespace twum;
 using namespace twum::optim;
@@ -17,18 +16,16 @@ namespace {
 using D = Dual<double, 2>;
 using Design = std::vector<double>;
 
-Problem posed(std::function<void(const D*, D*)> f) {
-  Problem p;
-  p.variables = test::box(2, -2.0, 2.0, {1.0, -1.0});
-  p.objectives = {{"f"}};
-  p.evaluate = test::dual_evaluator<2>(1, std::move(f));
-  return p;
+// In a box whose start is off the least value of every function here.
+template <typename F>
+Problem in_box(F f) {
+  return test::posed<2>(test::box(2, -2.0, 2.0, {1.0, -1.0}), {}, f);
 }
 
 // e^x - x + 2 y^2: at (1, -1) the slopes over the box are 4 (e - 1) and -16, and about the least value, at
 // the origin, the slope in x is 4 x (1 + x / 2 + ...).
 Problem skewed() {
-  return posed([](const D* x, D* r) { r[0] = exp(x[0]) - x[0] + 2.0 * x[1] * x[1]; });
+  return in_box([](const D* x, D* r) { r[0] = exp(x[0]) - x[0] + 2.0 * x[1] * x[1]; });
 }
 
 // An answer as a solver would leave it, at `design`, with an end of its own.
@@ -111,7 +108,7 @@ TEST_CASE("where the best design cannot be finished, the solver's own end may be
 
 TEST_CASE("a nearer stationary point is taken even if it does not pass", "[optim][polish]") {
   // The saddle of x^2 - y^2, whose quadratic model is exact: one step leaves rounding alone.
-  const Problem saddle = posed([](const D* x, D* r) { r[0] = x[0] * x[0] - x[1] * x[1]; });
+  const Problem saddle = in_box([](const D* x, D* r) { r[0] = x[0] * x[0] - x[1] * x[1]; });
   const Left left(saddle, {0.01, 0.01});
   REQUIRE(left.attempt.certified);
   CHECK_FALSE(left.certificate().passed);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The ends of a front: from where they are searched, when kicks go on, which bounds they meet.
-#include "posed_front.hpp"
+#include "scaled_search.hpp"
 
 #include <twum/optim/low_discrepancy.hpp>
 #include <twum/optim/pareto.hpp>
@@ -21,20 +21,25 @@ using Design = std::vector<double>;
 
 // x^2 and (x - 1)^2 in the unit box, and a price of a second variable on both.
 Problem priced(std::function<D3(const D3&)> price) {
-  return test::posed_front(test::box(2, 0.0, 1.0, {0.5, 0.5}), 2, {},
-                           [price = std::move(price)](const D3* x, D3* r) {
-                             const D3 g = price(x[1]);
-                             r[0] = x[0] * x[0] + g;
-                             r[1] = (x[0] - 1.0) * (x[0] - 1.0) + g;
-                           });
+  return test::posed<3>(
+      test::box(2, 0.0, 1.0, {0.5, 0.5}), {},
+      [price = std::move(price)](const D3* x, D3* r) {
+        const D3 g = price(x[1]);
+        r[0] = x[0] * x[0] + g;
+        r[1] = (x[0] - 1.0) * (x[0] - 1.0) + g;
+      },
+      2);
 }
 
 // Valleys of f1 at the multiples of about 2 pi / 6 = 1.05, the lowest at 0.
 Problem valleys(double level) {
-  return test::posed_front(test::box(1, -10.0, 10.0, {9.3}), 2, {}, [level](const D3* x, D3* r) {
-    r[0] = x[0] * x[0] / 100.0 - cos(6.0 * x[0]) + level;
-    r[1] = (x[0] - 20.0) * (x[0] - 20.0);
-  });
+  return test::posed<3>(
+      test::box(1, -10.0, 10.0, {9.3}), {},
+      [level](const D3* x, D3* r) {
+        r[0] = x[0] * x[0] / 100.0 - cos(6.0 * x[0]) + level;
+        r[1] = (x[0] - 20.0) * (x[0] - 20.0);
+      },
+      2);
 }
 
 }  // namespace
@@ -72,13 +77,15 @@ TEST_CASE("an end is not put on a bound that breaks a limit", "[optim][pareto][c
   for (std::size_t set = 0; set < sets.size(); ++set) {
     const std::size_t limits = sets[set].size();
     const double sign = set < 2 ? 1.0 : -1.0;
-    test::ScaledSearch s(test::posed_front(test::box(2, 0.0, 1.0, {0.5, 0.5}), 2, sets[set],
-                                           [=](const D3* x, D3* r) {
-                                             r[0] = x[0] * x[0] + x[1];
-                                             r[1] = (x[0] - 1.0) * (x[0] - 1.0) + x[1];
-                                             r[2] = x[0];
-                                             r[limits + 1] = sign * 1e-6 * x[1];
-                                           }));
+    test::ScaledSearch s(test::posed<3>(
+        test::box(2, 0.0, 1.0, {0.5, 0.5}), sets[set],
+        [=](const D3* x, D3* r) {
+          r[0] = x[0] * x[0] + x[1];
+          r[1] = (x[0] - 1.0) * (x[0] - 1.0) + x[1];
+          r[2] = x[0];
+          r[limits + 1] = sign * 1e-6 * x[1];
+        },
+        2));
     REQUIRE(s.front.find_ends({{0.3, 2e-7}}));
     CAPTURE(set);
     for (const Solved& end : s.front.ends()) {
@@ -92,11 +99,13 @@ TEST_CASE("of the best designs for one objective an end is the best for the othe
           "[optim][pareto][closed_form]") {
   // All of x = 0 is best for the first, whatever its level there.
   for (const double level : {10.0, -10.0, 0.0}) {
-    test::ScaledSearch s(
-        test::posed_front(test::box(2, 0.0, 1.0, {0.5, 0.9}), 2, {}, [level](const D3* x, D3* r) {
+    test::ScaledSearch s(test::posed<3>(
+        test::box(2, 0.0, 1.0, {0.5, 0.9}), {},
+        [level](const D3* x, D3* r) {
           r[0] = level + x[0];
           r[1] = (x[0] - 1.0) * (x[0] - 1.0) + (x[1] - 0.3) * (x[1] - 0.3);
-        }));
+        },
+        2));
     REQUIRE(s.front.find_ends({s.start()}));
     CAPTURE(level);
     // The room is 1e-8 of 1 and the level. A step that gains less than 1e-14 of the objective ends
@@ -135,12 +144,14 @@ TEST_CASE("kicks of several variables at once cross what those of one cannot",
   // Valleys along x = y, 2 pi / 6 apart in x + y. A move of x by that with y held costs 3.3 in the
   // first term and gains 1.3 at most, so kicks of one variable end nowhere. The lowest valley has -1,
   // those beside it (2 pi / 6)^2 / 20 = 0.055 more.
-  test::ScaledSearch s(
-      test::posed_front(test::box(3, -10.0, 10.0, {4.0, 4.0, 1.0}), 2, {}, [](const D3* x, D3* r) {
+  test::ScaledSearch s(test::posed<3>(
+      test::box(3, -10.0, 10.0, {4.0, 4.0, 1.0}), {},
+      [](const D3* x, D3* r) {
         const D3 sum = x[0] + x[1], d = x[0] - x[1];
         r[0] = 3.0 * d * d + sum * sum / 20.0 - cos(6.0 * sum) + x[2] * x[2];
         r[1] = (x[0] - 20.0) * (x[0] - 20.0);
-      }));
+      },
+      2));
   REQUIRE(s.front.find_ends({{0.7, 0.7, 0.5}, {0.8, 0.8, 0.5}}));
   CHECK(s.front.ends()[0].evaluation.values[0] < -0.97);
 }
@@ -148,12 +159,14 @@ TEST_CASE("kicks of several variables at once cross what those of one cannot",
 TEST_CASE("objectives that agree at all ends leave a front of the others",
           "[optim][pareto][closed_form]") {
   for (const double level : {100.0, -100.0, 0.0}) {
-    const Problem p =
-        test::posed_front(test::box(2, -1.0, 2.0, {0.4, 0.5}), 3, {}, [level](const D3* x, D3* r) {
+    const Problem p = test::posed<3>(
+        test::box(2, -1.0, 2.0, {0.4, 0.5}), {},
+        [level](const D3* x, D3* r) {
           r[0] = x[0] * x[0];
           r[1] = (x[0] - 1.0) * (x[0] - 1.0);
           r[2] = x[1] * x[1] + level;
-        });
+        },
+        3);
     ParetoOptions options;
     options.points = 10;
     const Front front = pareto_front(p, options);
@@ -188,21 +201,23 @@ TEST_CASE("the ends are searched from as many starts as asked for", "[optim][par
 
 TEST_CASE("a stop long after the best design of a stage leaves a front of whole points",
           "[optim][pareto][budget]") {
-  // A Jacobian of the wrong sign: a line search then makes many calls that are worse than its start,
-  // until the start is no longer remembered.
+  // From some stage on the Jacobian has the wrong sign: a line search then makes many calls that are worse
+  // than its start, until the start is no longer remembered.
+  std::uint64_t stage = 0, last = 0;
   Problem p = priced([](const D3& z) { return (z - 0.3) * (z - 0.3); });
-  p.evaluate = [honest = p.evaluate](std::span<const double> x, bool gradient) {
+  p.evaluate = [&, honest = p.evaluate](std::span<const double> x, bool gradient) {
     Evaluation e = honest(x, gradient);
+    if (stage + 1 < last) return e;  // the stage of the call before this one
     for (double& d : e.jacobian) d = -d;
     return e;
   };
   ParetoOptions options;
   options.solve.starts = 2;
   options.coarse = 1;
-  std::uint64_t stage = 0;
   double least = kInfinity;
-  std::size_t since = 0, stopped = 0;
-  for (std::uint64_t last = 1; last <= 40; ++last) {
+  std::size_t since = 0, stopped = 0, points = 0;
+  for (last = 1; last <= 40; ++last) {
+    stage = 0;
     std::stop_source source;
     options.solve.stop = source.get_token();
     options.solve.observer = [&](const Observation& o) {
@@ -218,7 +233,9 @@ TEST_CASE("a stop long after the best design of a stage leaves a front of whole 
     ++stopped;
     CAPTURE(last);
     CHECK(front.outcome == Outcome::budget);
+    points += front.points.size();
     for (const FrontPoint& point : front.points) CHECK(point.evaluation.values.size() == 2);
   }
   CHECK(stopped >= 10);
+  CHECK(points >= stopped);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Points between the ends of a front: what is held on the way to one, how even they lie, and where
 // a hole begins and ends.
-#include "posed_front.hpp"
+#include "scaled_search.hpp"
 
 #include <twum/optim/pareto.hpp>
 
@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 using namespace twum;
 using namespace twum::optim;
@@ -26,22 +27,27 @@ D3 bump(const D3& x) {
 // x^2 and (x - 1)^2, at which a second variable's bound 0, or if mirrored 2, is best at the ends
 // x = 0 and x = 1, but not in the middle.
 Problem bumpy(bool swapped, bool mirrored) {
-  return test::posed_front(test::box(2, 0.0, 2.0, {0.4, 0.4}), 2, {}, [=](const D3* v, D3* r) {
-    const D3 x = v[swapped ? 1 : 0];
-    const D3 z = mirrored ? 2.0 - v[swapped ? 0 : 1] : v[swapped ? 0 : 1];
-    const D3 miss = z - (bump(x) - 0.1);
-    r[0] = x * x + 0.1 * miss * miss;
-    r[1] = (x - 1.0) * (x - 1.0) + 0.1 * miss * miss;
-  });
+  return test::posed<3>(
+      test::box(2, 0.0, 2.0, {0.4, 0.4}), {},
+      [=](const D3* v, D3* r) {
+        const D3 x = v[swapped ? 1 : 0];
+        const D3 z = mirrored ? 2.0 - v[swapped ? 0 : 1] : v[swapped ? 0 : 1];
+        const D3 miss = z - (bump(x) - 0.1);
+        r[0] = x * x + 0.1 * miss * miss;
+        r[1] = (x - 1.0) * (x - 1.0) + 0.1 * miss * miss;
+      },
+      2);
 }
 
 // x and f(x) for x in the unit interval, or f(x) and x.
 Problem over_x(std::function<D3(const D3&)> f, bool exchanged = false) {
-  return test::posed_front(test::box(1, 0.0, 1.0, {0.2}), 2, {},
-                           [f = std::move(f), exchanged](const D3* x, D3* r) {
-                             r[exchanged ? 1 : 0] = x[0];
-                             r[exchanged ? 0 : 1] = f(x[0]);
-                           });
+  return test::posed<3>(
+      test::box(1, 0.0, 1.0, {0.2}), {},
+      [f = std::move(f), exchanged](const D3* x, D3* r) {
+        r[exchanged ? 1 : 0] = x[0];
+        r[exchanged ? 0 : 1] = f(x[0]);
+      },
+      2);
 }
 
 std::vector<double> sorted_x(const Front& front) {
@@ -88,14 +94,15 @@ TEST_CASE("what neighbours agree in all along a front is predicted",
           "[optim][pareto][manufactured]") {
   // All variables but the first are best on their bound wherever x is.
   for (const std::size_t n : {2U, 3U}) {
-    test::ScaledSearch s(test::posed_front(test::box(n, 0.0, 2.0, std::vector<double>(n, 0.4)), 2,
-                                           {}, [n](const D3* x, D3* r) {
-                                             D3 rest(0.0);
-                                             for (std::size_t j = 1; j < n; ++j)
-                                               rest = rest + (x[j] + 1.0) * (x[j] + 1.0);
-                                             r[0] = x[0] * x[0] + rest;
-                                             r[1] = (x[0] - 1.0) * (x[0] - 1.0) + rest;
-                                           }));
+    test::ScaledSearch s(test::posed<3>(
+        test::box(n, 0.0, 2.0, std::vector<double>(n, 0.4)), {},
+        [n](const D3* x, D3* r) {
+          D3 rest(0.0);
+          for (std::size_t j = 1; j < n; ++j) rest = rest + (x[j] + 1.0) * (x[j] + 1.0);
+          r[0] = x[0] * x[0] + rest;
+          r[1] = (x[0] - 1.0) * (x[0] - 1.0) + rest;
+        },
+        2));
     REQUIRE(s.front.find_ends({s.start()}));
     const std::size_t before = s.calls();
     const auto found =
@@ -112,12 +119,14 @@ TEST_CASE("what neighbours agree in all along a front is predicted",
 TEST_CASE("a prediction that Newton steps cannot settle is none", "[optim][pareto][manufactured]") {
   // Both objectives rise with z near the ends and fall with it, as linearly, in the middle: there
   // the bound is no place for z, and nothing curved tells how far off it is.
-  test::ScaledSearch s(
-      test::posed_front(test::box(2, 0.0, 2.0, {0.4, 0.4}), 2, {}, [](const D3* x, D3* r) {
+  test::ScaledSearch s(test::posed<3>(
+      test::box(2, 0.0, 2.0, {0.4, 0.4}), {},
+      [](const D3* x, D3* r) {
         const D3 price = x[1] * (0.02 - 0.05 * bump(x[0]));
         r[0] = x[0] * x[0] + price;
         r[1] = (x[0] - 1.0) * (x[0] - 1.0) + price;
-      }));
+      },
+      2));
   REQUIRE(s.front.find_ends({{0.1, 0.1}}));
   const Solved &a = s.front.ends()[0], &b = s.front.ends()[1];
   REQUIRE(a.design[1] == 0.0);
@@ -146,12 +155,14 @@ TEST_CASE("the coarse points divide a straight front evenly, each from all its s
 
 TEST_CASE("a front stops at both sides of a band that no design may be in",
           "[optim][pareto][closed_form]") {
-  const Problem p = test::posed_front(test::box(1, 0.0, 1.0, {0.2}), 2, {{"outside", 0.0}},
-                                      [](const D3* x, D3* r) {
-                                        r[0] = x[0];
-                                        r[1] = 1.0 - x[0];
-                                        r[2] = (x[0] - 0.3) * (x[0] - 0.6);
-                                      });
+  const Problem p = test::posed<3>(
+      test::box(1, 0.0, 1.0, {0.2}), {{"outside", 0.0}},
+      [](const D3* x, D3* r) {
+        r[0] = x[0];
+        r[1] = 1.0 - x[0];
+        r[2] = (x[0] - 0.3) * (x[0] - 0.6);
+      },
+      2);
   ParetoOptions options;
   options.points = 20;
   const Front front = pareto_front(p, options);
@@ -211,13 +222,15 @@ TEST_CASE("a front leaves out a part along which one objective gains nothing",
 TEST_CASE("a wide gap is looked at from elsewhere", "[optim][pareto][manufactured]") {
   // With z = 0 no design between x = 0.3 and 0.6 is allowed. With z = 0.8 all are, for 0.00064 of the
   // second objective, but from z = 0 the way there leads uphill: z^2 (z - 0.6) falls until 0.4.
-  Problem p = test::posed_front(test::box(2, 0.0, 1.0, {0.5, 0.0}), 2, {{"way", 0.0}},
-                                [](const D3* x, D3* r) {
-                                  const D3 off = x[0] - 0.45;
-                                  r[0] = x[0];
-                                  r[1] = 1.0 - x[0] + 1e-3 * x[1] * x[1];
-                                  r[2] = off * off - 0.0225 + x[1] * x[1] * (x[1] - 0.6);
-                                });
+  Problem p = test::posed<3>(
+      test::box(2, 0.0, 1.0, {0.5, 0.0}), {{"way", 0.0}},
+      [](const D3* x, D3* r) {
+        const D3 off = x[0] - 0.45;
+        r[0] = x[0];
+        r[1] = 1.0 - x[0] + 1e-3 * x[1] * x[1];
+        r[2] = off * off - 0.0225 + x[1] * x[1] * (x[1] - 0.6);
+      },
+      2);
   ParetoOptions options;
   options.points = 20;
   options.coarse = 0;
@@ -236,15 +249,17 @@ TEST_CASE("points of a round front do not crowd where it is steep or level",
           "[optim][pareto][closed_form]") {
   const bool hollow = GENERATE(false, true);
   CAPTURE(hollow);
-  test::ScaledSearch s(
-      test::posed_front({{"t", 0.0, 1.5707963267948966, 0.7}}, 2, {}, [hollow](const D3* x, D3* r) {
+  test::ScaledSearch s(test::posed<3>(
+      {{"t", 0.0, 0.5 * std::numbers::pi, 0.7}}, {},
+      [hollow](const D3* x, D3* r) {
         r[0] = hollow ? sin(x[0]) : 1.0 - sin(x[0]);
         r[1] = hollow ? cos(x[0]) : 1.0 - cos(x[0]);
-      }));
+      },
+      2));
   s.options.points = 200;
   REQUIRE(s.front.find_ends({s.start()}));
   const auto points = two_objective_front(s.front, s.options);
-  REQUIRE(points.size() == 400);
+  REQUIRE(points.size() == 400);  // twice what was asked for, to choose from
   double sum = 0.0, least = kInfinity;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const double area =
@@ -261,13 +276,15 @@ TEST_CASE("a front of three objectives reaches its corners where no end is",
           "[optim][pareto][closed_form]") {
   // Of x, 3 y and 7 z, each divided by its slope. Least x takes y and no z, least y takes x, and
   // least z takes y: a unit of them lifts the floor more.
-  test::ScaledSearch s(test::posed_front(test::box(3, 0.0, 1.0, {0.5, 0.5, 0.5}), 3,
-                                         {{"floor", 1.0}}, [](const D3* x, D3* r) {
-                                           r[0] = x[0];
-                                           r[1] = 3.0 * x[1];
-                                           r[2] = 7.0 * x[2];
-                                           r[3] = 2.0 * x[0] + 4.0 * x[1] + x[2];
-                                         }));
+  test::ScaledSearch s(test::posed<3>(
+      test::box(3, 0.0, 1.0, {0.5, 0.5, 0.5}), {{"floor", 1.0}},
+      [](const D3* x, D3* r) {
+        r[0] = x[0];
+        r[1] = 3.0 * x[1];
+        r[2] = 7.0 * x[2];
+        r[3] = 2.0 * x[0] + 4.0 * x[1] + x[2];
+      },
+      3));
   s.options.points = GENERATE(1U, 4U, 6U);
   REQUIRE(s.front.find_ends({s.start()}));
   const auto found = three_objective_front(s.front, s.options);

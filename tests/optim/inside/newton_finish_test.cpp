@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Newton steps on equalities, on limits that hold nothing back and on fronts; curvature of mixed sizes.
-#include "polish.hpp"
+#include "polished_stage.hpp"
 
-#include "optim/bank/dual_problem.hpp"
+#include "optim/bank/posed.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <functional>
 
 using namespace twum;
 using namespace twum::optim;
@@ -16,38 +15,14 @@ namespace {
 
 using D = Dual<double, 2>;
 using Design = std::vector<double>;
-using Eigen::Index;
 
 // Polishing ends where the scaled slope is 1e-11; curvatures here are about 1 of that scale, the
 // boxes up to 6 wide.
 constexpr double kExact = 1e-9;
 
-Problem posed(std::vector<Variable> variables, std::vector<Constraint> constraints,
-              std::function<void(const D*, D*)> f, std::size_t objectives = 1) {
-  Problem p;
-  p.variables = std::move(variables);
-  for (std::size_t k = 0; k < objectives; ++k) p.objectives.push_back({test::numbered('f', k)});
-  p.constraints = std::move(constraints);
-  p.evaluate = test::dual_evaluator<2>(p.responses(), std::move(f));
-  return p;
-}
-
-// In a stage of its own, with the problem scaled at its start.
-std::optional<Design> polished(const Problem& problem, const Design& design,
-                               const Design& weights = {1.0}) {
-  const SolveOptions options;
-  const Deadline deadline(kInfinity);
-  Scaling scaling(problem);
-  Session session(problem, options, deadline, 0, 1000);
-  const Design start = start_design(problem);
-  scaling.scale_responses(start, problem.evaluate(start, true));
-  return polish(session, scaling, design, weights);
-}
-
 ReducedCurvature free_curvature(const Eigen::VectorXd& diagonal) {
-  Multipliers none;
-  none.active = Eigen::MatrixXd(diagonal.size(), 0);
-  return reduced_curvature({Eigen::MatrixXd(diagonal.asDiagonal())}, none);
+  return reduced_curvature({Eigen::MatrixXd(diagonal.asDiagonal())},
+                           test::unconstrained(diagonal.size()));
 }
 
 }  // namespace
@@ -56,13 +31,13 @@ TEST_CASE("Newton steps mend an equality from either side, whatever its target",
           "[optim][polish][closed_form]") {
   // The point of the line x + y = target nearest to the origin.
   for (const double target : {2.0, 0.5, -2.0}) {
-    const Problem p =
-        posed(test::box(2, -3.0, 3.0, {2.0, 2.5}), {{"sum", target, target}}, [](const D* x, D* r) {
-          r[0] = x[0] * x[0] + x[1] * x[1];
-          r[1] = x[0] + x[1];
-        });
+    const Problem p = test::posed<2>(test::box(2, -3.0, 3.0, {2.0, 2.5}), {{"sum", target, target}},
+                                     [](const D* x, D* r) {
+                                       r[0] = x[0] * x[0] + x[1] * x[1];
+                                       r[1] = x[0] + x[1];
+                                     });
     for (const double off : {1e-3, -1e-3, 1e-5}) {
-      const auto nearest = polished(p, {0.5 * target + off, 0.5 * target + 2.0 * off});
+      const auto nearest = test::Stage(p).polished({0.5 * target + off, 0.5 * target + 2.0 * off});
       CAPTURE(target, off);
       REQUIRE(nearest);
       for (const double x : *nearest) CHECK(x == Approx(0.5 * target).margin(kExact));
@@ -75,12 +50,12 @@ TEST_CASE("Newton steps mend a broken limit that holds nothing back",
   // The objective does not ask for x, and only the limit does.
   for (const double s : {1.0, -1.0}) {
     const double low = s > 0.0 ? 0.5 : -kInfinity, high = s > 0.0 ? kInfinity : -0.5;
-    const Problem p =
-        posed(test::box(2, -1.0, 1.0, {0.9, 0.9}), {{"half", low, high}}, [s](const D* x, D* r) {
-          r[0] = (x[1] - 0.3) * (x[1] - 0.3);
-          r[1] = s * x[0];
-        });
-    const auto better = polished(p, {0.4999, 0.301});
+    const Problem p = test::posed<2>(test::box(2, -1.0, 1.0, {0.9, 0.9}), {{"half", low, high}},
+                                     [s](const D* x, D* r) {
+                                       r[0] = (x[1] - 0.3) * (x[1] - 0.3);
+                                       r[1] = s * x[0];
+                                     });
+    const auto better = test::Stage(p).polished({0.4999, 0.301});
     CAPTURE(s);
     REQUIRE(better);
     CHECK((*better)[0] == Approx(0.5).margin(kExact));
@@ -92,7 +67,7 @@ TEST_CASE("a design beside a front is led to the nearest point of it, not to tha
           "[optim][polish][pareto][closed_form]") {
   // Squared distances from (0, 0) and (1, 0), in a box 0.2 wide at whose start both slopes are as
   // large: the point of the front with weights (1 - t, t) is (t, 0).
-  const Problem p = posed(
+  const Problem p = test::posed<2>(
       {{"x", 0.3, 0.5, 0.5}, {"y", -0.1, 0.1, 0.01}}, {},
       [](const D* x, D* r) {
         r[0] = x[0] * x[0] + x[1] * x[1];
@@ -100,13 +75,13 @@ TEST_CASE("a design beside a front is led to the nearest point of it, not to tha
       },
       2);
   for (const double off : {0.005, -0.005}) {
-    const auto nearest = polished(p, {0.4, 0.001}, {0.6 - off, 0.4 + off});
+    const auto nearest = test::Stage(p).polished({0.4, 0.001}, {0.6 - off, 0.4 + off});
     CAPTURE(off);
     REQUIRE(nearest);
     // Stationary are the pairs of a place t and a weight t. The shortest way to one of them is
     // perpendicular in places of the box and weights: 0.2 u + (a weight) = off, of which u takes
-    // 0.2 off / (1 + 0.2^2), times 0.2 in x. What a step neglects is
-    // the product of both shares, less than off^2.
+    // 0.2 off / (1 + 0.2^2), times 0.2 in x. What a step neglects is the product of both shares, less than
+    // off^2.
     CHECK((*nearest)[0] - 0.4 == Approx(off * 0.04 / 1.04).margin(off * off));
     CHECK((*nearest)[1] == Approx(0.0).margin(kExact));
   }

@@ -57,8 +57,9 @@ struct KinkedEntry {
   std::size_t response{0};        ///< its row
   std::size_t variable{0};        ///< its column
   Slope slope{Slope::undefined};  ///< what it is instead of a derivative
-  double left{0.0};               ///< derivative towards smaller values of the variable
-  double right{0.0};              ///< derivative towards larger values
+  double left{
+      0.0};  ///< derivative towards smaller values of the variable; unread on its lower bound
+  double right{0.0};  ///< derivative towards larger values; unread on its upper bound
 };
 
 /// What one design evaluates to. A design that cannot be evaluated has a failure and nothing else.
