@@ -102,7 +102,6 @@ class Bridge : public Ipopt::TNLP {
 
   std::exception_ptr error() const { return error_; }
   StopReason stop() const { return stop_; }
-  bool out_of_calls() const { return out_of_calls_; }
   const std::vector<double>& final_point() const { return final_; }
   int iterations() const { return iterations_; }
 

@@ -186,3 +186,36 @@ TEST_CASE("the best weights do not depend on the order of the objectives", "[opt
     CHECK(certify(p, Design{1e-8}).stationarity < 1e-6);
   }
 }
+
+TEST_CASE("a design that has no neighbour to look at is not called a kink",
+          "[optim][certificate][failure]") {
+  // |x - 1/2|, which tells the slope on the right, and cannot be evaluated on one of its sides.
+  for (const double blind : {-1.0, 1.0}) {
+    Problem p = test::posed<2>({{"x", 0.0, 1.0, 0.5}}, {}, [](const D* x, D* r) { r[0] = x[0]; });
+    p.evaluate = [blind](std::span<const double> x, bool) {
+      const double t = x[0] - 0.5, slope = t < 0.0 ? -1.0 : 1.0;
+      if (blind * t > 0.0) return Evaluation{{}, {}, {}, "blind"};
+      return Evaluation{{slope * t}, {slope}, {}, {}};
+    };
+    const Certificate c = certify(p, Design{0.5});
+    CAPTURE(blind, c.reason);
+    CHECK_FALSE(c.passed);
+    CHECK(c.findings.empty());
+  }
+}
+
+TEST_CASE("where one objective is at its best the others have no weight",
+          "[optim][certificate][pareto][closed_form]") {
+  const Problem p = test::posed<2>(
+      {{"x", -1.0, 1.0, 0.5}, {"y", -1.0, 1.0, 0.5}}, {},
+      [](const D* x, D* r) {
+        r[0] = (x[0] - 1.0) * (x[0] - 1.0) + x[1];
+        r[1] = x[0] * x[0] + x[1] * x[1];
+      },
+      2);
+  const Certificate c = certify(p, Design{0.0, 0.0});
+  CHECK(c.passed);
+  REQUIRE(c.weights.size() == 2);
+  CHECK(std::abs(c.weights[0]) <= 1e-15);  // of exact zeros, by least squares
+  CHECK(c.weights[1] == Approx(1.0).epsilon(1e-15));
+}

@@ -250,3 +250,13 @@ TEST_CASE("each solver option and library says what it is", "[optim]") {
   CHECK_THAT(versions[0].version, StartsWith("2."));  // the build asks for 2.7 or later
   CHECK((versions[1].version == "none") != find_solver("ipopt").available);
 }
+
+TEST_CASE("a search that is given no start begins in the middle of each scale",
+          "[optim][closed_form]") {
+  Problem p = two_valleys();
+  p.variables = {{"linear", -1.0, 3.0}, {"log", 1e-3, 1e5}};
+  p.variables[1].scale = Scale::log;
+  const std::vector<double> start = start_design(p);
+  CHECK(start[0] == 1.0);
+  CHECK(start[1] == Approx(10.0).epsilon(1e-15));  // two roots and a product
+}

@@ -233,3 +233,19 @@ TEST_CASE("residuals that were huge at the start do not make a fit optimal that 
     CHECK(fit.outcome == Outcome::budget);
   }
 }
+
+TEST_CASE("a fit in tiny units that was cut short is not optimal for that",
+          "[optim][least_squares][budget]") {
+  LeastSquaresOptions options;
+  options.max_evaluations = 2;
+  for (const double unit : {1.0, 1e-20}) {
+    const auto fit = least_squares(
+        {{"x", -kInfinity, kInfinity, 10.0}},
+        [unit](std::span<const double> p) {
+          return Residuals{{unit * (p[0] * p[0] - 2.0), unit}, {2.0 * unit * p[0], 0.0}, {}};
+        },
+        options);
+    CAPTURE(unit, fit.gradient);
+    CHECK(fit.outcome == Outcome::budget);
+  }
+}

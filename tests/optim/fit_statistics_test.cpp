@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a fit says of its parameters together: covariances, correlations, what follows a held one, and
 // what the data leave open. The models are linear, so that all of it is known in closed form.
-#include <catch2/catch.hpp>
-#include <cmath>
 #include <twum/optim/least_squares.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <set>
+#include <string>
 
 using namespace twum::optim;
 
@@ -210,4 +214,16 @@ TEST_CASE("a parameter without a start begins in the middle of its scale",
   REQUIRE(first.size() == 2);
   CHECK(first[0] == 6.0);
   CHECK(first[1] == Approx(10.0).epsilon(1e-14));  // through a logarithm and back
+}
+
+TEST_CASE("where no residual knows of any parameter all are left open",
+          "[optim][least_squares][degenerate]") {
+  const std::vector<Reading> readings{{{0, 0}, 1}, {{0, 0}, 2}, {{0, 0}, 6}};
+  const auto fit = least_squares({wide("a"), wide("b")}, residuals_of(readings));
+  CHECK(fit.rank == 0);
+  std::set<std::string> open;
+  for (const auto& group : fit.undetermined) open.insert(group.begin(), group.end());
+  CHECK(open == std::set<std::string>{"a", "b"});
+  for (const double c : fit.covariance) CHECK(std::isnan(c));
+  for (const Estimate& e : fit.estimates) CHECK(std::isnan(e.standard_deviation));
 }

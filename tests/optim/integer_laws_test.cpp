@@ -177,15 +177,16 @@ TEST_CASE("a search whose budget ends within a combination is not done with it",
 }
 
 TEST_CASE("a search among whole numbers that may not begin says so", "[optim][integer][budget]") {
-  Problem p = mixed(1.0, 0.0, {}, [](const D* x, D* r) { r[0] = x[0] + x[1]; });
   std::stop_source source;
   source.request_stop();
   SolveOptions options;
   options.stop = source.get_token();
-  for (const bool whole : {true, false}) {
-    p.variables[0].integer = whole;
+  // Few enough to be tried one by one, many, and none that is whole.
+  for (const double most : {1.0, 1000.0, 0.5}) {
+    Problem p = mixed(most, 0.0, {}, [](const D* x, D* r) { r[0] = x[0] + x[1]; });
+    p.variables[0].integer = most != 0.5;
     const Result r = solve(p, options);
-    CAPTURE(whole);
+    CAPTURE(most);
     CHECK(r.outcome == Outcome::budget);
     CHECK(r.stop == StopReason::requested);
     CHECK(r.counters.evaluations == 0);

@@ -191,7 +191,7 @@ TEST_CASE("points chosen by hypervolume are those that trying every choice finds
     CHECK(volume(subset) == Approx(best).epsilon(1e-14));  // sums of the same areas
 
     std::vector<std::size_t> one_by_one;
-    while (one_by_one.size() < kCount) {
+    while (one_by_one.size() < kPoints) {
       std::size_t next = 0;
       double most = -1.0;
       for (std::size_t i = 0; i < kPoints; ++i) {
@@ -203,8 +203,12 @@ TEST_CASE("points chosen by hypervolume are those that trying every choice finds
       }
       one_by_one.push_back(next);
     }
-    std::sort(one_by_one.begin(), one_by_one.end());
-    CHECK(greedy_subset(front, kCount, reference) == one_by_one);
+    for (std::size_t count = 1; count <= kPoints; ++count) {
+      std::vector<std::size_t> first(one_by_one.begin(),
+                                     one_by_one.begin() + static_cast<std::ptrdiff_t>(count));
+      std::sort(first.begin(), first.end());
+      CHECK(greedy_subset(front, count, reference) == first);
+    }
     CHECK(greedy_subset(front, 2 * kPoints, reference).size() == kPoints);
   }
 }

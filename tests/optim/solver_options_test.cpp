@@ -12,6 +12,7 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <vector>
 
 using namespace twum;
 using namespace twum::optim;
@@ -110,5 +111,52 @@ TEST_CASE("every solver takes equalities, its own or by an augmented Lagrangian"
     CHECK(solver.equality);
     CHECK(solver.inequality);
     CHECK_FALSE(solver.description.empty());
+  }
+}
+
+TEST_CASE("a first step is as long as it is told to be, in parts of the box",
+          "[optim][definition]") {
+  Problem p = bowl();
+  p.constraints.clear();
+  p.evaluate = test::dual_evaluator<2>(1, [](const D* x, D* r) { r[0] = x[0] + 2.0 * x[1]; });
+  for (const double step : {0.01, 0.03, 0.1}) {
+    std::vector<std::vector<double>> moved;
+    SolveOptions options;
+    options.solver = "nlopt:neldermead";
+    options.solver_options = {{"initial_step", shortest(step)}};
+    options.observer = [&](const Observation& o) {
+      if (o.design[0] != 1.0 || o.design[1] != -1.0)
+        moved.emplace_back(o.design.begin(), o.design.end());
+    };
+    solve(p, options);
+    // The simplex begins with the start and, for each variable, the start with that variable moved.
+    REQUIRE(moved.size() > 2);
+    for (const std::size_t k : {0U, 1U})
+      CHECK(
+          std::abs(moved[k][0] - 1.0) + std::abs(moved[k][1] + 1.0) ==
+          Approx(4.0 * step).epsilon(1e-13));  // of a box 4 wide, by differences of numbers near 1
+  }
+}
+
+TEST_CASE("a solver that ends by itself gives its own word for it", "[optim][definition]") {
+  SolveOptions options;
+  options.solver = "nlopt:slsqp";
+  const Result r = solve(bowl(), options);
+  REQUIRE(r.stages.size() == 1);
+  CHECK(r.stages[0].word.ends_with("_REACHED"));  // as NLopt names each of its criteria
+}
+
+TEST_CASE("a limit on one side leaves the other side open", "[optim][definition]") {
+  for (const bool upper : {false, true}) {
+    Problem p = bowl();
+    Constraint limit;
+    limit.name = "line";
+    (upper ? limit.upper : limit.lower) = upper ? -1.0 : 1.0;
+    p.constraints = {limit};
+    const Result r = solve(p);
+    CAPTURE(upper);
+    CHECK(r.outcome == Outcome::optimal);
+    CHECK(r.design[0] + r.design[1] ==
+          Approx(upper ? -1.0 : 1.0).epsilon(1e-7));  // as SLSQP meets limits
   }
 }

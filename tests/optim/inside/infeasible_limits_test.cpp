@@ -79,3 +79,18 @@ TEST_CASE("limits out of reach give way by their distance to the bound, and only
     }
   }
 }
+
+TEST_CASE("a limit that is met holds against one that is broken as far as its own weight goes",
+          "[optim][infeasible][closed_form]") {
+  // x <= 1 is met, q = x + x^2 / 2 >= 9 broken: in parts of its slope at the start 0.5 it rises by 4/3 at 1, more
+  // than x <= 1 would lose, so the sum of violations falls further to the right; with q = x it does not.
+  for (const bool bent : {false, true}) {
+    Problem p = limits_on(-10.0, 10.0, {{"q", 9.0}, {"a", -kInfinity, 1.0}});
+    if (bent)
+      p.evaluate = [](std::span<const double> x, bool) {
+        return Evaluation{{x[0], x[0] + 0.5 * x[0] * x[0], x[0]}, {1.0, 1.0 + x[0], 1.0}, {}, {}};
+      };
+    CAPTURE(bent);
+    CHECK(explained(p, 1.0).certified == !bent);
+  }
+}
