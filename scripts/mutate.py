@@ -8,6 +8,7 @@
     scripts/mutate.py --files core/src/contact --count 30 --seed 2
     scripts/mutate.py --list --files core/src/contact/lap.cpp
     scripts/mutate.py --report                              what is known, without running anything
+    scripts/mutate.py --unexplained --budget 60 --jobs 2    goes on with survivors that have no reason yet
     scripts/mutate.py --one-by-one --count 20               what no run can switch: one build each
 
 A change replaces an arithmetic operator, a comparison, a logical operator, a sign, true or false, or a
@@ -38,7 +39,8 @@ from mutation.build import Switched
 from mutation.cases import cases_of, kill_all
 from mutation.changes import LAYERS, ROOT, all_changes, key, text_of
 from mutation.onebyone import TESTS, Plain
-from mutation.results import SURVIVED, Results, layer_of, report
+from mutation.reasons import reason, rules_of
+from mutation.results import LISTED, SURVIVED, Results, layer_of, report
 from mutation.trial import Trial
 
 MEMORY = 4 << 30  # of a test; a change may make it ask for any amount
@@ -56,6 +58,7 @@ def arguments_of(command_line=None):
     parser.add_argument("--budget", type=float, help="seconds of tests for a change; no limit by default")
     parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "build/mutate")
     parser.add_argument("--again", action="store_true", help="try known survivors once more")
+    parser.add_argument("--unexplained", action="store_true", help="only survivors that reasons.tsv does not explain")
     parser.add_argument("--list", action="store_true", help="print the changes that would be tried")
     parser.add_argument("--report", action="store_true", help="print what is known of the changes")
     parser.add_argument("--one-by-one", action="store_true", help="try the changes that are fixed, one build each")
@@ -70,6 +73,12 @@ def chosen_changes(arguments):
     chosen = all_changes(arguments.files or LAYERS[arguments.layer])
     random.Random(arguments.seed).shuffle(chosen)
     return chosen[:arguments.count]
+
+
+def unexplained(chosen, results):
+    rules = rules_of()
+    found = [(change, results.of(change)) for change in chosen]
+    return [change for change, row in found if row and row["outcome"] in LISTED and not reason(row, rules)[0]]
 
 
 def is_open(row, arguments):
@@ -147,6 +156,8 @@ def main():
     arguments.folder = arguments.folder.resolve()
     arguments.folder.mkdir(parents=True, exist_ok=True)
     results = Results(arguments.folder / "results.jsonl")
+    if arguments.unexplained:
+        chosen = unexplained(chosen, results)
     if arguments.one_by_one:
         try_one_by_one(chosen, arguments, results)
     elif not arguments.report:

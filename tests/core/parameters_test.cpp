@@ -115,6 +115,7 @@ TEST_CASE("zero is admissible where the model has an answer for it", "[core][des
   }
   CHECK_FALSE(complaint(P::poisson_ratio, -1).empty());  // G = E / (2 (1 + nu)) has no value there
   CHECK(complaint(P::poisson_ratio, 0.5).empty());       // rubber
+  CHECK_FALSE(complaint(P::poisson_ratio, 0.5 + 1e-9).empty());  // no stable isotropic material
 }
 
 TEST_CASE("a design's complaints are complete", "[core][design][error]") {

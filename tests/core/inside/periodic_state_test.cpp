@@ -273,3 +273,30 @@ TEST_CASE("no state that plain laps of an undamped layer come to is refused, wit
   }
   CHECK(refused > 3);
 }
+
+TEST_CASE(
+    "as fast as the stator at the edge, a relaxed layer sticks if friction grows faster (E1.2)",
+    "[core][contact][closed_form]") {
+  // The wave runs on from v_rel = 0: in stick e' = s (cos theta - V) grows from zero with slope s sin(theta_L), and with
+  // it traction C e' + e at first by C s sin(theta_L); the threshold mu p grows by mu sin(theta_L).
+  Dice dice(71);
+  int sticks = 0, slips = 0;
+  for (int i = 0; i < 400; ++i) {
+    ContactNumbers<double> n = random_contact(dice, 1);  // without inertia, with damping
+    REQUIRE(n.inertia == 0);
+    set_half_angle(n, dice.uniform(1.1, 3.0));
+    n.speed_ratio =
+        1 - n.edge.versine;  // exact for versines of 1/2 to 2, so that v_rel is zero to the bit
+    n.stick_rate = n.kinetic / n.damping * dice.log_uniform(0.1, 10);
+    const double ratio = n.damping * n.stick_rate / n.kinetic;
+    if (std::fabs(ratio - 1) < 1e-6) continue;
+    const LayerMotion<double> layer(n.inertia, n.damping);
+    const Lap<double> lap = run_lap<double>(n, layer, {{0, 0}, false, ZoneState::stick});
+    CAPTURE(i, ratio, n.half_angle);
+    REQUIRE(lap.status == LapStatus::ok);
+    CHECK((lap.first == ZoneState::stick) == (ratio < 1));
+    (ratio < 1 ? sticks : slips) += 1;
+  }
+  CHECK(sticks > 50);
+  CHECK(slips > 50);
+}
