@@ -260,3 +260,20 @@ TEST_CASE("a search that is given no start begins in the middle of each scale",
   CHECK(start[0] == 1.0);
   CHECK(start[1] == Approx(10.0).epsilon(1e-15));  // two roots and a product
 }
+
+TEST_CASE("the answer is that of the best stage, whichever start it had", "[optim][definition]") {
+  int second = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    SolveOptions options;
+    options.seed = seed;
+    options.starts = 2;
+    const Result r = solve(two_valleys(), options);
+    REQUIRE(r.stages.size() >= 2);
+    double best = kInfinity;
+    for (const StageReport& stage : r.stages) best = std::min(best, stage.objective);
+    CAPTURE(seed, best);
+    CHECK(r.evaluation.values[0] <= best + 1e-9);  // Newton steps may change the last digits
+    second += r.stages[1].objective < r.stages[0].objective - 0.1;
+  }
+  CHECK(second >= 3);
+}
