@@ -61,4 +61,10 @@ TEST_CASE("where torque jumps past zero the no-load speed carries every smaller 
   REQUIRE(motor.operating_point(free * (1 + 1e-14)).torque < 0);
   for (const double share : {1e-3, 0.5, 0.999})
     CHECK(ask_at_torque(motor, Metric::speed_at, share * beside).value == free);
+  for (const double share : {1.5, 3.0}) {
+    const double load = share * beside, speed = ask_at_torque(motor, Metric::speed_at, load).value;
+    CHECK(speed < free);
+    // A root in speed, some eps of it, and a slope of up to 1e5 holding torques per V0 / r.
+    CHECK(std::abs(motor.operating_point(speed).torque - load) <= 1e-9 * motor.holding_torque());
+  }
 }

@@ -117,6 +117,11 @@ TEST_CASE("metrics of a motor built to another scale are the metrics scaled (C8.
     const MotorDesign design = ringing_motor(ring, i);
     if (i == 5 || i >= 7) designs.push_back(design);  // with peaks at kinks among them
   }
+  Uniform dips(5);
+  for (int i = 0; i <= 295; ++i) {
+    const MotorDesign design = ringing_motor(dips, i);
+    if (i == 295) designs.push_back(design);  // with a dip behind its best efficiency
+  }
   for (int i = 0; i < 40; ++i) {
     const MotorDesign design = box_motor(box);
     if (i % 4 == 3 || i % 11 == 4) designs.push_back(design);

@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <set>
+#include <utility>
 #include <vector>
 
 // Maxima over speed (T7.16, T7.18) of motors whose curves have kinks, dips and several maxima, against scans.
@@ -82,6 +83,11 @@ TEST_CASE("the peaks of layers that ring on are those of a fine scan (T7.16, T7.
     check_peaks(design, 2000);
   // And one with two maxima of power of nearly the same height, of which the best of few speeds is beside the lower.
   for (const MotorDesign& design : motors_of(5, {125}, any_box_motor)) check_peaks(design, 2000);
+  // And some of 12,600 whose highest maximum is neither beside the best of few speeds nor at the plateau's end.
+  for (const auto& [seed, one] : {std::pair{11, 407}, {51, 614}})
+    for (const MotorDesign& design :
+         motors_of(static_cast<std::uint64_t>(seed), {one}, any_box_motor))
+      check_peaks(design, 2000);
 }
 
 TEST_CASE("the peaks of any layer that rings on are at least those of a scan (T7.16, T7.18)",

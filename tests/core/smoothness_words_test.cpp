@@ -173,3 +173,20 @@ TEST_CASE("a largest torque that is the stall torque moves as the stall torque d
   CHECK(slow > 3);
   CHECK(rough > 3);
 }
+
+TEST_CASE("without preload the size of the contact has no derivative (T3.2)",
+          "[core][metrics][limit]") {
+  // theta_L grows with the cube root of the first preload, and the pressure with its two thirds.
+  MotorDesign design = ring_motor();
+  for (const double preload : {0.0, 1e-6}) {
+    design.preload = preload;
+    const Motor motor(design);
+    for (const Metric which :
+         {Metric::contact_half_length, Metric::contact_ratio, Metric::max_pressure}) {
+      const MetricDerivative found = differentiated(motor, {which});
+      CAPTURE(info(which).name, preload);
+      CHECK((found.value.value == 0) == (preload == 0));
+      CHECK(found.smoothness == (preload == 0 ? Smoothness::undefined : Smoothness::smooth));
+    }
+  }
+}
