@@ -378,7 +378,8 @@ TEST_CASE(
       if (*std::max_element(torques.begin(), torques.end()) < load) continue;
       REQUIRE(found.status == MetricStatus::ok);
       for (int k = 0; k < kPlaces; ++k)
-        if (speed_of(k) > found.value * (1 + 1e-12)) CHECK(torques[k] <= load + 1e-9 * unit);
+        if (speed_of(k) > found.value * (1 + 1e-12))
+          CHECK(torques[static_cast<std::size_t>(k)] <= load + 1e-9 * unit);
       const auto fall = [&](double share) {
         const double before = torque_at(found.value * (1 - share)),
                      after = torque_at(found.value * (1 + share));
@@ -401,8 +402,9 @@ TEST_CASE(
     REQUIRE(peak.status == MetricStatus::ok);
     const double best = ask(motor, Metric::speed_at_peak_power).value;
     for (int k = 0; k < kPlaces; ++k) {
-      CHECK(torques[k] <= top.value * (1 + 1e-12));
-      CHECK(torques[k] * speed_of(k) <= peak.value * (1 + 1e-12));
+      const double torque = torques[static_cast<std::size_t>(k)];
+      CHECK(torque <= top.value * (1 + 1e-12));
+      CHECK(torque * speed_of(k) <= peak.value * (1 + 1e-12));
     }
     // Nothing is better nearby, and as good only there: beside a jump power moves like a square root at the most,
     // and the root of 1e-12 is a hundredth of what is allowed.

@@ -102,7 +102,7 @@ TEST_CASE("the peaks of any layer that rings on are at least those of a scan (T7
 
 TEST_CASE("the peaks of motors that someone might build are those of a fine scan (T7.16, T7.18)",
           "[core][metrics][brute_force]") {
-  for (const std::uint64_t seed : {3, 7, 11}) {
+  for (const std::uint64_t seed : {3U, 7U, 11U}) {
     Uniform random(seed);
     for (int i = 0; i < 60; ++i) {
       const MotorDesign design = holding_motor(random, i);

@@ -140,7 +140,8 @@ TEST_CASE("parents are taken from the best half of parents and children",
     std::vector<Seen> seen;
     Nsga2Options options = copying(kPopulation, 2, seed);
     options.solve.observer = recorder(seen, 2);
-    nsga2(of_one({kWavy.begin(), kWavy.begin() + functions}, 2), options);
+    nsga2(of_one({kWavy.begin(), kWavy.begin() + static_cast<std::ptrdiff_t>(functions)}, 2),
+          options);
     REQUIRE(seen.size() == 3 * kPopulation);
     const std::vector<Seen> last(seen.end() - kPopulation, seen.end());
     seen.resize(2 * kPopulation);
@@ -168,7 +169,8 @@ TEST_CASE("a design wins a tournament of two with the odds of its place",
     std::vector<Seen> seen;
     Nsga2Options options = copying(kPopulation, 1, seed);
     options.solve.observer = recorder(seen, 2);
-    nsga2(of_one({kWavy.begin(), kWavy.begin() + functions}, 2), options);
+    nsga2(of_one({kWavy.begin(), kWavy.begin() + static_cast<std::ptrdiff_t>(functions)}, 2),
+          options);
     const std::vector<Seen> children(seen.begin() + kPopulation, seen.end());
     seen.resize(kPopulation);
     order(seen);

@@ -125,7 +125,8 @@ TEST_CASE("a pool gives the design that is nearest in normalized objectives",
     const auto nearest = std::min_element(
         values.begin(), values.end(), [&](auto& a, auto& b) { return distance(a) < distance(b); });
     // No two of these distances are so nearly equal that the ends' accuracy would tell.
-    CHECK(s.front.from_pool(with_remains(at, std::nan(""))) == units[nearest - values.begin()]);
+    CHECK(s.front.from_pool(with_remains(at, std::nan(""))) ==
+          units[static_cast<std::size_t>(nearest - values.begin())]);
   }
 }
 
