@@ -150,14 +150,14 @@ def try_one_by_one(chosen, arguments, results):
 def main():
     arguments = arguments_of()
     chosen = chosen_changes(arguments)
-    if arguments.list:
-        print("\n".join(text_of(change) for change in chosen))
-        return
     arguments.folder = arguments.folder.resolve()
-    arguments.folder.mkdir(parents=True, exist_ok=True)
     results = Results(arguments.folder / "results.jsonl")
     if arguments.unexplained:
         chosen = unexplained(chosen, results)
+    if arguments.list or not chosen:
+        print("\n".join(text_of(change) for change in chosen) or "no changes to try")
+        return
+    arguments.folder.mkdir(parents=True, exist_ok=True)
     if arguments.one_by_one:
         try_one_by_one(chosen, arguments, results)
     elif not arguments.report:

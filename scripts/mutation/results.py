@@ -85,7 +85,7 @@ def report(chosen, results, survivors):
         if not kind:
             print(f"{text_of(row)} ({group_of(row)})\n    {row['text']}")
     with survivors.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file)
+        writer = csv.writer(file, lineterminator="\n")
         writer.writerow(["file", "line", "column", "old", "new", "class", "kind", "why"])
         for row, why in zip(listed, reasons):
             place = row["file"], row["line"], row["column"]

@@ -92,6 +92,14 @@ TEST_CASE("an optimum says what it is, what holds it, and who found it",
         "Solver runs: 1 x ipopt (Solve_Succeeded), 2 x nlopt:slsqp (XTOL_REACHED).\n");
 }
 
+TEST_CASE("a check that holds whole numbers as they are says so", "[studies][optimize][words]") {
+  OptimizeResult result = optimum();
+  result.best.design.push_back({"wavelengths", "1", 9});
+  const std::string text = answer_text(result);
+  CHECK(text.find("Optimal by our own check, wavelengths held: no feasible change of the rest "
+                  "improves it to first order (stationarity 1.2e-07)") != std::string::npos);
+}
+
 TEST_CASE("an optimum in summary.json has its evidence beside it", "[studies][optimize]") {
   OptimizeResult result = optimum();
   result.best.certificate.curvature = kNaN;

@@ -35,8 +35,8 @@ struct Peak {
 /// A speed where the torque takes a value.
 struct Crossing {
   double speed{0};
-  bool slopeless{
-      false};  ///< it has no slope there to tell how the speed moves: a jump, or a maximum
+  /// It has no slope there to tell how the speed moves: a jump, or a maximum.
+  bool slopeless{false};
 };
 
 /// What is searched for over the torque-speed curve. Each result is found once and kept.
@@ -64,8 +64,8 @@ class CurveSearch {
     bool ok() const { return status == MetricStatus::ok; }
   };
   struct Stretch {
-    Node first,
-        last;  ///< with the same sequence of zones, if there were not too many to tell apart
+    /// With the same sequence of zones, if there were not too many to tell apart.
+    Node first, last;
   };
   static constexpr double kScanAccuracy = 1e-7;  // of the nodes
   static constexpr double kWorth = 0.7;  // share of a value above which jumps nearby may pass it

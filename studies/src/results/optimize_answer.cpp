@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/search_words.hpp"
 
+#include <twum/core/design/parameters.hpp>
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/text/text_table.hpp>
 #include <twum/studies/units/engineering.hpp>
@@ -84,14 +85,27 @@ std::string solver_words(const OptimizeResult& result) {
   return text.empty() ? text : "Solver runs: " + text + ".\n";
 }
 
+// What a certificate holds as it is: "wavelengths".
+std::string whole_numbers(const OptimizeResult& result) {
+  std::string names;
+  for (const NamedValue& value : result.best.design)
+    if (const auto p = find_parameter(value.name); p && info(*p).integer)
+      names += (names.empty() ? "" : ", ") + value.name;
+  return names;
+}
+
+std::string optimal_words(const OptimizeResult& result) {
+  const std::string held = whole_numbers(result);
+  return "Optimal by our own check" + (held.empty() ? "" : ", " + held + " held") +
+         ": no feasible change " + (held.empty() ? "" : "of the rest ") +
+         "improves it to first order (stationarity " +
+         rounded_text(result.best.certificate.stationarity, 2) + ")";
+}
+
 std::string verdict(const OptimizeResult& result) {
   const optim::Certificate& certificate = result.best.certificate;
-  std::string text =
-      certificate.passed
-          ? "Optimal by our own check: no feasible change improves it to first order "
-            "(stationarity " +
-                rounded_text(certificate.stationarity, 2) + ")"
-          : "Not certified as an optimum: " + certificate.reason;
+  std::string text = certificate.passed ? optimal_words(result)
+                                        : "Not certified as an optimum: " + certificate.reason;
   if (!result.solver.empty()) text += "; found by " + result.solver;
   return text + ".\n";
 }

@@ -57,13 +57,13 @@ struct Activity {
 /// by non-negative least squares. With several objectives, grad f is sum_k w_k grad f_k with the
 /// best weights w >= 0, sum w = 1: Pareto stationarity.
 struct Certificate {
-  bool passed{
-      false};  ///< feasible, stationary, complementary and, with one objective, not curved downwards
+  /// Feasible, stationary, complementary and, with one objective, not curved downwards.
+  bool passed{false};
   double infeasibility{
       std::numeric_limits<double>::quiet_NaN()};  ///< largest scaled violation; NaN: not measured
-  double stationarity{
-      0.0};  ///< largest |r|, relative to the objective's gradient here or at the start; of several
-             ///< objectives to the largest w_k grad f_k
+  /// Largest |r|, relative to the objective's gradient here or at the start; of several objectives to the
+  /// largest w_k grad f_k.
+  double stationarity{0.0};
   double complementarity{0.0};  ///< largest lambda times scaled slack
   /// Smallest eigenvalue of the reduced Hessian, relative to the largest; NaN: not tested, as with several
   /// objectives, at kinks, away from stationary points or without the calls that it takes.

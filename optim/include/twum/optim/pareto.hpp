@@ -23,9 +23,9 @@ struct ParetoOptions {
   std::size_t coarse_starts{3};  ///< low-discrepancy starts for each of them
   std::size_t hops{200};  ///< kicks in a row without success that end the search for an end of the
                           ///< front, where its starts lead to different places
-  std::size_t population_evaluations{
-      0};  ///< if > 0, spent on nsga2() first, in whole populations of 100, one at
-           ///< least; its front then gives starts
+  /// If > 0, spent on nsga2() first, in whole populations of 100, one at least; its front then gives
+  /// starts.
+  std::size_t population_evaluations{0};
 };
 
 /// A trade-off.

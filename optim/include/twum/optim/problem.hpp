@@ -57,8 +57,8 @@ struct KinkedEntry {
   std::size_t response{0};        ///< its row
   std::size_t variable{0};        ///< its column
   Slope slope{Slope::undefined};  ///< what it is instead of a derivative
-  double left{
-      0.0};  ///< derivative towards smaller values of the variable; unread on its lower bound
+  /// Derivative towards smaller values of the variable; unread on its lower bound.
+  double left{0.0};
   double right{0.0};  ///< derivative towards larger values; unread on its upper bound
 };
 
