@@ -79,50 +79,54 @@ inline double zero_bracket(const CurveSample& c) {
   return falls && c.f + t * (c.f1 + t * (c.f2 / 2 + c.l3 * t / 6)) < 0 ? t : 0;
 }
 
-/// Zero of the Taylor polynomial of degree three: Halley's step, and Newton's from there. Newton's step
-/// alone where the bends are too strong for that.
-inline double taylor_step(const CurveSample& c) {
-  const double newton = -c.f / c.f1, bend = 1 + 0.5 * newton * c.f2 / c.f1;
-  if (!(bend > 0.5 && bend < 2)) return newton;
-  const double t = newton / bend;
-  const double slope = c.f1 + t * (c.f2 + t * c.f3 / 2);
-  if (!(std::fabs(slope) > 0.5 * std::fabs(c.f1))) return t;
-  return t - (c.f + t * (c.f1 + t * (c.f2 / 2 + t * c.f3 / 6))) / slope;
+/// Householder's step of third order (E3.8), which takes f, f', f'' and f''' and one division. Newton's step
+/// where the bends are too strong for that.
+inline double householder_step(const CurveSample& c) {
+  const double bend = 0.5 * c.f * c.f2, numerator = c.f1 * c.f1 - bend;
+  const double straight = c.f1 * numerator, bent = c.f * c.f * c.f3 * (1.0 / 6) - c.f1 * bend;
+  const bool tame = std::fabs(bent) < 0.5 * std::fabs(straight);
+  return tame ? -c.f * numerator / (straight + bent) : -c.f / c.f1;
 }
 
-/// The error of a Taylor step is of fourth order in its length. It leaves nothing that counts where the
+/// The error of such a step is of fourth order in its length. It leaves nothing that counts where the
 /// step's share of the bends is below 1e-4.
-inline bool is_last_step(const CurveSample& c, double step) {
+/// @param l3  bound of |f'''|
+inline bool is_last_step(const CurveSample& c, double l3, double step) {
   const double slope = std::fabs(c.f1);
-  return std::fabs(step * c.f2) < 1e-4 * slope && c.l3 * step * step < 1e-8 * slope;
+  return std::fabs(step * c.f2) < 1e-4 * slope && l3 * step * step < 1e-8 * slope;
 }
 
-/// The only zero between low, where f > 0, and high, where f < 0, by zeros of Taylor polynomials from x
-/// in between with the sample c there.
+/// The only zero between low, where f > 0, and high, where f < 0, by Householder's steps from x in between,
+/// with the sample there and its bounds.
 template <typename Curve>
-double polish_zero(const Curve& curve, double low, double high, double x, CurveSample c) {
+double polish_zero(const Curve& curve, double low, double high, double x,
+                   const CurveSample& there) {
+  CurveSample c = there;
   for (int i = 0; i < 100; ++i) {
     (c.f > 0 ? low : high) = x;
-    double next = x + taylor_step(c);
+    double next = x + householder_step(c);
     const bool inside = next >= low && next <= high;
-    if (inside && is_last_step(c, next - x)) return next;
+    if (inside && is_last_step(c, there.l3, next - x)) return next;
     if (!inside) next = 0.5 * (low + high);
     if (next == x) return x;
     x = next;
-    c = curve.sample(x);
+    c = curve.terms(x);
     if (c.f == 0) return x;
   }
   return x;
 }
 
-/// A zero near x, first or not. NaN if Taylor steps do not lead to one on (0, length).
+/// A zero near x, first or not. NaN if few steps do not lead to one on (0, length).
 template <typename Curve>
 double followed_zero(const Curve& curve, double x, double length) {
   constexpr double kShort = 1e-3;  // its fourth power is lost in what followed zeros are used for
   for (int i = 0; i < 4 && x > 0 && x < length; ++i) {
-    const double step = taylor_step(curve.terms(x));
+    const CurveSample c = curve.terms(x);
+    const double step = householder_step(c);
     x += step;
-    if (std::fabs(step) < kShort * x && x < length) return x;
+    const bool short_step =
+        std::fabs(step) < kShort * x && std::fabs(step * c.f2) < kShort * std::fabs(c.f1);
+    if (short_step && x < length) return x;
   }
   return std::numeric_limits<double>::quiet_NaN();
 }
@@ -147,9 +151,9 @@ template <typename Curve>
 KnownZero known_zero(const Curve& curve, double x, double length) {
   for (int i = 0; i < 3 && x > 0 && x < length; ++i) {
     const CurveSample c = curve.sample(x);
-    const double zero = x + taylor_step(c);
+    const double zero = x + householder_step(c);
     if (!(c.f1 < 0 && zero > 0 && zero < length)) break;
-    if (is_last_step(c, zero - x)) return {zero, x, c.f1, c.f2};
+    if (is_last_step(c, c.l3, zero - x)) return {zero, x, c.f1, c.f2};
     x = zero;
   }
   return {};

@@ -482,12 +482,14 @@ Lap<S> run_lap(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
   return lap;
 }
 
-Lap<double> prove_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
-                      const LapEntry<double>& entry, const Script& near) {
-  if (!near.complete()) return run_lap(numbers, layer, entry);
-  Lap<double> lap;
-  LapRunner<double, Ends::proven>(numbers, layer, &near, nullptr, lap).run(entry);
-  return lap;
+void prove_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
+               const LapEntry<double>& entry, const Script& near, Lap<double>& lap) {
+  lap.clear();
+  if (near.count > 0 && near.complete()) {
+    LapRunner<double, Ends::proven>(numbers, layer, &near, nullptr, lap).run(entry);
+  } else {
+    LapRunner<double>(numbers, layer, nullptr, nullptr, lap).run(entry);
+  }
 }
 
 bool follow_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,

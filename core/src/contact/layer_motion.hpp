@@ -14,6 +14,25 @@ struct LayerState {
   S e, rate;
 };
 
+/// cos(x) and sin(x) / x as Taylor polynomials in q = x^2, which may be negative. What is left out is below
+/// q^6 / 12!.
+/// @{
+template <typename S>
+S cosine_series(const S& q) {
+  return 1.0 -
+         q * (1.0 / 2) *
+             (1.0 - q * (1.0 / 12) *
+                        (1.0 - q * (1.0 / 30) * (1.0 - q * (1.0 / 56) * (1.0 - q * (1.0 / 90)))));
+}
+template <typename S>
+S sine_series(const S& q) {
+  return 1.0 -
+         q * (1.0 / 6) *
+             (1.0 - q * (1.0 / 20) *
+                        (1.0 - q * (1.0 / 42) * (1.0 - q * (1.0 / 72) * (1.0 - q * (1.0 / 110)))));
+}
+/// @}
+
 /// Homogeneous motion h(x) of the layer, M h'' + C h' + h = 0, x = theta since the zone began.
 ///
 /// Oscillating layers: u = h(0), w = h'(0). Otherwise amplitudes of the modes: u of the fast one,
@@ -152,20 +171,10 @@ class LayerMotion {
     return {0.5 * (up + down), 0.5 * (up - down) / beta_};
   }
 
-  // Taylor series in beta^2 x^2, whose first dropped term is below 0.02^6 / 12! = 1e-19.
+  // In beta^2 x^2, below 0.02: what the series leave out is below 1e-19.
   Propagator series(const S& x, const S& envelope) const {
     const S q = square_ * x * x;
-    const S c =
-        1.0 -
-        q * (1.0 / 2) *
-            (1.0 - q * (1.0 / 12) *
-                       (1.0 - q * (1.0 / 30) * (1.0 - q * (1.0 / 56) * (1.0 - q * (1.0 / 90)))));
-    const S s =
-        1.0 -
-        q * (1.0 / 6) *
-            (1.0 - q * (1.0 / 20) *
-                       (1.0 - q * (1.0 / 42) * (1.0 - q * (1.0 / 72) * (1.0 - q * (1.0 / 110)))));
-    return {envelope * c, envelope * x * s};
+    return {envelope * cosine_series(q), envelope * x * sine_series(q)};
   }
 
   LayerKind kind_{LayerKind::elastic};

@@ -36,7 +36,7 @@ class Search {
 
   void run(const LapEntry<double>* guess) {
     if (layer_.response > kResonance) return give_up(PeriodicStatus::resonance);
-    turn(!unique_ ? kAtRest : guess ? *guess : after_slip());
+    turn(!unique_ ? kAtRest : guess ? *guess : after_slip(), Script());
     while (s_.laps < kMaxLaps && s_.zones < kMaxZonesInAll && s_.lap.status == LapStatus::ok) {
       if (settled()) return finish();
       if (cycles()) break;
@@ -85,13 +85,13 @@ class Search {
   // What is left of the layer's motion after the free flight is less than a share.
   bool forgets(double share) const { return layer_.slowest_decay() * flight() > -std::log(share); }
 
-  void turn(const LapEntry<double>& entry) { turn(entry, s_.lap.script); }
+  void turn(const LapEntry<double>& entry) { turn(entry, Script(s_.lap.script)); }
 
   void turn(const LapEntry<double>& entry, const Script& near) {
     const Turn before = last_turn();
     const std::uint64_t itinerary = s_.lap.itinerary;
     s_.entry = entry;
-    s_.lap = prove_lap(n_, layer_, entry, near);
+    prove_lap(n_, layer_, s_.entry, near, s_.lap);
     ++s_.laps;
     s_.zones += s_.lap.zones;
     const double gap = distance(s_.entry.layer, s_.lap.next.layer);

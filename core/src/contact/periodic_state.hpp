@@ -15,8 +15,8 @@ enum class PeriodicStatus : unsigned char {
 
 /// The state that repeats itself from turn to turn.
 struct PeriodicState {
-  LapEntry<double> entry;  ///< layer at contact entry
-  Lap<double> lap{};       ///< the turn that starts there
+  LapEntry<double> entry{{0, 0}, false, ZoneState::stick};  ///< layer at contact entry
+  Lap<double> lap;                                          ///< the turn that starts there
   PeriodicStatus status{};
   bool remembers{false};  ///< false: the layer enters at rest whatever happened before
   int laps{0};    ///< turns it took to find, followed ones and those with derivatives included

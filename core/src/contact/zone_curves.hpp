@@ -95,25 +95,29 @@ class StickCurve {
 
   // Convex and above zero at both ends: a parabola with the least curvature between lies below f.
   static bool stays_above(const CurveSample& a, const CurveSample& b) {
-    return a.f1 >= 0 || b.f1 <= 0 || a.f1 * a.f1 < 2 * a.f * std::fmin(a.f2, b.f2);
+    return a.f1 >= 0 || b.f1 <= 0 || a.f1 * a.f1 < 2 * a.f * std::min(a.f2, b.f2);
   }
 
-  // Zero of the Taylor polynomial of degree 7 within the length, or the middle; the second and third
-  // derivative repeat with alternating signs. A convex start says little of it: then from the end.
+  // Zero within the length with sine and cosine as their Taylor polynomials, or the middle. A convex start
+  // says little of it: then from the end.
   static double taylor_zero(const CurveSample& a, double length) {
     double t = length;
-    if (a.f2 < 0) t = std::fmin((a.f1 + std::sqrt(a.f1 * a.f1 - 2 * a.f2 * a.f)) / -a.f2, length);
-    for (int i = 0; i < 3; ++i) {
-      const double q = t * t;
-      const double even = q * (1.0 / 2 - q * (1.0 / 24 - q / 720)),
-                   odd = t * q * (1.0 / 6 - q * (1.0 / 120 - q / 5040));
-      const double even1 = t * (1 - q * (1.0 / 6 - q / 120)),
-                   odd1 = q * (1.0 / 2 - q * (1.0 / 24 - q / 720));
-      const double slope = a.f1 + a.f2 * even1 + a.f3 * odd1;
-      if (!(slope < 0)) break;
-      t -= (a.f + a.f1 * t + a.f2 * even + a.f3 * odd) / slope;
-    }
+    if (a.f2 < 0) t = std::min((a.f1 + std::sqrt(a.f1 * a.f1 - 2 * a.f2 * a.f)) / -a.f2, length);
+    for (int i = 0; i < 2; ++i) t += householder_step(taylor_sample(a, t));
     return t > 0 && t < length ? t : 0.5 * length;
+  }
+
+  // f'' is a sinusoid.
+  static CurveSample taylor_sample(const CurveSample& a, double t) {
+    const double cosine = cosine_series(t * t), sine = t * sine_series(t * t);
+    const double versine = 1 - cosine, lag = t - sine;
+    return {a.f + a.f1 * t + a.f2 * versine + a.f3 * lag,
+            a.f1 + a.f2 * sine + a.f3 * versine,
+            a.f2 * cosine + a.f3 * sine,
+            0,
+            0,
+            0,
+            a.f3 * cosine - a.f2 * sine};
   }
 
   Harmonic<double> f_;

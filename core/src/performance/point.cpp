@@ -95,16 +95,20 @@ static SolvedPoint solve_special(const MotorModel<double>& m, double speed) {
   return point;
 }
 
-SolvedPoint solve_point(const MotorModel<double>& m, double speed,
-                        const contact::LapEntry<double>* guess, double accuracy) {
-  if (is_trivial(m) || (speed == 0 && m.contact.full && locks_at_rest(m)))
-    return solve_special(m, speed);
+static SolvedPoint solve_rubbing(const MotorModel<double>& m, double speed,
+                                 const contact::LapEntry<double>* guess, double accuracy) {
   const contact::ContactNumbers<double> n = contact_numbers(m, speed);
   const LayerMotion<double> layer(n.inertia, n.damping);
-  SolvedPoint point{{}, PointStatus::ok, contact::find_periodic_state(n, layer, guess, accuracy)};
+  SolvedPoint point(n, layer, guess, accuracy);
   point.status = point_status(point.state.status);
   point.numbers = dimensional(m, point.state.lap.means, point.state.lap);
   return point;
+}
+
+SolvedPoint solve_point(const MotorModel<double>& m, double speed,
+                        const contact::LapEntry<double>* guess, double accuracy) {
+  const bool special = is_trivial(m) || (speed == 0 && m.contact.full && locks_at_rest(m));
+  return special ? solve_special(m, speed) : solve_rubbing(m, speed, guess, accuracy);
 }
 
 #define TWUM_INSTANTIATE(S, R)                       \

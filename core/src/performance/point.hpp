@@ -16,10 +16,16 @@ struct PointNumbers {
 
 /// An operating point with what its search found.
 struct SolvedPoint {
+  contact::PeriodicState state;  ///< undefined for trivial and locked points
   PointNumbers<double> numbers;
   PointStatus status{PointStatus::ok};
-  contact::PeriodicState state;  ///< undefined for trivial and locked points
   bool special{false};  ///< trivial or locked at rest: in closed form, no periodic state behind it
+
+  SolvedPoint() = default;
+  /// Of a motor that rubs: its numbers and its status follow from this state.
+  SolvedPoint(const contact::ContactNumbers<double>& n, const contact::LayerMotion<double>& layer,
+              const contact::LapEntry<double>* guess, double accuracy)
+      : state(contact::find_periodic_state(n, layer, guess, accuracy)) {}
 };
 
 /// Solves one operating point.

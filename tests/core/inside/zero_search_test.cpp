@@ -50,9 +50,9 @@ void check_units(const Curve& curve, double length, double x, int k, int m, Sear
     CHECK(same(falling_step(o, quadratic_step(o)), falling_step(c, quadratic_step(c)) * unit));
     CHECK(same(zero_bracket(o), zero_bracket(c) * unit));
   }
-  CHECK(same(taylor_step(o), taylor_step(c) * unit));
+  CHECK(same(householder_step(o), householder_step(c) * unit));
   for (const double share : {1.0, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6})
-    CHECK(is_last_step(o, share * unit) == is_last_step(c, share));
+    CHECK(is_last_step(o, o.l3, share * unit) == is_last_step(c, c.l3, share));
   CHECK(
       same(followed_zero(other, x * unit, length * unit), followed_zero(curve, x, length) * unit));
   if (!(curve.first().f > 0)) return;
@@ -97,8 +97,9 @@ TEST_CASE("the searches for zeros (E3.1 to E3.7) are the same in any unit",
   CHECK(searched.zeros > 900);
 }
 
-TEST_CASE("a Taylor step of degree three has an error of fourth order",
-          "[core][events][closed_form]") {
+TEST_CASE(
+    "Householder's step (E3.8) has the error of fourth order that the expansion of 1 / f tells",
+    "[core][events][closed_form]") {
   Dice dice(72);
   const double r = 0.01;
   for (int i = 0; i < 1000; ++i) {
@@ -106,10 +107,29 @@ TEST_CASE("a Taylor step of degree three has an error of fourth order",
     const double a = dice.uniform(0.5, 1) * (i % 2 == 0 ? 1 : -1),
                  b = dice.uniform(0.5, 1) * (i % 4 < 2 ? 1 : -1);
     const CurveSample cubic{r, a * r - 1, 2 * (b * r - a), HUGE_VAL, HUGE_VAL, 0, -6 * b};
-    // Halley's step leaves |a^2 - b| r^3 = 2e-6 at most, and Newton's a times the square of it: 4e-10 of r, and a
-    // few percent more since a and b are those at t = 0.
-    CHECK(std::fabs(taylor_step(cubic) / r - 1) <= 5e-10);
+    // The step is 3 (1 / f)'' / (1 / f)'''. With 1 / f = A / (r - t) + g it is r (1 + r^3 g'' / (2 A) + ...), where
+    // g'' is minus a third of the third derivative of 1 / (1 + a t + b t^2), -6 (a^3 - 2 a b). The next terms, and
+    // a and b at t = r instead of 0, make a difference of some 25 r^4.
+    const double expected = (a * a * a - 2 * a * b) * r * r * r;
+    CHECK(std::fabs(householder_step(cubic) / r - 1 - expected) <= 3e-7);
   }
+}
+
+TEST_CASE("where f bends too strongly for Householder's step Newton's is taken",
+          "[core][events][closed_form]") {
+  // f' = -1: the step is f (1 - f f'' / 2) / (1 - f f'' - f^2 f''' / 6). It is taken where the denominator differs
+  // from the numerator by less than half of that: f f'' < 2 / 3 and > -2 without f''', |f^2 f'''| < 3 without f''.
+  const auto step = [](double f, double f2, double f3) {
+    return householder_step({f, -1, f2, 0, 0, 0, f3});
+  };
+  CHECK(step(0.66, 1, 0) > 0.66);
+  CHECK(step(0.67, 1, 0) == 0.67);
+  CHECK(step(1.99, -1, 0) < 1.99);
+  CHECK(step(2.01, -1, 0) == 2.01);
+  CHECK(step(1, 0, 2.9) > 1);
+  CHECK(step(1, 0, 3.1) == 1);
+  CHECK(step(1, 0, -2.9) < 1);
+  CHECK(step(1, 0, -3.1) == 1);
 }
 
 TEST_CASE("polished zeros are those of their bracket, wherever the first step leads",
@@ -155,16 +175,16 @@ TEST_CASE("zeros beyond the zone and rising ones are not known", "[core][events]
   CHECK(known_zero(shifted, 1e-9, 2).zero == kNoZero);
 }
 
-TEST_CASE("Taylor steps follow a zero to where it has moved (E6.5)",
-          "[core][events][closed_form]") {
+TEST_CASE("few steps follow a zero to where it has moved (E6.5)", "[core][events][closed_form]") {
   const TwoDips curve{0.5, 1.3, -1e-3};
   const double zero = curve.falling_zero();
   for (const double x : {0.44, 0.445, 0.45, 0.455, 0.46, 0.462, 0.464, 0.47, 0.48}) {
     CAPTURE(x);
-    // The last step, of 4.6e-4 at most, leaves its fourth power over the slope, 4.5e-14 / 0.055.
-    CHECK(std::fabs(followed_zero(curve, x, 2) - zero) <= 1e-12);
+    // The last step is at most a thousandth of slope over curvature, 0.0557 / 1.68, and leaves a^3 - 2 a b + c = 2500
+    // times its fourth power, 3e-15, where 1, a, b, c are the Taylor coefficients of f over its slope.
+    CHECK(std::fabs(followed_zero(curve, x, 2) - zero) <= 5e-15);
   }
   // In other units: there the zero lies at 59.
   const InUnits<TwoDips> wide{curve, 0, -7};
-  CHECK(std::fabs(followed_zero(wide, 0.45 * 128, 256) - zero * 128) <= 128e-12);
+  CHECK(std::fabs(followed_zero(wide, 0.45 * 128, 256) - zero * 128) <= 128 * 5e-15);
 }
