@@ -17,6 +17,7 @@ using namespace performance;
 using M = Metric;
 
 constexpr double kVanishing = 1e-8;  // length of a zone that counts as about to vanish [rad]
+constexpr double kBeside = 1e-9;  // of the crest speed: a zone about to appear is there so far away
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // A point metric from the numbers of a point; S is double or carries derivatives. The one place for
@@ -126,13 +127,27 @@ struct Derived {
   Derived at_kink() const { return {dual, worse(smoothness, Smoothness::one_sided)}; }
 };
 
-// One-sided where a zone is about to vanish, unless the torque is C1 there (theory section 8): elastic
-// layers with mu_0 = mu. Special points are limits (locked at rest) or stand where nothing rubs.
-Smoothness smoothness_of(const MotorModel<double>& m, const SolvedPoint& p) {
+// Zones come or go a hair away from the speed.
+bool zones_change_beside(const MotorModel<double>& m, const SolvedPoint& p, double speed) {
+  const double hair = kBeside * m.crest_velocity / m.r;
+  for (const double beside : {speed - hair, speed + hair}) {
+    if (!wave_meets_rotor(m, beside)) continue;
+    const SolvedPoint near = solve_point(m, beside, &p.state.entry);
+    if (near.status == PointStatus::ok && near.state.lap.itinerary != p.state.lap.itinerary)
+      return true;
+  }
+  return false;
+}
+
+// One-sided where a zone is about to vanish or to appear, unless the torque is C1 there (theory section 8):
+// elastic layers with mu_0 = mu. Special points are limits (locked at rest) or stand where nothing rubs.
+Smoothness smoothness_of(const MotorModel<double>& m, const SolvedPoint& p, double speed) {
   if (is_trivial(m)) return Smoothness::undefined;
   if (p.special) return Smoothness::one_sided;
   const bool may_kink = m.static_ > m.kinetic || m.inertia > 0;
-  return may_kink && p.state.lap.shortest < kVanishing ? Smoothness::one_sided : Smoothness::smooth;
+  const bool kinks =
+      may_kink && (p.state.lap.shortest < kVanishing || zones_change_beside(m, p, speed));
+  return kinks ? Smoothness::one_sided : Smoothness::smooth;
 }
 
 class Differentiator : private Evaluator {
@@ -182,7 +197,7 @@ class Differentiator : private Evaluator {
       case M::no_load_speed: return crossing(search_.no_load(), 0);
       case M::plateau_speed: return plateau();
       case M::peak_power: return at_peak(M::output_power_at, search_.peak_power());
-      case M::speed_at_peak_power: return speed_of_peak(M::output_power_at, search_.peak_power());
+      case M::speed_at_peak_power: return speed_at_peak_power();
       case M::torque_at_peak_power: return along_peak(M::torque_at, search_.peak_power());
       case M::contact_efficiency_at_peak_power:
         return along_peak(M::contact_efficiency_at, search_.peak_power());
@@ -212,7 +227,13 @@ class Differentiator : private Evaluator {
     return m_.contact.half_angle == 0 ? Smoothness::undefined : of_contact();
   }
 
-  Smoothness of_point(double speed) { return worse(smoothness_of(m_, point(speed)), of_contact()); }
+  Smoothness of_point(double speed) {
+    for (const auto& [at, kept] : smoothness_) {
+      if (at == speed) return kept;
+    }
+    const Smoothness found = worse(smoothness_of(m_, point(speed), speed), of_contact());
+    return smoothness_.emplace_back(speed, found).second;
+  }
 
   const PointNumbers<ModelDual>& numbers(double speed) {
     for (const auto& [at, kept] : duals_) {
@@ -257,7 +278,14 @@ class Differentiator : private Evaluator {
   // A point metric where the power has its peak.
   Derived along_peak(Metric metric, const Peak& peak) {
     if (peak.kind == PeakKind::beyond_plateau) return beyond_plateau(metric);
-    return at(metric, speed_of_peak(M::output_power_at, peak));
+    return at(metric, speed_at_peak_power());
+  }
+
+  // Three metrics need it.
+  const Derived& speed_at_peak_power() {
+    if (!speed_at_peak_power_)
+      speed_at_peak_power_ = speed_of_peak(M::output_power_at, search_.peak_power());
+    return *speed_at_peak_power_;
   }
 
   // On the plateau T = mu F_N r.
@@ -330,7 +358,9 @@ class Differentiator : private Evaluator {
   bool fixed_;
   MotorModel<ModelDual> model_;
   std::optional<MotorModel<ModelDual2>> model2_;
+  std::optional<Derived> speed_at_peak_power_;
   std::deque<std::pair<double, PointNumbers<ModelDual>>> duals_;
+  std::vector<std::pair<double, Smoothness>> smoothness_;
 };
 
 }  // namespace
@@ -353,7 +383,7 @@ SpeedDerivative differentiate_in_speed(const Motor& motor, double speed) {
   d.friction_power = n.friction_power.d[0];
   d.layer_loss = n.layer_loss.d[0];
   d.stick_fraction = n.stick_fraction.d[0];
-  d.smoothness = smoothness_of(m, solved);
+  d.smoothness = smoothness_of(m, solved, speed);
   return d;
 }
 
