@@ -3,14 +3,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 namespace twum::performance {
 namespace {
 
-constexpr std::size_t kStretches = 8;  // sequences of zones between two nodes
-constexpr double kNearly = 0.97;  // share of the best node above which another hump may be higher
-constexpr double kInset =
-    1e-7;  // share of a stretch left out at its ends, which stand for themselves
+constexpr double kNearly = 0.97;   // share of the best node above which another hump may be higher
+constexpr double kRippled = 0.95;  // the same, of intervals that ripples may hide a hump in
+constexpr double kPerRipple = 12;  // nodes
+constexpr double kMostNodes = 1500;  // of ripples from rest to the crest speed
+constexpr double kLastTurn = 0.01;   // share of an interval
+
+// Nodes between rest and the crest speed that tell ripples of the torque: it follows the phase in which the layer's
+// own oscillation leaves the contact, which speed moves by no more than it turns through before it is over, in the
+// contact and in what speed takes from the wave's turn.
+double nodes_of_ripples(const MotorModel<double>& m) {
+  const contact::ContactNumbers<double> n = contact_numbers(m, 0.0);
+  const contact::LayerMotion<double> layer(n.inertia, n.damping);
+  if (layer.kind() != contact::LayerKind::oscillating) return 0;
+  const double over = std::log(100.0) / layer.slowest_decay();
+  const double shift = 2 * std::numbers::pi * m.kappa * m.crest_velocity / m.omega;
+  const double ringing = std::min(2 * n.half_angle, over) + std::min(shift, over);
+  const double ripples = layer.natural_frequency() * ringing / (2 * std::numbers::pi);
+  return std::min(kPerRipple * ripples, kMostNodes);
+}
 
 }  // namespace
 
@@ -53,8 +70,13 @@ std::optional<Peak> CurveSearch::peak_between(Goal goal, double low, double high
   if (!(low < high)) return {};
   double at_low = slope(low), at_high = slope(high);
   if (!(at_low > 0)) return {};
+  // A zone about to vanish may turn the slope up at the very end.
+  if (!(at_high < 0) && !(sloped(goal, high).value < sloped(goal, low).value)) {
+    high -= kLastTurn * (high - low);
+    at_high = slope(high);
+    if (!(at_high < 0)) return {};
+  }
   // A dip behind the maximum can hide it: halve towards the higher side.
-  if (!(at_high < 0) && !(sloped(goal, high).value < sloped(goal, low).value)) return {};
   for (int i = 0; i < 50 && !(at_high < 0); ++i) {
     const double middle = 0.5 * (low + high);
     const Sloped s = sloped(goal, middle);
@@ -122,6 +144,35 @@ Peak CurveSearch::named(Peak peak) {
   return peak;
 }
 
+std::size_t CurveSearch::highest(Goal goal, const std::vector<Node>& nodes) const {
+  std::size_t top = 0;
+  for (std::size_t k = 1; k < nodes.size(); ++k) {
+    if (value(goal, nodes[k]) > value(goal, nodes[top])) top = k;
+  }
+  return top;
+}
+
+// More nodes where a ripple between two of them may be the highest. Those without an answer are left out.
+void CurveSearch::add_ripples(Goal goal, std::vector<Node>& nodes) const {
+  const double wanted = nodes_of_ripples(m_), spacing = crest_ / wanted;
+  if (!(wanted > kIntervals)) return;
+  const double worth = kRippled * value(goal, nodes[highest(goal, nodes)]);
+  std::vector<Node> all(nodes.begin(), nodes.begin() + 1);
+  for (std::size_t k = 1; k < nodes.size(); ++k) {
+    const Node &low = nodes[k - 1], &high = nodes[k];
+    const bool worthy = !high.plateau && std::max(value(goal, low), value(goal, high)) >= worth;
+    const int parts = worthy ? static_cast<int>(std::ceil((high.speed - low.speed) / spacing)) : 1;
+    Trail trail;
+    trail.add(low.speed, low.entry);
+    for (int i = 1; i < parts; ++i) {
+      const Node between = scanned(low.speed + (high.speed - low.speed) * i / parts, trail);
+      if (between.ok()) all.push_back(between);
+    }
+    all.push_back(high);
+  }
+  nodes = std::move(all);
+}
+
 Peak CurveSearch::smooth_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top) {
   Peak best = peak_beside(goal, nodes, top);
   const auto consider = [&](const Peak& peak) {
@@ -151,7 +202,17 @@ bool CurveSearch::plateau_may_top(Goal goal, const std::vector<Node>& nodes, dou
   return value(goal, most) > best;
 }
 
+// Where a speed beside it has no answer, as without damping, the node stands for the maximum.
 Peak CurveSearch::peak_beside(Goal goal, const std::vector<Node>& nodes, std::size_t top) {
+  try {
+    return sharp_peak(goal, nodes, top);
+  } catch (const SearchFailure&) {
+    const Node n = answered(nodes[top].speed);
+    return {n.speed, value(goal, n), top == 0 ? PeakKind::rest : PeakKind::kink};
+  }
+}
+
+Peak CurveSearch::sharp_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top) {
   if (top > 0 && top + 1 < nodes.size()) {
     const std::optional<Peak> near = peak_near(goal, nodes, top);
     if (near && near->value >= value(goal, nodes[top]) * (1 - 1e3 * kScanAccuracy)) return *near;
@@ -178,45 +239,35 @@ Peak CurveSearch::rough_peak(Goal goal, const std::vector<Node>& nodes, std::siz
   lost_ = 0;
   for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
     if (std::max(value(goal, nodes[k]), value(goal, nodes[k + 1])) < worth) continue;
-    for (const auto& [first, last] : stretches(nodes[k], nodes[k + 1])) {
-      consider(first);
-      const bool level = goal == Goal::torque && first.plateau;
-      if (first.ok() && !level && first.speed < last.speed) {
-        // A zone that is just born has an end without slope: look for the maximum a little inside.
-        const double low = first.speed, high = last.speed, inset = kInset * (high - low);
-        const std::optional<Peak> inside = peak_between(goal, low + inset, high - inset);
-        if (inside && inside->value > best.value) best = *inside;
+    for (const Stretch& stretch : stretches(nodes[k], nodes[k + 1])) {
+      consider(stretch.first);
+      const bool level = goal == Goal::torque && stretch.first.plateau;
+      if (stretch.first.ok() && !level && stretch.first.speed < stretch.last.speed) {
+        for (const Peak& inside : peaks_inside(goal, stretch, kNearly * best.value))
+          if (inside.value > best.value) best = inside;
       }
-      consider(last);
+      consider(stretch.last);
     }
   }
   return named(best);
 }
 
-// What lies between two nodes, cut where the sequence of zones changes.
-std::vector<CurveSearch::Stretch> CurveSearch::stretches(const Node& low, const Node& end) {
-  std::vector<Stretch> all;
-  Node first = low;
-  // Where zones are born, rounding can tell many sequences apart: the rest counts as one stretch.
-  while (first.itinerary != end.itinerary && all.size() + 1 < kStretches) {
-    const auto [left, right] = stretch_end(first, end);
-    all.push_back({first, left});
-    first = right;
+// Maxima between neighbouring places of a stretch of which one has the value `worth`. A zone that is just born has
+// an end without slope: the ends are a little inside.
+std::vector<Peak> CurveSearch::peaks_inside(Goal goal, const Stretch& stretch, double worth) {
+  const double low = stretch.first.speed, high = stretch.last.speed, inset = kInset * (high - low);
+  std::vector<double> places{low + inset};
+  places.insert(places.end(), stretch.inside.begin(), stretch.inside.end());
+  places.push_back(high - inset);
+  std::vector<Peak> peaks;
+  for (std::size_t k = 1; k < places.size(); ++k) {
+    const bool worthy = stretch.inside.empty() || std::max(sloped(goal, places[k - 1]).value,
+                                                           sloped(goal, places[k]).value) >= worth;
+    if (!worthy) continue;
+    if (const std::optional<Peak> peak = peak_between(goal, places[k - 1], places[k]))
+      peaks.push_back(*peak);
   }
-  all.push_back({first, end});
-  return all;
-}
-
-// Neighbouring speeds between which the sequence of zones that holds at `low` ends.
-std::pair<CurveSearch::Node, CurveSearch::Node> CurveSearch::stretch_end(const Node& low,
-                                                                         const Node& end) {
-  Node left = low, right = end;
-  while (right.speed - left.speed > 4e-16 * (crest_ + right.speed)) {
-    const Node& middle = halved(0.5 * (left.speed + right.speed));
-    if (middle.speed <= left.speed || middle.speed >= right.speed) break;
-    (middle.itinerary == low.itinerary ? left : right) = middle;
-  }
-  return {left, right};
+  return peaks;
 }
 
 Peak CurveSearch::peak(Goal goal) {
@@ -227,11 +278,9 @@ Peak CurveSearch::peak(Goal goal) {
   if (goal == Goal::torque && !rough_ && starts_on_plateau()) {
     return *(kept = Peak{0, stall_torque(), PeakKind::rest});
   }
-  const std::vector<Node> nodes = working_nodes();
-  std::size_t top = 0;
-  for (std::size_t k = 1; k < nodes.size(); ++k) {
-    if (value(goal, nodes[k]) > value(goal, nodes[top])) top = k;
-  }
+  std::vector<Node> nodes = working_nodes();
+  if (!rough_) add_ripples(goal, nodes);
+  const std::size_t top = highest(goal, nodes);
   kept = rough_ ? rough_peak(goal, nodes, top) : smooth_peak(goal, nodes, top);
   if (goal == Goal::torque && kept->value <= stall_torque() * (1 + 1e-14)) {
     kept = Peak{0, stall_torque(), PeakKind::rest};

@@ -8,12 +8,9 @@
 namespace twum::performance {
 namespace {
 
-// Intervals between rest and the crest speed. Between two of them torque is taken to have no more than
-// one maximum (with mu_0 > mu: one in each stretch with the same sequence of zones).
-constexpr int kIntervals = 20;
 constexpr int kRoughIntervals = 40;
-constexpr int kMissing = 4;        // points without a periodic state that may follow one another
-constexpr double kFarthest = 1e4;  // times the crest speed
+constexpr int kMissing = 4;            // points without an answer that may follow one another
+constexpr double kFarthest = 1e4;      // times the crest speed
 constexpr double kSameTorque = 1e-14;  // what rounding leaves of the plateau's torque
 constexpr long kMostLost = 1'000'000;  // zones that one search may follow in vain: about a second
 
@@ -110,8 +107,8 @@ std::vector<CurveSearch::Node> CurveSearch::skip_plateau(double step, Trail& tra
   return beyond;
 }
 
-// Nodes from rest to the first speed at which the torque is not positive. With mu_0 > mu points without
-// a periodic state are passed over, as long as they do not follow one another.
+// Nodes from rest to the first speed at which the torque is not positive. Points without an answer, as layers
+// without damping or with mu_0 > mu may have, are passed over, as long as they do not follow one another.
 void CurveSearch::scan() {
   if (scan_failure_) throw SearchFailure{*scan_failure_};
   if (scanned_) return;
@@ -133,7 +130,7 @@ void CurveSearch::scan() {
         next = scanned(speed, trail);
       }
       missing = next.ok() ? 0 : missing + 1;
-      if (missing > (rough_ ? kMissing : 0)) throw SearchFailure{next.status};
+      if (missing > kMissing) throw SearchFailure{next.status};
       if (next.ok()) nodes_.push_back(next);
     }
     scanned_ = true;

@@ -64,10 +64,17 @@ class CurveSearch {
     bool ok() const { return status == MetricStatus::ok; }
   };
   struct Stretch {
-    /// With the same sequence of zones, if there were not too many to tell apart.
+    /// With the same sequence of zones and without a jump, if there were not too many to tell apart.
     Node first, last;
+    std::vector<double>
+        inside;  ///< speeds between, close enough for torque to be steady between neighbours
   };
+  // Between rest and the crest speed. Between two neighbouring nodes torque is taken to have no more than one maximum
+  // (with mu_0 > mu: one in each stretch with the same sequence of zones).
+  static constexpr int kIntervals = 20;
   static constexpr double kScanAccuracy = 1e-7;  // of the nodes
+  static constexpr double kInset =
+      1e-7;  // share of a stretch at its ends, which stand for themselves
   static constexpr double kWorth = 0.7;  // share of a value above which jumps nearby may pass it
   static constexpr std::uint64_t kNoState = ~std::uint64_t{0};
   struct Sloped {
@@ -77,6 +84,7 @@ class CurveSearch {
   // With a trail, the point begins with what its neighbours know.
   Node node(double speed, Trail* trail = nullptr, double accuracy = 0) const;
   Node scanned(double speed, Trail& trail) const;
+  std::size_t highest(Goal goal, const std::vector<Node>& nodes) const;
   Node answered(double speed, Trail* trail = nullptr) const;
   void scan();
   std::vector<Node> skip_plateau(double step, Trail& trail);
@@ -85,8 +93,10 @@ class CurveSearch {
   const TorqueSlope& torque_slope_at(double speed, Trail* trail = nullptr);
   Sloped sloped(Goal goal, double speed, Trail* trail = nullptr);
   Peak peak(Goal goal);
+  void add_ripples(Goal goal, std::vector<Node>& nodes) const;
   Peak smooth_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top);
   Peak peak_beside(Goal goal, const std::vector<Node>& nodes, std::size_t top);
+  Peak sharp_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top);
   bool plateau_may_top(Goal goal, const std::vector<Node>& nodes, double best);
   Peak rough_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top);
   double likely_peak(Goal goal, const std::vector<Node>& nodes, std::size_t top,
@@ -94,8 +104,12 @@ class CurveSearch {
   std::optional<Peak> peak_near(Goal goal, const std::vector<Node>& nodes, std::size_t top);
   std::optional<Peak> peak_between(Goal goal, double low, double high);
   const Node& halved(double speed);
-  std::pair<Node, Node> stretch_end(const Node& low, const Node& end);
+  std::vector<Peak> peaks_inside(Goal goal, const Stretch& stretch, double worth);
   std::vector<Stretch> stretches(const Node& low, const Node& end);
+  void add_between(const Node& low, const Node& high, std::vector<Node>& nodes);
+  bool is_steady(const Node& low, const Node& high);
+  std::pair<Node, Node> stretch_end(const Node& low, const Node& end);
+  Node past_jump(const Node& end, double inside);
   Peak named(Peak peak);
   std::vector<Node> working_nodes();
   std::vector<Node> nodes_around(double torque);
