@@ -5,6 +5,7 @@
 #include "support/ode_solver.hpp"
 #include "support/point_checks.hpp"
 #include "support/test_motors.hpp"
+#include "timing.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -12,7 +13,6 @@
 #include <twum/core/performance/motor.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <string>
 
@@ -20,14 +20,7 @@ namespace {
 
 using namespace twum;
 using namespace twum::test;
-
-template <typename Work>
-double seconds(Work work) {
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
-  work();
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
+using bench::seconds;
 
 // Times `general` and puts the ratio to the core and the difference in torque beside it. The two take turns, so
 // that a machine whose speed changes changes both.

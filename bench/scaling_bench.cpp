@@ -4,11 +4,12 @@
 // a machine whose speed changes changes all of them.
 //
 //   twum_scaling_bench [DESIGNS [TURNS]]
+#include "timing.hpp"
+
 #include <twum/core/design/motor_design.hpp>
 #include <twum/studies/tables/design_table.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -20,6 +21,7 @@ namespace {
 
 using namespace twum;
 using namespace twum::studies;
+using bench::seconds;
 
 std::string table_of(std::size_t designs) {
   std::string text = "preload [N],amplitude [um],thickness [mm]\n";
@@ -50,14 +52,6 @@ void evaluate_table(const std::string& text, unsigned jobs, std::string& result)
       [](const DesignCounts&) {});
 }
 
-template <typename Work>
-double seconds(Work work) {
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
-  work();
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 double median(std::vector<double> values) {
   std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
                    values.end());
@@ -69,6 +63,10 @@ double median(std::vector<double> values) {
 int main(int argc, char** argv) {
   const std::size_t designs = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 20000;
   const int turns = argc > 2 ? std::atoi(argv[2]) : 9;
+  if (argc > 3 || designs < 1 || turns < 1) {
+    std::fprintf(stderr, "twum_scaling_bench [DESIGNS [TURNS]]: whole numbers from 1\n");
+    return 2;
+  }
   const unsigned cores = std::max(std::thread::hardware_concurrency(), 1U);
   const std::string text = table_of(designs);
 

@@ -134,14 +134,15 @@ struct SpeedDerivative {
 };
 
 /// Operating point with its derivatives in speed; NaN and `undefined` where the point has no answer.
-/// Smooth means that no zone comes or goes within 1e-9 of the crest speed. About five times the cost of the point.
+/// Smooth means that no zone comes or goes within 1e-9 of the crest speed, or that the layer is elastic with
+/// mu_0 = mu, where that does no harm. About five times the cost of the point.
 /// @param speed  rotor speed [rad/s], > -motor.wave_speed().
 /// @throws InputError as Motor::operating_point.
 SpeedDerivative differentiate_in_speed(const Motor& motor, double speed);
 
 /// Metrics of a motor as T7.1 to T7.18 define them, in the order asked. Work shared by several metrics is
 /// done once. About 30 microseconds for all metrics without argument, a microsecond for a point metric at
-/// a speed; about a millisecond where mu_0 > mu. Never throws for a number asked at: a speed at or below
+/// a speed; about 300 microseconds where mu_0 > mu. Never throws for a number asked at: a speed at or below
 /// -motor.wave_speed() has the status out_of_range, a torque beyond the motor's is unreachable.
 /// Continuous in the parameters but for jumps where mu_0 > mu; differentiate() says how smooth.
 /// @{
