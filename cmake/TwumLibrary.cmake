@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-# twum_library(NAME SOURCES ... HEADERS ... [PUBLIC ...] [PRIVATE ...])
+# twum_library(NAME SOURCES ... HEADERS ... [COMPONENT ...] [PUBLIC ...] [PRIVATE ...])
 #
 # Makes the target twum_NAME with the alias twum::NAME, its public headers (each must compile alone:
 # target all_verify_interface_header_sets) and the project's compile flags, kept private. It is
-# installed as twum::NAME, a component of the package (TwumPackage.cmake).
+# installed as twum::NAME, by itself or with others as COMPONENT of the package (TwumPackage.cmake).
 function(twum_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "" "COMPONENT" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
   add_library(twum_${name})
   add_library(twum::${name} ALIAS twum_${name})
   target_sources(twum_${name}
@@ -24,6 +24,6 @@ function(twum_library name)
     SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
     VERIFY_INTERFACE_HEADER_SETS ON)
   if(TWUM_INSTALL)
-    twum_install_library(${name})
+    twum_install_library(${name} ${ARG_COMPONENT})
   endif()
 endfunction()

@@ -20,15 +20,21 @@ function(twum_finds_libraries target directory)
   endif()
 endfunction()
 
-# Installs twum_NAME and its export set.
+# Installs twum_NAME in the export set of a component, its own if none is named.
 function(twum_install_library name)
-  install(TARGETS twum_${name} EXPORT twum-${name}
+  set(component ${ARGN})
+  if(NOT component)
+    set(component ${name})
+  endif()
+  install(TARGETS twum_${name} EXPORT twum-${component}
     ARCHIVE COMPONENT dev
     LIBRARY COMPONENT runtime NAMELINK_COMPONENT dev
     RUNTIME COMPONENT dev
     FILE_SET HEADERS COMPONENT dev)
   twum_finds_libraries(twum_${name} ${CMAKE_INSTALL_LIBDIR})
-  install(EXPORT twum-${name} NAMESPACE twum:: DESTINATION ${TWUM_CMAKE_DIR} COMPONENT dev)
+  if(name STREQUAL component)
+    install(EXPORT twum-${name} NAMESPACE twum:: DESTINATION ${TWUM_CMAKE_DIR} COMPONENT dev)
+  endif()
 endfunction()
 
 # Installs the pkg-config file twum-NAME.pc (twum.pc for the library called twum).
@@ -83,6 +89,6 @@ function(twum_install_package)
   twum_pkg_config(twum-optim DESCRIPTION "Optimization with certificates, fronts, least squares (C++20)"
     LIBRARY "-ltwum_optim -ltwum_base" PRIVATE_REQUIRES ${solvers} PRIVATE_LIBS -pthread)
   twum_pkg_config(twum DESCRIPTION "Design of travelling wave ultrasonic motors: motors, files, studies (C++20)"
-    LIBRARY -ltwum_studies REQUIRES "twum-core = ${PROJECT_VERSION}" "twum-optim = ${PROJECT_VERSION}"
+    LIBRARY "-ltwum_studies -ltwum_study -ltwum_motors -ltwum_files" REQUIRES "twum-core = ${PROJECT_VERSION}" "twum-optim = ${PROJECT_VERSION}"
     PRIVATE_REQUIRES yaml-cpp udunits sqlite3 PRIVATE_LIBS -pthread)
 endfunction()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuzz/readers.hpp"
 #include "fuzz/targets.hpp"
-#include "run/study_kind.hpp"
+#include "kinds/study_kind.hpp"
 #include "study/resolved_study.hpp"
 
 #include <memory>

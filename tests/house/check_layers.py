@@ -7,31 +7,45 @@ import tree
 # Layer -> layers of ours it may include. tests/core and tests/optim are held to their layer, so that
 # the physics is tested without solvers and the optimization without motors.
 CORE = ["core/base", "core/design", "core/contact", "core/performance"]
+# Inside studies: four libraries, and the folders of each, in this order.
+STUDIES = {
+    "files": ["text", "units", "diagnostics", "yaml", "schema", "statistics", "store", "jobs", "tables"],
+    "motors": ["metrics", "motor", "tables"],
+    "studies": ["study", "results", "problem", "kinds", "run"],
+    "report": ["report", "run"],
+}
+FOLDERS = [f"studies/{part}/{folder}" for part, folders in STUDIES.items() for folder in folders]
+ALL_STUDIES = CORE + ["optim"] + FOLDERS + ["studies/report"]
 ALLOWED = {
     "core/base": CORE[:1],
     "core/design": CORE[:2],
     "core/contact": CORE[:3],
     "core/performance": CORE,
     "optim": ["core/base", "optim"],
-    "studies": CORE + ["optim", "studies"],
-    "apps": CORE + ["optim", "studies", "apps"],
-    "bindings": CORE + ["optim", "studies", "bindings"],
+    "apps": ALL_STUDIES + ["apps"],
+    "bindings": ALL_STUDIES + ["bindings"],
     "tests/core": CORE + ["tests/core", "tests/support"],
     "tests/optim": ["core/base", "optim", "tests/optim", "tests/support"],
+    "tests/files": ["core/base", "optim", "tests/files", "tests/support"] +
+                   [folder for folder in FOLDERS if folder.startswith("studies/files/")],
+    "studies/report": ALL_STUDIES,  # the umbrella header
 }
+for number, folder in enumerate(FOLDERS):
+    below = ["core/base", "optim"] if folder.startswith("studies/files/") else CORE + ["optim"]
+    ALLOWED[folder] = below + FOLDERS[:number + 1]
 
 # Where a quoted include may start, besides the folder of the file itself.
-PRIVATE_ROOTS = ["core/src", "core/base/src", "optim/src", "studies/src", "apps/cli", "apps/cli/src",
-                 "bindings", "tests", ""]
+PRIVATE_ROOTS = ["core/src", "core/base/src", "optim/src", "apps/cli", "apps/cli/src",
+                 "bindings", "tests", ""] + [f"studies/{part}/src" for part in STUDIES]
 
 # Third-party headers that may appear only in .cpp files, and in which layers.
 ONLY_IN_SOURCES = {
     r"nlopt\.hpp?": {"optim"},
     r"(coin/)?Ip\w+\.hpp": {"optim"},
-    r"gsl/.*": {"optim", "studies", "bench"},
-    r"yaml-cpp/.*": {"studies"},
-    r"udunits2\.h": {"studies"},
-    r"sqlite3\.h": {"studies"},
+    r"gsl/.*": {"optim", "bench"},
+    r"yaml-cpp/.*": {"studies/files"},
+    r"udunits2\.h": {"studies/files"},
+    r"sqlite3\.h": {"studies/files"},
 }
 
 # Public headers are installed, and a program that uses them has none of our third-party headers.
@@ -57,6 +71,9 @@ def layer(path):
         return "core/performance"  # umbrella headers
     if parts[0] == "tests":
         return "/".join(parts[:2])
+    if parts[0] == "studies":  # studies/PART/src/FOLDER/... or studies/PART/include/twum/studies/FOLDER/...
+        below = parts[3:] if parts[2] == "src" else parts[5:]
+        return "/".join(["studies", parts[1]] + below[:1]) if len(below) > 1 else "studies/report"
     return parts[0]
 
 
@@ -65,7 +82,7 @@ def resolve(path, spelled):
     candidates = [path.parent / spelled]
     candidates += [tree.ROOT / root / spelled for root in PRIVATE_ROOTS]
     candidates += [tree.ROOT / base / "include" / spelled
-                   for base in ("core/base", "core", "optim", "studies")]
+                   for base in ["core/base", "core", "optim"] + [f"studies/{part}" for part in STUDIES]]
     return next((c.resolve() for c in candidates if c.is_file()), None)
 
 
@@ -100,7 +117,7 @@ def check(path):
                 continue
             if path.suffix != ".cpp":
                 yield f"{place}: <{spelled}> belongs in a .cpp file"
-            if here not in layers:
+            if here not in layers and "/".join(here.split("/")[:2]) not in layers:
                 yield f"{place}: <{spelled}> is for {', '.join(sorted(layers))}, not for {here}"
 
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "kinds/calibration.hpp"
+#include "kinds/study_kind.hpp"
 #include "results/answers.hpp"
-#include "run/study_kind.hpp"
 #include "support/scratch_folder.hpp"
 
 #include <twum/core/performance/motor.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/core/performance/motor.hpp>
-#include <twum/studies/run/curve_points.hpp>
+#include <twum/studies/motor/curve_points.hpp>
 #include <twum/studies/run/run_study.hpp>
 #include <twum/studies/run/verify_study.hpp>
 #include <twum/studies/store/result_store.hpp>

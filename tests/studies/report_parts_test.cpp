@@ -6,8 +6,8 @@
 #include "search_support.hpp"
 
 #include <twum/core/performance/motor.hpp>
+#include <twum/studies/motor/curve_points.hpp>
 #include <twum/studies/motor/motor_file.hpp>
-#include <twum/studies/run/curve_points.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "kinds/study_kind.hpp"
 #include "results/answers.hpp"
-#include "run/study_kind.hpp"
 #include "support/scratch_folder.hpp"
 
 #include <twum/studies/study/study_file.hpp>

@@ -6,8 +6,8 @@
 #include "py_motor.hpp"
 
 #include <twum/base/error.hpp>
+#include <twum/studies/jobs/ordered.hpp>
 #include <twum/studies/motor/settings.hpp>
-#include <twum/studies/run/ordered.hpp>
 
 #include <algorithm>
 #include <cstddef>

@@ -5,7 +5,7 @@
 #include "conversions.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/run/curve_points.hpp>
+#include <twum/studies/motor/curve_points.hpp>
 #include <twum/studies/text/words.hpp>
 
 #include <limits>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "run/study_kind.hpp"
+#include "kinds/study_kind.hpp"
+#include "support/file_text.hpp"
 #include "support/scratch_folder.hpp"
 
 #include <twum/studies/study/study_file.hpp>
@@ -26,25 +27,6 @@ inline StudyFile study_in(const ScratchFolder& folder, const std::string& study,
   std::ofstream(folder.path(name)) << "twum: 1\nmotor: " << TWUM_SOURCE_DIR << "/examples/motors/"
                                    << motor << ".yaml\nstudy: " << study << "\n";
   return read_study_file(folder.path(name));
-}
-
-inline std::string content(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
-
-inline void write(const std::string& path, const std::string& text) {
-  std::ofstream(path, std::ios::binary) << text;
-}
-
-/// Replaces the first `from` in a file; false if there is none.
-inline bool replace_in(const std::string& path, const std::string& from, const std::string& to) {
-  std::string text = content(path);
-  const std::size_t at = text.find(from);
-  if (at == std::string::npos) return false;
-  write(path, text.replace(at, from.size(), to));
-  return true;
 }
 
 /// A kind of study whose rows, answer and certificates are what the test says.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Kinds of study at motors without an answer, at rows that are damaged, and at several motors at once.
 #include "entries_support.hpp"
+#include "kinds/found_motors.hpp"
 #include "kinds/metric_gradients.hpp"
 #include "kinds/stored_medians.hpp"
-#include "run/found_motors.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/studies/run/run_study.hpp>

@@ -2,8 +2,8 @@
 // Parts of a search: what stands in its rows, where it starts, and what it tells on the way.
 #include "entries_support.hpp"
 #include "kinds/earlier_result.hpp"
+#include "kinds/search_rows.hpp"
 #include "problem/motor_responses.hpp"
-#include "problem/search_rows.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/studies/problem/sizing.hpp>

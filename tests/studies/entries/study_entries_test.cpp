@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Entries of a study that name something: solvers' options, parameters, rows of what it stored.
 #include "entries_support.hpp"
-#include "run/found_motors.hpp"
-#include "run/sample_rows.hpp"
+#include "kinds/found_motors.hpp"
+#include "kinds/sample_rows.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/optim/solvers.hpp>

@@ -11,7 +11,7 @@
 #include "text_table.hpp"
 
 #include <twum/studies/metrics/expression.hpp>
-#include <twum/studies/run/curve_points.hpp>
+#include <twum/studies/motor/curve_points.hpp>
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/text/words.hpp>
 #include <twum/studies/units/engineering.hpp>

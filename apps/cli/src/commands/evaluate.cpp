@@ -6,8 +6,8 @@
 #include "output.hpp"
 #include "progress.hpp"
 
+#include <twum/studies/jobs/ordered.hpp>
 #include <twum/studies/metrics/expression.hpp>
-#include <twum/studies/run/ordered.hpp>
 #include <twum/studies/tables/design_table.hpp>
 #include <twum/studies/text/value_error.hpp>
 #include <twum/studies/text/words.hpp>

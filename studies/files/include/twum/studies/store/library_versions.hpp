@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace twum::studies {
+
+/// Names and versions of the libraries that files are read and written with.
+std::vector<std::pair<std::string, std::string>> file_library_versions();
+
+}  // namespace twum::studies

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/studies/motor/curve_points.hpp>
+
+#include <twum/core/performance/metrics.hpp>
+
+namespace twum::studies {
+namespace {
+
+constexpr CurveColumn kColumns[] = {
+    {"speed", "rad/s", [](const OperatingPoint& p) { return p.speed; }},
+    {"torque", "N.m", [](const OperatingPoint& p) { return p.torque; }},
+    {"output_power", "W", [](const OperatingPoint& p) { return p.output_power; }},
+    {"stator_power", "W", [](const OperatingPoint& p) { return p.stator_power; }},
+    {"friction_power", "W", [](const OperatingPoint& p) { return p.friction_power; }},
+    {"layer_loss", "W", [](const OperatingPoint& p) { return p.layer_loss; }},
+    {"contact_efficiency", "1", [](const OperatingPoint& p) { return p.contact_efficiency(); }},
+    {"wear_intensity", "W/m^2", [](const OperatingPoint& p) { return p.wear_intensity; }},
+    {"stick_fraction", "1", [](const OperatingPoint& p) { return p.stick_fraction; }},
+};
+
+}  // namespace
+
+std::span<const CurveColumn> curve_columns() { return kColumns; }
+
+double last_curve_speed(const Motor& motor) {
+  const MetricValue no_load =
+      evaluate(motor, MetricRequest{Metric::no_load_speed, Argument::none, 0});
+  if (no_load.status == MetricStatus::ok && no_load.value > 0) return 1.05 * no_load.value;
+  return motor.crest_speed() > 0 ? 1.2 * motor.crest_speed() : 10;
+}
+
+double curve_speed(double last, std::uint64_t index, std::uint64_t points) {
+  return last * static_cast<double>(index) / static_cast<double>(points - 1);
+}
+
+std::vector<double> curve_speeds(const Motor& motor, std::size_t points) {
+  const double last = last_curve_speed(motor);
+  std::vector<double> speeds(points);
+  for (std::size_t i = 0; i < points; ++i) speeds[i] = curve_speed(last, i, points);
+  return speeds;
+}
+
+}  // namespace twum::studies

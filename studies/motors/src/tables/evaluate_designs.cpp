@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/studies/jobs/ordered.hpp>
+#include <twum/studies/tables/design_table.hpp>
+
+#include <algorithm>
+
+namespace twum::studies {
+namespace {
+
+constexpr std::size_t kRowsAtATime = 256;
+
+struct Block {
+  CsvChunk rows;
+  std::string result;
+  std::size_t failed{0};
+  std::size_t empty{0};
+  std::size_t bytes{0};  // of the stream up to the end of this block
+};
+
+bool any_value(const std::vector<MetricValue>& metrics) {
+  return std::any_of(metrics.begin(), metrics.end(),
+                     [](const MetricValue& m) { return m.status == MetricStatus::ok; });
+}
+
+void evaluate_block(const DesignTable& table, Block& block) {
+  DesignTable::Scratch scratch;
+  for (std::size_t i = 0; i < block.rows.records.size(); ++i) {
+    const bool ok = table.append_result(block.rows.record(i), block.rows.records[i].line, scratch,
+                                        block.result);
+    block.failed += ok ? 0 : 1;
+    block.empty += any_value(scratch.metrics) ? 0 : 1;
+  }
+}
+
+}  // namespace
+
+DesignCounts evaluate_designs(CsvReader& reader, const DesignTable& table, unsigned jobs,
+                              const std::function<void(std::string_view)>& write,
+                              const std::function<bool()>& proceed,
+                              const std::function<void(const DesignCounts&)>& progress) {
+  DesignCounts counts;
+  write(table.result_header());
+  run_ordered<Block>(
+      jobs,
+      [&](Block& block) {
+        const bool more = proceed() && reader.read(block.rows, kRowsAtATime);
+        block.bytes = reader.bytes_taken();
+        return more;
+      },
+      [&](Block& block) { evaluate_block(table, block); },
+      [&](Block& block) {
+        write(block.result);
+        counts.rows += block.rows.records.size();
+        counts.failed += block.failed;
+        counts.empty += block.empty;
+        counts.bytes = block.bytes;
+        progress(counts);
+      });
+  return counts;
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/curves.hpp"
+
+#include "report/encode.hpp"
+
+#include <twum/base/error.hpp>
+#include <twum/core/design/parameters.hpp>
+#include <twum/core/performance/metrics.hpp>
+#include <twum/core/performance/motor.hpp>
+#include <twum/studies/metrics/expression.hpp>
+#include <twum/studies/motor/curve_points.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+namespace twum::studies {
+namespace {
+
+// A curve some 700 pixels wide has a bend or two: more points would not be seen.
+constexpr std::size_t kCurvePoints = 161;
+// A field every 2 % of the speed, 100 places across the contact.
+constexpr std::size_t kFieldSpeeds = 51;
+constexpr double kFieldPlaces = 100;
+
+using Numbers = std::vector<double>;
+using Floats = std::vector<float>;
+
+std::optional<Motor> motor_of(const MotorDesign& base, const DesignValues& values) {
+  std::vector<ParameterValue> replaced;
+  for (const auto& [name, value] : values) {
+    if (const auto parameter = find_parameter(name)) replaced.emplace_back(*parameter, value);
+  }
+  try {
+    return Motor(with(base, replaced));
+  } catch (const InputError&) {
+    return {};  // a design outside what is admissible has no curve to show
+  }
+}
+
+// Half the width of the window over the contact that is shown [rad].
+double window_of(const Motor& motor) {
+  return std::min(std::numbers::pi, 1.25 * motor.contact().half_angle);
+}
+
+// The samples of fields() are equally spaced over the wave; those within the window.
+std::vector<FieldSample> in_window(const ContactFields& fields, double window) {
+  std::vector<FieldSample> samples;
+  for (const FieldSample& sample : fields.samples) {
+    if (std::abs(sample.phase) <= window) samples.push_back(sample);
+  }
+  return samples;
+}
+
+Json zones_json(const std::vector<Zone>& zones) {
+  Json list = Json::array();
+  for (const Zone& zone : zones) list.push_back({static_cast<int>(zone.state), zone.from, zone.to});
+  return list;
+}
+
+Floats column(const std::vector<FieldSample>& samples, double FieldSample::*value) {
+  Floats numbers;
+  for (const FieldSample& sample : samples) numbers.push_back(static_cast<float>(sample.*value));
+  return numbers;
+}
+
+// Pressure and stator velocity are the same at every speed.
+Json fields_json(const Motor& motor) {
+  const double window = window_of(motor);
+  if (!(window > 0)) return nullptr;
+  const int count =
+      1 + static_cast<int>(std::min(kFieldPlaces * std::numbers::pi / window, 20000.0));
+  Json json = Json::object();
+  Json frames = Json::array();
+  for (const double speed : curve_speeds(motor, kFieldSpeeds)) {
+    const ContactFields fields = motor.fields(speed, count);
+    if (fields.point.status != PointStatus::ok) continue;
+    const std::vector<FieldSample> samples = in_window(fields, window);
+    if (frames.empty()) {
+      json["phase"] = base64(column(samples, &FieldSample::phase));
+      json["pressure"] = base64(column(samples, &FieldSample::pressure));
+      json["stator_velocity"] = base64(column(samples, &FieldSample::stator_velocity));
+    }
+    frames.push_back({{"speed", speed},
+                      {"traction", base64(column(samples, &FieldSample::traction))},
+                      {"layer_velocity", base64(column(samples, &FieldSample::layer_velocity))},
+                      {"zones", zones_json(fields.zones)}});
+  }
+  if (frames.empty()) return nullptr;
+  json["kinetic"] = motor.design().friction.kinetic;
+  json["static"] = motor.design().friction.static_;
+  json["frames"] = std::move(frames);
+  return json;
+}
+
+Json metrics_json(const Motor& motor) {
+  const std::vector<MetricExpression> metrics = plain_metrics();
+  std::vector<MetricValue> values(metrics.size());
+  ExpressionEvaluator(metrics).evaluate(motor, values);
+  Json json = Json::object();
+  for (std::size_t i = 0; i < metrics.size(); ++i)
+    json[metrics[i].text] = number_json(values[i].value);
+  return json;
+}
+
+}  // namespace
+
+DesignValues design_values(const Json& object) {
+  DesignValues values;
+  for (const auto& [name, value] : object.items()) {
+    if (value.is_number()) values[name] = value.get<double>();
+  }
+  return values;
+}
+
+Json curve_json(const MotorDesign& base, const DesignValues& values, const std::string& label,
+                Detail detail) {
+  const std::optional<Motor> motor = motor_of(base, values);
+  if (!motor) return nullptr;
+  std::vector<OperatingPoint> points;
+  for (const double speed : curve_speeds(*motor, kCurvePoints))
+    points.push_back(motor->operating_point(speed));
+  Json json{{"label", label}, {"design", Json::object()}, {"metrics", metrics_json(*motor)}};
+  for (const ParameterInfo& row : parameter_table()) {
+    if (in_use(motor->design(), row.parameter))
+      json["design"][std::string(row.name)] = get(motor->design(), row.parameter);
+  }
+  const auto add = [&](const char* name, auto value) {
+    Numbers numbers;
+    for (const OperatingPoint& point : points) numbers.push_back(value(point));
+    json[name] = base64(numbers);
+  };
+  for (const CurveColumn& one : curve_columns()) add(one.name, one.value);
+  add("efficiency", [](const OperatingPoint& p) { return p.efficiency(); });
+  add("stator_loss", [](const OperatingPoint& p) { return p.stator_loss; });
+  json["fields"] = detail == Detail::fields ? fields_json(*motor) : Json(nullptr);
+  return json;
+}
+
+Json slopes_json(const MotorDesign& base, const DesignValues& values,
+                 const std::vector<std::string>& names, double first_speed, double last_speed) {
+  const std::optional<Motor> motor = motor_of(base, values);
+  if (!motor) return nullptr;
+  Numbers speeds;
+  Numbers torques;
+  std::vector<Numbers> gradients(names.size());
+  for (std::size_t i = 0; i < kCurvePoints; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(kCurvePoints - 1);
+    const double speed = std::lerp(first_speed, last_speed, share);
+    const MetricRequest request{Metric::torque_at, Argument::speed, speed};
+    const MetricDerivative torque = differentiate(*motor, {&request, 1}).front();
+    speeds.push_back(speed);
+    torques.push_back(torque.value.value);
+    for (std::size_t j = 0; j < names.size(); ++j) {
+      const auto parameter = find_parameter(names[j]);
+      gradients[j].push_back(parameter ? torque.gradient[index_of(*parameter)]
+                                       : std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+  Json json{{"speed", base64(speeds)}, {"torque", base64(torques)}, {"gradients", Json::object()}};
+  for (std::size_t j = 0; j < names.size(); ++j) json["gradients"][names[j]] = base64(gradients[j]);
+  return json;
+}
+
+}  // namespace twum::studies

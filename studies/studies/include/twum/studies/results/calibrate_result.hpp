@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/optim/result.hpp>
+#include <twum/studies/statistics/fit_tests.hpp>
+#include <twum/studies/store/column.hpp>
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace twum::studies {
+
+/// Answer of `calibrate`: parameters of a motor from measured torque-speed points, by least squares of
+/// the torques at the speeds measured. Torques and residuals in N m, speeds in rad/s.
+struct CalibrateResult {
+  /// End of its range that holds a parameter.
+  enum class Bound : unsigned char { none, min, max };
+
+  /// What a free parameter does when the end of a range that holds another one moves.
+  struct Follower {
+    std::string name;   ///< of the free parameter
+    double percent{0};  ///< its change for 1 % more of the held one, to first order
+  };
+
+  /// What the fit says of one parameter, SI.
+  struct Estimate {
+    NamedValue parameter;  ///< which one, and its value
+    double deviation{0};   ///< standard deviation; NaN if the data do not determine it
+    double low{0};   ///< confidence interval, Student's t with the scatter of the residuals; in the
+                     ///< logarithm where the variable has a log scale, so that it stays above 0
+    double high{0};  ///< its upper end
+    Bound bound{Bound::none};         ///< held there: it counts as known, and has no interval
+    double min{0};                    ///< range that was searched
+    double max{0};                    ///< its upper end
+    bool log{false};                  ///< searched in the logarithm
+    std::vector<Follower> followers;  ///< where held: what the free ones would do
+  };
+
+  /// One measured point, and the fit there.
+  struct Point {
+    double speed{0};     ///< of the rotor [rad/s]
+    double torque{0};    ///< measured
+    double weight{1};    ///< of its squared residual; mean 1
+    double fitted{0};    ///< torque of the motor with the estimates
+    double residual{0};  ///< measured - fitted
+  };
+
+  /// Parameters that only count together.
+  struct Undetermined {
+    std::vector<std::string> names;  ///< of the parameters
+    /// Of two: by how many percent the second has to change to undo 1 % more of the first.
+    double undone_by{std::numeric_limits<double>::quiet_NaN()};
+  };
+
+  /// A place where starts ended; the first is the answer.
+  struct Optimum {
+    std::vector<double> values;  ///< of the parameters, SI
+    double residual_rms{0};      ///< of the fit there [N m]
+    std::size_t starts{0};       ///< how many ended there
+  };
+
+  /// One local fit.
+  struct Start {
+    optim::Outcome outcome{optim::Outcome::failed};                 ///< what its search came to
+    std::string word;                                               ///< how its search ended
+    std::size_t evaluations{0};                                     ///< calls of the motor
+    double residual_rms{std::numeric_limits<double>::quiet_NaN()};  ///< NaN: none
+    std::vector<double> values;  ///< of the parameters, SI; empty: none
+  };
+
+  double confidence{0.95};          ///< level of all intervals
+  std::vector<Estimate> estimates;  ///< empty if no start could be evaluated
+  std::vector<double> correlation;  ///< row after row; NaN where undetermined
+  double residual_rms{
+      std::numeric_limits<double>::quiet_NaN()};  ///< root of the weighted mean square
+  double residual_deviation{std::numeric_limits<double>::quiet_NaN()};  ///< by degrees of freedom
+  std::size_t degrees_of_freedom{0};       ///< points less free parameters
+  double student_t{0};                     ///< half width of an interval in standard deviations
+  bool exact{false};                       ///< residuals are no more than rounding: nothing to test
+  std::optional<RunsTest> runs;            ///< of the residuals in order of speed
+  std::optional<double> chi_square;        ///< where standard deviations were measured
+  double chi_square_p{1};                  ///< how often chance gives as much or more
+  std::vector<Undetermined> undetermined;  ///< none if the data determine all
+  std::vector<Optimum> optima;             ///< places where starts ended, best first
+  std::vector<Start> starts;               ///< every local fit
+  std::vector<Point> data;  ///< in the order of the file; fitted is NaN without estimates
+
+  double static_ratio{1};  ///< static to kinetic friction, kept where only the latter is estimated
+
+  /// Root mean square of the residuals in parts of the largest torque measured; 0 without estimates.
+  double misfit() const;
+  /// Every parameter is held by an end of its range: nothing was fitted.
+  bool at_bounds() const;
+  /// A misfit that chance gives less often than one time in a hundred; or one time in twenty, if it is
+  /// larger than 2 % of the largest torque; or, without standard deviations that would explain it, one
+  /// larger than 10 % of that.
+  bool poor() const;
+};
+
+}  // namespace twum::studies

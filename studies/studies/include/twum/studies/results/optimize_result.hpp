@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/optim/result.hpp>
+#include <twum/studies/store/column.hpp>
+
+#include <string>
+#include <vector>
+
+namespace twum::studies {
+
+/// What was wanted.
+struct Goal {
+  std::string metric;    ///< as typed
+  std::string unit;      ///< SI
+  bool maximize{false};  ///< otherwise it should be small
+};
+
+/// A limit at a design, SI.
+struct LimitState {
+  std::string text;      ///< as typed
+  std::string metric;    ///< what is limited
+  std::string unit;      ///< SI unit of the metric
+  bool at_least{false};  ///< a lower limit
+  double value{0};      ///< NaN: the motor has none, such as a speed at a load that it cannot carry
+  double limit{0};      ///< SI
+  double violation{0};  ///< by how much the limit is broken, >= 0
+  bool active{false};   ///< it holds the design back
+  double multiplier{
+      0};  ///< improvement of the goal for each unit by which the limit gives way, >= 0
+  double one_percent_buys{0};  ///< change of the goal when the limit gives way by 1 %, first order
+};
+
+/// A variable at the end of its range, SI.
+struct BoundState {
+  Column variable;       ///< which one
+  bool upper{false};     ///< the upper end
+  double limit{0};       ///< SI
+  double multiplier{0};  ///< improvement of the goal for each unit by which the end gives way, >= 0
+  double one_percent_buys{0};  ///< change of the goal when it gives way by 1 %, first order
+};
+
+/// A design as a search reports it.
+struct DesignReport {
+  std::vector<NamedValue> design;       ///< the variables, then what a `start:` changed besides
+  std::vector<NamedValue> metrics;      ///< every metric without argument, then those asked for
+  std::vector<LimitState> constraints;  ///< every limit of the study
+  std::vector<BoundState> bounds;       ///< only those that hold the design back
+  optim::Certificate certificate;       ///< the evidence
+};
+
+/// Whether a limit of this design is broken by more than an active limit may be: by a millionth of itself,
+/// or, where the certificate measured it (a limit of 0 has no millionth), by the tolerance of the
+/// search. True where there is no value.
+bool broken(const LimitState& limit, const DesignReport& report);
+
+/// Whether none of its limits is broken().
+bool keeps_limits(const DesignReport& report);
+
+/// What a unit by which a limit gives way improves each goal while the other goals stay as they are,
+/// by the multiplier of the limit; NaN for a goal that does not trade to first order.
+std::vector<double> gains(double multiplier, const optim::Certificate& certificate);
+
+/// How far one limit would have to give way, SI.
+struct RelaxationState {
+  std::string text;      ///< as typed
+  std::string metric;    ///< what is limited
+  std::string unit;      ///< SI
+  bool at_least{false};  ///< a lower limit
+  double limit{0};       ///< as asked, SI
+  double amount{0};      ///< of all that give way together, >= 0
+  double alone{0};       ///< if only this one does; NaN: it does not help alone
+};
+
+/// Answer of `optimize` and `size`.
+struct OptimizeResult {
+  Goal goal;          ///< what was wanted
+  bool found{false};  ///< false: no design could be evaluated, and `best` is empty
+  DesignReport best;  ///< of an infeasible question the least infeasible design
+  std::vector<NamedValue> before_design;   ///< the motor as it was: its variables
+  std::vector<NamedValue> before_metrics;  ///< the same metrics as those of the best
+  std::vector<std::string> idle;  ///< variables without influence on the goal or an active limit
+  std::vector<std::string> conflict;        ///< limits that no design satisfies together
+  std::vector<RelaxationState> relaxation;  ///< limits that must give way, or would help alone
+  std::string solver;                       ///< whose answer it is
+  std::vector<optim::StageReport> stages;   ///< what each solver run said of itself
+};
+
+}  // namespace twum::studies

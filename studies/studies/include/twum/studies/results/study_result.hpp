@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/studies/results/sample_results.hpp>
+#include <twum/studies/results/search_results.hpp>
+#include <twum/studies/store/column.hpp>
+#include <twum/studies/study/study_file.hpp>
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace twum::studies {
+
+/// Where in the box of the variables evaluations failed for one reason.
+struct FailureRegion {
+  /// Values of one variable at the failures.
+  struct Range {
+    Column variable;  ///< which one
+    double low;       ///< smallest value at a failure, SI
+    double high;      ///< largest
+  };
+  std::string reason;        ///< short, as in `failures`
+  std::uint64_t count{0};    ///< how many
+  std::vector<Range> where;  ///< every variable of the study
+};
+
+/// What a kind of study answers.
+using Answer = std::variant<CurveResult, SweepResult, SensitivityResult, OptimizeResult,
+                            ParetoResult, UncertaintyResult, CalibrateResult>;
+
+/// What came out of a study. Size studies answer as optimize does.
+struct StudyResult {
+  std::string study;                 ///< name: that of the file without extension
+  StudyKind kind{StudyKind::curve};  ///< what it asked
+  std::string motor;                 ///< name of the motor
+  std::string outcome;  ///< "optimal", "feasible", "infeasible", "budget", "failed" of a search;
+                        ///< of a calibration "fitted", "poor" (the motor does not follow the
+                        ///< points), "at-bounds" (every parameter is), or as a search;
+                        ///< "done" or "failed" (nothing could be evaluated) of the others;
+                        ///< "interrupted" if it was asked to stop
+  std::uint64_t evaluations{0};                   ///< rows of the store
+  std::map<std::string, std::uint64_t> failures;  ///< count by reason
+  std::vector<FailureRegion> failure_regions;     ///< one for each reason
+  std::uint64_t seed{0};                          ///< of whatever is random
+  std::string started;  ///< date and time (UTC, ISO 8601) of the first run, if it was interrupted
+  double seconds{0};    ///< of all runs together
+  bool was_complete{false};  ///< the directory held this result already
+  std::string hash;          ///< of the resolved study and the files it names
+  Answer answer;             ///< what came out of it, by kind
+  /// Reasons to doubt the model for the motors of the answer, a sentence each; see model_notes().
+  std::vector<std::string> model_notes;
+  /// Motor files of the answer in the directory: best.yaml, front/01.yaml, fitted.yaml.
+  std::vector<std::string> motor_files;
+};
+
+/// The text of summary.json: SI, flat names; the same to the byte, times aside, for any number of
+/// threads and interruptions.
+std::string summary_json(const StudyResult& result);
+
+/// What a terminal shows at the end: engineering units and sentences, no colour.
+std::string summary_text(const StudyResult& result);
+
+}  // namespace twum::studies

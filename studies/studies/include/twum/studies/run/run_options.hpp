@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/studies/results/study_result.hpp>
+#include <twum/studies/study/study_file.hpp>
+
+#include <functional>
+#include <stop_token>
+#include <string>
+
+namespace twum::studies {
+
+/// How to run a study.
+struct RunOptions {
+  unsigned jobs{0};      ///< threads; 0: one for each processor. The result does not depend on it
+  bool fresh{false};     ///< discard what the directory holds of this study and start anew
+  std::stop_token stop;  ///< a request ends the run, resumable, with what has been found
+  /// Told now and then how far the run is: evaluations, their total (0: unknown), the best so far.
+  std::function<void(std::uint64_t done, std::uint64_t total, const std::string& best)> progress;
+};
+
+/// Reads what a valid study file names besides its motor, such as measured points and earlier results.
+/// @throws FileError or InputError for what is wrong there
+void check_named_files(const StudyFile& file);
+
+/// In memory: no directory, nothing kept. The same answer.
+/// @throws FileError or InputError for a wrong input
+StudyResult run_study(const StudyFile& file, const RunOptions& options = {});
+
+}  // namespace twum::studies

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinds/calibration.hpp"
+#include "kinds/metric_gradients.hpp"
+#include "kinds/study_kind.hpp"
+#include "kinds/torque_fit.hpp"
+#include "kinds/unit_box.hpp"
+#include "study/entries.hpp"
+
+#include <twum/base/error.hpp>
+#include <twum/optim/low_discrepancy.hpp>
+#include <twum/studies/jobs/ordered.hpp>
+#include <twum/studies/text/words.hpp>
+#include <twum/studies/units/engineering.hpp>
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <mutex>
+
+namespace twum::studies {
+namespace {
+
+constexpr std::uint64_t kStarts = 8;
+constexpr double kConfidence = 0.95;
+
+// A path that leads nowhere is the study's mistake; what is wrong inside the file is the file's.
+std::vector<MeasuredPoint> points_of(const std::string& path) {
+  try {
+    return read_measured_points(path);
+  } catch (const FileError&) {
+    throw;
+  } catch (const InputError& error) {
+    throw InputError(std::string(error.what()) +
+                     "; expected measured points, from the folder of the study: a CSV file with "
+                     "the columns 'speed [rpm],torque [N.m]'");
+  }
+}
+
+TorqueFit fit_of(const StudyFile& file) {
+  const auto ranges = entries::ranges(file.study);
+  const std::string path =
+      (std::filesystem::path(file.folder) / file.study.find("data")->scalar).string();
+  auto points = points_of(path);
+  if (points.size() < ranges.size())
+    throw InputError(path + ": " + counted(points.size(), "point") + " cannot determine " +
+                     counted(ranges.size(), "parameter") +
+                     "; measure more points or estimate fewer parameters");
+  return {file.motor.design, ranges, std::move(points)};
+}
+
+// How far the fits are, for the eye.
+class Teller {
+ public:
+  explicit Teller(const RunContext& context) : context_(context) {}
+
+  void see(double rms) {
+    const std::lock_guard lock(mutex_);
+    ++done_;
+    if (!(rms >= best_)) best_ = rms;
+    if (!context_.progress) return;
+    const std::string text = std::isnan(best_) ? "" : "residual_rms " + engineering(best_, "N.m");
+    context_.progress({done_, 0, text});
+  }
+
+ private:
+  const RunContext& context_;
+  std::mutex mutex_;
+  std::uint64_t done_{0};
+  double best_{std::numeric_limits<double>::quiet_NaN()};
+};
+
+class CalibrateStudy final : public StudyKindRun {
+ public:
+  explicit CalibrateStudy(const StudyFile& file)
+      : fit_(fit_of(file)),
+        starts_(entries::count(file.study, "starts", kStarts)),
+        seed_(entries::count(file.study, "seed", 1)),
+        confidence_(entries::quantity(file.study, "confidence", "1", kConfidence)) {}
+
+  std::vector<Column> columns() const override {
+    std::vector<Column> columns;
+    for (const entries::Range& range : fit_.parameters()) {
+      const ParameterInfo& row = info(range.parameter);
+      columns.push_back({std::string(row.name), std::string(row.unit)});
+    }
+    columns.push_back({"residual_rms", "N.m"});
+    return columns;
+  }
+
+  std::size_t variables() const override { return fit_.parameters().size(); }
+  std::uint64_t seed() const override { return seed_; }
+
+  KindAnswer run(RunContext& context) override {
+    const auto starts = start_values();
+    Teller teller(context);
+    std::vector<optim::LeastSquaresResult> fits;
+    struct Item {
+      std::uint64_t start{0};
+      optim::LeastSquaresResult fit;
+    };
+    std::uint64_t next = 0;
+    run_ordered<Item>(
+        context.jobs,
+        [&](Item& item) {
+          item.start = next++;
+          return item.start < starts_ && !context.stop.stop_requested();
+        },
+        [&](Item& item) { item.fit = one_fit(context, item.start, starts[item.start], teller); },
+        [&](Item& item) { fits.push_back(std::move(item.fit)); });
+    return calibration(fit_, fits, confidence_);
+  }
+
+  std::optional<Row> recompute(const Row& stored) const override {
+    const std::span values(stored.values.data(), variables());
+    return row(stored.stage, stored.index, values, fit_.residuals(values));
+  }
+
+ private:
+  // Empty for the first: where the study or the motor says.
+  std::vector<std::vector<double>> start_values() const {
+    std::vector<std::vector<double>> starts{{}};
+    if (starts_ < 2) return starts;
+    const UnitBox box(fit_.parameters());
+    for (const auto& unit : optim::sobol_points(box.size(), starts_ - 1, seed_))
+      starts.push_back(box.values(unit));
+    return starts;
+  }
+
+  Row row(std::uint64_t stage, std::uint64_t index, std::span<const double> values,
+          const optim::Residuals& residuals) const {
+    Row row;
+    row.stage = stage;
+    row.index = index;
+    row.values.assign(values.begin(), values.end());
+    if (!residuals.failure.empty()) {
+      row.values.push_back(std::numeric_limits<double>::quiet_NaN());
+      row.status = residuals.failure;
+      return row;
+    }
+    row.values.push_back(fit_.rms(residuals.values));
+    std::vector<double> numbers = residuals.values;
+    numbers.insert(numbers.end(), residuals.jacobian.begin(), residuals.jacobian.end());
+    row.detail = packed(numbers);
+    return row;
+  }
+
+  optim::Residuals answer_of(const Row& row) const {
+    optim::Residuals residuals;
+    if (row.status != "ok") {
+      residuals.failure = row.status;
+      return residuals;
+    }
+    const std::vector<double> numbers = unpacked(row.detail);
+    const std::size_t count = fit_.points().size();
+    if (numbers.size() != count * (1 + variables()))
+      throw StoreError("the stored evaluations are damaged: a row has a wrong length");
+    const auto values_end = numbers.begin() + static_cast<std::ptrdiff_t>(count);
+    residuals.values.assign(numbers.begin(), values_end);
+    residuals.jacobian.assign(values_end, numbers.end());
+    return residuals;
+  }
+
+  bool same_design(const Row& row, std::span<const double> values) const {
+    return std::memcmp(row.values.data(), values.data(), values.size_bytes()) == 0;
+  }
+
+  // A fit is a function of its start: it goes the same way through the rows that are stored, and on
+  // from where they end.
+  optim::LeastSquaresResult one_fit(RunContext& context, std::uint64_t stage,
+                                    std::span<const double> start, Teller& teller) const {
+    std::vector<Row> stored;
+    context.store.read(stage, [&](const Row& row) {
+      if (row.index == stored.size()) stored.push_back(row);
+    });
+    std::uint64_t index = 0;
+    const auto residuals = [&](std::span<const double> values) {
+      const std::uint64_t at = index++;
+      const bool known = at < stored.size();
+      if (known && !same_design(stored[at], values))
+        throw StoreError("the stored evaluations do not belong to this study");
+      optim::Residuals found = known ? answer_of(stored[at]) : fit_.residuals(values);
+      const Row one = row(stage, at, values, found);
+      if (!known) context.store.add(one);
+      teller.see(one.values.back());
+      return found;
+    };
+    optim::LeastSquaresOptions options;
+    options.confidence = confidence_;
+    options.stop = context.stop;
+    return optim::least_squares(fit_.variables(start), residuals, options);
+  }
+
+  TorqueFit fit_;
+  std::uint64_t starts_;
+  std::uint64_t seed_;
+  double confidence_;
+};
+
+}  // namespace
+
+std::unique_ptr<StudyKindRun> make_calibrate(const StudyFile& file) {
+  return std::make_unique<CalibrateStudy>(file);
+}
+
+}  // namespace twum::studies

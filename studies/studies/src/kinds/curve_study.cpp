@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinds/sample_rows.hpp"
+#include "study/entries.hpp"
+
+#include <twum/studies/metrics/expression.hpp>
+#include <twum/studies/motor/curve_points.hpp>
+#include <twum/studies/units/engineering.hpp>
+#include <twum/studies/units/units.hpp>
+
+#include <limits>
+#include <utility>
+
+namespace twum::studies {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+// One motor of the family.
+struct CurveMember {
+  double value;  // of the family's parameter, NaN for the motor alone
+  Motor motor;
+  double last_speed;  // of its curve [rad/s]
+};
+
+struct Family {
+  std::optional<Parameter> parameter;
+  std::vector<double> values{kNone};
+};
+
+Family family_of(const YamlNode& study) {
+  const YamlNode* node = study.find("family");
+  if (node == nullptr || node->entries.empty()) return {};
+  const YamlEntry& entry = node->entries.front();
+  const ParameterInfo& row = info(*find_parameter(entry.key));
+  Family family{row.parameter, {}};
+  for (const YamlNode& item : entry.value.items)
+    family.values.push_back(parse_quantity(item.scalar, {row.unit, row.example}));
+  return family;
+}
+
+// A value that is typed by hand and makes no motor is a mistake of the file, not a failed row.
+Motor member_motor(const MotorDesign& base, const Family& family, double value) {
+  if (!family.parameter) return Motor(base);
+  try {
+    return Motor(with(base, *family.parameter, value));
+  } catch (const InputError& error) {
+    const ParameterInfo& row = info(*family.parameter);
+    throw InputError("study.family: " + std::string(row.name) + " = " +
+                     engineering(value, row.unit) + " makes no motor: " + error.what());
+  }
+}
+
+// Torque-speed curves: a stage for each member, a row for each speed.
+class CurveStudy : public StudyKindRun {
+ public:
+  explicit CurveStudy(const StudyFile& file)
+      : family_(family_of(file.study)), points_(entries::count(file.study, "points", 51)) {
+    for (const double value : family_.values) {
+      Motor motor = member_motor(file.motor.design, family_, value);
+      const double last_speed = last_curve_speed(motor);
+      members_.push_back({value, std::move(motor), last_speed});
+    }
+  }
+
+  std::vector<Column> columns() const override {
+    std::vector<Column> columns;
+    if (family_.parameter) columns.push_back(family_column());
+    for (const CurveColumn& column : curve_columns()) columns.push_back({column.name, column.unit});
+    return columns;
+  }
+
+  std::size_t variables() const override { return family_.parameter ? 2 : 1; }
+
+  KindAnswer run(RunContext& context) override {
+    const std::uint64_t total = points_ * members_.size();
+    bool complete = true;
+    std::uint64_t before = 0;
+    for (std::size_t stage = 0; complete && stage < members_.size(); ++stage) {
+      complete = store_rows(
+          context, stage, points_, [&](std::uint64_t, Row& row) { fill(row); }, before, total);
+      before += points_;
+    }
+    return answer(context.store, complete);
+  }
+
+  std::optional<Row> recompute(const Row& stored) const override {
+    if (stored.stage >= members_.size()) return {};
+    if (stored.index >= points_) return {};
+    Row row{stored.stage, stored.index, {}, "ok", {}};
+    fill(row);
+    return row;
+  }
+
+ private:
+  Column family_column() const {
+    const ParameterInfo& row = info(*family_.parameter);
+    return {std::string(row.name), std::string(row.unit)};
+  }
+
+  void fill(Row& row) const {
+    const CurveMember& member = members_[row.stage];
+    const OperatingPoint point =
+        member.motor.operating_point(curve_speed(member.last_speed, row.index, points_));
+    row.values.clear();
+    if (family_.parameter) row.values.push_back(member.value);
+    for (const CurveColumn& column : curve_columns()) row.values.push_back(column.value(point));
+    row.status = to_string(point.status);
+  }
+
+  KindAnswer answer(const ResultStore& store, bool complete) const {
+    CurveResult result;
+    if (family_.parameter) result.family = family_column();
+    bool any = false;
+    for (std::size_t stage = 0; stage < members_.size(); ++stage) {
+      result.members.push_back(member_answer(store, stage));
+      any = any || result.members.back().failed < result.members.back().points;
+    }
+    return {!complete ? "interrupted" : any ? "done" : "failed", std::move(result)};
+  }
+
+  CurveResult::Member member_answer(const ResultStore& store, std::size_t stage) const {
+    const CurveMember& member = members_[stage];
+    CurveResult::Member answer;
+    answer.value = member.value;
+    answer.last_speed = curve_speed(member.last_speed, points_ - 1, points_);
+    store.read(stage, [&](const Row& row) {
+      ++answer.points;
+      answer.failed += row.status == "ok" ? 0 : 1;
+    });
+    const std::vector<MetricExpression> metrics = plain_metrics();
+    std::vector<MetricValue> values(metrics.size());
+    ExpressionEvaluator(metrics).evaluate(member.motor, values);
+    for (std::size_t i = 0; i < metrics.size(); ++i) {
+      answer.metrics.push_back({metrics[i].text, std::string(metrics[i].unit()),
+                                values[i].status == MetricStatus::ok ? values[i].value : kNone});
+      answer.statuses.emplace_back(to_string(values[i].status));
+    }
+    return answer;
+  }
+
+  Family family_;
+  std::uint64_t points_;
+  std::vector<CurveMember> members_;
+};
+
+}  // namespace
+
+std::unique_ptr<StudyKindRun> make_curve(const StudyFile& file) {
+  return std::make_unique<CurveStudy>(file);
+}
+
+}  // namespace twum::studies

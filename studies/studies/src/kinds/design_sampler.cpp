@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinds/design_sampler.hpp"
+
+#include "study/entries.hpp"
+#include "study/spacing.hpp"
+
+#include <twum/studies/units/units.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace twum::studies {
+
+// A grid point. Of whole numbers rounding takes away what the logarithm's rounding left.
+double DesignSampler::Axis::at(std::uint64_t point) const {
+  if (!values.empty()) return values[point];
+  const double t = points > 1 ? static_cast<double>(point) / static_cast<double>(points - 1) : 0.0;
+  const double value = between(min, max, t, log);
+  return whole ? std::round(value) : value;
+}
+
+// The value of a share u in [0, 1): k of n values have the share [k / n, (k + 1) / n) in a list and
+// among whole numbers, where on a logarithmic scale the number k has that from log k to log (k + 1).
+double DesignSampler::Axis::share(double u) const {
+  if (!values.empty()) {
+    const auto k = static_cast<std::size_t>(u * static_cast<double>(values.size()));
+    return values[std::min(k, values.size() - 1)];
+  }
+  if (!whole) return between(min, max, u, log);
+  return std::clamp(std::floor(between(min, max + 1, u, log)), min, max);
+}
+
+DesignSampler::Axis DesignSampler::axis_of(const YamlEntry& entry) {
+  const ParameterInfo& row = info(*find_parameter(entry.key));
+  const auto value = [&](const YamlNode& node) {
+    return parse_quantity(node.scalar, {row.unit, row.example});
+  };
+  Axis axis;
+  axis.whole = row.integer;
+  for (const YamlNode& item : entry.value.items) axis.values.push_back(value(item));
+  if (!axis.values.empty()) return axis;
+  axis.min = value(*entry.value.find("min"));
+  axis.max = value(*entry.value.find("max"));
+  axis.points = entries::count(entry.value, "points", 5);
+  axis.log = entries::word(entry.value, "scale", "linear") == "log";
+  return axis;
+}
+
+DesignSampler::DesignSampler(const YamlNode& study)
+    : sampling_(entries::word(study, "sampling", "")) {
+  for (const YamlEntry& entry : study.find("variables")->entries) {
+    variables_.push_back(*find_parameter(entry.key));
+    axes_.push_back(axis_of(entry));
+  }
+  if (sampling_ == "grid") {
+    count_ = 1;
+    for (const Axis& axis : axes_) count_ *= axis.size();
+    return;
+  }
+  if (sampling_ == "list") {
+    count_ = axes_.front().size();
+    return;
+  }
+  count_ = entries::count(study, "samples", 1000);
+  seed_ = entries::count(study, "seed", 1);
+  if (sampling_ == "lhs") hypercube_.emplace(axes_.size(), count_, seed_);
+  if (sampling_ == "sobol") sobol_.emplace(axes_.size(), seed_);
+}
+
+void DesignSampler::design(std::uint64_t index, std::span<double> design) const {
+  if (sampling_ == "grid") {
+    for (std::size_t i = axes_.size(); i-- > 0;) {
+      design[i] = axes_[i].at(index % axes_[i].size());
+      index /= axes_[i].size();
+    }
+    return;
+  }
+  if (sampling_ == "list") {
+    for (std::size_t i = 0; i < axes_.size(); ++i) design[i] = axes_[i].at(index);
+    return;
+  }
+  if (hypercube_) {
+    hypercube_->point(index, design);
+  } else {
+    sobol_->point(index, design);
+  }
+  for (std::size_t i = 0; i < axes_.size(); ++i) design[i] = axes_[i].share(design[i]);
+}
+
+}  // namespace twum::studies

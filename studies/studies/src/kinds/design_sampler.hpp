@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/core/design/parameters.hpp>
+#include <twum/optim/latin_hypercube.hpp>
+#include <twum/optim/low_discrepancy.hpp>
+#include <twum/studies/yaml/node.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace twum::studies {
+
+/// The designs of a sweep, each computed from its number alone, so that a million take no memory.
+///
+/// grid: all combinations, the last variable fastest. list: the n-th value of every variable
+/// together. lhs and sobol: a point u of the unit cube, taken to the range of each variable, evenly in
+/// value or in its logarithm; of whole numbers and of listed values each has the same share of u.
+class DesignSampler {
+ public:
+  /// @param study  a sweep, valid by study_schema() and check_study()
+  explicit DesignSampler(const YamlNode& study);
+
+  const std::vector<Parameter>& variables() const noexcept { return variables_; }
+  const std::string& sampling() const noexcept { return sampling_; }
+  std::uint64_t count() const noexcept { return count_; }
+  /// Of the random numbers; 0 if there are none.
+  std::uint64_t seed() const noexcept { return seed_; }
+  /// Values of design `index` < count() [SI]; `design` has room for all variables.
+  void design(std::uint64_t index, std::span<double> design) const;
+
+ private:
+  // What one variable runs through: listed values, or a range.
+  struct Axis {
+    std::vector<double> values;
+    double min{0};
+    double max{0};
+    std::uint64_t points{0};
+    bool log{false};
+    bool whole{false};
+
+    std::uint64_t size() const { return values.empty() ? points : values.size(); }
+    double at(std::uint64_t point) const;
+    double share(double u) const;
+  };
+
+  static Axis axis_of(const YamlEntry& entry);
+
+  std::string sampling_;
+  std::vector<Parameter> variables_;
+  std::vector<Axis> axes_;
+  std::uint64_t count_{0};
+  std::uint64_t seed_{0};
+  std::optional<optim::LatinHypercube> hypercube_;
+  std::optional<optim::SobolSequence> sobol_;
+};
+
+}  // namespace twum::studies

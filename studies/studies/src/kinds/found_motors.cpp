@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinds/found_motors.hpp"
+
+#include <twum/base/error.hpp>
+#include <twum/base/version.hpp>
+#include <twum/studies/motor/model_notes.hpp>
+#include <twum/studies/text/words.hpp>
+#include <twum/studies/units/engineering.hpp>
+
+#include <algorithm>
+
+namespace twum::studies {
+namespace {
+
+MotorFile motor_with(const StudyFile& file, const std::vector<NamedValue>& values,
+                     const std::string& name) {
+  std::vector<ParameterValue> replaced;
+  for (const NamedValue& value : values) {
+    const auto parameter = find_parameter(value.name);
+    TWUM_ASSERT(parameter.has_value());
+    replaced.emplace_back(*parameter, value.value);
+  }
+  return {file.motor.name.empty() ? name : file.motor.name + ", " + name,
+          with(file.motor.design, replaced)};
+}
+
+struct Finder {
+  const StudyFile& file;
+  const StudyResult& result;
+
+  std::vector<FoundMotor> operator()(const OptimizeResult& answer) const {
+    if (!answer.found || !keeps_limits(answer.best)) return {};
+    return {{"best.yaml", "best design",
+             motor_with(file, answer.best.design, "best of " + result.study)}};
+  }
+
+  std::vector<FoundMotor> operator()(const ParetoResult& answer) const {
+    std::vector<FoundMotor> motors;
+    const std::size_t count = answer.front.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::string point = "point " + std::to_string(i + 1) + " of " + std::to_string(count);
+      motors.push_back(
+          {front_file(i + 1, count), point,
+           motor_with(file, answer.front[i].report.design, point + " of " + result.study)});
+    }
+    return motors;
+  }
+
+  std::vector<FoundMotor> operator()(const CalibrateResult& answer) const {
+    if (result.outcome != "fitted") return {};
+    std::vector<NamedValue> values;
+    for (const auto& estimate : answer.estimates) values.push_back(estimate.parameter);
+    return {{"fitted.yaml", "fitted motor", motor_with(file, values, "fit of " + result.study)}};
+  }
+
+  template <typename Other>
+  std::vector<FoundMotor> operator()(const Other& /*answer*/) const {
+    return {};
+  }
+};
+
+// Of kinds whose answer is about the motor of the study as it stands, or about its family.
+std::vector<FoundMotor> asked_about(const StudyFile& file, const StudyResult& result) {
+  const auto* curve = std::get_if<CurveResult>(&result.answer);
+  if (curve == nullptr || !curve->family) {
+    const bool varied = result.kind == StudyKind::uncertainty && !file.study.find("start");
+    const bool nominal = curve != nullptr || varied;
+    return nominal ? std::vector<FoundMotor>{{"", "motor", file.motor}} : std::vector<FoundMotor>{};
+  }
+  std::vector<FoundMotor> motors;
+  for (const CurveResult::Member& member : curve->members)
+    motors.push_back(
+        {"",
+         "motor with " + curve->family->name + " " + engineering(member.value, curve->family->unit),
+         motor_with(file, {{curve->family->name, curve->family->unit, member.value}}, "member")});
+  return motors;
+}
+
+// The farthest off of the notes of one topic, and how many others there are.
+struct Worst {
+  ModelNote note;
+  std::string what;
+  double smallest{0};
+  std::size_t others{0};
+
+  std::string others_text() const {
+    if (others == 0) return "";
+    return "; " + counted(others, "other") + " likewise" +
+           (smallest < note.size ? ", by less" : "");
+  }
+};
+
+void add(ModelNote note, const std::string& what, std::vector<Worst>& worst) {
+  const auto known = std::find_if(worst.begin(), worst.end(),
+                                  [&](const Worst& one) { return one.note.topic == note.topic; });
+  if (known == worst.end()) {
+    const double size = note.size;
+    worst.push_back({std::move(note), what, size, 0});
+    return;
+  }
+  ++known->others;
+  known->smallest = std::min(known->smallest, note.size);
+  if (note.size <= known->note.size) return;
+  known->note = std::move(note);
+  known->what = what;
+}
+
+}  // namespace
+
+std::string front_file(std::size_t number, std::size_t count) {
+  const std::string text = std::to_string(number);
+  const std::size_t digits = std::max(std::to_string(count).size(), std::size_t{2});
+  return "front/" + std::string(digits - text.size(), '0') + text + ".yaml";
+}
+
+std::vector<FoundMotor> found_motors(const StudyFile& file, const StudyResult& result) {
+  if (result.outcome == "interrupted") return {};
+  return std::visit(Finder{file, result}, result.answer);
+}
+
+std::string found_motor_text(const FoundMotor& found, const StudyResult& result) {
+  return "# The " + found.what + " of the study " + printable(result.study, 255) + ", twum " +
+         version() + ".\n" + motor_text(found.motor);
+}
+
+std::vector<std::string> notes_on(const StudyFile& file, const StudyResult& result) {
+  std::vector<FoundMotor> motors = found_motors(file, result);
+  if (motors.empty()) motors = asked_about(file, result);
+  std::vector<Worst> worst;  // in the order in which the topics came up
+  for (const FoundMotor& found : motors) {
+    for (ModelNote& note : model_notes(found.motor.design)) add(std::move(note), found.what, worst);
+  }
+  std::vector<std::string> texts;
+  for (const Worst& one : worst) {
+    const std::string where = motors.size() == 1 ? "" : one.what + ": ";
+    texts.push_back(where + one.note.text + one.others_text());
+  }
+  return texts;
+}
+
+}  // namespace twum::studies

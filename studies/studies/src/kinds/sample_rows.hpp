@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "kinds/study_kind.hpp"
+
+#include <twum/core/design/motor_design.hpp>
+#include <twum/core/design/parameters.hpp>
+#include <twum/studies/metrics/expression.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace twum::studies {
+
+/// Fills rows that are not stored yet of a stage of `count` rows, in order, on all threads; memory
+/// does not grow with the rows. `offset` is added to the progress shown, out of `total`.
+/// @param fill  any thread; sets values and status of row `index`; never throws for a design
+/// @return true if the stage is complete, false if the run was asked to stop
+bool store_rows(RunContext& context, std::uint64_t stage, std::uint64_t count,
+                const std::function<void(std::uint64_t index, Row& row)>& fill,
+                std::uint64_t offset = 0, std::uint64_t total = 0);
+
+/// Metrics of a motor with some parameters replaced, as a row: variables first, then metrics; a design
+/// or metric without an answer has NaN and a status such as "stall_torque: no-periodic-state".
+/// Constant, safe from any number of threads.
+class RowEvaluator {
+ public:
+  RowEvaluator(MotorDesign base, std::vector<Parameter> variables,
+               std::vector<MetricExpression> metrics);
+  /// Columns of the rows.
+  std::vector<Column> columns() const;
+  /// Sets row.values and row.status.
+  void evaluate(std::span<const double> variables, Row& row) const;
+
+ private:
+  MotorDesign base_;
+  std::vector<Parameter> variables_;
+  std::vector<MetricExpression> metrics_;
+  ExpressionEvaluator evaluator_;
+};
+
+}  // namespace twum::studies

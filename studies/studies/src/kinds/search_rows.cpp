@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinds/search_rows.hpp"
+
+#include <twum/studies/units/engineering.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace twum::studies {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+template <typename T>
+void append(std::string& bytes, const T& value) {
+  const auto at = bytes.size();
+  bytes.resize(at + sizeof value);
+  std::memcpy(bytes.data() + at, &value, sizeof value);
+}
+
+// Reads back what append() wrote; a row that is too short was not written by this study.
+class Bytes {
+ public:
+  explicit Bytes(const std::string& bytes) : bytes_(bytes) {}
+
+  template <typename T>
+  T take() {
+    T value{};
+    if (at_ + sizeof value > bytes_.size())
+      throw StoreError("the stored evaluations are damaged: a row is too short");
+    std::memcpy(&value, bytes_.data() + at_, sizeof value);
+    at_ += sizeof value;
+    return value;
+  }
+
+  std::vector<double> numbers() {
+    const auto count = take<std::uint32_t>();
+    std::vector<double> list;
+    for (std::uint32_t i = 0; i < count; ++i) list.push_back(take<double>());
+    return list;
+  }
+
+ private:
+  const std::string& bytes_;
+  std::size_t at_{0};
+};
+
+void append_numbers(std::string& bytes, const std::vector<double>& list) {
+  append(bytes, static_cast<std::uint32_t>(list.size()));
+  for (const double value : list) append(bytes, value);
+}
+
+// Entries without a derivative are told by the Jacobian itself.
+bool told_by_jacobian(const optim::Evaluation& evaluation, std::size_t variables,
+                      const optim::KinkedEntry& kink) {
+  return kink.slope == optim::Slope::undefined &&
+         !std::isfinite(evaluation.jacobian[kink.response * variables + kink.variable]);
+}
+
+std::string detail(const optim::Evaluation& evaluation, std::size_t variables, bool gradient) {
+  std::string bytes;
+  append(bytes, static_cast<std::uint8_t>(gradient));
+  append_numbers(bytes, evaluation.values);
+  append_numbers(bytes, evaluation.jacobian);
+  for (const optim::KinkedEntry& kink : evaluation.kinks) {
+    if (told_by_jacobian(evaluation, variables, kink)) continue;
+    append(bytes, static_cast<std::uint8_t>(1));
+    append(bytes, static_cast<std::uint32_t>(kink.response));
+    append(bytes, static_cast<std::uint32_t>(kink.variable));
+    append(bytes, static_cast<std::uint8_t>(kink.slope));
+    append(bytes, kink.left);
+    append(bytes, kink.right);
+  }
+  append(bytes, static_cast<std::uint8_t>(0));
+  return bytes;
+}
+
+}  // namespace
+
+SearchRows::SearchRows(const DesignProblem& problem) : variables_(problem.variables.size()) {
+  for (const DesignVariable& variable : problem.variables) {
+    const ParameterInfo& row = info(variable.parameter);
+    columns_.push_back({std::string(row.name), std::string(row.unit)});
+  }
+  const std::vector<ImpliedLimit> implied = implied_limits(problem);
+  std::vector<MetricExpression> asked;
+  for (const DesignObjective& objective : problem.objectives) asked.push_back(objective.metric);
+  for (const Constraint& limit : problem.limits) asked.push_back(limit.metric);
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    const MetricExpression& metric = asked[i];
+    const bool known = std::any_of(columns_.begin(), columns_.end(),
+                                   [&](const Column& c) { return c.name == metric.text; });
+    if (known) continue;
+    columns_.push_back({metric.text, std::string(metric.unit())});
+    metrics_.push_back({i, 0, 0});
+    const auto* request = std::get_if<MetricRequest>(&metric.what);
+    if (request == nullptr || request->argument != Argument::torque) continue;
+    for (std::size_t k = 0; k < implied.size(); ++k) {
+      if (implied[k].load == request->at) metrics_.back() = {i, asked.size() + k, request->at};
+    }
+  }
+}
+
+Row SearchRows::row(std::uint64_t stage, std::uint64_t index, std::span<const double> design,
+                    bool gradient, const optim::Evaluation& evaluation) const {
+  Row row;
+  row.stage = stage;
+  row.index = index;
+  row.values.assign(design.begin(), design.end());
+  for (const MetricColumn& metric : metrics_) {
+    const bool none = !evaluation.ok() || (metric.load_response > 0 &&
+                                           evaluation.values[metric.load_response] < metric.load);
+    row.values.push_back(none ? kNone : evaluation.values[metric.response]);
+  }
+  if (!evaluation.ok()) row.status = evaluation.failure;
+  row.detail = detail(evaluation, variables_, gradient);
+  return row;
+}
+
+bool SearchRows::asked_gradient(const Row& row) const {
+  return Bytes(row.detail).take<std::uint8_t>() != 0;
+}
+
+optim::Evaluation SearchRows::evaluation(const Row& row) const {
+  optim::Evaluation evaluation;
+  if (row.status != "ok") {
+    evaluation.failure = row.status;
+    return evaluation;
+  }
+  Bytes bytes(row.detail);
+  bytes.take<std::uint8_t>();
+  evaluation.values = bytes.numbers();
+  evaluation.jacobian = bytes.numbers();
+  while (bytes.take<std::uint8_t>() != 0) {
+    optim::KinkedEntry kink;
+    kink.response = bytes.take<std::uint32_t>();
+    kink.variable = bytes.take<std::uint32_t>();
+    kink.slope = static_cast<optim::Slope>(bytes.take<std::uint8_t>());
+    kink.left = bytes.take<double>();
+    kink.right = bytes.take<double>();
+    evaluation.kinks.push_back(kink);
+  }
+  return evaluation;
+}
+
+std::string SearchRows::key(std::span<const double> design, bool gradient) {
+  std::string bytes;
+  for (const double value : design) append(bytes, value);
+  bytes.push_back(gradient ? '1' : '0');
+  return bytes;
+}
+
+SearchLog::SearchLog(const DesignProblem& problem, RunContext& context)
+    : question_(problem),
+      context_(context),
+      rows_(problem),
+      answering_(motor_problem(problem)),
+      best_(kNone) {
+  const std::size_t variables = problem.variables.size();
+  context.store.read([&](const Row& row) {
+    const std::span design(row.values.data(), variables);
+    stored_.emplace(SearchRows::key(design, rows_.asked_gradient(row)), rows_.evaluation(row));
+  });
+  if (stored_.empty()) return;
+  answering_.evaluate = [this, evaluate = answering_.evaluate](std::span<const double> design,
+                                                               bool gradient) {
+    const auto found = stored_.find(SearchRows::key(design, gradient));
+    return found != stored_.end() ? found->second : evaluate(design, gradient);
+  };
+}
+
+optim::Observer SearchLog::observer() {
+  return [this](const optim::Observation& observation) { observe(observation); };
+}
+
+void SearchLog::observe(const optim::Observation& observation) {
+  context_.store.add(rows_.row(observation.stage, observation.index, observation.design,
+                               observation.gradient, observation.evaluation));
+  ++done_;
+  if (!context_.progress) return;
+  note_best(observation);
+  context_.progress({done_, 0, best_text_});
+}
+
+// Only for the eye: what counts as feasible in the end is decided by the certificate.
+void SearchLog::note_best(const optim::Observation& observation) {
+  if (question_.objectives.size() != 1 || !feasible(observation.evaluation)) return;
+  const DesignObjective& objective = question_.objectives.front();
+  const double value = observation.evaluation.values.front();
+  const bool better = objective.maximize ? value > best_ : value < best_;
+  if (!better && !std::isnan(best_)) return;
+  best_ = value;
+  best_text_ = objective.metric.text + " " + engineering(value, objective.metric.unit());
+}
+
+bool SearchLog::feasible(const optim::Evaluation& evaluation) const {
+  if (!evaluation.ok()) return false;
+  constexpr double kRoom = 1e-6;
+  const std::size_t objectives = question_.objectives.size();
+  for (std::size_t i = 0; i < answering_.constraints.size(); ++i) {
+    const optim::Constraint& c = answering_.constraints[i];
+    const double value = evaluation.values[objectives + i];
+    if (value < c.lower - kRoom * std::fabs(c.lower)) return false;
+    if (value > c.upper + kRoom * std::fabs(c.upper)) return false;
+  }
+  return true;
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "kinds/study_kind.hpp"
+#include "problem/motor_responses.hpp"
+
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace twum::studies {
+
+/// How the evaluations of a search stand in the store: one row each, its variables, then every
+/// distinct metric of the question. A metric at a load that the motor cannot carry has no value there,
+/// and the row is no failure: the design is infeasible. The bytes of `detail` hold
+/// what the solver saw (responses, Jacobian, kinks) and whether it asked for derivatives.
+class SearchRows {
+ public:
+  explicit SearchRows(const DesignProblem& problem);
+
+  const std::vector<Column>& columns() const noexcept { return columns_; }
+  Row row(std::uint64_t stage, std::uint64_t index, std::span<const double> design, bool gradient,
+          const optim::Evaluation& evaluation) const;
+  /// What a row answered, and to which question: see key().
+  optim::Evaluation evaluation(const Row& row) const;
+  bool asked_gradient(const Row& row) const;
+
+  /// Names a question to the evaluator: the bits of the design, and whether derivatives were wanted.
+  static std::string key(std::span<const double> design, bool gradient);
+
+ private:
+  struct MetricColumn {
+    std::size_t response;
+    std::size_t load_response;  ///< of the limit "max_torque >= load", 0 if it has none
+    double load;
+  };
+
+  std::size_t variables_;
+  std::vector<Column> columns_;
+  std::vector<MetricColumn> metrics_;
+};
+
+/// One search with a memory: every evaluation becomes a row, and an evaluation that is a row already
+/// is not made again. A search is a function of its question, so that it goes the same way
+/// through the stored rows, and on from where they end.
+class SearchLog {
+ public:
+  /// Keeps references to both.
+  SearchLog(const DesignProblem& problem, RunContext& context);
+
+  /// motor_problem(), answering from the store where it can.
+  const optim::Problem& problem() const noexcept { return answering_; }
+  optim::Observer observer();
+
+ private:
+  void observe(const optim::Observation& observation);
+  void note_best(const optim::Observation& observation);
+  bool feasible(const optim::Evaluation& evaluation) const;
+
+  const DesignProblem& question_;
+  RunContext& context_;
+  SearchRows rows_;
+  optim::Problem answering_;
+  std::unordered_map<std::string, optim::Evaluation> stored_;
+  std::uint64_t done_{0};
+  double best_;
+  std::string best_text_;
+};
+
+}  // namespace twum::studies

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "kinds/search_rows.hpp"
+#include "kinds/study_kind.hpp"
+#include "problem/design_report.hpp"
+
+#include <twum/optim/options.hpp>
+
+#include <vector>
+
+namespace twum::studies {
+
+/// What optimize, size and pareto share: a question about a motor, a solver, a start.
+class SearchStudy : public StudyKindRun {
+ public:
+  std::vector<Column> columns() const override { return SearchRows(problem_).columns(); }
+  std::size_t variables() const override { return problem_.variables.size(); }
+  std::uint64_t seed() const override { return options_.seed; }
+  std::optional<Row> recompute(const Row& stored) const override;
+  std::optional<optim::Certificate> certify(std::span<const double> variables) const override;
+
+ protected:
+  /// @param asked  objectives and limits; motor and variables are taken from the file
+  SearchStudy(const StudyFile& file, DesignProblem asked);
+
+  /// The options with what the run decides.
+  optim::SolveOptions options(SearchLog& log, const RunContext& context) const;
+  /// A design's certificate with these goals and limits, by the study's options.
+  optim::Certificate certificate(const DesignProblem& asked, std::span<const double> design) const;
+  DesignReporter reporter() const { return {problem_, besides_}; }
+  const DesignProblem& problem() const { return problem_; }
+  const MotorDesign& before() const { return before_; }
+  /// "interrupted" if it was asked to stop, otherwise the outcome's word.
+  static std::string outcome(optim::Outcome outcome, const RunContext& context);
+
+ private:
+  void start_from(const StudyFile& file);
+
+  DesignProblem problem_;
+  MotorDesign before_;              // the motor of the file
+  std::vector<Parameter> besides_;  // changed by the start, and not a variable here
+  optim::SolveOptions options_;
+};
+
+}  // namespace twum::studies

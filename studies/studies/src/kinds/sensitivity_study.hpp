@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "kinds/sample_rows.hpp"
+#include "kinds/unit_box.hpp"
+
+#include <memory>
+
+namespace twum::studies {
+
+/// What the methods of a sensitivity study share: entries, rows, and the frame of the answer.
+class SensitivityStudy : public StudyKindRun {
+ public:
+  std::vector<Column> columns() const override { return evaluator_.columns(); }
+  std::size_t variables() const override { return box_.size(); }
+
+ protected:
+  explicit SensitivityStudy(const StudyFile& file);
+
+  /// The answer without numbers.
+  SensitivityResult frame(const char* method) const;
+  /// Says why, if too many samples of a metric failed for effects to mean anything.
+  static bool refused(MetricSensitivity& metric, const char* sample);
+  /// "failed" if no metric has an answer for a want of values.
+  static std::string outcome(const SensitivityResult& result, bool complete);
+
+  MotorDesign base_;
+  UnitBox box_;
+  std::vector<MetricExpression> metrics_;
+  RowEvaluator evaluator_;
+  double confidence_;
+};
+
+std::unique_ptr<StudyKindRun> make_local_sensitivity(const StudyFile& file);
+std::unique_ptr<StudyKindRun> make_morris_sensitivity(const StudyFile& file);
+std::unique_ptr<StudyKindRun> make_sobol_sensitivity(const StudyFile& file);
+
+}  // namespace twum::studies

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinds/design_sampler.hpp"
+#include "kinds/sample_rows.hpp"
+#include "kinds/stored_medians.hpp"
+#include "study/entries.hpp"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace twum::studies {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+// Metrics of a grid, list or sample of designs: one stage, a row for each design.
+class SweepStudy : public StudyKindRun {
+ public:
+  explicit SweepStudy(const StudyFile& file)
+      : sampler_(file.study),
+        evaluator_(file.motor.design, sampler_.variables(), entries::metrics(file.study)) {}
+
+  std::vector<Column> columns() const override { return evaluator_.columns(); }
+  std::size_t variables() const override { return sampler_.variables().size(); }
+  std::uint64_t seed() const override { return sampler_.seed(); }
+
+  KindAnswer run(RunContext& context) override {
+    const bool complete = store_rows(context, 0, sampler_.count(),
+                                     [&](std::uint64_t index, Row& row) { fill(index, row); });
+    SweepResult result = answer(context.store);
+    bool any = false;
+    for (const SweepResult::Metric& metric : result.metrics) any = any || metric.count > 0;
+    return {!complete ? "interrupted" : any ? "done" : "failed", std::move(result)};
+  }
+
+  std::optional<Row> recompute(const Row& stored) const override {
+    if (stored.stage != 0 || stored.index >= sampler_.count()) return {};
+    Row row{0, stored.index, {}, "ok", {}};
+    fill(stored.index, row);
+    return row;
+  }
+
+ private:
+  void fill(std::uint64_t index, Row& row) const {
+    std::vector<double> design(variables());
+    sampler_.design(index, design);
+    evaluator_.evaluate(design, row);
+  }
+
+  SweepResult::Design design_of(const Row& row) const {
+    const auto metrics = row.values.begin() + static_cast<std::ptrdiff_t>(variables());
+    return {row.index, {row.values.begin(), metrics}, {metrics, row.values.end()}};
+  }
+
+  void note(SweepResult::Metric& metric, double value, const Row& row) const {
+    if (std::isnan(value)) return;
+    const bool first = metric.count++ == 0;
+    if (first || value < metric.min) {
+      metric.min = value;
+      metric.lowest = design_of(row);
+    }
+    if (first || value > metric.max) {
+      metric.max = value;
+      metric.highest = design_of(row);
+    }
+  }
+
+  SweepResult answer(const ResultStore& store) const {
+    SweepResult result;
+    result.sampling = sampler_.sampling();
+    result.designs = sampler_.count();
+    const std::vector<Column> all = columns();
+    const auto metrics = all.begin() + static_cast<std::ptrdiff_t>(variables());
+    result.variables.assign(all.begin(), metrics);
+    for (auto column = metrics; column != all.end(); ++column)
+      result.metrics.push_back({*column, 0, kNone, kNone, kNone, {}, {}});
+    store.read(0, [&](const Row& row) {
+      ++result.stored;
+      result.failed += row.status == "ok" ? 0 : 1;
+      for (std::size_t i = 0; i < result.metrics.size(); ++i)
+        note(result.metrics[i], row.values[variables() + i], row);
+    });
+    const std::vector<double> medians = stored_medians(store, 0, variables());
+    for (std::size_t i = 0; i < medians.size(); ++i) result.metrics[i].median = medians[i];
+    return result;
+  }
+
+  DesignSampler sampler_;
+  RowEvaluator evaluator_;
+};
+
+}  // namespace
+
+std::unique_ptr<StudyKindRun> make_sweep(const StudyFile& file) {
+  return std::make_unique<SweepStudy>(file);
+}
+
+}  // namespace twum::studies

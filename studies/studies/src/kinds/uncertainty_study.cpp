@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinds/earlier_result.hpp"
+#include "kinds/found_motors.hpp"
+#include "kinds/sample_rows.hpp"
+#include "study/distribution_entries.hpp"
+#include "study/entries.hpp"
+
+#include <twum/base/error.hpp>
+#include <twum/optim/random.hpp>
+#include <twum/studies/statistics/moments.hpp>
+#include <twum/studies/statistics/quantiles.hpp>
+#include <twum/studies/units/units.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+namespace twum::studies {
+namespace {
+
+constexpr double kConfidence = 0.95;
+
+// A parameter with its distribution.
+struct UncertainVariable {
+  Parameter parameter;
+  Distribution distribution;
+
+  double draw(double u) const {
+    const double value = distribution.quantile(u);
+    return info(parameter).integer ? std::round(value) : value;
+  }
+};
+
+std::vector<UncertainVariable> uncertain_variables(const YamlNode& study) {
+  std::vector<UncertainVariable> variables;
+  for (const YamlEntry& entry : study.find("variables")->entries) {
+    const ParameterInfo& row = info(*find_parameter(entry.key));
+    variables.push_back({row.parameter, entries::distribution(entry.value, row)});
+  }
+  return variables;
+}
+
+std::vector<Parameter> parameters_of(const std::vector<UncertainVariable>& variables) {
+  std::vector<Parameter> parameters;
+  for (const UncertainVariable& variable : variables) parameters.push_back(variable.parameter);
+  return parameters;
+}
+
+std::vector<double> probabilities(const YamlNode& study) {
+  const YamlNode* list = study.find("quantiles");
+  if (list == nullptr) return {0.05, 0.5, 0.95};
+  std::vector<double> result;
+  for (const YamlNode& item : list->items)
+    result.push_back(parse_quantity(item.scalar, {"1", "0.05"}));
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+// A limit and the metric it looks at.
+struct LimitPlace {
+  Constraint limit;
+  std::size_t metric;
+
+  bool kept(double value) const {  // NaN is not kept
+    return limit.at_least ? value >= limit.limit : value <= limit.limit;
+  }
+};
+
+// Adds to the metrics what limits look at and the list does not have yet.
+std::vector<LimitPlace> place_limits(const std::vector<Constraint>& limits,
+                                     std::vector<MetricExpression>& metrics) {
+  std::vector<LimitPlace> places;
+  for (const Constraint& limit : limits) {
+    const auto found = std::find_if(
+        metrics.begin(), metrics.end(),
+        [&](const MetricExpression& metric) { return metric.text == limit.metric.text; });
+    places.push_back({limit, static_cast<std::size_t>(found - metrics.begin())});
+    if (found == metrics.end()) metrics.push_back(limit.metric);
+  }
+  return places;
+}
+
+// The motor of the file, or the best design of an earlier study.
+MotorDesign motor_of(const StudyFile& file) {
+  const YamlNode* start = file.study.find("start");
+  if (start == nullptr) return file.motor.design;
+  const auto designs =
+      earlier_designs((std::filesystem::path(file.folder) / start->scalar).string());
+  if (designs.size() != 1) {
+    throw InputError("study.start: '" + start->scalar + "' holds a front of " +
+                     std::to_string(designs.size()) +
+                     " designs; tolerances are those of one motor: name one of its motor files "
+                     "instead, such as 'motor: " +
+                     start->scalar + "/" + front_file(1, designs.size()) + "'");
+  }
+  return with(file.motor.design, designs.front());
+}
+
+// Motors drawn by their tolerances, one row each.
+//
+// The draws are plain random numbers, not a Latin hypercube or a Sobol sequence: these would narrow the
+// scatter of means, but intervals of yield and quantiles hold for independent draws only, and would say
+// something else than they promise. Draw k of row i depends on the seed, i and k alone.
+class UncertaintyStudy : public StudyKindRun {
+ public:
+  explicit UncertaintyStudy(const StudyFile& file)
+      : variables_(uncertain_variables(file.study)),
+        probabilities_(probabilities(file.study)),
+        metrics_(entries::metrics(file.study)),
+        limits_(place_limits(entries::constraints(file.study, "limits"), metrics_)),
+        evaluator_(motor_of(file), parameters_of(variables_), metrics_),
+        seed_(entries::count(file.study, "seed", 1)),
+        samples_(entries::count(file.study, "samples", 10000)),
+        start_(entries::word(file.study, "start", "")) {}
+
+  std::vector<Column> columns() const override { return evaluator_.columns(); }
+  std::size_t variables() const override { return variables_.size(); }
+  std::uint64_t seed() const override { return seed_; }
+
+  KindAnswer run(RunContext& context) override {
+    const bool complete =
+        store_rows(context, 0, samples_, [&](std::uint64_t index, Row& row) { fill(index, row); });
+    UncertaintyResult result = answer(context.store);
+    const bool any = std::any_of(result.metrics.begin(), result.metrics.end(),
+                                 [](const auto& metric) { return metric.count > 0; });
+    return {!complete ? "interrupted" : any ? "done" : "failed", std::move(result)};
+  }
+
+  std::optional<Row> recompute(const Row& stored) const override {
+    if (stored.stage != 0 || stored.index >= samples_) return {};
+    Row row;
+    row.index = stored.index;
+    fill(stored.index, row);
+    return row;
+  }
+
+ private:
+  void fill(std::uint64_t index, Row& row) const {
+    optim::Random random(seed_, 0, index);
+    std::vector<double> design;
+    for (const UncertainVariable& variable : variables_) {
+      // Half a step of the random number keeps it away from 0.
+      design.push_back(variable.draw(random.uniform() + 0x1.0p-54));
+    }
+    evaluator_.evaluate(design, row);
+  }
+
+  UncertaintyResult frame() const {
+    UncertaintyResult result;
+    result.confidence = kConfidence;
+    result.start = start_;
+    const std::vector<Column> all = columns();
+    const auto metrics = all.begin() + static_cast<std::ptrdiff_t>(variables());
+    result.variables.assign(all.begin(), metrics);
+    for (auto column = metrics; column != all.end(); ++column) {
+      result.metrics.emplace_back();
+      result.metrics.back().column = *column;
+    }
+    for (std::size_t j = 0; j < variables(); ++j) {
+      const double share = variables_[j].distribution.cut_off();
+      // Less than that is no more than rounding of the probabilities.
+      if (share > 1e-12) result.cut_off.push_back({result.variables[j].name, share});
+    }
+    return result;
+  }
+
+  // Quantiles need the values at hand: 8 bytes for each metric and row.
+  UncertaintyResult answer(const ResultStore& store) const {
+    UncertaintyResult result = frame();
+    std::vector<std::vector<double>> values(metrics_.size());
+    std::vector<std::uint64_t> kept(limits_.size(), 0);
+    std::uint64_t good = 0;
+    store.read(0, [&](const Row& row) {
+      ++result.samples;
+      if (row.status != "ok") ++result.failed;
+      const double* metrics = row.values.data() + variables();
+      for (std::size_t i = 0; i < metrics_.size(); ++i) {
+        if (!std::isnan(metrics[i])) values[i].push_back(metrics[i]);
+      }
+      bool all = true;
+      bool known = true;
+      for (std::size_t i = 0; i < limits_.size(); ++i) {
+        const bool holds = limits_[i].kept(metrics[limits_[i].metric]);
+        known = known && !std::isnan(metrics[limits_[i].metric]);
+        kept[i] += holds ? 1 : 0;
+        all = all && holds;
+      }
+      good += all ? 1 : 0;
+      result.no_value += known ? 0 : 1;
+    });
+    for (std::size_t i = 0; i < metrics_.size(); ++i) describe(values[i], result.metrics[i]);
+    for (std::size_t i = 0; i < limits_.size(); ++i) {
+      const Constraint& limit = limits_[i].limit;
+      result.limits.push_back({limit.text, limit.metric.text, limit.at_least, limit.limit,
+                               proportion_estimate(kept[i], result.samples, kConfidence)});
+    }
+    if (!limits_.empty()) result.yield = proportion_estimate(good, result.samples, kConfidence);
+    return result;
+  }
+
+  void describe(std::vector<double>& values, UncertaintyResult::Metric& metric) const {
+    Moments moments;
+    for (const double value : values) moments.add(value);
+    metric.count = moments.count();
+    metric.mean = moments.mean_estimate(kConfidence);
+    metric.sd = moments.sd_estimate(kConfidence);
+    std::sort(values.begin(), values.end());
+    for (const double p : probabilities_)
+      metric.quantiles.push_back({p, quantile_estimate(values, p, kConfidence)});
+  }
+
+  std::vector<UncertainVariable> variables_;
+  std::vector<double> probabilities_;
+  std::vector<MetricExpression> metrics_;
+  std::vector<LimitPlace> limits_;
+  RowEvaluator evaluator_;
+  std::uint64_t seed_;
+  std::uint64_t samples_;
+  std::string start_;
+};
+
+}  // namespace
+
+std::unique_ptr<StudyKindRun> make_uncertainty(const StudyFile& file) {
+  return std::make_unique<UncertaintyStudy>(file);
+}
+
+}  // namespace twum::studies

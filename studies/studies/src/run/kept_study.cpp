@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/kept_study.hpp"
+
+#include "kinds/found_motors.hpp"
+#include "kinds/study_kind.hpp"
+#include "results/provenance.hpp"
+#include "results/row_pass.hpp"
+#include "run/result_folder.hpp"
+#include "study/resolved_study.hpp"
+
+#include <twum/base/error.hpp>
+#include <twum/base/version.hpp>
+#include <twum/studies/jobs/ordered.hpp>
+#include <twum/studies/text/number.hpp>
+#include <twum/studies/text/words.hpp>
+
+#include <array>
+#include <filesystem>
+#include <mutex>
+
+namespace twum::studies {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kDifferencesShown = 8;
+
+// Names of the facts beside the rows.
+constexpr const char* kHash = "hash";
+constexpr const char* kVersion = "version";
+constexpr const char* kStudyText = "study";
+constexpr const char* kFiles = "files";
+constexpr const char* kStarted = "started";
+constexpr const char* kSeconds = "seconds";
+constexpr const char* kComplete = "complete";
+
+std::string name_of(const StudyFile& file) {
+  const std::string stem = std::filesystem::path(file.path).stem().string();
+  return stem.empty() || stem == "-" ? "study" : stem;
+}
+
+// A kind tells from any thread; whoever listens is told by one at a time, and nobody waits for it.
+std::function<void(const RunProgress&)> forwarded(const RunOptions& options) {
+  if (!options.progress) return {};
+  const auto mutex = std::make_shared<std::mutex>();
+  return [mutex, tell = options.progress](const RunProgress& now) {
+    const std::unique_lock lock(*mutex, std::try_to_lock);
+    if (lock) tell(now.done, now.total, now.best);
+  };
+}
+
+// Runs a kind on a store. What was stored after a request to stop is not all of it, whatever the kind
+// makes of it.
+StudyResult run_on(const StudyFile& file, StudyKindRun& kind, ResultStore& store,
+                   const RunOptions& options) {
+  RunContext context{store, job_count(options.jobs), options.stop, forwarded(options)};
+  KindAnswer answer = kind.run(context);
+  store.flush();
+  StudyResult result;
+  result.study = name_of(file);
+  result.kind = file.kind;
+  result.motor = file.motor.name;
+  result.outcome =
+      options.stop.stop_requested() ? std::string("interrupted") : std::move(answer.outcome);
+  result.evaluations = store.rows();
+  result.seed = kind.seed();
+  result.answer = std::move(answer.answer);
+  result.model_notes = notes_on(file, result);
+  return result;
+}
+
+void set_failures(StudyResult& result, const FailureCount& failures) {
+  result.failure_regions = failures.regions();
+  for (const FailureRegion& region : result.failure_regions)
+    result.failures[region.reason] = region.count;
+}
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+std::string files_text(const ResolvedStudy& study) {
+  std::string text;
+  for (const auto& file : study.files) text += file.entry + " " + file.hash + "\n";
+  return text;
+}
+
+// A study in its directory.
+class KeptRun {
+ public:
+  KeptRun(const StudyFile& file, const std::string& directory, const RunOptions& options,
+          PageOf page)
+      : file_(file),
+        options_(options),
+        page_(page),
+        begin_(Clock::now()),
+        kind_(make_kind(file)),
+        study_(resolve(file)),
+        folder_(refuse_own(file, directory)),
+        directory_(directory) {}
+
+  StudyResult run() {
+    if (options_.fresh) folder_.discard();
+    open_store();
+    write_if_absent(ResultFolder::kStudy, [&] { return study_text(); });
+    const bool was_complete = !store_->fact(kComplete).empty();
+    StudyResult result = run_on(file_, *kind_, *store_, options_);
+    result.was_complete = was_complete;
+    result.hash = study_.hash();
+    result.started = store_->fact(kStarted);
+    result.seconds = parse_number(store_->fact(kSeconds)).value_or(0);
+    if (!was_complete) {
+      result.seconds += seconds_since(begin_);
+      store_->set_fact(kSeconds, number_text(result.seconds));
+    }
+    write_results(result);
+    if (result.outcome != "interrupted") store_->set_fact(kComplete, "yes");
+    return result;
+  }
+
+ private:
+  // The study itself may be called study.yaml; a result would write over it.
+  static const std::string& refuse_own(const StudyFile& file, const std::string& directory) {
+    std::error_code ignored;
+    const auto result = std::filesystem::path(directory) / ResultFolder::kStudy;
+    if (std::filesystem::equivalent(file.path, result, ignored)) {
+      throw InputError(result.string() +
+                       ": is the study itself and would be overwritten by its "
+                       "result; choose another directory with -o");
+    }
+    return directory;
+  }
+
+  void open_store() {
+    folder_.check_ours();
+    const std::string path = folder_.file(ResultFolder::kDatabase);
+    if (folder_.has_database() && !begun_already(path)) folder_.discard();
+    store_ = std::make_unique<ResultStore>(path, kind_->columns());
+    if (!store_->fact(kHash).empty()) return;
+    store_->set_fact(kVersion, version());
+    store_->set_fact(kStudyText, study_.text());
+    store_->set_fact(kFiles, files_text(study_));
+    store_->set_fact(kStarted, utc_text(std::chrono::system_clock::now()));
+    store_->set_fact(kHash, study_.hash());  // last: with it the others are there
+  }
+
+  // True if the database holds rows of this very study; false if it was left before its first row.
+  bool begun_already(const std::string& path) const {
+    const ResultStore stored(path);
+    const std::string hash = stored.fact(kHash);
+    if (hash.empty() || stored.rows() == 0) return false;
+    std::vector<std::string> differ;
+    if (hash != study_.hash()) {
+      differ = differences(stored.fact(kStudyText), study_.text());
+      if (stored.fact(kFiles) != files_text(study_))
+        differ.emplace_back("the content of a file that the study names");
+    }
+    if (stored.fact(kVersion) != version())
+      differ.push_back("twum: " + stored.fact(kVersion) + " there, " + version() + " here");
+    if (!differ.empty()) refuse(differ);
+    return true;
+  }
+
+  [[noreturn]] void refuse(const std::vector<std::string>& differ) const {
+    std::string text = directory_ + ": holds the results of another study; it differs in";
+    for (std::size_t i = 0; i < differ.size() && i < kDifferencesShown; ++i)
+      text += "\n  " + differ[i];
+    if (differ.size() > kDifferencesShown)
+      text += "\n  and " + std::to_string(differ.size() - kDifferencesShown) + " more";
+    throw InputError(text +
+                     "\nchoose another directory with -o, or discard those results with --fresh");
+  }
+
+  std::string study_text() const {
+    return "# The study " + printable(name_of(file_), 255) + " as it was run: the motor in full, " +
+           "every default written out.\n# Hash " + study_.hash() + ", twum " + version() + ".\n" +
+           study_.text(directory_);
+  }
+
+  template <typename Make>
+  void write_if_absent(std::string_view name, Make content) const {
+    if (!folder_.has(name)) folder_.write(name, content());
+  }
+
+  void write_results(StudyResult& result) const {
+    folder_.write(ResultFolder::kTable, [&](const std::function<void(std::string_view)>& put) {
+      set_failures(result, write_rows(*store_, kind_->variables(), put));
+    });
+    const std::string summary = summary_json(result);
+    folder_.write(ResultFolder::kSummary, summary);
+    for (const FoundMotor& found : found_motors(file_, result)) {
+      folder_.write(found.file, found_motor_text(found, result));
+      result.motor_files.push_back(found.file);
+    }
+    folder_.write(ResultFolder::kReport, page_(file_, study_text(), summary, *store_));
+  }
+
+  const StudyFile& file_;
+  const RunOptions& options_;
+  PageOf page_;
+  Clock::time_point begin_;
+  std::unique_ptr<StudyKindRun> kind_;
+  ResolvedStudy study_;
+  ResultFolder folder_;
+  std::string directory_;
+  std::unique_ptr<ResultStore> store_;
+};
+
+}  // namespace
+
+std::unique_ptr<StudyKindRun> make_kind(const StudyFile& file) {
+  constexpr std::array<std::unique_ptr<StudyKindRun> (*)(const StudyFile&), 8> kMakers{
+      make_curve,  make_sweep, make_sensitivity, make_optimize,
+      make_pareto, make_size,  make_uncertainty, make_calibrate};
+  return kMakers.at(static_cast<std::size_t>(file.kind))(file);
+}
+
+void check_named_files(const StudyFile& file) { make_kind(file); }
+
+StudyResult keep_study(const StudyFile& file, const std::string& directory,
+                       const RunOptions& options, PageOf page) {
+  return KeptRun(file, directory, options, page).run();
+}
+
+StudyResult run_study(const StudyFile& file, const RunOptions& options) {
+  const auto begin = Clock::now();
+  const std::string started = utc_text(std::chrono::system_clock::now());
+  const std::unique_ptr<StudyKindRun> kind = make_kind(file);
+  ResultStore store(":memory:", kind->columns());
+  StudyResult result = run_on(file, *kind, store, options);
+  const std::vector<Column> columns = kind->columns();
+  FailureCount failures(
+      {columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(kind->variables())});
+  store.read([&](const Row& row) { failures.see(row); });
+  set_failures(result, failures);
+  result.hash = resolve(file).hash();
+  result.started = started;
+  result.seconds = seconds_since(begin);
+  return result;
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/studies/run/run_options.hpp>
+#include <twum/studies/store/result_store.hpp>
+
+#include <string>
+
+namespace twum::studies {
+
+/// Makes the page of a result; report_html() is one.
+using PageOf = std::string (*)(const StudyFile& study, const std::string& text,
+                               const std::string& summary, const ResultStore& store);
+
+/// run_study() in a directory, with the page that a layer above makes.
+StudyResult keep_study(const StudyFile& file, const std::string& directory,
+                       const RunOptions& options, PageOf page);
+
+}  // namespace twum::studies
