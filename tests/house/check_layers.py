@@ -11,7 +11,7 @@ CORE = ["core/base", "core/design", "core/contact", "core/performance"]
 STUDIES = {
     "files": ["text", "units", "diagnostics", "yaml", "schema", "statistics", "store", "jobs", "tables"],
     "motors": ["metrics", "motor", "tables"],
-    "studies": ["study", "results", "problem", "kinds", "run"],
+    "studies": ["problem", "study", "results", "kinds", "run"],
     "report": ["report", "run"],
 }
 FOLDERS = [f"studies/{part}/{folder}" for part, folders in STUDIES.items() for folder in folders]

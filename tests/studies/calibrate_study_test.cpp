@@ -44,7 +44,7 @@ std::string complaint(const std::string& csv, const std::string& variables = kTh
   Case one;
   one.variables = variables;
   try {
-    make_calibrate(one.file(csv));
+    make_kind(one.file(csv));
     return "ok";
   } catch (const InputError& error) {
     std::string text = error.what();
@@ -157,7 +157,7 @@ TEST_CASE("standard deviations weigh like 1 / s^2, and the scatter is tested aga
 }
 
 TEST_CASE("starts that end in different places are told apart", "[studies][calibrate]") {
-  const entries::Range range{Parameter::kinetic_friction, 0.05, 0.5};
+  const DesignVariable range{Parameter::kinetic_friction, 0.05, 0.5};
   Case one;
   const TorqueFit fit(one.design(), {range}, {{1, 0.8, 1, 0}, {2, 0.9, 1, 0}, {3, 0.85, 1, 0}});
   const auto ended = [](double value, double sum, optim::Outcome outcome) {
@@ -224,7 +224,7 @@ TEST_CASE("a calibration stopped at any evaluation goes on to the same end",
   const StudyFile file = one.file(points_of(with(one.design(), kTruth), 4e-3));
   const Run whole(file);
   for (const std::uint64_t last : {1U, 7U, 20U}) {
-    const auto kind = make_calibrate(file);
+    const auto kind = make_kind(file);
     ResultStore store(":memory:", kind->columns());
     std::stop_source stop;
     RunContext context{store, 1, stop.get_token(), [&](const RunProgress& now) {
@@ -280,7 +280,7 @@ TEST_CASE("wrong files of points are refused with place and remedy",
              Contains("wavelengths") && Contains("whole numbers"));
   StudyFile file = Case().file("");
   file.folder = "/nowhere";
-  CHECK_THROWS_WITH(make_calibrate(file), Contains("/nowhere/points.csv"));
+  CHECK_THROWS_WITH(make_kind(file), Contains("/nowhere/points.csv"));
 }
 
 TEST_CASE("the example finds what its data were made with", "[studies][calibrate][example]") {

@@ -82,8 +82,7 @@ struct Run {
   KindAnswer answer;
 
   explicit Run(const StudyFile& file, unsigned jobs = 1, const std::vector<Row>& stored = {})
-      : kind(make_calibrate(file)),
-        store(std::make_unique<ResultStore>(":memory:", kind->columns())) {
+      : kind(make_kind(file)), store(std::make_unique<ResultStore>(":memory:", kind->columns())) {
     for (const Row& row : stored) store->add(row);
     RunContext context{*store, jobs, {}, {}};
     answer = kind->run(context);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "search_support.hpp"
-#include "study/entries.hpp"
 
 #include <twum/core/performance/motor.hpp>
 #include <twum/optim/random.hpp>
@@ -188,8 +187,9 @@ TEST_CASE("NLopt and Ipopt find the same motor, and no random one is better",
   for (const NamedValue& v : nlopt.optimum().best.design)
     CHECK_THAT(value(ipopt.optimum().best.design, v.name), WithinRel(v.value, 1e-6));
 
-  const std::vector<entries::Range> ranges = entries::ranges(file.study);
-  const std::vector<Constraint> limits = entries::constraints(file.study, "constraints");
+  const auto& question = std::get<OptimizeStudy>(file.asked);
+  const std::vector<DesignVariable>& ranges = question.variables;
+  const std::vector<Constraint>& limits = question.constraints;
   std::vector<MetricExpression> asked{parse_metric("peak_power")};
   for (const Constraint& limit : limits) asked.push_back(limit.metric);
   const ExpressionEvaluator evaluator(asked);
@@ -197,7 +197,7 @@ TEST_CASE("NLopt and Ipopt find the same motor, and no random one is better",
   for (std::uint64_t i = 0; feasible < 1000 && i < 200000; ++i) {
     optim::Random random(7, 0, i);
     std::vector<ParameterValue> design;
-    for (const entries::Range& range : ranges)
+    for (const DesignVariable& range : ranges)
       design.emplace_back(range.parameter, range.min + random.uniform() * (range.max - range.min));
     std::vector<MetricValue> values(asked.size());
     evaluator.evaluate(Motor(with(file.motor.design, design)), values);

@@ -33,10 +33,7 @@ inline StudyFile study_of(const std::string& motor, const std::string& set,
   return read_study_file(path);
 }
 
-inline std::unique_ptr<StudyKindRun> make_search(const StudyFile& file) {
-  if (file.kind == StudyKind::pareto) return make_pareto(file);
-  return file.kind == StudyKind::size ? make_size(file) : make_optimize(file);
-}
+inline std::unique_ptr<StudyKindRun> make_search(const StudyFile& file) { return make_kind(file); }
 
 /// A search in memory, with everything it left.
 struct Search {

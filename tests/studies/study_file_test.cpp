@@ -50,7 +50,7 @@ TEST_CASE("the file that init writes is valid for every kind of study", "[studie
     const auto kind = static_cast<StudyKind>(i);
     CAPTURE(to_string(kind));
     const StudyFile study = read_study_file(folder.write("study.yaml", study_template(kind)));
-    CHECK(study.kind == kind);
+    CHECK(study.kind() == kind);
     CHECK(study.motor.name == "ring-60");
   }
 }

@@ -137,7 +137,7 @@ TEST_CASE("static friction that is estimated itself does not follow the kinetic 
   for (std::size_t before = 0; before <= others.size(); ++before) {
     for (std::size_t after = 0; before + after <= others.size(); ++after) {
       const auto ratio = [&](const std::vector<P>& here) {
-        std::vector<entries::Range> ranges;
+        std::vector<DesignVariable> ranges;
         for (std::size_t i = 0; i < before; ++i) ranges.push_back({others[i], 1, 2});
         for (const P p : here) ranges.push_back({p, 0.1, 0.5});
         for (std::size_t i = before; i < before + after; ++i) ranges.push_back({others[i], 1, 2});
@@ -155,7 +155,7 @@ TEST_CASE("static friction that is estimated itself does not follow the kinetic 
 
 TEST_CASE("a fit begins where the study says, else at the motor if that is in the range",
           "[studies][calibrate]") {
-  const std::vector<entries::Range> ranges{{P::kinetic_friction, 0.1, 0.5},  // the motor has 0.2
+  const std::vector<DesignVariable> ranges{{P::kinetic_friction, 0.1, 0.5},  // the motor has 0.2
                                            {P::preload, 200, 300},           // 160 N
                                            {P::amplitude, 1e-7, 1e-6},       // 1.6 um
                                            {P::thickness, 1e-4, 1e-3, true, 5e-4}};
@@ -223,7 +223,7 @@ TEST_CASE("what undoes a change of one factor of a product is the other factor",
           "[studies][calibrate]") {
   // On the plateau mu and F_N count as their product only: 1 % more of one undoes 1 % less of the other,
   // wherever they stand among the estimates.
-  const std::vector<entries::Range> rest{{P::modal_damping, 0, 1},
+  const std::vector<DesignVariable> rest{{P::modal_damping, 0, 1},
                                          {P::neutral_plane_distance, 2e-3, 4e-3},
                                          {P::amplitude, 1e-6, 2e-6},
                                          {P::contact_width, 3e-3, 5e-3},
@@ -231,14 +231,14 @@ TEST_CASE("what undoes a change of one factor of a product is the other factor",
   const MotorDesign motor = elastic();
   for (std::size_t before = 0; before <= rest.size(); ++before) {
     for (std::size_t between = 0; before + between <= rest.size(); ++between) {
-      std::vector<entries::Range> ranges(rest.begin(), rest.begin() + static_cast<int>(before));
+      std::vector<DesignVariable> ranges(rest.begin(), rest.begin() + static_cast<int>(before));
       ranges.push_back({P::kinetic_friction, 0.1, 0.5});
       for (std::size_t i = before; i < before + between; ++i) ranges.push_back(rest[i]);
       ranges.push_back({P::preload, 100, 300});
       const TorqueFit fit(motor, ranges, two_points(0.8, 0.9));
       optim::LeastSquaresResult one;
       one.outcome = optim::Outcome::optimal;
-      for (const entries::Range& range : ranges)
+      for (const DesignVariable& range : ranges)
         one.estimates.push_back(
             {std::string(info(range.parameter).name), get(motor, range.parameter), 0, 0, 0, false});
       one.undetermined = {{"kinetic_friction", "preload"}, {"amplitude", "x", "y"}};

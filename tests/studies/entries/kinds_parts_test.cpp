@@ -52,8 +52,8 @@ struct Fit {
     for (int i = 1; i <= 6; ++i)
       csv += std::to_string(i) + "," + std::to_string(plateau(0.25, 160) + (i % 2) * 1e-3) + "\n";
     write(folder.path("points.csv"), csv);
-    kind = make_calibrate(study_in(folder, "{kind: calibrate, data: points.csv, starts: " + starts +
-                                               ", variables: {" + variables + "}}"));
+    kind = make_kind(study_in(folder, "{kind: calibrate, data: points.csv, starts: " + starts +
+                                          ", variables: {" + variables + "}}"));
   }
 
   KindAnswer run(ResultStore& store) const {

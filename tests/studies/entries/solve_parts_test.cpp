@@ -2,7 +2,7 @@
 // Local searches from several starts on problems with known answers, what a search starts from, and what
 // the report of a design says.
 #include "entries_support.hpp"
-#include "problem/design_report.hpp"
+#include "kinds/design_report.hpp"
 #include "problem/motor_responses.hpp"
 #include "problem/multi_start.hpp"
 

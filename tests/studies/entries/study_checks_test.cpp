@@ -3,7 +3,6 @@
 #include "entries_support.hpp"
 #include "schema/scalar_checks.hpp"
 #include "study/resolved_study.hpp"
-#include "study/solver_entry.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/studies/schema/validate.hpp>
@@ -249,19 +248,22 @@ TEST_CASE("a front over whole numbers needs the search that finds such",
 
 TEST_CASE("options of a solver are read as the study says, and as the solver reads them",
           "[studies][study]") {
-  const auto options = [](const std::string& text) {
-    const Source source("text", text);
-    Diagnostics diagnostics(source);
-    return solver_options_of(load_yaml(diagnostics));
+  const ScratchFolder folder;
+  const auto options = [&](const std::string& more) {
+    const StudyFile file = study_in(folder,
+                                    "{kind: optimize, maximize: peak_power, variables: {preload: "
+                                    "{min: 1 N, max: 2 N}}" +
+                                        more + "}");
+    return std::get<OptimizeStudy>(file.asked).solver;
   };
-  const optim::SolveOptions own = options("kind: optimize\n");
+  const optim::SolveOptions own = options("");
   CHECK(own.solver == "auto");
-  CHECK(options("kind: pareto\n").budget.evaluations == 200000);
-  CHECK(options("points: 3\n").budget.evaluations == own.budget.evaluations);
-  CHECK(options("solver: ipopt\n").solver == "ipopt");
+  CHECK(ParetoStudy{}.solver.budget.evaluations == 200000);
+  CHECK(own.budget.evaluations == optim::SolveOptions{}.budget.evaluations);
+  CHECK(options(", solver: ipopt").solver == "ipopt");
   const optim::SolveOptions given = options(
-      "solver: {starts: 3, tolerance: 1e-9, max_evaluations: 77, seed: 5, name: ipopt, options: "
-      "{mu_init: 1.0e-1, mu_strategy: adaptive, acceptable_iter: 7.0}}\n");
+      ", solver: {starts: 3, tolerance: 1e-9, max_evaluations: 77, seed: 5, name: ipopt, options: "
+      "{mu_init: 1.0e-1, mu_strategy: adaptive, max_iter: 7.0}}");
   CHECK(given.solver == "ipopt");
   CHECK(given.starts == 3);
   CHECK(given.tolerance == 1e-9);
@@ -269,7 +271,8 @@ TEST_CASE("options of a solver are read as the study says, and as the solver rea
   CHECK(given.seed == 5);
   CHECK(given.solver_options.at("mu_init") == "0.1");
   CHECK(given.solver_options.at("mu_strategy") == "adaptive");
-  CHECK(options("solver: {}\n").starts == own.starts);
+  CHECK(given.solver_options.at("max_iter") == "7");
+  CHECK(options(", solver: {}").starts == own.starts);
 }
 
 TEST_CASE("a list says how many items it wants", "[studies][schema]") {

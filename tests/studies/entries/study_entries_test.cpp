@@ -220,7 +220,7 @@ TEST_CASE("a point of a curve without an answer is counted, and named by its sta
   const double omega = 2 * std::numbers::pi * 40e3;
   file.motor.design =
       with(file.motor.design, Parameter::inertia, 1.1e9 / (omega * omega));  // G is 1.1 GPa
-  const auto kind = make_curve(file);
+  const auto kind = make_kind(file);
   ResultStore store(":memory:", kind->columns());
   RunContext context{store, 1, {}, {}};
   const KindAnswer answer = kind->run(context);

@@ -37,9 +37,9 @@ struct Checked {
 // A study may be written before its points are measured. What else may be wrong with the path, its
 // reader says.
 std::string missing_data(const studies::StudyFile& study) {
-  const studies::YamlNode* data = study.study.find("data");
-  if (data == nullptr) return "";
-  const std::filesystem::path path = std::filesystem::path(study.folder) / data->scalar;
+  const auto* asked = std::get_if<studies::CalibrateStudy>(&study.asked);
+  if (asked == nullptr) return "";
+  const std::filesystem::path path = std::filesystem::path(study.folder) / asked->data;
   std::error_code error;
   const auto type = std::filesystem::status(path, error).type();
   return type == std::filesystem::file_type::not_found ? path.string() : "";
@@ -54,7 +54,7 @@ Checked checked(const MotorOptions& options) {
     const studies::StudyFile study = studies::read_study(source, folder, options.settings);
     const std::string missing = missing_data(study);
     if (missing.empty()) studies::check_named_files(study);
-    return {"a valid study file (" + std::string(studies::to_string(study.kind)) + ")",
+    return {"a valid study file (" + std::string(studies::to_string(study.kind())) + ")",
             study.motor.design, missing};
   }
   return {"a valid motor file",

@@ -26,21 +26,6 @@ std::string comma_such_as(const Schema& schema) {
   return schema.example.empty() ? "" : "," + such_as(schema);
 }
 
-void check_range(double value, std::string_view text, const Schema& schema) {
-  if (schema.min_excluded ? !(value > schema.min) : !(value >= schema.min)) {
-    throw ValueError(quoted(text) + " is too small",
-                     (schema.min_excluded ? "must be more than " : "must be at least ") +
-                         limit_text(schema.min, schema) + comma_such_as(schema));
-  }
-  if (!(value <= schema.max)) {
-    throw ValueError(quoted(text) + " is too large",
-                     "must be at most " + limit_text(schema.max, schema) + comma_such_as(schema));
-  }
-  if ((schema.whole || schema.kind == ValueKind::count) && value != std::floor(value)) {
-    throw ValueError(quoted(text) + " is not a whole number", expectation(schema));
-  }
-}
-
 void check_word(std::string_view text, const Schema& schema) {
   std::vector<std::string_view> choices(schema.words.begin(), schema.words.end());
   for (const std::string_view choice : choices) {
@@ -66,11 +51,29 @@ std::string alternatives_text(const Schema& schema) {
 
 }  // namespace
 
+void check_size(double value, std::string_view text, const Schema& schema) {
+  if (schema.min_excluded ? !(value > schema.min) : !(value >= schema.min)) {
+    throw ValueError(quoted(text) + " is too small",
+                     (schema.min_excluded ? "must be more than " : "must be at least ") +
+                         limit_text(schema.min, schema) + comma_such_as(schema));
+  }
+  if (!(value <= schema.max)) {
+    throw ValueError(quoted(text) + " is too large",
+                     "must be at most " + limit_text(schema.max, schema) + comma_such_as(schema));
+  }
+  if ((schema.whole || schema.kind == ValueKind::count) && value != std::floor(value)) {
+    throw ValueError(quoted(text) + " is not a whole number", expectation(schema));
+  }
+}
+
+double parse_number_of(std::string_view text, const Schema& schema) {
+  const bool count = schema.kind == ValueKind::count;
+  return parse_quantity(text, Expected{count ? "1" : schema.unit, schema.example});
+}
+
 double read_number(std::string_view text, const Schema& schema) {
-  const double value = schema.kind == ValueKind::count
-                           ? parse_quantity(text, Expected{"1", schema.example})
-                           : parse_quantity(text, Expected{schema.unit, schema.example});
-  check_range(value, text, schema);
+  const double value = parse_number_of(text, schema);
+  check_size(value, text, schema);
   return value;
 }
 

@@ -5,7 +5,6 @@
 #include "report/curves.hpp"
 #include "report/rows.hpp"
 #include "run/result_folder.hpp"
-#include "study/entries.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/core/design/parameters.hpp>
@@ -150,11 +149,15 @@ Json base_json(const MotorDesign& base) {
 // What a search was free to choose from, SI.
 Json ranges_json(const StudyFile& study) {
   Json json = Json::object();
-  if (study.kind != StudyKind::optimize && study.kind != StudyKind::size &&
-      study.kind != StudyKind::pareto)
-    return json;
-  for (const entries::Range& range : entries::ranges(study.study))
-    json[std::string(info(range.parameter).name)] = {{"min", range.min}, {"max", range.max}};
+  std::visit(
+      [&]<typename S>(const S& asked) {
+        if constexpr (requires { asked.solver; }) {
+          for (const DesignVariable& range : asked.variables)
+            json[std::string(info(range.parameter).name)] = {{"min", range.min},
+                                                             {"max", range.max}};
+        }
+      },
+      study.asked);
   return json;
 }
 
@@ -200,10 +203,10 @@ std::string report_html(const StudyFile& study, const std::string& text, const s
             {"metrics", metrics_json()},
             {"reasons", reasons_json()},
             {"ranges", ranges_json(study)},
-            {"curves", curves_json(study.kind, result, base)},
+            {"curves", curves_json(study.kind(), result, base)},
             {"rows", rows_json(store)}};
-  if (study.kind == StudyKind::sweep) data["row_curves"] = row_curves_json(store, base);
-  if (study.kind == StudyKind::calibrate) data["fit"] = fit_json(result, base);
+  if (study.kind() == StudyKind::sweep) data["row_curves"] = row_curves_json(store, base);
+  if (study.kind() == StudyKind::calibrate) data["fit"] = fit_json(result, base);
   // The data go in last: nothing in them is taken for a mark.
   std::string page = filled(assets::page(), "/*STYLE*/", assets::style());
   page = filled(page, "/*SCRIPT*/", assets::script());

@@ -4,7 +4,6 @@
 #include "kinds/study_kind.hpp"
 #include "kinds/torque_fit.hpp"
 #include "kinds/unit_box.hpp"
-#include "study/entries.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/optim/low_discrepancy.hpp>
@@ -21,9 +20,6 @@
 namespace twum::studies {
 namespace {
 
-constexpr std::uint64_t kStarts = 8;
-constexpr double kConfidence = 0.95;
-
 // A path that leads nowhere is the study's mistake; what is wrong inside the file is the file's.
 std::vector<MeasuredPoint> points_of(const std::string& path) {
   try {
@@ -37,16 +33,14 @@ std::vector<MeasuredPoint> points_of(const std::string& path) {
   }
 }
 
-TorqueFit fit_of(const StudyFile& file) {
-  const auto ranges = entries::ranges(file.study);
-  const std::string path =
-      (std::filesystem::path(file.folder) / file.study.find("data")->scalar).string();
+TorqueFit fit_of(const CalibrateStudy& asked, const StudyFile& file) {
+  const std::string path = (std::filesystem::path(file.folder) / asked.data).string();
   auto points = points_of(path);
-  if (points.size() < ranges.size())
+  if (points.size() < asked.variables.size())
     throw InputError(path + ": " + counted(points.size(), "point") + " cannot determine " +
-                     counted(ranges.size(), "parameter") +
+                     counted(asked.variables.size(), "parameter") +
                      "; measure more points or estimate fewer parameters");
-  return {file.motor.design, ranges, std::move(points)};
+  return {file.motor.design, asked.variables, std::move(points)};
 }
 
 // How far the fits are, for the eye.
@@ -70,17 +64,17 @@ class Teller {
   double best_{std::numeric_limits<double>::quiet_NaN()};
 };
 
-class CalibrateStudy final : public StudyKindRun {
+class CalibrateRun final : public StudyKindRun {
  public:
-  explicit CalibrateStudy(const StudyFile& file)
-      : fit_(fit_of(file)),
-        starts_(entries::count(file.study, "starts", kStarts)),
-        seed_(entries::count(file.study, "seed", 1)),
-        confidence_(entries::quantity(file.study, "confidence", "1", kConfidence)) {}
+  CalibrateRun(const CalibrateStudy& asked, const StudyFile& file)
+      : fit_(fit_of(asked, file)),
+        starts_(asked.starts),
+        seed_(asked.seed),
+        confidence_(asked.confidence) {}
 
   std::vector<Column> columns() const override {
     std::vector<Column> columns;
-    for (const entries::Range& range : fit_.parameters()) {
+    for (const DesignVariable& range : fit_.parameters()) {
       const ParameterInfo& row = info(range.parameter);
       columns.push_back({std::string(row.name), std::string(row.unit)});
     }
@@ -199,8 +193,8 @@ class CalibrateStudy final : public StudyKindRun {
 
 }  // namespace
 
-std::unique_ptr<StudyKindRun> make_calibrate(const StudyFile& file) {
-  return std::make_unique<CalibrateStudy>(file);
+std::unique_ptr<StudyKindRun> make_run(const CalibrateStudy& asked, const StudyFile& file) {
+  return std::make_unique<CalibrateRun>(asked, file);
 }
 
 }  // namespace twum::studies

@@ -92,7 +92,7 @@ class Calibration {
     constexpr double kNear = 1e-3;  // of the range
     if (!as_good(a.residual_rms, b.residual_rms)) return false;
     for (std::size_t j = 0; j < a.values.size(); ++j) {
-      const entries::Range& range = fit_.parameters()[j];
+      const DesignVariable& range = fit_.parameters()[j];
       const double part =
           range.log ? std::log(a.values[j] / b.values[j]) / std::log(range.max / range.min)
                     : (a.values[j] - b.values[j]) / (range.max - range.min);
@@ -130,7 +130,7 @@ class Calibration {
   void add_estimates(const LeastSquaresResult& best) {
     for (std::size_t j = 0; j < best.estimates.size(); ++j) {
       const optim::Estimate& e = best.estimates[j];
-      const entries::Range& range = fit_.parameters()[j];
+      const DesignVariable& range = fit_.parameters()[j];
       CalibrateResult::Estimate estimate;
       estimate.parameter = {e.name, std::string(info(range.parameter).unit), e.value};
       estimate.deviation = e.standard_deviation;

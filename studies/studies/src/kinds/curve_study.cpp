@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/sample_rows.hpp"
-#include "study/entries.hpp"
 
 #include <twum/studies/metrics/expression.hpp>
 #include <twum/studies/motor/curve_points.hpp>
 #include <twum/studies/units/engineering.hpp>
-#include <twum/studies/units/units.hpp>
 
 #include <limits>
 #include <utility>
@@ -22,54 +20,38 @@ struct CurveMember {
   double last_speed;  // of its curve [rad/s]
 };
 
-struct Family {
-  std::optional<Parameter> parameter;
-  std::vector<double> values{kNone};
-};
-
-Family family_of(const YamlNode& study) {
-  const YamlNode* node = study.find("family");
-  if (node == nullptr || node->entries.empty()) return {};
-  const YamlEntry& entry = node->entries.front();
-  const ParameterInfo& row = info(*find_parameter(entry.key));
-  Family family{row.parameter, {}};
-  for (const YamlNode& item : entry.value.items)
-    family.values.push_back(parse_quantity(item.scalar, {row.unit, row.example}));
-  return family;
-}
-
 // A value that is typed by hand and makes no motor is a mistake of the file, not a failed row.
-Motor member_motor(const MotorDesign& base, const Family& family, double value) {
-  if (!family.parameter) return Motor(base);
+Motor member_motor(const MotorDesign& base, Parameter parameter, double value) {
   try {
-    return Motor(with(base, *family.parameter, value));
+    return Motor(with(base, parameter, value));
   } catch (const InputError& error) {
-    const ParameterInfo& row = info(*family.parameter);
+    const ParameterInfo& row = info(parameter);
     throw InputError("study.family: " + std::string(row.name) + " = " +
                      engineering(value, row.unit) + " makes no motor: " + error.what());
   }
 }
 
 // Torque-speed curves: a stage for each member, a row for each speed.
-class CurveStudy : public StudyKindRun {
+class CurveRun : public StudyKindRun {
  public:
-  explicit CurveStudy(const StudyFile& file)
-      : family_(family_of(file.study)), points_(entries::count(file.study, "points", 51)) {
-    for (const double value : family_.values) {
-      Motor motor = member_motor(file.motor.design, family_, value);
-      const double last_speed = last_curve_speed(motor);
-      members_.push_back({value, std::move(motor), last_speed});
+  CurveRun(const CurveStudy& asked, const MotorDesign& motor) : points_(asked.points) {
+    if (!asked.family) {
+      add_member(kNone, Motor(motor));
+      return;
     }
+    family_ = asked.family->parameter;
+    for (const double value : asked.family->values)
+      add_member(value, member_motor(motor, *family_, value));
   }
 
   std::vector<Column> columns() const override {
     std::vector<Column> columns;
-    if (family_.parameter) columns.push_back(family_column());
+    if (family_) columns.push_back(family_column());
     for (const CurveColumn& column : curve_columns()) columns.push_back({column.name, column.unit});
     return columns;
   }
 
-  std::size_t variables() const override { return family_.parameter ? 2 : 1; }
+  std::size_t variables() const override { return family_ ? 2 : 1; }
 
   KindAnswer run(RunContext& context) override {
     const std::uint64_t total = points_ * members_.size();
@@ -92,8 +74,13 @@ class CurveStudy : public StudyKindRun {
   }
 
  private:
+  void add_member(double value, Motor motor) {
+    const double last_speed = last_curve_speed(motor);
+    members_.push_back({value, std::move(motor), last_speed});
+  }
+
   Column family_column() const {
-    const ParameterInfo& row = info(*family_.parameter);
+    const ParameterInfo& row = info(*family_);
     return {std::string(row.name), std::string(row.unit)};
   }
 
@@ -102,14 +89,14 @@ class CurveStudy : public StudyKindRun {
     const OperatingPoint point =
         member.motor.operating_point(curve_speed(member.last_speed, row.index, points_));
     row.values.clear();
-    if (family_.parameter) row.values.push_back(member.value);
+    if (family_) row.values.push_back(member.value);
     for (const CurveColumn& column : curve_columns()) row.values.push_back(column.value(point));
     row.status = to_string(point.status);
   }
 
   KindAnswer answer(const ResultStore& store, bool complete) const {
     CurveResult result;
-    if (family_.parameter) result.family = family_column();
+    if (family_) result.family = family_column();
     bool any = false;
     for (std::size_t stage = 0; stage < members_.size(); ++stage) {
       result.members.push_back(member_answer(store, stage));
@@ -138,15 +125,15 @@ class CurveStudy : public StudyKindRun {
     return answer;
   }
 
-  Family family_;
+  std::optional<Parameter> family_;
   std::uint64_t points_;
   std::vector<CurveMember> members_;
 };
 
 }  // namespace
 
-std::unique_ptr<StudyKindRun> make_curve(const StudyFile& file) {
-  return std::make_unique<CurveStudy>(file);
+std::unique_ptr<StudyKindRun> make_run(const CurveStudy& asked, const StudyFile& file) {
+  return std::make_unique<CurveRun>(asked, file.motor.design);
 }
 
 }  // namespace twum::studies

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/design_sampler.hpp"
 
-#include "study/entries.hpp"
 #include "study/spacing.hpp"
-
-#include <twum/studies/units/units.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -30,52 +27,40 @@ double DesignSampler::Axis::share(double u) const {
   return std::clamp(std::floor(between(min, max + 1, u, log)), min, max);
 }
 
-DesignSampler::Axis DesignSampler::axis_of(const YamlEntry& entry) {
-  const ParameterInfo& row = info(*find_parameter(entry.key));
-  const auto value = [&](const YamlNode& node) {
-    return parse_quantity(node.scalar, {row.unit, row.example});
-  };
-  Axis axis;
-  axis.whole = row.integer;
-  for (const YamlNode& item : entry.value.items) axis.values.push_back(value(item));
-  if (!axis.values.empty()) return axis;
-  axis.min = value(*entry.value.find("min"));
-  axis.max = value(*entry.value.find("max"));
-  axis.points = entries::count(entry.value, "points", 5);
-  axis.log = entries::word(entry.value, "scale", "linear") == "log";
-  return axis;
+DesignSampler::Axis DesignSampler::axis_of(const SweepStudy::Variable& variable) {
+  return {variable.values, variable.min, variable.max,
+          variable.points, variable.log, info(variable.parameter).integer};
 }
 
-DesignSampler::DesignSampler(const YamlNode& study)
-    : sampling_(entries::word(study, "sampling", "")) {
-  for (const YamlEntry& entry : study.find("variables")->entries) {
-    variables_.push_back(*find_parameter(entry.key));
-    axes_.push_back(axis_of(entry));
+DesignSampler::DesignSampler(const SweepStudy& study) : sampling_(study.sampling) {
+  for (const SweepStudy::Variable& variable : study.variables) {
+    variables_.push_back(variable.parameter);
+    axes_.push_back(axis_of(variable));
   }
-  if (sampling_ == "grid") {
+  if (sampling_ == Sampling::grid) {
     count_ = 1;
     for (const Axis& axis : axes_) count_ *= axis.size();
     return;
   }
-  if (sampling_ == "list") {
+  if (sampling_ == Sampling::list) {
     count_ = axes_.front().size();
     return;
   }
-  count_ = entries::count(study, "samples", 1000);
-  seed_ = entries::count(study, "seed", 1);
-  if (sampling_ == "lhs") hypercube_.emplace(axes_.size(), count_, seed_);
-  if (sampling_ == "sobol") sobol_.emplace(axes_.size(), seed_);
+  count_ = study.samples;
+  seed_ = study.seed;
+  if (sampling_ == Sampling::lhs) hypercube_.emplace(axes_.size(), count_, seed_);
+  if (sampling_ == Sampling::sobol) sobol_.emplace(axes_.size(), seed_);
 }
 
 void DesignSampler::design(std::uint64_t index, std::span<double> design) const {
-  if (sampling_ == "grid") {
+  if (sampling_ == Sampling::grid) {
     for (std::size_t i = axes_.size(); i-- > 0;) {
       design[i] = axes_[i].at(index % axes_[i].size());
       index /= axes_[i].size();
     }
     return;
   }
-  if (sampling_ == "list") {
+  if (sampling_ == Sampling::list) {
     for (std::size_t i = 0; i < axes_.size(); ++i) design[i] = axes_[i].at(index);
     return;
   }

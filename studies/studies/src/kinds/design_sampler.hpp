@@ -4,7 +4,7 @@
 #include <twum/core/design/parameters.hpp>
 #include <twum/optim/latin_hypercube.hpp>
 #include <twum/optim/low_discrepancy.hpp>
-#include <twum/studies/yaml/node.hpp>
+#include <twum/studies/study/study.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -21,11 +21,10 @@ namespace twum::studies {
 /// value or in its logarithm; of whole numbers and of listed values each has the same share of u.
 class DesignSampler {
  public:
-  /// @param study  a sweep, valid by study_schema() and check_study()
-  explicit DesignSampler(const YamlNode& study);
+  explicit DesignSampler(const SweepStudy& study);
 
   const std::vector<Parameter>& variables() const noexcept { return variables_; }
-  const std::string& sampling() const noexcept { return sampling_; }
+  Sampling sampling() const noexcept { return sampling_; }
   std::uint64_t count() const noexcept { return count_; }
   /// Of the random numbers; 0 if there are none.
   std::uint64_t seed() const noexcept { return seed_; }
@@ -47,9 +46,9 @@ class DesignSampler {
     double share(double u) const;
   };
 
-  static Axis axis_of(const YamlEntry& entry);
+  static Axis axis_of(const SweepStudy::Variable& variable);
 
-  std::string sampling_;
+  Sampling sampling_;
   std::vector<Parameter> variables_;
   std::vector<Axis> axes_;
   std::uint64_t count_{0};

@@ -63,7 +63,8 @@ struct Finder {
 std::vector<FoundMotor> asked_about(const StudyFile& file, const StudyResult& result) {
   const auto* curve = std::get_if<CurveResult>(&result.answer);
   if (curve == nullptr || !curve->family) {
-    const bool varied = result.kind == StudyKind::uncertainty && !file.study.find("start");
+    const auto* uncertain = std::get_if<UncertaintyStudy>(&file.asked);
+    const bool varied = uncertain != nullptr && uncertain->start.empty();
     const bool nominal = curve != nullptr || varied;
     return nominal ? std::vector<FoundMotor>{{"", "motor", file.motor}} : std::vector<FoundMotor>{};
   }

@@ -12,11 +12,11 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // Exact derivatives at one motor: one row, whose detail holds the gradients and their smoothness.
-class LocalSensitivity : public SensitivityStudy {
+class LocalSensitivity : public SensitivityRun {
  public:
-  explicit LocalSensitivity(const StudyFile& file)
-      : SensitivityStudy(file), gradients_(metrics_, box_.parameters()) {
-    for (const entries::Range& range : entries::ranges(file.study))
+  LocalSensitivity(const SensitivityStudy& asked, const MotorDesign& motor)
+      : SensitivityRun(asked, motor), gradients_(metrics_, box_.parameters()) {
+    for (const DesignVariable& range : asked.variables)
       motor_.push_back(std::isnan(range.start) ? get(base_, range.parameter) : range.start);
   }
 
@@ -90,8 +90,9 @@ class LocalSensitivity : public SensitivityStudy {
 
 }  // namespace
 
-std::unique_ptr<StudyKindRun> make_local_sensitivity(const StudyFile& file) {
-  return std::make_unique<LocalSensitivity>(file);
+std::unique_ptr<StudyKindRun> make_local_sensitivity(const SensitivityStudy& asked,
+                                                     const MotorDesign& motor) {
+  return std::make_unique<LocalSensitivity>(asked, motor);
 }
 
 }  // namespace twum::studies

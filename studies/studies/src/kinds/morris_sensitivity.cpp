@@ -8,15 +8,13 @@
 namespace twum::studies {
 namespace {
 
-constexpr std::uint64_t kTrajectories = 32;
-
 // Morris' screening: a stage of trajectories of d + 1 rows.
-class MorrisSensitivity : public SensitivityStudy {
+class MorrisSensitivity : public SensitivityRun {
  public:
-  explicit MorrisSensitivity(const StudyFile& file)
-      : SensitivityStudy(file),
-        seed_(entries::count(file.study, "seed", 1)),
-        trajectories_(entries::count(file.study, "samples", kTrajectories)),
+  MorrisSensitivity(const SensitivityStudy& asked, const MotorDesign& motor)
+      : SensitivityRun(asked, motor),
+        seed_(asked.seed),
+        trajectories_(asked.samples.value_or(standard_samples(SensitivityMethod::morris))),
         design_(box_.size(), seed_) {}
 
   std::uint64_t seed() const override { return seed_; }
@@ -90,8 +88,9 @@ class MorrisSensitivity : public SensitivityStudy {
 
 }  // namespace
 
-std::unique_ptr<StudyKindRun> make_morris_sensitivity(const StudyFile& file) {
-  return std::make_unique<MorrisSensitivity>(file);
+std::unique_ptr<StudyKindRun> make_morris_sensitivity(const SensitivityStudy& asked,
+                                                      const MotorDesign& motor) {
+  return std::make_unique<MorrisSensitivity>(asked, motor);
 }
 
 }  // namespace twum::studies

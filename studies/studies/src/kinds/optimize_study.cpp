@@ -1,30 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/optimum.hpp"
-#include "study/entries.hpp"
 
 namespace twum::studies {
 namespace {
 
-DesignProblem asked(const YamlNode& study) {
-  DesignProblem problem;
-  if (study.find("maximize") != nullptr)
-    problem.maximize(entries::word(study, "maximize", ""));
-  else
-    problem.minimize(entries::word(study, "minimize", ""));
-  problem.limits = entries::constraints(study, "constraints");
-  return problem;
-}
-
 // The best design under limits.
-class OptimizeStudy : public OptimumStudy {
+class OptimizeRun : public OptimumRun {
  public:
-  explicit OptimizeStudy(const StudyFile& file) : OptimumStudy(file, asked(file.study)) {}
+  OptimizeRun(const OptimizeStudy& asked, const StudyFile& file)
+      : OptimumRun(file, {{}, asked.variables, {asked.objective}, asked.constraints}, asked.solver,
+                   asked.start) {}
 };
 
 }  // namespace
 
-std::unique_ptr<StudyKindRun> make_optimize(const StudyFile& file) {
-  return std::make_unique<OptimizeStudy>(file);
+std::unique_ptr<StudyKindRun> make_run(const OptimizeStudy& asked, const StudyFile& file) {
+  return std::make_unique<OptimizeRun>(asked, file);
 }
 
 }  // namespace twum::studies

@@ -5,7 +5,7 @@
 
 namespace twum::studies {
 
-KindAnswer OptimumStudy::run(RunContext& context) {
+KindAnswer OptimumRun::run(RunContext& context) {
   SearchLog log(problem(), context);
   const optim::Result found = solve_from_starts(log.problem(), options(log, context));
   context.store.flush();

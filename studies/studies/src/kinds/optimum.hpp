@@ -6,12 +6,12 @@
 namespace twum::studies {
 
 /// A search for one best design: what optimize and size share.
-class OptimumStudy : public SearchStudy {
+class OptimumRun : public SearchRun {
  public:
   KindAnswer run(RunContext& context) override;
 
  protected:
-  using SearchStudy::SearchStudy;
+  using SearchRun::SearchRun;
 };
 
 }  // namespace twum::studies

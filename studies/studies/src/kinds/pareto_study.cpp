@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/search_study.hpp"
-#include "study/entries.hpp"
 #include "study/solver_entry.hpp"
 
 #include <twum/optim/certificate.hpp>
@@ -11,17 +10,6 @@
 
 namespace twum::studies {
 namespace {
-
-DesignProblem asked(const YamlNode& study) {
-  DesignProblem problem;
-  for (const YamlNode& objective : study.find("objectives")->items) {
-    const bool maximize = objective.find("maximize") != nullptr;
-    const std::string metric = entries::word(objective, maximize ? "maximize" : "minimize", "");
-    problem.objectives.push_back({parse_metric(metric), maximize});
-  }
-  problem.limits = entries::constraints(study, "constraints");
-  return problem;
-}
 
 // The best point of each goal.
 std::vector<std::size_t> ends_of(const ParetoResult& result) {
@@ -60,10 +48,12 @@ std::size_t knee_of(const ParetoResult& result) {
 }
 
 // A trade-off front: by gradients, or by an evolutionary search if the file says so.
-class ParetoStudy : public SearchStudy {
+class ParetoRun : public SearchRun {
  public:
-  explicit ParetoStudy(const StudyFile& file)
-      : SearchStudy(file, asked(file.study)), points_(entries::count(file.study, "points", 50)) {}
+  ParetoRun(const ParetoStudy& asked, const StudyFile& file)
+      : SearchRun(file, {{}, asked.variables, asked.objectives, asked.constraints}, asked.solver,
+                  asked.start),
+        points_(asked.points) {}
 
   KindAnswer run(RunContext& context) override {
     SearchLog log(problem(), context);
@@ -135,8 +125,8 @@ class ParetoStudy : public SearchStudy {
 
 }  // namespace
 
-std::unique_ptr<StudyKindRun> make_pareto(const StudyFile& file) {
-  return std::make_unique<ParetoStudy>(file);
+std::unique_ptr<StudyKindRun> make_run(const ParetoStudy& asked, const StudyFile& file) {
+  return std::make_unique<ParetoRun>(asked, file);
 }
 
 }  // namespace twum::studies

@@ -2,8 +2,6 @@
 #include "kinds/search_study.hpp"
 
 #include "kinds/earlier_result.hpp"
-#include "study/entries.hpp"
-#include "study/solver_entry.hpp"
 
 #include <twum/optim/certificate.hpp>
 
@@ -21,21 +19,15 @@ bool finite(const optim::Evaluation& evaluation) {
 
 }  // namespace
 
-SearchStudy::SearchStudy(const StudyFile& file, DesignProblem asked)
-    : problem_(std::move(asked)),
-      before_(file.motor.design),
-      options_(solver_options_of(file.study)) {
+SearchRun::SearchRun(const StudyFile& file, DesignProblem asked, optim::SolveOptions options,
+                     const std::string& start)
+    : problem_(std::move(asked)), before_(file.motor.design), options_(std::move(options)) {
   problem_.motor = before_;
-  for (const entries::Range& range : entries::ranges(file.study))
-    problem_.variables.push_back({range.parameter, range.min, range.max, range.log, range.start});
-  start_from(file);
+  if (!start.empty()) start_from((std::filesystem::path(file.folder) / start).string());
 }
 
 // The earlier design is the motor from now on; where it is varied, the search starts there.
-void SearchStudy::start_from(const StudyFile& file) {
-  const YamlNode* start = file.study.find("start");
-  if (start == nullptr) return;
-  const std::string folder = (std::filesystem::path(file.folder) / start->scalar).string();
+void SearchRun::start_from(const std::string& folder) {
   const std::vector<EarlierDesign> designs = earlier_designs(folder);
   const EarlierDesign& design = best_start(problem_, designs);
   problem_.motor = with(problem_.motor, design);
@@ -50,7 +42,7 @@ void SearchStudy::start_from(const StudyFile& file) {
   }
 }
 
-optim::SolveOptions SearchStudy::options(SearchLog& log, const RunContext& context) const {
+optim::SolveOptions SearchRun::options(SearchLog& log, const RunContext& context) const {
   optim::SolveOptions options = options_;
   options.threads = context.jobs;
   options.stop = context.stop;
@@ -60,11 +52,11 @@ optim::SolveOptions SearchStudy::options(SearchLog& log, const RunContext& conte
 
 // A search that was asked to stop may still hold a certified design; it is not the one that the whole
 // search would have ended with.
-std::string SearchStudy::outcome(optim::Outcome outcome, const RunContext& context) {
+std::string SearchRun::outcome(optim::Outcome outcome, const RunContext& context) {
   return context.stop.stop_requested() ? "interrupted" : optim::to_string(outcome);
 }
 
-std::optional<Row> SearchStudy::recompute(const Row& stored) const {
+std::optional<Row> SearchRun::recompute(const Row& stored) const {
   const SearchRows rows(problem_);
   const std::span design(stored.values.data(), problem_.variables.size());
   const bool gradient = rows.asked_gradient(stored);
@@ -73,12 +65,12 @@ std::optional<Row> SearchStudy::recompute(const Row& stored) const {
   return rows.row(stored.stage, stored.index, design, gradient, evaluation);
 }
 
-std::optional<optim::Certificate> SearchStudy::certify(std::span<const double> variables) const {
+std::optional<optim::Certificate> SearchRun::certify(std::span<const double> variables) const {
   return certificate(problem_, variables);
 }
 
-optim::Certificate SearchStudy::certificate(const DesignProblem& asked,
-                                            std::span<const double> design) const {
+optim::Certificate SearchRun::certificate(const DesignProblem& asked,
+                                          std::span<const double> design) const {
   return optim::certify(motor_problem(asked), design, options_);
 }
 

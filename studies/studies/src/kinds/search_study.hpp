@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "kinds/design_report.hpp"
 #include "kinds/search_rows.hpp"
 #include "kinds/study_kind.hpp"
-#include "problem/design_report.hpp"
 
 #include <twum/optim/options.hpp>
 
@@ -12,7 +12,7 @@
 namespace twum::studies {
 
 /// What optimize, size and pareto share: a question about a motor, a solver, a start.
-class SearchStudy : public StudyKindRun {
+class SearchRun : public StudyKindRun {
  public:
   std::vector<Column> columns() const override { return SearchRows(problem_).columns(); }
   std::size_t variables() const override { return problem_.variables.size(); }
@@ -21,8 +21,10 @@ class SearchStudy : public StudyKindRun {
   std::optional<optim::Certificate> certify(std::span<const double> variables) const override;
 
  protected:
-  /// @param asked  objectives and limits; motor and variables are taken from the file
-  SearchStudy(const StudyFile& file, DesignProblem asked);
+  /// @param asked  the question but for the motor, which is the file's
+  /// @param start  result directory to start from, as typed; empty: none
+  SearchRun(const StudyFile& file, DesignProblem asked, optim::SolveOptions options,
+            const std::string& start);
 
   /// The options with what the run decides.
   optim::SolveOptions options(SearchLog& log, const RunContext& context) const;
@@ -35,7 +37,7 @@ class SearchStudy : public StudyKindRun {
   static std::string outcome(optim::Outcome outcome, const RunContext& context);
 
  private:
-  void start_from(const StudyFile& file);
+  void start_from(const std::string& folder);
 
   DesignProblem problem_;
   MotorDesign before_;              // the motor of the file

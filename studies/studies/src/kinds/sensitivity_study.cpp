@@ -6,14 +6,14 @@
 
 namespace twum::studies {
 
-SensitivityStudy::SensitivityStudy(const StudyFile& file)
-    : base_(file.motor.design),
-      box_(entries::ranges(file.study)),
-      metrics_(entries::metrics(file.study)),
+SensitivityRun::SensitivityRun(const SensitivityStudy& asked, const MotorDesign& motor)
+    : base_(motor),
+      box_(asked.variables),
+      metrics_(asked.metrics),
       evaluator_(base_, box_.parameters(), metrics_),
-      confidence_(entries::quantity(file.study, "confidence", "1", 0.95)) {}
+      confidence_(asked.confidence) {}
 
-SensitivityResult SensitivityStudy::frame(const char* method) const {
+SensitivityResult SensitivityRun::frame(const char* method) const {
   SensitivityResult result;
   result.method = method;
   result.confidence = confidence_;
@@ -27,7 +27,7 @@ SensitivityResult SensitivityStudy::frame(const char* method) const {
   return result;
 }
 
-bool SensitivityStudy::refused(MetricSensitivity& metric, const char* sample) {
+bool SensitivityRun::refused(MetricSensitivity& metric, const char* sample) {
   // What is dropped lies in some corner of the box, so the rest is no sample of the box any more. A
   // tenth shifts shares of the variance by about as much as intervals of usual samples are wide.
   constexpr double kMostDropped = 0.1;
@@ -44,18 +44,21 @@ bool SensitivityStudy::refused(MetricSensitivity& metric, const char* sample) {
   return true;
 }
 
-std::string SensitivityStudy::outcome(const SensitivityResult& result, bool complete) {
+std::string SensitivityRun::outcome(const SensitivityResult& result, bool complete) {
   if (!complete) return "interrupted";
   const bool any = std::any_of(result.metrics.begin(), result.metrics.end(),
                                [](const MetricSensitivity& metric) { return metric.samples > 0; });
   return any ? "done" : "failed";
 }
 
-std::unique_ptr<StudyKindRun> make_sensitivity(const StudyFile& file) {
-  const std::string method = entries::word(file.study, "method", "");
-  if (method == "local") return make_local_sensitivity(file);
-  if (method == "morris") return make_morris_sensitivity(file);
-  return make_sobol_sensitivity(file);
+std::unique_ptr<StudyKindRun> make_run(const SensitivityStudy& asked, const StudyFile& file) {
+  const MotorDesign& motor = file.motor.design;
+  switch (asked.method) {
+    case SensitivityMethod::local: return make_local_sensitivity(asked, motor);
+    case SensitivityMethod::morris: return make_morris_sensitivity(asked, motor);
+    case SensitivityMethod::sobol: break;
+  }
+  return make_sobol_sensitivity(asked, motor);
 }
 
 }  // namespace twum::studies

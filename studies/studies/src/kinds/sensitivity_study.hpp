@@ -9,13 +9,13 @@
 namespace twum::studies {
 
 /// What the methods of a sensitivity study share: entries, rows, and the frame of the answer.
-class SensitivityStudy : public StudyKindRun {
+class SensitivityRun : public StudyKindRun {
  public:
   std::vector<Column> columns() const override { return evaluator_.columns(); }
   std::size_t variables() const override { return box_.size(); }
 
  protected:
-  explicit SensitivityStudy(const StudyFile& file);
+  SensitivityRun(const SensitivityStudy& asked, const MotorDesign& motor);
 
   /// The answer without numbers.
   SensitivityResult frame(const char* method) const;
@@ -31,8 +31,11 @@ class SensitivityStudy : public StudyKindRun {
   double confidence_;
 };
 
-std::unique_ptr<StudyKindRun> make_local_sensitivity(const StudyFile& file);
-std::unique_ptr<StudyKindRun> make_morris_sensitivity(const StudyFile& file);
-std::unique_ptr<StudyKindRun> make_sobol_sensitivity(const StudyFile& file);
+std::unique_ptr<StudyKindRun> make_local_sensitivity(const SensitivityStudy& asked,
+                                                     const MotorDesign& motor);
+std::unique_ptr<StudyKindRun> make_morris_sensitivity(const SensitivityStudy& asked,
+                                                      const MotorDesign& motor);
+std::unique_ptr<StudyKindRun> make_sobol_sensitivity(const SensitivityStudy& asked,
+                                                     const MotorDesign& motor);
 
 }  // namespace twum::studies

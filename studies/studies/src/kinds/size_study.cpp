@@ -1,35 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/optimum.hpp"
-#include "study/entries.hpp"
 
 namespace twum::studies {
 namespace {
 
-// A motor carries a load at a speed if its torque there is at least as large. Unlike speed_at(load),
-// the torque exists whether the motor will do or not.
-std::string duty_limit(const YamlNode& duty) {
-  return "torque_at(" + duty.find("speed")->scalar + ") >= " + duty.find("torque")->scalar;
-}
-
-DesignProblem asked(const YamlNode& study) {
-  DesignProblem problem;
-  problem.minimize(entries::word(study, "prefer", "max_pressure"));
-  for (const YamlNode& duty : study.find("duty")->items) problem.limit(duty_limit(duty));
-  for (Constraint& limit : entries::constraints(study, "limits"))
-    problem.limits.push_back(std::move(limit));
-  return problem;
+// The duty comes first among the limits.
+std::vector<Constraint> limits_of(const SizeStudy& asked) {
+  std::vector<Constraint> limits = asked.duty;
+  limits.insert(limits.end(), asked.limits.begin(), asked.limits.end());
+  return limits;
 }
 
 // Of the motors that carry the duty within the limits, the one with the least of what is preferred.
-class SizeStudy : public OptimumStudy {
+class SizeRun : public OptimumRun {
  public:
-  explicit SizeStudy(const StudyFile& file) : OptimumStudy(file, asked(file.study)) {}
+  SizeRun(const SizeStudy& asked, const StudyFile& file)
+      : OptimumRun(file, {{}, asked.variables, {{asked.prefer, false}}, limits_of(asked)},
+                   asked.solver, asked.start) {}
 };
 
 }  // namespace
 
-std::unique_ptr<StudyKindRun> make_size(const StudyFile& file) {
-  return std::make_unique<SizeStudy>(file);
+std::unique_ptr<StudyKindRun> make_run(const SizeStudy& asked, const StudyFile& file) {
+  return std::make_unique<SizeRun>(asked, file);
 }
 
 }  // namespace twum::studies

@@ -10,19 +10,19 @@
 namespace twum::studies {
 namespace {
 
-constexpr std::uint64_t kBlocks = 1024;
 constexpr std::uint64_t kMostDoublings = 6;  // if not told otherwise: 64 times the first round
 
 // Shares of the variance. Stage 0 holds the first round of blocks, d + 2 rows each; every further
 // stage as many as all before it, so that 2^m points of the sequence are complete.
-class SobolSensitivity : public SensitivityStudy {
+class SobolSensitivity : public SensitivityRun {
  public:
-  explicit SobolSensitivity(const StudyFile& file)
-      : SensitivityStudy(file),
-        seed_(entries::count(file.study, "seed", 1)),
-        first_round_(SobolDesign::balanced(entries::count(file.study, "samples", kBlocks))),
-        most_(entries::count(file.study, "max_samples", first_round_ << kMostDoublings)),
-        width_(entries::quantity(file.study, "width", "1", 0)),
+  SobolSensitivity(const SensitivityStudy& asked, const MotorDesign& motor)
+      : SensitivityRun(asked, motor),
+        seed_(asked.seed),
+        first_round_(SobolDesign::balanced(
+            asked.samples.value_or(standard_samples(SensitivityMethod::sobol)))),
+        most_(asked.max_samples.value_or(first_round_ << kMostDoublings)),
+        width_(asked.width.value_or(0)),
         design_(box_.size(), seed_),
         gradients_(metrics_, box_.parameters()) {}
 
@@ -148,8 +148,9 @@ class SobolSensitivity : public SensitivityStudy {
 
 }  // namespace
 
-std::unique_ptr<StudyKindRun> make_sobol_sensitivity(const StudyFile& file) {
-  return std::make_unique<SobolSensitivity>(file);
+std::unique_ptr<StudyKindRun> make_sobol_sensitivity(const SensitivityStudy& asked,
+                                                     const MotorDesign& motor) {
+  return std::make_unique<SobolSensitivity>(asked, motor);
 }
 
 }  // namespace twum::studies

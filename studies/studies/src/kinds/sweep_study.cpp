@@ -2,7 +2,6 @@
 #include "kinds/design_sampler.hpp"
 #include "kinds/sample_rows.hpp"
 #include "kinds/stored_medians.hpp"
-#include "study/entries.hpp"
 
 #include <cmath>
 #include <limits>
@@ -14,11 +13,10 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // Metrics of a grid, list or sample of designs: one stage, a row for each design.
-class SweepStudy : public StudyKindRun {
+class SweepRun : public StudyKindRun {
  public:
-  explicit SweepStudy(const StudyFile& file)
-      : sampler_(file.study),
-        evaluator_(file.motor.design, sampler_.variables(), entries::metrics(file.study)) {}
+  SweepRun(const SweepStudy& asked, const MotorDesign& motor)
+      : sampler_(asked), evaluator_(motor, sampler_.variables(), asked.metrics) {}
 
   std::vector<Column> columns() const override { return evaluator_.columns(); }
   std::size_t variables() const override { return sampler_.variables().size(); }
@@ -67,7 +65,7 @@ class SweepStudy : public StudyKindRun {
 
   SweepResult answer(const ResultStore& store) const {
     SweepResult result;
-    result.sampling = sampler_.sampling();
+    result.sampling = to_string(sampler_.sampling());
     result.designs = sampler_.count();
     const std::vector<Column> all = columns();
     const auto metrics = all.begin() + static_cast<std::ptrdiff_t>(variables());
@@ -91,8 +89,8 @@ class SweepStudy : public StudyKindRun {
 
 }  // namespace
 
-std::unique_ptr<StudyKindRun> make_sweep(const StudyFile& file) {
-  return std::make_unique<SweepStudy>(file);
+std::unique_ptr<StudyKindRun> make_run(const SweepStudy& asked, const StudyFile& file) {
+  return std::make_unique<SweepRun>(asked, file.motor.design);
 }
 
 }  // namespace twum::studies

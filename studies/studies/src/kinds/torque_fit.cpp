@@ -9,13 +9,13 @@
 
 namespace twum::studies {
 
-TorqueFit::TorqueFit(MotorDesign motor, std::vector<entries::Range> parameters,
+TorqueFit::TorqueFit(MotorDesign motor, std::vector<DesignVariable> parameters,
                      std::vector<MeasuredPoint> points)
     : motor_(std::move(motor)),
       parameters_(std::move(parameters)),
       points_(std::move(points)),
       fixed_static_friction_(
-          std::any_of(parameters_.begin(), parameters_.end(), [](const entries::Range& range) {
+          std::any_of(parameters_.begin(), parameters_.end(), [](const DesignVariable& range) {
             return range.parameter == Parameter::static_friction;
           })) {
   for (const MeasuredPoint& point : points_)
@@ -49,7 +49,7 @@ optim::Residuals TorqueFit::torque_residuals(std::span<const double> values) con
       throw EvaluationError("torque: no derivative", "no derivative");
     const double root = std::sqrt(points_[i].weight);
     result.values.push_back(root * (torque.value.value - points_[i].torque));
-    for (const entries::Range& range : parameters_)
+    for (const DesignVariable& range : parameters_)
       result.jacobian.push_back(root * torque.gradient[index_of(range.parameter)]);
   }
   return result;
@@ -70,7 +70,7 @@ double TorqueFit::torque_size() const {
 double TorqueFit::static_ratio() const {
   const bool estimated = std::any_of(
       parameters_.begin(), parameters_.end(),
-      [](const entries::Range& range) { return range.parameter == Parameter::kinetic_friction; });
+      [](const DesignVariable& range) { return range.parameter == Parameter::kinetic_friction; });
   const double kinetic = get(motor_, Parameter::kinetic_friction);
   if (!estimated || fixed_static_friction_ || !(kinetic > 0)) return 1;
   return get(motor_, Parameter::static_friction) / kinetic;
@@ -79,7 +79,7 @@ double TorqueFit::static_ratio() const {
 std::vector<optim::Variable> TorqueFit::variables(std::span<const double> start) const {
   std::vector<optim::Variable> result;
   for (std::size_t j = 0; j < parameters_.size(); ++j) {
-    const entries::Range& range = parameters_[j];
+    const DesignVariable& range = parameters_[j];
     const double own = get(motor_, range.parameter);
     optim::Variable variable{std::string(info(range.parameter).name), range.min, range.max,
                              range.start, range.log ? optim::Scale::log : optim::Scale::linear};

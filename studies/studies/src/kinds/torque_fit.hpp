@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "study/entries.hpp"
+#include <twum/studies/problem/motor_problem.hpp>
+
 #include "tables/measured_points.hpp"
 
 #include <twum/core/design/motor_design.hpp>
@@ -18,10 +19,10 @@ namespace twum::studies {
 /// reads; so the error is one of torque. Constant, safe from any number of threads.
 class TorqueFit {
  public:
-  TorqueFit(MotorDesign motor, std::vector<entries::Range> parameters,
+  TorqueFit(MotorDesign motor, std::vector<DesignVariable> parameters,
             std::vector<MeasuredPoint> points);
 
-  const std::vector<entries::Range>& parameters() const noexcept { return parameters_; }
+  const std::vector<DesignVariable>& parameters() const noexcept { return parameters_; }
   const std::vector<MeasuredPoint>& points() const noexcept { return points_; }
 
   /// With the exact Jacobian. A motor without a torque at one of the speeds has a failure.
@@ -42,7 +43,7 @@ class TorqueFit {
   optim::Residuals torque_residuals(std::span<const double> values) const;
 
   MotorDesign motor_;
-  std::vector<entries::Range> parameters_;
+  std::vector<DesignVariable> parameters_;
   std::vector<MeasuredPoint> points_;
   std::vector<MetricRequest> requests_;
   bool fixed_static_friction_;

@@ -2,14 +2,11 @@
 #include "kinds/earlier_result.hpp"
 #include "kinds/found_motors.hpp"
 #include "kinds/sample_rows.hpp"
-#include "study/distribution_entries.hpp"
-#include "study/entries.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/optim/random.hpp>
 #include <twum/studies/statistics/moments.hpp>
 #include <twum/studies/statistics/quantiles.hpp>
-#include <twum/studies/units/units.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +19,7 @@ namespace {
 constexpr double kConfidence = 0.95;
 
 // A parameter with its distribution.
-struct UncertainVariable {
+struct DrawnVariable {
   Parameter parameter;
   Distribution distribution;
 
@@ -32,29 +29,22 @@ struct UncertainVariable {
   }
 };
 
-std::vector<UncertainVariable> uncertain_variables(const YamlNode& study) {
-  std::vector<UncertainVariable> variables;
-  for (const YamlEntry& entry : study.find("variables")->entries) {
-    const ParameterInfo& row = info(*find_parameter(entry.key));
-    variables.push_back({row.parameter, entries::distribution(entry.value, row)});
-  }
+std::vector<DrawnVariable> drawn_variables(const std::vector<UncertainVariable>& asked) {
+  std::vector<DrawnVariable> variables;
+  for (const UncertainVariable& variable : asked)
+    variables.push_back({variable.parameter, variable.distribution()});
   return variables;
 }
 
-std::vector<Parameter> parameters_of(const std::vector<UncertainVariable>& variables) {
+std::vector<Parameter> parameters_of(const std::vector<DrawnVariable>& variables) {
   std::vector<Parameter> parameters;
-  for (const UncertainVariable& variable : variables) parameters.push_back(variable.parameter);
+  for (const DrawnVariable& variable : variables) parameters.push_back(variable.parameter);
   return parameters;
 }
 
-std::vector<double> probabilities(const YamlNode& study) {
-  const YamlNode* list = study.find("quantiles");
-  if (list == nullptr) return {0.05, 0.5, 0.95};
-  std::vector<double> result;
-  for (const YamlNode& item : list->items)
-    result.push_back(parse_quantity(item.scalar, {"1", "0.05"}));
-  std::sort(result.begin(), result.end());
-  return result;
+std::vector<double> sorted(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values;
 }
 
 // A limit and the metric it looks at.
@@ -82,17 +72,15 @@ std::vector<LimitPlace> place_limits(const std::vector<Constraint>& limits,
 }
 
 // The motor of the file, or the best design of an earlier study.
-MotorDesign motor_of(const StudyFile& file) {
-  const YamlNode* start = file.study.find("start");
-  if (start == nullptr) return file.motor.design;
-  const auto designs =
-      earlier_designs((std::filesystem::path(file.folder) / start->scalar).string());
+MotorDesign motor_of(const StudyFile& file, const std::string& start) {
+  if (start.empty()) return file.motor.design;
+  const auto designs = earlier_designs((std::filesystem::path(file.folder) / start).string());
   if (designs.size() != 1) {
-    throw InputError("study.start: '" + start->scalar + "' holds a front of " +
+    throw InputError("study.start: '" + start + "' holds a front of " +
                      std::to_string(designs.size()) +
                      " designs; tolerances are those of one motor: name one of its motor files "
                      "instead, such as 'motor: " +
-                     start->scalar + "/" + front_file(1, designs.size()) + "'");
+                     start + "/" + front_file(1, designs.size()) + "'");
   }
   return with(file.motor.design, designs.front());
 }
@@ -102,17 +90,17 @@ MotorDesign motor_of(const StudyFile& file) {
 // The draws are plain random numbers, not a Latin hypercube or a Sobol sequence: these would narrow the
 // scatter of means, but intervals of yield and quantiles hold for independent draws only, and would say
 // something else than they promise. Draw k of row i depends on the seed, i and k alone.
-class UncertaintyStudy : public StudyKindRun {
+class UncertaintyRun : public StudyKindRun {
  public:
-  explicit UncertaintyStudy(const StudyFile& file)
-      : variables_(uncertain_variables(file.study)),
-        probabilities_(probabilities(file.study)),
-        metrics_(entries::metrics(file.study)),
-        limits_(place_limits(entries::constraints(file.study, "limits"), metrics_)),
-        evaluator_(motor_of(file), parameters_of(variables_), metrics_),
-        seed_(entries::count(file.study, "seed", 1)),
-        samples_(entries::count(file.study, "samples", 10000)),
-        start_(entries::word(file.study, "start", "")) {}
+  UncertaintyRun(const UncertaintyStudy& asked, const StudyFile& file)
+      : variables_(drawn_variables(asked.variables)),
+        probabilities_(sorted(asked.quantiles)),
+        metrics_(asked.metrics),
+        limits_(place_limits(asked.limits, metrics_)),
+        evaluator_(motor_of(file, asked.start), parameters_of(variables_), metrics_),
+        seed_(asked.seed),
+        samples_(asked.samples),
+        start_(asked.start) {}
 
   std::vector<Column> columns() const override { return evaluator_.columns(); }
   std::size_t variables() const override { return variables_.size(); }
@@ -139,7 +127,7 @@ class UncertaintyStudy : public StudyKindRun {
   void fill(std::uint64_t index, Row& row) const {
     optim::Random random(seed_, 0, index);
     std::vector<double> design;
-    for (const UncertainVariable& variable : variables_) {
+    for (const DrawnVariable& variable : variables_) {
       // Half a step of the random number keeps it away from 0.
       design.push_back(variable.draw(random.uniform() + 0x1.0p-54));
     }
@@ -210,7 +198,7 @@ class UncertaintyStudy : public StudyKindRun {
       metric.quantiles.push_back({p, quantile_estimate(values, p, kConfidence)});
   }
 
-  std::vector<UncertainVariable> variables_;
+  std::vector<DrawnVariable> variables_;
   std::vector<double> probabilities_;
   std::vector<MetricExpression> metrics_;
   std::vector<LimitPlace> limits_;
@@ -222,8 +210,8 @@ class UncertaintyStudy : public StudyKindRun {
 
 }  // namespace
 
-std::unique_ptr<StudyKindRun> make_uncertainty(const StudyFile& file) {
-  return std::make_unique<UncertaintyStudy>(file);
+std::unique_ptr<StudyKindRun> make_run(const UncertaintyStudy& asked, const StudyFile& file) {
+  return std::make_unique<UncertaintyRun>(asked, file);
 }
 
 }  // namespace twum::studies

@@ -10,13 +10,13 @@
 namespace twum::studies {
 namespace {
 
-double value_at(const entries::Range& range, double u) {
+double value_at(const DesignVariable& range, double u) {
   if (!info(range.parameter).integer) return between(range.min, range.max, u, range.log);
   return std::clamp(std::floor(between(range.min, range.max + 1, u, range.log)), range.min,
                     range.max);
 }
 
-double coordinate_of(const entries::Range& range, double value) {
+double coordinate_of(const DesignVariable& range, double value) {
   if (range.log) return std::log(value / range.min) / std::log(range.max / range.min);
   return (value - range.min) / (range.max - range.min);
 }
@@ -25,7 +25,7 @@ double coordinate_of(const entries::Range& range, double value) {
 
 std::vector<Parameter> UnitBox::parameters() const {
   std::vector<Parameter> result;
-  for (const entries::Range& range : ranges_) result.push_back(range.parameter);
+  for (const DesignVariable& range : ranges_) result.push_back(range.parameter);
   return result;
 }
 
@@ -45,7 +45,7 @@ std::vector<double> UnitBox::coordinates(std::span<const double> unit) const {
 }
 
 double UnitBox::slope(std::size_t variable, double value) const {
-  const entries::Range& range = ranges_[variable];
+  const DesignVariable& range = ranges_[variable];
   if (info(range.parameter).integer) return std::numeric_limits<double>::quiet_NaN();
   return range.log ? value * std::log(range.max / range.min) : range.max - range.min;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "study/entries.hpp"
+#include <twum/studies/problem/motor_problem.hpp>
 
 #include <span>
 #include <vector>
@@ -12,7 +12,7 @@ namespace twum::studies {
 /// whole numbers takes each of its values on the same share.
 class UnitBox {
  public:
-  explicit UnitBox(std::vector<entries::Range> ranges) : ranges_(std::move(ranges)) {}
+  explicit UnitBox(std::vector<DesignVariable> ranges) : ranges_(std::move(ranges)) {}
 
   std::size_t size() const noexcept { return ranges_.size(); }
   std::vector<Parameter> parameters() const;
@@ -24,7 +24,7 @@ class UnitBox {
   double slope(std::size_t variable, double value) const;
 
  private:
-  std::vector<entries::Range> ranges_;
+  std::vector<DesignVariable> ranges_;
 };
 
 }  // namespace twum::studies

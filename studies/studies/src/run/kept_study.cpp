@@ -58,7 +58,7 @@ StudyResult run_on(const StudyFile& file, StudyKindRun& kind, ResultStore& store
   store.flush();
   StudyResult result;
   result.study = name_of(file);
-  result.kind = file.kind;
+  result.kind = file.kind();
   result.motor = file.motor.name;
   result.outcome =
       options.stop.stop_requested() ? std::string("interrupted") : std::move(answer.outcome);
@@ -209,10 +209,7 @@ class KeptRun {
 }  // namespace
 
 std::unique_ptr<StudyKindRun> make_kind(const StudyFile& file) {
-  constexpr std::array<std::unique_ptr<StudyKindRun> (*)(const StudyFile&), 8> kMakers{
-      make_curve,  make_sweep, make_sensitivity, make_optimize,
-      make_pareto, make_size,  make_uncertainty, make_calibrate};
-  return kMakers.at(static_cast<std::size_t>(file.kind))(file);
+  return std::visit([&](const auto& asked) { return make_run(asked, file); }, file.asked);
 }
 
 void check_named_files(const StudyFile& file) { make_kind(file); }

@@ -93,7 +93,7 @@ Verification verify_study(const std::string& directory, const VerifyOptions& opt
   const std::unique_ptr<StudyKindRun> kind = make_stored_kind(file);
   Verification found;
   found.study = summary.value("study", "");
-  found.kind = to_string(file.kind);
+  found.kind = to_string(file.kind());
   const ScratchFolder scratch;
   ResultStore store(copy_database(directory, scratch.path()), kind->columns());
   verify_rows(*kind, store, options, found);

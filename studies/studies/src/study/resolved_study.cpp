@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/resolved_study.hpp"
 
-#include "schema/scalar_checks.hpp"
-#include "study/sweep_checks.hpp"
+#include "study/study_kinds.hpp"
 #include "text/checksum.hpp"
 #include "yaml/yaml_text.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/text/value_error.hpp>
 #include <twum/studies/text/words.hpp>
 #include <twum/studies/yaml/loader.hpp>
 
@@ -26,90 +24,52 @@ namespace {
 
 namespace fs = std::filesystem;
 
-YamlNode scalar(std::string_view text) {
-  YamlNode node;
-  node.kind = YamlNode::Kind::scalar;
-  node.scalar = text;
-  return node;
-}
-
-bool is_value(std::string_view text, const Schema& schema) {
-  // Any text will do for a path: a single word is one, "the motor as it is" speaks of the default.
-  if (schema.kind == ValueKind::text && schema.check == nullptr)
-    return text.find(' ') == std::string_view::npos;
-  try {
-    check_scalar(text, schema);
-    return true;
-  } catch (const ValueError&) {
-    return false;
-  }
-}
-
-// The value that a fallback stands for; nothing if it is words.
-std::optional<YamlNode> value_of(const std::string& fallback, const Schema& schema) {
-  if (fallback.empty()) return {};
-  switch (schema.kind) {
-    case ValueKind::quantity:
-    case ValueKind::count:
-    case ValueKind::text:
-    case ValueKind::word:
-      if (is_value(fallback, schema)) return scalar(fallback);
-      return {};
-    case ValueKind::any_of: return value_of(fallback, schema.alternatives.front());
-    case ValueKind::list: {
-      YamlNode list;
-      list.kind = YamlNode::Kind::list;
-      for (const std::string_view one : split_list(fallback)) {
-        if (!is_value(one, schema.items.front())) return {};
-        list.items.push_back(scalar(one));
-      }
-      return list;
-    }
-    default: return {};
-  }
-}
-
 bool gives(const YamlNode& mapping, const SchemaEntry& entry) {
   return mapping.find(entry.name) != nullptr ||
          (entry.alias_counts && !entry.alias.empty() && mapping.find(entry.alias) != nullptr);
 }
 
-// "1000, for lhs and sobol" is 1000 where another entry is one of these words, and nothing elsewhere.
-std::string fallback_in(const YamlNode& mapping, const SchemaEntry& entry) {
-  constexpr std::string_view kFor = ", for ";
-  const std::size_t at = entry.fallback.find(kFor);
-  if (at == std::string::npos) return entry.fallback;
-  const std::string words = " " + entry.fallback.substr(at + kFor.size()) + " ";
-  const bool holds =
-      std::any_of(mapping.entries.begin(), mapping.entries.end(), [&](const YamlEntry& other) {
-        return other.value.kind == YamlNode::Kind::scalar &&
-               words.find(" " + other.value.scalar + " ") != std::string::npos;
-      });
-  return holds ? entry.fallback.substr(0, at) : std::string();
+// Mappings from the outermost one to that at hand, whose entries decide which standards hold.
+using Around = std::vector<const YamlNode*>;
+
+const YamlNode* standard_of(const SchemaEntry& entry, const Around& around) {
+  const auto holds = [&](const StandardValue& one) {
+    if (one.selector.empty()) return true;
+    for (const YamlNode* mapping : around) {
+      const YamlNode* word = mapping->find(one.selector);
+      if (word != nullptr)
+        return std::find(one.words.begin(), one.words.end(), word->scalar) != one.words.end();
+    }
+    return false;
+  };
+  const auto found = std::find_if(entry.standards.begin(), entry.standards.end(), holds);
+  return found == entry.standards.end() ? nullptr : &found->value;
 }
 
-YamlNode complete(const YamlNode& node, const Schema& schema);
+YamlNode complete(const YamlNode& node, const Schema& schema, const Around& around);
 
-YamlNode complete_mapping(YamlNode node, const Schema& schema) {
+YamlNode complete_mapping(YamlNode node, const Schema& schema, Around around) {
+  const YamlNode typed = node;
+  around.push_back(&typed);
   for (YamlEntry& given : node.entries) {
     for (const SchemaEntry& entry : schema.entries) {
       const bool by_alias = entry.alias_counts && entry.alias == given.key;
       if (entry.name != given.key && !by_alias) continue;
       given.key = entry.name;
-      given.value = complete(given.value, entry.schema);
+      given.value = complete(given.value, entry.schema, around);
       break;
     }
   }
   for (const SchemaEntry& entry : schema.entries) {
     if (entry.required || gives(node, entry)) continue;
-    if (const auto value = value_of(fallback_in(node, entry), entry.schema))
-      node.entries.push_back({entry.name, {}, complete(*value, entry.schema)});
+    if (const YamlNode* value = standard_of(entry, around))
+      node.entries.push_back({entry.name, {}, complete(*value, entry.schema, around)});
   }
   return node;
 }
 
 // Where a name may stand for a mapping of options, it stands for one with that name.
-YamlNode complete_any(const YamlNode& node, const Schema& schema) {
+YamlNode complete_any(const YamlNode& node, const Schema& schema, const Around& around) {
   for (const Schema& one : schema.alternatives) {
     const bool named = one.kind == ValueKind::mapping && node.kind == YamlNode::Kind::scalar &&
                        !one.entries.empty() && one.entries.front().name == "name";
@@ -117,28 +77,29 @@ YamlNode complete_any(const YamlNode& node, const Schema& schema) {
       YamlNode options;
       options.kind = YamlNode::Kind::mapping;
       options.entries.push_back({"name", {}, node});
-      return complete_mapping(options, one);
+      return complete_mapping(options, one, around);
     }
     if (one.kind == ValueKind::mapping && node.kind == YamlNode::Kind::mapping)
-      return complete_mapping(node, one);
+      return complete_mapping(node, one, around);
   }
   return node;
 }
 
-YamlNode complete(const YamlNode& node, const Schema& schema) {
+YamlNode complete(const YamlNode& node, const Schema& schema, const Around& around) {
   switch (schema.kind) {
-    case ValueKind::mapping: return complete_mapping(node, schema);
-    case ValueKind::any_of: return complete_any(node, schema);
+    case ValueKind::mapping: return complete_mapping(node, schema, around);
+    case ValueKind::any_of: return complete_any(node, schema, around);
     case ValueKind::variant: {
       const YamlNode* word = node.find(schema.selector);
       for (std::size_t i = 0; word != nullptr && i < schema.words.size(); ++i) {
-        if (word->scalar == schema.words[i]) return complete_mapping(node, schema.alternatives[i]);
+        if (word->scalar == schema.words[i])
+          return complete_mapping(node, schema.alternatives[i], around);
       }
       return node;
     }
     case ValueKind::list: {
       YamlNode list = node;
-      for (YamlNode& item : list.items) item = complete(item, schema.items.front());
+      for (YamlNode& item : list.items) item = complete(item, schema.items.front(), around);
       return list;
     }
     default: return node;
@@ -190,8 +151,10 @@ std::map<std::string, std::string> flat(const std::string& text) {
 }  // namespace
 
 ResolvedStudy resolve(const StudyFile& file) {
-  ResolvedStudy result{file.motor, complete(file.study, study_schema(file.kind)), {}};
-  if (file.kind == StudyKind::sweep) result.study = with_sweep_defaults(std::move(result.study));
+  const Shape<Study>& shape = study_shape(file.kind());
+  ResolvedStudy result{file.motor, {}, shape.write(file.asked), {}};
+  const bool typed = file.study.kind == YamlNode::Kind::mapping;
+  result.study = complete(typed ? file.study : result.meaning, shape.schema, {});
   constexpr std::array<std::string_view, 2> kPaths{"data", "start"};
   for (const std::string_view entry : kPaths) {
     const YamlNode* node = result.study.find(entry);
@@ -221,13 +184,13 @@ std::string ResolvedStudy::text(const std::string& folder) const {
 
 std::string ResolvedStudy::hash() const {
   // What a file holds counts, not where it stands.
-  ResolvedStudy by_content = *this;
-  for (YamlEntry& entry : by_content.study.entries) {
+  YamlNode by_content = meaning;
+  for (YamlEntry& entry : by_content.entries) {
     for (const NamedFile& file : files) {
       if (entry.key == file.entry) entry.value.scalar = file.hash;
     }
   }
-  return hex(checksum(by_content.text()));
+  return hex(checksum(motor_text(motor) + "study:\n" + yaml_text(by_content, 1)));
 }
 
 std::vector<std::string> differences(const std::string& stored, const std::string& now) {

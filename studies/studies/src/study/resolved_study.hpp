@@ -18,7 +18,8 @@ struct ResolvedStudy {
     std::string hash;   ///< of its content, times aside
   };
   MotorFile motor;
-  YamlNode study;  ///< what stands below `study:`
+  YamlNode study;    ///< what stands below `study:`, as typed
+  YamlNode meaning;  ///< the same in SI, so that two studies that ask the same are equal
   std::vector<NamedFile> files;
 
   /// As a study file. Quantities are as typed, those of the motor in SI.

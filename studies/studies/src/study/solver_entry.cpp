@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/solver_entry.hpp"
 
-#include "study/entries.hpp"
-#include "study/shapes.hpp"
+#include "study/entry_shapes.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/optim/solvers.hpp>
@@ -17,8 +16,6 @@
 
 namespace twum::studies {
 namespace {
-
-using namespace shapes;
 
 // "monotone|adaptive"
 std::vector<std::string> choices(const std::string& range) {
@@ -40,34 +37,54 @@ void set_range(Schema& value, std::string_view range) {
   value.max = *most;
 }
 
-Schema option_value(const optim::SolverOption& option) {
+// A number as the solvers read it, "5e-9", whatever way it is written.
+Shape<std::string> option_shape(const optim::SolverOption& option) {
+  if (option.type == "text") {
+    const std::vector<std::string> words = choices(option.range);
+    return as<std::string, std::size_t>(
+        choice(option.text + " (" + option.solver + ")", words),
+        [words](std::size_t number) { return words[number]; },
+        [words](const std::string& text) {
+          return static_cast<std::size_t>(std::find(words.begin(), words.end(), text) -
+                                          words.begin());
+        });
+  }
   const std::string text = option.text + " (" + option.solver + ", " + option.range + ")";
-  if (option.type == "text")
-    return word(option.text + " (" + option.solver + ")", choices(option.range));
-  Schema value = quantity(text, "1", option.type == "integer" ? "1" : "1e-9");
+  Schema value = quantity(text, "1", option.type == "integer" ? "1" : "1e-9").schema;
   if (option.type == "integer") value.kind = ValueKind::count;
   set_range(value, option.range);
-  return value;
+  auto shape = as<std::string, double>(number(value), number_text, {});
+  shape.write = [](const std::string& typed) { return scalar_node(typed); };
+  return shape;
 }
 
-// As the solvers read it: "5e-9", whatever way the number is written.
-std::string option_text(const YamlEntry& entry) {
-  const auto& known = optim::solver_options();
-  const bool number = std::any_of(known.begin(), known.end(), [&](const auto& o) {
-    return o.name == entry.key && o.type != "text";
-  });
-  return number ? number_text(parse_quantity(entry.value.scalar, {"1", ""})) : entry.value.scalar;
-}
+using Options = std::map<std::string, std::string>;
 
-Schema options_schema() {
-  std::vector<SchemaEntry> entries;
+Shape<Options> options_shape() {
+  std::vector<Field<Options>> fields;
   for (const optim::SolverOption& option : optim::solver_options()) {
-    const bool known = std::any_of(entries.begin(), entries.end(),
-                                   [&](const SchemaEntry& e) { return e.name == option.name; });
-    if (!known) entries.push_back(optional(option.name, option_value(option), "the solver's own"));
+    const std::string& name = option.name;
+    const bool known = std::any_of(fields.begin(), fields.end(), [&](const Field<Options>& field) {
+      return field.entry.name == name;
+    });
+    if (known) continue;
+    const Shape<std::string> shape = option_shape(option);
+    Field<Options> field;
+    field.entry.name = name;
+    field.entry.schema = shape.schema;
+    field.entry.fallback = "the solver's own";
+    field.read = [read = shape.read, name](Options& into, const YamlNode& node, const Spot& spot,
+                                           Diagnostics& diagnostics) {
+      return read(into[name], node, spot, diagnostics);
+    };
+    field.write = [write = shape.write, name](const Options& from) {
+      const auto found = from.find(name);
+      return found == from.end() ? std::nullopt : std::optional<YamlNode>(write(found->second));
+    };
+    fields.push_back(std::move(field));
   }
-  return mapping("options of the named solver itself ('twum solvers' lists them)",
-                 std::move(entries));
+  return mapping<Options>("options of the named solver itself ('twum solvers' lists them)",
+                          std::move(fields));
 }
 
 // What a study asks of its solver.
@@ -76,7 +93,7 @@ struct Demands {
   bool limits;
   bool whole_numbers;
 
-  explicit Demands(const YamlNode& study) {
+  explicit Demands(const Given& study) {
     const YamlNode* kind = study.find("kind");
     const YamlNode* variables = study.find("variables");
     front = kind != nullptr && kind->scalar == "pareto";
@@ -107,7 +124,7 @@ const optim::SolverInfo* info_of(std::string_view name) {
 
 class SolverChecker {
  public:
-  SolverChecker(const YamlNode& study, Diagnostics& diagnostics)
+  SolverChecker(const Given& study, Diagnostics& diagnostics)
       : demands_(study), diagnostics_(diagnostics) {}
 
   void check(const YamlNode& solver) {
@@ -120,7 +137,7 @@ class SolverChecker {
   }
 
   // A front by gradients has no whole numbers between its points.
-  void check_whole_numbers(const YamlNode& study) {
+  void check_whole_numbers(const Given& study) {
     if (!demands_.front || !demands_.whole_numbers) return;
     const YamlNode* solver = study.find("solver");
     const YamlNode* name = solver != nullptr ? solver->find("name") : nullptr;
@@ -182,56 +199,40 @@ class SolverChecker {
 
 }  // namespace
 
-Schema solver_schema(const char* evaluations) {
-  Schema name =
+Shape<optim::SolveOptions> solver_shape(const optim::SolveOptions& fresh) {
+  using O = optim::SolveOptions;
+  const Shape<std::string> name =
       path("a solver ('twum solvers' lists them; for a front: auto or nsga2)", "nlopt:slsqp");
-  Schema options = mapping(
+  const auto evaluations = [](auto& options) -> auto& { return options.budget.evaluations; };
+  const auto options = mapping<O>(
       "a solver and its options",
-      {optional("name", name, "auto"),
-       optional("starts", count("local searches from different starts", "8", 1, 1e6), "8"),
-       optional("tolerance", fraction("relative accuracy of the optimum", "1e-8"), "1e-6"),
-       optional("max_evaluations", count("evaluations at most", "2000", 1, 1e12), evaluations),
-       optional("seed", seed(), "1"),
-       hidden(optional("options", options_schema(), "the solver's own"))});
-  Schema schema;
-  schema.kind = ValueKind::any_of;
-  schema.text = "how it is solved: a name, or a mapping of options";
-  schema.sample = "name: auto\nstarts: 8\nseed: 1";
-  schema.alternatives = {name, options};
-  return schema;
+      {standard<O>("name", name, &O::solver),
+       standard<O>("starts", count("local searches from different starts", "8", 1, 1e6),
+                   &O::starts),
+       standard<O>("tolerance", fraction("relative accuracy of the optimum", "1e-8"),
+                   &O::tolerance),
+       standard<O>("max_evaluations", count("evaluations at most", "2000", 1, 1e12), evaluations),
+       standard<O>("seed", shapes::seed(), &O::seed),
+       hidden(optional<O>("options", options_shape(), &O::solver_options, "the solver's own"))},
+      {}, fresh);
+  const auto plain = as<O, std::string>(
+      name,
+      [fresh](std::string typed) {
+        O named = fresh;
+        named.solver = std::move(typed);
+        return named;
+      },
+      [](const O& value) { return value.solver; });
+  auto shape = one_of<O>("how it is solved: a name, or a mapping of options", {plain, options},
+                         [](const O&) { return std::size_t{1}; });
+  shape.schema.sample = "name: auto\nstarts: 8\nseed: 1";
+  return shape;
 }
 
-void check_solver(const YamlNode& study, Diagnostics& diagnostics) {
-  const YamlNode* kind = study.find("kind");
-  const bool searches = kind != nullptr && (kind->scalar == "optimize" || kind->scalar == "size" ||
-                                            kind->scalar == "pareto");
-  if (!searches) return;
+void check_solver(const Given& study, Diagnostics& diagnostics) {
   SolverChecker checker(study, diagnostics);
   if (const YamlNode* solver = study.find("solver")) checker.check(*solver);
   checker.check_whole_numbers(study);
-}
-
-optim::SolveOptions solver_options_of(const YamlNode& study) {
-  optim::SolveOptions options;
-  const YamlNode* kind = study.find("kind");
-  if (kind != nullptr && kind->scalar == "pareto") options.budget.evaluations = 200000;
-  const YamlNode* solver = study.find("solver");
-  if (solver == nullptr) return options;
-  if (solver->kind == YamlNode::Kind::scalar) {
-    options.solver = solver->scalar;
-    return options;
-  }
-  options.solver = entries::word(*solver, "name", "auto");
-  options.starts = entries::count(*solver, "starts", options.starts);
-  options.tolerance = entries::quantity(*solver, "tolerance", "1", options.tolerance);
-  options.budget.evaluations =
-      entries::count(*solver, "max_evaluations", options.budget.evaluations);
-  options.seed = entries::count(*solver, "seed", options.seed);
-  if (const YamlNode* own = solver->find("options")) {
-    for (const YamlEntry& entry : own->entries)
-      options.solver_options[entry.key] = option_text(entry);
-  }
-  return options;
 }
 
 }  // namespace twum::studies

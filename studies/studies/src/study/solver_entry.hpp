@@ -2,9 +2,7 @@
 #pragma once
 
 #include <twum/optim/options.hpp>
-#include <twum/studies/diagnostics/diagnostics.hpp>
-#include <twum/studies/schema/schema.hpp>
-#include <twum/studies/yaml/node.hpp>
+#include <twum/studies/schema/shape.hpp>
 
 #include <string>
 
@@ -14,13 +12,12 @@ namespace twum::studies {
 /// Name under which `solver:` of a front asks for the evolutionary search.
 inline constexpr const char* kNsga2 = "nsga2";
 
-Schema solver_schema(const char* evaluations);
+/// A name, or a mapping of options.
+/// @param fresh  what is left out
+Shape<optim::SolveOptions> solver_shape(const optim::SolveOptions& fresh);
 
 /// Adds what the table of solvers knows: names that do not exist, solvers that do not fit the study,
 /// options of another solver.
-void check_solver(const YamlNode& study, Diagnostics& diagnostics);
-
-/// The entry with its defaults; observer, threads and stop are not set.
-optim::SolveOptions solver_options_of(const YamlNode& study);
+void check_solver(const Given& study, Diagnostics& diagnostics);
 
 }  // namespace twum::studies

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/studies/study/study_file.hpp>
 
-#include "study/study_checks.hpp"
+#include "study/entry_shapes.hpp"
+#include "study/study_kinds.hpp"
 
 #include <twum/studies/motor/settings.hpp>
 #include <twum/studies/schema/validate.hpp>
@@ -42,31 +43,27 @@ std::optional<MotorFile> named_motor(const YamlNode& name, const std::string& fo
   }
 }
 
-void apply_overrides(const YamlNode& root, MotorFile& motor, Diagnostics& diagnostics) {
-  const YamlNode* overrides = root.find("set");
-  if (overrides == nullptr) return;
+void apply(const std::vector<shapes::Override>& overrides, const YamlNode& node, MotorFile& motor,
+           Diagnostics& diagnostics) {
   std::vector<ParameterValue> values;
-  for (const YamlEntry& entry : overrides->entries) {
-    const auto parameter = find_parameter(entry.key);
-    const auto value =
-        parameter ? quantity_of(entry.value, parameter_schema(info(*parameter))) : std::nullopt;
-    if (value) values.emplace_back(*parameter, *value);
-  }
+  for (const shapes::Override& one : overrides) values.emplace_back(one.parameter, one.value);
   try {
     motor.design = with(motor.design, values);
   } catch (const InputError& error) {
-    diagnostics.add(overrides->mark, "set", error.what(), "change one of them");
+    diagnostics.add(node.mark, "set", error.what(), "change one of them");
   }
 }
 
 std::optional<MotorFile> motor_of(const YamlNode& root, const std::string& folder,
+                                  const std::vector<shapes::Override>& overrides,
                                   Diagnostics& diagnostics) {
   const YamlNode* node = root.find("motor");
   if (node == nullptr) return {};
   std::optional<MotorFile> motor = node->kind == YamlNode::Kind::scalar
                                        ? named_motor(*node, folder, diagnostics)
                                        : motor_from(*node, "motor", diagnostics);
-  if (motor) apply_overrides(root, *motor, diagnostics);
+  const YamlNode* set = root.find("set");
+  if (motor && set != nullptr) apply(overrides, *set, *motor, diagnostics);
   return motor;
 }
 
@@ -87,23 +84,59 @@ bool is_study(const Source& source) {
   return load_yaml(ignored).find("study") != nullptr;
 }
 
+namespace {
+
+// What a study file says beside its motor.
+struct Entries {
+  std::vector<shapes::Override> overrides;
+  std::optional<Study> asked;
+};
+
+Entries read_entries(const YamlNode& root, Diagnostics& diagnostics) {
+  static const auto overrides = shapes::overrides();
+  const Schema& schema = study_file_schema();
+  const Spot top{{}, {1, 1}};
+  Entries read;
+  if (root.kind != YamlNode::Kind::mapping) {
+    say_wrong_kind(root, schema, top, diagnostics);
+    return read;
+  }
+  for (const auto& [number, entry] : given_entries(root, schema, top, diagnostics)) {
+    const SchemaEntry& known = schema.entries[number];
+    const Spot spot = top.entry(entry->key, entry->key_mark);
+    if (known.name == "set") {
+      overrides.read(read.overrides, entry->value, spot, diagnostics);
+    } else if (known.name == "study") {
+      const auto kind = alternative_of(entry->value, known.schema, spot, diagnostics);
+      Study study;
+      if (kind &&
+          study_shape(static_cast<StudyKind>(*kind)).read(study, entry->value, spot, diagnostics))
+        read.asked = std::move(study);
+    } else {
+      validate(entry->value, known.schema, spot, diagnostics);
+    }
+  }
+  return read;
+}
+
+}  // namespace
+
 StudyFile read_study(const Source& source, const std::string& folder,
                      std::span<const std::string> settings) {
   Diagnostics diagnostics(source);
   YamlNode root = load_yaml(diagnostics);
-  if (!refuse_motor(root, diagnostics)) validate(root, study_file_schema(), diagnostics);
-  if (const YamlNode* study = root.find("study")) check_study(*study, diagnostics);
+  Entries entries;
+  if (!refuse_motor(root, diagnostics)) entries = read_entries(root, diagnostics);
   std::optional<MotorFile> motor;
   try {
-    motor = motor_of(root, folder, diagnostics);
+    motor = motor_of(root, folder, entries.overrides, diagnostics);
   } catch (const FileError& error) {
     throw_both(diagnostics, error);
   }
   diagnostics.throw_if_any();
-  TWUM_ASSERT(motor.has_value());
+  TWUM_ASSERT(motor.has_value() && entries.asked.has_value());
   motor->design = with_settings(motor->design, settings);
-  const auto kind = find_study_kind(find_path(root, "study.kind")->scalar);
-  return {*kind, *motor, *root.find("study"), folder, source.name()};
+  return {std::move(*motor), std::move(*entries.asked), *root.find("study"), folder, source.name()};
 }
 
 StudyFile read_study_file(const std::string& path, std::span<const std::string> settings) {

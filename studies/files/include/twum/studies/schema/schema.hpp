@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/studies/yaml/node.hpp>
+
 #include <limits>
 #include <optional>
 #include <string>
@@ -22,6 +24,14 @@ enum class ValueKind : unsigned char {
 };
 
 struct SchemaEntry;
+
+/// The value of an entry that is left out.
+struct StandardValue {
+  YamlNode value;          ///< as one would type it
+  std::string selector{};  ///< entry of the same mapping, or of one around it, that decides
+                           ///< whether it holds; empty: it always does
+  std::vector<std::string> words{};  ///< of that entry
+};
 
 /// The shape of a file, or of a part of it: the one table from which it is checked, documented,
 /// published as JSON Schema, and written as a file to start from.
@@ -58,7 +68,8 @@ struct SchemaEntry {
   std::string alias{};   ///< another name people may type, understood in `did you mean`
   bool alias_counts{false};  ///< the alias is as good as the name
   bool shown{true};          ///< in a file to start from; otherwise commented out there
-  std::string fallback{};  ///< what holds if it is left out: a value as one would type it, or words
+  std::string fallback{};    ///< what holds if it is left out, in words
+  std::vector<StandardValue> standards{};  ///< the same as values; the first that holds counts
 };
 
 }  // namespace twum::studies

@@ -4,6 +4,7 @@
 #include <twum/studies/diagnostics/diagnostics.hpp>
 #include <twum/studies/motor/motor_file.hpp>
 #include <twum/studies/schema/schema.hpp>
+#include <twum/studies/study/study.hpp>
 #include <twum/studies/yaml/node.hpp>
 
 #include <optional>
@@ -13,40 +14,22 @@
 
 namespace twum::studies {
 
-/// What a study asks.
-enum class StudyKind : unsigned char {
-  curve,
-  sweep,
-  sensitivity,
-  optimize,
-  pareto,
-  size,
-  uncertainty,
-  calibrate
-};
-
-/// Names as in `kind:`, in the order of StudyKind; the list lives for ever.
-std::span<const std::string_view> study_kinds();
-
-/// The kind of a name; nothing if there is none.
-std::optional<StudyKind> find_study_kind(std::string_view name);
-
-/// The name of a kind; lives for ever.
-std::string_view to_string(StudyKind kind);
-
 /// Shape of what stands below `study:` for one kind.
 Schema study_schema(StudyKind kind);
 
-/// Shape of a study file; lives for ever.
+/// Shape of a study file; static lifetime.
 const Schema& study_file_schema();
 
-/// A study file that is known to be right: its motor, and its entries as they stand there.
+/// A study with its motor: what a file says once it is known to be right, or what a program asks.
 struct StudyFile {
-  StudyKind kind;      ///< what it asks
-  MotorFile motor;     ///< with `set:` and the settings of the command line applied
-  YamlNode study;      ///< what stands below `study:`, valid by study_schema(kind)
-  std::string folder;  ///< where paths in the file start
-  std::string path{};  ///< of the file itself; "-" is standard input
+  MotorFile motor;       ///< with `set:` and the settings of the command line applied
+  Study asked;           ///< what is asked, in SI
+  YamlNode study{};      ///< what stands below `study:`, as typed; empty if no file was read
+  std::string folder{};  ///< where paths start
+  std::string path{};    ///< of the file itself; "-" is standard input
+
+  /// What kind of study it is.
+  StudyKind kind() const { return kind_of(asked); }
 };
 
 /// Reads a study file and its motor; "-" is standard input.

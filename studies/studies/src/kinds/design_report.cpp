@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "problem/design_report.hpp"
+#include "kinds/design_report.hpp"
 
 #include "problem/motor_responses.hpp"
 

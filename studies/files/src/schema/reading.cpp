@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/studies/schema/shape.hpp>
+
+#include "schema/scalar_checks.hpp"
+
+#include <twum/studies/text/number.hpp>
+#include <twum/studies/text/value_error.hpp>
+#include <twum/studies/text/words.hpp>
+
+namespace twum::studies {
+namespace {
+
+// The entry that a key names, by its name or by an alias that counts.
+const SchemaEntry* entry_of(const Schema& mapping, std::string_view key) {
+  for (const SchemaEntry& entry : mapping.entries) {
+    if (entry.name == key || (entry.alias_counts && entry.alias == key)) return &entry;
+  }
+  return nullptr;
+}
+
+// The key of an entry in a mapping; null if it is not given.
+const YamlEntry* given(const YamlNode& node, const Schema& mapping, std::string_view name) {
+  for (const YamlEntry& entry : node.entries) {
+    const SchemaEntry* known = entry_of(mapping, entry.key);
+    if (known != nullptr && known->name == name) return &entry;
+  }
+  return nullptr;
+}
+
+// What other kinds of study, and people, call an entry.
+std::string_view synonym(std::string_view word, const std::vector<std::string_view>& names) {
+  static constexpr std::pair<std::string_view, std::string_view> kSame[] = {
+      {"constraints", "limits"}, {"limits", "constraints"},   {"parameters", "variables"},
+      {"objective", "maximize"}, {"objective", "objectives"}, {"solvers", "solver"},
+      {"method", "sampling"},    {"sampling", "method"},      {"file", "data"}};
+  for (const auto& [said, name] : kSame) {
+    if (said == word && std::find(names.begin(), names.end(), name) != names.end()) return name;
+  }
+  return {};
+}
+
+// By its name and by its alias; the same key twice was noticed by the reader of YAML.
+void say_twice(const YamlEntry& second, const YamlEntry& first, const Spot& spot,
+               Diagnostics& diagnostics) {
+  const Spot place = spot.entry(second.key, second.key_mark);
+  diagnostics.add({place.mark, place.path, "the same as '" + first.key + "', given twice",
+                   "leave one of them out", first.key_mark, "'" + first.key + "' given here"});
+}
+
+// Returns the name that was meant, empty if there is no telling.
+std::string_view say_unknown(const YamlEntry& entry, const Schema& schema, const Spot& spot,
+                             Diagnostics& diagnostics) {
+  std::vector<std::string_view> names;
+  std::string_view meant;
+  for (const SchemaEntry& known : schema.entries) {
+    names.push_back(known.name);
+    if (!known.alias.empty() && known.alias == entry.key) meant = known.name;
+  }
+  if (meant.empty()) meant = nearest(entry.key, names);
+  if (meant.empty()) meant = synonym(entry.key, names);
+  diagnostics.add(entry.key_mark, spot.entry(entry.key, {}).path, "unknown entry",
+                  meant.empty() ? did_you_mean(entry.key, names)
+                                : "did you mean '" + std::string(meant) + "'?");
+  return meant;
+}
+
+// Reported once, at the later of the two.
+void say_both(const YamlEntry& own, const YamlEntry& twin, const Spot& spot,
+              Diagnostics& diagnostics) {
+  if (&own < &twin) return;
+  diagnostics.add({own.key_mark, spot.entry(own.key, {}).path,
+                   "says the same as '" + twin.key + "' in another way", "give one of the two",
+                   twin.key_mark, "'" + twin.key + "' given here"});
+}
+
+void check_presence(const YamlNode& node, const Schema& schema, const SchemaEntry& entry,
+                    const Spot& spot, Diagnostics& diagnostics) {
+  const YamlEntry* own = given(node, schema, entry.name);
+  const YamlEntry* twin = entry.twin.empty() ? nullptr : given(node, schema, entry.twin);
+  if (own != nullptr && twin != nullptr) return say_both(*own, *twin, spot, diagnostics);
+  if (own != nullptr || twin != nullptr || !entry.required) return;
+  std::string remedy = expectation(entry.schema);
+  if (!entry.twin.empty()) remedy += ", or '" + entry.twin + "' instead";
+  diagnostics.add(spot.mark, spot.entry(entry.name, {}).path, "missing", remedy);
+}
+
+std::string items_allowed(const Schema& schema) {
+  const std::string least = std::to_string(schema.min_items);
+  if (schema.max_items > 1000000) return "expected at least " + least;
+  if (schema.min_items == schema.max_items) return "expected " + least;
+  return "expected " + least + " to " + std::to_string(schema.max_items);
+}
+
+// The shortest text of a number, its exponent as people type it: 1e-6.
+std::string plain_number(double value) {
+  std::string text = number_text(value);
+  const std::size_t at = text.find("e-0");
+  return at == std::string::npos ? text : text.erase(at + 2, 1);
+}
+
+bool fits(const YamlNode& node, const Schema& schema) {
+  if (schema.kind == ValueKind::mapping) return node.kind == YamlNode::Kind::mapping;
+  if (schema.kind == ValueKind::list) return node.kind == YamlNode::Kind::list;
+  return node.kind == YamlNode::Kind::scalar;
+}
+
+}  // namespace
+
+void say_wrong_kind(const YamlNode& node, const Schema& schema, const Spot& spot,
+                    Diagnostics& diagnostics) {
+  if (node.kind == YamlNode::Kind::refused) return;
+  const bool text = node.kind == YamlNode::Kind::scalar;
+  diagnostics.add(node.kind == YamlNode::Kind::empty ? spot.mark : node.mark, spot.path,
+                  text ? quoted(node.scalar) : std::string(kind_phrase(node.kind)),
+                  expectation(schema));
+}
+
+bool says_no_error(const YamlNode& node, const Schema& schema, const Spot& spot,
+                   Diagnostics& diagnostics, const std::function<void(const std::string&)>& use) {
+  if (node.kind != YamlNode::Kind::scalar) {
+    say_wrong_kind(node, schema, spot, diagnostics);
+    return false;
+  }
+  try {
+    if (node.scalar.empty() && schema.kind == ValueKind::text)
+      throw ValueError("nothing", expectation(schema));
+    use(node.scalar);
+    return true;
+  } catch (const ValueError& error) {
+    diagnostics.add(node.mark, spot.path, error.found(), error.expected());
+    return false;
+  }
+}
+
+void check_item_count(const YamlNode& list, const Schema& schema, const Spot& spot,
+                      Diagnostics& diagnostics) {
+  const std::size_t count = list.items.size();
+  if (count >= schema.min_items && count <= schema.max_items) return;
+  diagnostics.add(list.mark, spot.path, count == 0 ? "an empty list" : counted(count, "item"),
+                  count == 0 ? expectation(schema.items.front()) : items_allowed(schema));
+}
+
+std::vector<GivenEntry> given_entries(const YamlNode& node, const Schema& schema, const Spot& spot,
+                                      Diagnostics& diagnostics) {
+  std::vector<GivenEntry> found;
+  std::vector<std::string_view> meant;  // entries that a mistyped name stands for
+  for (const YamlEntry& entry : node.entries) {
+    const SchemaEntry* known = entry_of(schema, entry.key);
+    if (known == nullptr) {
+      meant.push_back(say_unknown(entry, schema, spot, diagnostics));
+      continue;
+    }
+    found.push_back({static_cast<std::size_t>(known - schema.entries.data()), &entry});
+    const YamlEntry* first = given(node, schema, known->name);
+    if (first != &entry) say_twice(entry, *first, spot, diagnostics);
+  }
+  for (const SchemaEntry& entry : schema.entries)
+    if (std::find(meant.begin(), meant.end(), entry.name) == meant.end())
+      check_presence(node, schema, entry, spot, diagnostics);
+  return found;
+}
+
+std::optional<std::size_t> alternative_of(const YamlNode& node, const Schema& schema,
+                                          const Spot& spot, Diagnostics& diagnostics) {
+  if (schema.kind == ValueKind::any_of) {
+    for (std::size_t i = 0; i < schema.alternatives.size(); ++i)
+      if (fits(node, schema.alternatives[i])) return i;
+    say_wrong_kind(node, schema, spot, diagnostics);
+    return {};
+  }
+  if (node.kind != YamlNode::Kind::mapping) {
+    say_wrong_kind(node, schema, spot, diagnostics);
+    return {};
+  }
+  Schema words;
+  words.kind = ValueKind::word;
+  words.words = schema.words;
+  const YamlNode* word = node.find(schema.selector);
+  const Spot place = spot.entry(schema.selector, word == nullptr ? spot.mark : word->mark);
+  if (word == nullptr) {
+    diagnostics.add(place.mark, place.path, "missing", expectation(words));
+    return {};
+  }
+  const auto which = std::find(schema.words.begin(), schema.words.end(), word->scalar);
+  if (word->kind == YamlNode::Kind::scalar && which != schema.words.end())
+    return static_cast<std::size_t>(which - schema.words.begin());
+  says_no_error(*word, words, place, diagnostics,
+                [&](const std::string& text) { check_scalar(text, words); });
+  return {};
+}
+
+YamlNode scalar_node(std::string text) {
+  YamlNode node;
+  node.kind = YamlNode::Kind::scalar;
+  node.scalar = std::move(text);
+  return node;
+}
+
+std::string typed_text(const YamlNode& value) {
+  std::string text = value.scalar;
+  for (const YamlNode& item : value.items) text += (text.empty() ? "" : ", ") + item.scalar;
+  return text;
+}
+
+Shape<double> number(Schema schema) {
+  Shape<double> shape;
+  shape.schema = std::move(schema);
+  shape.read = [schema = shape.schema](double& into, const YamlNode& node, const Spot& spot,
+                                       Diagnostics& diagnostics) {
+    return says_no_error(node, schema, spot, diagnostics, [&](const std::string& text) {
+      into = parse_number_of(text, schema);  // for checks beside it, even if it is too large
+      check_size(into, text, schema);
+    });
+  };
+  shape.write = [unit = shape.schema.unit](const double& value) {
+    return scalar_node(plain_number(value) + (unit == "1" ? "" : " " + unit));
+  };
+  return shape;
+}
+
+Shape<double> quantity(std::string text, std::string unit, std::string example) {
+  Schema schema;
+  schema.kind = ValueKind::quantity;
+  schema.text = std::move(text);
+  schema.unit = std::move(unit);
+  schema.example = std::move(example);
+  return number(std::move(schema));
+}
+
+Shape<double> fraction(std::string text, std::string example) {
+  Schema schema = quantity(std::move(text), "1", std::move(example)).schema;
+  schema.min = 0;
+  schema.min_excluded = true;
+  schema.max = 1 - 1e-12;
+  return number(std::move(schema));
+}
+
+Shape<std::uint64_t> count(std::string text, std::string example, double least, double most) {
+  Schema schema;
+  schema.kind = ValueKind::count;
+  schema.text = std::move(text);
+  schema.example = std::move(example);
+  schema.min = least;
+  schema.max = most;
+  Shape<std::uint64_t> shape =
+      as<std::uint64_t, double>(number(std::move(schema)),
+                                [](double value) { return static_cast<std::uint64_t>(value); }, {});
+  shape.write = [](const std::uint64_t& value) { return scalar_node(std::to_string(value)); };
+  return shape;
+}
+
+Shape<std::string> path(std::string text, std::string example) {
+  return text_of<std::string>(
+      std::move(text), std::move(example),
+      [](std::string_view typed) { return std::string(typed); },
+      [](const std::string& value) { return value; });
+}
+
+Shape<std::size_t> choice(std::string text, std::vector<std::string> words) {
+  Shape<std::size_t> shape;
+  shape.schema.kind = ValueKind::word;
+  shape.schema.text = std::move(text);
+  shape.schema.example = words.front();
+  shape.schema.words = std::move(words);
+  shape.read = [schema = shape.schema](std::size_t& into, const YamlNode& node, const Spot& spot,
+                                       Diagnostics& diagnostics) {
+    return says_no_error(node, schema, spot, diagnostics, [&](const std::string& typed) {
+      check_scalar(typed, schema);
+      const auto found = std::find(schema.words.begin(), schema.words.end(), typed);
+      into = static_cast<std::size_t>(found - schema.words.begin());
+    });
+  };
+  shape.write = [words = shape.schema.words](const std::size_t& value) {
+    return scalar_node(words.at(value));
+  };
+  return shape;
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/optim/options.hpp>
+#include <twum/studies/problem/motor_problem.hpp>
+#include <twum/studies/statistics/distribution.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+/// @file
+/// What the kinds of study ask, as plain values in SI units. A default stands here and nowhere else.
+
+namespace twum::studies {
+
+/// Torque-speed curves of one motor, or of a family over one parameter.
+struct CurveStudy {
+  /// One parameter and its values.
+  struct Family {
+    Parameter parameter{};       ///< which one
+    std::vector<double> values;  ///< SI, at least one
+  };
+  std::optional<Family> family;  ///< none: the motor alone
+  std::uint64_t points{51};      ///< of each curve, at least 2
+};
+
+/// How the designs of a sweep are chosen.
+enum class Sampling : unsigned char { grid, list, lhs, sobol };
+
+/// As in `sampling:`; static lifetime.
+std::string_view to_string(Sampling sampling);
+
+/// The metrics of a grid, list or sample of designs.
+struct SweepStudy {
+  /// What one parameter runs through: listed values, or a range.
+  struct Variable {
+    Parameter parameter{};       ///< which one
+    std::vector<double> values;  ///< SI; empty: the range holds
+    double min{0};               ///< SI
+    double max{0};               ///< SI
+    std::uint64_t points{5};     ///< of a grid, both ends included
+    bool log{false};             ///< spread evenly by ratio; min > 0
+  };
+  std::vector<Variable> variables;        ///< at least one
+  Sampling sampling{Sampling::grid};      ///< how designs are chosen
+  std::vector<MetricExpression> metrics;  ///< what is computed
+  std::uint64_t samples{1000};            ///< designs, of lhs and sobol
+  std::uint64_t seed{1};                  ///< of lhs and sobol
+};
+
+/// How a sensitivity study looks.
+enum class SensitivityMethod : unsigned char { local, morris, sobol };
+
+/// Which parameter matters.
+struct SensitivityStudy {
+  SensitivityMethod method{SensitivityMethod::sobol};  ///< derivatives, screening, or shares
+  std::vector<DesignVariable> variables;               ///< `start` counts for local only
+  std::vector<MetricExpression> metrics;               ///< of what
+  /// Trajectories (morris) or base samples (sobol); none: standard_samples().
+  std::optional<std::uint64_t> samples;
+  double confidence{0.95};                   ///< level of the intervals
+  std::optional<double> width;               ///< sobol: doubles until no interval is wider
+  std::optional<std::uint64_t> max_samples;  ///< sobol: none: 64 times the samples
+  std::uint64_t seed{1};                     ///< of whatever is random
+};
+/// Samples of a method if a study does not say: 32 trajectories, 1024 base samples.
+std::uint64_t standard_samples(SensitivityMethod method);
+
+/// The best design under constraints.
+struct OptimizeStudy {
+  std::vector<DesignVariable> variables;  ///< what may be changed
+  DesignObjective objective;              ///< what is to be large or small
+  std::vector<Constraint> constraints;    ///< what must hold
+  optim::SolveOptions solver;             ///< observer, threads and stop are the run's
+  std::string start;                      ///< result directory to start from; empty: the motor
+};
+
+/// The trade-off front of two or three metrics.
+struct ParetoStudy {
+  /// A front takes ten times the evaluations of an optimum.
+  static optim::SolveOptions standard_solver() {
+    optim::SolveOptions options;
+    options.budget.evaluations = 200000;
+    return options;
+  }
+  std::vector<DesignVariable> variables;          ///< what may be changed
+  std::vector<DesignObjective> objectives;        ///< two or three
+  std::vector<Constraint> constraints;            ///< what must hold
+  std::uint64_t points{50};                       ///< of the front
+  optim::SolveOptions solver{standard_solver()};  ///< as in OptimizeStudy
+  std::string start;  ///< result directory to start from; empty: the motor
+};
+
+/// A motor for a duty.
+struct SizeStudy {
+  std::vector<DesignVariable> variables;  ///< what may be changed
+  std::vector<Constraint> duty;           ///< torque_at(SPEED) >= LOAD of each point
+  std::vector<Constraint> limits;         ///< what else must hold
+  MetricExpression prefer{parse_metric("max_pressure")};  ///< minimized among motors that will do
+  optim::SolveOptions solver;                             ///< as in OptimizeStudy
+  std::string start;  ///< result directory to start from; empty: the motor
+};
+
+/// A parameter that scatters.
+struct UncertainVariable {
+  /// The shape of the distribution.
+  enum class Shape : unsigned char { normal, uniform, lognormal, triangular };
+  Parameter parameter{};  ///< which one
+  Shape shape{};          ///< of the distribution
+  double mean{0};         ///< normal, lognormal; SI
+  double sd{0};           ///< normal, lognormal: standard deviation, SI
+  double min{0};          ///< uniform, triangular; SI
+  double mode{0};         ///< triangular: most likely value, SI
+  double max{0};          ///< uniform, triangular; SI
+
+  /// The distribution, cut off at the parameter's admissible range. Draws of a parameter of whole
+  /// numbers have to be rounded.
+  Distribution distribution() const;
+};
+
+/// Spread and yield under tolerances.
+struct UncertaintyStudy {
+  std::vector<UncertainVariable> variables;        ///< what is uncertain, independently
+  std::vector<MetricExpression> metrics;           ///< of what
+  std::uint64_t samples{10000};                    ///< motors that are drawn
+  std::vector<Constraint> limits;                  ///< of the yield; none: no yield
+  std::vector<double> quantiles{0.05, 0.5, 0.95};  ///< probabilities in (0, 1)
+  std::uint64_t seed{1};                           ///< of the draws
+  std::string start;  ///< result directory with the motor that is varied; empty: the motor
+};
+
+/// Parameters from measured torque-speed points.
+struct CalibrateStudy {
+  std::string data;                       ///< path of the points
+  std::vector<DesignVariable> variables;  ///< what is estimated
+  double confidence{0.95};                ///< level of the intervals
+  std::uint64_t starts{8};                ///< local fits from different starts
+  std::uint64_t seed{1};                  ///< of the starts
+};
+
+/// What a study asks, in the order of StudyKind.
+using Study = std::variant<CurveStudy, SweepStudy, SensitivityStudy, OptimizeStudy, ParetoStudy,
+                           SizeStudy, UncertaintyStudy, CalibrateStudy>;
+
+/// The kinds of study.
+enum class StudyKind : unsigned char {
+  curve,
+  sweep,
+  sensitivity,
+  optimize,
+  pareto,
+  size,
+  uncertainty,
+  calibrate
+};
+
+/// The kind of a study.
+inline StudyKind kind_of(const Study& study) { return static_cast<StudyKind>(study.index()); }
+
+/// Names as in `kind:`, in the order of StudyKind; static lifetime.
+std::span<const std::string_view> study_kinds();
+
+/// The kind of a name; nothing if there is none.
+std::optional<StudyKind> find_study_kind(std::string_view name);
+
+/// The name of a kind; static lifetime.
+std::string_view to_string(StudyKind kind);
+
+}  // namespace twum::studies

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/entry_shapes.hpp"
+
+#include "study/repeats.hpp"
+
+#include <twum/studies/motor/motor_file.hpp>
+#include <twum/studies/text/words.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace twum::studies::shapes {
+namespace {
+
+bool check_range(DesignVariable& range, const Given& given, Diagnostics& diagnostics) {
+  const bool low = given.right("min") != nullptr;
+  const bool high = given.right("max") != nullptr;
+  if (low && high) rising(given, "min", range.min, "max", range.max, diagnostics);
+  const YamlNode* start = given.right("start");
+  if (start != nullptr && ((low && range.start < range.min) || (high && range.start > range.max)))
+    diagnostics.add(start->mark, given.path("start"),
+                    quoted(start->scalar) + " is outside the range",
+                    "must lie between min and max");
+  check_log(given, range.min, diagnostics);
+  return true;
+}
+
+Shape<DesignVariable> range(const ParameterInfo& parameter) {
+  const Shape<double> value = value_of(parameter);
+  Field<DesignVariable> start = needed<DesignVariable>("start", value, &DesignVariable::start);
+  start.entry.required = false;
+  start.entry.fallback = "the motor's own value";
+  start.write = [write = value.write](const DesignVariable& from) {
+    return std::isnan(from.start) ? std::nullopt : std::optional<YamlNode>(write(from.start));
+  };
+  return mapping<DesignVariable>(
+      std::string(parameter.text),
+      {needed<DesignVariable>("min", value, &DesignVariable::min),
+       needed<DesignVariable>("max", value, &DesignVariable::max),
+       standard<DesignVariable>("scale", word<bool>("spacing", {"linear", "log"}),
+                                &DesignVariable::log),
+       std::move(start)},
+      check_range);
+}
+
+void check_list(const Given& given, const char* name, Diagnostics& diagnostics) {
+  const YamlNode* list = given.find(name);
+  if (list == nullptr) return;
+  Repeats repeats(given.path(name), "leave one of them out", diagnostics);
+  for (const YamlNode& item : list->items)
+    if (!item.scalar.empty()) repeats.see(item, item.scalar);
+}
+
+}  // namespace
+
+Shape<MetricExpression> metric(std::string text, std::string example) {
+  return text_of<MetricExpression>(std::move(text), std::move(example), parse_metric,
+                                   [](const MetricExpression& value) { return value.text; });
+}
+
+Shape<std::vector<MetricExpression>> metrics() {
+  auto shape = list("metrics and parameters", metric("a metric"));
+  shape.schema.sample = "- stall_torque\n- no_load_speed\n- wear_intensity_at(80 rpm)";
+  return shape;
+}
+
+Shape<std::vector<Constraint>> constraints() {
+  auto shape = list("limits that must hold",
+                    text_of<Constraint>("a limit", "stall_torque >= 0.8 N.m", parse_constraint,
+                                        [](const Constraint& value) { return value.text; }));
+  shape.schema.sample = "- no_load_speed >= 100 rpm\n- max_pressure <= 10 MPa";
+  return shape;
+}
+
+Shape<std::uint64_t> samples() { return count("number of samples", "1000", 1, 1e9); }
+
+Shape<std::uint64_t> seed() {
+  return count("seed of the random numbers", "1", 0, 9007199254740992.0);
+}
+
+Shape<std::string> folder() {
+  return path("result directory of another study, whose best design or front is the start",
+              "results/first");
+}
+
+Shape<double> value_of(const ParameterInfo& parameter) {
+  return number(parameter_schema(parameter));
+}
+
+void needs_one(const YamlNode& node, const Spot& spot, Diagnostics& diagnostics) {
+  if (node.entries.empty())
+    diagnostics.add(node.mark, spot.path, "no variable", "name at least one parameter");
+}
+
+Shape<std::vector<DesignVariable>> variables(std::string text, std::string sample) {
+  return by_parameter<DesignVariable>(range, std::move(text), std::move(sample));
+}
+
+Shape<std::vector<Override>> overrides() {
+  return by_parameter<Override>(
+      [](const ParameterInfo& row) {
+        return as<Override, double>(
+            value_of(row),
+            [](double value) {
+              return Override{{}, value};
+            },
+            [](const Override& one) { return one.value; });
+      },
+      "overrides of the motor", "preload: 140 N", nullptr);
+}
+
+bool rising(const Given& given, const char* low, double low_value, const char* high,
+            double high_value, Diagnostics& diagnostics) {
+  const bool mode = std::string_view(low) == "mode" || std::string_view(high) == "mode";
+  if (low_value < high_value || (mode && low_value == high_value)) return true;
+  const YamlNode& first = *given.right(low);
+  const YamlNode& second = *given.right(high);
+  diagnostics.add({second.mark, given.path(high), quoted(second.scalar) + " is not above " + low,
+                   "must be more than " + printable(first.scalar), first.mark,
+                   std::string(low) + " given here"});
+  return false;
+}
+
+void check_log(const Given& given, double min, Diagnostics& diagnostics) {
+  const YamlNode* scale = given.find("scale");
+  const YamlNode* least = given.right("min");
+  if (scale == nullptr || scale->scalar != "log" || least == nullptr || min > 0) return;
+  diagnostics.add({least->mark, given.path("min"),
+                   quoted(least->scalar) + " with a logarithmic scale", "must be more than 0",
+                   scale->mark, "logarithmic scale asked for here"});
+}
+
+void check_repeats(const Given& given, Diagnostics& diagnostics) {
+  if (const YamlNode* metrics = given.find("metrics")) {
+    Repeats repeats(given.path("metrics"), "leave one of them out", diagnostics);
+    for (const YamlNode& item : metrics->items) {
+      if (item.kind != YamlNode::Kind::scalar) continue;
+      const auto parameter = find_parameter(trimmed(item.scalar));  // or its symbol
+      repeats.see(item, std::string(parameter ? info(*parameter).name : trimmed(item.scalar)));
+    }
+  }
+  check_list(given, "constraints", diagnostics);
+  check_list(given, "limits", diagnostics);
+}
+
+}  // namespace twum::studies::shapes

@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: Apache-2.0
+// Studies that look at designs: curves, sweeps, sensitivities.
+#include "study/entry_shapes.hpp"
+#include "study/spacing.hpp"
+#include "study/study_shapes.hpp"
+
+#include <twum/studies/text/number.hpp>
+#include <twum/studies/text/words.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace twum::studies {
+namespace shapes {
+namespace {
+
+constexpr std::array<const char*, 4> kSamplings{"grid", "list", "lhs", "sobol"};
+constexpr double kMostDesigns = 1e9;  // of one sweep
+
+// Lines for files to start from.
+constexpr const char* kSweep =
+    "amplitude: {min: 0.8 um, max: 2.2 um, points: 8}\n"
+    "preload: [100 N, 160 N, 220 N]";
+
+void check_family(const YamlNode& family, const Spot& spot, Diagnostics& diagnostics) {
+  if (family.entries.size() == 1) return;
+  diagnostics.add(family.mark, spot.path, std::to_string(family.entries.size()) + " parameters",
+                  "a family is over one parameter");
+}
+
+Shape<CurveStudy::Family> family() {
+  using Family = CurveStudy::Family;
+  const auto values = by_parameter<Family>(
+      [](const ParameterInfo& row) {
+        return as<Family, std::vector<double>>(
+            list("values", value_of(row)),
+            [](std::vector<double> list) {
+              return Family{{}, std::move(list)};
+            },
+            [](const Family& family) { return family.values; });
+      },
+      "one parameter and its values", "amplitude: [1.0 um, 1.5 um, 2.0 um]", check_family);
+  return as<Family, std::vector<Family>>(
+      values, [](std::vector<Family> list) { return std::move(list.front()); },
+      [](const Family& family) { return std::vector<Family>{family}; });
+}
+
+using Variable = SweepStudy::Variable;
+
+Shape<Variable> sweep_variable(const ParameterInfo& row) {
+  const Shape<double> value = value_of(row);
+  Field<Variable> points =
+      standard<Variable>("points", count("grid points", "5", 2, 1e6), &Variable::points);
+  points.entry.fallback = std::to_string(Variable{}.points) + ", for a grid";
+  const auto limits = mapping<Variable>(
+      std::string(row.text),
+      {needed<Variable>("min", value, &Variable::min),
+       needed<Variable>("max", value, &Variable::max), std::move(points),
+       standard<Variable>("scale", word<bool>("spacing", {"linear", "log"}), &Variable::log)},
+      [](Variable& range, const Given& given, Diagnostics& diagnostics) {
+        if (given.right("min") != nullptr && given.right("max") != nullptr)
+          rising(given, "min", range.min, "max", range.max, diagnostics);
+        check_log(given, range.min, diagnostics);
+        return true;
+      });
+  const auto listed = as<Variable, std::vector<double>>(
+      list("values", value),
+      [](std::vector<double> values) { return Variable{.values = std::move(values)}; },
+      [](const Variable& variable) { return variable.values; });
+  auto shape =
+      one_of<Variable>(std::string(row.text), {listed, limits},
+                       [](const Variable& variable) { return variable.values.empty() ? 1U : 0U; });
+  for (SchemaEntry& entry : shape.schema.alternatives.back().entries)
+    for (StandardValue& one : entry.standards)
+      if (entry.name == "points") one = {one.value, "sampling", {"grid"}};
+  return shape;
+}
+
+// Where the entries of a sweep do not fit its sampling.
+class SweepChecker {
+ public:
+  SweepChecker(const SweepStudy& study, const Given& given, Diagnostics& diagnostics)
+      : study_(study), given_(given), diagnostics_(diagnostics) {
+    const YamlNode* sampling = given.find("sampling");
+    word_ = sampling != nullptr ? sampling->scalar : "";
+  }
+
+  void check() {
+    const YamlNode* variables = given_.find("variables");
+    if (variables == nullptr || variables->kind != YamlNode::Kind::mapping) return;
+    const bool drawn = word_ == "lhs" || word_ == "sobol";
+    if (!drawn) refuse_entry("samples");
+    if (!drawn) refuse_entry("seed");
+    for (const YamlEntry& entry : variables->entries) {
+      if (drawn) refuse_points(entry);
+      if (word_ == "list") require_list(entry);
+    }
+    if (word_ == "grid")
+      for (const Variable& variable : study_.variables) check_whole_points(variable, *variables);
+    if (word_ == "list") check_lengths(*variables);
+    if (word_ == "grid") check_size(*variables);
+  }
+
+ private:
+  std::string path_of(const std::string& key) const { return given_.path("variables") + "." + key; }
+
+  void refuse_entry(const char* name) {
+    const YamlNode* node = given_.find(name);
+    if (node == nullptr) return;
+    diagnostics_.add(node->mark, given_.path(name), "given for sampling '" + word_ + "'",
+                     "only of lhs and sobol; leave it out");
+  }
+
+  void refuse_points(const YamlEntry& entry) {
+    const YamlNode* points = entry.value.find("points");
+    if (points == nullptr) return;
+    diagnostics_.add(points->mark, path_of(entry.key) + ".points",
+                     "given for sampling '" + word_ + "'",
+                     "only of a grid; 'samples' below 'study' says how many designs are drawn");
+  }
+
+  void require_list(const YamlEntry& entry) {
+    if (entry.value.kind != YamlNode::Kind::mapping) return;
+    diagnostics_.add(entry.value.mark, path_of(entry.key), "a range for sampling 'list'",
+                     "expected a list of values, or sampling 'grid'");
+  }
+
+  void check_lengths(const YamlNode& variables) {
+    const YamlEntry* first = nullptr;
+    for (const YamlEntry& entry : variables.entries) {
+      if (entry.value.kind != YamlNode::Kind::list) continue;
+      if (first == nullptr) first = &entry;
+      if (entry.value.items.size() == first->value.items.size()) continue;
+      diagnostics_.add({entry.value.mark, path_of(entry.key),
+                        std::to_string(entry.value.items.size()) + " values, but " + first->key +
+                            " has " + std::to_string(first->value.items.size()),
+                        "the lists of sampling 'list' have one length; for all combinations take "
+                        "sampling 'grid'",
+                        first->value.mark, first->key + " given here"});
+    }
+  }
+
+  // A grid over a whole number, such as wavelengths, must hit whole numbers.
+  void check_whole_points(const Variable& range, const YamlNode& variables) {
+    if (!info(range.parameter).integer || !range.values.empty() || !(range.min < range.max)) return;
+    if (range.log && !(range.min > 0)) return;
+    const auto last = static_cast<double>(range.points - 1);
+    for (std::uint64_t i = 0; i < range.points; ++i) {
+      const double value = between(range.min, range.max, static_cast<double>(i) / last, range.log);
+      if (std::abs(value - std::round(value)) <= 1e-9 * value) continue;
+      const YamlEntry& entry = entry_of(range.parameter, variables);
+      diagnostics_.add(entry.value.mark, path_of(entry.key),
+                       "a grid point at " + rounded_text(value, 6),
+                       "must be whole numbers; give a list of values, or other 'points'");
+      return;
+    }
+  }
+
+  static const YamlEntry& entry_of(Parameter parameter, const YamlNode& variables) {
+    return *std::find_if(variables.entries.begin(), variables.entries.end(),
+                         [&](const YamlEntry& e) { return find_parameter(e.key) == parameter; });
+  }
+
+  void check_size(const YamlNode& variables) {
+    double designs = 1;
+    for (const Variable& one : study_.variables)
+      designs *= static_cast<double>(one.values.empty() ? one.points : one.values.size());
+    if (designs <= kMostDesigns) return;
+    diagnostics_.add(variables.mark, given_.path("variables"),
+                     "a grid of " + rounded_text(designs, 3) + " designs",
+                     "at most " + rounded_text(kMostDesigns, 1) +
+                         "; take fewer points, or "
+                         "sampling 'lhs' or 'sobol'");
+  }
+
+  const SweepStudy& study_;
+  const Given& given_;
+  Diagnostics& diagnostics_;
+  std::string word_;
+};
+
+void refuse(const Given& given, const char* name, const std::string& found, const char* remedy,
+            Diagnostics& diagnostics) {
+  if (const YamlNode* node = given.find(name))
+    diagnostics.add(node->mark, given.path(name), found, remedy);
+}
+
+void refuse_starts(const Given& given, const std::string& method, Diagnostics& diagnostics) {
+  const YamlNode* variables = given.find("variables");
+  if (variables == nullptr) return;
+  for (const YamlEntry& entry : variables->entries) {
+    const YamlNode* start = entry.value.find("start");
+    if (start == nullptr) continue;
+    diagnostics.add(start->mark, given.path("variables") + "." + entry.key + ".start",
+                    "given for method '" + method + "'",
+                    "only of method 'local'; the others look at the whole range");
+  }
+}
+
+bool check_sensitivity(SensitivityStudy& study, const Given& given, Diagnostics& diagnostics) {
+  check_repeats(given, diagnostics);
+  const YamlNode* node = given.find("method");
+  if (node == nullptr) return true;
+  const std::string& method = node->scalar;
+  const std::string found = "given for method '" + method + "'";
+  if (method == "local")
+    refuse(given, "samples", found, "derivatives need no samples; leave it out", diagnostics);
+  if (method == "local" || method == "morris") {
+    refuse(given, "width", found, "only of method 'sobol'; leave it out", diagnostics);
+    refuse(given, "max_samples", found, "only of method 'sobol'; leave it out", diagnostics);
+  }
+  if (method == "sobol" && given.find("width") == nullptr)
+    refuse(given, "max_samples", "given without a width", "only where 'width' asks for rounds",
+           diagnostics);
+  if (method == "morris" || method == "sobol") refuse_starts(given, method, diagnostics);
+  const bool fewer = given.right("samples") != nullptr && given.right("max_samples") != nullptr &&
+                     *study.max_samples < *study.samples;
+  if (method == "sobol" && given.find("width") != nullptr && fewer)
+    refuse(given, "max_samples", "less than samples", "must be at least samples", diagnostics);
+  return true;
+}
+
+// Samples of morris and of sobol: the same entry, with a standard of its own for each.
+Field<SensitivityStudy> sensitivity_samples() {
+  using Method = SensitivityMethod;
+  const auto text = [](Method method) { return std::to_string(standard_samples(method)); };
+  auto field = optional<SensitivityStudy>(
+      "samples",
+      count("trajectories (morris), or base samples of variables + 2 motors each (sobol, "
+            "rounded up to a power of two, at least 256)",
+            "1024", 1, 1e9),
+      &SensitivityStudy::samples,
+      text(Method::morris) + " for morris, " + text(Method::sobol) + " for sobol");
+  field.write = [](const SensitivityStudy& from) -> std::optional<YamlNode> {
+    if (from.method == Method::local) return {};
+    return scalar_node(std::to_string(from.samples.value_or(standard_samples(from.method))));
+  };
+  field.entry.standards = {{scalar_node(text(Method::morris)), "method", {"morris"}},
+                           {scalar_node(text(Method::sobol)), "method", {"sobol"}}};
+  return field;
+}
+
+// An entry whose standard holds for lhs and sobol only.
+Field<SweepStudy> of_drawn(Field<SweepStudy> field) {
+  const YamlNode value = *field.write(SweepStudy{});
+  field.has_standard = false;
+  field.entry.fallback = typed_text(value) + ", for lhs and sobol";
+  field.entry.standards = {{value, "sampling", {"lhs", "sobol"}}};
+  return hidden(std::move(field));
+}
+
+}  // namespace
+
+}  // namespace shapes
+
+std::string_view to_string(Sampling sampling) {
+  return shapes::kSamplings[static_cast<std::size_t>(sampling)];
+}
+
+namespace shapes {
+
+Shape<CurveStudy> curve_study() {
+  return mapping<CurveStudy>(
+      "one motor, or a family over one parameter",
+      {selector<CurveStudy>("kind", "what the study asks", "curve"),
+       optional<CurveStudy>("family", family(), &CurveStudy::family, "the motor alone"),
+       standard<CurveStudy>("points", count("points of each curve", "51", 2, 1e6),
+                            &CurveStudy::points)});
+}
+
+Shape<SweepStudy> sweep_study() {
+  using S = SweepStudy;
+  return mapping<S>(
+      "a grid, list or sample of designs",
+      {selector<S>("kind", "what the study asks", "sweep"),
+       needed<S>("variables", by_parameter<Variable>(sweep_variable, "what is varied", kSweep),
+                 &S::variables),
+       needed<S>("sampling",
+                 word<Sampling>("how designs are chosen", {kSamplings.begin(), kSamplings.end()}),
+                 &S::sampling),
+       needed<S>("metrics", metrics(), &S::metrics),
+       of_drawn(standard<S>("samples", samples(), &S::samples)),
+       of_drawn(standard<S>("seed", seed(), &S::seed))},
+      [](S& study, const Given& given, Diagnostics& diagnostics) {
+        check_repeats(given, diagnostics);
+        SweepChecker(study, given, diagnostics).check();
+        return true;
+      });
+}
+
+Shape<SensitivityStudy> sensitivity_study() {
+  using S = SensitivityStudy;
+  auto method = word<SensitivityMethod>("local derivatives, screening, or variance shares",
+                                        {"local", "morris", "sobol"});
+  method.schema.example = "sobol";
+  return mapping<S>(
+      "which parameter matters",
+      {selector<S>("kind", "what the study asks", "sensitivity"),
+       needed<S>("method", method, &S::method),
+       needed<S>("variables", variables("what is varied", kRanges), &S::variables),
+       needed<S>("metrics", metrics(), &S::metrics), sensitivity_samples(),
+       standard<S>("confidence", fraction("level of the confidence intervals", "0.95"),
+                   &S::confidence),
+       hidden(optional<S>(
+           "width",
+           fraction("sobol: double the samples until no interval is wider than this", "0.05"),
+           &S::width, "one round")),
+       hidden(optional<S>("max_samples",
+                          count("base samples at which to stop nevertheless", "65536", 1, 1e12),
+                          &S::max_samples, "64 times samples")),
+       standard<S>("seed", seed(), &S::seed)},
+      check_sensitivity);
+}
+
+}  // namespace shapes
+}  // namespace twum::studies

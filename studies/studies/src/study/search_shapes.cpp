@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// Studies that search: optimum, front, sizing, calibration.
+#include "study/entry_shapes.hpp"
+#include "study/repeats.hpp"
+#include "study/solver_entry.hpp"
+#include "study/study_shapes.hpp"
+
+#include <twum/studies/text/words.hpp>
+
+namespace twum::studies::shapes {
+namespace {
+
+// Lines for files to start from.
+constexpr const char* kEstimates =
+    "kinetic_friction: {min: 0.05, max: 0.5}\n"
+    "youngs_modulus: {min: 0.5 GPa, max: 20 GPa, scale: log}";
+
+template <typename T>
+Field<T> variables_field(const char* text) {
+  return needed<T>("variables", variables(text, kRanges), &T::variables);
+}
+
+template <typename T>
+Field<T> constraints_field(const char* name, std::vector<Constraint> T::*member) {
+  return optional<T>(name, constraints(), member, "none");
+}
+
+// `auto`, and with it the options of a fresh study.
+template <typename T>
+Field<T> solver_field() {
+  Field<T> field = standard<T>("solver", solver_shape(T{}.solver), &T::solver);
+  field.has_standard = false;
+  field.entry.fallback = T{}.solver.solver;
+  field.entry.standards = {{scalar_node(T{}.solver.solver)}};
+  return field;
+}
+
+template <typename T>
+Field<T> start_field() {
+  return hidden(optional<T>("start", folder(), &T::start, "the motor as it is"));
+}
+
+template <typename T>
+bool check_search(T& /*study*/, const Given& given, Diagnostics& diagnostics) {
+  check_repeats(given, diagnostics);
+  check_solver(given, diagnostics);
+  return true;
+}
+
+// Two goals of a front have to be different.
+bool check_front(ParetoStudy& study, const Given& given, Diagnostics& diagnostics) {
+  if (const YamlNode* list = given.find("objectives")) {
+    Repeats repeats(given.path("objectives"), "a front is between different metrics", diagnostics);
+    for (const YamlNode& objective : list->items) {
+      const YamlNode* goal = objective.find("maximize");
+      if (goal == nullptr) goal = objective.find("minimize");
+      if (goal != nullptr) repeats.see(*goal, goal->scalar);
+    }
+  }
+  return check_search(study, given, diagnostics);
+}
+
+struct Objective {
+  DesignObjective goal;
+};
+
+Shape<DesignObjective> objective() {
+  return as<DesignObjective, Objective>(
+      mapping<Objective>("one objective", goal(&Objective::goal)),
+      [](Objective one) { return std::move(one.goal); },
+      [](const DesignObjective& goal) { return Objective{goal}; });
+}
+
+// A motor carries a load at a speed if its torque there is at least as large. Unlike speed_at(load),
+// the torque exists whether the motor will do or not.
+struct Duty {
+  double torque{0};
+  double speed{0};
+  std::string text;
+};
+
+Shape<Constraint> duty_point() {
+  const auto point = mapping<Duty>(
+      "one operating point",
+      {needed<Duty>("torque", quantity("load torque", "N.m", "0.5 N.m"), &Duty::torque),
+       needed<Duty>("speed", quantity("rotor speed", "rad/s", "100 rpm"), &Duty::speed)},
+      [](Duty& duty, const Given& given, Diagnostics& /*diagnostics*/) {
+        const YamlNode* torque = given.right("torque");
+        const YamlNode* speed = given.right("speed");
+        if (torque != nullptr && speed != nullptr)
+          duty.text = "torque_at(" + speed->scalar + ") >= " + torque->scalar;
+        return true;
+      });
+  return as<Constraint, Duty>(
+      point,
+      [](Duty duty) {
+        const MetricRequest request{Metric::torque_at, Argument::speed, duty.speed};
+        MetricExpression torque{duty.text.substr(0, duty.text.find(" >= ")), request};
+        return Constraint{std::move(duty.text), std::move(torque), true, duty.torque};
+      },
+      [](const Constraint& limit) {
+        return Duty{limit.limit, std::get<MetricRequest>(limit.metric.what).at, {}};
+      });
+}
+
+// A fit moves between the values of its variables.
+bool refuse_whole_numbers(CalibrateStudy& /*study*/, const Given& given, Diagnostics& diagnostics) {
+  const YamlNode* variables = given.find("variables");
+  if (variables == nullptr) return true;
+  for (const YamlEntry& entry : variables->entries) {
+    const auto parameter = find_parameter(entry.key);
+    if (parameter && info(*parameter).integer)
+      diagnostics.add(entry.key_mark, given.path("variables") + "." + entry.key,
+                      "only whole numbers, which a fit cannot move between",
+                      "set it in the motor, one study for each value");
+  }
+  return true;
+}
+
+}  // namespace
+
+Shape<OptimizeStudy> optimize_study() {
+  using S = OptimizeStudy;
+  std::vector<Field<S>> fields{selector<S>("kind", "what the study asks", "optimize"),
+                               variables_field<S>("what may be changed")};
+  for (Field<S>& field : goal(&S::objective)) fields.push_back(std::move(field));
+  fields.push_back(constraints_field("constraints", &S::constraints));
+  fields.push_back(solver_field<S>());
+  fields.push_back(start_field<S>());
+  return mapping<S>("best design under constraints", std::move(fields), check_search<S>);
+}
+
+Shape<ParetoStudy> pareto_study() {
+  using S = ParetoStudy;
+  auto objectives = list("two or three objectives", objective(), 2, 3);
+  objectives.schema.sample = "- maximize: stall_torque\n- maximize: no_load_speed";
+  return mapping<S>("trade-off front of two or three metrics",
+                    {selector<S>("kind", "what the study asks", "pareto"),
+                     variables_field<S>("what may be changed"),
+                     needed<S>("objectives", objectives, &S::objectives),
+                     constraints_field("constraints", &S::constraints),
+                     standard<S>("points", count("points of the front", "50", 2, 1e5), &S::points),
+                     solver_field<S>(), start_field<S>()},
+                    check_front);
+}
+
+Shape<SizeStudy> size_study() {
+  using S = SizeStudy;
+  auto duty = list("operating points the motor must reach", duty_point());
+  duty.schema.sample = "- {torque: 0.5 N.m, speed: 100 rpm}";
+  return mapping<S>(
+      "a motor for a duty",
+      {selector<S>("kind", "what the study asks", "size"),
+       variables_field<S>("what may be changed"), needed<S>("duty", duty, &S::duty),
+       constraints_field("limits", &S::limits),
+       standard<S>("prefer",
+                   metric("what is minimized among the motors that will do", "max_pressure"),
+                   &S::prefer),
+       solver_field<S>(), start_field<S>()},
+      check_search<S>);
+}
+
+Shape<CalibrateStudy> calibrate_study() {
+  using S = CalibrateStudy;
+  return mapping<S>(
+      "parameters from measured torque-speed points",
+      {selector<S>("kind", "what the study asks", "calibrate"),
+       needed<S>(
+           "data",
+           path("CSV file with the columns speed [unit] and torque [unit], and if wanted one of "
+                "weight (factor of the point's squared residual; only ratios count) and "
+                "torque_sd [unit] (standard deviation s of the torque: the weight is 1/s^2, and "
+                "the scatter is tested against it)",
+                "points.csv"),
+           &S::data),
+       needed<S>("variables", variables("what is estimated", kEstimates), &S::variables),
+       standard<S>("confidence", fraction("level of the confidence intervals", "0.95"),
+                   &S::confidence),
+       standard<S>("starts", count("local fits from different starts", "8", 1, 10000), &S::starts),
+       standard<S>("seed", seed(), &S::seed)},
+      refuse_whole_numbers);
+}
+
+}  // namespace twum::studies::shapes
