@@ -61,30 +61,36 @@ double Nlp::row_value(const Row& row, const Evaluation& e, std::span<const doubl
   return sum;
 }
 
-bool Nlp::row_gradient(const Row& row, const Evaluation& e, double* out) const {
+void Nlp::row_gradient(const Row& row, const Evaluation& e, double* out) const {
   std::fill_n(out, size(), 0.0);
-  bool finite = true;
-  for (const Term& t : row.responses) {
-    for (std::size_t k = 0; k < units(); ++k) {
+  for (const Term& t : row.responses)
+    for (std::size_t k = 0; k < units(); ++k)
       out[k] += t.factor * scaling_.derivative(e, t.index, k, design_);
-      finite = finite && std::isfinite(out[k]);
-    }
-  }
   for (const Term& t : row.extras) out[units() + t.index] += t.factor;
-  return finite;
 }
 
 bool Nlp::fill(const Evaluation& e, std::span<const double> z, bool gradient) {
   value_.f = row_value(formulation_.objective, e, z);
   for (std::size_t i = 0; i < rows(); ++i) value_.c[i] = row_value(row(i), e, z);
-  if (!gradient) return true;
-  bool ok = row_gradient(formulation_.objective, e, value_.df.data());
-  for (std::size_t i = 0; i < rows(); ++i)
-    ok = row_gradient(row(i), e, value_.dc.data() + i * size()) && ok;
-  return ok;
+  if (gradient) {
+    row_gradient(formulation_.objective, e, value_.df.data());
+    for (std::size_t i = 0; i < rows(); ++i) row_gradient(row(i), e, value_.dc.data() + i * size());
+  }
+  return usable(gradient);
+}
+
+// Solvers square what they are given and multiply the squares; where that overflows, their inner loops
+// have been seen to go on for ever (COBYLA, BOBYQA, SLSQP, Luksan's). Scaled responses are of size 1.
+bool Nlp::usable(bool gradient) const {
+  constexpr double kLargest = 1e30;
+  const auto small = [](double x) { return std::abs(x) <= kLargest; };  // no NaN either
+  return small(value_.f) && std::ranges::all_of(value_.c, small) &&
+         (!gradient ||
+          (std::ranges::all_of(value_.df, small) && std::ranges::all_of(value_.dc, small)));
 }
 
 const NlpValue* Nlp::at(std::span<const double> z, bool gradient) {
+  session_.heed();
   if (known_ && (has_gradient_ || !gradient) && std::equal(z.begin(), z.end(), point_.begin()))
     return &value_;
   known_ = false;

@@ -64,8 +64,10 @@ class Nlp {
   const std::vector<double>& upper() const { return upper_; }
   bool equality(std::size_t i) const { return row(i).lower == row(i).upper; }
 
-  /// Null if the design cannot be evaluated or a derivative that is needed does not exist. Points
-  /// are clamped into the bounds first. @throws Stop, and what the evaluator throws.
+  /// Null if the design cannot be evaluated, a derivative that is needed does not exist, or a number is
+  /// too large for a solver to reckon with. Points are clamped into the bounds first. Asks the clock and
+  /// the caller's patience each time, also where nothing has to be evaluated.
+  /// @throws Stop, and what the evaluator throws.
   const NlpValue* at(std::span<const double> z, bool gradient);
 
   double violation(const NlpValue& value) const;
@@ -82,8 +84,9 @@ class Nlp {
 
  private:
   bool fill(const Evaluation& e, std::span<const double> z, bool gradient);
+  bool usable(bool gradient) const;
   double row_value(const Row& row, const Evaluation& e, std::span<const double> z) const;
-  bool row_gradient(const Row& row, const Evaluation& e, double* out) const;
+  void row_gradient(const Row& row, const Evaluation& e, double* out) const;
   void keep(std::span<const double> z);
 
   Session& session_;
