@@ -76,8 +76,17 @@ double objective(unsigned n, const double* z, double* gradient, void* data) {
   const NlpValue* v = request(b, {z, n});
   if (gradient != nullptr) std::fill_n(gradient, n, 0.0);
   if (v == nullptr) return kNoValue;
-  if (gradient != nullptr) std::ranges::copy(b.lagrangian.gradient(*v), gradient);
-  return b.lagrangian.value(*v);
+  const double value = b.lagrangian.value(*v);
+  const std::vector<double> slope =
+      gradient != nullptr ? b.lagrangian.gradient(*v) : std::vector<double>{};
+  if (!can_be_reckoned_with(value) || !std::ranges::all_of(slope, can_be_reckoned_with)) {
+    if (b.rank_failures) return kNoValue;
+    b.failed_at.assign(z, z + n);
+    nlopt_force_stop(b.opt);
+    return kNoValue;
+  }
+  std::ranges::copy(slope, gradient);
+  return value;
 }
 
 void sides(Bridge& b, const std::vector<OneSide>& list, double* result, unsigned n, const double* z,

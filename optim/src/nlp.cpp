@@ -79,14 +79,10 @@ bool Nlp::fill(const Evaluation& e, std::span<const double> z, bool gradient) {
   return usable(gradient);
 }
 
-// Solvers square what they are given and multiply the squares; where that overflows, their inner loops
-// have been seen to go on for ever (COBYLA, BOBYQA, SLSQP, Luksan's). Scaled responses are of size 1.
 bool Nlp::usable(bool gradient) const {
-  constexpr double kLargest = 1e30;
-  const auto small = [](double x) { return std::abs(x) <= kLargest; };  // no NaN either
-  return small(value_.f) && std::ranges::all_of(value_.c, small) &&
-         (!gradient ||
-          (std::ranges::all_of(value_.df, small) && std::ranges::all_of(value_.dc, small)));
+  const auto all = [](const auto& list) { return std::ranges::all_of(list, can_be_reckoned_with); };
+  return can_be_reckoned_with(value_.f) && all(value_.c) &&
+         (!gradient || (all(value_.df) && all(value_.dc)));
 }
 
 const NlpValue* Nlp::at(std::span<const double> z, bool gradient) {

@@ -4,6 +4,7 @@
 #include "scaling.hpp"
 #include "session.hpp"
 
+#include <cmath>
 #include <optional>
 
 namespace twum::optim {
@@ -43,6 +44,10 @@ struct NlpValue {
   std::vector<double> df;
   std::vector<double> dc;  ///< rows() x size(), row-major
 };
+
+/// Solvers square what they are given and multiply the squares; where that overflows, their inner loops
+/// have been seen to go on for ever (BOBYQA, COBYLA, SLSQP). Scaled responses are of size 1.
+inline bool can_be_reckoned_with(double x) { return std::abs(x) <= 1e30; }  // no NaN either
 
 /// A point worth keeping.
 struct Candidate {

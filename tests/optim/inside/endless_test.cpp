@@ -9,6 +9,7 @@
 #include "allowance.hpp"
 #include "augmented_lagrangian.hpp"
 #include "restarts.hpp"
+#include "solve_continuous.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -189,5 +190,46 @@ TEST_CASE(
     REQUIRE(restarts.next(nowhere, nowhere));
     CHECK(restarts.from() == std::vector{0.4});
     CHECK(nlp.lower()[0] < nlp.upper()[0]);
+  }
+}
+
+TEST_CASE("a ladder to its top tries every rung, whatever has been found", "[optim][solve]") {
+  Problem bowl = test::posed<3>(test::box(2, -1.0, 2.0, {1.5, -0.5}), {},
+                                [](const D3* x, D3* r) { r[0] = x[0] * x[0] + x[1] * x[1]; });
+  for (const Problem& p : {bowl, torn()}) {
+    SolveOptions options;
+    options.starts = 1;
+    options.analyse_infeasible = false;
+    Ladder ladder;
+    ladder.to_the_top = true;
+    const Result r = solve_continuous(p, options, Deadline(kInfinity), ladder);
+    std::vector<std::string> tried;
+    for (const StageReport& stage : r.stages) tried.push_back(stage.solver);
+    std::erase_if(ladder.rungs,
+                  [](const std::string& rung) { return !find_solver(rung).available; });
+    ladder.rungs.insert(ladder.rungs.begin(), "nlopt:slsqp");  // the start itself
+    REQUIRE(tried.size() >= ladder.rungs.size());
+    tried.resize(ladder.rungs.size());
+    CHECK(tried == ladder.rungs);
+  }
+}
+
+TEST_CASE("a Lagrangian that overflows is a failed point, and the search ends",
+          "[optim][lagrangian][edge]") {
+  // f and c can be reckoned with, but the penalty times c^2 cannot.
+  Problem p = torn();
+  p.evaluate = [plain = p.evaluate](std::span<const double> x, bool gradient) {
+    Evaluation e = plain(x, gradient);
+    if (x[0] > 0.5) e.values[1] = -1e29;
+    return e;
+  };
+  for (const std::string solver : {"nlopt:bobyqa", "nlopt:lbfgs", "nlopt:sbplx"}) {
+    SolveOptions options;
+    options.solver = solver;
+    options.analyse_infeasible = false;
+    const Result r = solve(p, options);
+    CAPTURE(solver);
+    CHECK(r.outcome == Outcome::infeasible);
+    CHECK(r.counters.evaluations < 20000);
   }
 }
