@@ -6,7 +6,7 @@
 The motors have light damping, static friction above kinetic, or neither; the limits may be met, kept by no design, or
 lie where a design has no answer. Each study runs twice: in peace, where a search that stores no new evaluation for 60 s
 counts as endless (one evaluation of these motors takes up to some seconds); and with one SIGINT or SIGTERM at a random
-moment. Ends with exit status 0 and one line of counts, or names the studies at fault.
+moment. A study that still finds its way after a minute is not waited for. Ends with exit status 0 and one line of counts, or names the studies at fault.
 """
 import argparse
 import collections
@@ -23,6 +23,7 @@ import time
 
 ENDED = (0, 1, 130)  # with an answer, without one, asked to stop
 STILL = 60  # [s] without a new evaluation: endless
+LONG = 60  # [s] of a study that goes on storing evaluations
 SOON = 1.0  # [s] from the signal to the end of the program
 
 MOTOR = """twum: 1
@@ -90,7 +91,7 @@ def rows(folder):
 
 
 def in_peace(program, study, folder):
-    """Seconds until the end; None if no evaluation came for a long time."""
+    """Seconds, and True if it ended; False if it is slow, None if no evaluation came for a long time."""
     begin = time.monotonic()
     process = start(program, study, folder)
     known, since = -1, begin
@@ -98,15 +99,16 @@ def in_peace(program, study, folder):
         try:
             _, errors = process.communicate(timeout=2)
             assert process.returncode in ENDED, f"exit status {process.returncode}: {errors.decode(errors='replace')}"
-            return time.monotonic() - begin
+            return time.monotonic() - begin, True
         except subprocess.TimeoutExpired:
             now = rows(folder)
             if now != known:
                 known, since = now, time.monotonic()
-            elif time.monotonic() - since > STILL:
+            slow, endless = since - begin > LONG, time.monotonic() - since > STILL
+            if slow or endless:
                 process.kill()
                 process.communicate()
-                return None
+                return LONG, None if endless else False
 
 
 def after_signal(program, study, folder, chance, lasts):
@@ -162,10 +164,11 @@ def main():
             tally["studies"] += 1
             said = ""
             try:
-                lasts = in_peace(options.program, study, folder)
-                if lasts is None:
+                lasts, ended = in_peace(options.program, study, folder)
+                tally["ended"] += ended is True
+                if ended is None:
                     said = "endless"
-                stopped = after_signal(options.program, study, folder, chance, 3 if lasts is None else lasts)
+                stopped = after_signal(options.program, study, folder, chance, min(lasts, 5))
                 if stopped:
                     tally["signals"] += 1
                     tally["cut"] += stopped[1]
@@ -180,8 +183,9 @@ def main():
                 if options.keep:
                     options.keep.mkdir(parents=True, exist_ok=True)
                     (options.keep / f"stop_{options.seed}_{number}.yaml").write_text(study.read_text())
-    print(f"stop_study: {tally['studies']} studies, {len(faults)} at fault; {tally['signals']} signals, the slowest answered in "
-          f"{longest:.2f} s, {tally['cut']} runs cut within an evaluation or a report", flush=True)
+    print(f"stop_study: {tally['studies']} studies, {tally['ended']} ended within a minute, {len(faults)} at fault; "
+          f"{tally['signals']} signals, the slowest answered in {longest:.2f} s, {tally['cut']} runs cut within an evaluation "
+          "or a report", flush=True)
     return 1 if faults else 0
 
 
