@@ -14,7 +14,7 @@ struct OneSide {
   double limit{0.0};
   bool equality{false};
 
-  double of(const NlpValue& value) const { return sign * (value.c[row] - limit); }
+  double of(const NlpValue& value) const { return without_dust(sign * (value.c[row] - limit)); }
 };
 
 /// The Lagrangian of Powell, Hestenes and Rockafellar for limits g <= 0 and h = 0,

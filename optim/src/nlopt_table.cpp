@@ -21,7 +21,7 @@ constexpr NloptAlgorithm kAlgorithms[] = {
     {"ccsaq", NLOPT_LD_CCSAQ, "conservative convex separable quadratic approximations", y, y, n, n,
      n, n, kNone, ""},
     {"cobyla", NLOPT_LN_COBYLA, "linear approximations without derivatives", n, y, y, n, n, n,
-     kNone, ""},
+     kNone, "its inner search may go on for ever (issues 118 and 370 of NLopt); use nlopt:sbplx"},
     {"bobyqa", NLOPT_LN_BOBYQA, "quadratic model without derivatives", n, n, n, n, n, n, kNone, ""},
     {"newuoa_bound", NLOPT_LN_NEWUOA_BOUND,
      "quadratic model without derivatives, older than bobyqa", n, n, n, n, n, n, kNone,

@@ -58,14 +58,14 @@ double Nlp::row_value(const Row& row, const Evaluation& e, std::span<const doubl
   for (const Term& t : row.responses)
     sum += t.factor * scaling_.factor(t.index) * e.values[t.index];
   for (const Term& t : row.extras) sum += t.factor * z[units() + t.index];
-  return sum;
+  return without_dust(sum);
 }
 
 void Nlp::row_gradient(const Row& row, const Evaluation& e, double* out) const {
   std::fill_n(out, size(), 0.0);
   for (const Term& t : row.responses)
     for (std::size_t k = 0; k < units(); ++k)
-      out[k] += t.factor * scaling_.derivative(e, t.index, k, design_);
+      out[k] = without_dust(out[k] + t.factor * scaling_.derivative(e, t.index, k, design_));
   for (const Term& t : row.extras) out[units() + t.index] += t.factor;
 }
 

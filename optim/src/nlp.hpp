@@ -45,9 +45,11 @@ struct NlpValue {
   std::vector<double> dc;  ///< rows() x size(), row-major
 };
 
-/// Solvers square what they are given and multiply the squares; where that overflows, their inner loops
-/// have been seen to go on for ever (BOBYQA, COBYLA, SLSQP). Scaled responses are of size 1.
+/// Solvers square what they are given and multiply the squares. Where that overflows or vanishes, zero
+/// is divided by zero, and their inner loops have been seen to go on for ever (COBYLA, BOBYQA, SLSQP).
+/// Scaled responses are of size 1: what is this large is refused, what is this small is taken for zero.
 inline bool can_be_reckoned_with(double x) { return std::abs(x) <= 1e30; }  // no NaN either
+inline double without_dust(double x) { return std::abs(x) < 1e-100 ? 0.0 : x; }
 
 /// A point worth keeping.
 struct Candidate {

@@ -13,6 +13,8 @@
 #include <unistd.h>
 #include <bit>
 #include <cmath>
+#include <csignal>
+#include <cstdlib>
 
 using namespace twum;
 using namespace twum::optim;
@@ -107,6 +109,12 @@ Problem strange_problem(Random& random) {
   return p;
 }
 
+// An abort is reported with the case that it came in.
+void watch(unsigned seconds) {
+  std::signal(SIGALRM, [](int) { std::abort(); });
+  alarm(seconds);
+}
+
 void expect_ends(const std::string& solver, std::uint64_t first, std::uint64_t count) {
   for (std::uint64_t number = first; number < first + count; ++number) {
     Random random(7, number, 0);
@@ -124,9 +132,9 @@ void expect_ends(const std::string& solver, std::uint64_t first, std::uint64_t c
       if (++calls == last) source.request_stop();
     };
     INFO(solver << " on problem " << number);
-    alarm(kEndless);
+    watch(kEndless);
     const Result r = solve(p, options);
-    alarm(0);
+    watch(0);
     CHECK(calls <= std::min(last, options.budget.evaluations));
     // At most some twenty stages, 60 runs each, 1000 requests in a row without an evaluation.
     CHECK(r.counters.reused < 20 * 60 * 1000);

@@ -14,6 +14,8 @@
 
 #include <unistd.h>
 #include <array>
+#include <csignal>
+#include <cstdlib>
 #include <set>
 
 using namespace twum;
@@ -22,6 +24,12 @@ using namespace twum::studies;
 namespace {
 
 constexpr unsigned kEndless = 600;  // [s] after which the alarm ends the test program
+
+// An abort is reported with the case that it came in.
+void watch(unsigned seconds) {
+  std::signal(SIGALRM, [](int) { std::abort(); });
+  alarm(seconds);
+}
 
 struct Question {
   DesignProblem problem;
@@ -106,7 +114,7 @@ TEST_CASE("every rung of the ladder ends on motors where searches went astray",
     options.starts = 1;
     options.budget.evaluations = 2000;
     const optim::Ladder ladder{optim::Ladder{}.rungs, true};
-    alarm(kEndless);
+    watch(kEndless);
     const optim::Deadline clock(optim::kInfinity);
     const optim::Result whole = optim::solve_continuous(problem, options, clock, ladder);
     CHECK(whole.counters.evaluations <= options.budget.evaluations);
@@ -121,7 +129,7 @@ TEST_CASE("every rung of the ladder ends on motors where searches went astray",
     };
     optim::solve_continuous(problem, options, clock, ladder);
     CHECK(calls <= last);
-    alarm(0);
+    watch(0);
   }
   for (const std::string& rung : optim::Ladder{}.rungs)
     if (optim::find_solver(rung).available) CHECK(climbed.contains(rung));

@@ -177,6 +177,28 @@ TEST_CASE("numbers whose squares overflow reach no solver", "[optim][nlp][edge]"
   }
 }
 
+TEST_CASE("numbers whose squares vanish reach a solver as zeros", "[optim][nlp][edge]") {
+  for (const double size : {1e-50, 1e-90, 1e-150, 1e-300}) {
+    Problem p = torn();
+    p.constraints[0] = {"far", size * 0.5, kInfinity};
+    p.evaluate = [=, plain = p.evaluate](std::span<const double> x, bool gradient) {
+      Evaluation e = plain(x, gradient);
+      e.values[1] *= size;
+      if (gradient) e.jacobian[1] *= size;
+      return e;
+    };
+    Stage stage(p);
+    Nlp nlp = stage.nlp();  // its factors are 1: nothing was scaled
+    const NlpValue* v = nlp.at(std::vector{0.9}, true);
+    REQUIRE(v != nullptr);
+    CAPTURE(size);
+    const bool small = size < 1e-100;
+    CHECK((v->c[0] == 0.0) == small);
+    CHECK((v->dc[0] == 0.0) == small);
+    CHECK((OneSide{0, -1.0, size * 0.5}.of(*v) == 0.0) == small);
+  }
+}
+
 TEST_CASE(
     "a run that lost its way begins again at the best design, not beside a point that is none",
     "[optim][nlp][edge]") {
