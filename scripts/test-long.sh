@@ -9,7 +9,7 @@
 # Exits with an error if a step failed.
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-all_steps=(cases properties validation kill no-ipopt shared asan tsan valgrind coverage clang fuzz package lint)
+all_steps=(cases properties validation kill stop no-ipopt shared asan tsan valgrind coverage clang fuzz package lint)
 
 build() {  # PRESET [CMAKE ARGUMENT...]
   configure "$@" && cmake --build --preset "$1" -j "$(jobs)"
@@ -43,6 +43,11 @@ step_validation() {
 # Kills each example study at 50 random moments; its results must be those of a run in peace.
 step_kill() {
   build ci && python3 tests/cli/kill_study.py build/ci/bin/twum examples/studies/*.yaml --count 50
+}
+
+# Random searches by every solver: each must end by itself, and within a second after a signal.
+step_stop() {
+  build ci && python3 tests/cli/stop_study.py build/ci/bin/twum --count 400 --seed "${TWUM_SEED:-1}" --keep build/stop
 }
 
 # A build that may be passed on.

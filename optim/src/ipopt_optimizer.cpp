@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "allowance.hpp"
 #include "ipopt_options.hpp"
 #include "optimizer.hpp"
 
@@ -26,7 +27,7 @@ std::mutex& ipopt_lock() {
 class Bridge : public Ipopt::TNLP {
  public:
   Bridge(Nlp& nlp, std::span<const double> start, std::size_t calls)
-      : nlp_(nlp), start_(start.begin(), start.end()), calls_left_(calls) {}
+      : nlp_(nlp), start_(start.begin(), start.end()), allowance_(nlp, calls) {}
 
   bool get_nlp_info(Index& n, Index& m, Index& jacobian, Index& hessian,
                     IndexStyleEnum& style) override {
@@ -106,21 +107,13 @@ class Bridge : public Ipopt::TNLP {
   int iterations() const { return iterations_; }
 
  private:
-  bool halted() const { return error_ || stop_ != StopReason::finished || out_of_calls_; }
+  bool halted() const { return error_ || stop_ != StopReason::finished || allowance_.used_up(); }
 
   const NlpValue* request(Index n, const Number* z) {
     if (halted()) return nullptr;
     const std::span<const double> point(z, static_cast<std::size_t>(n));
-    if (!std::equal(point.begin(), point.end(), last_.begin(), last_.end())) {
-      if (calls_left_ == 0) {
-        out_of_calls_ = true;
-        return nullptr;
-      }
-      --calls_left_;
-      last_.assign(point.begin(), point.end());
-    }
     try {
-      return nlp_.at(point, true);
+      return allowance_.take(point) ? nlp_.at(point, true) : nullptr;
     } catch (const Stop& s) {
       stop_ = s.reason;
     } catch (...) {
@@ -131,12 +124,10 @@ class Bridge : public Ipopt::TNLP {
 
   Nlp& nlp_;
   std::vector<double> start_;
-  std::size_t calls_left_;
-  std::vector<double> last_;
+  Allowance allowance_;
   std::vector<double> final_;
   std::exception_ptr error_;
   StopReason stop_{StopReason::finished};
-  bool out_of_calls_{false};
   int iterations_{0};
 };
 

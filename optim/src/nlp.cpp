@@ -58,33 +58,35 @@ double Nlp::row_value(const Row& row, const Evaluation& e, std::span<const doubl
   for (const Term& t : row.responses)
     sum += t.factor * scaling_.factor(t.index) * e.values[t.index];
   for (const Term& t : row.extras) sum += t.factor * z[units() + t.index];
-  return sum;
+  return without_dust(sum);
 }
 
-bool Nlp::row_gradient(const Row& row, const Evaluation& e, double* out) const {
+void Nlp::row_gradient(const Row& row, const Evaluation& e, double* out) const {
   std::fill_n(out, size(), 0.0);
-  bool finite = true;
-  for (const Term& t : row.responses) {
-    for (std::size_t k = 0; k < units(); ++k) {
-      out[k] += t.factor * scaling_.derivative(e, t.index, k, design_);
-      finite = finite && std::isfinite(out[k]);
-    }
-  }
+  for (const Term& t : row.responses)
+    for (std::size_t k = 0; k < units(); ++k)
+      out[k] = without_dust(out[k] + t.factor * scaling_.derivative(e, t.index, k, design_));
   for (const Term& t : row.extras) out[units() + t.index] += t.factor;
-  return finite;
 }
 
 bool Nlp::fill(const Evaluation& e, std::span<const double> z, bool gradient) {
   value_.f = row_value(formulation_.objective, e, z);
   for (std::size_t i = 0; i < rows(); ++i) value_.c[i] = row_value(row(i), e, z);
-  if (!gradient) return true;
-  bool ok = row_gradient(formulation_.objective, e, value_.df.data());
-  for (std::size_t i = 0; i < rows(); ++i)
-    ok = row_gradient(row(i), e, value_.dc.data() + i * size()) && ok;
-  return ok;
+  if (gradient) {
+    row_gradient(formulation_.objective, e, value_.df.data());
+    for (std::size_t i = 0; i < rows(); ++i) row_gradient(row(i), e, value_.dc.data() + i * size());
+  }
+  return usable(gradient);
+}
+
+bool Nlp::usable(bool gradient) const {
+  const auto all = [](const auto& list) { return std::ranges::all_of(list, can_be_reckoned_with); };
+  return can_be_reckoned_with(value_.f) && all(value_.c) &&
+         (!gradient || (all(value_.df) && all(value_.dc)));
 }
 
 const NlpValue* Nlp::at(std::span<const double> z, bool gradient) {
+  session_.heed();
   if (known_ && (has_gradient_ || !gradient) && std::equal(z.begin(), z.end(), point_.begin()))
     return &value_;
   known_ = false;

@@ -4,6 +4,7 @@
 #include "scaling.hpp"
 #include "session.hpp"
 
+#include <cmath>
 #include <optional>
 
 namespace twum::optim {
@@ -44,6 +45,12 @@ struct NlpValue {
   std::vector<double> dc;  ///< rows() x size(), row-major
 };
 
+/// Solvers square what they are given and multiply the squares. Where that overflows or vanishes, zero
+/// is divided by zero, and their inner loops have been seen to go on for ever (COBYLA, BOBYQA, SLSQP).
+/// Scaled responses are of size 1: what is this large is refused, what is this small is taken for zero.
+inline bool can_be_reckoned_with(double x) { return std::abs(x) <= 1e30; }  // no NaN either
+inline double without_dust(double x) { return std::abs(x) < 1e-100 ? 0.0 : x; }
+
 /// A point worth keeping.
 struct Candidate {
   std::vector<double> z;
@@ -64,8 +71,10 @@ class Nlp {
   const std::vector<double>& upper() const { return upper_; }
   bool equality(std::size_t i) const { return row(i).lower == row(i).upper; }
 
-  /// Null if the design cannot be evaluated or a derivative that is needed does not exist. Points
-  /// are clamped into the bounds first. @throws Stop, and what the evaluator throws.
+  /// Null if the design cannot be evaluated, a derivative that is needed does not exist, or a number is
+  /// too large for a solver to reckon with. Points are clamped into the bounds first. Asks the clock and
+  /// the caller's patience each time, also where nothing has to be evaluated.
+  /// @throws Stop, and what the evaluator throws.
   const NlpValue* at(std::span<const double> z, bool gradient);
 
   double violation(const NlpValue& value) const;
@@ -82,8 +91,9 @@ class Nlp {
 
  private:
   bool fill(const Evaluation& e, std::span<const double> z, bool gradient);
+  bool usable(bool gradient) const;
   double row_value(const Row& row, const Evaluation& e, std::span<const double> z) const;
-  bool row_gradient(const Row& row, const Evaluation& e, double* out) const;
+  void row_gradient(const Row& row, const Evaluation& e, double* out) const;
   void keep(std::span<const double> z);
 
   Session& session_;

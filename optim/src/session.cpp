@@ -68,9 +68,8 @@ const Session::Memory* Session::find(std::span<const double> design, bool gradie
   return nullptr;
 }
 
-void Session::check_limits() const {
+void Session::heed() const {
   if (options_.stop.stop_requested()) throw Stop{StopReason::requested};
-  if (counters_.evaluations >= quota_) throw Stop{StopReason::evaluations};
   if (deadline_.passed()) throw Stop{StopReason::seconds};
 }
 
@@ -93,7 +92,8 @@ const Evaluation& Session::at(std::span<const double> design, bool gradient) {
     ++counters_.reused;
     return known->evaluation;
   }
-  check_limits();
+  heed();
+  if (counters_.evaluations >= quota_) throw Stop{StopReason::evaluations};
   const std::uint64_t index = counters_.evaluations++;
   if (gradient) ++counters_.gradients;
   Evaluation e = call(design, gradient);

@@ -38,6 +38,9 @@ class Session {
   /// @throws Stop when the quota, the time or the caller's patience is used up.
   const Evaluation& at(std::span<const double> design, bool gradient);
 
+  /// For whoever goes on without calls. @throws Stop when the time or the caller's patience is used up.
+  void heed() const;
+
   /// Puts a known evaluation into the memory, so that asking for it costs nothing.
   void remember(std::span<const double> design, const Evaluation& evaluation);
 
@@ -58,7 +61,6 @@ class Session {
   static constexpr std::size_t kMemory = 4;  // solvers come back to the last points only
 
   const Memory* find(std::span<const double> design, bool gradient) const;
-  void check_limits() const;
   Evaluation call(std::span<const double> design, bool gradient);
 
   const Problem& problem_;

@@ -18,8 +18,9 @@ namespace {
 // One solve on continuous variables (integer ones are fixed by their bounds).
 class ContinuousSolve {
  public:
-  ContinuousSolve(const Problem& problem, const SolveOptions& options, const Deadline& deadline)
-      : campaign_(problem, options, deadline), options_(options) {}
+  ContinuousSolve(const Problem& problem, const SolveOptions& options, const Deadline& deadline,
+                  const Ladder& ladder)
+      : campaign_(problem, options, deadline), options_(options), ladder_(ladder) {}
 
   Result run() {
     if (campaign_.scale()) {
@@ -113,9 +114,9 @@ class ContinuousSolve {
 
   // Each rung starts where the best design is; the first that can be certified ends the climb.
   void climb() {
-    for (const char* name :
-         {"nlopt:slsqp", "nlopt:ccsaq", "ipopt", "nlopt:auglag", "nlopt:cobyla"}) {
-      if (passed() || campaign_.exhausted() || campaign_.scaling().size() == 0) return;
+    for (const std::string& name : ladder_.rungs) {
+      if (campaign_.exhausted() || campaign_.scaling().size() == 0) return;
+      if (passed() && !ladder_.to_the_top) return;
       const Optimizer& optimizer = find_optimizer(name);
       if (!optimizer.info.available) continue;
       const auto start =
@@ -123,7 +124,8 @@ class ContinuousSolve {
       Attempt attempt = campaign_.run(optimizer, start, true);
       campaign_.finish(attempt);
       offer(std::move(attempt));
-      if (!feasible(best_) && std::string(name) == "ipopt") return;  // feasibility comes first
+      const bool top = ladder_.to_the_top;
+      if (!feasible(best_) && name == "ipopt" && !top) return;  // feasibility comes first
     }
   }
 
@@ -216,6 +218,7 @@ class ContinuousSolve {
 
   Campaign campaign_;
   const SolveOptions& options_;
+  const Ladder& ladder_;
   Attempt best_;
   std::vector<double> least_infeasible_;
 };
@@ -244,8 +247,8 @@ const char* to_string(Outcome outcome) {
 }
 
 Result solve_continuous(const Problem& problem, const SolveOptions& options,
-                        const Deadline& deadline) {
-  return ContinuousSolve(problem, options, deadline).run();
+                        const Deadline& deadline, const Ladder& ladder) {
+  return ContinuousSolve(problem, options, deadline, ladder).run();
 }
 
 Result solve(const Problem& problem, const SolveOptions& options) {

@@ -5,8 +5,15 @@
 
 namespace twum::optim {
 
+/// The solvers that auto tries after its starts, in this order, each from the best design so far.
+struct Ladder {
+  std::vector<std::string> rungs{"nlopt:slsqp", "nlopt:ccsaq", "ipopt", "nlopt:auglag",
+                                 "nlopt:sbplx"};
+  bool to_the_top{false};  ///< for tests: climbs on whatever has been found
+};
+
 /// solve() for a problem whose integer variables, if any, are fixed by equal bounds.
 Result solve_continuous(const Problem& problem, const SolveOptions& options,
-                        const Deadline& deadline);
+                        const Deadline& deadline, const Ladder& ladder = {});
 
 }  // namespace twum::optim

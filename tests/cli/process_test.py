@@ -70,6 +70,46 @@ class Interrupts(program.Case):
             self.assertTrue(all(line.endswith(",ok") for line in lines[1:]))
             self.result.unlink()
 
+    def reading(self):
+        """A program that waits for ever for a motor file: nothing in it looks at signals."""
+        process = subprocess.Popen([program.PROGRAM, "curve", "-"], stdin=subprocess.PIPE,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        while not self.listens(process):
+            time.sleep(0.01)
+        return process
+
+    @staticmethod
+    def listens(process):
+        """True once the program has a handler for SIGTERM, the last that it installs."""
+        with open(f"/proc/{process.pid}/status", encoding="ascii") as status:
+            caught = next(line for line in status if line.startswith("SigCgt:"))
+        return int(caught.split()[1], 16) >> (signal.SIGTERM - 1) & 1
+
+    def test_a_signal_ends_what_nothing_else_ends(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            process = self.reading()
+            process.send_signal(number)
+            # Standard input stays open: without its end the program would wait as long as this does.
+            self.assertEqual(process.wait(timeout=60), 130)
+            self.assertIn(b"interrupted before", process.stderr.read())
+            for stream in (process.stdin, process.stdout, process.stderr):
+                stream.close()
+
+    def test_two_signals_at_once_are_one_request_and_a_later_one_ends_at_once(self):
+        process = self.reading()
+        process.send_signal(signal.SIGTERM)  # as timeout(1) sends them: to the program and to its group
+        process.send_signal(signal.SIGTERM)
+        self.assertEqual(process.wait(timeout=60), 130)
+        for stream in (process.stdin, process.stdout, process.stderr):
+            stream.close()
+        process = self.reading()
+        process.send_signal(signal.SIGINT)
+        time.sleep(0.2)
+        process.send_signal(signal.SIGTERM)
+        self.assertEqual(process.wait(timeout=60), -signal.SIGTERM)
+        for stream in (process.stdin, process.stdout, process.stderr):
+            stream.close()
+
     def read_terminal(self, process, terminal, last):
         """What the terminal shows until the last words come."""
         text = b""

@@ -26,6 +26,9 @@ def tried(log):
     clean = len(re.findall(r"^valgrind .*: no errors$", log, re.M))
     if clean:
         parts.append(f"{clean} commands")
+    stopped = re.search(r"^stop_study: (\d+) studies, .*; (\d+) signals", log, re.M)
+    if stopped:
+        parts.append(f"{stopped.group(1)} studies, {stopped.group(2)} signals")
     executions = [int(n) for n in re.findall(r"^stat::number_of_executed_units: (\d+)", log, re.M)]
     if executions:
         parts.append(f"{len(executions)} fuzzers, {sum(executions)} executions")

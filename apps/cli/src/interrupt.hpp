@@ -6,8 +6,9 @@
 
 namespace twum::cli {
 
-/// The first Ctrl-C (or SIGTERM) sets a flag, so that what is in flight can be finished and written;
-/// the second ends the program. A closed pipe or a file size limit becomes an error of the write.
+/// The first Ctrl-C (or SIGTERM) sets a flag, so that what is in flight can be finished and written. What
+/// has not come to its end 0.8 s later is ended: the program exits with kInterrupted, wherever it is. A
+/// second signal ends it at once. A closed pipe or a file size limit becomes an error of the write.
 void install_interrupt_handler();
 
 /// True once the program was asked to stop.

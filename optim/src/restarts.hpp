@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "nlp.hpp"
+
+namespace twum::optim {
+
+/// What follows on a design that cannot be evaluated, for solvers that cannot be told of it: their run
+/// is stopped and begun again from the best design, in a box that leaves the failed one out. Once such
+/// a run ends at the wall of its box, the box grows again. There are at most 60 runs.
+class Restarts {
+ public:
+  Restarts(Nlp& nlp, std::span<const double> start)
+      : nlp_(nlp), from_(start.begin(), start.end()) {}
+
+  /// Sets the box of the next run. False when there is no use in another one.
+  /// @param failed_at  the point that could not be evaluated; empty if the run ended by itself
+  /// @param ended_at   where it ended
+  bool next(std::span<const double> failed_at, std::span<const double> ended_at);
+
+  /// Where the next run begins.
+  const std::vector<double>& from() const { return from_; }
+
+ private:
+  bool shrink(std::span<const double> failed);
+  bool grow(std::span<const double> ended_at);
+  bool at_a_wall(std::span<const double> z) const;
+  void nudge(std::span<const double> failed);
+
+  Nlp& nlp_;
+  std::vector<double> from_;
+  double radius_{0.0};
+  int count_{0};
+  int nudges_{0};
+};
+
+}  // namespace twum::optim
