@@ -4,6 +4,7 @@
 // tests/core/identity_cases.yaml. Exits with 1 if a law is broken.
 //
 //   twum_box_survey [COUNT [SEED [METRICS_EVERY]]]      1000000 2 100 by default
+//   twum_box_survey ranges [COUNT [SEED]]               20000 1: the ranges of `twum parameters` in place of the box
 #include "support/box_survey.hpp"
 
 #include <cstdio>
@@ -40,18 +41,19 @@ void print_points(const char* what, double unit, const std::vector<NotablePoint>
 }
 
 int run(int count, char** arguments) {
-  BoxSurveyOptions options{2, 1000000, 100};
+  const bool ranges = count > 1 && arguments[1] == std::string("ranges");
+  if (ranges) --count, ++arguments;
+  BoxSurveyOptions options{ranges ? 1U : 2U, ranges ? 20000 : 1000000, 100};
   if (count > 1) options.count = whole_number(arguments[1]);
   if (count > 2) options.seed = static_cast<std::uint64_t>(whole_number(arguments[2]));
   if (count > 3) options.metrics_every = whole_number(arguments[3]);
-  const BoxSurvey found = survey_box(options);
-  std::printf("%lld points, seed %llu\n", static_cast<long long>(options.count),
+  const BoxSurvey found = ranges ? survey_ranges(options.seed, options.count) : survey_box(options);
+  std::printf("%lld designs, seed %llu\n", static_cast<long long>(found.designs),
               static_cast<unsigned long long>(options.seed));
   print_counts("points", found.statuses);
   print_counts("metrics", found.metrics);
   print_counts("laws broken", found.broken);
-  std::printf("metrics with a number beside a status or none without: %lld\n",
-              static_cast<long long>(found.metrics_broken));
+  std::printf("metrics that break a law: %lld\n", static_cast<long long>(found.metrics_broken));
   std::printf("largest imbalance, of the scale of powers: %.2g\n", found.identity);
   for (const std::string& example : found.examples) std::printf("broken: %s\n", example.c_str());
   print_points("slowest points [ms]", 1e3, found.slowest);

@@ -75,6 +75,13 @@ class Evaluate(program.Case):
         self.assertIn("1 of 1 designs have no full answer", done.stderr)
         self.assertIn(b"max_efficiency: undefined", done.stdout)
 
+    def test_reasons_to_doubt_the_model_are_those_of_the_curve_command(self):
+        designs = self.write("designs.csv", "thickness [mm]\n0.3\n0.6\n0.8\n")
+        done = program.twum("evaluate", RING, "--designs", designs, "--metrics", "stall_torque", "--jobs", 2)
+        curve = program.twum("curve", RING, "--set", "thickness=0.8 mm", "--format", "csv")
+        note, = [line for line in curve.stderr.splitlines() if "contact length" in line]
+        self.assertEqual(done.stderr, note.replace("note: ", "note: line 4: ") + "; 1 other likewise, by less\n")
+
     def test_wrong_tables_are_refused(self):
         for text in ("", "\n\n", "id\n1\n", "preload [m]\n1\n", "preload,F_N\n1,2\n", "nu,G\n1,2\n", "preload;h\n1;2\n",
                      'preload,"x\n1,2\n', b"\x00\x01\x02\n1\n"):

@@ -74,12 +74,12 @@ TEST_CASE("each status has a word of its own", "[core][metrics]") {
   for (const auto status :
        {MetricStatus::ok, MetricStatus::undefined, MetricStatus::unreachable,
         MetricStatus::no_periodic_state, MetricStatus::not_converged, MetricStatus::resonance,
-        MetricStatus::unresolved, MetricStatus::out_of_range})
+        MetricStatus::unresolved, MetricStatus::inaccurate, MetricStatus::out_of_range})
     CHECK(words.insert(to_string(status)).second);
   // A point without an answer and a metric that needs it give the same reason.
   for (const auto status :
        {PointStatus::ok, PointStatus::no_periodic_state, PointStatus::not_converged,
-        PointStatus::resonance, PointStatus::unresolved})
+        PointStatus::resonance, PointStatus::unresolved, PointStatus::inaccurate})
     CHECK(words.contains(to_string(status)));
   std::set<std::string> smoothness;
   for (const auto kind :

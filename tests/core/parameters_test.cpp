@@ -36,6 +36,7 @@ TEST_CASE("the parameter table has one row for each parameter, in order",
     if (row.twin) CHECK(info(*row.twin).twin == row.parameter);
     CHECK(row.min < row.max);
     CHECK_FALSE(row.text.empty());
+    CHECK_FALSE(row.reason.empty());
     CHECK_FALSE(row.example.empty());
   }
   CHECK_FALSE(find_parameter("no such thing").has_value());
@@ -90,7 +91,7 @@ TEST_CASE("values outside their range are refused for every parameter", "[core][
   const double infinity = std::numeric_limits<double>::infinity();
   for (const ParameterInfo& row : parameter_table()) {
     CAPTURE(row.name);
-    const double below = row.min_excluded ? row.min : row.min - 1e-3 * (row.max - row.min);
+    const double below = row.min - 1e-3 * (row.max - row.min);
     for (const double value : {below, 2 * row.max, std::nan(""), infinity, -infinity}) {
       CHECK_FALSE(complaint(row.parameter, value).empty());
       CHECK_THROWS_AS(with(ring(), row.parameter, value), InputError);

@@ -146,7 +146,7 @@ class Gradients(unittest.TestCase):
         asked = {"thickness": [3e-4, -3e-4], "preload": "160 N"}
         derivatives = twum.gradients(self.motor, asked, "no_load_speed")["no_load_speed"]
         self.assertEqual((derivatives.status[0], derivatives.smoothness[0]), ("ok", "smooth"))
-        self.assertIn("thickness must be more than 0 m", derivatives.status[1])
+        self.assertIn("thickness must be at least 1e-08 m", derivatives.status[1])
         self.assertEqual(derivatives.smoothness[1], "undefined")
         self.assertTrue(np.isnan(derivatives.value[1]) and np.isnan(derivatives["preload"][1]))
         self.assertEqual(twum.gradients(self.motor, {"preload": []}, "stall_torque")["stall_torque"].value.shape, (0,))

@@ -144,7 +144,7 @@ class Refusals(unittest.TestCase):
                      "force", "preload", "mass", "unknown parameter", "wavelengths", "amplitude must be at least 0 m")
 
     def test_a_number_out_of_range(self):
-        self.refused(lambda: twum.Motor(thickness=-3e-4), "thickness", "more than 0 m", "-0.0003")
+        self.refused(lambda: twum.Motor(thickness=-3e-4), "thickness", "at least 1e-08 m", "-0.0003")
         self.refused(lambda: twum.Motor(preload=math.nan), "preload", "nan")
         self.refused(lambda: twum.Motor(static_friction=0.1), "static_friction", "kinetic_friction")
 

@@ -14,7 +14,11 @@ namespace twum::test {
 
 /// Empty if an operating point keeps every law that needs no other program (numbers are finite or named
 /// by a status, identity (T7.10), bound (C8.1), losses not negative), else the law it breaks.
-std::string broken_law(const Motor& motor, const OperatingPoint& point);
+/// @param slack  of the identity, of the scale of powers; a tenth of it for losses, a hundredth for the bound
+std::string broken_law(const Motor& motor, const OperatingPoint& point, double slack = 1e-10);
+
+/// What the status ok promises all over the ranges of parameters: identity to 1e-6 of the scale of powers.
+inline constexpr double kPromised = 1e-6;
 
 /// A point of the box that stood out.
 struct NotablePoint {
@@ -25,6 +29,7 @@ struct NotablePoint {
 
 /// What was seen on many points of the box of theory section 10.
 struct BoxSurvey {
+  std::int64_t designs{0};                       ///< asked
   std::map<std::string, std::int64_t> statuses;  ///< status of the point -> how many
   std::map<std::string, std::int64_t> broken;    ///< broken law -> how many
   std::vector<std::string> examples;             ///< of broken laws, at most 20
@@ -45,6 +50,12 @@ struct BoxSurveyOptions {
 
 /// Asks `count` random points of the box. Always the same points for a seed.
 BoxSurvey survey_box(const BoxSurveyOptions& options);
+
+/// Asks the ranges of `twum parameters`: every parameter at its ends and beside them, every pair of parameters at their
+/// ends, and `count` designs with all parameters random, half of them logarithmic. Each at seven speeds and for all
+/// metrics without argument, whose laws are that they are finite, torques within mu_0 F_N r, and efficiencies and shares
+/// within 1.
+BoxSurvey survey_ranges(std::uint64_t seed, std::int64_t count);
 
 /// A point as an entry of tests/core/identity_cases.yaml.
 std::string identity_case(const std::string& name, const BoxPoint& box);

@@ -14,50 +14,64 @@ namespace {
 using P = Parameter;
 constexpr std::optional<Parameter> kNone;
 
-// The admissible ranges are wide: they refuse what cannot be meant, not what is unusual.
+// The ranges admit what a person could mean, limits of the model included; `reason` says why they end there. Within them
+// no number of the model overflows.
 constexpr std::array<ParameterInfo, kParameterCount> kTable{{
-    {P::wavelengths, "wavelengths", "n", "1", "stator.wavelengths", 1, 1000, false, true, true,
-     kNone, "9", "wavelengths round the circumference"},
-    {P::contact_radius, "contact_radius", "r", "m", "stator.contact_radius", 0, 10, true, false,
-     true, kNone, "26.5 mm", "mean radius of the contact track"},
-    {P::contact_width, "contact_width", "b", "m", "stator.contact_width", 0, 10, true, false, true,
-     kNone, "4 mm", "radial width of the contact track"},
+    {P::wavelengths, "wavelengths", "n", "1", "stator.wavelengths", 1, 200, true, true, kNone, "9",
+     "wavelengths round the circumference",
+     "more would be shorter than a millimetre on a ring of 60 mm"},
+    {P::contact_radius, "contact_radius", "r", "m", "stator.contact_radius", 1e-4, 1, false, true,
+     kNone, "26.5 mm", "mean radius of the contact track",
+     "from silicon rings to rings of 2 m; known motors have 1 to 200 mm"},
+    {P::contact_width, "contact_width", "b", "m", "stator.contact_width", 1e-8, 1, false, true,
+     kNone, "4 mm", "radial width of the contact track",
+     "a line contact of 10 nm; no wider than the largest radius"},
     {P::neutral_plane_distance, "neutral_plane_distance", "a", "m", "stator.neutral_plane_distance",
-     0, 1, true, false, true, kNone, "3 mm",
-     "distance from the neutral plane to the stator surface"},
-    {P::frequency, "frequency", "f", "Hz", "stator.frequency", 0, 1e9, true, false, true, kNone,
-     "40 kHz", "drive frequency"},
-    {P::amplitude, "amplitude", "A", "m", "stator.amplitude", 0, 1e-2, false, false, true, kNone,
-     "1.6 um", "amplitude of the travelling wave"},
-    {P::modal_damping, "modal_damping", "", "N.s/m", "stator.modal_damping", 0, 1e9, false, false,
-     false, kNone, "45 N.s/m", "modal damping of the stator; its loss is c (omega A)^2"},
-    {P::thickness, "thickness", "h", "m", "contact_layer.thickness", 0, 1, true, false, true, kNone,
-     "0.3 mm", "thickness of the contact layer"},
-    {P::youngs_modulus, "youngs_modulus", "E", "Pa", "contact_layer.youngs_modulus", 0, 1e13, true,
-     false, true, kNone, "3 GPa", "Young's modulus of the contact layer"},
-    {P::poisson_ratio, "poisson_ratio", "nu", "1", "contact_layer.poisson_ratio", -1, 0.5, true,
-     false, true, P::shear_modulus, "0.35",
-     "Poisson ratio of the contact layer; gives G = E / (2 (1 + nu))"},
-    {P::density, "density", "rho", "kg/m^3", "contact_layer.density", 0, 1e6, false, false, true,
-     P::inertia, "1800 kg/m^3", "density of the contact layer; gives m = rho h^2 / 3"},
-    {P::loss_factor, "loss_factor", "", "1", "contact_layer.loss_factor", 0, 100, false, false,
-     true, P::shear_viscosity, "0.05",
-     "loss factor of the layer in shear; gives gamma = loss_factor G / omega"},
-    {P::shear_modulus, "shear_modulus", "G", "Pa", "contact_layer.shear_modulus", 0, 1e13, true,
-     false, false, P::poisson_ratio, "1.1 GPa",
-     "shear modulus of the contact layer, given outright"},
+     1e-6, 0.1, false, true, kNone, "3 mm", "distance from the neutral plane to the stator surface",
+     "half of a film of 2 um; teeth of 100 mm"},
+    {P::frequency, "frequency", "f", "Hz", "stator.frequency", 100, 1e8, false, true, kNone,
+     "40 kHz", "drive frequency", "from audible models to surface acoustic waves of 100 MHz"},
+    {P::amplitude, "amplitude", "A", "m", "stator.amplitude", 0, 1e-3, false, true, kNone, "1.6 um",
+     "amplitude of the travelling wave", "0 is no drive; ceramics break far below 1 mm"},
+    {P::modal_damping, "modal_damping", "", "N.s/m", "stator.modal_damping", 0, 1e6, false, false,
+     kNone, "45 N.s/m", "modal damping of the stator; its loss is c (omega A)^2",
+     "0 is a stator without loss; 1 MN.s/m is 1 kg at 150 kHz with a quality factor of 1"},
+    {P::thickness, "thickness", "h", "m", "contact_layer.thickness", 1e-8, 0.1, false, true, kNone,
+     "0.3 mm", "thickness of the contact layer",
+     "thinner than 10 nm is no continuum; thicker than 100 mm is no layer"},
+    {P::youngs_modulus, "youngs_modulus", "E", "Pa", "contact_layer.youngs_modulus", 1e3, 1e13,
+     false, true, kNone, "3 GPa", "Young's modulus of the contact layer",
+     "from soft gels, 1 kPa, to ten times diamond, the limit of a rigid layer"},
+    {P::poisson_ratio, "poisson_ratio", "nu", "1", "contact_layer.poisson_ratio", -0.99, 0.5, false,
+     true, P::shear_modulus, "0.35",
+     "Poisson ratio of the contact layer; gives G = E / (2 (1 + nu))",
+     "a stable isotropic material lies between -1 and 0.5; towards -1 G has no bound, give "
+     "shear_modulus instead"},
+    {P::density, "density", "rho", "kg/m^3", "contact_layer.density", 0, 3e4, false, true,
+     P::inertia, "1800 kg/m^3", "density of the contact layer; gives m = rho h^2 / 3",
+     "0 is a layer without inertia; osmium, the densest solid, has 22600 kg/m^3"},
+    {P::loss_factor, "loss_factor", "", "1", "contact_layer.loss_factor", 0, 10, false, true,
+     P::shear_viscosity, "0.05",
+     "loss factor of the layer in shear; gives gamma = loss_factor G / omega",
+     "0 is a layer without loss; rubber in its glass transition reaches 3"},
+    {P::shear_modulus, "shear_modulus", "G", "Pa", "contact_layer.shear_modulus", 100, 1e13, false,
+     false, P::poisson_ratio, "1.1 GPa", "shear modulus of the contact layer, given outright",
+     "below a third of the softest E; up to 10 TPa, the limit of a rigid layer"},
     {P::shear_viscosity, "shear_viscosity", "gamma", "Pa.s", "contact_layer.shear_viscosity", 0,
-     1e12, false, false, false, P::loss_factor, "220 Pa.s",
-     "shear viscosity of the layer, given outright"},
-    {P::inertia, "inertia", "m", "Pa.s^2", "contact_layer.inertia", 0, 1e6, false, false, false,
-     P::density, "5.4e-5 Pa.s^2", "inertia of the layer in shear, given outright"},
-    {P::kinetic_friction, "kinetic_friction", "mu", "1", "friction.kinetic", 0, 10, false, false,
-     true, kNone, "0.2", "friction coefficient while slipping"},
+     1e9, false, false, P::loss_factor, "220 Pa.s", "shear viscosity of the layer, given outright",
+     "0 is a layer without loss; 1 GPa.s is a loss factor of 10 at G = 10 TPa and 16 kHz"},
+    {P::inertia, "inertia", "m", "Pa.s^2", "contact_layer.inertia", 0, 100, false, false,
+     P::density, "5.4e-5 Pa.s^2", "inertia of the layer in shear, given outright",
+     "0 is a layer without inertia; 100 Pa.s^2 is the densest and thickest one"},
+    {P::kinetic_friction, "kinetic_friction", "mu", "1", "friction.kinetic", 0, 5, false, true,
+     kNone, "0.2", "friction coefficient while slipping",
+     "0 is no friction; soft rubber on a dry track reaches 4"},
     {P::static_friction, "static_friction", "mu_0", "1", "friction.static", 0, 10, false, false,
-     false, kNone, "0.2",
-     "friction coefficient at the threshold of sticking, at least the kinetic one"},
-    {P::preload, "preload", "F_N", "N", "preload", 0, 1e12, false, false, true, kNone, "160 N",
-     "total axial force that presses rotor and stator together"},
+     kNone, "0.2", "friction coefficient at the threshold of sticking, at least the kinetic one",
+     "0 is no friction; twice the largest kinetic one"},
+    {P::preload, "preload", "F_N", "N", "preload", 0, 1e11, false, true, kNone, "160 N",
+     "total axial force that presses rotor and stator together",
+     "0 is no contact; 100 GN is ten times what full contact takes of the stiffest tested motor"},
 }};
 
 std::string number(double value) {
@@ -180,10 +194,7 @@ std::string complaint(Parameter parameter, double value) {
   const ParameterInfo& row = info(parameter);
   const auto found = [&] { return ", but is " + with_unit(value, row); };  // rarely needed
   if (!std::isfinite(value)) return "must be a finite number" + found();
-  if (row.min_excluded ? !(value > row.min) : !(value >= row.min)) {
-    return std::string(row.min_excluded ? "must be more than " : "must be at least ") +
-           with_unit(row.min, row) + found();
-  }
+  if (!(value >= row.min)) return "must be at least " + with_unit(row.min, row) + found();
   if (!(value <= row.max)) return "must be at most " + with_unit(row.max, row) + found();
   if (row.integer && value != std::floor(value)) return "must be a whole number" + found();
   return {};

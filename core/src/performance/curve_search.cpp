@@ -31,6 +31,7 @@ MetricStatus metric_status(PointStatus status) {
     case PointStatus::not_converged: return MetricStatus::not_converged;
     case PointStatus::resonance: return MetricStatus::resonance;
     case PointStatus::unresolved: return MetricStatus::unresolved;
+    case PointStatus::inaccurate: return MetricStatus::inaccurate;
   }
   return MetricStatus::unresolved;
 }

@@ -76,6 +76,7 @@ const char* to_string(MetricStatus status) noexcept {
     case MetricStatus::not_converged: return "not-converged";
     case MetricStatus::resonance: return "resonance";
     case MetricStatus::unresolved: return "unresolved";
+    case MetricStatus::inaccurate: return "inaccurate";
     case MetricStatus::out_of_range: return "out-of-range";
   }
   return "unresolved";

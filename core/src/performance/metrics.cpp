@@ -49,7 +49,9 @@ class Evaluator {
 
   MetricValue evaluate(const MetricRequest& request) {
     try {
-      return {value(request), MetricStatus::ok};
+      const double found = value(request);
+      return std::isfinite(found) ? MetricValue{found, MetricStatus::ok}
+                                  : MetricValue{kNaN, MetricStatus::inaccurate};
     } catch (const SearchFailure& failure) {
       return {kNaN, failure.status};
     }
@@ -68,14 +70,20 @@ class Evaluator {
       case M::torque_at_peak_power: return point_value(M::torque_at, working_peak());
       case M::contact_efficiency_at_peak_power:
         return point_value(M::contact_efficiency_at, working_peak());
-      case M::max_efficiency: return search_.max_efficiency().value;
-      case M::speed_at_max_efficiency: return search_.max_efficiency().speed;
+      case M::max_efficiency: return known_efficiency().value;
+      case M::speed_at_max_efficiency: return known_efficiency().speed;
       case M::contact_half_length: return m_.contact.half_length;
       case M::contact_ratio: return m_.contact.ratio;
       case M::max_pressure: return m_.contact.max_pressure;
       case M::speed_at: return search_.speed_at(request.at).speed;
       default: return point_value(request.metric, speed_of(request));
     }
+  }
+
+  Peak known_efficiency() {
+    const Peak peak = search_.max_efficiency();
+    require_input(M::efficiency_at, peak.speed);
+    return peak;
   }
 
   double working_peak() {
@@ -100,15 +108,20 @@ class Evaluator {
     return points_.emplace_back(speed, solved).second;
   }
 
+  // An efficiency needs an input power that is more than rounding.
+  void require_input(Metric efficiency, double speed) {
+    const PointNumbers<double>& n = point(speed).numbers;
+    const double velocity = m_.omega * m_.amplitude;
+    const double loss =
+        efficiency == M::efficiency_at ? m_.stator_damping * velocity * velocity : 0;
+    const double input = n.stator_power + loss;
+    if (!(input > 0)) throw SearchFailure{MetricStatus::undefined};
+    if (!is_known(input, excess(n, speed))) throw SearchFailure{MetricStatus::inaccurate};
+  }
+
   double point_value(Metric metric, double speed) {
-    const double v = point_metric(metric, point(speed).numbers, speed, m_);
-    if (needs_input_power(metric)) {
-      const double velocity = m_.omega * m_.amplitude;
-      const double loss = metric == M::efficiency_at ? m_.stator_damping * velocity * velocity : 0;
-      if (!(point(speed).numbers.stator_power + loss > 0))
-        throw SearchFailure{MetricStatus::undefined};
-    }
-    return v;
+    if (needs_input_power(metric)) require_input(metric, speed);
+    return point_metric(metric, point(speed).numbers, speed, m_);
   }
 
   const Motor& motor_;

@@ -36,6 +36,7 @@ const char* to_string(PointStatus status) noexcept {
     case PointStatus::not_converged: return "not-converged";
     case PointStatus::resonance: return "resonance";
     case PointStatus::unresolved: return "unresolved";
+    case PointStatus::inaccurate: return "inaccurate";
   }
   return "unresolved";
 }
@@ -45,12 +46,14 @@ const char* to_string(ZoneState state) noexcept {
 }
 
 double OperatingPoint::contact_efficiency() const noexcept {
-  return stator_power > 0 ? output_power / stator_power : kNaN;
+  const double excess = stator_power - output_power - friction_power - layer_loss;
+  return performance::is_known(stator_power, excess) ? output_power / stator_power : kNaN;
 }
 
 double OperatingPoint::efficiency() const noexcept {
   const double input = stator_power + stator_loss;
-  return input > 0 ? output_power / input : kNaN;
+  const double excess = stator_power - output_power - friction_power - layer_loss;
+  return performance::is_known(input, excess) ? output_power / input : kNaN;
 }
 
 Motor::Motor(const MotorDesign& design) : design_(design) {

@@ -23,6 +23,21 @@ PointStatus point_status(PeriodicStatus status) {
   return PointStatus::unresolved;
 }
 
+// Of the scale of powers (T7.11). A million random motors balance to 3e-11; in nearly rigid layers, far from any motor, the
+// powers are small differences and balance to 1e-7, while the torque is still that of the rigid limit.
+constexpr double kBalance = 1e-6, kBeyond = 1e-9;
+
+// The laws that rounding may break: balance of powers (T7.10), signs of losses, bound of the torque (C8.1). A number
+// that is not finite breaks them too.
+bool keeps_laws(const MotorModel<double>& m, const PointNumbers<double>& n, double speed) {
+  const double holding = m.static_ * m.preload * m.r;
+  const double scale = holding * std::fmax(m.crest_velocity / m.r, std::fabs(speed));
+  const double share = n.stick_fraction;
+  return std::fabs(excess(n, speed)) <= kBalance * scale && n.friction_power >= -kBeyond * scale &&
+         n.layer_loss >= -kBeyond * scale && std::fabs(n.torque) <= holding * (1 + kBeyond) &&
+         share >= 0 && share <= 1 + kBeyond;
+}
+
 // Without a wave the rotor drags the layer over a flat stator. Released at mu_0 p it slips steadily,
 // unless its own vibration brings it back to rest on the stator: then it sticks and slips in a rhythm
 // that has nothing to do with the turns of the wave.
@@ -108,7 +123,12 @@ static SolvedPoint solve_rubbing(const MotorModel<double>& m, double speed,
 SolvedPoint solve_point(const MotorModel<double>& m, double speed,
                         const contact::LapEntry<double>* guess, double accuracy) {
   const bool special = is_trivial(m) || (speed == 0 && m.contact.full && locks_at_rest(m));
-  return special ? solve_special(m, speed) : solve_rubbing(m, speed, guess, accuracy);
+  SolvedPoint point = special ? solve_special(m, speed) : solve_rubbing(m, speed, guess, accuracy);
+  const bool lawful = accuracy > 0
+                          ? std::isfinite(point.numbers.torque + point.numbers.stator_power)
+                          : keeps_laws(m, point.numbers, speed);
+  if (point.status == PointStatus::ok && !lawful) point.status = PointStatus::inaccurate;
+  return point;
 }
 
 #define TWUM_INSTANTIATE(S, R)                       \

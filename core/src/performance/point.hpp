@@ -6,6 +6,8 @@
 
 #include <twum/core/performance/motor.hpp>
 
+#include <cmath>
+
 namespace twum::performance {
 
 /// Numbers of an operating point in S; the other powers follow from these (T7.1).
@@ -13,6 +15,17 @@ template <typename S>
 struct PointNumbers {
   S torque, stator_power, friction_power, layer_loss, stick_fraction;
 };
+
+/// What goes in and does not come out (T7.10) [W]; zero but for rounding.
+inline double excess(const PointNumbers<double>& n, double speed) {
+  return n.stator_power - n.torque * speed - n.friction_power - n.layer_loss;
+}
+
+/// True if an efficiency can be told from an input power: it is positive and the powers balance (T7.10) up to 1e-6 of it.
+/// At no-load both powers of the quotient may vanish in rounding.
+inline bool is_known(double input, double excess) {
+  return input > 0 && std::fabs(excess) <= 1e-6 * input;
+}
 
 /// An operating point with what its search found.
 struct SolvedPoint {

@@ -126,6 +126,7 @@ int run_evaluate(const EvaluateOptions& options) {
     std::fprintf(stderr, "twum: %zu of %zu designs have no full answer, see the column status\n",
                  counts.failed, counts.rows);
   }
+  for (const std::string& note : counts.notes) std::fprintf(stderr, "note: %s\n", note.c_str());
   if (!interrupted()) return counts.rows > 0 && counts.empty == counts.rows ? kNoAnswer : kDone;
   std::fprintf(stderr, "twum: interrupted after %zu designs\n", counts.rows);
   return kInterrupted;

@@ -37,8 +37,7 @@ std::string range_text(const ParameterInfo& row) {
   const auto limit = [&](double value) {
     return value == 0 ? std::string("0") : studies::engineering(value, row.unit, 10);
   };
-  return (row.min_excluded ? "more than " : "") + limit(row.min) + " to " + limit(row.max) +
-         (row.integer ? ", whole" : "");
+  return limit(row.min) + " to " + limit(row.max) + (row.integer ? ", whole" : "");
 }
 
 std::string need_text(const ParameterInfo& row) {
@@ -53,12 +52,12 @@ std::string need_text(const ParameterInfo& row) {
 Listing parameters() {
   Listing listing{"Parameters of a motor",
                   kParametersText,
-                  {"name", "symbol", "unit", "range", "needed", "entry", "text"},
+                  {"name", "symbol", "unit", "range", "needed", "entry", "text", "why this range"},
                   {}};
   for (const ParameterInfo& row : parameter_table()) {
     listing.rows.push_back({std::string(row.name), std::string(row.symbol), std::string(row.unit),
                             range_text(row), need_text(row), std::string(row.file_entry),
-                            std::string(row.text)});
+                            std::string(row.text), std::string(row.reason)});
   }
   return listing;
 }

@@ -8,13 +8,12 @@
 
 namespace twum::studies {
 
-std::string evaluate_design(const MotorDesign& base, std::span<const ParameterValue> parameters,
-                            std::span<const MetricExpression> metrics,
+std::string evaluate_design(const MotorDesign& design, std::span<const MetricExpression> metrics,
                             const ExpressionEvaluator& evaluator, std::span<MetricValue> values) {
   constexpr MetricValue kNone{std::numeric_limits<double>::quiet_NaN(), MetricStatus::undefined};
   std::fill(values.begin(), values.end(), kNone);
   try {
-    evaluator.evaluate(Motor(with(base, parameters)), values);
+    evaluator.evaluate(Motor(design), values);
   } catch (const InputError&) {
     throw;
   } catch (const std::exception& error) {

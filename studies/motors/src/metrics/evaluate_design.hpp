@@ -2,7 +2,6 @@
 #pragma once
 
 #include <twum/core/design/motor_design.hpp>
-#include <twum/core/design/parameters.hpp>
 #include <twum/studies/metrics/expression.hpp>
 
 #include <span>
@@ -10,13 +9,12 @@
 
 namespace twum::studies {
 
-/// Values of expressions for a motor with some parameters replaced.
+/// Values of expressions for a motor.
 /// @param evaluator  of these metrics
 /// @param values     as many as there are metrics; NaN where there is none
 /// @return why there is no full answer, such as "stall_torque: no-periodic-state"; empty if there is
 /// @throws InputError for values that no motor can have
-std::string evaluate_design(const MotorDesign& base, std::span<const ParameterValue> parameters,
-                            std::span<const MetricExpression> metrics,
+std::string evaluate_design(const MotorDesign& design, std::span<const MetricExpression> metrics,
                             const ExpressionEvaluator& evaluator, std::span<MetricValue> values);
 
 }  // namespace twum::studies

@@ -16,6 +16,8 @@ std::span<const Reason> reasons() {
       {MetricStatus::not_converged, "no steady state was found, usual for a layer without damping"},
       {MetricStatus::resonance, "the layer has no damping and is driven at its own resonance"},
       {MetricStatus::unresolved, "more zones of stick and slip than can be followed"},
+      {MetricStatus::inaccurate,
+       "rounding spoils the answer, far from any motor; bring the parameters nearer to one"},
       {MetricStatus::out_of_range, "a speed at or below the negative one of the wave"}};
   return kReasons;
 }

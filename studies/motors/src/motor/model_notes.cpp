@@ -3,12 +3,10 @@
 
 #include <twum/core/design/parameters.hpp>
 #include <twum/core/performance/motor.hpp>
-#include <twum/studies/metrics/expression.hpp>
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/units/engineering.hpp>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace twum::studies {
@@ -83,18 +81,11 @@ void add_ratios(const MotorDesign& design, std::vector<ModelNote>& notes) {
             notes);
 }
 
-double metric_of(const MotorDesign& design, const char* name) {
-  const std::vector<MetricExpression> metric{parse_metric(name)};
-  std::vector<MetricValue> value(1);
-  ExpressionEvaluator(metric).evaluate(Motor(design), value);
-  return value[0].status == MetricStatus::ok ? value[0].value
-                                             : std::numeric_limits<double>::quiet_NaN();
-}
-
 void add_contact(const MotorDesign& design, std::vector<ModelNote>& notes) {
   constexpr double kThin = 0.1;
   constexpr double kClosed = 0.5;
-  const double length = 2 * metric_of(design, "contact_half_length");
+  const Motor motor(design);
+  const double length = 2 * motor.contact().half_length;
   const double thickness = get(design, Parameter::thickness);
   const double part = thickness / length;
   if (std::isfinite(part) && part > kThin * (1 + 1e-9))  // without preload there is no contact
@@ -103,7 +94,7 @@ void add_contact(const MotorDesign& design, std::vector<ModelNote>& notes) {
                          " % of the contact length " + engineering(length, "m") +
                          " (twice contact_half_length); beyond a tenth the layer is not the "
                          "foundation of the model"});
-  if (get(design, Parameter::amplitude) > 0 && metric_of(design, "contact_ratio") >= kClosed)
+  if (get(design, Parameter::amplitude) > 0 && motor.contact().ratio >= kClosed)
     notes.push_back({"full contact", 0,
                      "the layer touches the stator all round (contact_ratio 0.5), which would "
                      "hinder a real wave"});

@@ -72,7 +72,6 @@ Schema parameter_schema(const ParameterInfo& parameter) {
   schema.unit = parameter.unit;
   schema.min = parameter.min;
   schema.max = parameter.max;
-  schema.min_excluded = parameter.min_excluded;
   schema.whole = parameter.integer;
   return schema;
 }

@@ -139,7 +139,8 @@ bool DesignTable::compute(std::string_view record, std::size_t line, Scratch& sc
   }
   if (!read_values(line, scratch)) return false;
   try {
-    scratch.reason = evaluate_design(base_, scratch.values, metrics_, evaluator_, scratch.metrics);
+    scratch.design = with(base_, scratch.values);
+    scratch.reason = evaluate_design(*scratch.design, metrics_, evaluator_, scratch.metrics);
   } catch (const InputError& error) {
     scratch.reason = at_line(line) + error.what();
   }
@@ -162,6 +163,7 @@ void DesignTable::append_as_columns(const Scratch& scratch, std::string& out) co
 bool DesignTable::append_result(std::string_view record, std::size_t line, Scratch& scratch,
                                 std::string& out) const {
   scratch.reason.clear();
+  scratch.design.reset();
   scratch.metrics.assign(metrics_.size(), {0, MetricStatus::undefined});
   const bool ok = compute(record, line, scratch);
   if (scratch.well_formed && scratch.cells.size() == columns_.size()) {

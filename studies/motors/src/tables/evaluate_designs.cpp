@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "motor/worst_notes.hpp"
+
 #include <twum/studies/jobs/ordered.hpp>
 #include <twum/studies/tables/design_table.hpp>
 
@@ -15,6 +17,7 @@ struct Block {
   std::size_t failed{0};
   std::size_t empty{0};
   std::size_t bytes{0};  // of the stream up to the end of this block
+  WorstNotes notes;
 };
 
 bool any_value(const std::vector<MetricValue>& metrics) {
@@ -25,8 +28,9 @@ bool any_value(const std::vector<MetricValue>& metrics) {
 void evaluate_block(const DesignTable& table, Block& block) {
   DesignTable::Scratch scratch;
   for (std::size_t i = 0; i < block.rows.records.size(); ++i) {
-    const bool ok = table.append_result(block.rows.record(i), block.rows.records[i].line, scratch,
-                                        block.result);
+    const std::size_t line = block.rows.records[i].line;
+    const bool ok = table.append_result(block.rows.record(i), line, scratch, block.result);
+    if (scratch.design) block.notes.add(*scratch.design, "line " + std::to_string(line));
     block.failed += ok ? 0 : 1;
     block.empty += any_value(scratch.metrics) ? 0 : 1;
   }
@@ -39,6 +43,7 @@ DesignCounts evaluate_designs(CsvReader& reader, const DesignTable& table, unsig
                               const std::function<bool()>& proceed,
                               const std::function<void(const DesignCounts&)>& progress) {
   DesignCounts counts;
+  WorstNotes notes;
   write(table.result_header());
   run_ordered<Block>(
       jobs,
@@ -54,8 +59,10 @@ DesignCounts evaluate_designs(CsvReader& reader, const DesignTable& table, unsig
         counts.failed += block.failed;
         counts.empty += block.empty;
         counts.bytes = block.bytes;
+        notes.add(block.notes);
         progress(counts);
       });
+  counts.notes = notes.texts();
   return counts;
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/found_motors.hpp"
 
+#include "motor/worst_notes.hpp"
+
 #include <twum/base/error.hpp>
 #include <twum/base/version.hpp>
-#include <twum/studies/motor/model_notes.hpp>
 #include <twum/studies/text/words.hpp>
 #include <twum/studies/units/engineering.hpp>
 
@@ -77,35 +78,6 @@ std::vector<FoundMotor> asked_about(const StudyFile& file, const StudyResult& re
   return motors;
 }
 
-// The farthest off of the notes of one topic, and how many others there are.
-struct Worst {
-  ModelNote note;
-  std::string what;
-  double smallest{0};
-  std::size_t others{0};
-
-  std::string others_text() const {
-    if (others == 0) return "";
-    return "; " + counted(others, "other") + " likewise" +
-           (smallest < note.size ? ", by less" : "");
-  }
-};
-
-void add(ModelNote note, const std::string& what, std::vector<Worst>& worst) {
-  const auto known = std::find_if(worst.begin(), worst.end(),
-                                  [&](const Worst& one) { return one.note.topic == note.topic; });
-  if (known == worst.end()) {
-    const double size = note.size;
-    worst.push_back({std::move(note), what, size, 0});
-    return;
-  }
-  ++known->others;
-  known->smallest = std::min(known->smallest, note.size);
-  if (note.size <= known->note.size) return;
-  known->note = std::move(note);
-  known->what = what;
-}
-
 }  // namespace
 
 std::string front_file(std::size_t number, std::size_t count) {
@@ -127,16 +99,9 @@ std::string found_motor_text(const FoundMotor& found, const StudyResult& result)
 std::vector<std::string> notes_on(const StudyFile& file, const StudyResult& result) {
   std::vector<FoundMotor> motors = found_motors(file, result);
   if (motors.empty()) motors = asked_about(file, result);
-  std::vector<Worst> worst;  // in the order in which the topics came up
-  for (const FoundMotor& found : motors) {
-    for (ModelNote& note : model_notes(found.motor.design)) add(std::move(note), found.what, worst);
-  }
-  std::vector<std::string> texts;
-  for (const Worst& one : worst) {
-    const std::string where = motors.size() == 1 ? "" : one.what + ": ";
-    texts.push_back(where + one.note.text + one.others_text());
-  }
-  return texts;
+  WorstNotes notes;
+  for (const FoundMotor& found : motors) notes.add(found.motor.design, found.what);
+  return notes.texts();
 }
 
 }  // namespace twum::studies

@@ -97,10 +97,11 @@ void RowEvaluator::evaluate(std::span<const double> variables, Row& row) const {
   std::vector<ParameterValue> parameters;
   for (std::size_t i = 0; i < variables.size(); ++i)
     parameters.emplace_back(variables_[i], variables[i]);
-  std::vector<MetricValue> values(metrics_.size());
+  constexpr MetricValue kNone{std::numeric_limits<double>::quiet_NaN(), MetricStatus::undefined};
+  std::vector<MetricValue> values(metrics_.size(), kNone);
   std::string reason;
   try {
-    reason = evaluate_design(base_, parameters, metrics_, evaluator_, values);
+    reason = evaluate_design(with(base_, parameters), metrics_, evaluator_, values);
   } catch (const InputError& error) {
     reason = short_reason(error.what());
   }

@@ -49,15 +49,15 @@ struct ParameterInfo {
   std::string_view symbol;  ///< the paper's letter, an alias of the name; may be empty
   std::string_view unit;    ///< SI unit, "1" if dimensionless
   std::string_view
-      file_entry;     ///< entry of the motor file below `motor:`, such as "stator.amplitude"
-  double min;         ///< smallest admissible value, in `unit`
-  double max;         ///< largest admissible value, in `unit`
-  bool min_excluded;  ///< true: the value must exceed `min`
-  bool integer;       ///< true: only whole numbers
-  bool required;      ///< must stand in a motor file (unless its twin does)
+      file_entry;  ///< entry of the motor file below `motor:`, such as "stator.amplitude"
+  double min;      ///< smallest admissible value, in `unit`
+  double max;      ///< largest admissible value, in `unit`
+  bool integer;    ///< true: only whole numbers
+  bool required;   ///< must stand in a motor file (unless its twin does)
   std::optional<Parameter> twin;  ///< the other way to say the same; both in one file is an error
   std::string_view example;       ///< a valid value with its unit, as one would type it
   std::string_view text;          ///< what it is, in one line
+  std::string_view reason;        ///< why the range ends where it does
 };
 
 /// The table, one row for each Parameter, in its order; it lives for ever.

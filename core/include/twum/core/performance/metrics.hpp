@@ -87,6 +87,7 @@ enum class MetricStatus : unsigned char {
   not_converged,      ///< needs a point that did not converge
   resonance,          ///< needs a point at an undamped resonance
   unresolved,         ///< needs a point with too many zones
+  inaccurate,         ///< needs a point where rounding breaks a law, or is not finite
   out_of_range        ///< asked at a speed at or below the negative wave speed
 };
 

@@ -21,29 +21,33 @@ enum class PointStatus : unsigned char {
   no_periodic_state,  ///< the layer never repeats itself from turn to turn (typical: mu_0 > mu)
   not_converged,      ///< laps neither settle nor repeat within the limit (undamped layers)
   resonance,          ///< undamped layer driven at its own resonance: no finite response
-  unresolved          ///< more stick and slip zones than can be followed
+  unresolved,         ///< more stick and slip zones than can be followed
+  inaccurate          ///< rounding breaks a law of the model: no number is trusted
 };
 
 /// Short machine-readable word, such as "no-periodic-state"; "ok" for ok. A text that lives for ever.
 const char* to_string(PointStatus status) noexcept;
 
 /// The motor in its periodic state at one rotor speed. SI units; theory section 7.
-/// If status is not ok every number but `speed` is NaN.
+///
+/// If status is ok the numbers are finite, the powers balance (T7.10) to 1e-6 of mu_0 F_N max(V0, |U|)
+/// (T7.11), losses are negative by no more than 1e-9 of it, and |T| <= mu_0 F_N r (C8.1) to 1e-9. Known motors keep all of
+/// them to 1e-10. Otherwise every number but `speed` is NaN.
 struct OperatingPoint {
-  double speed{0};                      ///< Omega [rad/s]
-  double torque{0};                     ///< T on the rotor, positive in drive direction [N m]
-  double output_power{0};               ///< P_out = T Omega [W]
-  double stator_power{0};               ///< P_in, from the stator to the layer [W]
-  double friction_power{0};             ///< P_fric, snaps included [W], >= 0
-  double layer_loss{0};                 ///< P_layer, viscous loss in the layer [W], >= 0
-  double stator_loss{0};                ///< P_stator = c_stator (omega A)^2 [W]
-  double wear_intensity{0};             ///< P_fric / (2 pi r b) [W/m^2]
-  double stick_fraction{0};             ///< share of the contact length that sticks [1]
+  double speed{0};           ///< Omega [rad/s]
+  double torque{0};          ///< T on the rotor, positive in drive direction [N m]
+  double output_power{0};    ///< P_out = T Omega [W]
+  double stator_power{0};    ///< P_in, from the stator to the layer [W]
+  double friction_power{0};  ///< P_fric, snaps included [W], >= 0 but for rounding
+  double layer_loss{0};      ///< P_layer, viscous loss in the layer [W], >= 0 but for rounding
+  double stator_loss{0};     ///< P_stator = c_stator (omega A)^2 [W]
+  double wear_intensity{0};  ///< P_fric / (2 pi r b) [W/m^2]
+  double stick_fraction{0};  ///< share of the contact length that sticks [1]
   PointStatus status{PointStatus::ok};  ///< why there is no answer
 
-  /// P_out / P_in where P_in > 0, else NaN [1]
+  /// P_out / P_in where P_in > 0 and balances to 1e-6 of itself, else NaN [1]
   double contact_efficiency() const noexcept;
-  /// P_out / (P_in + P_stator) where that sum is > 0, else NaN [1]
+  /// P_out / (P_in + P_stator) where that sum is > 0 and P_in balances to 1e-6 of it, else NaN [1]
   double efficiency() const noexcept;
 };
 

@@ -41,6 +41,7 @@ class DesignTable {
     std::vector<ParameterValue> values;   ///< of its parameter columns, SI
     std::vector<MetricValue> metrics;     ///< its answers
     std::string reason;                   ///< why it has none; empty: it has
+    std::optional<MotorDesign> design;    ///< what the row describes, if it is admissible
     bool well_formed{true};               ///< it can be carried along as it stands
   };
 
@@ -78,6 +79,9 @@ struct DesignCounts {
   std::size_t failed{0};  ///< rows whose status is not ok
   std::size_t empty{0};   ///< of these, rows without any value
   std::size_t bytes{0};   ///< of the table read up to these rows
+  /// Reasons to doubt the model for these designs, a sentence each, of each the worst design; see model_notes(). Complete
+  /// at the end.
+  std::vector<std::string> notes;
 };
 
 /// Evaluates every row of a table and writes the result, on `jobs` threads, in the order of the rows;
