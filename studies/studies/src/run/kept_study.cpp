@@ -56,23 +56,10 @@ StudyResult run_on(const StudyFile& file, StudyKindRun& kind, ResultStore& store
   RunContext context{store, job_count(options.jobs), options.stop, forwarded(options)};
   KindAnswer answer = kind.run(context);
   store.flush();
-  StudyResult result;
+  if (options.stop.stop_requested()) answer.outcome = "interrupted";
+  StudyResult result = result_of(file, kind, store, std::move(answer));
   result.study = name_of(file);
-  result.kind = file.kind;
-  result.motor = file.motor.name;
-  result.outcome =
-      options.stop.stop_requested() ? std::string("interrupted") : std::move(answer.outcome);
-  result.evaluations = store.rows();
-  result.seed = kind.seed();
-  result.answer = std::move(answer.answer);
-  result.model_notes = notes_on(file, result);
   return result;
-}
-
-void set_failures(StudyResult& result, const FailureCount& failures) {
-  result.failure_regions = failures.regions();
-  for (const FailureRegion& region : result.failure_regions)
-    result.failures[region.reason] = region.count;
 }
 
 double seconds_since(Clock::time_point begin) {
@@ -216,6 +203,25 @@ std::unique_ptr<StudyKindRun> make_kind(const StudyFile& file) {
 }
 
 void check_named_files(const StudyFile& file) { make_kind(file); }
+
+StudyResult result_of(const StudyFile& file, const StudyKindRun& kind, const ResultStore& store,
+                      KindAnswer answer) {
+  StudyResult result;
+  result.kind = file.kind;
+  result.motor = file.motor.name;
+  result.outcome = std::move(answer.outcome);
+  result.evaluations = store.rows();
+  result.seed = kind.seed();
+  result.answer = std::move(answer.answer);
+  result.model_notes = notes_on(file, result);
+  return result;
+}
+
+void set_failures(StudyResult& result, const FailureCount& failures) {
+  result.failure_regions = failures.regions();
+  for (const FailureRegion& region : result.failure_regions)
+    result.failures[region.reason] = region.count;
+}
 
 StudyResult keep_study(const StudyFile& file, const std::string& directory,
                        const RunOptions& options, PageOf page) {
