@@ -9,7 +9,7 @@
 # Exits with an error if a step failed.
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-all_steps=(cases properties validation kill no-ipopt shared asan tsan valgrind coverage clang fuzz package lint)
+all_steps=(cases properties validation kill damage no-ipopt shared asan tsan valgrind coverage clang fuzz package lint)
 
 build() {  # PRESET [CMAKE ARGUMENT...]
   configure "$@" && cmake --build --preset "$1" -j "$(jobs)"
@@ -43,6 +43,12 @@ step_validation() {
 # Kills each example study at 50 random moments; its results must be those of a run in peace.
 step_kill() {
   build ci && python3 tests/cli/kill_study.py build/ci/bin/twum examples/studies/*.yaml --count 50
+}
+
+# 300 random damages to the stored evaluations of each of three studies: refused, or the same answer.
+step_damage() {
+  build ci && python3 tests/cli/damage_survey.py build/ci/bin/twum \
+    examples/studies/{sensitivity-sobol,pareto-power-wear,tolerances}.yaml --count 300
 }
 
 # A build that may be passed on.
