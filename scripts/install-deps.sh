@@ -38,8 +38,6 @@ test_packages=(
   codespell doxygen
 )
 long_packages=(
-  # scripts/mutate.py copies the tree
-  rsync
   # pagmo is a cross-check of fronts
   libpagmo-dev debootstrap valgrind gcovr clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14
   # checks the scripts of the report page

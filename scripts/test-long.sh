@@ -9,7 +9,7 @@
 # Exits with an error if a step failed.
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-all_steps=(cases properties validation kill stop no-ipopt shared asan tsan valgrind coverage clang fuzz package lint)
+all_steps=(cases properties validation kill stop damage no-ipopt shared asan tsan valgrind coverage clang fuzz package lint)
 
 build() {  # PRESET [CMAKE ARGUMENT...]
   configure "$@" && cmake --build --preset "$1" -j "$(jobs)"
@@ -48,6 +48,12 @@ step_kill() {
 # Random searches by every solver: each must end by itself, and within a second after a signal.
 step_stop() {
   build ci && python3 tests/cli/stop_study.py build/ci/bin/twum --count 400 --seed "${TWUM_SEED:-1}" --keep build/stop
+}
+
+# 300 random damages to the stored evaluations of each of three studies: refused, or the same answer.
+step_damage() {
+  build ci && python3 tests/cli/damage_survey.py build/ci/bin/twum \
+    examples/studies/{sensitivity-sobol,pareto-power-wear,tolerances}.yaml --count 300
 }
 
 # A build that may be passed on.

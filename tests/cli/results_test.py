@@ -62,6 +62,41 @@ class Results(program.Case):
         for row in range(6):
             self.assertIn(f"row {row}: stall_torque is".encode(), done.stdout)
 
+    def test_a_record_that_was_changed_does_not_hold(self):
+        # Full contact at 20 kN, which is noted.
+        folder = self.run_study("sweep", SWEEP.replace("160 N", "20 kN"))
+        path = folder / "summary.json"
+        summary = json.loads(path.read_text())
+        self.ok("verify", folder)
+        for name, value, said in (("evaluations", 7, "evaluations is 7 there, but follows from the rows as 6"),
+                                  ("model_notes", ["all is well"], "model_notes is"),
+                                  ("failures", {"resonance": 1}, "failures.resonance is 1 there"),
+                                  ("seed", 3, "seed is 3 there"),
+                                  ("motor", "another", "motor is"),
+                                  ("hash", "0123456789abcdef", "study.yaml: is not the study that was run")):
+            with self.subTest(name):
+                self.assertNotEqual(summary[name], value)
+                path.write_text(json.dumps({**summary, name: value}))
+                done = program.twum("verify", folder)
+                self.assertEqual(done.returncode, 1, done.stderr)
+                self.assertIn(said.encode(), done.stdout)
+
+    def test_a_study_file_that_was_changed_does_not_hold(self):
+        folder = self.run_study("sweep", SWEEP)
+        path = folder / "study.yaml"
+        path.write_text(path.read_text().replace("ring-60", "ring-61"))  # which changes no row
+        done = program.twum("verify", folder)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn(b"study.yaml: is not the study that was run", done.stdout)
+
+    def test_rows_that_an_interrupted_study_lost_do_not_hold(self):
+        folder = self.run_study("sweep", SWEEP)
+        path = folder / "summary.json"
+        path.write_text(json.dumps({**json.loads(path.read_text()), "outcome": "interrupted", "evaluations": 7}))
+        done = program.twum("verify", folder)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn(b"results.db: holds 6 rows, but summary.json says 7 evaluations", done.stdout)
+
     def test_altered_row_is_damage(self):
         folder = self.run_study("sweep", SWEEP)
         with contextlib.closing(sqlite3.connect(folder / "results.db")) as database:

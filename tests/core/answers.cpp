@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Answers of the core on designs drawn from the box of theory section 10 and from realistic motors, for
-// scripts/mutate.py: does a change that no test noticed alter an answer, or only the way there? Always the same
-// answers of the same core.
+// Answers of the core on designs drawn from the box of theory section 10 and from realistic motors. Two builds that
+// write the same numbers, each within its allowed difference, give the same answers.
 //
 //   twum_core_answers [DESIGNS]      300 by default
 #include "support/answers.hpp"

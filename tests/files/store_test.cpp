@@ -258,6 +258,53 @@ TEST_CASE("a flipped bit is never read as a number", "[studies][store]") {
   CHECK(noticed > 0);
 }
 
+TEST_CASE("a page in the place of another is damage", "[studies][store]") {
+  const ScratchFolder folder;
+  const std::string path = folder.path("results.db");
+  fill(path, 2000);
+  constexpr std::streamoff kPage = 4096;  // bytes, the default of SQLite
+  const auto read_page = [](std::fstream& file, std::streamoff number) {
+    std::string page(kPage, '\0');
+    file.seekg(number * kPage);
+    file.read(page.data(), kPage);
+    return page;
+  };
+  const auto write_page = [](std::fstream& file, std::streamoff number, const std::string& page) {
+    file.seekp(number * kPage);
+    file.write(page.data(), kPage);
+  };
+  const auto pages = static_cast<std::streamoff>(std::filesystem::file_size(path)) / kPage;
+  REQUIRE(pages > 20);  // leaves of rows from the tenth on: each holds about 60 of the 2000
+  const auto from = GENERATE(10, 15);
+  const auto to = GENERATE(11, 19);
+  const bool both_ways = GENERATE(false, true);
+  CAPTURE(from, to, both_ways);
+  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+  const std::string one = read_page(file, from);
+  const std::string other = read_page(file, to);
+  write_page(file, to, one);
+  if (both_ways) write_page(file, from, other);
+  file.close();
+  CHECK_THAT(complaint_about(path), Catch::StartsWith(path + ": is damaged"));
+}
+
+TEST_CASE("facts and rows added in any order have one seal", "[studies][store]") {
+  const ScratchFolder folder;
+  const std::string path = folder.path("results.db");
+  {
+    ResultStore store(path, kColumns);
+    store.set_fact("seconds", "1");
+    store.add(row(1, 5, {1, 2}));
+    store.set_fact("seconds", "2");
+    store.add(row(0, 7, {3, 4}));
+    store.add(row(1, 5, {9, 9}));  // it is there already
+    store.set_fact("seconds", "2");
+  }
+  const ResultStore store(path);
+  CHECK(store.rows() == 2);
+  CHECK(store.fact("seconds") == "2");
+}
+
 TEST_CASE("a page of rows may be read while others are added", "[studies][store]") {
   ResultStore store(":memory:", kColumns);
   for (std::uint64_t i = 0; i < 2000; ++i) store.add(row(0, i, {1}));

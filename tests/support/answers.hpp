@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-// What the programs of answers write for scripts/mutate.py: pairs of doubles, value and allowed difference.
+// What twum_core_answers writes: pairs of doubles, value and allowed difference.
 namespace twum::test {
 
 inline void put(double value, double allowed) {

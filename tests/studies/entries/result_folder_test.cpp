@@ -126,7 +126,7 @@ TEST_CASE("what cannot be removed is named with the reason", "[studies][run]") {
 
 TEST_CASE("a file appears whole or not at all", "[studies][run]") {
   const ScratchFolder folder;
-  const ResultFolder results(folder.folder());
+  ResultFolder results(folder.folder());
   results.write("summary.json", std::string("{}"));
   CHECK(content(folder.path("summary.json")) == "{}");
   CHECK_FALSE(results.has("summary.json.part"));
@@ -144,7 +144,7 @@ TEST_CASE("a file appears whole or not at all", "[studies][run]") {
 
 TEST_CASE("a full disk leaves what was there before", "[studies][run]") {
   const ScratchFolder folder;
-  const ResultFolder results(folder.folder());
+  ResultFolder results(folder.folder());
   results.write("summary.json", std::string("before"));
   // Everything that is written to /dev/full fails for want of room.
   fs::create_symlink("/dev/full", folder.path("summary.json.part"));
@@ -154,4 +154,42 @@ TEST_CASE("a full disk leaves what was there before", "[studies][run]") {
                     folder.path("summary.json") + ": cannot be written: No space left on device");
   CHECK(content(folder.path("summary.json")) == "before");
   CHECK_FALSE(fs::exists(fs::symlink_status(folder.path("summary.json.part"))));
+}
+
+TEST_CASE("what was written has to be there in the end", "[studies][run]") {
+  const ScratchFolder folder;
+  const std::string out = folder.path("out");
+  ResultFolder results(out);
+  results.write("summary.json", std::string("{}"));
+  results.write("summary.json", std::string("[1]"));  // the last one counts
+  CHECK_NOTHROW(results.check_in_place());
+  SECTION("a file that is gone") {
+    fs::remove(out + "/summary.json");
+    CHECK_THROWS_WITH(results.check_in_place(),
+                      out +
+                          "/summary.json: was written, but cannot be read back: No such file or "
+                          "directory");
+  }
+  SECTION("a file of another size") {
+    write(out + "/summary.json", "{}");
+    CHECK_THROWS_WITH(results.check_in_place(), Contains("2 bytes instead of 3"));
+  }
+  SECTION("a directory that is gone or another one") {
+    fs::rename(out, folder.path("moved"));
+    if (GENERATE(false, true)) fs::create_directory(out);
+    CHECK_THROWS_WITH(results.check_in_place(), StartsWith(out + ": was moved, replaced"));
+    CHECK_THROWS_AS(results.write("report.html", std::string("x")), StoreError);
+    CHECK_FALSE(fs::exists(out + "/report.html"));
+  }
+}
+
+TEST_CASE("an empty database is begun anew only where nothing was stored", "[studies][run]") {
+  const ScratchFolder folder;
+  const ResultFolder results(folder.folder());
+  CHECK_NOTHROW(results.check_not_emptied());
+  write(folder.path("results.db"), "");
+  CHECK_NOTHROW(results.check_not_emptied());  // a run that was killed before its first byte
+  write(folder.path("study.yaml"), "twum: 1\n");
+  CHECK_THROWS_WITH(results.check_not_emptied(),
+                    StartsWith(folder.path("results.db") + ": is empty") && Contains("--fresh"));
 }

@@ -22,9 +22,10 @@ constexpr const char* kExamples = R"text(Examples:
   twum verify results/sweep --samples 100000 --seed 7
 
 Computes again: rows of results.db drawn at random, the designs of summary.json, their
-certificates, and the answer as it follows from the rows; and compares results.csv and the motor
-files with them (not report.html: 'twum report' makes it anew). Exit status 0: all of it holds to
-1e-12 of each number; 1: something does not; 3: the results cannot be read.)text";
+certificates, and the answer as it follows from the rows; and compares summary.json, results.csv and
+the motor files with them, and study.yaml with its hash (not report.html: 'twum report' makes it
+anew). Exit status 0: all of it holds to 1e-12 of each number; 1: something does not; 3: the results
+cannot be read.)text";
 
 struct VerifyCommand {
   std::string directory;

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "store/database.hpp"
 
-#include "text/checksum.hpp"
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace twum::studies {
@@ -16,9 +13,8 @@ constexpr std::size_t kRowsPerBatch = 20000;
 constexpr auto kBatchTime = std::chrono::milliseconds(200);
 constexpr std::size_t kRowsPerPage = 512;
 constexpr int kApplication = 0x7477756d;  // "twum", in the head of the file
-constexpr int kVersion = 1;
-// Index of a row's first value among the columns of the table, and of what the values stand between.
-constexpr int kFirstValue = 2;
+constexpr int kVersion = 2;
+constexpr int kFirstValue = 3;  // place of a row's first value in an INSERT
 
 std::string heading(const Column& column) { return column.name + " [" + column.unit + "]"; }
 
@@ -43,56 +39,28 @@ std::vector<std::string> table_names(const std::vector<Column>& columns) {
   return names;
 }
 
-std::string bytes_of(double value) {
-  if (std::isnan(value)) return "NaN";
-  std::string bytes(sizeof value, '\0');
-  std::memcpy(bytes.data(), &value, sizeof value);
-  return bytes;
-}
-
-// Of what a row says: a stored row whose sum differs is not what was written.
-std::int64_t sum_of(const Row& row, std::size_t columns) {
-  std::uint64_t sum = checksum(bytes_of(static_cast<double>(row.stage)));
-  sum = checksum(bytes_of(static_cast<double>(row.index)), sum);
-  for (std::size_t i = 0; i < columns; ++i) {
-    sum = checksum(
-        bytes_of(i < row.values.size() ? row.values[i] : std::numeric_limits<double>::quiet_NaN()),
-        sum);
-  }
-  sum = checksum(row.status, sum);
-  sum = checksum(std::string_view("\0", 1), sum);
-  return static_cast<std::int64_t>(checksum(row.detail, sum));
+bool same(const std::vector<Column>& a, const std::vector<Column>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Column& x, const Column& y) {
+    return x.name == y.name && x.unit == y.unit;
+  });
 }
 
 }  // namespace
 
-ResultStore::Database::Database(const std::string& path, std::vector<Column> columns)
-    : connection_(path, true), columns_(std::move(columns)) {
-  connection_.execute("PRAGMA busy_timeout = 5000");
-  if (is_blank()) {
-    make_tables();
-  } else {
-    check_tables();
-    const std::vector<Column> stored = stored_columns();
-    const auto same = [](const Column& a, const Column& b) {
-      return a.name == b.name && a.unit == b.unit;
-    };
-    if (!std::equal(columns_.begin(), columns_.end(), stored.begin(), stored.end(), same)) {
-      throw StoreError(path + ": holds the rows of another study, with other columns");
-    }
-  }
-  // Only now: in write-ahead mode the head of a young database would be in the log, and the file not be
-  // known as one of ours.
-  connection_.execute(
-      "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; PRAGMA wal_autocheckpoint = 4000");
-  prepare();
+ResultStore::Database::Database(const std::string& path, const std::vector<Column>& columns)
+    : connection_(path, true) {
+  open(columns);
+  if (!same(columns_, columns))
+    throw StoreError(path + ": holds the rows of another study, with other columns");
 }
 
-ResultStore::Database::Database(const std::string& path) : connection_(path, false) {
+ResultStore::Database::Database(const std::string& path) : connection_(path, false) { open({}); }
+
+void ResultStore::Database::open(const std::vector<Column>& columns_of_new) {
   connection_.execute("PRAGMA busy_timeout = 5000");
-  if (is_blank()) make_tables();
+  if (is_blank()) make_tables(columns_of_new);
   check_tables();
-  columns_ = stored_columns();
+  read_content();
   prepare();
 }
 
@@ -100,8 +68,12 @@ ResultStore::Database::~Database() {
   committer_.request_stop();
   if (committer_.joinable()) committer_.join();
   try {
-    commit_batch();
+    if (!failure_) commit_batch();
     insert_.reset();
+    if (connection_.has_moved()) {  // what is at its path is not ours
+      connection_.abandon();
+      return;
+    }
     // A finished database is one plain file, which can be read from a folder without permission to
     // write. Where another program is reading just now it stays as it is.
     connection_.execute("PRAGMA busy_timeout = 0; PRAGMA journal_mode = DELETE");
@@ -115,26 +87,30 @@ bool ResultStore::Database::is_blank() {
   return connection_.number_of("SELECT count(*) FROM sqlite_master") == 0;
 }
 
-void ResultStore::Database::make_tables() {
+void ResultStore::Database::make_tables(const std::vector<Column>& columns) {
   std::string sql =
       "BEGIN IMMEDIATE; PRAGMA application_id = " + std::to_string(kApplication) +
       "; PRAGMA user_version = " + std::to_string(kVersion) +
-      "; CREATE TABLE facts (name TEXT PRIMARY KEY, value TEXT NOT NULL)"
+      "; CREATE TABLE seal (rows INTEGER NOT NULL, sum INTEGER NOT NULL)"
+      "; CREATE TABLE facts (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID"
       "; CREATE TABLE columns (place INTEGER PRIMARY KEY, name TEXT NOT NULL, unit TEXT NOT NULL)"
       "; CREATE TABLE evaluations (stage INTEGER NOT NULL, \"index\" INTEGER NOT NULL";
   // Without a type a value is kept as it is; a column of type REAL makes 0 of -0.
-  for (const std::string& name : table_names(columns_)) sql += ", " + sqlite::quoted_name(name);
+  for (const std::string& name : table_names(columns)) sql += ", " + sqlite::quoted_name(name);
   sql +=
       ", status TEXT NOT NULL, detail BLOB, checksum INTEGER NOT NULL, "
       "PRIMARY KEY (stage, \"index\")) WITHOUT ROWID";
   connection_.execute(sql);
   sqlite::Statement insert(connection_, "INSERT INTO columns VALUES (?, ?, ?)");
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
     insert.bind(1, static_cast<std::int64_t>(i));
-    insert.bind_text(2, columns_[i].name);
-    insert.bind_text(3, columns_[i].unit);
+    insert.bind_text(2, columns[i].name);
+    insert.bind_text(3, columns[i].unit);
     insert.run();
   }
+  sqlite::Statement seal(connection_, "INSERT INTO seal VALUES (0, ?)");
+  seal.bind(1, static_cast<std::int64_t>(checksum_of(columns)));
+  seal.run();
   connection_.execute("COMMIT");
 }
 
@@ -143,10 +119,12 @@ void ResultStore::Database::check_tables() {
     throw StoreError(connection_.path() + ": is a database of something else, not of twum");
   }
   if (connection_.number_of("PRAGMA user_version") != kVersion) {
-    throw StoreError(connection_.path() + ": was written by another version of twum");
+    throw StoreError(connection_.path() +
+                     ": was written by another version of twum; use that one, or run the study "
+                     "again with --fresh");
   }
   const std::string found = connection_.text_of("PRAGMA quick_check(1)");
-  if (found != "ok") throw StoreError(connection_.path() + ": is damaged: " + found);
+  if (found != "ok") fail_damaged(connection_.path(), found);
 }
 
 std::vector<Column> ResultStore::Database::stored_columns() {
@@ -157,6 +135,15 @@ std::vector<Column> ResultStore::Database::stored_columns() {
   return columns;
 }
 
+// In one transaction: what another program commits meanwhile does not belong to this seal.
+void ResultStore::Database::read_content() {
+  connection_.execute("BEGIN");
+  columns_ = stored_columns();
+  facts_ = read_facts(connection_);
+  seal_ = checked_seal(connection_, columns_, facts_);
+  connection_.execute("COMMIT");
+}
+
 void ResultStore::Database::prepare() {
   std::string places = "?, ?";
   for (std::size_t i = 0; i < columns_.size(); ++i) places += ", ?";
@@ -165,53 +152,79 @@ void ResultStore::Database::prepare() {
   select_page_ =
       "SELECT * FROM evaluations WHERE stage = ? AND \"index\" >= ? ORDER BY \"index\" LIMIT " +
       std::to_string(kRowsPerPage);
-  rows_ = static_cast<std::uint64_t>(connection_.number_of("SELECT count(*) FROM evaluations"));
   committer_ = std::jthread([this](const std::stop_token& stop) { commit_in_time(stop); });
 }
 
-void ResultStore::Database::insert(const Row& row) {
-  insert_->bind(1, static_cast<std::int64_t>(row.stage));
-  insert_->bind(2, static_cast<std::int64_t>(row.index));
-  int place = kFirstValue + 1;
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    insert_->bind(place++,
-                  i < row.values.size() ? row.values[i] : std::numeric_limits<double>::quiet_NaN());
-  }
-  insert_->bind_text(place++, row.status);
-  insert_->bind_blob(place++, row.detail);
-  insert_->bind(place, sum_of(row, columns_.size()));
-  insert_->run();
-  rows_ += static_cast<std::uint64_t>(connection_.changes());
-}
-
-void ResultStore::Database::begin_batch() {
-  connection_.execute("BEGIN IMMEDIATE");
-  batch_begun_.notify_one();
-}
-
-void ResultStore::Database::commit_batch() {
-  batch_ = 0;
-  if (connection_.in_transaction()) connection_.execute("COMMIT");
-}
-
-void ResultStore::Database::add(const Row& row) {
-  TWUM_ASSERT(row.values.size() <= columns_.size());
+// Makes a change; after one that failed there is no other.
+template <typename Write>
+void ResultStore::Database::write(Write change) {
   const std::lock_guard lock(mutex_);
   if (failure_) std::rethrow_exception(failure_);
   try {
-    if (batch_++ == 0) begin_batch();
-    insert(row);
-    if (batch_ >= kRowsPerBatch) commit_batch();
+    change();
   } catch (...) {
     failure_ = std::current_exception();
     throw;
   }
 }
 
+void ResultStore::Database::insert(const Row& row) {
+  const std::uint64_t sum = checksum_of(row, columns_.size());
+  insert_->bind(1, static_cast<std::int64_t>(row.stage));
+  insert_->bind(2, static_cast<std::int64_t>(row.index));
+  int place = kFirstValue;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    insert_->bind(place++,
+                  i < row.values.size() ? row.values[i] : std::numeric_limits<double>::quiet_NaN());
+  }
+  insert_->bind_text(place++, row.status);
+  insert_->bind_blob(place++, row.detail);
+  insert_->bind(place, static_cast<std::int64_t>(sum));
+  insert_->run();
+  if (connection_.changes() == 0) return;  // it was there
+  ++seal_.rows;
+  seal_.sum += sum;
+}
+
+void ResultStore::Database::begin_batch() {
+  // Not before: in write-ahead mode the head of a young database would be in the log, and the file not
+  // be known as one of ours.
+  if (!in_log_) {
+    connection_.execute(
+        "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; PRAGMA wal_autocheckpoint = 4000");
+    in_log_ = true;
+  }
+  connection_.execute("BEGIN IMMEDIATE");
+  batch_begun_.notify_one();
+}
+
+void ResultStore::Database::commit_batch() {
+  batch_ = 0;
+  if (!connection_.in_transaction()) return;
+  if (connection_.has_moved()) {
+    throw StoreError(
+        connection_.path() +
+        ": was moved, replaced or removed while the study was running; the results are "
+        "not there. Run the study again");
+  }
+  sqlite::Statement update(connection_, "UPDATE seal SET rows = ?, sum = ?");
+  update.bind(1, static_cast<std::int64_t>(seal_.rows));
+  update.bind(2, static_cast<std::int64_t>(seal_.sum));
+  update.run();
+  connection_.execute("COMMIT");
+}
+
+void ResultStore::Database::add(const Row& row) {
+  TWUM_ASSERT(row.values.size() <= columns_.size());
+  write([&] {
+    if (batch_++ == 0) begin_batch();
+    insert(row);
+    if (batch_ >= kRowsPerBatch) commit_batch();
+  });
+}
+
 void ResultStore::Database::flush() {
-  const std::lock_guard lock(mutex_);
-  if (failure_) std::rethrow_exception(failure_);
-  commit_batch();
+  write([&] { commit_batch(); });
 }
 
 void ResultStore::Database::commit_in_time(const std::stop_token& stop) {
@@ -240,7 +253,7 @@ std::uint64_t ResultStore::Database::next_index(std::uint64_t stage) {
 
 std::uint64_t ResultStore::Database::rows() {
   const std::lock_guard lock(mutex_);
-  return rows_;
+  return seal_.rows;
 }
 
 std::optional<std::uint64_t> ResultStore::Database::stage_from(std::uint64_t stage) {
@@ -252,46 +265,37 @@ std::optional<std::uint64_t> ResultStore::Database::stage_from(std::uint64_t sta
   return static_cast<std::uint64_t>(select.integer(0));
 }
 
-bool ResultStore::Database::page(std::uint64_t stage, std::uint64_t from, std::vector<Row>& page) {
+std::vector<Row> ResultStore::Database::page(std::uint64_t stage, std::uint64_t from) {
   const std::lock_guard lock(mutex_);
   sqlite::Statement select(connection_, select_page_);
   select.bind(1, static_cast<std::int64_t>(stage));
   select.bind(2, static_cast<std::int64_t>(from));
-  const int after_values = kFirstValue + static_cast<int>(columns_.size());
-  page.resize(kRowsPerPage);
-  std::size_t count = 0;
-  for (; select.step(); ++count) {
-    Row& row = page[count];
-    row.stage = stage;
-    row.index = static_cast<std::uint64_t>(select.integer(1));
-    row.values.resize(columns_.size());
-    for (int i = kFirstValue; i < after_values; ++i)
-      row.values[static_cast<std::size_t>(i - kFirstValue)] = select.real(i);
-    row.status = select.text(after_values);
-    row.detail = select.blob(after_values + 1);
-    if (select.integer(after_values + 2) != sum_of(row, columns_.size())) {
-      throw StoreError(connection_.path() + ": is damaged: row " + std::to_string(row.index) +
-                       " of stage " + std::to_string(stage) + " is not what was written");
-    }
-  }
-  page.resize(count);
-  return count > 0;
+  std::vector<Row> rows;
+  while (select.step()) rows.push_back(read_row(connection_, select, columns_.size()));
+  return rows;
 }
 
 std::string ResultStore::Database::fact(const std::string& name) {
   const std::lock_guard lock(mutex_);
-  sqlite::Statement select(connection_, "SELECT value FROM facts WHERE name = ?");
-  select.bind_text(1, name);
-  return select.step() ? std::string(select.text(0)) : std::string();
+  const auto found = facts_.find(name);
+  return found == facts_.end() ? std::string() : found->second;
 }
 
 void ResultStore::Database::set_fact(const std::string& name, const std::string& value) {
-  const std::lock_guard lock(mutex_);
-  commit_batch();
-  sqlite::Statement insert(connection_, "INSERT OR REPLACE INTO facts VALUES (?, ?)");
-  insert.bind_text(1, name);
-  insert.bind_text(2, value);
-  insert.run();
+  write([&] {
+    const auto before = facts_.find(name);
+    if (before != facts_.end() && before->second == value) return;
+    commit_batch();
+    begin_batch();
+    sqlite::Statement insert(connection_, "INSERT OR REPLACE INTO facts VALUES (?, ?)");
+    insert.bind_text(1, name);
+    insert.bind_text(2, value);
+    insert.run();
+    if (before != facts_.end()) seal_.sum -= checksum_of_fact(name, before->second);
+    seal_.sum += checksum_of_fact(name, value);
+    facts_[name] = value;
+    commit_batch();
+  });
 }
 
 }  // namespace twum::studies

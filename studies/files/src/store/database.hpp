@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "store/seal.hpp"
 #include "store/sqlite.hpp"
 
 #include <twum/studies/store/result_store.hpp>
@@ -23,7 +24,7 @@ namespace twum::studies {
 /// time. Every member function takes the lock.
 class ResultStore::Database {
  public:
-  Database(const std::string& path, std::vector<Column> columns);
+  Database(const std::string& path, const std::vector<Column>& columns);
   /// An existing database, with the columns it has.
   explicit Database(const std::string& path);
   ~Database();
@@ -37,17 +38,21 @@ class ResultStore::Database {
   std::uint64_t rows();
   /// The first stage from this one on that has rows.
   std::optional<std::uint64_t> stage_from(std::uint64_t stage);
-  /// Fills `page` with some rows of a stage from an index on; false if there are none.
-  bool page(std::uint64_t stage, std::uint64_t from, std::vector<Row>& page);
+  /// Some rows of a stage from an index on; none if there are none.
+  std::vector<Row> page(std::uint64_t stage, std::uint64_t from);
   std::string fact(const std::string& name);
   void set_fact(const std::string& name, const std::string& value);
 
  private:
+  void open(const std::vector<Column>& columns_of_new);
   bool is_blank();
-  void make_tables();
+  void make_tables(const std::vector<Column>& columns);
   void check_tables();
   std::vector<Column> stored_columns();
+  void read_content();
   void prepare();
+  template <typename Write>
+  void write(Write change);
   void insert(const Row& row);
   void begin_batch();
   void commit_batch();
@@ -55,12 +60,14 @@ class ResultStore::Database {
 
   sqlite::Connection connection_;
   std::vector<Column> columns_;
+  Facts facts_;
   std::optional<sqlite::Statement> insert_;
   std::string select_page_;
 
   std::mutex mutex_;  // guards the connection and what follows
   std::size_t batch_{0};
-  std::uint64_t rows_{0};
+  bool in_log_{false};  // in write-ahead mode, from the first batch on
+  Seal seal_;
   std::map<std::uint64_t, std::uint64_t> next_;  // by stage, as far as it was asked for
   std::exception_ptr failure_;                   // of a write; nothing is written after it
   std::condition_variable_any batch_begun_;

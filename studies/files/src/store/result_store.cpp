@@ -5,8 +5,8 @@
 
 namespace twum::studies {
 
-ResultStore::ResultStore(const std::string& path, std::vector<Column> columns)
-    : database_(std::make_unique<Database>(path, std::move(columns))) {}
+ResultStore::ResultStore(const std::string& path, const std::vector<Column>& columns)
+    : database_(std::make_unique<Database>(path, columns)) {}
 
 ResultStore::ResultStore(const std::string& path) : database_(std::make_unique<Database>(path)) {}
 
@@ -36,10 +36,9 @@ void ResultStore::read(const std::function<void(const Row&)>& visit) const {
 }
 
 void ResultStore::read(std::uint64_t stage, const std::function<void(const Row&)>& visit) const {
-  std::vector<Row> page;
-  for (std::uint64_t from = 0; database_->page(stage, from, page);) {
+  for (std::vector<Row> page = database_->page(stage, 0); !page.empty();
+       page = database_->page(stage, page.back().index + 1)) {
     for (const Row& row : page) visit(row);
-    from = page.back().index + 1;
   }
 }
 

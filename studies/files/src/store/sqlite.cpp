@@ -72,6 +72,16 @@ bool Connection::in_transaction() const { return sqlite3_get_autocommit(handle_)
 
 int Connection::changes() const { return sqlite3_changes(handle_); }
 
+bool Connection::has_moved() const {
+  int moved = 0;  // stays, for a database in memory
+  sqlite3_file_control(handle_, "main", SQLITE_FCNTL_HAS_MOVED, &moved);
+  return moved != 0;
+}
+
+void Connection::abandon() {
+  sqlite3_db_config(handle_, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
+}
+
 Statement::Statement(Connection& connection, const std::string& sql) : connection_(connection) {
   connection_.check(sqlite3_prepare_v2(connection_.handle_, sql.c_str(),
                                        static_cast<int>(sql.size()), &handle_, nullptr));

@@ -28,6 +28,10 @@ class Connection {
   bool in_transaction() const;
   /// Rows that the last statement inserted.
   int changes() const;
+  /// True if its path leads to no file or to another one by now.
+  bool has_moved() const;
+  /// Closes later as if killed: changes and removes no file.
+  void abandon();
 
   /// @throws StoreError with the file and what the result code means, unless it is good.
   void check(int code) const;

@@ -221,8 +221,9 @@ std::string write_report(const std::string& directory) {
   const std::string text = content_of(file(ResultFolder::kStudy), directory);
   const StudyFile study = read_study_file(file(ResultFolder::kStudy));
   const ResultStore store(file(ResultFolder::kDatabase));
-  const ResultFolder folder(directory);
+  ResultFolder folder(directory);
   folder.write(ResultFolder::kReport, report_html(study, text, summary, store));
+  folder.check_in_place();
   return file(ResultFolder::kReport);
 }
 

@@ -56,23 +56,10 @@ StudyResult run_on(const StudyFile& file, StudyKindRun& kind, ResultStore& store
   RunContext context{store, job_count(options.jobs), options.stop, forwarded(options)};
   KindAnswer answer = kind.run(context);
   store.flush();
-  StudyResult result;
+  if (options.stop.stop_requested()) answer.outcome = "interrupted";
+  StudyResult result = result_of(file, kind, store, std::move(answer));
   result.study = name_of(file);
-  result.kind = file.kind();
-  result.motor = file.motor.name;
-  result.outcome =
-      options.stop.stop_requested() ? std::string("interrupted") : std::move(answer.outcome);
-  result.evaluations = store.rows();
-  result.seed = kind.seed();
-  result.answer = std::move(answer.answer);
-  result.model_notes = notes_on(file, result);
   return result;
-}
-
-void set_failures(StudyResult& result, const FailureCount& failures) {
-  result.failure_regions = failures.regions();
-  for (const FailureRegion& region : result.failure_regions)
-    result.failures[region.reason] = region.count;
 }
 
 double seconds_since(Clock::time_point begin) {
@@ -102,7 +89,7 @@ class KeptRun {
   StudyResult run() {
     if (options_.fresh) folder_.discard();
     open_store();
-    write_if_absent(ResultFolder::kStudy, [&] { return study_text(); });
+    folder_.write(ResultFolder::kStudy, study_text());
     const bool was_complete = !store_->fact(kComplete).empty();
     StudyResult result = run_on(file_, *kind_, *store_, options_);
     result.was_complete = was_complete;
@@ -115,6 +102,7 @@ class KeptRun {
     }
     write_results(result);
     if (result.outcome != "interrupted") store_->set_fact(kComplete, "yes");
+    read_back();
     return result;
   }
 
@@ -133,10 +121,14 @@ class KeptRun {
 
   void open_store() {
     folder_.check_ours();
+    folder_.check_not_emptied();
     const std::string path = folder_.file(ResultFolder::kDatabase);
-    if (folder_.has_database() && !begun_already(path)) folder_.discard();
+    if (folder_.has_database()) {
+      store_ = begun_already(path);
+      if (store_ != nullptr) return;
+      folder_.discard();
+    }
     store_ = std::make_unique<ResultStore>(path, kind_->columns());
-    if (!store_->fact(kHash).empty()) return;
     store_->set_fact(kVersion, version());
     store_->set_fact(kStudyText, study_.text());
     store_->set_fact(kFiles, files_text(study_));
@@ -144,21 +136,21 @@ class KeptRun {
     store_->set_fact(kHash, study_.hash());  // last: with it the others are there
   }
 
-  // True if the database holds rows of this very study; false if it was left before its first row.
-  bool begun_already(const std::string& path) const {
-    const ResultStore stored(path);
-    const std::string hash = stored.fact(kHash);
-    if (hash.empty() || stored.rows() == 0) return false;
+  // The database if it holds rows of this very study; none if it was left before its first row.
+  std::unique_ptr<ResultStore> begun_already(const std::string& path) const {
+    auto stored = std::make_unique<ResultStore>(path);
+    const std::string hash = stored->fact(kHash);
+    if (hash.empty() || stored->rows() == 0) return nullptr;
     std::vector<std::string> differ;
     if (hash != study_.hash()) {
-      differ = differences(stored.fact(kStudyText), study_.text());
-      if (stored.fact(kFiles) != files_text(study_))
+      differ = differences(stored->fact(kStudyText), study_.text());
+      if (stored->fact(kFiles) != files_text(study_))
         differ.emplace_back("the content of a file that the study names");
     }
-    if (stored.fact(kVersion) != version())
-      differ.push_back("twum: " + stored.fact(kVersion) + " there, " + version() + " here");
+    if (stored->fact(kVersion) != version())
+      differ.push_back("twum: " + stored->fact(kVersion) + " there, " + version() + " here");
     if (!differ.empty()) refuse(differ);
-    return true;
+    return stored;
   }
 
   [[noreturn]] void refuse(const std::vector<std::string>& differ) const {
@@ -177,12 +169,7 @@ class KeptRun {
            study_.text(directory_);
   }
 
-  template <typename Make>
-  void write_if_absent(std::string_view name, Make content) const {
-    if (!folder_.has(name)) folder_.write(name, content());
-  }
-
-  void write_results(StudyResult& result) const {
+  void write_results(StudyResult& result) {
     folder_.write(ResultFolder::kTable, [&](const std::function<void(std::string_view)>& put) {
       set_failures(result, write_rows(*store_, kind_->variables(), put));
     });
@@ -193,6 +180,20 @@ class KeptRun {
       result.motor_files.push_back(found.file);
     }
     folder_.write(ResultFolder::kReport, page_(file_, study_text(), summary, *store_));
+  }
+
+  // Another program may have damaged meanwhile what was written without an error; only reading it from
+  // the files themselves shows that.
+  void read_back() {
+    const std::uint64_t rows = store_->rows();
+    store_.reset();
+    const ResultStore stored(folder_.file(ResultFolder::kDatabase), kind_->columns());
+    if (stored.rows() != rows) {
+      throw StoreError(folder_.file(ResultFolder::kDatabase) + ": holds " +
+                       std::to_string(stored.rows()) + " rows, but " + std::to_string(rows) +
+                       " were written; run the study again");
+    }
+    folder_.check_in_place();
   }
 
   const StudyFile& file_;
@@ -213,6 +214,25 @@ std::unique_ptr<StudyKindRun> make_kind(const StudyFile& file) {
 }
 
 void check_named_files(const StudyFile& file) { make_kind(file); }
+
+StudyResult result_of(const StudyFile& file, const StudyKindRun& kind, const ResultStore& store,
+                      KindAnswer answer) {
+  StudyResult result;
+  result.kind = file.kind();
+  result.motor = file.motor.name;
+  result.outcome = std::move(answer.outcome);
+  result.evaluations = store.rows();
+  result.seed = kind.seed();
+  result.answer = std::move(answer.answer);
+  result.model_notes = notes_on(file, result);
+  return result;
+}
+
+void set_failures(StudyResult& result, const FailureCount& failures) {
+  result.failure_regions = failures.regions();
+  for (const FailureRegion& region : result.failure_regions)
+    result.failures[region.reason] = region.count;
+}
 
 StudyResult keep_study(const StudyFile& file, const std::string& directory,
                        const RunOptions& options, PageOf page) {

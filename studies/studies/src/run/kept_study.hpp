@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "kinds/study_kind.hpp"
+#include "results/row_pass.hpp"
+
 #include <twum/studies/run/run_options.hpp>
 #include <twum/studies/store/result_store.hpp>
 
@@ -15,5 +18,11 @@ using PageOf = std::string (*)(const StudyFile& study, const std::string& text,
 /// run_study() in a directory, with the page that a layer above makes.
 StudyResult keep_study(const StudyFile& file, const std::string& directory,
                        const RunOptions& options, PageOf page);
+
+/// What a study's record says of an answer: counts, notes and failures of the rows that it stands on.
+/// Without name, hash and times.
+StudyResult result_of(const StudyFile& file, const StudyKindRun& kind, const ResultStore& store,
+                      KindAnswer answer);
+void set_failures(StudyResult& result, const FailureCount& failures);
 
 }  // namespace twum::studies

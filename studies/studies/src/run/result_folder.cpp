@@ -6,6 +6,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -135,9 +136,43 @@ void ResultFolder::discard() const {
   }
 }
 
+// The directory that is locked, by device and inode, is still the one at the path.
+void ResultFolder::check_held() const {
+  struct stat held {};
+  struct stat there {};
+  if (::fstat(lock_, &held) != 0) fail(path_, "cannot be read", errno);
+  if (::stat(path_.c_str(), &there) == 0 && there.st_dev == held.st_dev &&
+      there.st_ino == held.st_ino)
+    return;
+  throw StoreError(path_ +
+                   ": was moved, replaced or removed while the study was running; the results are "
+                   "not there. Run the study again");
+}
+
+void ResultFolder::check_in_place() const {
+  check_held();
+  for (const auto& [path, size] : written_) {
+    std::error_code error;
+    const std::uintmax_t found = fs::file_size(path, error);
+    if (error) fail(path, "was written, but cannot be read back", error.value());
+    if (found == size) continue;
+    throw StoreError(path + ": was written, but has changed since: " + std::to_string(found) +
+                     " bytes instead of " + std::to_string(size) + "; run the study again");
+  }
+}
+
+void ResultFolder::check_not_emptied() const {
+  std::error_code error;
+  if (fs::file_size(file(kDatabase), error) != 0 || error || !has(kStudy)) return;
+  throw StoreError(file(kDatabase) +
+                   ": is empty, although a study was stored there; restore it from a copy, or run "
+                   "the study again with --fresh");
+}
+
 void ResultFolder::write(
     std::string_view name,
-    const std::function<void(const std::function<void(std::string_view)>&)>& fill) const {
+    const std::function<void(const std::function<void(std::string_view)>&)>& fill) {
+  check_held();
   const std::string place = file(name);
   std::error_code ignored;  // the file itself cannot be made then
   fs::create_directories(fs::path(place).parent_path(), ignored);
@@ -150,15 +185,18 @@ void ResultFolder::write(
     std::remove(part.c_str());
     fail(place, "cannot be written", reason);
   };
+  std::uintmax_t size = 0;
   fill([&](std::string_view piece) {
     check(std::fwrite(piece.data(), 1, piece.size(), stream.get()) == piece.size());
+    size += piece.size();
   });
   check(std::fflush(stream.get()) == 0);
   check(std::fclose(stream.release()) == 0);
   check(std::rename(part.c_str(), place.c_str()) == 0);
+  written_[place] = size;
 }
 
-void ResultFolder::write(std::string_view name, const std::string& content) const {
+void ResultFolder::write(std::string_view name, const std::string& content) {
   write(name, [&](const std::function<void(std::string_view)>& put) { put(content); });
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -20,6 +22,8 @@ class ResultFolder {
   std::string file(std::string_view name) const;
   bool has(std::string_view name) const;
   bool has_database() const { return has(kDatabase); }
+  /// @throws StoreError if its database is empty although a study had begun: nobody made it so on purpose
+  void check_not_emptied() const;
 
   /// @throws InputError if there are files named like results, those of a front included, but no
   ///         database of ours with them: they are someone else's, and nothing may write over them;
@@ -32,8 +36,12 @@ class ResultFolder {
   /// @param fill  hands over the content piece by piece
   /// @throws StoreError naming the file and the reason
   void write(std::string_view name,
-             const std::function<void(const std::function<void(std::string_view)>&)>& fill) const;
-  void write(std::string_view name, const std::string& content) const;
+             const std::function<void(const std::function<void(std::string_view)>&)>& fill);
+  void write(std::string_view name, const std::string& content);
+
+  /// @throws StoreError if its path leads elsewhere by now, or a file that was written is gone or has
+  ///         another size
+  void check_in_place() const;
 
   static constexpr std::string_view kDatabase = "results.db";
   static constexpr std::string_view kStudy = "study.yaml";
@@ -43,9 +51,11 @@ class ResultFolder {
 
  private:
   void discard_front() const;
+  void check_held() const;
 
   std::string path_;
   int lock_{-1};
+  std::map<std::string, std::uintmax_t> written_;  // sizes, by path [bytes]
 };
 
 }  // namespace twum::studies

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kinds/study_kind.hpp"
+#include "results/row_pass.hpp"
 
 #include <twum/studies/run/verify_study.hpp>
 
@@ -32,9 +33,23 @@ void verify_designs(const StudyFile& file, const StudyKindRun& kind,
 KindAnswer verify_answer(StudyKindRun& kind, ResultStore& store,
                          const nlohmann::ordered_json& summary, Verification& found);
 
+/// Everything else that a summary says of a study (evaluations, failures, notes, hash, ...), against what
+/// is so now; not times and versions, which may differ.
+void verify_record(const StudyResult& now, const nlohmann::ordered_json& summary,
+                   Verification& found);
+
+/// Of an interrupted study: that no row is missing of those that its summary counts.
+void verify_interrupted(const ResultStore& store, const nlohmann::ordered_json& summary,
+                        Verification& found);
+
+/// The stored study, against the hash of the one that was run.
+void verify_study_hash(const StudyFile& file, const nlohmann::ordered_json& summary,
+                       Verification& found);
+
 /// results.csv, against the stored rows.
-void verify_table(const ResultStore& store, std::size_t variables, const std::string& path,
-                  Verification& found);
+/// @return the failures among the rows
+FailureCount verify_table(const ResultStore& store, std::size_t variables, const std::string& path,
+                          Verification& found);
 
 /// The motor files, against the answer.
 void verify_motor_files(const StudyFile& file, const StudyResult& result,

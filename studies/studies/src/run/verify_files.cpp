@@ -2,8 +2,10 @@
 #include "kinds/found_motors.hpp"
 #include "results/row_pass.hpp"
 #include "run/verify_checks.hpp"
+#include "study/resolved_study.hpp"
 
 #include <twum/base/error.hpp>
+#include <twum/studies/text/words.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -12,6 +14,8 @@
 
 namespace twum::studies {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 // A file beside a text that comes in pieces.
 class TextComparison {
@@ -44,11 +48,23 @@ void compare_motor(const MotorDesign& there, const FoundMotor& now, Verification
 
 }  // namespace
 
-void verify_table(const ResultStore& store, std::size_t variables, const std::string& path,
-                  Verification& found) {
+FailureCount verify_table(const ResultStore& store, std::size_t variables, const std::string& path,
+                          Verification& found) {
   TextComparison table(path);
-  write_rows(store, variables, [&](std::string_view piece) { table.see(piece); });
+  FailureCount failures =
+      write_rows(store, variables, [&](std::string_view piece) { table.see(piece); });
   if (!table.same()) complain(found, "results.csv: is not what results.db holds");
+  return failures;
+}
+
+void verify_study_hash(const StudyFile& file, const Json& summary, Verification& found) {
+  const std::string there = summary.value("hash", "");
+  const std::string now = resolve(file).hash();
+  if (there == now) return;
+  complain(found,
+           "study.yaml: is not the study that was run, or a file that it names has changed: "
+           "its hash is " +
+               now + ", in summary.json " + studies::quoted(there));
 }
 
 void verify_motor_files(const StudyFile& file, const StudyResult& result,

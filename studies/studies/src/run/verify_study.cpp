@@ -2,6 +2,7 @@
 #include <twum/studies/run/verify_study.hpp>
 
 #include "results/stored_summary.hpp"
+#include "run/kept_study.hpp"
 #include "run/result_folder.hpp"
 #include "run/verify_checks.hpp"
 
@@ -98,13 +99,17 @@ Verification verify_study(const std::string& directory, const VerifyOptions& opt
   ResultStore store(copy_database(directory, scratch.path()), kind->columns());
   verify_rows(*kind, store, options, found);
   verify_designs(file, *kind, summary, found);
-  if (summary.value("outcome", "") == "interrupted") return found;
-  verify_table(store, kind->variables(), folder.file(ResultFolder::kTable), found);
-  KindAnswer answer = verify_answer(*kind, store, summary, found);
-  StudyResult result;
+  verify_study_hash(file, summary, found);
+  if (summary.value("outcome", "") == "interrupted") {
+    verify_interrupted(store, summary, found);
+    return found;
+  }
+  const FailureCount failures =
+      verify_table(store, kind->variables(), folder.file(ResultFolder::kTable), found);
+  StudyResult result = result_of(file, *kind, store, verify_answer(*kind, store, summary, found));
   result.study = found.study;
-  result.outcome = std::move(answer.outcome);
-  result.answer = std::move(answer.answer);
+  set_failures(result, failures);
+  verify_record(result, summary, found);
   verify_motor_files(file, result, directory, found);
   return found;
 }

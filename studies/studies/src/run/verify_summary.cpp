@@ -121,6 +121,11 @@ void compare_trees(const Json& there, const Json& now, const std::string& path,
     for (const auto& [key, value] : now.items())
       compare_trees(there.contains(key) ? there[key] : Json("(missing)"), value,
                     path.empty() ? key : path + "." + key, found);
+    for (const auto& [key, value] : there.items()) {
+      if (path.empty() || now.contains(key)) continue;  // a summary says more than the answer
+      complain(found, "summary.json: " + path + "." + key + " is " + shown(value) +
+                          " there, but does not follow from the rows");
+    }
   } else if (there.is_array() && now.is_array() && there.size() == now.size()) {
     for (std::size_t i = 0; i < now.size(); ++i)
       compare_trees(there[i], now[i], path + "[" + std::to_string(i) + "]", found);
@@ -160,6 +165,24 @@ KindAnswer verify_answer(StudyKindRun& kind, ResultStore& store, const Json& sum
   // As text and back: numbers are compared as they stand in the file.
   compare_trees(summary, Json::parse(now.dump()), "", found);
   return answer;
+}
+
+void verify_interrupted(const ResultStore& store, const Json& summary, Verification& found) {
+  // More rows are no fault: a run that went on and was killed has written no summary.
+  const double told = number_of(summary.value("evaluations", Json(nullptr)));
+  if (static_cast<double>(store.rows()) >= told) return;
+  complain(found, "results.db: holds " + std::to_string(store.rows()) +
+                      " rows, but summary.json says " + shown(summary["evaluations"]) +
+                      " evaluations");
+}
+
+void verify_record(const StudyResult& now, const Json& summary, Verification& found) {
+  const Json record = Json::parse(summary_json(now));
+  for (const char* name :
+       {"kind", "motor", "evaluations", "failures", "failure_regions", "seed", "model_notes"}) {
+    compare_trees(summary.contains(name) ? summary[name] : Json("(missing)"), record[name], name,
+                  found);
+  }
 }
 
 }  // namespace twum::studies

@@ -36,10 +36,11 @@ class StoreError : public Error {
 /// All functions may be called from several threads; they take turns.
 class ResultStore {
  public:
-  /// Opens a database, or makes one; an existing one must have these columns.
+  /// Opens a database, or makes one; an existing one must have these columns. Reads all of an existing
+  /// one, and refuses it unless it holds what was written.
   /// @param path  ":memory:" keeps everything in memory
   /// @throws StoreError naming the file and the reason
-  ResultStore(const std::string& path, std::vector<Column> columns);
+  ResultStore(const std::string& path, const std::vector<Column>& columns);
   /// Opens an existing database, with the columns it has; an empty file has none.
   /// @throws StoreError likewise
   explicit ResultStore(const std::string& path);

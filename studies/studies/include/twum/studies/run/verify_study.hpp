@@ -33,8 +33,8 @@ struct Verification {
 };
 
 /// Computes the results of a study again, from its directory alone: random rows, the designs of
-/// summary.json, their certificates, and the answer as it follows from the rows; results.csv and motor
-/// files against these. Not report.html, which `twum report` makes anew. Changes nothing there.
+/// summary.json, their certificates, and the answer as it follows from the rows, with the counts and
+/// notes beside it; study.yaml against its hash; results.csv and motor files against these. Not report.html, which `twum report` makes anew. Changes nothing there.
 /// @throws InputError if there is no such directory or no result in it; StoreError if it cannot be read.
 Verification verify_study(const std::string& directory, const VerifyOptions& options = {});
 
