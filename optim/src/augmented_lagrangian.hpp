@@ -22,7 +22,7 @@ struct OneSide {
 ///   L = f + rho/2 [ sum (h + lambda/rho)^2 + sum max(0, g + mu/rho)^2 ],
 ///
 /// with the rules of Birgin & Martinez (Practical Augmented Lagrangian Methods, SIAM 2014, algorithm
-/// 4.1; Conn, Gould & Toint, SIAM J. Numer. Anal. 28, 1991) for multipliers and penalty. Bounds stay
+/// 4.1; Conn, Gould & Toint, SIAM Journal on Numerical Analysis 28, 1991) for multipliers and penalty. Bounds stay
 /// bounds of the inner search.
 class AugmentedLagrangian {
  public:
