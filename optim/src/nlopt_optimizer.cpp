@@ -292,18 +292,15 @@ std::vector<Optimizer> nlopt_optimizers() {
 
 std::vector<SolverOption> nlopt_options() {
   return {
-      {"nlopt", "xtol_rel", "number", "0 to 1",
-       "relative change of the variables at which to stop"},
-      {"nlopt", "ftol_rel", "number", "0 to 1",
-       "relative change of the objective at which to stop"},
-      {"nlopt", "constraint_tolerance", "number", "0 to 1", "scaled violation that counts as none"},
-      {"nlopt", "population", "integer", "0 to 1e6",
-       "size of the population; 0: the algorithm's own"},
-      {"nlopt", "vector_storage", "integer", "0 to 1e4",
-       "gradients that lbfgs and var keep; 0: its own"},
-      {"nlopt", "initial_step", "number", "0 to 1", "first step in the unit box; 0: its own"},
-      {"nlopt", "inner_evaluations", "integer", "1 to 1e9",
-       "limit of each search within an augmented Lagrangian or mlsl"}};
+      {"nlopt", "xtol_rel", "number", "relative change of the variables at which to stop", 0, 1},
+      {"nlopt", "ftol_rel", "number", "relative change of the objective at which to stop", 0, 1},
+      {"nlopt", "constraint_tolerance", "number", "scaled violation that counts as none", 0, 1},
+      {"nlopt", "population", "integer", "size of the population; 0: the algorithm's own", 0, 1e6},
+      {"nlopt", "vector_storage", "integer", "gradients that lbfgs and var keep; 0: its own", 0,
+       1e4},
+      {"nlopt", "initial_step", "number", "first step in the unit box; 0: its own", 0, 1},
+      {"nlopt", "inner_evaluations", "integer",
+       "limit of each search within an augmented Lagrangian or mlsl", 1, 1e9}};
 }
 
 }  // namespace twum::optim

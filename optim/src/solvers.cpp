@@ -4,8 +4,10 @@
 #include "optimizer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 
 namespace twum::optim {
 namespace {
@@ -80,6 +82,15 @@ const Optimizer& find_optimizer(const std::string& name) {
 }
 
 const SolverInfo& find_solver(const std::string& name) { return find_optimizer(name).info; }
+
+std::string SolverOption::range() const {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : "|") + word;
+  if (!words.empty()) return text;
+  std::array<char, 64> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%g to %g", least, most);
+  return buffer.data();
+}
 
 const std::vector<SolverOption>& solver_options() {
   static const std::vector<SolverOption> list = [] {

@@ -240,7 +240,7 @@ TEST_CASE("each solver option and library says what it is", "[optim]") {
     CAPTURE(option.name);
     CHECK(names.insert(option.solver + " " + option.name).second);
     CHECK((option.type == "number" || option.type == "integer" || option.type == "text"));
-    CHECK_FALSE(option.range.empty());
+    CHECK_FALSE(option.range().empty());
     CHECK_FALSE(option.text.empty());
   }
   CHECK(names.contains("nlopt xtol_rel"));

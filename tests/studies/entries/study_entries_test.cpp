@@ -43,9 +43,10 @@ Lines complaints(const std::string& study) {
   return lines;
 }
 
-// A value that the range of an option, such as "1e-14 to 0.1" or "monotone|adaptive", has in it.
+// A value that the range of an option has in it.
 std::string value_of(const optim::SolverOption& option) {
-  return option.range.substr(0, option.range.find_first_of(" |"));
+  const std::string range = option.range();  // "1e-14 to 0.1" or "monotone|adaptive"
+  return range.substr(0, range.find_first_of(" |"));
 }
 
 }  // namespace

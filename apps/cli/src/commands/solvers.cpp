@@ -65,7 +65,7 @@ Listing solver_list() {
 Listing option_list() {
   Listing listing{"Options", kOptionsText, {"name", "solver", "type", "range", "text"}, {}};
   for (const optim::SolverOption& option : optim::solver_options())
-    listing.rows.push_back({option.name, option.solver, option.type, option.range, option.text});
+    listing.rows.push_back({option.name, option.solver, option.type, option.range(), option.text});
   return listing;
 }
 

@@ -37,14 +37,19 @@ const SolverInfo& find_solver(const std::string& name);
 
 /// One option that a solver takes in SolveOptions::solver_options.
 struct SolverOption {
-  std::string solver;  ///< "ipopt" or "nlopt"
-  std::string name;    ///< as the solver calls it
-  std::string type;    ///< "number", "integer" or "text"
-  std::string range;   ///< what it may be, in words
-  std::string text;    ///< what it does, in one line
+  std::string solver;                ///< "ipopt" or "nlopt"
+  std::string name;                  ///< as the solver calls it
+  std::string type;                  ///< "number", "integer" or "text"
+  std::string text;                  ///< what it does, in one line
+  double least{0};                   ///< of a number or integer
+  double most{0};                    ///< likewise
+  std::vector<std::string> words{};  ///< of a text: what it may be
+
+  /// What it may be, in words: "1e-14 to 0.1" or "monotone|adaptive".
+  std::string range() const;
 };
 
-/// Every option of every solver; the list lives for ever.
+/// Every option of every solver; static lifetime.
 const std::vector<SolverOption>& solver_options();
 
 }  // namespace twum::optim

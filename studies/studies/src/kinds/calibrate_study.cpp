@@ -193,8 +193,8 @@ class CalibrateRun final : public StudyKindRun {
 
 }  // namespace
 
-std::unique_ptr<StudyKindRun> make_run(const CalibrateStudy& asked, const StudyFile& file) {
-  return std::make_unique<CalibrateRun>(asked, file);
+std::unique_ptr<StudyKindRun> CalibrateStudy::run(const StudyFile& file) const {
+  return std::make_unique<CalibrateRun>(*this, file);
 }
 
 }  // namespace twum::studies

@@ -132,8 +132,8 @@ class CurveRun : public StudyKindRun {
 
 }  // namespace
 
-std::unique_ptr<StudyKindRun> make_run(const CurveStudy& asked, const StudyFile& file) {
-  return std::make_unique<CurveRun>(asked, file.motor.design);
+std::unique_ptr<StudyKindRun> CurveStudy::run(const StudyFile& file) const {
+  return std::make_unique<CurveRun>(*this, file.motor.design);
 }
 
 }  // namespace twum::studies

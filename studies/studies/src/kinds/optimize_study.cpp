@@ -14,8 +14,8 @@ class OptimizeRun : public OptimumRun {
 
 }  // namespace
 
-std::unique_ptr<StudyKindRun> make_run(const OptimizeStudy& asked, const StudyFile& file) {
-  return std::make_unique<OptimizeRun>(asked, file);
+std::unique_ptr<StudyKindRun> OptimizeStudy::run(const StudyFile& file) const {
+  return std::make_unique<OptimizeRun>(*this, file);
 }
 
 }  // namespace twum::studies

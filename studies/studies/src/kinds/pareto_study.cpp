@@ -125,8 +125,8 @@ class ParetoRun : public SearchRun {
 
 }  // namespace
 
-std::unique_ptr<StudyKindRun> make_run(const ParetoStudy& asked, const StudyFile& file) {
-  return std::make_unique<ParetoRun>(asked, file);
+std::unique_ptr<StudyKindRun> ParetoStudy::run(const StudyFile& file) const {
+  return std::make_unique<ParetoRun>(*this, file);
 }
 
 }  // namespace twum::studies

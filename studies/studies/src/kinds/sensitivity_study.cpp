@@ -51,14 +51,14 @@ std::string SensitivityRun::outcome(const SensitivityResult& result, bool comple
   return any ? "done" : "failed";
 }
 
-std::unique_ptr<StudyKindRun> make_run(const SensitivityStudy& asked, const StudyFile& file) {
+std::unique_ptr<StudyKindRun> SensitivityStudy::run(const StudyFile& file) const {
   const MotorDesign& motor = file.motor.design;
-  switch (asked.method) {
-    case SensitivityMethod::local: return make_local_sensitivity(asked, motor);
-    case SensitivityMethod::morris: return make_morris_sensitivity(asked, motor);
+  switch (method) {
+    case SensitivityMethod::local: return make_local_sensitivity(*this, motor);
+    case SensitivityMethod::morris: return make_morris_sensitivity(*this, motor);
     case SensitivityMethod::sobol: break;
   }
-  return make_sobol_sensitivity(asked, motor);
+  return make_sobol_sensitivity(*this, motor);
 }
 
 }  // namespace twum::studies

@@ -21,8 +21,8 @@ class SizeRun : public OptimumRun {
 
 }  // namespace
 
-std::unique_ptr<StudyKindRun> make_run(const SizeStudy& asked, const StudyFile& file) {
-  return std::make_unique<SizeRun>(asked, file);
+std::unique_ptr<StudyKindRun> SizeStudy::run(const StudyFile& file) const {
+  return std::make_unique<SizeRun>(*this, file);
 }
 
 }  // namespace twum::studies

@@ -75,20 +75,8 @@ inline std::optional<optim::Certificate> StudyKindRun::certify(
   return {};
 }
 
-/// One maker for each kind. They read the files that a study names.
-/// @param file  for the motor and the folder
+/// The runner of what a file asks. It reads the files that the study names.
 /// @throws FileError or InputError for what only a look at such a file shows
-/// @{
-std::unique_ptr<StudyKindRun> make_run(const CurveStudy& asked, const StudyFile& file);
-std::unique_ptr<StudyKindRun> make_run(const SweepStudy& asked, const StudyFile& file);
-std::unique_ptr<StudyKindRun> make_run(const SensitivityStudy& asked, const StudyFile& file);
-std::unique_ptr<StudyKindRun> make_run(const OptimizeStudy& asked, const StudyFile& file);
-std::unique_ptr<StudyKindRun> make_run(const ParetoStudy& asked, const StudyFile& file);
-std::unique_ptr<StudyKindRun> make_run(const SizeStudy& asked, const StudyFile& file);
-std::unique_ptr<StudyKindRun> make_run(const UncertaintyStudy& asked, const StudyFile& file);
-std::unique_ptr<StudyKindRun> make_run(const CalibrateStudy& asked, const StudyFile& file);
-/// @}
-/// That of the file's kind.
 std::unique_ptr<StudyKindRun> make_kind(const StudyFile& file);
 
 }  // namespace twum::studies

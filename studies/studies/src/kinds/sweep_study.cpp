@@ -89,8 +89,8 @@ class SweepRun : public StudyKindRun {
 
 }  // namespace
 
-std::unique_ptr<StudyKindRun> make_run(const SweepStudy& asked, const StudyFile& file) {
-  return std::make_unique<SweepRun>(asked, file.motor.design);
+std::unique_ptr<StudyKindRun> SweepStudy::run(const StudyFile& file) const {
+  return std::make_unique<SweepRun>(*this, file.motor.design);
 }
 
 }  // namespace twum::studies

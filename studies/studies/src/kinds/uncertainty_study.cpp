@@ -210,8 +210,8 @@ class UncertaintyRun : public StudyKindRun {
 
 }  // namespace
 
-std::unique_ptr<StudyKindRun> make_run(const UncertaintyStudy& asked, const StudyFile& file) {
-  return std::make_unique<UncertaintyRun>(asked, file);
+std::unique_ptr<StudyKindRun> UncertaintyStudy::run(const StudyFile& file) const {
+  return std::make_unique<UncertaintyRun>(*this, file);
 }
 
 }  // namespace twum::studies

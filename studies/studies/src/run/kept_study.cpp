@@ -210,7 +210,7 @@ class KeptRun {
 }  // namespace
 
 std::unique_ptr<StudyKindRun> make_kind(const StudyFile& file) {
-  return std::visit([&](const auto& asked) { return make_run(asked, file); }, file.asked);
+  return std::visit([&](const auto& asked) { return asked.run(file); }, file.asked);
 }
 
 void check_named_files(const StudyFile& file) { make_kind(file); }

@@ -19,6 +19,12 @@ inline constexpr const char* kRanges =
     "preload: {min: 60 N, max: 300 N}\n"
     "thickness: {min: 0.1 mm, max: 1 mm, scale: log}";
 
+/// `kind:` with the one word that a study of type S has there.
+template <typename S>
+Field<S> kind_field() {
+  return selector<S>("kind", "what the study asks", std::string(S::kName));
+}
+
 Shape<MetricExpression> metric(std::string text, std::string example = "peak_power");
 Shape<std::vector<MetricExpression>> metrics();
 Shape<std::vector<Constraint>> constraints();

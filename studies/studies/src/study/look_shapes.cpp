@@ -2,7 +2,6 @@
 // Studies that look at designs: curves, sweeps, sensitivities.
 #include "study/entry_shapes.hpp"
 #include "study/spacing.hpp"
-#include "study/study_shapes.hpp"
 
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/text/words.hpp>
@@ -12,7 +11,9 @@
 #include <cmath>
 
 namespace twum::studies {
-namespace shapes {
+
+using namespace shapes;
+
 namespace {
 
 constexpr std::array<const char*, 4> kSamplings{"grid", "list", "lhs", "sobol"};
@@ -29,7 +30,7 @@ void check_family(const YamlNode& family, const Spot& spot, Diagnostics& diagnos
                   "a family is over one parameter");
 }
 
-Shape<CurveStudy::Family> family() {
+Shape<CurveStudy::Family> family_shape() {
   using Family = CurveStudy::Family;
   const auto values = by_parameter<Family>(
       [](const ParameterInfo& row) {
@@ -252,36 +253,32 @@ Field<SweepStudy> of_drawn(Field<SweepStudy> field) {
 
 }  // namespace
 
-}  // namespace shapes
-
 std::string_view to_string(Sampling sampling) {
-  return shapes::kSamplings[static_cast<std::size_t>(sampling)];
+  return kSamplings[static_cast<std::size_t>(sampling)];
 }
 
-namespace shapes {
-
-Shape<CurveStudy> curve_study() {
+Shape<CurveStudy> CurveStudy::shape() {
   return mapping<CurveStudy>(
       "one motor, or a family over one parameter",
-      {selector<CurveStudy>("kind", "what the study asks", "curve"),
-       optional<CurveStudy>("family", family(), &CurveStudy::family, "the motor alone"),
+      {kind_field<CurveStudy>(),
+       optional<CurveStudy>("family", family_shape(), &CurveStudy::family, "the motor alone"),
        standard<CurveStudy>("points", count("points of each curve", "51", 2, 1e6),
                             &CurveStudy::points)});
 }
 
-Shape<SweepStudy> sweep_study() {
+Shape<SweepStudy> SweepStudy::shape() {
   using S = SweepStudy;
   return mapping<S>(
       "a grid, list or sample of designs",
-      {selector<S>("kind", "what the study asks", "sweep"),
+      {kind_field<S>(),
        needed<S>("variables", by_parameter<Variable>(sweep_variable, "what is varied", kSweep),
                  &S::variables),
        needed<S>("sampling",
                  word<Sampling>("how designs are chosen", {kSamplings.begin(), kSamplings.end()}),
                  &S::sampling),
-       needed<S>("metrics", metrics(), &S::metrics),
-       of_drawn(standard<S>("samples", samples(), &S::samples)),
-       of_drawn(standard<S>("seed", seed(), &S::seed))},
+       needed<S>("metrics", shapes::metrics(), &S::metrics),
+       of_drawn(standard<S>("samples", shapes::samples(), &S::samples)),
+       of_drawn(standard<S>("seed", shapes::seed(), &S::seed))},
       [](S& study, const Given& given, Diagnostics& diagnostics) {
         check_repeats(given, diagnostics);
         SweepChecker(study, given, diagnostics).check();
@@ -289,17 +286,16 @@ Shape<SweepStudy> sweep_study() {
       });
 }
 
-Shape<SensitivityStudy> sensitivity_study() {
+Shape<SensitivityStudy> SensitivityStudy::shape() {
   using S = SensitivityStudy;
   auto method = word<SensitivityMethod>("local derivatives, screening, or variance shares",
                                         {"local", "morris", "sobol"});
   method.schema.example = "sobol";
   return mapping<S>(
       "which parameter matters",
-      {selector<S>("kind", "what the study asks", "sensitivity"),
-       needed<S>("method", method, &S::method),
-       needed<S>("variables", variables("what is varied", kRanges), &S::variables),
-       needed<S>("metrics", metrics(), &S::metrics), sensitivity_samples(),
+      {kind_field<S>(), needed<S>("method", method, &S::method),
+       needed<S>("variables", shapes::variables("what is varied", kRanges), &S::variables),
+       needed<S>("metrics", shapes::metrics(), &S::metrics), sensitivity_samples(),
        standard<S>("confidence", fraction("level of the confidence intervals", "0.95"),
                    &S::confidence),
        hidden(optional<S>(
@@ -309,9 +305,8 @@ Shape<SensitivityStudy> sensitivity_study() {
        hidden(optional<S>("max_samples",
                           count("base samples at which to stop nevertheless", "65536", 1, 1e12),
                           &S::max_samples, "64 times samples")),
-       standard<S>("seed", seed(), &S::seed)},
+       standard<S>("seed", shapes::seed(), &S::seed)},
       check_sensitivity);
 }
 
-}  // namespace shapes
 }  // namespace twum::studies

@@ -3,11 +3,13 @@
 #include "study/entry_shapes.hpp"
 #include "study/repeats.hpp"
 #include "study/solver_entry.hpp"
-#include "study/study_shapes.hpp"
 
 #include <twum/studies/text/words.hpp>
 
-namespace twum::studies::shapes {
+namespace twum::studies {
+
+using namespace shapes;
+
 namespace {
 
 // Lines for files to start from.
@@ -119,10 +121,9 @@ bool refuse_whole_numbers(CalibrateStudy& /*study*/, const Given& given, Diagnos
 
 }  // namespace
 
-Shape<OptimizeStudy> optimize_study() {
+Shape<OptimizeStudy> OptimizeStudy::shape() {
   using S = OptimizeStudy;
-  std::vector<Field<S>> fields{selector<S>("kind", "what the study asks", "optimize"),
-                               variables_field<S>("what may be changed")};
+  std::vector<Field<S>> fields{kind_field<S>(), variables_field<S>("what may be changed")};
   for (Field<S>& field : goal(&S::objective)) fields.push_back(std::move(field));
   fields.push_back(constraints_field("constraints", &S::constraints));
   fields.push_back(solver_field<S>());
@@ -130,13 +131,12 @@ Shape<OptimizeStudy> optimize_study() {
   return mapping<S>("best design under constraints", std::move(fields), check_search<S>);
 }
 
-Shape<ParetoStudy> pareto_study() {
+Shape<ParetoStudy> ParetoStudy::shape() {
   using S = ParetoStudy;
   auto objectives = list("two or three objectives", objective(), 2, 3);
   objectives.schema.sample = "- maximize: stall_torque\n- maximize: no_load_speed";
   return mapping<S>("trade-off front of two or three metrics",
-                    {selector<S>("kind", "what the study asks", "pareto"),
-                     variables_field<S>("what may be changed"),
+                    {kind_field<S>(), variables_field<S>("what may be changed"),
                      needed<S>("objectives", objectives, &S::objectives),
                      constraints_field("constraints", &S::constraints),
                      standard<S>("points", count("points of the front", "50", 2, 1e5), &S::points),
@@ -144,15 +144,14 @@ Shape<ParetoStudy> pareto_study() {
                     check_front);
 }
 
-Shape<SizeStudy> size_study() {
+Shape<SizeStudy> SizeStudy::shape() {
   using S = SizeStudy;
   auto duty = list("operating points the motor must reach", duty_point());
   duty.schema.sample = "- {torque: 0.5 N.m, speed: 100 rpm}";
   return mapping<S>(
       "a motor for a duty",
-      {selector<S>("kind", "what the study asks", "size"),
-       variables_field<S>("what may be changed"), needed<S>("duty", duty, &S::duty),
-       constraints_field("limits", &S::limits),
+      {kind_field<S>(), variables_field<S>("what may be changed"),
+       needed<S>("duty", duty, &S::duty), constraints_field("limits", &S::limits),
        standard<S>("prefer",
                    metric("what is minimized among the motors that will do", "max_pressure"),
                    &S::prefer),
@@ -160,11 +159,11 @@ Shape<SizeStudy> size_study() {
       check_search<S>);
 }
 
-Shape<CalibrateStudy> calibrate_study() {
+Shape<CalibrateStudy> CalibrateStudy::shape() {
   using S = CalibrateStudy;
   return mapping<S>(
       "parameters from measured torque-speed points",
-      {selector<S>("kind", "what the study asks", "calibrate"),
+      {kind_field<S>(),
        needed<S>(
            "data",
            path("CSV file with the columns speed [unit] and torque [unit], and if wanted one of "
@@ -173,12 +172,12 @@ Shape<CalibrateStudy> calibrate_study() {
                 "the scatter is tested against it)",
                 "points.csv"),
            &S::data),
-       needed<S>("variables", variables("what is estimated", kEstimates), &S::variables),
+       needed<S>("variables", shapes::variables("what is estimated", kEstimates), &S::variables),
        standard<S>("confidence", fraction("level of the confidence intervals", "0.95"),
                    &S::confidence),
        standard<S>("starts", count("local fits from different starts", "8", 1, 10000), &S::starts),
-       standard<S>("seed", seed(), &S::seed)},
+       standard<S>("seed", shapes::seed(), &S::seed)},
       refuse_whole_numbers);
 }
 
-}  // namespace twum::studies::shapes
+}  // namespace twum::studies

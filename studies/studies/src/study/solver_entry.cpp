@@ -10,37 +10,16 @@
 #include <twum/studies/units/units.hpp>
 
 #include <algorithm>
-#include <sstream>
 #include <string_view>
 #include <vector>
 
 namespace twum::studies {
 namespace {
 
-// "monotone|adaptive"
-std::vector<std::string> choices(const std::string& range) {
-  std::vector<std::string> words;
-  std::istringstream pieces(range);
-  for (std::string piece; std::getline(pieces, piece, '|');) words.push_back(piece);
-  return words;
-}
-
-// "1e-14 to 0.1"
-void set_range(Schema& value, std::string_view range) {
-  constexpr std::string_view kTo = " to ";
-  const std::size_t at = range.find(kTo);
-  TWUM_ASSERT(at != std::string_view::npos);
-  const auto least = parse_number(range.substr(0, at));
-  const auto most = parse_number(range.substr(at + kTo.size()));
-  TWUM_ASSERT(least && most);
-  value.min = *least;
-  value.max = *most;
-}
-
 // A number as the solvers read it, "5e-9", whatever way it is written.
 Shape<std::string> option_shape(const optim::SolverOption& option) {
   if (option.type == "text") {
-    const std::vector<std::string> words = choices(option.range);
+    const std::vector<std::string>& words = option.words;
     return as<std::string, std::size_t>(
         choice(option.text + " (" + option.solver + ")", words),
         [words](std::size_t number) { return words[number]; },
@@ -49,10 +28,11 @@ Shape<std::string> option_shape(const optim::SolverOption& option) {
                                           words.begin());
         });
   }
-  const std::string text = option.text + " (" + option.solver + ", " + option.range + ")";
+  const std::string text = option.text + " (" + option.solver + ", " + option.range() + ")";
   Schema value = quantity(text, "1", option.type == "integer" ? "1" : "1e-9").schema;
   if (option.type == "integer") value.kind = ValueKind::count;
-  set_range(value, option.range);
+  value.min = option.least;
+  value.max = option.most;
   auto shape = as<std::string, double>(number(value), number_text, {});
   shape.write = [](const std::string& typed) { return scalar_node(typed); };
   return shape;

@@ -2,7 +2,6 @@
 #include "study/study_kinds.hpp"
 
 #include "study/entry_shapes.hpp"
-#include "study/study_shapes.hpp"
 
 #include <twum/studies/study/study_file.hpp>
 
@@ -11,23 +10,30 @@
 namespace twum::studies {
 namespace {
 
-constexpr std::array<std::string_view, std::variant_size_v<Study>> kKinds{
-    "curve", "sweep", "sensitivity", "optimize", "pareto", "size", "uncertainty", "calibrate"};
-
 template <typename S>
-Shape<Study> one(const Shape<S>& shape) {
+Shape<Study> any(const Shape<S>& shape) {
   return as<Study, S>(
       shape, [](S study) { return Study{std::move(study)}; },
       [](const Study& study) { return std::get<S>(study); });
 }
+
+// One row for each alternative of Study, in their order.
+template <typename>
+struct Rows;
+template <typename... S>
+struct Rows<std::variant<S...>> {
+  static constexpr std::array<std::string_view, sizeof...(S)> kNames{S::kName...};
+  static std::array<Shape<Study>, sizeof...(S)> shapes() { return {any(S::shape())...}; }
+};
+using Kinds = Rows<Study>;
 
 Schema study_variant() {
   Schema study;
   study.kind = ValueKind::variant;
   study.text = "what is asked";
   study.selector = "kind";
-  for (std::size_t i = 0; i < kKinds.size(); ++i) {
-    study.words.emplace_back(kKinds[i]);
+  for (std::size_t i = 0; i < Kinds::kNames.size(); ++i) {
+    study.words.emplace_back(Kinds::kNames[i]);
     study.alternatives.push_back(study_schema(static_cast<StudyKind>(i)));
   }
   return study;
@@ -44,13 +50,13 @@ SchemaEntry entry(std::string name, Schema schema, bool required, std::string fa
 
 }  // namespace
 
-std::span<const std::string_view> study_kinds() { return kKinds; }
+std::span<const std::string_view> study_kinds() { return Kinds::kNames; }
 
-std::string_view to_string(StudyKind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
+std::string_view to_string(StudyKind kind) { return Kinds::kNames[static_cast<std::size_t>(kind)]; }
 
 std::optional<StudyKind> find_study_kind(std::string_view name) {
-  for (std::size_t i = 0; i < kKinds.size(); ++i) {
-    if (kKinds[i] == name) return static_cast<StudyKind>(i);
+  for (std::size_t i = 0; i < Kinds::kNames.size(); ++i) {
+    if (Kinds::kNames[i] == name) return static_cast<StudyKind>(i);
   }
   return {};
 }
@@ -60,10 +66,7 @@ std::uint64_t standard_samples(SensitivityMethod method) {
 }
 
 const Shape<Study>& study_shape(StudyKind kind) {
-  using namespace shapes;
-  static const std::array<Shape<Study>, std::variant_size_v<Study>> all{
-      one(curve_study()),  one(sweep_study()), one(sensitivity_study()), one(optimize_study()),
-      one(pareto_study()), one(size_study()),  one(uncertainty_study()), one(calibrate_study())};
+  static const auto all = Kinds::shapes();
   return all.at(static_cast<std::size_t>(kind));
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/entry_shapes.hpp"
 #include "study/repeats.hpp"
-#include "study/study_shapes.hpp"
 
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/text/words.hpp>
@@ -33,7 +32,8 @@ Distribution UncertainVariable::distribution() const {
   return whole().within(row.min - half, row.max + half);
 }
 
-namespace shapes {
+using namespace shapes;
+
 namespace {
 
 using Variable = UncertainVariable;
@@ -146,18 +146,20 @@ bool check_uncertainty(UncertaintyStudy& study, const Given& given, Diagnostics&
 
 }  // namespace
 
-Shape<UncertaintyStudy> uncertainty_study() {
+Shape<UncertaintyStudy> UncertaintyStudy::shape() {
   using S = UncertaintyStudy;
   auto quantiles = list("probabilities", fraction("a probability", "0.05"));
   quantiles.schema.example = "[0.05, 0.5, 0.95]";
   return mapping<S>(
       "spread and yield under tolerances",
-      {selector<S>("kind", "what the study asks", "uncertainty"),
+      {kind_field<S>(),
        needed<S>("variables", by_parameter<Variable>(uncertain, "what is uncertain", kTolerances),
                  &S::variables),
-       needed<S>("metrics", metrics(), &S::metrics), standard<S>("samples", samples(), &S::samples),
-       optional<S>("limits", constraints(), &S::limits, "no yield"),
-       standard<S>("quantiles", quantiles, &S::quantiles), standard<S>("seed", seed(), &S::seed),
+       needed<S>("metrics", shapes::metrics(), &S::metrics),
+       standard<S>("samples", shapes::samples(), &S::samples),
+       optional<S>("limits", shapes::constraints(), &S::limits, "no yield"),
+       standard<S>("quantiles", quantiles, &S::quantiles),
+       standard<S>("seed", shapes::seed(), &S::seed),
        hidden(
            optional<S>("start",
                        path("result directory of another study, whose best design or fitted motor "
@@ -167,5 +169,4 @@ Shape<UncertaintyStudy> uncertainty_study() {
       check_uncertainty);
 }
 
-}  // namespace shapes
 }  // namespace twum::studies

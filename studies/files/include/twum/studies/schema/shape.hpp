@@ -41,11 +41,17 @@ struct Shape {
 
 /// @name Values of one word or number
 /// @{
+/// A text as a node of YAML.
 YamlNode scalar_node(std::string text);
-Shape<double> number(Schema schema);  ///< of a quantity, in SI
+/// A number as a schema of kind quantity or count wants it, in SI.
+Shape<double> number(Schema schema);
+/// A number with a unit of this dimension, in SI.
 Shape<double> quantity(std::string text, std::string unit, std::string example);
-Shape<double> fraction(std::string text, std::string example);  ///< between 0 and 1, ends excluded
+/// A number between 0 and 1, ends excluded.
+Shape<double> fraction(std::string text, std::string example);
+/// A whole number from `least` to `most`.
 Shape<std::uint64_t> count(std::string text, std::string example, double least, double most);
+/// Any text, as typed.
 Shape<std::string> path(std::string text, std::string example);
 /// One of some words; the value is the number of the word.
 Shape<std::size_t> choice(std::string text, std::vector<std::string> words);
@@ -62,8 +68,8 @@ void check_item_count(const YamlNode& list, const Schema& schema, const Spot& sp
                       Diagnostics& diagnostics);
 /// An entry of a mapping, and its number in the schema.
 struct GivenEntry {
-  std::size_t number;
-  const YamlEntry* entry;
+  std::size_t number;      ///< in the schema
+  const YamlEntry* entry;  ///< never null
 };
 /// The known entries of a mapping in the order of the file; unknown, missing and contradicting ones are
 /// said. Empty if no mapping stands there, which is said too.
@@ -178,6 +184,7 @@ Shape<T> one_of(std::string text, std::vector<Shape<T>> alternatives,
 /// A mapping as it stands in a file, for checks that look at several of its entries.
 class Given {
  public:
+  /// @param right  what has been read, by the place of the entry in the schema; null otherwise
   Given(const YamlNode& node, const Spot& spot, const Schema& schema,
         std::vector<const YamlNode*> right)
       : node_(node), spot_(spot), schema_(schema), right_(std::move(right)) {}
@@ -207,7 +214,7 @@ class Given {
 /// One entry of a mapping that becomes a struct, and the member it is for.
 template <typename T>
 struct Field {
-  SchemaEntry entry;
+  SchemaEntry entry;  ///< name and what may stand there
   /// Sets the member; false if what stands there is wrong.
   std::function<bool(T&, const YamlNode&, const Spot&, Diagnostics&)> read;
   /// What one would type for the member; nothing if it is left out.

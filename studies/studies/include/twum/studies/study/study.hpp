@@ -6,6 +6,7 @@
 #include <twum/studies/statistics/distribution.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,8 +19,18 @@
 
 namespace twum::studies {
 
+class StudyKindRun;
+struct StudyFile;
+template <typename T>
+struct Shape;
+
 /// Torque-speed curves of one motor, or of a family over one parameter.
 struct CurveStudy {
+  static constexpr std::string_view kName{"curve"};  ///< as in `kind:`
+  static Shape<CurveStudy> shape();                  ///< its field list
+  /// Its runner; see kinds/study_kind.hpp.
+  std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
+
   /// One parameter and its values.
   struct Family {
     Parameter parameter{};       ///< which one
@@ -37,6 +48,11 @@ std::string_view to_string(Sampling sampling);
 
 /// The metrics of a grid, list or sample of designs.
 struct SweepStudy {
+  static constexpr std::string_view kName{"sweep"};  ///< as in `kind:`
+  static Shape<SweepStudy> shape();                  ///< its field list
+  /// Its runner; see kinds/study_kind.hpp.
+  std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
+
   /// What one parameter runs through: listed values, or a range.
   struct Variable {
     Parameter parameter{};       ///< which one
@@ -58,6 +74,11 @@ enum class SensitivityMethod : unsigned char { local, morris, sobol };
 
 /// Which parameter matters.
 struct SensitivityStudy {
+  static constexpr std::string_view kName{"sensitivity"};  ///< as in `kind:`
+  static Shape<SensitivityStudy> shape();                  ///< its field list
+  /// Its runner; see kinds/study_kind.hpp.
+  std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
+
   SensitivityMethod method{SensitivityMethod::sobol};  ///< derivatives, screening, or shares
   std::vector<DesignVariable> variables;               ///< `start` counts for local only
   std::vector<MetricExpression> metrics;               ///< of what
@@ -73,6 +94,11 @@ std::uint64_t standard_samples(SensitivityMethod method);
 
 /// The best design under constraints.
 struct OptimizeStudy {
+  static constexpr std::string_view kName{"optimize"};  ///< as in `kind:`
+  static Shape<OptimizeStudy> shape();                  ///< its field list
+  /// Its runner; see kinds/study_kind.hpp.
+  std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
+
   std::vector<DesignVariable> variables;  ///< what may be changed
   DesignObjective objective;              ///< what is to be large or small
   std::vector<Constraint> constraints;    ///< what must hold
@@ -82,6 +108,11 @@ struct OptimizeStudy {
 
 /// The trade-off front of two or three metrics.
 struct ParetoStudy {
+  static constexpr std::string_view kName{"pareto"};  ///< as in `kind:`
+  static Shape<ParetoStudy> shape();                  ///< its field list
+  /// Its runner; see kinds/study_kind.hpp.
+  std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
+
   /// A front takes ten times the evaluations of an optimum.
   static optim::SolveOptions standard_solver() {
     optim::SolveOptions options;
@@ -98,6 +129,11 @@ struct ParetoStudy {
 
 /// A motor for a duty.
 struct SizeStudy {
+  static constexpr std::string_view kName{"size"};  ///< as in `kind:`
+  static Shape<SizeStudy> shape();                  ///< its field list
+  /// Its runner; see kinds/study_kind.hpp.
+  std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
+
   std::vector<DesignVariable> variables;  ///< what may be changed
   std::vector<Constraint> duty;           ///< torque_at(SPEED) >= LOAD of each point
   std::vector<Constraint> limits;         ///< what else must hold
@@ -125,6 +161,11 @@ struct UncertainVariable {
 
 /// Spread and yield under tolerances.
 struct UncertaintyStudy {
+  static constexpr std::string_view kName{"uncertainty"};  ///< as in `kind:`
+  static Shape<UncertaintyStudy> shape();                  ///< its field list
+  /// Its runner; see kinds/study_kind.hpp.
+  std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
+
   std::vector<UncertainVariable> variables;        ///< what is uncertain, independently
   std::vector<MetricExpression> metrics;           ///< of what
   std::uint64_t samples{10000};                    ///< motors that are drawn
@@ -136,6 +177,11 @@ struct UncertaintyStudy {
 
 /// Parameters from measured torque-speed points.
 struct CalibrateStudy {
+  static constexpr std::string_view kName{"calibrate"};  ///< as in `kind:`
+  static Shape<CalibrateStudy> shape();                  ///< its field list
+  /// Its runner; see kinds/study_kind.hpp.
+  std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
+
   std::string data;                       ///< path of the points
   std::vector<DesignVariable> variables;  ///< what is estimated
   double confidence{0.95};                ///< level of the intervals
@@ -143,7 +189,8 @@ struct CalibrateStudy {
   std::uint64_t seed{1};                  ///< of the starts
 };
 
-/// What a study asks, in the order of StudyKind.
+/// What a study asks: the list of kinds. A kind is a struct with its name, its field list and its
+/// runner; what lacks one of them is no alternative.
 using Study = std::variant<CurveStudy, SweepStudy, SensitivityStudy, OptimizeStudy, ParetoStudy,
                            SizeStudy, UncertaintyStudy, CalibrateStudy>;
 
