@@ -12,6 +12,8 @@ constexpr int kRoughIntervals = 40;
 constexpr int kMissing = 4;            // points without an answer that may follow one another
 constexpr double kFarthest = 1e4;      // times the crest speed
 constexpr double kSameTorque = 1e-14;  // what rounding leaves of the plateau's torque
+constexpr std::size_t kMostHalved =
+    20'000;  // nodes of halvings in one search; usual motors need some hundred
 constexpr long kMostLost = 1'000'000;  // zones that one search may follow in vain: about a second
 
 // True if less than half of the layer's own motion is left after a turn. What is left longer can upset the
@@ -73,8 +75,10 @@ CurveSearch::Node CurveSearch::answered(double speed, Trail* trail) const {
 }
 
 // A node of a halving. Speeds without a periodic state, each followed up to its limit, may lie close
-// together: then the search ends with their status.
+// together, and so may jumps, of which far from any motor rounding makes as many as there are numbers: then the search ends
+// with a status.
 const CurveSearch::Node& CurveSearch::halved(double speed) {
+  if (halved_.size() >= kMostHalved) throw SearchFailure{MetricStatus::unresolved};
   const auto [place, fresh] = halved_.try_emplace(speed);
   if (fresh) place->second = node(speed);
   lost_ += place->second.lost;
