@@ -42,6 +42,7 @@ FAULTS = [
     ("layers", "optim/src/n.cpp", "#include <twum/core/contact/a.hpp>\n", "optim may not include core/contact"),
     ("layers", "core/src/contact/a.cpp", "#include <twum/optim/o.hpp>\n", "core/contact may not include optim"),
     ("layers", "core/src/contact/a.cpp", "#include <gsl/gsl_math.h>\n", "stands on the standard library"),
+    ("layers", "core/src/contact/a.cpp", "#include <Eigen/Core>\n", "stands on the standard library"),
     ("layers", "core/include/twum/core/design/d.hpp", "#include <boost/math/x.hpp>\n", "stands on the standard library"),
     ("layers", "core/src/contact/a.cpp", "#include <format>\n", "core must do without"),
     ("layers", "core/src/contact/a.cpp", "#include \"contact/gone.hpp\"\n", "no file of ours"),
