@@ -16,8 +16,8 @@ using namespace twum::stator;
 using namespace twum::test;
 
 std::vector<Derived> numbers(const StatorModel& m) {
-  return {m.frequency,      m.modal_mass,   m.modal_stiffness,     m.neutral_plane_distance,
-          m.rotation_share, m.force_factor, m.blocked_capacitance, m.coupling_factor,
+  return {m.frequency,        m.modal_mass,   m.modal_stiffness,     m.neutral_plane_distance,
+          m.tangential_share, m.force_factor, m.blocked_capacitance, m.coupling_factor,
           m.mode_separation};
 }
 

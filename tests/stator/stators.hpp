@@ -18,6 +18,20 @@ inline stator::StatorGeometry distinct_stator() {
   return g;
 }
 
+/// The stator of docs/theory/stator-plate.md, section 7.
+/// @param stiffness_share  of the teeth
+inline stator::StatorGeometry default_stator(double stiffness_share) {
+  stator::StatorGeometry g;
+  g.substrate = {0.0215, 0.0300, 2.4e-3, 110e9, 0.34, 8800};
+  g.web = stator::Web{0.0125, 0.0215, 1.0e-3};
+  g.teeth = stator::Teeth{90, 1.6e-3, 0.6e-3, 0.0230, 0.0300, stiffness_share};
+  g.glue.thickness = 0.02e-3;
+  g.ceramic = {0.0220, 0.0300, 0.5e-3, 84.7e9, 0.31, 7800, -120e-12, 1.0625e-8};
+  g.electrodes = {4, {}, {}};
+  g.support = stator::InnerEdge::clamped;
+  return g;
+}
+
 inline constexpr int kWaves = 9;
 inline constexpr double kContactRadius = 0.0265;  // [m]
 

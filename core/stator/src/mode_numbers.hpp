@@ -78,7 +78,7 @@ S blocked_capacitance(const Numbers<S>& x, double share_of_area) {  // P4.5
 /// Everything of the travelling wave's mode but the mode separation.
 template <typename S>
 struct ModeNumbers {
-  S frequency, modal_mass, modal_stiffness, neutral_plane_distance, rotation_share, force_factor,
+  S frequency, modal_mass, modal_stiffness, neutral_plane_distance, tangential_share, force_factor,
       blocked_capacitance, coupling_factor;
 };
 
@@ -92,7 +92,11 @@ ModeNumbers<S> mode_numbers(const Mesh& mesh, const StatorPlate<S>& plate, const
   const auto contact = motion_at(mesh, plate, solution.coefficients, radius);
   const S mass = 1.0 / (contact.deflection * contact.deflection);  // P4.1
   const S stiffness = solution.eigenvalue * mass;                  // P4.2
-  const SectionOf<S>& section = plate.segments[segment_at(plate, value_of(radius))].section;
+  const std::size_t segment = segment_at(plate, value_of(radius));
+  const SectionOf<S>& section = plate.segments[segment].section;
+  const S height = section.top - section.neutral_plane;
+  const S teeth = plate.tooth_heights[segment];
+  const S turn = radius * contact.rotation / (n * contact.deflection);  // 1 without shear
   const S stress = x[ceramic_d31] * x[ceramic_youngs_modulus] / (1.0 - x[ceramic_poisson_ratio]);
   const S curvature =
       curvature_under_electrode(mesh, plate, solution.coefficients) / contact.deflection;
@@ -102,8 +106,8 @@ ModeNumbers<S> mode_numbers(const Mesh& mesh, const StatorPlate<S>& plate, const
   return {sqrt(solution.eigenvalue) / (2 * std::numbers::pi),
           mass,
           stiffness,
-          section.top - section.neutral_plane,
-          radius * contact.rotation / (n * contact.deflection),  // P4.3
+          height,
+          ((height - teeth) * turn + teeth) / height,  // P4.3
           factor,
           blocked,
           sqrt(motional / (blocked + motional))};  // P4.6

@@ -29,7 +29,7 @@ StatorModel published(const ModeNumbers<S>& m) {
   model.modal_mass = published(m.modal_mass);
   model.modal_stiffness = published(m.modal_stiffness);
   model.neutral_plane_distance = published(m.neutral_plane_distance);
-  model.rotation_share = published(m.rotation_share);
+  model.tangential_share = published(m.tangential_share);
   model.force_factor = published(m.force_factor);
   model.blocked_capacitance = published(m.blocked_capacitance);
   model.coupling_factor = published(m.coupling_factor);

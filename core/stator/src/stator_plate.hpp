@@ -39,6 +39,7 @@ template <typename S>
 struct StatorPlate {
   std::vector<SegmentOf<S>> segments;
   std::vector<S> levers;         ///< z_p, mid-plane of the ceramic from the neutral plane [m]
+  std::vector<S> tooth_heights;  ///< 0 where there are no teeth [m]
   std::vector<bool> electrodes;  ///< whether the segment is covered
 };
 
@@ -87,6 +88,9 @@ StatorPlate<S> make_plate(const StatorGeometry& g, const Numbers<S>& x) {
     const S& outer = x[edges.radii[i + 1]];
     const double middle = 0.5 * (value_of(inner) + value_of(outer));
     const SectionOf<S> section = section_of(layers_at(g, x, middle));
+    const bool toothed = g.teeth && middle > value_of(x[teeth_inner_radius]) &&
+                         middle < value_of(x[teeth_outer_radius]);
+    plate.tooth_heights.push_back(toothed ? x[teeth_height] : S(0.0));
     plate.levers.push_back(0.5 * x[ceramic_thickness] - section.neutral_plane);
     plate.electrodes.push_back(middle > value_of(x[electrodes_inner_radius]) &&
                                middle < value_of(x[electrodes_outer_radius]));

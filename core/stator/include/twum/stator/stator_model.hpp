@@ -32,11 +32,11 @@ struct StatorModel {
   Derived modal_mass;              ///< m_s at the contact radius (P4.1) [kg]
   Derived modal_stiffness;         ///< k_s (P4.2) [N/m]
   Derived neutral_plane_distance;  ///< a at the contact radius (P1.7) [m]
-  Derived rotation_share;          ///< tangential over that of Kirchhoff's plate (P4.3) [1]
-  Derived force_factor;            ///< Theta of a phase (P4.4) [N/V]
-  Derived blocked_capacitance;     ///< C_0 of a phase, a lower bound (P4.5) [F]
-  Derived coupling_factor;         ///< sqrt(C_m / (C_0 + C_m)) (P4.6) [1]
-  Derived mode_separation;         ///< to the nearest unwanted mode (P4.7) [Hz]
+  Derived tangential_share;     ///< of the surface's tangential motion, 1 without shear (P4.3) [1]
+  Derived force_factor;         ///< Theta of a phase (P4.4) [N/V]
+  Derived blocked_capacitance;  ///< C_0 of a phase, a lower bound (P4.5) [F]
+  Derived coupling_factor;      ///< sqrt(C_m / (C_0 + C_m)) (P4.6) [1]
+  Derived mode_separation;      ///< to the nearest unwanted mode (P4.7) [Hz]
 
   RadialFunction shape;                ///< R, 1 at the contact radius [1]
   int nodal_circles{};                 ///< of R over the whole plate
@@ -52,8 +52,8 @@ enum class Derivatives { none, all };
 ///
 /// Derivatives are exact for the discrete plate. Two cases have none, and say so by NaN: a crossing of
 /// modes of n (identity), and a mode separation that is zero or has two nearest modes. Radii that coincide
-/// (joint_edges) can only be moved together: the one named first in Dimension has the derivative of moving
-/// all of them, the others have 0.
+/// (joint_edges) can only be moved together: the sum of their derivatives is that of moving all of them, and
+/// one of them alone means nothing.
 /// Cost: five dense eigenproblems; with derivatives twice that.
 /// @param wavelengths     n, 1 or more
 /// @param contact_radius  r, where R = 1 [m]; it lies on the plate
