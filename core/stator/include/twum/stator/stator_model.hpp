@@ -10,9 +10,9 @@ namespace twum::stator {
 
 /// A mode of the stator.
 struct StatorMode {
-  int nodal_diameters;
-  int nodal_circles;  ///< over the whole plate
-  double frequency;   ///< [Hz]
+  int nodal_diameters;  ///< n
+  int nodal_circles;    ///< over the whole plate
+  double frequency;     ///< [Hz]
   double
       modal_mass;  ///< for the deflection at the contact radius [kg]; infinite where that is zero
 };
