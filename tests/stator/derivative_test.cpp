@@ -124,6 +124,32 @@ TEST_CASE("radii that coincide move together (P5.1)", "[stator][derivatives]") {
   CHECK(sum == Approx(quotient.value).epsilon(1e-6));
 }
 
+TEST_CASE("derivatives where a web mode and the ring's mix (P5.2)", "[stator][derivatives]") {
+  // The masses of two modes change places within a few percents of the web's thickness. Derivatives are large there
+  // and still those of differences, whose steps are small against that distance.
+  StatorGeometry g = distinct_stator();
+  g.web->thickness = 0.58e-3;
+  const auto model = differentiated(g);
+  REQUIRE(model.identity == ModeIdentity::shared);
+  const auto moved = [&](double change) {
+    StatorGeometry other = g;
+    other.web->thickness += change;
+    const auto m = stator_model(other, kWaves, kContactRadius);
+    return std::vector<double>{m.frequency.v, m.modal_mass.v, m.force_factor.v};
+  };
+  const auto quotients = extrapolated_differences(moved, 2e-7);
+  const double scale = g.web->thickness;
+  const Derived* numbers[] = {&model.frequency, &model.modal_mass, &model.force_factor};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double slope = derivative(*numbers[k], Dimension::web_thickness);
+    CAPTURE(k, slope * scale / numbers[k]->v, quotients[k].error / slope);
+    REQUIRE(quotients[k].error < 1e-4 * std::abs(slope));
+    CHECK(slope == Approx(quotients[k].value).epsilon(1e-4));
+  }
+  CHECK(std::abs(derivative(model.modal_mass, Dimension::web_thickness)) * scale >
+        model.modal_mass.v);
+}
+
 TEST_CASE("no derivatives unless they are asked for", "[stator][derivatives]") {
   const auto with = differentiated(distinct_stator());
   const auto without = stator_model(distinct_stator(), kWaves, kContactRadius);
