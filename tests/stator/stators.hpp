@@ -26,7 +26,7 @@ inline stator::StatorGeometry default_stator(double stiffness_share) {
   g.web = stator::Web{0.0125, 0.0215, 1.0e-3};
   g.teeth = stator::Teeth{90, 1.6e-3, 0.6e-3, 0.0230, 0.0300, stiffness_share};
   g.glue.thickness = 0.02e-3;
-  g.ceramic = {0.0220, 0.0300, 0.5e-3, 84.7e9, 0.31, 7800, -120e-12, 1.0625e-8};
+  g.ceramic = {0.0220, 0.0300, 0.5e-3, 80e9, 0.31, 7600, -125e-12, 1275 * 8.8541878128e-12};
   g.electrodes = {4, {}, {}};
   g.support = stator::InnerEdge::clamped;
   return g;
