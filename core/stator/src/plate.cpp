@@ -20,7 +20,7 @@ double RadialFunction::operator()(double radius) const {
 }
 
 int RadialFunction::sign_changes(double inner, double outer) const {
-  // A polynomial piece of degree 10 has at most ten zeros, and the lowest modes have few: 400 samples.
+  // The lowest modes have few zeros, and an edge layer is wider than the 400th part of a plate.
   constexpr int kSamples = 400;
   std::vector<double> values;
   double largest = 0;

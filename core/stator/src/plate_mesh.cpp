@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plate_mesh.hpp"
 
+#include <twum/base/error.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <sstream>
 
 namespace twum::stator {
 namespace {
@@ -56,10 +59,33 @@ std::vector<std::vector<int>> number_functions(Mesh& mesh, const Basis& basis,
   return dofs;
 }
 
+// Rings that are too narrow for the rounding of their stiffness, as a share of the plate's width: that of
+// Kirchhoff's Hermite functions is the cube of the inverse share, that of Mindlin's linear ones its first
+// power. 1e-7 and better is left.
+constexpr double kNarrowestKirchhoff = 1e-3;
+constexpr double kNarrowestMindlin = 1e-9;
+
+void check_widths(const std::vector<Segment>& segments, PlateTheory theory) {
+  const bool mindlin = theory == PlateTheory::mindlin;
+  const double narrowest = (mindlin ? kNarrowestMindlin : kNarrowestKirchhoff) *
+                           (segments.back().outer - segments.front().inner);
+  for (const Segment& segment : segments) {
+    if (segment.outer - segment.inner >= narrowest) continue;
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << "plate: the ring from " << segment.inner << " m is only "
+         << segment.outer - segment.inner << " m wide; " << (mindlin ? "Mindlin" : "Kirchhoff")
+         << "'s plate needs " << narrowest << " m or more. Give its two edges the same radius"
+         << (mindlin ? "" : ", or choose Mindlin's plate");
+    throw InputError(text.str());
+  }
+}
+
 }  // namespace
 
 Mesh make_mesh(const std::vector<Segment>& segments, PlateTheory theory, InnerEdge inner_edge,
                int nodal_diameters) {
+  check_widths(segments, theory);
   Mesh mesh{theory, nodal_diameters, 0, {}};
   std::map<int, std::shared_ptr<const BasisTable>> tables;
   const auto continuity = theory == PlateTheory::mindlin ? Continuity::value : Continuity::slope;

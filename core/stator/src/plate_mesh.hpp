@@ -31,6 +31,8 @@ struct Mesh {
   int fields() const { return theory == PlateTheory::kirchhoff ? 1 : nodal_diameters == 0 ? 2 : 3; }
 };
 
+/// @throws InputError for a ring too narrow for rounding: 1e-9 of the plate's width (Mindlin), 1e-3
+/// (Kirchhoff)
 Mesh make_mesh(const std::vector<Segment>& segments, PlateTheory theory, InnerEdge inner_edge,
                int nodal_diameters);
 

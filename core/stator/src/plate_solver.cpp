@@ -14,6 +14,10 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
+// Eigenvalues mu below this share of the largest are rounding: modes of very narrow rings, whose frequencies
+// are some 1e7 times the lowest. They are left out; no other mode feels them.
+constexpr double kUnknown = 1e-15;
+
 struct Matrices {
   MatrixXd stiffness;
   MatrixXd mass;
@@ -109,7 +113,7 @@ Spectrum solve(const Mesh& mesh, const std::vector<Segment>& segments) {
   Spectrum spectrum;
   for (Index i = mesh.unknowns - 1; i >= 0; --i) {
     const double mu = solver.eigenvalues()(i);
-    TWUM_ASSERT(mu > 0);
+    if (mu < kUnknown * solver.eigenvalues()(mesh.unknowns - 1)) break;
     const Eigen::VectorXd vector = solver.eigenvectors().col(i) / std::sqrt(mu);
     spectrum.eigenvalues.push_back(1 / mu - sigma);
     spectrum.vectors.emplace_back(vector.begin(), vector.end());

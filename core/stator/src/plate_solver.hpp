@@ -7,7 +7,7 @@
 
 namespace twum::stator {
 
-/// All solutions of K c = lambda M c, smallest eigenvalue first, c' M c = 1 (P3.1).
+/// All solutions of K c = lambda M c that rounding leaves, smallest eigenvalue first, c' M c = 1 (P3.1).
 struct Spectrum {
   std::vector<double> eigenvalues;           ///< omega^2 [1/s^2]
   std::vector<std::vector<double>> vectors;  ///< coefficients of the mesh's functions

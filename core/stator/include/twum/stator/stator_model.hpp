@@ -57,7 +57,8 @@ enum class Derivatives { none, all };
 /// Cost: five dense eigenproblems; with derivatives twice that.
 /// @param wavelengths     n, 1 or more
 /// @param contact_radius  r, where R = 1 [m]; it lies on the plate
-/// @throws InputError as check_geometry(), for wavelengths and contact radius, and if two phases do not fit
+/// @throws InputError as check_geometry() and plate_modes(), for wavelengths and contact radius, and if two
+/// phases do not fit
 /// @throws EvaluationError "no-ring-mode" if each of the eight lowest modes of n changes its sign on the ring
 StatorModel stator_model(const StatorGeometry& geometry, int wavelengths, double contact_radius,
                          PlateTheory theory = PlateTheory::mindlin,
