@@ -69,7 +69,7 @@ TEST_CASE("the force factor is the charge that a deflection pushes out (P4.4)",
     const double phi = -kPi / (2 * n) + (i + 0.5) * 2 * kPi / kSectors;
     angular += electrode_sign(phi, 9, 4) * std::cos(n * phi) * 2 * kPi / kSectors;
   }
-  // 1e-5: the midpoint rules leave 1e-6, the differences of R (kappa h)^2 / 12, kappa = 1000 / m at the edges.
+  // The midpoint rules leave 1e-6, the differences of R (kappa h)^2 / 12 = 3e-5 with kappa = 1000 / m at the edges.
   CHECK(model.force_factor.v == Approx(std::abs(stress * lever * radial * angular)).epsilon(1e-4));
 }
 
