@@ -42,6 +42,8 @@ long_packages=(
   libpagmo-dev debootstrap valgrind gcovr clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14
   # checks the scripts of the report page
   node-typescript
+  # the stator as a solid, in tests
+  calculix-ccx
 )
 
 list_only=false

@@ -15,9 +15,10 @@ STUDIES = {
     "report": ["report", "run"],
 }
 FOLDERS = [f"studies/{part}/{folder}" for part, folders in STUDIES.items() for folder in folders]
-ALL_STUDIES = CORE + ["optim"] + FOLDERS + ["studies/report"]
+ALL_STUDIES = CORE + ["core/stator", "optim"] + FOLDERS + ["studies/report"]
 ALLOWED = {
     "core/base": CORE[:1],
+    "core/stator": ["core/base", "core/stator"],
     "core/design": CORE[:2],
     "core/contact": CORE[:3],
     "core/performance": CORE,
@@ -25,17 +26,18 @@ ALLOWED = {
     "apps": ALL_STUDIES + ["apps"],
     "bindings": ALL_STUDIES + ["bindings"],
     "tests/core": CORE + ["tests/core", "tests/support"],
+    "tests/stator": ["core/base", "core/stator", "tests/stator", "tests/support"],
     "tests/optim": ["core/base", "optim", "tests/optim", "tests/support"],
     "tests/files": ["core/base", "optim", "tests/files", "tests/support"] +
                    [folder for folder in FOLDERS if folder.startswith("studies/files/")],
     "studies/report": ALL_STUDIES,  # the umbrella header
 }
 for number, folder in enumerate(FOLDERS):
-    below = ["core/base", "optim"] if folder.startswith("studies/files/") else CORE + ["optim"]
+    below = ["core/base", "optim"] if folder.startswith("studies/files/") else CORE + ["core/stator", "optim"]
     ALLOWED[folder] = below + FOLDERS[:number + 1]
 
 # Where a quoted include may start, besides the folder of the file itself.
-PRIVATE_ROOTS = ["core/src", "core/base/src", "optim/src", "apps/cli", "apps/cli/src",
+PRIVATE_ROOTS = ["core/src", "core/base/src", "core/stator/src", "optim/src", "apps/cli", "apps/cli/src",
                  "bindings", "tests", ""] + [f"studies/{part}/src" for part in STUDIES]
 
 # Third-party headers that may appear only in .cpp files, and in which layers.
@@ -50,9 +52,11 @@ ONLY_IN_SOURCES = {
 
 # Public headers are installed, and a program that uses them has none of our third-party headers.
 # A browser build has no file, thread or solver library: core stands on the standard library, on that
-# part of it which every toolchain of ours has, and inside its .cpp files on header-only Boost.
+# part of it which every toolchain of ours has, and inside its .cpp files on header-only Boost; the stator's
+# eigenvalue problems on Eigen besides, which is header-only too.
 CORE_INCLUDES = re.compile(r"(twum/|[a-z_]+$)")  # ours or standard
 CORE_SOURCE_INCLUDES = re.compile(r"(twum/|[a-z_]+$|boost/(math|numeric|random)/)")
+STATOR_SOURCE_INCLUDES = re.compile(r"(twum/|[a-z_]+$|boost/math/|Eigen/)")
 CORE_LACKS = re.compile(r"<(format|source_location|stop_token|ranges|print|expected)>|std::views|"
                         r"std::(to|from)_chars")
 
@@ -65,6 +69,8 @@ def layer(path):
     if parts[0] == "core":
         if parts[1] == "base":
             return "core/base"
+        if parts[1] == "stator":
+            return "core/stator"
         for folder in ("design", "contact", "performance"):
             if folder in parts:
                 return "core/" + folder
@@ -82,7 +88,7 @@ def resolve(path, spelled):
     candidates = [path.parent / spelled]
     candidates += [tree.ROOT / root / spelled for root in PRIVATE_ROOTS]
     candidates += [tree.ROOT / base / "include" / spelled
-                   for base in ["core/base", "core", "optim"] + [f"studies/{part}" for part in STUDIES]]
+                   for base in ["core/base", "core/stator", "core", "optim"] + [f"studies/{part}" for part in STUDIES]]
     return next((c.resolve() for c in candidates if c.is_file()), None)
 
 
@@ -107,9 +113,11 @@ def check(path):
         if quote == '"' or spelled.startswith("twum/"):
             yield f"{place}: no file of ours is called {spelled}"
             continue
-        admitted = CORE_SOURCE_INCLUDES if path.suffix == ".cpp" else CORE_INCLUDES
+        in_source = STATOR_SOURCE_INCLUDES if here == "core/stator" else CORE_SOURCE_INCLUDES
+        admitted = in_source if path.suffix == ".cpp" else CORE_INCLUDES
         if here.startswith("core") and not admitted.match(spelled):
-            yield f"{place}: core stands on the standard library (and Boost in a .cpp), not on <{spelled}>"
+            also = "Boost and Eigen" if here == "core/stator" else "Boost"
+            yield f"{place}: core stands on the standard library (and {also} in a .cpp), not on <{spelled}>"
         elif "include" in path.parts[:-1] and not CORE_INCLUDES.match(spelled):
             yield f"{place}: a public header stands on the standard library, not on <{spelled}>"
         for pattern, layers in ONLY_IN_SOURCES.items():

@@ -32,6 +32,11 @@ CLEAN = {
     "optim/CMakeLists.txt": "# SPDX-License-Identifier: Apache-2.0\nsrc/n.cpp include/twum/optim/o.hpp\n",
     "optim/include/twum/optim/o.hpp": SPDX + "#pragma once\n",
     "optim/src/n.cpp": SPDX + "#include <twum/optim/o.hpp>\n#include <nlopt.hpp>\n",
+    "materials/brass.yaml": "# Brass\ntwum_material: 1\nname: brass\nkind: metal\nvalues:\n"
+                            "  youngs_modulus: {value: 100 GPa, source: typical}\n"
+                            "  poisson_ratio: {value: 0.33, source: typical}\n"
+                            "  density: {value: 8500 kg/m^3, source: book}\n"
+                            "  loss_factor: {value: 0.001, source: typical}\nsources:\n  book: \"A book\"\n",
     "tests/core/CMakeLists.txt": "# SPDX-License-Identifier: Apache-2.0\na_test.cpp\n",
     "tests/core/a_test.cpp": SPDX + "#include <twum/core/contact/a.hpp>\n// T1.1 C1.1\n",
 }
@@ -42,6 +47,7 @@ FAULTS = [
     ("layers", "optim/src/n.cpp", "#include <twum/core/contact/a.hpp>\n", "optim may not include core/contact"),
     ("layers", "core/src/contact/a.cpp", "#include <twum/optim/o.hpp>\n", "core/contact may not include optim"),
     ("layers", "core/src/contact/a.cpp", "#include <gsl/gsl_math.h>\n", "stands on the standard library"),
+    ("layers", "core/src/contact/a.cpp", "#include <Eigen/Core>\n", "stands on the standard library"),
     ("layers", "core/include/twum/core/design/d.hpp", "#include <boost/math/x.hpp>\n", "stands on the standard library"),
     ("layers", "core/src/contact/a.cpp", "#include <format>\n", "core must do without"),
     ("layers", "core/src/contact/a.cpp", "#include \"contact/gone.hpp\"\n", "no file of ours"),
@@ -66,6 +72,16 @@ FAULTS = [
     ("changelog", "CHANGELOG.md", "\n- lower case\n", "capital letter"),
     ("scripts", "scripts/install-deps.sh", "if\n", "yntax error"),
     ("scripts", ".ci/run", "echo more\n", "nothing else"),
+    ("materials", "materials/brass.yaml", "  paper: \"A paper\"\n", "no value uses the source paper"),
+    ("materials", "materials/brass.yaml", "colour: yellow\n", "not a line of a material"),
+    ("materials", "materials/steel.yaml", "twum_material: 1\nname: iron\nkind: metal\n", "name is iron"),
+    ("materials", "materials/steel.yaml", "twum_material: 1\nname: steel\nkind: metal\nvalues:\n"
+     "  density: {value: 7800 g/cm^3, source: typical}\n", "has the unit 'g/cm^3'"),
+    ("materials", "materials/steel.yaml", "twum_material: 1\nname: steel\nkind: metal\nvalues:\n"
+     "  density: {value: 7800 kg/m^3, source: hearsay}\n", "no source is called hearsay"),
+    ("materials", "materials/steel.yaml", "twum_material: 1\nname: steel\nkind: metal\nvalues:\n"
+     "  density: {value: 78 kg/m^3, source: typical}\n", "is plausible"),
+    ("materials", "materials/steel.yaml", "twum_material: 1\nname: steel\nkind: metal\n", "loss_factor is missing"),
     ("doxygen", "core/include/twum/core/contact/a.hpp", "/// Words.\nnamespace a {\nvoid f();\n}\n", "f() (function) of namespace a is not documented"),
     ("doxygen", "core/include/twum/core/contact/a.hpp", "/// Words.\nstruct A {\n  int b;\n};\n", "Member b"),
     ("doxygen", "core/include/twum/core/contact/a.hpp", "struct A {};\n", "A is not documented"),

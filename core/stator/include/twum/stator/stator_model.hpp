@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/stator/geometry.hpp>
+#include <twum/stator/plate.hpp>
+
+#include <vector>
+
+namespace twum::stator {
+
+/// A mode of the stator.
+struct StatorMode {
+  int nodal_diameters;  ///< n
+  int nodal_circles;    ///< over the whole plate
+  double frequency;     ///< [Hz]
+  double
+      modal_mass;  ///< for the deflection at the contact radius [kg]; infinite where that is zero
+};
+
+/// How sure it is which mode carries the travelling wave, and whether it can be differentiated.
+enum class ModeIdentity {
+  clear,  ///< one mode only comes into question
+  shared,  ///< another mode of n keeps its sign on the ring too and has less than twice the modal mass: a
+           ///< web mode is near, the two mix, and numbers change quickly with the geometry
+  crossing,  ///< another mode of n has the same frequency to 1e-6: no derivatives (NaN)
+};
+
+/// The two degenerate modes w = R(rho) cos(n phi), sin(n phi) that make the travelling wave, and what they
+/// are to the drive. Derivatives are with respect to each Dimension, NaN if they were not asked for.
+struct StatorModel {
+  Derived frequency;               ///< f_r, free and short-circuited [Hz]
+  Derived modal_mass;              ///< m_s at the contact radius (P4.1) [kg]
+  Derived modal_stiffness;         ///< k_s (P4.2) [N/m]
+  Derived neutral_plane_distance;  ///< a at the contact radius (P1.7) [m]
+  Derived tangential_share;     ///< of the surface's tangential motion, 1 without shear (P4.3) [1]
+  Derived force_factor;         ///< Theta of a phase (P4.4) [N/V]
+  Derived blocked_capacitance;  ///< C_0 of a phase, a lower bound (P4.5) [F]
+  Derived coupling_factor;      ///< sqrt(C_m / (C_0 + C_m)) (P4.6) [1]
+  Derived mode_separation;      ///< to the nearest unwanted mode (P4.7) [Hz]
+
+  RadialFunction shape;                ///< R, 1 at the contact radius [1]
+  int nodal_circles{};                 ///< of R over the whole plate
+  ModeIdentity identity{};             ///< whether the mode is beyond doubt
+  std::vector<StatorMode> unwanted;    ///< other modes of n - 2 to n + 2, nearest frequency first
+  std::vector<Dimension> joint_edges;  ///< radii that coincide with another, see stator_model()
+};
+
+/// Whether derivatives are wanted.
+enum class Derivatives { none, all };
+
+/// Modes of a stator and what follows from them.
+///
+/// Derivatives are exact for the discrete plate. Two cases have none, and say so by NaN: a crossing of
+/// modes of n (identity), and a mode separation that is zero or has two nearest modes. Radii that coincide
+/// (joint_edges) can only be moved together: the sum of their derivatives is that of moving all of them, and
+/// one of them alone means nothing.
+/// Cost: five dense eigenproblems; with derivatives twice that.
+/// @param wavelengths     n, 1 or more
+/// @param contact_radius  r, where R = 1 [m]; it lies on the plate
+/// @throws InputError as check_geometry() and plate_modes(), for wavelengths and contact radius, and if two
+/// phases do not fit
+/// @throws EvaluationError "no-ring-mode" if each of the eight lowest modes of n changes its sign on the ring
+StatorModel stator_model(const StatorGeometry& geometry, int wavelengths, double contact_radius,
+                         PlateTheory theory = PlateTheory::mindlin,
+                         Derivatives derivatives = Derivatives::none);
+
+/// The modes of a stator with n nodal diameters, lowest frequency first; R is normalized as in PlateMode.
+/// @throws InputError as check_geometry(), or for n < 0 or count < 1
+std::vector<PlateMode> stator_modes(const StatorGeometry& geometry, int nodal_diameters, int count,
+                                    PlateTheory theory = PlateTheory::mindlin);
+
+}  // namespace twum::stator

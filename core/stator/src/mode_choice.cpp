@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mode_choice.hpp"
+
+#include "plate_modes.hpp"
+
+#include <twum/base/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace twum::stator {
+namespace {
+
+constexpr std::size_t kLowest = 8;  // modes of an order that are looked at
+// Eigenvectors whose eigenvalues are nearer than this are known to rounding over the gap, 1e-12 / 1e-6,
+// at best, and their derivatives to the square of that.
+constexpr double kCrossing = 1e-6;
+constexpr double kShared = 2;  // modal masses within this factor
+
+}  // namespace
+
+bool crosses(const Spectrum& spectrum, std::size_t mode) {
+  const double own = spectrum.eigenvalues[mode];
+  const auto near = [&](std::size_t other) {  // mode - 1 of 0 wraps round
+    return other < spectrum.eigenvalues.size() &&
+           std::abs(spectrum.eigenvalues[other] - own) < kCrossing * own;
+  };
+  return near(mode - 1) || near(mode + 1);
+}
+
+Order solve_order(const StatorPlate<double>& plate, PlateTheory theory, InnerEdge support,
+                  int nodal_diameters, double contact_radius) {
+  Order order{make_mesh(plate.segments, theory, support, nodal_diameters), {}, {}};
+  order.spectrum = solve(order.mesh, plate.segments);
+  const double inner = plate.segments.front().inner;
+  const double outer = plate.segments.back().outer;
+  for (std::size_t i = 0; i < std::min(kLowest, order.spectrum.vectors.size()); ++i) {
+    const auto shape = deflection(order.mesh, plate.segments, order.spectrum.vectors[i]);
+    const double at_contact = shape(contact_radius);
+    order.modes.push_back({nodal_diameters, shape.sign_changes(inner, outer),
+                           frequency_of(order.spectrum.eigenvalues[i], plate.segments),
+                           1 / (at_contact * at_contact)});
+  }
+  return order;
+}
+
+Choice choose_mode(const Order& order, const StatorPlate<double>& plate, double ring_inner) {
+  std::vector<std::size_t> candidates;
+  for (std::size_t i = 0; i < order.modes.size(); ++i) {
+    if (order.modes[i].frequency == 0) continue;  // rigid-body mode
+    const auto shape = deflection(order.mesh, plate.segments, order.spectrum.vectors[i]);
+    if (shape.sign_changes(ring_inner, plate.segments.back().outer) == 0) candidates.push_back(i);
+  }
+  if (candidates.empty()) {
+    throw EvaluationError(
+        "no-ring-mode",
+        "none of the lowest modes with " + std::to_string(order.mesh.nodal_diameters) +
+            " nodal diameters keeps its sign on the ring: no mode for the travelling "
+            "wave; check the radii and the thicknesses of web and ring");
+  }
+  const auto lighter = [&](std::size_t a, std::size_t b) {
+    return order.modes[a].modal_mass < order.modes[b].modal_mass;
+  };
+  std::sort(candidates.begin(), candidates.end(), lighter);
+  const std::size_t chosen = candidates.front();
+  if (crosses(order.spectrum, chosen)) return {chosen, ModeIdentity::crossing};
+  const bool shared = candidates.size() > 1 && order.modes[candidates[1]].modal_mass <
+                                                   kShared * order.modes[chosen].modal_mass;
+  return {chosen, shared ? ModeIdentity::shared : ModeIdentity::clear};
+}
+
+std::vector<ModePlace> by_distance(const std::vector<Order>& orders, const ModePlace& chosen) {
+  std::vector<ModePlace> others;
+  for (std::size_t o = 0; o < orders.size(); ++o) {
+    for (std::size_t m = 0; m < orders[o].modes.size(); ++m) {
+      const bool rigid = orders[o].modes[m].frequency == 0;
+      if (!rigid && !(o == chosen.order && m == chosen.mode)) others.push_back({o, m});
+    }
+  }
+  const double own = orders[chosen.order].modes[chosen.mode].frequency;
+  const auto distance = [&](const ModePlace& place) {
+    return std::abs(orders[place.order].modes[place.mode].frequency - own);
+  };
+  std::stable_sort(others.begin(), others.end(), [&](const ModePlace& a, const ModePlace& b) {
+    return distance(a) < distance(b);
+  });
+  return others;
+}
+
+}  // namespace twum::stator

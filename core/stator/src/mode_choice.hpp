@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "plate_solver.hpp"
+#include "stator_plate.hpp"
+
+#include <twum/stator/stator_model.hpp>
+
+#include <vector>
+
+namespace twum::stator {
+
+/// All modes of one number of nodal diameters.
+struct Order {
+  Mesh mesh;
+  Spectrum spectrum;
+  std::vector<StatorMode> modes;  ///< the lowest ones, in the order of the spectrum
+};
+
+Order solve_order(const StatorPlate<double>& plate, PlateTheory theory, InnerEdge support,
+                  int nodal_diameters, double contact_radius);
+
+/// Where a mode stands.
+struct ModePlace {
+  std::size_t order;
+  std::size_t mode;
+};
+
+/// Which mode carries the travelling wave.
+struct Choice {
+  std::size_t mode;
+  ModeIdentity identity;
+};
+
+/// The mode of an order that keeps its sign on the ring and has the smallest modal mass.
+/// @throws EvaluationError "no-ring-mode"
+Choice choose_mode(const Order& order, const StatorPlate<double>& plate, double ring_inner);
+
+/// Whether another mode of the order has the same eigenvalue to 1e-6.
+bool crosses(const Spectrum& spectrum, std::size_t mode);
+
+/// All other modes, nearest frequency first.
+std::vector<ModePlace> by_distance(const std::vector<Order>& orders, const ModePlace& chosen);
+
+}  // namespace twum::stator

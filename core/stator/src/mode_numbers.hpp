@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "mode_derivatives.hpp"
+#include "plate_modes.hpp"
+#include "stator_plate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+/// What a solution means to the drive, in plain numbers and in dual ones.
+namespace twum::stator {
+
+/// R and psi_t at a radius.
+template <typename S>
+struct Motion {
+  S deflection;
+  S rotation;
+};
+
+template <typename S>
+Motion<S> motion_at(const Mesh& mesh, const StatorPlate<S>& plate,
+                    const std::vector<S>& coefficients, const S& radius) {
+  const std::size_t segment = segment_at(plate, value_of(radius));
+  const S width = plate.segments[segment].outer - plate.segments[segment].inner;
+  const double share =
+      (value_of(radius) - value_of(plate.segments[segment].inner)) / value_of(width);
+  const auto inside = [&](const Element& element) {
+    return element.segment == segment && share <= element.to;
+  };
+  const Element& element = *std::find_if(mesh.elements.begin(), mesh.elements.end() - 1, inside);
+  const S half = width * (0.5 * (element.to - element.from));
+  const S middle = plate.segments[segment].inner + width * (0.5 * (element.to + element.from));
+  const S x = (radius - middle) / half;
+  const S deflection = legendre_sum(legendre_series(element, 0, half, coefficients), x);
+  if (mesh.theory == PlateTheory::mindlin) {
+    return {deflection, legendre_sum(legendre_series(element, 2, half, coefficients), x)};
+  }
+  return {deflection, mesh.nodal_diameters * deflection / radius};
+}
+
+/// Integral of z_p (kappa_r + kappa_t) rho drho over the electrode [m^2].
+template <typename S>
+S curvature_under_electrode(const Mesh& mesh, const StatorPlate<S>& plate,
+                            const std::vector<S>& coefficients) {
+  S integral(0.0);
+  for (const Element& element : mesh.elements) {
+    if (!plate.electrodes[element.segment]) continue;
+    for (std::size_t q = 0; q < element.table->points.size(); ++q) {
+      const auto at = plate_point(mesh, element, plate.segments, q);
+      const auto strain = applied<5>(strain_terms(mesh.theory, mesh.nodal_diameters, at.radius),
+                                     fields_at(element, q, at.half, coefficients));
+      integral += plate.levers[element.segment] * (strain[0] + strain[1]) * at.weight;
+    }
+  }
+  return integral / std::numbers::pi;  // weights are those of cos^2 (n phi)
+}
+
+template <typename S>
+S magnitude(const S& x) {
+  return value_of(x) < 0 ? -x : x;
+}
+
+template <typename S>
+S blocked_capacitance(const Numbers<S>& x, double share_of_area) {  // P4.5
+  using enum Dimension;
+  const S blocked = x[ceramic_permittivity] - 2.0 * x[ceramic_d31] * x[ceramic_d31] *
+                                                  x[ceramic_youngs_modulus] /
+                                                  (1.0 - x[ceramic_poisson_ratio]);
+  const S& inner = x[electrodes_inner_radius];
+  const S& outer = x[electrodes_outer_radius];
+  return blocked * std::numbers::pi * (outer * outer - inner * inner) * share_of_area /
+         x[ceramic_thickness];
+}
+
+/// Everything of the travelling wave's mode but the mode separation.
+template <typename S>
+struct ModeNumbers {
+  S frequency, modal_mass, modal_stiffness, neutral_plane_distance, tangential_share, force_factor,
+      blocked_capacitance, coupling_factor;
+};
+
+template <typename S>
+ModeNumbers<S> mode_numbers(const Mesh& mesh, const StatorPlate<S>& plate, const Numbers<S>& x,
+                            const Solution<S>& solution, double waves_per_phase) {
+  using std::sqrt;
+  using enum Dimension;
+  const double n = mesh.nodal_diameters;
+  const S& radius = x[contact_radius];
+  const auto contact = motion_at(mesh, plate, solution.coefficients, radius);
+  const S mass = 1.0 / (contact.deflection * contact.deflection);  // P4.1
+  const S stiffness = solution.eigenvalue * mass;                  // P4.2
+  const std::size_t segment = segment_at(plate, value_of(radius));
+  const SectionOf<S>& section = plate.segments[segment].section;
+  const S height = section.top - section.neutral_plane;
+  const S teeth = plate.tooth_heights[segment];
+  const S turn = radius * contact.rotation / (n * contact.deflection);  // 1 without shear
+  const S stress = x[ceramic_d31] * x[ceramic_youngs_modulus] / (1.0 - x[ceramic_poisson_ratio]);
+  const S curvature =
+      curvature_under_electrode(mesh, plate, solution.coefficients) / contact.deflection;
+  const S factor = magnitude(stress * curvature * (4 * waves_per_phase / n));  // P4.4
+  const S blocked = blocked_capacitance(x, waves_per_phase / n);
+  const S motional = factor * factor / stiffness;
+  return {sqrt(solution.eigenvalue) / (2 * std::numbers::pi),
+          mass,
+          stiffness,
+          height,
+          ((height - teeth) * turn + teeth) / height,  // P4.3
+          factor,
+          blocked,
+          sqrt(motional / (blocked + motional))};  // P4.6
+}
+
+}  // namespace twum::stator

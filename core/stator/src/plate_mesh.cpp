@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plate_mesh.hpp"
+
+#include <twum/base/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+namespace twum::stator {
+namespace {
+
+// A function such as ln(rho) or rho^-n on a ring whose radii differ by a factor of 2 loses a factor of
+// 5.8 with each degree: 1e-9 at degree 12, and the square of it in a frequency.
+constexpr double kLargestRatio = 2;
+constexpr int kDegree = 12;
+// Elements narrower than this share of the plate hold so little of a wave that fewer degrees do.
+constexpr double kNarrow = 0.1;
+constexpr int kNarrowDegree = 7;
+
+// Shares of a segment's width at which its elements begin and end: radii in a geometric sequence.
+std::vector<double> element_edges(const Segment& segment) {
+  const double ratio = segment.outer / segment.inner;
+  const int count =
+      std::max(1, static_cast<int>(std::ceil(std::log(ratio) / std::log(kLargestRatio) - 1e-9)));
+  std::vector<double> edges{0.0};
+  for (int i = 1; i < count; ++i) {
+    edges.push_back((std::pow(ratio, static_cast<double>(i) / count) - 1) / (ratio - 1));
+  }
+  edges.push_back(1.0);
+  return edges;
+}
+
+// Whether the support holds a function of the inner edge at zero.
+bool held(InnerEdge edge, PlateTheory theory, int field, int function) {
+  if (edge == InnerEdge::free) return false;
+  if (edge == InnerEdge::clamped) return true;
+  return theory == PlateTheory::mindlin ? field != 1 : function == 0;
+}
+
+// Numbers the functions of an element; those of its inner end are the outer ones of the element before.
+std::vector<std::vector<int>> number_functions(Mesh& mesh, const Basis& basis,
+                                               const Element* before, InnerEdge inner_edge) {
+  std::vector<std::vector<int>> dofs;
+  for (int field = 0; field < mesh.fields(); ++field) {
+    auto& numbers = dofs.emplace_back();
+    for (int i = 0; i < basis.size(); ++i) {
+      if (i >= basis.at_end()) {
+        numbers.push_back(mesh.unknowns++);
+      } else if (before) {
+        const auto& outer = before->dofs[static_cast<std::size_t>(field)];
+        numbers.push_back(outer[static_cast<std::size_t>(basis.at_end() + i)]);
+      } else {
+        numbers.push_back(held(inner_edge, mesh.theory, field, i) ? -1 : mesh.unknowns++);
+      }
+    }
+  }
+  return dofs;
+}
+
+// Rings that are too narrow for the rounding of their stiffness, as a share of the plate's width: that of
+// Kirchhoff's Hermite functions is the cube of the inverse share, that of Mindlin's linear ones its first
+// power. 1e-7 and better is left.
+constexpr double kNarrowestKirchhoff = 1e-3;
+constexpr double kNarrowestMindlin = 1e-9;
+
+void check_widths(const std::vector<Segment>& segments, PlateTheory theory) {
+  const bool mindlin = theory == PlateTheory::mindlin;
+  const double narrowest = (mindlin ? kNarrowestMindlin : kNarrowestKirchhoff) *
+                           (segments.back().outer - segments.front().inner);
+  for (const Segment& segment : segments) {
+    if (segment.outer - segment.inner >= narrowest) continue;
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << "plate: the ring from " << segment.inner << " m is only "
+         << segment.outer - segment.inner << " m wide; " << (mindlin ? "Mindlin" : "Kirchhoff")
+         << "'s plate needs " << narrowest << " m or more. Give its two edges the same radius"
+         << (mindlin ? "" : ", or choose Mindlin's plate");
+    throw InputError(text.str());
+  }
+}
+
+}  // namespace
+
+Mesh make_mesh(const std::vector<Segment>& segments, PlateTheory theory, InnerEdge inner_edge,
+               int nodal_diameters) {
+  check_widths(segments, theory);
+  Mesh mesh{theory, nodal_diameters, 0, {}};
+  std::map<int, std::shared_ptr<const BasisTable>> tables;
+  const auto continuity = theory == PlateTheory::mindlin ? Continuity::value : Continuity::slope;
+  const double width = segments.back().outer - segments.front().inner;
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    const auto edges = element_edges(segments[s]);
+    for (std::size_t e = 0; e + 1 < edges.size(); ++e) {
+      const double share =
+          (edges[e + 1] - edges[e]) * (segments[s].outer - segments[s].inner) / width;
+      const int degree = share < kNarrow ? kNarrowDegree : kDegree;
+      auto& table = tables[degree];
+      if (!table) table = std::make_shared<BasisTable>(make_table(continuity, degree));
+      const Element* before = mesh.elements.empty() ? nullptr : &mesh.elements.back();
+      auto dofs = number_functions(mesh, table->basis, before, inner_edge);
+      mesh.elements.push_back({s, edges[e], edges[e + 1], table, std::move(dofs)});
+    }
+  }
+  return mesh;
+}
+
+}  // namespace twum::stator

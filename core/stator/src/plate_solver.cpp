@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plate_solver.hpp"
+
+#include <twum/base/error.hpp>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <limits>
+
+namespace twum::stator {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+// Eigenvalues mu below this share of the largest are rounding: modes of very narrow rings, whose frequencies
+// are some 1e7 times the lowest. They are left out; no other mode feels them.
+constexpr double kUnknown = 1e-15;
+
+struct Matrices {
+  MatrixXd stiffness;
+  MatrixXd mass;
+};
+
+// Rows of linear forms in the functions of an element at a Gauss point, field after field.
+MatrixXd form_matrix(const Element& element, std::size_t q, double half, Index rows,
+                     const std::vector<Term<double>>& terms) {
+  const Basis& basis = element.table->basis;
+  const auto functions = static_cast<Index>(basis.size());
+  MatrixXd matrix = MatrixXd::Zero(rows, functions * static_cast<Index>(element.dofs.size()));
+  for (const Term<double>& term : terms) {
+    const auto& shapes = element.table->values[term.order][q];
+    const double scale = term.factor / std::pow(half, static_cast<double>(term.order));
+    for (Index i = 0; i < functions; ++i) {
+      const double slope = basis.is_slope(static_cast<int>(i)) ? half : 1;
+      matrix(static_cast<Index>(term.row), static_cast<Index>(term.field) * functions + i) +=
+          scale * slope * shapes[static_cast<std::size_t>(i)];
+    }
+  }
+  return matrix;
+}
+
+// The stress resultants of unit strains.
+Eigen::Matrix<double, 5, 5> elasticity(const Section& section) {
+  Eigen::Matrix<double, 5, 5> matrix;
+  for (Index column = 0; column < 5; ++column) {
+    std::array<double, 5> unit{};
+    unit[static_cast<std::size_t>(column)] = 1;
+    const auto stress = stresses(section, unit);
+    matrix.col(column) = Eigen::Map<const Eigen::Matrix<double, 5, 1>>(stress.data());
+  }
+  return matrix;
+}
+
+Matrices element_matrices(const Mesh& mesh, const Element& element,
+                          const std::vector<Segment>& segments) {
+  const Section& section = segments[element.segment].section;
+  const auto size = static_cast<Index>(element.dofs.size()) * element.table->basis.size();
+  Matrices sum{MatrixXd::Zero(size, size), MatrixXd::Zero(size, size)};
+  const Eigen::Matrix<double, 5, 5> elastic = elasticity(section);
+  const Eigen::Vector3d inertia(section.mass, section.rotary_inertia, section.rotary_inertia);
+  for (std::size_t q = 0; q < element.table->points.size(); ++q) {
+    const auto at = plate_point(mesh, element, segments, q);
+    const MatrixXd strain = form_matrix(element, q, at.half, 5,
+                                        strain_terms(mesh.theory, mesh.nodal_diameters, at.radius));
+    const MatrixXd motion = form_matrix(element, q, at.half, 3,
+                                        motion_terms(mesh.theory, mesh.nodal_diameters, at.radius));
+    sum.stiffness.noalias() += strain.transpose() * (at.weight * elastic * strain);
+    sum.mass.noalias() += motion.transpose() * (at.weight * inertia.asDiagonal() * motion);
+  }
+  return sum;
+}
+
+Matrices assembled(const Mesh& mesh, const std::vector<Segment>& segments) {
+  Matrices plate{MatrixXd::Zero(mesh.unknowns, mesh.unknowns),
+                 MatrixXd::Zero(mesh.unknowns, mesh.unknowns)};
+  for (const Element& element : mesh.elements) {
+    const Matrices own = element_matrices(mesh, element, segments);
+    std::vector<Index> places;
+    for (const auto& field : element.dofs) places.insert(places.end(), field.begin(), field.end());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      for (std::size_t j = 0; j < places.size(); ++j) {
+        if (places[i] < 0 || places[j] < 0) continue;
+        const auto row = static_cast<Index>(i);
+        const auto column = static_cast<Index>(j);
+        plate.stiffness(places[i], places[j]) += own.stiffness(row, column);
+        plate.mass(places[i], places[j]) += own.mass(row, column);
+      }
+    }
+  }
+  return plate;
+}
+
+}  // namespace
+
+double unit_eigenvalue(const std::vector<Segment>& segments) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Segment& segment : segments) {
+    smallest = std::min(smallest, segment.section.bending_stiffness / segment.section.mass);
+  }
+  return smallest / std::pow(segments.back().outer, 4);
+}
+
+Spectrum solve(const Mesh& mesh, const std::vector<Segment>& segments) {
+  const Matrices plate = assembled(mesh, segments);
+  // P3.4, M c = mu (K + sigma M) c with mu = 1 / (lambda + sigma): rounding is a share of the largest mu, so that
+  // the lowest modes are the most accurate ones, and rigid-body modes do no harm.
+  const double sigma = unit_eigenvalue(segments);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(
+      plate.mass, plate.stiffness + sigma * plate.mass);
+  TWUM_ASSERT(solver.info() == Eigen::Success);
+  Spectrum spectrum;
+  for (Index i = mesh.unknowns - 1; i >= 0; --i) {
+    const double mu = solver.eigenvalues()(i);
+    if (mu < kUnknown * solver.eigenvalues()(mesh.unknowns - 1)) break;
+    const Eigen::VectorXd vector = solver.eigenvectors().col(i) / std::sqrt(mu);
+    spectrum.eigenvalues.push_back(1 / mu - sigma);
+    spectrum.vectors.emplace_back(vector.begin(), vector.end());
+  }
+  return spectrum;
+}
+
+}  // namespace twum::stator
