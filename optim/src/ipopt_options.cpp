@@ -68,18 +68,21 @@ void require_taken(bool taken, const std::string& name) {
 IpoptSettings check_ipopt_settings(const RunSettings& settings) {
   IpoptSettings checked;
   for (const Entry& e : table()) {
-    const auto& [solver, name, type, text, least, most, words] = e.option;
+    const SolverOption& option = e.option;
+    const std::string& name = option.name;
     const bool given = settings.options != nullptr && settings.options->contains(name);
     if (!given && e.standard.empty()) continue;
-    if (type == "text") {
+    if (option.type == "text") {
       checked.texts.emplace_back(name, text_option(settings, e));
       continue;
     }
     const double standard = given ? 0.0 : std::stod(e.standard);
-    if (type == "integer")
-      checked.integers.emplace_back(name, whole_option(settings, name, standard, least, most));
+    if (option.type == "integer")
+      checked.integers.emplace_back(
+          name, whole_option(settings, name, standard, option.least, option.most));
     else
-      checked.numbers.emplace_back(name, number_option(settings, name, standard, least, most));
+      checked.numbers.emplace_back(
+          name, number_option(settings, name, standard, option.least, option.most));
   }
   checked.texts.emplace_back("hessian_approximation", "limited-memory");
   checked.texts.emplace_back("sb", "yes");  // no banner

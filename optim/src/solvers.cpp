@@ -84,12 +84,12 @@ const Optimizer& find_optimizer(const std::string& name) {
 const SolverInfo& find_solver(const std::string& name) { return find_optimizer(name).info; }
 
 std::string SolverOption::range() const {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : "|") + word;
-  if (!words.empty()) return text;
-  std::array<char, 64> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%g to %g", least, most);
-  return buffer.data();
+  std::string choices;
+  for (const std::string& word : words) choices += (choices.empty() ? "" : "|") + word;
+  if (!choices.empty()) return choices;
+  std::array<char, 64> numbers{};
+  std::snprintf(numbers.data(), numbers.size(), "%g to %g", least, most);
+  return numbers.data();
 }
 
 const std::vector<SolverOption>& solver_options() {

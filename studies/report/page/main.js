@@ -27,6 +27,9 @@ function outcomeText() {
   return outcomeWords[summary.outcome] || summary.outcome;
 }
 
+/** Of a kind that has no verdict of its own. */
+function plainVerdict() { return { look: summary.outcome === 'failed' ? 'bad' : 'good', lines: [sentence(bold(capital(outcomeText())), '.')] }; }
+
 /** What a row of the results is: a motor, or a point of a motor's curve. */
 function rowWord() { return summary.kind === 'curve' ? 'points' : 'motors'; }
 
@@ -74,7 +77,7 @@ function build() {
   document.title = summary.study + ' - twum';
   const page = document.getElementById('page');
   page.append(el('header', {}, el('h1', {}, summary.study), el('p', { class: 'of' }, (kindWords[summary.kind] || summary.kind) + (summary.motor ? ' of ' + summary.motor : ''))));
-  const verdict = summary.outcome === 'interrupted' ? { look: 'bad', lines: [sentence(bold('This study was interrupted'), '; what is here is not all of it.')] } : verdicts[summary.kind]();
+  const verdict = summary.outcome === 'interrupted' ? { look: 'bad', lines: [sentence(bold('This study was interrupted'), '; what is here is not all of it.')] } : (verdicts[summary.kind] || plainVerdict)();
   (summary.model_notes || []).forEach((note) => verdict.lines.push(sentence(bold('Mind the model: '), plainNames(note), '.')));
   const top = card(null, null, 'wide', ...verdict.lines, facts(), partNote());
   top.classList.add('verdict', verdict.look);

@@ -129,9 +129,7 @@ Json curves_json(StudyKind kind, const Json& summary, const MotorDesign& base) {
       add(curves, curve_json(base, estimates(summary), "fitted", Detail::fields));
       return curves;
     }
-    case StudyKind::sweep:
-    case StudyKind::sensitivity:
-    case StudyKind::uncertainty: break;
+    default: break;
   }
   Json curves = Json::array();
   add(curves, curve_json(base, {}, "motor", Detail::fields));
