@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/core/design/parameters.hpp>
 
+#include "design/layer_properties.hpp"
+
+#include <twum/base/dual.hpp>
 #include <twum/base/error.hpp>
 
 #include <cmath>
@@ -84,6 +87,11 @@ std::string with_unit(double value, const ParameterInfo& row) {
   return row.unit == "1" ? number(value) : number(value) + " " + std::string(row.unit);
 }
 
+// mu_0 / mu, which stays when mu moves; without friction the two move together.
+double friction_ratio(const Friction& friction) {
+  return friction.kinetic > 0 ? friction.static_ / friction.kinetic : 1;
+}
+
 // Sets one parameter, its twin gives way. mu_0 follows mu; an own value for mu_0 is set after it.
 void set(MotorDesign& design, Parameter parameter, double value) {
   ContactLayer& layer = design.layer;
@@ -105,7 +113,7 @@ void set(MotorDesign& design, Parameter parameter, double value) {
     case P::shear_viscosity: layer.given_shear_viscosity = value; break;
     case P::inertia: layer.given_inertia = value; break;
     case P::kinetic_friction:
-      friction.static_ = friction.kinetic > 0 ? friction.static_ / friction.kinetic * value : value;
+      friction.static_ = friction_ratio(friction) * value;
       friction.kinetic = value;
       break;
     case P::static_friction: friction.static_ = value; break;
@@ -159,13 +167,13 @@ double get(const MotorDesign& design, Parameter parameter) {
     case P::thickness: return layer.thickness;
     case P::youngs_modulus: return layer.youngs_modulus;
     case P::poisson_ratio:
-      return used ? layer.poisson_ratio : layer.youngs_modulus / (2 * shear_modulus(design)) - 1;
-    case P::density:
-      return used ? layer.density : 3 * inertia(design) / (layer.thickness * layer.thickness);
+      return used ? layer.poisson_ratio
+                  : poisson_ratio_of(layer.youngs_modulus, shear_modulus(design));
+    case P::density: return used ? layer.density : density_of(inertia(design), layer.thickness);
     case P::loss_factor:
       return used ? layer.loss_factor
-                  : shear_viscosity(design) * 2 * std::numbers::pi * stator.frequency /
-                        shear_modulus(design);
+                  : loss_factor_of(shear_viscosity(design), shear_modulus(design),
+                                   2 * std::numbers::pi * stator.frequency);
     case P::shear_modulus: return shear_modulus(design);
     case P::shear_viscosity: return shear_viscosity(design);
     case P::inertia: return inertia(design);
@@ -188,6 +196,24 @@ bool in_use(const MotorDesign& design, Parameter parameter) {
     case P::inertia: return layer.given_inertia.has_value();
     default: return true;
   }
+}
+
+ParameterJacobian parameter_jacobian(const MotorDesign& design, bool fixed_static_friction) {
+  using Moving = Dual<double, 1>;
+  ParameterArray<Moving> still;
+  for (std::size_t i = 0; i < kParameterCount; ++i)
+    still[i] = Moving(get(design, static_cast<Parameter>(i)));
+  ParameterJacobian jacobian{};
+  for (std::size_t moved = 0; moved < kParameterCount; ++moved) {
+    if (!in_use(design, static_cast<Parameter>(moved))) continue;
+    ParameterArray<Moving> values = still;
+    values[moved].d[0] = 1;
+    if (moved == index_of(P::kinetic_friction) && !fixed_static_friction)
+      values[index_of(P::static_friction)].d[0] = friction_ratio(design.friction);
+    values = with_twins(design, values);
+    for (std::size_t i = 0; i < kParameterCount; ++i) jacobian[i][moved] = values[i].d[0];
+  }
+  return jacobian;
 }
 
 std::string complaint(Parameter parameter, double value) {
