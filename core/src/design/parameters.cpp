@@ -35,7 +35,8 @@ constexpr std::array<ParameterInfo, kParameterCount> kTable{{
     {P::frequency, "frequency", "f", "Hz", "stator.frequency", 100, 1e8, false, true, kNone,
      "40 kHz", "drive frequency", "from audible models to surface acoustic waves of 100 MHz"},
     {P::amplitude, "amplitude", "A", "m", "stator.amplitude", 0, 1e-2, false, true, kNone, "1.6 um",
-     "amplitude of the travelling wave", "0 is no drive; 10 mm is a model of a motor at audible frequencies"},
+     "amplitude of the travelling wave",
+     "0 is no drive; 10 mm is a model of a motor at audible frequencies"},
     {P::modal_damping, "modal_damping", "", "N.s/m", "stator.modal_damping", 0, 1e6, false, false,
      kNone, "45 N.s/m", "modal damping of the stator; its loss is c (omega A)^2",
      "0 is a stator without loss; 1 MN.s/m is 1 kg at 150 kHz with a quality factor of 1"},
@@ -76,6 +77,13 @@ constexpr std::array<ParameterInfo, kParameterCount> kTable{{
      "total axial force that presses rotor and stator together",
      "0 is no contact; 100 GN is ten times what full contact takes of the stiffest tested motor"},
 }};
+
+constexpr bool each_in_its_place() {
+  for (std::size_t i = 0; i < kParameterCount; ++i)
+    if (index_of(kTable[i].parameter) != i || kTable[i].reason.empty()) return false;
+  return true;
+}
+static_assert(each_in_its_place(), "a parameter has no row of its own, or not in its place");
 
 std::string number(double value) {
   char text[32];
