@@ -14,13 +14,13 @@ S point_metric(Metric metric, const PointNumbers<S>& n, const S& speed, const Dr
   using M = Metric;
   switch (metric) {
     case M::torque_at: return n.torque;
-    case M::output_power_at: return n.torque * speed;
+    case M::output_power_at: return n.torque * speed;  // (T7.1)
     case M::stator_power_at: return n.stator_power;
     case M::friction_power_at: return n.friction_power;
     case M::layer_loss_at: return n.layer_loss;
-    case M::efficiency_at: return n.torque * speed / (n.stator_power + stator_loss(m));
-    case M::contact_efficiency_at: return n.torque * speed / n.stator_power;
-    case M::wear_intensity_at: return n.friction_power / track_area(m);
+    case M::efficiency_at: return n.torque * speed / (n.stator_power + stator_loss(m));  // (T7.7)
+    case M::contact_efficiency_at: return n.torque * speed / n.stator_power;             // (T7.6)
+    case M::wear_intensity_at: return n.friction_power / track_area(m);                  // (T7.9)
     case M::stick_fraction_at: return n.stick_fraction;
     case M::speed_at: return speed;
     // numbers of the motor, see metric_row()
