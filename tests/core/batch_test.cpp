@@ -95,7 +95,7 @@ TEST_CASE("a batch has the derivatives of the holding torque mu_0 F_N r",
 TEST_CASE("a batch names the first design that cannot be", "[core][batch]") {
   std::vector<MotorDesign> batch(3);
   batch[1].layer.thickness = -3e-4;
-  const auto refused = Contains("design 1: thickness must be more than 0 m, but is -0.0003 m");
+  const auto refused = Contains("design 1: thickness must be at least 1e-08 m, but is -0.0003 m");
   CHECK_THROWS_WITH(evaluate_designs(batch, kAsked), refused);
   CHECK_THROWS_WITH(differentiate_designs(batch, kAsked), refused);
   batch[0] = batch[1];

@@ -6,10 +6,13 @@
 
 #include <catch2/catch.hpp>
 
+#include <twum/base/error.hpp>
+#include <twum/core/design/parameters.hpp>
 #include <twum/core/performance/metrics.hpp>
 #include <twum/core/performance/motor.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -553,4 +556,36 @@ TEST_CASE("a maximum among speeds that never repeat themselves is given up for a
   CHECK(std::isnan(power.value));
   const std::vector<MetricRequest> both{{Metric::max_torque}, {Metric::peak_power}};
   CHECK(evaluate(motor, both)[1].status == power.status);  // each search has its own patience
+}
+
+// The same physics by another way in: the wave belongs to the conditions or to the design.
+TEST_CASE("a motor under another wave is the motor made for that wave (T2.1, T2.2)",
+          "[core][performance][identity]") {
+  Uniform random(31);
+  for (int i = 0; i < 40; ++i) {
+    MotorDesign design = realistic_design(random);
+    design.layer.given_shear_viscosity = shear_viscosity(design);  // does not follow the frequency
+    const double amplitude = design.stator.amplitude * random(0.1, 2);
+    const double frequency = design.stator.frequency * random(0.9, 1.1);
+    const std::array<ParameterValue, 2> wave{
+        {{Parameter::amplitude, amplitude}, {Parameter::frequency, frequency}}};
+    const Motor made(with(design, wave));
+    const double speed = made.crest_speed() * random(-0.2, 1.3);
+    const OperatingPoint expected = made.operating_point(speed);
+    const OperatingPoint point = Motor(design).operating_point({speed, amplitude, frequency});
+    CAPTURE(i, to_string(expected.status));
+    CHECK(point.status == expected.status);
+    if (expected.status != PointStatus::ok) continue;
+    CHECK(point.torque == expected.torque);  // the same operations
+    CHECK(point.friction_power == expected.friction_power);
+    CHECK(point.stator_loss == expected.stator_loss);
+    CHECK(point.stick_fraction == expected.stick_fraction);
+  }
+}
+
+TEST_CASE("a wave that no motor has is refused", "[core][performance][error]") {
+  const Motor motor(ring_motor());
+  CHECK_THROWS_AS(motor.operating_point({10, -1e-6, 40e3}), InputError);
+  CHECK_THROWS_AS(motor.operating_point({10, 1e-6, 0}), InputError);
+  CHECK_THROWS_AS(motor.operating_point({-1e5, 1e-6, 40e3}), InputError);
 }

@@ -82,6 +82,33 @@ TEST_CASE("static friction keeps its ratio unless it is set itself", "[core][des
   CHECK_THROWS_AS(with(design, P::static_friction, 0.1), InputError);
 }
 
+// Each value is a product of powers of the others: its slope is the power times the quotient.
+TEST_CASE("parameters that follow from others move with them (T1.2, T1.3, T1.4)",
+          "[core][design][identity]") {
+  const double eps = 1e-14;  // a few roundings of quotients and products
+  MotorDesign design = ring();
+  design.friction = {0.2, 0.25};
+  const auto of = [](const ParameterJacobian& j, P value, P moved) {
+    return j[index_of(value)][index_of(moved)];
+  };
+  const ParameterJacobian j = parameter_jacobian(design);
+  const double G = shear_modulus(design), gamma = shear_viscosity(design), m = inertia(design);
+  CHECK(of(j, P::youngs_modulus, P::youngs_modulus) == 1);
+  CHECK(of(j, P::shear_modulus, P::youngs_modulus) == Approx(G / 3e9).epsilon(eps));
+  CHECK(of(j, P::shear_modulus, P::poisson_ratio) == Approx(-G / 1.35).epsilon(eps));
+  CHECK(of(j, P::shear_viscosity, P::poisson_ratio) == Approx(-gamma / 1.35).epsilon(eps));
+  CHECK(of(j, P::shear_viscosity, P::frequency) == Approx(-gamma / 40e3).epsilon(eps));
+  CHECK(of(j, P::inertia, P::thickness) == Approx(2 * m / 0.3e-3).epsilon(eps));
+  CHECK(of(j, P::static_friction, P::kinetic_friction) == Approx(1.25).epsilon(eps));
+  CHECK(of(parameter_jacobian(design, true), P::static_friction, P::kinetic_friction) == 0);
+  for (const ParameterInfo& row : parameter_table())
+    CHECK(of(j, row.parameter, P::shear_modulus) == 0);  // not in use
+  const ParameterJacobian given = parameter_jacobian(with(design, P::shear_modulus, 1.1e9));
+  CHECK(of(given, P::poisson_ratio, P::shear_modulus) ==
+        Approx(-3e9 / (2 * 1.1e9 * 1.1e9)).epsilon(eps));
+  CHECK(of(given, P::shear_modulus, P::youngs_modulus) == 0);
+}
+
 TEST_CASE("setting both of a pair is refused", "[core][design][error]") {
   const std::array<ParameterValue, 2> both{{{P::poisson_ratio, 0.3}, {P::shear_modulus, 1e9}}};
   CHECK_THROWS_AS(with(ring(), both), InputError);

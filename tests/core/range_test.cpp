@@ -122,9 +122,9 @@ TEST_CASE("a layer may be rigid in shear, whatever its Young's modulus (C8.1)",
 TEST_CASE(
     "all over the ranges of parameters an answer keeps the laws or has a status (T7.10, C8.1)",
     "[.long][core][design][identity]") {
-  const BoxSurvey found = survey_ranges(1, 5000);
+  const BoxSurvey found = survey_ranges(1, 1500);
   CAPTURE(found.designs, found.statuses, found.metrics, found.broken, found.examples);
-  CHECK(found.designs > 6000);
+  CHECK(found.designs > 5000);
   CHECK(found.broken.empty());
   CHECK(found.metrics_broken == 0);
   CHECK(found.slowest.front().value < 2.0);

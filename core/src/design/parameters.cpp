@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/core/design/parameters.hpp>
 
+#include "design/layer_properties.hpp"
+
+#include <twum/base/dual.hpp>
 #include <twum/base/error.hpp>
 
 #include <cmath>
@@ -29,10 +32,11 @@ constexpr std::array<ParameterInfo, kParameterCount> kTable{{
     {P::neutral_plane_distance, "neutral_plane_distance", "a", "m", "stator.neutral_plane_distance",
      1e-6, 0.1, false, true, kNone, "3 mm", "distance from the neutral plane to the stator surface",
      "half of a film of 2 um; teeth of 100 mm"},
-    {P::frequency, "frequency", "f", "Hz", "stator.frequency", 100, 1e8, false, true, kNone,
-     "40 kHz", "drive frequency", "from audible models to surface acoustic waves of 100 MHz"},
+    {P::frequency, "frequency", "f", "Hz", "stator.frequency", 1, 1e9, false, true, kNone, "40 kHz",
+     "drive frequency", "from models that one can watch to surface acoustic waves of 1 GHz"},
     {P::amplitude, "amplitude", "A", "m", "stator.amplitude", 0, 1e-2, false, true, kNone, "1.6 um",
-     "amplitude of the travelling wave", "0 is no drive; 10 mm is a model of a motor at audible frequencies"},
+     "amplitude of the travelling wave",
+     "0 is no drive; 10 mm is a model of a motor at audible frequencies"},
     {P::modal_damping, "modal_damping", "", "N.s/m", "stator.modal_damping", 0, 1e6, false, false,
      kNone, "45 N.s/m", "modal damping of the stator; its loss is c (omega A)^2",
      "0 is a stator without loss; 1 MN.s/m is 1 kg at 150 kHz with a quality factor of 1"},
@@ -60,9 +64,10 @@ constexpr std::array<ParameterInfo, kParameterCount> kTable{{
     {P::shear_viscosity, "shear_viscosity", "gamma", "Pa.s", "contact_layer.shear_viscosity", 0,
      1e9, false, false, P::loss_factor, "220 Pa.s", "shear viscosity of the layer, given outright",
      "0 is a layer without loss; 1 GPa.s is a loss factor of 10 at G = 10 TPa and 16 kHz"},
-    {P::inertia, "inertia", "m", "Pa.s^2", "contact_layer.inertia", 0, 100, false, false,
+    {P::inertia, "inertia", "m", "Pa.s^2", "contact_layer.inertia", 0, 1e6, false, false,
      P::density, "5.4e-5 Pa.s^2", "inertia of the layer in shear, given outright",
-     "0 is a layer without inertia; 100 Pa.s^2 is the densest and thickest one"},
+     "0 is a layer without inertia; 1 MPa.s^2 counts in a model at 1 Hz as 100 mPa.s^2 does at 3 "
+     "kHz"},
     {P::kinetic_friction, "kinetic_friction", "mu", "1", "friction.kinetic", 0, 5, false, true,
      kNone, "0.2", "friction coefficient while slipping",
      "0 is no friction; soft rubber on a dry track reaches 4"},
@@ -74,6 +79,13 @@ constexpr std::array<ParameterInfo, kParameterCount> kTable{{
      "0 is no contact; 100 GN is ten times what full contact takes of the stiffest tested motor"},
 }};
 
+constexpr bool each_in_its_place() {
+  for (std::size_t i = 0; i < kParameterCount; ++i)
+    if (index_of(kTable[i].parameter) != i || kTable[i].reason.empty()) return false;
+  return true;
+}
+static_assert(each_in_its_place(), "a parameter has no row of its own, or not in its place");
+
 std::string number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.10g", value);
@@ -82,6 +94,11 @@ std::string number(double value) {
 
 std::string with_unit(double value, const ParameterInfo& row) {
   return row.unit == "1" ? number(value) : number(value) + " " + std::string(row.unit);
+}
+
+// mu_0 / mu, which stays when mu moves; without friction the two move together.
+double friction_ratio(const Friction& friction) {
+  return friction.kinetic > 0 ? friction.static_ / friction.kinetic : 1;
 }
 
 // Sets one parameter, its twin gives way. mu_0 follows mu; an own value for mu_0 is set after it.
@@ -105,7 +122,7 @@ void set(MotorDesign& design, Parameter parameter, double value) {
     case P::shear_viscosity: layer.given_shear_viscosity = value; break;
     case P::inertia: layer.given_inertia = value; break;
     case P::kinetic_friction:
-      friction.static_ = friction.kinetic > 0 ? friction.static_ / friction.kinetic * value : value;
+      friction.static_ = friction_ratio(friction) * value;
       friction.kinetic = value;
       break;
     case P::static_friction: friction.static_ = value; break;
@@ -159,13 +176,13 @@ double get(const MotorDesign& design, Parameter parameter) {
     case P::thickness: return layer.thickness;
     case P::youngs_modulus: return layer.youngs_modulus;
     case P::poisson_ratio:
-      return used ? layer.poisson_ratio : layer.youngs_modulus / (2 * shear_modulus(design)) - 1;
-    case P::density:
-      return used ? layer.density : 3 * inertia(design) / (layer.thickness * layer.thickness);
+      return used ? layer.poisson_ratio
+                  : poisson_ratio_of(layer.youngs_modulus, shear_modulus(design));
+    case P::density: return used ? layer.density : density_of(inertia(design), layer.thickness);
     case P::loss_factor:
       return used ? layer.loss_factor
-                  : shear_viscosity(design) * 2 * std::numbers::pi * stator.frequency /
-                        shear_modulus(design);
+                  : loss_factor_of(shear_viscosity(design), shear_modulus(design),
+                                   2 * std::numbers::pi * stator.frequency);
     case P::shear_modulus: return shear_modulus(design);
     case P::shear_viscosity: return shear_viscosity(design);
     case P::inertia: return inertia(design);
@@ -188,6 +205,24 @@ bool in_use(const MotorDesign& design, Parameter parameter) {
     case P::inertia: return layer.given_inertia.has_value();
     default: return true;
   }
+}
+
+ParameterJacobian parameter_jacobian(const MotorDesign& design, bool fixed_static_friction) {
+  using Moving = Dual<double, 1>;
+  ParameterArray<Moving> still;
+  for (std::size_t i = 0; i < kParameterCount; ++i)
+    still[i] = Moving(get(design, static_cast<Parameter>(i)));
+  ParameterJacobian jacobian{};
+  for (std::size_t moved = 0; moved < kParameterCount; ++moved) {
+    if (!in_use(design, static_cast<Parameter>(moved))) continue;
+    ParameterArray<Moving> values = still;
+    values[moved].d[0] = 1;
+    if (moved == index_of(P::kinetic_friction) && !fixed_static_friction)
+      values[index_of(P::static_friction)].d[0] = friction_ratio(design.friction);
+    values = with_twins(design, values);
+    for (std::size_t i = 0; i < kParameterCount; ++i) jacobian[i][moved] = values[i].d[0];
+  }
+  return jacobian;
 }
 
 std::string complaint(Parameter parameter, double value) {

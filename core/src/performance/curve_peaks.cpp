@@ -18,7 +18,7 @@ constexpr double kLastTurn = 0.01;   // share of an interval
 // Nodes between rest and the crest speed that tell ripples of the torque: it follows the phase in which the layer's
 // own oscillation leaves the contact, which speed moves by no more than it turns through before it is over, in the
 // contact and in what speed takes from the wave's turn.
-double nodes_of_ripples(const MotorModel<double>& m) {
+double nodes_of_ripples(const DrivenMotor<double>& m) {
   const contact::ContactNumbers<double> n = contact_numbers(m, 0.0);
   const contact::LayerMotion<double> layer(n.inertia, n.damping);
   if (layer.kind() != contact::LayerKind::oscillating) return 0;
@@ -37,8 +37,7 @@ double CurveSearch::value(Goal goal, const Node& n) const {
     case Goal::power: return n.torque * n.speed;
     case Goal::efficiency: break;
   }
-  const double velocity = m_.omega * m_.amplitude;
-  return n.torque * n.speed / (n.stator_power + m_.stator_damping * velocity * velocity);
+  return n.torque * n.speed / (n.stator_power + stator_loss(m_));
 }
 
 const TorqueSlope& CurveSearch::torque_slope_at(double speed, Trail* trail) {
@@ -47,7 +46,7 @@ const TorqueSlope& CurveSearch::torque_slope_at(double speed, Trail* trail) {
   }
   const TorqueSlope t = torque_slope(m_, speed, trail ? trail->at(speed) : nullptr);
   if (t.status != PointStatus::ok) throw SearchFailure{metric_status(t.status)};
-  if (trail) trail->add(speed, t.entry);
+  if (trail) trail->add(speed, t.start);
   return slopes_.emplace_back(speed, t).second;
 }
 
@@ -59,8 +58,7 @@ CurveSearch::Sloped CurveSearch::sloped(Goal goal, double speed, Trail* trail) {
     case Goal::power: return {power, power_slope};
     case Goal::efficiency: break;
   }
-  const double velocity = m_.omega * m_.amplitude;
-  const double input = t.stator_power + m_.stator_damping * velocity * velocity;
+  const double input = t.stator_power + stator_loss(m_);
   return {power / input, (power_slope * input - power * t.power_slope) / (input * input)};
 }
 
@@ -118,8 +116,8 @@ std::optional<Peak> CurveSearch::peak_near(Goal goal, const std::vector<Node>& n
   const Node &a = nodes[top - 1], &b = nodes[top], &c = nodes[top + 1];
   double curvature = 0, speed = likely_peak(goal, nodes, top, curvature);
   Trail trail;
-  trail.add(b.speed < speed ? c.speed : a.speed, b.speed < speed ? c.entry : a.entry);
-  trail.add(b.speed, b.entry);
+  trail.add(b.speed < speed ? c.speed : a.speed, b.speed < speed ? c.start : a.start);
+  trail.add(b.speed, b.start);
   InverseInterpolation line(crest_, 1e-13);
   for (int i = 0; i < 8; ++i) {
     if (!(speed > a.speed && speed < c.speed)) return {};
@@ -163,7 +161,7 @@ void CurveSearch::add_ripples(Goal goal, std::vector<Node>& nodes) const {
     const bool worthy = !high.plateau && std::max(value(goal, low), value(goal, high)) >= worth;
     const int parts = worthy ? static_cast<int>(std::ceil((high.speed - low.speed) / spacing)) : 1;
     Trail trail;
-    trail.add(low.speed, low.entry);
+    trail.add(low.speed, low.start);
     for (int i = 1; i < parts; ++i) {
       const Node between = scanned(low.speed + (high.speed - low.speed) * i / parts, trail);
       if (between.ok()) all.push_back(between);
@@ -293,6 +291,11 @@ Peak CurveSearch::max_torque() { return peak(Goal::torque); }
 Peak CurveSearch::peak_power() {
   if (!(stall_torque() > 0)) return {0, 0, PeakKind::rest};
   return peak(Goal::power);
+}
+
+Peak CurveSearch::working_peak() {
+  require_drive();
+  return peak_power();
 }
 
 Peak CurveSearch::max_efficiency() {

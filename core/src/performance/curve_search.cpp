@@ -18,7 +18,7 @@ constexpr long kMostLost = 1'000'000;  // zones that one search may follow in va
 
 // True if less than half of the layer's own motion is left after a turn. What is left longer can upset the
 // plateau at single speeds, where a turn is a multiple of the layer's own period.
-bool forgets_a_turn(const MotorModel<double>& m) {
+bool forgets_a_turn(const DrivenMotor<double>& m) {
   const contact::ContactNumbers<double> n = contact_numbers(m, 0.0);
   const contact::LayerMotion<double> layer(n.inertia, n.damping);
   return layer.slowest_decay() * 2 * std::numbers::pi > std::numbers::ln2;
@@ -38,26 +38,20 @@ MetricStatus metric_status(PointStatus status) {
   return MetricStatus::unresolved;
 }
 
-CurveSearch::CurveSearch(const MotorModel<double>& model)
+CurveSearch::CurveSearch(const DrivenMotor<double>& model)
     : m_(model),
-      holding_(model.static_ * model.preload * model.r),
+      holding_(holding_torque(model)),
       crest_(model.crest_velocity / model.r),
       rough_(model.static_ > model.kinetic) {}
 
 CurveSearch::Node CurveSearch::node(double speed, Trail* trail, double accuracy) const {
   const SolvedPoint p = solve_point(m_, speed, trail ? trail->at(speed) : nullptr, accuracy);
   if (p.status != PointStatus::ok)
-    return {speed, 0, 0, false, kNoState, metric_status(p.status), {}, p.state.zones};
-  if (trail && !p.special) trail->add(speed, p.state.entry);
-  const bool drives =
-      !p.special && p.state.lap.one_slip && p.state.lap.first == ZoneState::slip_plus;
-  return {speed,
-          p.numbers.torque,
-          p.numbers.stator_power,
-          drives,
-          p.special ? 0 : p.state.lap.itinerary,
-          MetricStatus::ok,
-          p.state.entry};
+    return {speed, 0, 0, false, kNoState, metric_status(p.status), {}, p.zones_followed()};
+  if (trail && !p.special) trail->add(speed, p.start());
+  return {speed,      p.numbers.torque, p.numbers.stator_power,
+          p.drives(), p.signature(),    MetricStatus::ok,
+          p.start()};
 }
 
 // Nodes only say between which speeds to look, so they need not be exact, unless their sign is in doubt. On
@@ -149,8 +143,8 @@ void CurveSearch::scan() {
 std::optional<double> CurveSearch::zero_near(double torque, const Node& low,
                                              const Node& high) const {
   Trail trail;
-  trail.add(low.speed, low.entry);
-  trail.add(high.speed, high.entry);
+  trail.add(low.speed, low.start);
+  trail.add(high.speed, high.start);
   InverseInterpolation line(crest_, 1e-16);
   line.add(low.speed, low.torque - torque);
   line.add(high.speed, high.torque - torque);

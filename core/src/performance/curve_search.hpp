@@ -42,13 +42,14 @@ struct Crossing {
 /// What is searched for over the torque-speed curve. Each result is found once and kept.
 class CurveSearch {
  public:
-  explicit CurveSearch(const MotorModel<double>& model);
+  explicit CurveSearch(const DrivenMotor<double>& model);
 
   double stall_torque();             ///< (T7.12)
   Crossing no_load();                ///< (T7.14)
   double plateau_end();              ///< (T7.17)
   Peak max_torque();                 ///< (T7.13)
   Peak peak_power();                 ///< (T7.16)
+  Peak working_peak();               ///< the same, of a motor that has a stall torque
   Peak max_efficiency();             ///< (T7.18)
   Crossing speed_at(double torque);  ///< (T7.15)
 
@@ -59,8 +60,8 @@ class CurveSearch {
     bool plateau;
     std::uint64_t itinerary;  ///< kNoState where the point has no answer
     MetricStatus status;
-    contact::LapEntry<double> entry;  ///< of the periodic state
-    long lost{0};                     ///< zones followed in vain, without an answer
+    WarmStart start;  ///< for neighbouring points
+    long lost{0};     ///< zones followed in vain, without an answer
     bool ok() const { return status == MetricStatus::ok; }
   };
   struct Stretch {
@@ -118,7 +119,7 @@ class CurveSearch {
   Crossing falls_through(double torque, const Node& low, const Node& high) const;
   std::optional<double> zero_near(double torque, const Node& low, const Node& high) const;
 
-  const MotorModel<double>& m_;
+  const DrivenMotor<double>& m_;
   double holding_, crest_;
   bool rough_;               // mu_0 > mu: torque may jump
   std::vector<Node> nodes_;  // from rest to the first speed past no-load

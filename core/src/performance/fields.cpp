@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "performance/fields.hpp"
-
 #include "performance/point.hpp"
 
 #include <cmath>
@@ -67,23 +65,21 @@ LayerAt layer_at(const ContactNumbers<double>& n, const LayerMotion<double>& lay
   return free_at(n, layer, trace, theta);
 }
 
+// A lap's `next` state in partial contact is that of the next entry; flying back from entry to exit would amplify
+// rounding, so the exit's own state is kept.
 Trace trace_of(const ContactNumbers<double>& n, const LayerMotion<double>& layer,
-               const SolvedPoint& point) {
+               const contact::PeriodicState& state) {
   Trace trace;
-  // A lap's `next` state in partial contact is that of the next entry; flying back from entry to exit
-  // would amplify rounding, so the exit's own state is kept.
-  const contact::Lap<double> lap =
-      contact::run_lap(n, layer, point.state.entry, &point.state.lap.script, &trace.zones);
-  trace.exit = lap.exit;
+  trace.exit = contact::run_lap(n, layer, state.entry, &state.lap.script, &trace.zones).exit;
   return trace;
 }
 
 double phase_of(int i, int samples) { return -kPi + 2 * kPi * i / (samples - 1); }
 
 // (T3.1), (T3.3) [Pa]
-double pressure_at(const MotorModel<double>& m, double theta) {
+double pressure_at(const DrivenMotor<double>& m, double theta) {
   const double P = m.contact.pressure_amplitude;
-  if (m.contact.full) return P * std::cos(theta) + m.preload / (2 * kPi * m.r * m.b);
+  if (m.contact.full) return P * std::cos(theta) + m.preload / track_area(m);
   const double edge = m.contact.half_angle;
   if (!(std::fabs(theta) <= edge)) return 0;
   return P * (contact::trig(edge).versine - contact::trig(theta).versine);
@@ -91,18 +87,18 @@ double pressure_at(const MotorModel<double>& m, double theta) {
 
 // Points in closed form: without friction there is no traction; at rest the locked layer sticks all round; a flat
 // stator is dragged over.
-FieldSample special_sample(const MotorModel<double>& m, const SolvedPoint& point, double speed,
+FieldSample special_sample(const DrivenMotor<double>& m, double torque, double speed,
                            double theta) {
-  const double area = 2 * kPi * m.r * m.b;
+  const double area = track_area(m);
   FieldSample s{theta,      pressure_at(m, theta), 0, 0, m.crest_velocity * std::cos(theta),
                 m.r * speed};
   if (m.amplitude == 0) {
-    s.traction = point.numbers.torque / (area * m.r);
+    s.traction = torque / (area * m.r);
     s.displacement = m.thickness * s.traction / m.shear;
   } else if (m.contact.full && locks_at_rest(m)) {
     const ContactNumbers<double> n = contact_numbers(m, 0.0);
     const double P = m.contact.pressure_amplitude, swing = n.stick_rate;
-    const double mean = point.numbers.torque / (area * m.r);
+    const double mean = torque / (area * m.r);
     s.traction =
         mean + P * swing * (n.damping * std::cos(theta) + (1 - n.inertia) * std::sin(theta));
     s.displacement = m.thickness * (mean + P * swing * std::sin(theta)) / m.shear;
@@ -111,7 +107,7 @@ FieldSample special_sample(const MotorModel<double>& m, const SolvedPoint& point
   return s;
 }
 
-FieldSample dimensional_sample(const MotorModel<double>& m, const ContactNumbers<double>& n,
+FieldSample dimensional_sample(const DrivenMotor<double>& m, const ContactNumbers<double>& n,
                                const LayerAt& at, double theta) {
   const double P = m.contact.pressure_amplitude, c = std::cos(theta);
   const double layer_ratio = n.speed_ratio + at.rate / n.stick_rate;
@@ -125,11 +121,10 @@ FieldSample dimensional_sample(const MotorModel<double>& m, const ContactNumbers
 
 }  // namespace
 
-std::vector<Zone> zones(const MotorModel<double>& m, double speed) {
-  const SolvedPoint point = solve_point(m, speed);
-  if (point.status != PointStatus::ok) return {};
+std::vector<Zone> SolvedPoint::zones(const DrivenMotor<double>& m, double speed) const {
+  if (status != PointStatus::ok) return {};
   const double edge = m.contact.half_angle;
-  if (point.special) {
+  if (special) {
     if (edge == 0) return {};
     if (m.amplitude != 0 && m.contact.full && m.static_ > 0)
       return {{ZoneState::stick, -edge, edge}};
@@ -139,25 +134,25 @@ std::vector<Zone> zones(const MotorModel<double>& m, double speed) {
   }
   const ContactNumbers<double> n = contact_numbers(m, speed);
   std::vector<Zone> result;
-  for (const ZoneTrace& z : trace_of(n, LayerMotion<double>(n.inertia, n.damping), point).zones) {
+  for (const ZoneTrace& z : trace_of(n, LayerMotion<double>(n.inertia, n.damping), state_).zones) {
     result.push_back(z.zone);
   }
   return result;
 }
 
-std::vector<FieldSample> sample_fields(const MotorModel<double>& m, double speed, int samples) {
-  const SolvedPoint point = solve_point(m, speed);
+std::vector<FieldSample> SolvedPoint::fields(const DrivenMotor<double>& m, double speed,
+                                             int samples) const {
   std::vector<FieldSample> result;
-  if (point.status != PointStatus::ok) return result;
+  if (status != PointStatus::ok) return result;
   result.reserve(static_cast<std::size_t>(samples));
-  if (point.special) {
+  if (special) {
     for (int i = 0; i < samples; ++i)
-      result.push_back(special_sample(m, point, speed, phase_of(i, samples)));
+      result.push_back(special_sample(m, numbers.torque, speed, phase_of(i, samples)));
     return result;
   }
   const ContactNumbers<double> n = contact_numbers(m, speed);
   const LayerMotion<double> layer(n.inertia, n.damping);
-  const Trace trace = trace_of(n, layer, point);
+  const Trace trace = trace_of(n, layer, state_);
   for (int i = 0; i < samples; ++i) {
     const double theta = phase_of(i, samples);
     result.push_back(dimensional_sample(m, n, layer_at(n, layer, trace, theta), theta));

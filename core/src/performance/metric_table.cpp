@@ -54,6 +54,13 @@ constexpr std::array<MetricInfo, kMetricCount> kTable{{
      "share of the contact length that sticks"},
 }};
 
+constexpr bool each_in_its_place() {
+  for (std::size_t i = 0; i < kMetricCount; ++i)
+    if (static_cast<std::size_t>(kTable[i].metric) != i || kTable[i].name.empty()) return false;
+  return true;
+}
+static_assert(each_in_its_place(), "a metric has no row of its own, or not in its place");
+
 }  // namespace
 
 std::span<const MetricInfo> metric_table() { return kTable; }

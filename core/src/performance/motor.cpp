@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/core/performance/motor.hpp>
 
-#include "performance/fields.hpp"
 #include "performance/point.hpp"
+
+#include <twum/core/design/parameters.hpp>
 
 #include <twum/base/error.hpp>
 
@@ -63,8 +64,9 @@ Motor::Motor(const MotorDesign& design) : design_(design) {
     for (std::size_t i = 1; i < wrong.size(); ++i) text += "; " + wrong[i];
     throw InputError(text);
   }
-  model_ = std::make_shared<const performance::MotorModel<double>>(
-      performance::motor_model<double>(design, performance::parameter_values(design)));
+  const auto values = performance::model_values(design);
+  model_ = std::make_shared<const performance::DrivenMotor<double>>(
+      driven(performance::motor_model(values), performance::design_wave(values)));
 }
 
 const NormalContact<double>& Motor::contact() const noexcept { return model_->contact; }
@@ -73,48 +75,70 @@ double Motor::crest_speed() const noexcept { return model_->crest_velocity / mod
 
 double Motor::wave_speed() const noexcept { return model_->omega / model_->kappa / model_->r; }
 
-double Motor::holding_torque() const noexcept {
-  return model_->static_ * model_->preload * model_->r;
-}
+double Motor::holding_torque() const noexcept { return performance::holding_torque(*model_); }
 
 bool Motor::locks_at_rest() const noexcept { return performance::locks_at_rest(*model_); }
 
-void Motor::require_speed(double speed) const {
-  if (!performance::wave_meets_rotor(*model_, speed)) {
+namespace {
+
+void require_speed(const performance::DrivenMotor<double>& m, double speed) {
+  if (!performance::wave_meets_rotor(m, speed)) {
     throw InputError("rotor speed must be more than the wave's backward speed, " +
-                     speed_text(-wave_speed()) + ", but is " + speed_text(speed));
+                     speed_text(-m.omega / m.kappa / m.r) + ", but is " + speed_text(speed));
   }
 }
 
-OperatingPoint Motor::operating_point(double speed) const {
-  require_speed(speed);
-  const performance::MotorModel<double>& m = *model_;
-  const performance::SolvedPoint solved = performance::solve_point(m, speed);
-  if (solved.status != PointStatus::ok) return no_answer(speed, solved.status);
-  const performance::PointNumbers<double>& n = solved.numbers;
-  const double velocity = m.omega * m.amplitude;
+// The point, once its speed is admissible.
+performance::SolvedPoint solved(const performance::DrivenMotor<double>& m, double speed) {
+  require_speed(m, speed);
+  return performance::solve_point(m, speed);
+}
+
+OperatingPoint operating_point_of(const performance::DrivenMotor<double>& m,
+                                  const performance::SolvedPoint& point, double speed) {
+  if (point.status != PointStatus::ok) return no_answer(speed, point.status);
+  const performance::PointNumbers<double>& n = point.numbers;
   return {speed,
           n.torque,
           n.torque * speed,
           n.stator_power,
           n.friction_power,
           n.layer_loss,
-          m.stator_damping * velocity * velocity,
-          n.friction_power / (2 * std::numbers::pi * m.r * m.b),
+          stator_loss(m),
+          n.friction_power / track_area(m),
           n.stick_fraction,
           PointStatus::ok};
 }
 
+void require_admissible(Parameter parameter, double value) {
+  const std::string wrong = complaint(parameter, value);
+  if (!wrong.empty()) throw InputError(std::string(info(parameter).name) + " " + wrong);
+}
+
+}  // namespace
+
+OperatingPoint Motor::operating_point(double speed) const {
+  return operating_point_of(*model_, solved(*model_, speed), speed);
+}
+
+OperatingPoint Motor::operating_point(const OperatingConditions& at) const {
+  require_admissible(Parameter::amplitude, at.amplitude);
+  require_admissible(Parameter::frequency, at.frequency);
+  const performance::DrivenMotor<double> m =
+      driven<double>(*model_, {at.amplitude, 2 * std::numbers::pi * at.frequency});
+  return operating_point_of(m, solved(m, at.speed), at.speed);
+}
+
 std::vector<Zone> Motor::zones(double speed) const {
-  require_speed(speed);
-  return performance::zones(*model_, speed);
+  return solved(*model_, speed).zones(*model_, speed);
 }
 
 ContactFields Motor::fields(double speed, int samples) const {
   if (samples < 2)
     throw InputError("fields need at least 2 samples, not " + std::to_string(samples));
-  return {operating_point(speed), zones(speed),
-          performance::sample_fields(*model_, speed, samples)};
+  const performance::SolvedPoint point = solved(*model_, speed);
+  return {operating_point_of(*model_, point, speed), point.zones(*model_, speed),
+          point.fields(*model_, speed, samples)};
 }
 
 std::vector<OperatingPoint> torque_speed_curve(const Motor& motor,

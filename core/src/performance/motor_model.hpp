@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/contact_numbers.hpp"
+#include "performance/scalars.hpp"
 
 #include <twum/base/dual.hpp>
 #include <twum/core/contact/normal_contact.hpp>
@@ -13,23 +14,37 @@
 
 namespace twum::performance {
 
-/// A motor's parameters in S, and what follows from them (theory sections 1 to 3).
+/// A value for each of kModelParameters, in their order.
+template <typename S>
+using ModelArray = std::array<S, kModelParameters.size()>;
+
+/// What a design says to the contact model, whatever wave drives it (theory sections 1 and 2).
 template <typename S>
 struct MotorModel {
-  S n, r, b, omega, kappa;
+  S n, r, b, kappa;
+  S tilt;  ///< kappa a, slope of the surface per amplitude of the wave
+  S youngs, thickness, shear, viscosity, inertia;
+  S kinetic, static_, preload, stator_damping;
+  S compliance;  ///< 1 / G
+};
+
+/// The wave prescribed at an operating point, beside the design.
+template <typename S>
+struct Wave {
+  S amplitude;  ///< A [m]
+  S omega;      ///< [rad/s]
+};
+
+/// A motor under a wave (theory section 3).
+template <typename S>
+struct DrivenMotor : MotorModel<S> {
+  S amplitude, omega;
   S crest_velocity;  ///< V0 = kappa a A omega (T2.2)
-  S thickness, shear, viscosity, inertia;
-  S kinetic, static_, preload, stator_damping, amplitude;
   NormalContact<S> contact;
-  S compliance;           ///< 1 / G
   S stick_gain;           ///< G V0 / (h P), s W of (E1.1)
   S peak;                 ///< p(0) / P = 1 - c
   contact::Trig<S> edge;  ///< of theta_L
 };
-
-/// Parameter values in the order of the table.
-template <typename S>
-using ParameterArray = std::array<S, kParameterCount>;
 
 // theta_L in S: found in double, its derivatives by the implicit function theorem (T3.2).
 template <typename S>
@@ -53,10 +68,11 @@ NormalContact<S> normal_contact(const S& preload, const S& n, const S& b, const 
   const S mean_pressure = preload * kappa / (2 * kPi * n * b);
   NormalContact<S> c;
   c.pressure_amplitude = pressure_amplitude;
+  c.load_ratio = mean_pressure / pressure_amplitude;
   c.full = !(value_of(mean_pressure) < value_of(pressure_amplitude));
   if (c.full) {
     c.half_angle = S(kPi);
-    c.edge_cosine = -(mean_pressure / pressure_amplitude);
+    c.edge_cosine = -c.load_ratio;
     c.max_pressure = pressure_amplitude + mean_pressure;
   } else {
     using std::cos, std::sin;
@@ -70,59 +86,69 @@ NormalContact<S> normal_contact(const S& preload, const S& n, const S& b, const 
   return c;
 }
 
-/// The model of a design. `given` says which twins are in use; p holds every parameter's value.
+/// The model behind values of kModelParameters.
 template <typename S>
-MotorModel<S> motor_model(const MotorDesign& given, const ParameterArray<S>& p) {
+MotorModel<S> motor_model(const ModelArray<S>& p) {
   using P = Parameter;
-  const auto at = [&p](P parameter) -> const S& { return p[index_of(parameter)]; };
+  const auto at = [&p](P parameter) -> const S& { return p[model_index(parameter)]; };
   MotorModel<S> m;
   m.n = at(P::wavelengths), m.r = at(P::contact_radius), m.b = at(P::contact_width);
-  m.omega = 2 * std::numbers::pi * at(P::frequency);
   m.kappa = m.n / m.r;  // (T1.1)
-  m.amplitude = at(P::amplitude);
-  m.crest_velocity = m.kappa * at(P::neutral_plane_distance) * m.amplitude * m.omega;
-  m.thickness = at(P::thickness);
-  const S& E = at(P::youngs_modulus);
-  m.shear = in_use(given, P::shear_modulus) ? at(P::shear_modulus)
-                                            : S(E / (2.0 * (1.0 + at(P::poisson_ratio))));
-  m.viscosity = in_use(given, P::shear_viscosity) ? at(P::shear_viscosity)
-                                                  : S(at(P::loss_factor) * m.shear / m.omega);
-  m.inertia = in_use(given, P::inertia) ? at(P::inertia)
-                                        : S(at(P::density) * m.thickness * m.thickness / 3.0);
+  m.tilt = m.kappa * at(P::neutral_plane_distance);
+  m.youngs = at(P::youngs_modulus), m.thickness = at(P::thickness);
+  m.shear = at(P::shear_modulus), m.viscosity = at(P::shear_viscosity);
+  m.inertia = at(P::inertia);
   m.kinetic = at(P::kinetic_friction), m.static_ = at(P::static_friction);
   m.preload = at(P::preload), m.stator_damping = at(P::modal_damping);
-  m.contact = normal_contact(m.preload, m.n, m.b, m.kappa, S(E * m.amplitude / m.thickness));
   m.compliance = 1.0 / m.shear;
-  m.stick_gain = m.shear * m.crest_velocity / (m.thickness * m.contact.pressure_amplitude);
+  return m;
+}
+
+/// The wave that a design is made for.
+template <typename S>
+Wave<S> design_wave(const ModelArray<S>& p) {
+  return {p[model_index(Parameter::amplitude)],
+          2 * std::numbers::pi * p[model_index(Parameter::frequency)]};
+}
+
+/// The motor under a wave: solves the normal contact.
+template <typename S>
+DrivenMotor<S> driven(const MotorModel<S>& model, const Wave<S>& wave) {
+  DrivenMotor<S> m;
+  static_cast<MotorModel<S>&>(m) = model;
+  m.amplitude = wave.amplitude, m.omega = wave.omega;
+  m.crest_velocity = m.tilt * m.amplitude * m.omega;
+  const S P = m.youngs * m.amplitude / m.thickness;
+  m.contact = normal_contact(m.preload, m.n, m.b, m.kappa, P);
+  m.stick_gain = m.shear * m.crest_velocity / (m.thickness * P);
   m.edge = contact::trig(m.contact.half_angle);
   if (m.contact.full) m.edge = {S(0.0), S(-1.0), S(2.0)};
   m.peak = m.contact.full ? S(1.0 - m.contact.edge_cosine) : m.edge.versine;
   return m;
 }
 
-/// Parameter values of a design, derived ones included.
-inline ParameterArray<double> parameter_values(const MotorDesign& design) {
-  ParameterArray<double> values;
-  for (std::size_t i = 0; i < kParameterCount; ++i)
-    values[i] = get(design, static_cast<Parameter>(i));
+/// Values of kModelParameters for a design.
+inline ModelArray<double> model_values(const MotorDesign& design) {
+  ModelArray<double> values;
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = get(design, kModelParameters[i]);
   return values;
 }
 
 /// True if nothing moves or nothing rubs: no amplitude, no preload, no friction.
 template <typename S>
-bool is_trivial(const MotorModel<S>& m) {
+bool is_trivial(const DrivenMotor<S>& m) {
   return value_of(m.amplitude) == 0 || value_of(m.preload) == 0 || value_of(m.static_) == 0 ||
          value_of(m.contact.half_angle) == 0;
 }
 
 /// True if the wave still meets the rotor at this speed: finite, and W > 0 in (T2.1).
-inline bool wave_meets_rotor(const MotorModel<double>& m, double speed) {
+inline bool wave_meets_rotor(const DrivenMotor<double>& m, double speed) {
   return std::isfinite(speed) && m.omega + m.kappa * (m.r * speed) > 0;
 }
 
 /// The contact's seven numbers (E1.1) at rotor speed Omega, with W of (T2.1); R is S or carries more derivatives than S.
 template <typename S, typename R>
-contact::ContactNumbers<R> contact_numbers(const MotorModel<S>& m, const R& speed) {
+contact::ContactNumbers<R> contact_numbers(const DrivenMotor<S>& m, const R& speed) {
   const R surface = m.r * speed;
   const R W = m.omega + m.kappa * surface;
   const R rate = W * m.compliance;
@@ -140,15 +166,40 @@ contact::ContactNumbers<R> contact_numbers(const MotorModel<S>& m, const R& spee
 
 /// Torque of one unit of mean traction, 2 pi r^2 b P (T4.5) [N m].
 template <typename S>
-S torque_scale(const MotorModel<S>& m) {
+S torque_scale(const DrivenMotor<S>& m) {
   return 2 * std::numbers::pi * m.r * m.r * m.b * m.contact.pressure_amplitude;
 }
 
 /// Power of one unit of the contact's mean powers, 2 pi r b P V0 [W]; the largest that can occur is the
 /// scale of powers (T7.11).
 template <typename S>
-S power_scale(const MotorModel<S>& m) {
+S power_scale(const DrivenMotor<S>& m) {
   return 2 * std::numbers::pi * m.r * m.b * m.contact.pressure_amplitude * m.crest_velocity;
+}
+
+/// mu_0 F_N r (T7.8), bound and scale of torques [N m].
+template <typename S>
+S holding_torque(const DrivenMotor<S>& m) {
+  return m.static_ * m.preload * m.r;
+}
+
+/// mu F_N r, the torque of a contact that slips all through [N m].
+template <typename S>
+S slipping_torque(const DrivenMotor<S>& m) {
+  return m.kinetic * m.preload * m.r;
+}
+
+/// c_stator (omega A)^2 (T7.5) [W].
+template <typename S>
+S stator_loss(const DrivenMotor<S>& m) {
+  const S velocity = m.omega * m.amplitude;
+  return m.stator_damping * velocity * velocity;
+}
+
+/// 2 pi r b, the track that the rotor rubs on [m^2].
+template <typename S>
+S track_area(const DrivenMotor<S>& m) {
+  return 2 * std::numbers::pi * m.r * m.b;
 }
 
 }  // namespace twum::performance

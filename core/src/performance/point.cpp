@@ -29,8 +29,8 @@ constexpr double kBalance = 1e-6, kBeyond = 1e-9;
 
 // The laws that rounding may break: balance of powers (T7.10), signs of losses, bound of the torque (C8.1). A number
 // that is not finite breaks them too.
-bool keeps_laws(const MotorModel<double>& m, const PointNumbers<double>& n, double speed) {
-  const double holding = m.static_ * m.preload * m.r;
+bool keeps_laws(const DrivenMotor<double>& m, const PointNumbers<double>& n, double speed) {
+  const double holding = holding_torque(m);
   const double scale = holding * std::fmax(m.crest_velocity / m.r, std::fabs(speed));
   const double share = n.stick_fraction;
   return std::fabs(excess(n, speed)) <= kBalance * scale && n.friction_power >= -kBeyond * scale &&
@@ -41,7 +41,7 @@ bool keeps_laws(const MotorModel<double>& m, const PointNumbers<double>& n, doub
 // Without a wave the rotor drags the layer over a flat stator. Released at mu_0 p it slips steadily,
 // unless its own vibration brings it back to rest on the stator: then it sticks and slips in a rhythm
 // that has nothing to do with the turns of the wave.
-bool drags_steadily(const MotorModel<double>& m, double speed) {
+bool drags_steadily(const DrivenMotor<double>& m, double speed) {
   if (!(m.static_ > m.kinetic) || m.inertia == 0 || speed == 0) return true;
   const double W = m.omega + m.kappa * m.r * speed;
   const double pressure = m.contact.max_pressure;
@@ -63,7 +63,7 @@ template <typename S>
 struct Lock {
   S low, high, damping_work;
 
-  explicit Lock(const MotorModel<S>& m) {
+  explicit Lock(const DrivenMotor<S>& m) {
     using std::sqrt;
     const contact::ContactNumbers<S> n = contact_numbers(m, S(0.0));
     const S mean = n.static_ * (n.peak - 1.0), swing = (1.0 - n.inertia) * n.stick_rate;
@@ -78,7 +78,7 @@ struct Lock {
 }  // namespace
 
 template <typename S>
-bool locks_at_rest(const MotorModel<S>& m) {
+bool locks_at_rest(const DrivenMotor<S>& m) {
   if (value_of(m.static_) == 0 || value_of(m.preload) == 0) return false;
   if (value_of(m.amplitude) == 0) return true;
   if (!m.contact.full) return false;
@@ -87,12 +87,12 @@ bool locks_at_rest(const MotorModel<S>& m) {
 }
 
 template <typename S, typename R>
-PointNumbers<R> special_point(const MotorModel<S>& m, const R& speed) {
+PointNumbers<R> special_point(const DrivenMotor<S>& m, const R& speed) {
   const R zero(0.0);
   if (value_of(m.static_) == 0 || value_of(m.preload) == 0) return {zero, zero, zero, zero, zero};
   if (value_of(m.amplitude) == 0) {
     // At rest the limit of forward speeds, as everywhere.
-    const R drag = (value_of(speed) < 0 ? 1.0 : -1.0) * (m.kinetic * m.preload * m.r) + zero;
+    const R drag = (value_of(speed) < 0 ? 1.0 : -1.0) * slipping_torque(m) + zero;
     return {drag, zero, -(drag * speed), zero, zero};
   }
   const Lock<S> lock(m);
@@ -100,7 +100,14 @@ PointNumbers<R> special_point(const MotorModel<S>& m, const R& speed) {
   return {torque_scale(m) * lock.low + zero, power, zero, power, R(1.0)};
 }
 
-static SolvedPoint solve_special(const MotorModel<double>& m, double speed) {
+SolvedPoint::SolvedPoint(const contact::ContactNumbers<double>& n, const WarmStart* guess,
+                         double accuracy)
+    : state_(contact::find_periodic_state(n, LayerMotion<double>(n.inertia, n.damping),
+                                          guess ? &guess->entry : nullptr, accuracy)) {
+  status = point_status(state_.status);
+}
+
+SolvedPoint SolvedPoint::of_special(const DrivenMotor<double>& m, double speed) {
   SolvedPoint point;
   point.special = true;
   point.numbers = special_point(m, speed);
@@ -110,20 +117,18 @@ static SolvedPoint solve_special(const MotorModel<double>& m, double speed) {
   return point;
 }
 
-static SolvedPoint solve_rubbing(const MotorModel<double>& m, double speed,
-                                 const contact::LapEntry<double>* guess, double accuracy) {
-  const contact::ContactNumbers<double> n = contact_numbers(m, speed);
-  const LayerMotion<double> layer(n.inertia, n.damping);
-  SolvedPoint point(n, layer, guess, accuracy);
-  point.status = point_status(point.state.status);
-  point.numbers = dimensional(m, point.state.lap.means, point.state.lap);
+SolvedPoint SolvedPoint::of_rubbing(const DrivenMotor<double>& m, double speed,
+                                    const WarmStart* guess, double accuracy) {
+  SolvedPoint point(contact_numbers(m, speed), guess, accuracy);
+  point.numbers = point.dimensional(m, point.state_.lap.means);
   return point;
 }
 
-SolvedPoint solve_point(const MotorModel<double>& m, double speed,
-                        const contact::LapEntry<double>* guess, double accuracy) {
+SolvedPoint solve_point(const DrivenMotor<double>& m, double speed, const WarmStart* guess,
+                        double accuracy) {
   const bool special = is_trivial(m) || (speed == 0 && m.contact.full && locks_at_rest(m));
-  SolvedPoint point = special ? solve_special(m, speed) : solve_rubbing(m, speed, guess, accuracy);
+  SolvedPoint point = special ? SolvedPoint::of_special(m, speed)
+                              : SolvedPoint::of_rubbing(m, speed, guess, accuracy);
   const bool lawful = accuracy > 0
                           ? std::isfinite(point.numbers.torque + point.numbers.stator_power)
                           : keeps_laws(m, point.numbers, speed);
@@ -131,11 +136,11 @@ SolvedPoint solve_point(const MotorModel<double>& m, double speed,
   return point;
 }
 
-#define TWUM_INSTANTIATE(S, R)                       \
-  template bool locks_at_rest(const MotorModel<S>&); \
-  template PointNumbers<R> special_point(const MotorModel<S>&, const R&);
+#define TWUM_INSTANTIATE(S, R)                        \
+  template bool locks_at_rest(const DrivenMotor<S>&); \
+  template PointNumbers<R> special_point(const DrivenMotor<S>&, const R&);
 TWUM_FOR_EACH_MODEL_SCALAR(TWUM_INSTANTIATE)
-template PointNumbers<contact::SpeedDual> special_point(const MotorModel<double>&,
+template PointNumbers<contact::SpeedDual> special_point(const DrivenMotor<double>&,
                                                         const contact::SpeedDual&);
 
 }  // namespace twum::performance

@@ -67,26 +67,28 @@ S chained(const K& f, const std::array<S, 7>& x) {
 }
 
 template <typename S>
-ParameterArray<S> independent_parameters(const MotorDesign& design, bool fixed_static_friction) {
-  const ParameterArray<double> values = parameter_values(design);
-  ParameterArray<S> p;
-  for (std::size_t i = 0; i < kParameterCount; ++i) {
-    p[i] = S(values[i]);
-    if (in_use(design, static_cast<Parameter>(i))) p[i].d[i] = 1.0;
-  }
-  const double mu = design.friction.kinetic;
-  if (!fixed_static_friction) {
-    p[index_of(Parameter::static_friction)].d[index_of(Parameter::kinetic_friction)] =
-        mu > 0 ? design.friction.static_ / mu : 1.0;
-  }
-  return p;
+ContactNumbers<double> values_of(const ContactNumbers<S>& n) {
+  const auto at = [](const S& x) { return value_of(x); };
+  return {at(n.inertia),
+          at(n.damping),
+          at(n.stick_rate),
+          at(n.speed_ratio),
+          at(n.half_angle),
+          at(n.peak),
+          at(n.kinetic),
+          at(n.static_),
+          {at(n.edge.sin), at(n.edge.cos), at(n.edge.versine)},
+          n.full};
 }
 
 }  // namespace
 
 template <typename S>
-MotorModel<S> differentiated_model(const MotorDesign& design, bool fixed_static_friction) {
-  return motor_model<S>(design, independent_parameters<S>(design, fixed_static_friction));
+DrivenMotor<S> differentiated_motor(const MotorDesign& design) {
+  const ModelArray<double> values = model_values(design);
+  ModelArray<S> p;
+  for (std::size_t i = 0; i < p.size(); ++i) p[i] = S::variable(values[i], static_cast<int>(i));
+  return driven(motor_model(p), design_wave(p));
 }
 
 template <>
@@ -100,40 +102,35 @@ ModelDual2 speed_variable<ModelDual2>(double speed) {
 }
 
 template <typename S>
-PointNumbers<S> differentiate_point(const MotorModel<double>& values, const MotorModel<S>& model,
-                                    const SolvedPoint& point, double speed) {
+PointNumbers<S> SolvedPoint::differentiated(const DrivenMotor<S>& m, const S& speed) const {
   using K = typename ContactScalar<S>::Outer;
-  const S omega = speed_variable<S>(speed);
-  if (point.special) return special_point(model, omega);
-  const ContactNumbers<S> n = contact_numbers(model, omega);
-  const contact::ContactMeans<K> m =
-      contact::periodic_means(seeded<K>(n), contact_numbers(values, speed), point.state);
+  if (special) return special_point(m, speed);
+  const ContactNumbers<S> n = contact_numbers(m, speed);
+  const contact::ContactMeans<K> means =
+      contact::periodic_means(seeded<K>(n), values_of(n), state_);
   const std::array<S, 7> x = listed(n);
-  const contact::ContactMeans<S> means{chained(m.traction, x), chained(m.stator_power, x),
-                                       chained(m.friction_power, x), chained(m.layer_loss, x),
-                                       chained(m.stick_length, x)};
-  return dimensional(model, means, point.state.lap);
+  return dimensional(
+      m, contact::ContactMeans<S>{chained(means.traction, x), chained(means.stator_power, x),
+                                  chained(means.friction_power, x), chained(means.layer_loss, x),
+                                  chained(means.stick_length, x)});
 }
 
-PointNumbers<SpeedDual> point_in_speed(const MotorModel<double>& m, const SolvedPoint& point,
-                                       double speed) {
-  const SpeedDual omega = SpeedDual::variable(speed, 0);
-  if (point.special) return special_point(m, omega);
-  const contact::ContactMeans<SpeedDual> means =
-      contact::periodic_means(contact_numbers(m, omega), contact_numbers(m, speed), point.state);
-  return dimensional(m, means, point.state.lap);
+PointNumbers<SpeedDual> SolvedPoint::differentiated(const DrivenMotor<double>& m,
+                                                    const SpeedDual& speed) const {
+  if (special) return special_point(m, speed);
+  const ContactNumbers<SpeedDual> n = contact_numbers(m, speed);
+  return dimensional(m, contact::periodic_means(n, values_of(n), state_));
 }
 
-TorqueSlope torque_slope(const MotorModel<double>& m, double speed,
-                         const contact::LapEntry<double>* guess) {
+TorqueSlope torque_slope(const DrivenMotor<double>& m, double speed, const WarmStart* guess) {
   const SolvedPoint point = solve_point(m, speed, guess);
   if (point.status != PointStatus::ok) return {0, 0, 0, 0, point.status, {}};
-  const PointNumbers<SpeedDual> n = point_in_speed(m, point, speed);
+  const PointNumbers<SpeedDual> n = point.differentiated(m, SpeedDual::variable(speed, 0));
   return {n.torque.v,          n.torque.d[0], n.stator_power.v,
-          n.stator_power.d[0], point.status,  point.state.entry};
+          n.stator_power.d[0], point.status,  point.start()};
 }
 
-Margin plateau_margin(const MotorModel<double>& m, double speed) {
+Margin plateau_margin(const DrivenMotor<double>& m, double speed) {
   const SpeedDual omega = SpeedDual::variable(speed, 0);
   const ContactNumbers<double> n = contact_numbers(m, speed);
   const contact::SlipMargin low = contact::slip_margin(n);
@@ -141,11 +138,9 @@ Margin plateau_margin(const MotorModel<double>& m, double speed) {
   return {at.v, at.d[0], low.place, low.exit, low.slips};
 }
 
-ModelDual plateau_end_derivative(const MotorModel<double>& values,
-                                 const MotorModel<ModelDual>& model, double speed) {
-  const ContactNumbers<double> n = contact_numbers(values, speed);
-  const contact::SlipMargin low = contact::slip_margin(n);
-  const ContactNumbers<ModelDual> x = contact_numbers(model, speed_variable<ModelDual>(speed));
+ModelDual plateau_end_derivative(const DrivenMotor<ModelDual>& motor, double speed) {
+  const ContactNumbers<ModelDual> x = contact_numbers(motor, speed_variable<ModelDual>(speed));
+  const contact::SlipMargin low = contact::slip_margin(values_of(x));
   const ModelDual margin = chained(contact::slip_margin_at(seeded<NumbersDual>(x), low), listed(x));
   // margin(Omega(p), p) = 0
   ModelDual end(speed);
@@ -153,10 +148,9 @@ ModelDual plateau_end_derivative(const MotorModel<double>& values,
   return end;
 }
 
-#define TWUM_INSTANTIATE(S)                                                                     \
-  template MotorModel<S> differentiated_model(const MotorDesign&, bool);                        \
-  template PointNumbers<S> differentiate_point(const MotorModel<double>&, const MotorModel<S>&, \
-                                               const SolvedPoint&, double);
+#define TWUM_INSTANTIATE(S)                                         \
+  template DrivenMotor<S> differentiated_motor(const MotorDesign&); \
+  template PointNumbers<S> SolvedPoint::differentiated(const DrivenMotor<S>&, const S&) const;
 TWUM_INSTANTIATE(ModelDual)
 TWUM_INSTANTIATE(ModelDual2)
 

@@ -3,11 +3,31 @@
 
 #include "contact/scalars.hpp"
 
+#include <twum/core/design/parameters.hpp>
+
+#include <array>
+
 namespace twum::performance {
 
-/// Directions of a motor's derivatives: every parameter of the table, and last the speed.
-inline constexpr int kDirections = 19;
-inline constexpr int kSpeedDirection = 18;
+/// What the contact model takes of a design: each is a direction of its derivatives, and the speed is the last one. All
+/// other parameters act through these, by parameter_jacobian(): they add no direction.
+inline constexpr std::array kModelParameters{
+    Parameter::wavelengths,   Parameter::contact_radius,   Parameter::contact_width,
+    Parameter::frequency,     Parameter::amplitude,        Parameter::neutral_plane_distance,
+    Parameter::modal_damping, Parameter::thickness,        Parameter::youngs_modulus,
+    Parameter::shear_modulus, Parameter::shear_viscosity,  Parameter::inertia,
+    Parameter::preload,       Parameter::kinetic_friction, Parameter::static_friction};
+
+/// Position of a parameter in kModelParameters.
+constexpr std::size_t model_index(Parameter parameter) {
+  std::size_t i = 0;
+  while (kModelParameters[i] != parameter)
+    ++i;  // one that is not there does not compile in a constant, else is a bug
+  return i;
+}
+
+inline constexpr int kSpeedDirection = static_cast<int>(kModelParameters.size());
+inline constexpr int kDirections = kSpeedDirection + 1;
 
 using ModelDual = Dual<double, kDirections>;
 using ModelDual2 = Dual<contact::SpeedDual, kDirections>;  ///< and theirs along the speed

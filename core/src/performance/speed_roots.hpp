@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "contact/lap.hpp"
 #include "performance/point.hpp"
 
 #include <twum/core/performance/metrics.hpp>
@@ -30,24 +29,21 @@ struct Bracket {
 Bracket close_in(const std::function<double(double)>& f, double low, double high, double f_low,
                  double f_high);
 
-/// The layer's states at entry of the two points solved last: what the next one begins with.
+/// Warm starts from the two points solved last: what the next one begins with.
 class Trail {
  public:
-  void add(double speed, const contact::LapEntry<double>& entry) {
+  void add(double speed, const WarmStart& start) {
     before_ = last_;
-    last_ = Known{speed, entry};
+    last_ = Known{speed, start};
   }
 
   /// Along the line through the two states, unless that leads far away. Null at first.
-  const contact::LapEntry<double>* at(double speed) {
+  const WarmStart* at(double speed) {
     if (!last_) return nullptr;
-    guess_ = last_->entry;
+    guess_ = last_->start;
     if (before_ && before_->speed != last_->speed) {
       const double t = (speed - last_->speed) / (last_->speed - before_->speed);
-      if (std::fabs(t) <= 3) {
-        const auto &a = before_->entry.layer, &b = last_->entry.layer;
-        guess_.layer = {b.e + t * (b.e - a.e), b.rate + t * (b.rate - a.rate)};
-      }
+      if (std::fabs(t) <= 3) guess_ = WarmStart::beyond(before_->start, last_->start, t);
     }
     return &guess_;
   }
@@ -55,10 +51,10 @@ class Trail {
  private:
   struct Known {
     double speed;
-    contact::LapEntry<double> entry;
+    WarmStart start;
   };
   std::optional<Known> before_, last_;
-  contact::LapEntry<double> guess_{};
+  WarmStart guess_{};
 };
 
 /// Polynomial through a few points of a function, in Newton's form: where to begin an iteration.

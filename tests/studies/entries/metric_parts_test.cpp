@@ -2,7 +2,6 @@
 // Derivatives of parameters that follow from others, and metrics beyond the largest load.
 #include "entries_support.hpp"
 #include "kinds/metric_gradients.hpp"
-#include "problem/load_out_of_reach.hpp"
 #include "problem/metric_values.hpp"
 
 #include <twum/core/performance/motor.hpp>
@@ -145,13 +144,13 @@ TEST_CASE("beyond its largest torque a motor is asked just below it", "[studies]
   const Motor motor(design);
   // On the plateau the elastic layer carries mu F_N r, so 0.999 of that is what is asked at.
   const double load = kReachable * 0.2 * 160 * 0.0265;
-  const MetricDerivative torque = out_of_reach(motor, Metric::torque_at, true, false);
+  const MetricDerivative torque = differentiate_at_share(motor, Metric::torque_at, kReachable);
   CHECK(torque.value.value == Approx(load).epsilon(1e-9));
   CHECK(torque.gradient[index_of(P::preload)] == Approx(load / 160).epsilon(1e-6));
-  const MetricDerivative speed = out_of_reach(motor, Metric::speed_at, false, false);
-  CHECK(motor.operating_point(speed.value.value).torque == Approx(load).epsilon(1e-9));
+  const MetricValue speed = evaluate_at_share(motor, Metric::speed_at, kReachable);
+  CHECK(motor.operating_point(speed.value).torque == Approx(load).epsilon(1e-9));
   design.preload = 0;  // no torque at all
-  const MetricDerivative none = out_of_reach(Motor(design), Metric::speed_at, true, false);
+  const MetricDerivative none = differentiate_at_share(Motor(design), Metric::speed_at, kReachable);
   CHECK(none.value.status == MetricStatus::unreachable);
   CHECK(std::isnan(none.value.value));
 }

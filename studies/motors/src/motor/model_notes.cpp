@@ -7,7 +7,6 @@
 #include <twum/studies/units/engineering.hpp>
 
 #include <cmath>
-#include <numbers>
 
 namespace twum::studies {
 namespace {
@@ -60,31 +59,20 @@ void add_ratio(const std::string& topic, double ratio, double low, double high,
                        " to " + rounded_text(high, 2) + ", where the solver is tested"});
 }
 
-// Preload in parts of what presses the layer on all round, T3.2 at theta_L = pi.
-double preload_ratio(const MotorDesign& design) {
-  const double n = get(design, Parameter::wavelengths);
-  const double wave_number = n / get(design, Parameter::contact_radius);
-  const double full = 2 * std::numbers::pi * n * get(design, Parameter::contact_width) *
-                      get(design, Parameter::youngs_modulus) * get(design, Parameter::amplitude) /
-                      (get(design, Parameter::thickness) * wave_number);
-  return get(design, Parameter::preload) / full;
-}
-
-void add_ratios(const MotorDesign& design, std::vector<ModelNote>& notes) {
+void add_ratios(const MotorDesign& design, const Motor& motor, std::vector<ModelNote>& notes) {
   add_ratio("contact_width",
             get(design, Parameter::contact_width) / get(design, Parameter::contact_radius), 0.02,
             0.4, "contact_width / contact_radius", notes);
   add_ratio("static_friction",
             get(design, Parameter::static_friction) / get(design, Parameter::kinetic_friction), 1,
             2, "static_friction / kinetic_friction", notes);
-  add_ratio("preload", preload_ratio(design), 1e-6, 10, "preload in parts of that of full contact",
-            notes);
+  add_ratio("preload", motor.contact().load_ratio, 1e-6, 10,
+            "preload in parts of that of full contact", notes);
 }
 
-void add_contact(const MotorDesign& design, std::vector<ModelNote>& notes) {
+void add_contact(const MotorDesign& design, const Motor& motor, std::vector<ModelNote>& notes) {
   constexpr double kThin = 0.1;
   constexpr double kClosed = 0.5;
-  const Motor motor(design);
   const double length = 2 * motor.contact().half_length;
   const double thickness = get(design, Parameter::thickness);
   const double part = thickness / length;
@@ -105,8 +93,9 @@ void add_contact(const MotorDesign& design, std::vector<ModelNote>& notes) {
 std::vector<ModelNote> model_notes(const MotorDesign& design) {
   std::vector<ModelNote> notes;
   for (const Range& range : kTested) add_range(design, range, notes);
-  add_ratios(design, notes);
-  add_contact(design, notes);
+  const Motor motor(design);
+  add_ratios(design, motor, notes);
+  add_contact(design, motor, notes);
   return notes;
 }
 

@@ -79,6 +79,14 @@ double get(const MotorDesign& design, Parameter parameter);
 /// follows from E and nu, and for poisson_ratio when G is given outright; likewise the other twins.
 bool in_use(const MotorDesign& design, Parameter parameter);
 
+/// Derivatives of every parameter's value, as get() has it: row i, column j is d value i / d parameter j, SI.
+using ParameterJacobian = std::array<std::array<double, kParameterCount>, kParameterCount>;
+
+/// How all parameters move with each that is in use (in_use()), the others in use held: G, gamma and m with the material that
+/// gives them (T1.2 to T1.4) or the other way round, and mu_0 in proportion to mu unless `fixed_static_friction`. Columns of
+/// parameters not in use are zero. A microsecond; never throws for an admissible design.
+ParameterJacobian parameter_jacobian(const MotorDesign& design, bool fixed_static_friction = false);
+
 /// Why a value [SI] is not admissible by itself, in the form "must be at least 0 m, but is -1 m"; empty
 /// if it is. NaN and infinity never are.
 std::string complaint(Parameter parameter, double value);

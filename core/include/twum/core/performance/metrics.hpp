@@ -152,11 +152,20 @@ MetricValue evaluate(const Motor& motor, const MetricRequest& request);
 /// @}
 
 /// Metrics with exact derivatives: forward mode through the closed forms, implicit differentiation at
-/// every root. All eighteen derivatives of all metrics together cost about 2.7 times the metrics alone.
+/// every root. All derivatives of all metrics together cost about 2.6 times the metrics alone.
 /// Never throws for a number asked at, as evaluate().
 /// @param fixed_static_friction  mu_0 stays where it is when mu moves; otherwise it keeps its ratio
 std::vector<MetricDerivative> differentiate(const Motor& motor,
                                             std::span<const MetricRequest> requests,
                                             bool fixed_static_friction = false);
+
+/// A point metric, or speed_at, at a load of a share of the largest torque, a load that moves with the design: a search that
+/// has left the motors that carry a load sees finite numbers there. The status is `unreachable` if there is no torque at all.
+/// @param share  of the largest torque [1], more than 0 and below 1
+/// @{
+MetricValue evaluate_at_share(const Motor& motor, Metric metric, double share);
+MetricDerivative differentiate_at_share(const Motor& motor, Metric metric, double share,
+                                        bool fixed_static_friction = false);
+/// @}
 
 }  // namespace twum

@@ -12,7 +12,7 @@ namespace twum {
 
 namespace performance {
 template <typename S>
-struct MotorModel;
+struct DrivenMotor;
 }
 
 /// Whether an operating point has an answer.
@@ -27,6 +27,13 @@ enum class PointStatus : unsigned char {
 
 /// Short machine-readable word, such as "no-periodic-state"; "ok" for ok. A text that lives for ever.
 const char* to_string(PointStatus status) noexcept;
+
+/// What is prescribed at an operating point, beside the design.
+struct OperatingConditions {
+  double speed{0};      ///< Omega of the rotor [rad/s]
+  double amplitude{0};  ///< A of the wave [m]
+  double frequency{0};  ///< f of the wave [Hz]
+};
 
 /// The motor in its periodic state at one rotor speed. SI units; theory section 7.
 ///
@@ -96,6 +103,11 @@ class Motor {
   /// @throws InputError unless speed > -wave_speed() (and finite).
   OperatingPoint operating_point(double speed) const;
 
+  /// The same where another wave drives the motor than the one of its design. The layer's viscosity stays that of the
+  /// design, also where it follows from a loss factor at the design's frequency.
+  /// @throws InputError as above, and for an amplitude or a frequency outside its range.
+  OperatingPoint operating_point(const OperatingConditions& at) const;
+
   /// Stick and slip zones at a rotor speed [rad/s] from contact entry to exit; empty if the point has no
   /// answer. About a microsecond.
   /// @throws InputError as operating_point().
@@ -108,13 +120,11 @@ class Motor {
   ContactFields fields(double speed, int samples) const;
 
   /// The model behind the motor; for the library's own use.
-  const performance::MotorModel<double>& model() const noexcept { return *model_; }
+  const performance::DrivenMotor<double>& model() const noexcept { return *model_; }
 
  private:
-  void require_speed(double speed) const;
-
   MotorDesign design_;
-  std::shared_ptr<const performance::MotorModel<double>> model_;  // immutable, shared by copies
+  std::shared_ptr<const performance::DrivenMotor<double>> model_;  // immutable, shared by copies
 };
 
 /// Operating points at the given speeds [rad/s], in their order. About a microsecond each.

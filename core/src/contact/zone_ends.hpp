@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "contact/lap.hpp"
+#include "contact/zone_curves.hpp"
+#include "contact/zone_start.hpp"
+
+namespace twum::contact {
+
+/// Where the ends of zones come from.
+enum class Ends : unsigned char {
+  searched,  ///< the first root of a function; given by a script, if there is one
+  proven,    ///< those near the ones of a script, once they are proven to be the first
+  followed   ///< those near the ones of a script, without proof
+};
+
+/// Finds where zones end: the first zero of v_rel in slip, of the reserve to the threshold on either side in stick.
+/// Lengths are NaN where too many samples would be needed, kNoZero where the zone lasts to the exit.
+template <typename S, Ends kEnds>
+class ZoneEnds {
+ public:
+  ZoneEnds(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer, const Script* script)
+      : n_(numbers), layer_(layer), script_(script && script->complete() ? script : nullptr) {}
+
+  /// A lap that follows another goes through the same zones.
+  bool expects(ZoneState zone, int index) const {
+    if (kEnds != Ends::followed) return true;
+    return index < script_->count && script_->ends[index].zone == zone;
+  }
+
+  /// @param slow   what v_rel is beside the layer's own motion
+  /// @param index  of the zone in its lap
+  double slip_end(const FreeMotion<S>& motion, const Harmonic<S>& slow, const ZoneBegin& zone,
+                  const LapPlace<S>& from, int index) {
+    if (is_given(zone, index)) return known_end(zone, index).length;
+    const FreeMotion<double> own{value_of(motion.u), value_of(motion.w)};
+    const double length = value_of(n_.half_angle) - value_of(from.theta);
+    const auto& layer = layer_.values();  // lives as long as the curve
+    const SlipCurve curve(layer, own, slow.values(), sign_of(zone.zone), value_of(from.theta),
+                          values(from.at), length, values(n_.edge));
+    return find_zero(curve, length, zone.slip,
+                     kEnds == Ends::searched ? kNoZero : known_end(zone, index).length);
+  }
+
+  /// Newton steps in S from the root in double: the value stays, the derivatives come in.
+  S settled_slip_end(const FreeMotion<S>& motion, const Harmonic<S>& slow, const LapPlace<S>& from,
+                     double x) const {
+    S length(x);
+    for (int i = 0; i < kDualDepth<S>; ++i) {
+      const S theta = from.theta + length;
+      const Trig<S> a = trig(theta);
+      const LayerState<S> h = layer_.at(motion, length);
+      const S rate2 = layer_.kind() == LayerKind::elastic ? S(0.0)
+                      : layer_.kind() == LayerKind::relaxing
+                          ? S(-h.rate / layer_.C)
+                          : S(-(layer_.C * h.rate + h.e) / layer_.M);
+      length = newton_step(length, S(slow.at(theta, a) + h.rate), S(slow.slope(a) + rate2), x);
+    }
+    return length;
+  }
+
+  /// The side that the traction would reach at the exit comes first. The other is mostly ruled out at a
+  /// glance.
+  /// @param t  traction of the zone
+  Script::End stick_end(const Harmonic<S>& t, const ZoneBegin& zone, const LapPlace<S>& from,
+                        int index) {
+    if (is_given(zone, index)) return known_end(zone, index);
+    const Harmonic<double> traction = t.values();
+    const double exit = value_of(n_.half_angle), length = exit - value_of(from.theta);
+    const Script::End known = kEnds == Ends::searched ? Script::End{} : known_end(zone, index);
+    if constexpr (kEnds == Ends::followed) {
+      return ended(find_zero(stick_curve(t, from, known.side), length, {}, known.length),
+                   known.side);
+    }
+    const auto side = [&](double iota, double within, const Trig<double>& end) {
+      return stick_end_on(iota, t, zone, from, within, end, known);
+    };
+    const double likely = traction.at(exit, values(n_.edge)) < 0 ? -1 : 1;
+    const double first = side(likely, length, values(n_.edge));
+    if (std::isnan(first)) return ended(first, 0);
+    const double second = first == kNoZero
+                              ? side(-likely, length, values(n_.edge))
+                              : side(-likely, first, quick_trig(value_of(from.theta) + first));
+    return second == kNoZero ? ended(first, likely) : ended(second, -likely);
+  }
+
+  /// As settled_slip_end().
+  S settled_stick_end(const Harmonic<S>& t, const LapPlace<S>& from, const Script::End& end) const {
+    const Harmonic<S> f = reserve(t, end.side);
+    S length(end.length);
+    for (int i = 0; i < kDualDepth<S>; ++i) {
+      const S theta = from.theta + length;
+      const Trig<S> a = trig(theta);
+      length = newton_step(length, f.at(theta, a), f.slope(a), end.length);
+    }
+    return length;
+  }
+
+ private:
+  static constexpr long kMaxSamples = 4'000'000;
+
+  static Trig<double> values(const Trig<S>& a) {
+    return {value_of(a.sin), value_of(a.cos), value_of(a.versine)};
+  }
+
+  static Script::End ended(double length, double side) {
+    return {length, static_cast<float>(side), ZoneState::stick};
+  }
+
+  // The script's end of a zone like this one, or none.
+  Script::End known_end(const ZoneBegin& zone, int index) const {
+    const bool known = script_ && index < script_->count && script_->ends[index].zone == zone.zone;
+    return known ? script_->ends[index] : Script::End{kNoZero, 0, zone.zone};
+  }
+
+  // True if the zone's end needs no search.
+  bool is_given(const ZoneBegin& zone, int index) const {
+    return kEnds == Ends::searched
+               ? script_ != nullptr
+               : kEnds == Ends::followed && known_end(zone, index).length == kNoZero;
+  }
+
+  template <typename Curve>
+  double find_zero(const Curve& curve, double length, StartOrder order, double near) {
+    if constexpr (kEnds == Ends::searched) {
+      return first_zero(curve, length, order, samples_, kMaxSamples);
+    } else if constexpr (kEnds == Ends::proven) {
+      return first_zero(curve, length, order, samples_, kMaxSamples,
+                        known_zero(curve, near, length));
+    } else {
+      return followed_zero(curve, near, length);
+    }
+  }
+
+  static S newton_step(const S& x, const S& f, const S& slope, double value) {
+    if (value_of(slope) == 0) return x;
+    return with_value(S(x - with_value(f, 0.0) / slope), value);
+  }
+
+  // (E2.4)
+  Harmonic<S> reserve(const Harmonic<S>& t, double iota) const {
+    return {n_.static_ * n_.peak - iota * t.k0, -iota * t.kb, -n_.static_ - iota * t.kw,
+            -iota * t.ks};
+  }
+
+  StickCurve stick_curve(const Harmonic<S>& t, const LapPlace<S>& from, double iota) const {
+    return {reserve(t, iota).values(), value_of(from.theta), values(from.at)};
+  }
+
+  double stick_end_on(double iota, const Harmonic<S>& t, const ZoneBegin& zone,
+                      const LapPlace<S>& from, double length, const Trig<double>& end,
+                      const Script::End& known) {
+    const StickCurve curve = stick_curve(t, from, iota);
+    const StartOrder order = iota > 0 ? zone.plus_side : zone.minus_side;
+    const double near = known.side == iota ? known.length : kNoZero;
+    const StickCurve::Glance glance = curve.glance(length, order, end);
+    if (glance == StickCurve::Glance::no_zero) return kNoZero;
+    if (glance == StickCurve::Glance::one_zero) return curve.only_zero(length, near);
+    return find_zero(curve, length, order, near);
+  }
+
+  const ContactNumbers<S>& n_;
+  const LayerMotion<S>& layer_;
+  const Script* script_;
+  long samples_{0};
+};
+
+}  // namespace twum::contact

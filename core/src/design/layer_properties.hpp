@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/core/design/parameters.hpp>
+
+#include <numbers>
+
+namespace twum {
+
+/// The layer's properties from its material, and the material that a given property stands for; S is double or carries
+/// derivatives. The one place for these formulas.
+/// @{
+template <typename S>
+S shear_modulus_of(const S& youngs_modulus, const S& poisson_ratio) {  // (T1.2)
+  return youngs_modulus / (2.0 * (1.0 + poisson_ratio));
+}
+template <typename S>
+S poisson_ratio_of(const S& youngs_modulus, const S& shear_modulus) {
+  return youngs_modulus / (2.0 * shear_modulus) - 1.0;
+}
+template <typename S>
+S shear_viscosity_of(const S& loss_factor, const S& shear_modulus, const S& omega) {  // (T1.3)
+  return loss_factor * shear_modulus / omega;
+}
+template <typename S>
+S loss_factor_of(const S& shear_viscosity, const S& shear_modulus, const S& omega) {
+  return shear_viscosity * omega / shear_modulus;
+}
+template <typename S>
+S inertia_of(const S& density, const S& thickness) {  // (T1.4)
+  return density * thickness * thickness / 3.0;
+}
+template <typename S>
+S density_of(const S& inertia, const S& thickness) {
+  return 3.0 * inertia / (thickness * thickness);
+}
+/// @}
+
+/// Values in the order of the parameter table.
+template <typename S>
+using ParameterArray = std::array<S, kParameterCount>;
+
+/// Fills in the twins that follow from the parameters in use.
+/// @param given  says which are in use
+template <typename S>
+ParameterArray<S> with_twins(const MotorDesign& given, ParameterArray<S> p) {
+  using P = Parameter;
+  const auto at = [&p](P parameter) -> S& { return p[index_of(parameter)]; };
+  const S omega = 2 * std::numbers::pi * at(P::frequency);
+  const S &E = at(P::youngs_modulus), &h = at(P::thickness);
+  if (in_use(given, P::shear_modulus)) {
+    at(P::poisson_ratio) = poisson_ratio_of(E, at(P::shear_modulus));
+  } else {
+    at(P::shear_modulus) = shear_modulus_of(E, at(P::poisson_ratio));
+  }
+  const S& G = at(P::shear_modulus);
+  if (in_use(given, P::shear_viscosity)) {
+    at(P::loss_factor) = loss_factor_of(at(P::shear_viscosity), G, omega);
+  } else {
+    at(P::shear_viscosity) = shear_viscosity_of(at(P::loss_factor), G, omega);
+  }
+  if (in_use(given, P::inertia)) {
+    at(P::density) = density_of(at(P::inertia), h);
+  } else {
+    at(P::inertia) = inertia_of(at(P::density), h);
+  }
+  return p;
+}
+
+}  // namespace twum

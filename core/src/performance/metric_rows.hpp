@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "performance/curve_search.hpp"
+
+#include <twum/core/performance/metrics.hpp>
+
+namespace twum::performance {
+
+/// A point metric from the numbers of a point (T7.1 to T7.9); S is double or carries derivatives. The one place for these
+/// formulas; a metric without its line does not compile (-Werror=switch).
+template <typename S>
+S point_metric(Metric metric, const PointNumbers<S>& n, const S& speed, const DrivenMotor<S>& m) {
+  using M = Metric;
+  switch (metric) {
+    case M::torque_at: return n.torque;
+    case M::output_power_at: return n.torque * speed;  // (T7.1)
+    case M::stator_power_at: return n.stator_power;
+    case M::friction_power_at: return n.friction_power;
+    case M::layer_loss_at: return n.layer_loss;
+    case M::efficiency_at: return n.torque * speed / (n.stator_power + stator_loss(m));  // (T7.7)
+    case M::contact_efficiency_at: return n.torque * speed / n.stator_power;             // (T7.6)
+    case M::wear_intensity_at: return n.friction_power / track_area(m);                  // (T7.9)
+    case M::stick_fraction_at: return n.stick_fraction;
+    case M::speed_at: return speed;
+    // numbers of the motor, see metric_row()
+    case M::stall_torque:
+    case M::max_torque:
+    case M::holding_torque:
+    case M::no_load_speed:
+    case M::plateau_speed:
+    case M::peak_power:
+    case M::speed_at_peak_power:
+    case M::torque_at_peak_power:
+    case M::contact_efficiency_at_peak_power:
+    case M::max_efficiency:
+    case M::speed_at_max_efficiency:
+    case M::contact_half_length:
+    case M::contact_ratio:
+    case M::max_pressure: break;
+  }
+  return S(0.0);
+}
+
+/// One row for each metric: what it is, for its value and for its derivatives alike; a metric without its row does not
+/// compile.
+/// @param to  answers with numbers (Evaluator) or with numbers and their derivatives (Differentiator)
+template <typename Answers>
+typename Answers::Number metric_row(Answers& to, const MetricRequest& request) {
+  using M = Metric;
+  CurveSearch& search = to.search();
+  switch (request.metric) {
+    case M::stall_torque:
+      return to.at_peak(M::torque_at, {0, search.stall_torque(), PeakKind::rest});
+    case M::max_torque: return to.at_peak(M::torque_at, search.max_torque());
+    case M::holding_torque: return to.of_motor([](const auto& m) { return holding_torque(m); });
+    case M::no_load_speed: return to.crossing(search.no_load(), to.fixed(0));
+    case M::plateau_speed: return to.plateau();
+    case M::peak_power: return to.at_peak(M::output_power_at, search.peak_power());
+    case M::speed_at_peak_power: return to.speed_of_peak(M::output_power_at, search.peak_power());
+    case M::torque_at_peak_power: return to.along_peak(M::torque_at, search.working_peak());
+    case M::contact_efficiency_at_peak_power:
+      return to.along_peak(M::contact_efficiency_at, search.working_peak());
+    case M::max_efficiency: return to.at_peak(M::efficiency_at, search.max_efficiency());
+    case M::speed_at_max_efficiency:
+      return to.speed_of_peak(M::efficiency_at, search.max_efficiency());
+    case M::contact_half_length:
+      return to.of_contact([](const auto& contact) { return contact.half_length; });
+    case M::contact_ratio: return to.of_contact([](const auto& contact) { return contact.ratio; });
+    case M::max_pressure:
+      return to.of_contact([](const auto& contact) { return contact.max_pressure; });
+    case M::speed_at: return to.crossing(search.speed_at(request.at), to.fixed(request.at));
+    case M::torque_at:
+    case M::output_power_at:
+    case M::stator_power_at:
+    case M::friction_power_at:
+    case M::layer_loss_at:
+    case M::efficiency_at:
+    case M::contact_efficiency_at:
+    case M::wear_intensity_at:
+    case M::stick_fraction_at: break;
+  }
+  return request.argument == Argument::torque
+             ? to.at(request.metric, to.crossing(search.speed_at(request.at), to.fixed(request.at)))
+             : to.at(request.metric, to.fixed(request.at));
+}
+
+}  // namespace twum::performance
