@@ -135,6 +135,7 @@ SolvedPoint solve_point(const MotorModel<double>& m, double speed,
   template bool locks_at_rest(const MotorModel<S>&); \
   template PointNumbers<R> special_point(const MotorModel<S>&, const R&);
 TWUM_FOR_EACH_MODEL_SCALAR(TWUM_INSTANTIATE)
+#undef TWUM_INSTANTIATE
 template PointNumbers<contact::SpeedDual> special_point(const MotorModel<double>&,
                                                         const contact::SpeedDual&);
 

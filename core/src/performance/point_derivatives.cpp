@@ -159,5 +159,6 @@ ModelDual plateau_end_derivative(const MotorModel<double>& values,
                                                const SolvedPoint&, double);
 TWUM_INSTANTIATE(ModelDual)
 TWUM_INSTANTIATE(ModelDual2)
+#undef TWUM_INSTANTIATE
 
 }  // namespace twum::performance

@@ -16,6 +16,10 @@ MotorModel<S> differentiated_model(const MotorDesign& design, bool fixed_static_
 /// Speed as an independent variable of the model's derivatives.
 template <typename S>
 S speed_variable(double speed);
+template <>
+ModelDual speed_variable<ModelDual>(double speed);
+template <>
+ModelDual2 speed_variable<ModelDual2>(double speed);
 
 /// Numbers of a solved point with derivatives in every parameter and the speed; S is ModelDual or
 /// ModelDual2. The contact is differentiated in its own seven numbers and chained.
