@@ -13,6 +13,7 @@ target_compile_options(twum_compile INTERFACE
   -fno-math-errno
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+  $<$<BOOL:${TWUM_UNITY}>:-Wno-shadow>  # one source's names are not another's concern
   $<$<BOOL:${TWUM_WARNINGS_AS_ERRORS}>:-Werror>)
 if(TWUM_SANITIZE)
   target_compile_options(twum_compile INTERFACE -fsanitize=${TWUM_SANITIZE} -fno-omit-frame-pointer)

@@ -10,7 +10,7 @@ namespace twum::optim {
 namespace {
 
 constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 30U;
-constexpr std::uint64_t kRounds = 6;           // Luby and Rackoff: four make it pseudorandom
+constexpr std::uint64_t kFeistelRounds = 6;    // Luby and Rackoff: four make it pseudorandom
 constexpr std::uint64_t kRoundStage = 0x7A71;  // streams apart from those of other uses of a seed
 constexpr std::uint64_t kPlaceStage = 0x7A72;
 constexpr double kPlaces = 0x1.0p20;  // within a stratum; with 30 bits of stratum exact in a double
@@ -36,7 +36,7 @@ std::uint64_t LatinHypercube::stratum(std::uint64_t index, std::size_t coordinat
   do {
     std::uint64_t left = value >> half_bits_;
     std::uint64_t right = value & mask;
-    for (std::uint64_t round = 0; round < kRounds; ++round) {
+    for (std::uint64_t round = 0; round < kFeistelRounds; ++round) {
       Random mix(seed_, kRoundStage + coordinate * 0x10000, (round << 32U) | right);
       const std::uint64_t mixed = left ^ (mix.bits() & mask);
       left = right;

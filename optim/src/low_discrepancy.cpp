@@ -9,11 +9,11 @@
 namespace twum::optim {
 namespace {
 
-constexpr std::size_t kDimensions = 3667;  // of the direction numbers that Boost carries
-constexpr std::size_t kBits = 40;          // of an index: 10^12 points
+constexpr std::size_t kMostDimensions = 3667;  // of the direction numbers that Boost carries
+constexpr std::size_t kBits = 40;              // of an index: 10^12 points
 
 std::size_t checked(std::size_t dimension) {
-  if (dimension == 0 || dimension > kDimensions)
+  if (dimension == 0 || dimension > kMostDimensions)
     throw InputError("Sobol sequence: dimension " + std::to_string(dimension) +
                      " is outside 1 to 3667");
   return dimension;

@@ -10,8 +10,8 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kActivity = 1e-3;  // how near a limit must be to be a guess at the active set
-constexpr double kLongest = 0.05;   // of the box; a longer step would not be a finishing touch
+constexpr double kNearLimit = 1e-3;  // how near a limit must be to be a guess at the active set
+constexpr double kLongest = 0.05;    // of the box; a longer step would not be a finishing touch
 constexpr double kDone = 1e-11;
 constexpr int kSteps = 5;
 
@@ -119,7 +119,7 @@ std::optional<KktPoint> step(Session& session, const Scaling& scaling, KktPoint 
 
 Multipliers multipliers(const KktPoint& p, const Eigen::VectorXd& weights) {
   const auto objectives = static_cast<std::size_t>(weights.size());
-  Multipliers m = find_multipliers(p, weighted_gradient(p, weights), objectives, kActivity);
+  Multipliers m = find_multipliers(p, weighted_gradient(p, weights), objectives, kNearLimit);
   m.weights = weights;
   return m;
 }

@@ -258,5 +258,6 @@ bool follow_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>
                           const Script*, std::vector<ZoneTrace>*);
 TWUM_FOR_EACH_CONTACT_SCALAR(TWUM_INSTANTIATE)
 TWUM_FOR_EACH_WITH_STATE(TWUM_INSTANTIATE)
+#undef TWUM_INSTANTIATE
 
 }  // namespace twum::contact

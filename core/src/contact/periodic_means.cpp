@@ -113,5 +113,6 @@ TWUM_INSTANTIATE(double)
 TWUM_INSTANTIATE(SpeedDual)
 TWUM_INSTANTIATE(NumbersDual)
 TWUM_INSTANTIATE(NumbersDual2)
+#undef TWUM_INSTANTIATE
 
 }  // namespace twum::contact

@@ -12,7 +12,7 @@ namespace twum::contact {
 namespace {
 
 constexpr double kDriving = -1;  // sign of v_rel
-constexpr long kMaxSamples = 1'000'000;
+constexpr long kMostSamples = 1'000'000;
 constexpr int kMaxSlides = 200'000;
 
 template <typename S>
@@ -116,7 +116,7 @@ SlipMargin slip_margin(const ContactNumbers<double>& n) {
   StartOrder order = StartOrder::positive;
   while (x < contact.length) {
     const double zero = first_zero(contact.curve(low.value - hair, x), contact.length - x, order,
-                                   samples, kMaxSamples);
+                                   samples, kMostSamples);
     if (!(zero < contact.length - x)) break;
     x = next_minimum(contact, x + zero);
     const CurveSample c = contact.sample(x);
@@ -143,5 +143,6 @@ S slip_margin_at(const ContactNumbers<S>& n, const SlipMargin& margin) {
 
 #define TWUM_INSTANTIATE(S) template S slip_margin_at(const ContactNumbers<S>&, const SlipMargin&);
 TWUM_FOR_EACH_CONTACT_SCALAR(TWUM_INSTANTIATE)
+#undef TWUM_INSTANTIATE
 
 }  // namespace twum::contact

@@ -7,7 +7,7 @@ namespace {
 using M = Metric;
 using A = Argument;
 
-constexpr std::array<MetricInfo, kMetricCount> kTable{{
+constexpr std::array<MetricInfo, kMetricCount> kMetricTable{{
     {M::stall_torque, "stall_torque", "N.m", A::none, "torque as the rotor begins to turn"},
     {M::max_torque, "max_torque", "N.m", A::none, "largest torque between rest and no-load speed"},
     {M::holding_torque, "holding_torque", "N.m", A::none,
@@ -63,12 +63,12 @@ static_assert(each_in_its_place(), "a metric has no row of its own, or not in it
 
 }  // namespace
 
-std::span<const MetricInfo> metric_table() { return kTable; }
+std::span<const MetricInfo> metric_table() { return kMetricTable; }
 
-const MetricInfo& info(Metric metric) { return kTable[static_cast<std::size_t>(metric)]; }
+const MetricInfo& info(Metric metric) { return kMetricTable[static_cast<std::size_t>(metric)]; }
 
 std::optional<Metric> find_metric(std::string_view name) {
-  for (const MetricInfo& row : kTable) {
+  for (const MetricInfo& row : kMetricTable) {
     if (row.name == name) return row.metric;
   }
   return {};

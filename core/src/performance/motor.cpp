@@ -22,10 +22,11 @@ std::string speed_text(double speed) {
   return text;
 }
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 OperatingPoint no_answer(double speed, PointStatus status) {
-  return {speed, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, status};
+  return {speed,    kNoValue, kNoValue, kNoValue, kNoValue,
+          kNoValue, kNoValue, kNoValue, kNoValue, status};
 }
 
 }  // namespace
@@ -48,13 +49,13 @@ const char* to_string(ZoneState state) noexcept {
 
 double OperatingPoint::contact_efficiency() const noexcept {
   const double excess = stator_power - output_power - friction_power - layer_loss;
-  return performance::is_known(stator_power, excess) ? output_power / stator_power : kNaN;
+  return performance::is_known(stator_power, excess) ? output_power / stator_power : kNoValue;
 }
 
 double OperatingPoint::efficiency() const noexcept {
   const double input = stator_power + stator_loss;
   const double excess = stator_power - output_power - friction_power - layer_loss;
-  return performance::is_known(input, excess) ? output_power / input : kNaN;
+  return performance::is_known(input, excess) ? output_power / input : kNoValue;
 }
 
 Motor::Motor(const MotorDesign& design) : design_(design) {

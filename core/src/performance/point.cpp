@@ -140,6 +140,7 @@ SolvedPoint solve_point(const DrivenMotor<double>& m, double speed, const WarmSt
   template bool locks_at_rest(const DrivenMotor<S>&); \
   template PointNumbers<R> special_point(const DrivenMotor<S>&, const R&);
 TWUM_FOR_EACH_MODEL_SCALAR(TWUM_INSTANTIATE)
+#undef TWUM_INSTANTIATE
 template PointNumbers<contact::SpeedDual> special_point(const DrivenMotor<double>&,
                                                         const contact::SpeedDual&);
 

@@ -153,5 +153,6 @@ ModelDual plateau_end_derivative(const DrivenMotor<ModelDual>& motor, double spe
   template PointNumbers<S> SolvedPoint::differentiated(const DrivenMotor<S>&, const S&) const;
 TWUM_INSTANTIATE(ModelDual)
 TWUM_INSTANTIATE(ModelDual2)
+#undef TWUM_INSTANTIATE
 
 }  // namespace twum::performance

@@ -15,6 +15,10 @@ DrivenMotor<S> differentiated_motor(const MotorDesign& design);
 /// Speed as an independent variable of the model's derivatives.
 template <typename S>
 S speed_variable(double speed);
+template <>
+ModelDual speed_variable<ModelDual>(double speed);
+template <>
+ModelDual2 speed_variable<ModelDual2>(double speed);
 
 /// Torque and its slope in speed.
 struct TorqueSlope {

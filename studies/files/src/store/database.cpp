@@ -14,7 +14,7 @@ constexpr auto kBatchTime = std::chrono::milliseconds(200);
 constexpr std::size_t kRowsPerPage = 512;
 constexpr int kApplication = 0x7477756d;  // "twum", in the head of the file
 constexpr int kVersion = 2;
-constexpr int kFirstValue = 3;  // place of a row's first value in an INSERT
+constexpr int kFirstPlace = 3;  // place of a row's first value in an INSERT
 
 std::string heading(const Column& column) { return column.name + " [" + column.unit + "]"; }
 
@@ -172,7 +172,7 @@ void ResultStore::Database::insert(const Row& row) {
   const std::uint64_t sum = checksum_of(row, columns_.size());
   insert_->bind(1, static_cast<std::int64_t>(row.stage));
   insert_->bind(2, static_cast<std::int64_t>(row.index));
-  int place = kFirstValue;
+  int place = kFirstPlace;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     insert_->bind(place++,
                   i < row.values.size() ? row.values[i] : std::numeric_limits<double>::quiet_NaN());

@@ -9,13 +9,14 @@
 namespace twum::studies {
 namespace {
 
-struct Prefix {
+struct EngineeringPrefix {
   const char* text;
   double value;
 };
 
-constexpr Prefix kPrefixes[] = {{"T", 1e12}, {"G", 1e9},  {"M", 1e6},  {"k", 1e3},  {"", 1},
-                                {"m", 1e-3}, {"u", 1e-6}, {"n", 1e-9}, {"p", 1e-12}};
+constexpr EngineeringPrefix kEngineeringPrefixes[] = {{"T", 1e12}, {"G", 1e9},  {"M", 1e6},
+                                                      {"k", 1e3},  {"", 1},     {"m", 1e-3},
+                                                      {"u", 1e-6}, {"n", 1e-9}, {"p", 1e-12}};
 
 // A prefix in front of kg would be wrong, and of a unit with a bare kg in it unusual.
 bool takes_prefix(std::string_view si_unit) { return !si_unit.starts_with("kg"); }
@@ -29,7 +30,7 @@ DisplayUnit display_unit(double size, std::string_view si_unit) {
   if (!takes_prefix(si_unit) || !(magnitude >= 1e-12) || !std::isfinite(magnitude)) {
     return {std::string(si_unit), 1};
   }
-  for (const Prefix& prefix : kPrefixes) {
+  for (const EngineeringPrefix& prefix : kEngineeringPrefixes) {
     // 0.99999999 k is shown as 1 k, not as 1000.
     if (magnitude >= prefix.value * (1 - 1e-9))
       return {prefix.text + std::string(si_unit), prefix.value};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "units/unit_system.hpp"
 
+#include "text/utf8.hpp"
 #include "units/unit_definitions.hpp"
 
 #include <twum/base/error.hpp>
@@ -84,7 +85,6 @@ std::mutex& units_mutex() {
   return mutex;
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
 }

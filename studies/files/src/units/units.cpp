@@ -125,7 +125,8 @@ Match match_unit(std::string_view unit, std::string_view whole, std::size_t at,
     std::string pointed(text);
     pointed[comma] = '.';
     if (number_prefix(pointed) > comma) {
-      throw ValueError(quoted(text) + " has a decimal comma", "write " + quoted(pointed), comma);
+      throw ValueError(studies::quoted(text) + " has a decimal comma", "write " + quoted(pointed),
+                       comma);
     }
   }
   throw ValueError(quoted(text) + " is not a number", expectation(expected));

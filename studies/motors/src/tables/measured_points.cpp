@@ -18,7 +18,7 @@
 namespace twum::studies {
 namespace {
 
-enum Kind : std::size_t { kSpeed, kTorque, kWeight, kDeviation };
+enum Kind : std::size_t { kSpeedColumn, kTorqueColumn, kWeight, kDeviation };
 
 constexpr std::array<std::string_view, 4> kNames{"speed", "torque", "weight", "torque_sd"};
 constexpr std::array<Expected, 4> kExpected{
@@ -125,11 +125,11 @@ class PointReader {
                           "first given here"});
       }
     }
-    for (const Kind needed : {kSpeed, kTorque}) {
+    for (const Kind needed : {kSpeedColumn, kTorqueColumn}) {
       if (find(needed) != nullptr || unknown_column()) continue;
       diagnostics_.add(begin, "", "no column '" + std::string(kNames[needed]) + "'",
-                       needed == kSpeed ? "expected one such as 'speed [rpm]'"
-                                        : "expected one such as 'torque [N.m]'");
+                       needed == kSpeedColumn ? "expected one such as 'speed [rpm]'"
+                                              : "expected one such as 'torque [N.m]'");
     }
     if (find(kWeight) != nullptr && find(kDeviation) != nullptr) {
       diagnostics_.add({find(kDeviation)->mark, "torque_sd", "weights and standard deviations",
@@ -197,8 +197,8 @@ class PointReader {
       return;
     }
     if (positive) weight_mark_ = mark;
-    if (column.kind == kSpeed) point.speed = *value;
-    if (column.kind == kTorque) point.torque = *value;
+    if (column.kind == kSpeedColumn) point.speed = *value;
+    if (column.kind == kTorqueColumn) point.torque = *value;
     if (column.kind == kWeight) point.weight = *value;
     if (column.kind == kDeviation) point.deviation = *value;
   }

@@ -10,8 +10,6 @@
 namespace twum::studies {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
 NamedValue named(const MotorDesign& motor, Parameter parameter) {
   const ParameterInfo& row = info(parameter);
   return {std::string(row.name), std::string(row.unit), get(motor, parameter)};
@@ -23,7 +21,7 @@ std::vector<double> values_of(const MotorDesign& design,
   ExpressionEvaluator(metrics).evaluate(Motor(design), answers);
   std::vector<double> values;
   for (const MetricValue& answer : answers)
-    values.push_back(answer.status == MetricStatus::ok ? answer.value : kNone);
+    values.push_back(answer.status == MetricStatus::ok ? answer.value : kNoValue);
   return values;
 }
 
@@ -102,7 +100,7 @@ std::vector<LimitState> DesignReporter::limits(const MotorDesign& motor,
       if (i >= problem_.limits.size()) state.value = a->value;  // such as mu_0 - mu
     }
     const double excess = limit.at_least ? limit.limit - state.value : state.value - limit.limit;
-    state.violation = std::isnan(excess) ? kNone : std::max(0.0, excess);
+    state.violation = std::isnan(excess) ? kNoValue : std::max(0.0, excess);
     states.push_back(std::move(state));
   }
   return states;

@@ -9,8 +9,6 @@
 namespace twum::studies {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
 // Exact derivatives at one motor: one row, whose detail holds the gradients and their smoothness.
 class LocalSensitivity : public SensitivityRun {
  public:
@@ -28,7 +26,7 @@ class LocalSensitivity : public SensitivityRun {
     context.store.read(0, [&](const Row& row) { answer(row, result); });
     for (MetricSensitivity& metric : result.metrics) {
       if (metric.samples + metric.dropped > 0) continue;
-      metric.value = metric.sd = kNone;
+      metric.value = metric.sd = kNoValue;
       refused(metric, "motors");
     }
     std::string word = outcome(result, complete);
@@ -66,7 +64,7 @@ class LocalSensitivity : public SensitivityRun {
     for (std::size_t i = 0; i < metrics_.size(); ++i) {
       MetricSensitivity& metric = result.metrics[i];
       metric.value = row.values[variables() + i];
-      metric.sd = kNone;
+      metric.sd = kNoValue;
       if (std::isnan(metric.value) || numbers.size() != stride * metrics_.size()) {
         metric.dropped = 1;
         metric.note = "no value at this motor (" + row.status + ")";
@@ -78,7 +76,7 @@ class LocalSensitivity : public SensitivityRun {
       MetricSensitivity::Local effects;
       for (std::size_t j = 0; j < variables(); ++j) {
         const double slope = part[1 + j];
-        effects.push_back({slope, metric.value == 0 ? kNone : slope * motor_[j] / metric.value});
+        effects.push_back({slope, metric.value == 0 ? kNoValue : slope * motor_[j] / metric.value});
       }
       metric.effects = std::move(effects);
     }

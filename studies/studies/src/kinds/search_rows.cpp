@@ -11,8 +11,6 @@
 namespace twum::studies {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
 template <typename T>
 void append(std::string& bytes, const T& value) {
   const auto at = bytes.size();
@@ -112,7 +110,7 @@ Row SearchRows::row(std::uint64_t stage, std::uint64_t index, std::span<const do
   for (const MetricColumn& metric : metrics_) {
     const bool none = !evaluation.ok() || (metric.load_response > 0 &&
                                            evaluation.values[metric.load_response] < metric.load);
-    row.values.push_back(none ? kNone : evaluation.values[metric.response]);
+    row.values.push_back(none ? kNoValue : evaluation.values[metric.response]);
   }
   if (!evaluation.ok()) row.status = evaluation.failure;
   row.detail = detail(evaluation, variables_, gradient);
@@ -157,7 +155,7 @@ SearchLog::SearchLog(const DesignProblem& problem, RunContext& context)
       context_(context),
       rows_(problem),
       answering_(motor_problem(problem)),
-      best_(kNone) {
+      best_(kNoValue) {
   const std::size_t variables = problem.variables.size();
   context.store.read([&](const Row& row) {
     const std::span design(row.values.data(), variables);

@@ -10,8 +10,6 @@
 namespace twum::studies {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
 // Metrics of a grid, list or sample of designs: one stage, a row for each design.
 class SweepRun : public StudyKindRun {
  public:
@@ -71,7 +69,7 @@ class SweepRun : public StudyKindRun {
     const auto metrics = all.begin() + static_cast<std::ptrdiff_t>(variables());
     result.variables.assign(all.begin(), metrics);
     for (auto column = metrics; column != all.end(); ++column)
-      result.metrics.push_back({*column, 0, kNone, kNone, kNone, {}, {}});
+      result.metrics.push_back({*column, 0, kNoValue, kNoValue, kNoValue, {}, {}});
     store.read(0, [&](const Row& row) {
       ++result.stored;
       result.failed += row.status == "ok" ? 0 : 1;

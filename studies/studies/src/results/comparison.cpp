@@ -21,8 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
 Json read_summary(const std::string& directory) {
   std::error_code ignored;
   if (!fs::is_directory(directory, ignored))
@@ -89,7 +87,7 @@ class Comparer {
   void number(const std::string& group, const std::string& name, const std::string& unit,
               const Json& value) {
     ComparisonRow& one = row(group, name, unit);
-    one.values.resize(results_, kNone);
+    one.values.resize(results_, kNoValue);
     if (value.is_number()) one.values[result_] = value.get<double>();
   }
 
@@ -127,8 +125,8 @@ class Comparer {
     number("front", "hypervolume", "1", below(summary, "hypervolume"));
     if (points.empty()) return;
     for (const auto& [name, ignored] : below(points.front(), "metrics").items()) {
-      double low = kNone;
-      double high = kNone;
+      double low = kNoValue;
+      double high = kNoValue;
       for (const Json& point : points) {
         const Json& value = below(below(point, "metrics"), name);
         if (!value.is_number()) continue;
@@ -199,7 +197,7 @@ Comparison compare_results(std::span<const std::string> directories) {
   comparison.rows = comparer.take();
   for (ComparisonRow& row : comparison.rows) {
     if (!row.words.empty()) row.words.resize(directories.size());
-    if (!row.values.empty()) row.values.resize(directories.size(), kNone);
+    if (!row.values.empty()) row.values.resize(directories.size(), kNoValue);
   }
   return comparison;
 }

@@ -100,7 +100,7 @@ std::string idle_sentence(const std::vector<std::string>& names) {
   return enumeration(names) + (names.size() == 1 ? " does" : " do") + " not matter.\n";
 }
 
-std::string percent(double share) { return rounded_text(100 * share, 3) + " %"; }
+std::string share_text(double share) { return rounded_text(100 * share, 3) + " %"; }
 
 // What a method says of one metric: a sorted table, then sentences.
 class MetricText {
@@ -123,12 +123,12 @@ class MetricText {
     const SobolShares& most = shares[order.front()];
     if (!std::isfinite(most.total.value)) return aligned(table);
     std::string text = aligned(table) + name(order.front()) + " matters most: alone it explains " +
-                       percent(std::max(0.0, most.first.value)) + " of the variance";
+                       share_text(std::max(0.0, most.first.value)) + " of the variance";
     if (most.total.value > most.first.value)
-      text += ", with its interactions " + percent(most.total.value);
+      text += ", with its interactions " + share_text(most.total.value);
     text += ".\n";
     if (1 - alone > std::max(kNegligible, doubt))
-      text += "Interactions explain " + percent(1 - alone) + ".\n";
+      text += "Interactions explain " + share_text(1 - alone) + ".\n";
     return text + idle_sentence(idle);
   }
 
@@ -215,7 +215,7 @@ std::string whole_numbers_text(const SensitivityResult& result) {
 
 std::string frame_text(const SensitivityResult& result) {
   if (result.method == "local") return "Derivatives at the motor\n" + whole_numbers_text(result);
-  const std::string level = percent(result.confidence) + " intervals";
+  const std::string level = share_text(result.confidence) + " intervals";
   if (result.method == "morris") {
     return "Elementary effects across the ranges (Morris), " + std::to_string(result.samples) +
            " trajectories, " + level + "\n";

@@ -12,10 +12,10 @@
 namespace twum::studies {
 namespace {
 
-std::string percent(double share) { return rounded_text(100 * share, 4) + " %"; }
+std::string yield_text(double share) { return rounded_text(100 * share, 4) + " %"; }
 
-std::string percent(const Estimate& e) {
-  return percent(e.value) + "  (" + percent(e.low) + " to " + percent(e.high) + ")";
+std::string yield_text(const Estimate& e) {
+  return yield_text(e.value) + "  (" + yield_text(e.low) + " to " + yield_text(e.high) + ")";
 }
 
 Json metric_json(const UncertaintyResult::Metric& metric, std::uint64_t samples) {
@@ -35,7 +35,7 @@ Json metric_json(const UncertaintyResult::Metric& metric, std::uint64_t samples)
   return json;
 }
 
-std::string cell(double value, const std::string& unit) {
+std::string finite_text(double value, const std::string& unit) {
   return std::isfinite(value) ? engineering(value, unit) : "-";
 }
 
@@ -45,8 +45,8 @@ void add_rows(const UncertaintyResult::Metric& metric, TextTable& table) {
   std::vector<std::string> intervals{""};
   const auto add = [&](const Estimate& e) {
     const std::string& unit = metric.column.unit;
-    values.push_back(cell(e.value, unit));
-    intervals.push_back("(" + cell(e.low, unit) + " to " + cell(e.high, unit) + ")");
+    values.push_back(finite_text(e.value, unit));
+    intervals.push_back("(" + finite_text(e.low, unit) + " to " + finite_text(e.high, unit) + ")");
   };
   add(metric.mean);
   add(metric.sd);
@@ -59,7 +59,7 @@ std::string spread_table(const UncertaintyResult& result) {
   TextTable table{{{"metric", "mean", "standard deviation"}}};
   if (result.metrics.empty()) return {};
   for (const UncertaintyResult::Quantile& quantile : result.metrics.front().quantiles)
-    table.rows.front().push_back(percent(quantile.probability) + " quantile");
+    table.rows.front().push_back(yield_text(quantile.probability) + " quantile");
   for (const UncertaintyResult::Metric& metric : result.metrics) add_rows(metric, table);
   return aligned(table);
 }
@@ -78,7 +78,7 @@ std::string missing_text(const UncertaintyResult& result) {
                               : without(missing) + "; the numbers are those of the others.\n";
   }
   for (const UncertaintyResult::CutOff& cut : result.cut_off) {
-    text += percent(cut.share) + " of the distribution of " + cut.variable +
+    text += yield_text(cut.share) + " of the distribution of " + cut.variable +
             " is not admissible and was cut off.\n";
   }
   return text;
@@ -86,10 +86,10 @@ std::string missing_text(const UncertaintyResult& result) {
 
 std::string yield_text(const UncertaintyResult& result) {
   if (!result.yield) return {};
-  std::string text = "\nYield: " + percent(*result.yield) + " of the motors keep all limits.\n";
+  std::string text = "\nYield: " + yield_text(*result.yield) + " of the motors keep all limits.\n";
   TextTable table{{{"limit", "kept by"}}};
   for (const UncertaintyResult::Limit& limit : result.limits)
-    table.rows.push_back({limit.text, percent(limit.kept)});
+    table.rows.push_back({limit.text, yield_text(limit.kept)});
   text += aligned(table);
   const auto worst =
       std::min_element(result.limits.begin(), result.limits.end(),

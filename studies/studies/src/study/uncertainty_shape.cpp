@@ -36,8 +36,6 @@ using namespace shapes;
 
 namespace {
 
-using Variable = UncertainVariable;
-
 // Largest share of a distribution that may lie outside the admissible range of its parameter. More
 // than that would move mean and spread visibly away from those that were typed.
 constexpr double kMostCutOff = 0.01;
@@ -56,7 +54,7 @@ Shape<double> spread_of(const ParameterInfo& row) {
   return number(std::move(schema));
 }
 
-bool check_lognormal(const Variable& value, const Given& given, Diagnostics& diagnostics) {
+bool check_lognormal(const UncertainVariable& value, const Given& given, Diagnostics& diagnostics) {
   const YamlNode& mean = *given.find("mean");
   if (!(value.mean > 0)) {
     diagnostics.add(mean.mark, given.path("mean"),
@@ -75,17 +73,17 @@ bool check_lognormal(const Variable& value, const Given& given, Diagnostics& dia
 }
 
 // What only a look at the whole distribution shows.
-bool check_numbers(const Variable& value, const Given& given, Diagnostics& diagnostics) {
+bool check_numbers(const UncertainVariable& value, const Given& given, Diagnostics& diagnostics) {
   const auto both = [&](const char* a, const char* b) {
     return given.right(a) != nullptr && given.right(b) != nullptr;
   };
   bool good = true;
-  if (value.shape == Variable::Shape::normal) return both("mean", "sd");
-  if (value.shape == Variable::Shape::lognormal)
+  if (value.shape == UncertainVariable::Shape::normal) return both("mean", "sd");
+  if (value.shape == UncertainVariable::Shape::lognormal)
     return !std::isnan(value.mean) && !std::isnan(value.sd) &&
            check_lognormal(value, given, diagnostics) && both("mean", "sd");
   if (both("min", "max")) good = rising(given, "min", value.min, "max", value.max, diagnostics);
-  if (value.shape == Variable::Shape::uniform) return good && both("min", "max");
+  if (value.shape == UncertainVariable::Shape::uniform) return good && both("min", "max");
   if (both("min", "mode"))
     good = rising(given, "min", value.min, "mode", value.mode, diagnostics) && good;
   if (both("mode", "max"))
@@ -93,8 +91,8 @@ bool check_numbers(const Variable& value, const Given& given, Diagnostics& diagn
   return good && both("min", "max") && both("mode", "max");
 }
 
-Shape<Variable> uncertain(const ParameterInfo& row) {
-  using V = Variable;
+Shape<UncertainVariable> uncertain(const ParameterInfo& row) {
+  using V = UncertainVariable;
   const Shape<double> value = value_of(row);
   const Shape<double> spread = spread_of(row);
   const auto one = [&](const char* name, V::Shape kind, std::vector<Field<V>> fields) {
@@ -153,7 +151,8 @@ Shape<UncertaintyStudy> UncertaintyStudy::shape() {
   return mapping<S>(
       "spread and yield under tolerances",
       {kind_field<S>(),
-       needed<S>("variables", by_parameter<Variable>(uncertain, "what is uncertain", kTolerances),
+       needed<S>("variables",
+                 by_parameter<UncertainVariable>(uncertain, "what is uncertain", kTolerances),
                  &S::variables),
        needed<S>("metrics", shapes::metrics(), &S::metrics),
        standard<S>("samples", shapes::samples(), &S::samples),

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <string>
 
 namespace twum::studies {
+
+/// What stands where there is no value.
+inline constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 /// A column of stored rows: a flat parameter name or a metric as typed, in SI.
 struct Column {
@@ -15,7 +19,7 @@ struct Column {
 struct NamedValue {
   std::string name;  ///< flat name of a parameter, or a metric as typed
   std::string unit;  ///< SI unit, "1" if dimensionless
-  double value;      ///< NaN: none
+  double value;      ///< kNoValue: none
 };
 
 }  // namespace twum::studies
