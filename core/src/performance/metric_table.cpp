@@ -56,7 +56,7 @@ constexpr std::array<MetricInfo, kMetricCount> kMetricTable{{
 
 constexpr bool each_in_its_place() {
   for (std::size_t i = 0; i < kMetricCount; ++i)
-    if (static_cast<std::size_t>(kTable[i].metric) != i || kTable[i].name.empty()) return false;
+    if (static_cast<std::size_t>(kMetricTable[i].metric) != i || kMetricTable[i].name.empty()) return false;
   return true;
 }
 static_assert(each_in_its_place(), "a metric has no row of its own, or not in its place");
