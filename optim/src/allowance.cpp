@@ -14,7 +14,7 @@ bool Allowance::take(std::span<const double> z) {
   idle_ = evaluations == evaluations_ ? idle_ + 1 : 0;
   evaluations_ = evaluations;
   if (idle_ > kMostIdle) {
-    word_ = "STALLED";
+    stall();
     return false;
   }
   if (last_.size() == z.size() && std::equal(z.begin(), z.end(), last_.begin())) return true;

@@ -21,6 +21,9 @@ class Allowance {
   /// The next request counts as a new point, wherever it is.
   void forget_last() { last_.clear(); }
 
+  /// Takes all that is left from a solver that asks for nothing any more.
+  void stall() { word_ = "STALLED"; }
+
   bool used_up() const { return word_[0] != '\0'; }
 
   /// Why it is used up, in the words of a solver; empty if it is not.

@@ -5,11 +5,13 @@
 #include "augmented_lagrangian.hpp"
 #include "nlopt_table.hpp"
 #include "restarts.hpp"
+#include "solver_thread.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <exception>
 #include <memory>
+#include <optional>
 
 namespace twum::optim {
 namespace {
@@ -28,10 +30,17 @@ constexpr double kConstraintTolerance = 1e-9;
 // NLopt's searches of Luksan go on for ever from a corner of the box, and ask for nothing.
 constexpr double kLeastFtol = 1e-16;
 
+// A step between two requests takes some n^3 operations at most, each far below a microsecond, and with few
+// variables microseconds in all. In seconds of computing.
+double longest_step(std::size_t n) { return std::max(1.0, 1e-6 * std::pow(n, 3)); }
+
 // What the callbacks share. They never throw: a C library is in between.
 struct Bridge {
   Bridge(Nlp& problem, const NloptAlgorithm& a, std::size_t calls)
-      : nlp(problem), gradient(a.gradient), rank_failures(a.compares_only), allowance(nlp, calls) {}
+      : nlp(problem), gradient(a.gradient), rank_failures(a.compares_only), allowance(nlp, calls) {
+    if (may_turn_for_ever(a))
+      thread.emplace(longest_step(nlp.size()), [this] { return due() != StopReason::finished; });
+  }
 
   Nlp& nlp;
   nlopt_opt opt{nullptr};
@@ -44,9 +53,35 @@ struct Bridge {
   std::exception_ptr error;
   std::vector<double> failed_at;
   StopReason stop{StopReason::finished};
+  std::optional<SolverThread> thread;  // of NLopt's code, where it may never come back
 
-  bool halted() const {
-    return error || !failed_at.empty() || stop != StopReason::finished || allowance.used_up();
+  bool over() const { return error || stop != StopReason::finished || allowance.used_up(); }
+  bool halted() const { return over() || !failed_at.empty(); }
+
+  // Why the search has to end, be it while the solver computes.
+  StopReason due() const {
+    try {
+      nlp.session().heed();
+      return StopReason::finished;
+    } catch (const Stop& s) {
+      return s.reason;
+    }
+  }
+
+  // Runs NLopt's code. False where it would not come back and was ended.
+  bool run(const std::function<void()>& library) {
+    if (thread) return thread->run(library);
+    library();
+    return true;
+  }
+
+  // Called from NLopt's code: the rest is done by the caller's thread.
+  template <class Request>
+  void serve(const Request& request) {
+    if (thread)
+      thread->ask(request);
+    else
+      request();
   }
 };
 
@@ -71,8 +106,7 @@ const NlpValue* request(Bridge& b, std::span<const double> point) {
 // method only compares, and is not looked at where the run has been stopped.
 constexpr double kNoValue = HUGE_VAL;
 
-double objective(unsigned n, const double* z, double* gradient, void* data) {
-  auto& b = *static_cast<Bridge*>(data);
+double lagrangian(Bridge& b, unsigned n, const double* z, double* gradient) {
   const NlpValue* v = request(b, {z, n});
   if (gradient != nullptr) std::fill_n(gradient, n, 0.0);
   if (v == nullptr) return kNoValue;
@@ -101,16 +135,23 @@ void sides(Bridge& b, const std::vector<OneSide>& list, double* result, unsigned
   }
 }
 
+double objective(unsigned n, const double* z, double* gradient, void* data) {
+  auto& b = *static_cast<Bridge*>(data);
+  double value = kNoValue;
+  b.serve([&] { value = lagrangian(b, n, z, gradient); });
+  return value;
+}
+
 void inequalities(unsigned, double* result, unsigned n, const double* z, double* gradient,
                   void* data) {
   auto& b = *static_cast<Bridge*>(data);
-  sides(b, b.inequalities, result, n, z, gradient);
+  b.serve([&] { sides(b, b.inequalities, result, n, z, gradient); });
 }
 
 void equalities(unsigned, double* result, unsigned n, const double* z, double* gradient,
                 void* data) {
   auto& b = *static_cast<Bridge*>(data);
-  sides(b, b.equalities, result, n, z, gradient);
+  b.serve([&] { sides(b, b.equalities, result, n, z, gradient); });
 }
 
 double constraint_tolerance(const RunSettings& settings) {
@@ -214,7 +255,13 @@ RunReport search(const NloptAlgorithm& a, Bridge& b, std::vector<double> z,
   for (std::size_t k = 0; k < z.size(); ++k)
     z[k] = std::clamp(z[k], b.nlp.lower()[k], b.nlp.upper()[k]);
   double f = 0.0;
-  const nlopt_result code = nlopt_optimize(opt.get(), z.data(), &f);
+  nlopt_result code = NLOPT_FORCED_STOP;
+  const bool back = b.run([&] { code = nlopt_optimize(opt.get(), z.data(), &f); });
+  if (!back) {
+    z.clear();  // half written
+    if (b.stop == StopReason::finished) b.stop = b.due();
+    if (b.stop == StopReason::finished) b.allowance.stall();
+  }
   RunReport report{b.allowance.used_up() ? b.allowance.word() : word_of(code),
                    static_cast<int>(code), b.stop, std::move(z)};
   if (code == NLOPT_INVALID_ARGS)
@@ -249,8 +296,8 @@ RunReport run_nlopt(const SolverInfo& info, Nlp& nlp, std::span<const double> st
                     const RunSettings& settings) {
   require_known_options(settings, nlopt_options());
   const NloptAlgorithm& a = algorithm(info.name);
-  nlopt_srand(static_cast<unsigned long>(settings.seed));  // its generator belongs to the thread
   Bridge bridge(nlp, a, settings.max_calls);
+  bridge.run([&] { nlopt_srand(static_cast<unsigned long>(settings.seed)); });  // of the thread
   split_rows(bridge, a, settings);
   Restarts restarts(nlp, start);
   RunReport report;
@@ -258,14 +305,13 @@ RunReport run_nlopt(const SolverInfo& info, Nlp& nlp, std::span<const double> st
   while (again) {
     bridge.allowance.forget_last();
     report = run_once(a, bridge, restarts.from(), settings);
-    again = (!bridge.halted() || !bridge.failed_at.empty()) &&
-            restarts.next(bridge.failed_at, report.z);
+    again = !bridge.over() && restarts.next(bridge.failed_at, report.z);
     if (again) bridge.failed_at.clear();
   }
   report.stop = bridge.stop;
   nlp.restrict_box(start, 0.0);
   if (bridge.error) std::rethrow_exception(bridge.error);
-  if (!bridge.failed_at.empty()) report.word = "EVALUATION_FAILED";
+  if (!bridge.failed_at.empty() && !bridge.over()) report.word = "EVALUATION_FAILED";
   return report;
 }
 

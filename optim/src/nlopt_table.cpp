@@ -21,7 +21,7 @@ constexpr NloptAlgorithm kAlgorithms[] = {
     {"ccsaq", NLOPT_LD_CCSAQ, "conservative convex separable quadratic approximations", y, y, n, n,
      n, n, kNone, ""},
     {"cobyla", NLOPT_LN_COBYLA, "linear approximations without derivatives", n, y, y, n, n, n,
-     kNone, "its inner search may go on for ever (issues 118 and 370 of NLopt); use nlopt:sbplx"},
+     kNone, ""},
     {"bobyqa", NLOPT_LN_BOBYQA, "quadratic model without derivatives", n, n, n, n, n, n, kNone, ""},
     {"newuoa_bound", NLOPT_LN_NEWUOA_BOUND,
      "quadratic model without derivatives, older than bobyqa", n, n, n, n, n, n, kNone,
@@ -86,5 +86,10 @@ constexpr NloptAlgorithm kAlgorithms[] = {
 }  // namespace
 
 std::span<const NloptAlgorithm> nlopt_algorithms() { return kAlgorithms; }
+
+bool may_turn_for_ever(const NloptAlgorithm& a) {
+  const nlopt_algorithm id = a.subsidiary == kNone ? a.id : a.subsidiary;
+  return id == NLOPT_LN_COBYLA || id == NLOPT_LN_BOBYQA || id == NLOPT_LN_PRAXIS;
+}
 
 }  // namespace twum::optim

@@ -24,4 +24,7 @@ struct NloptAlgorithm {
 /// Every algorithm of the library.
 std::span<const NloptAlgorithm> nlopt_algorithms();
 
+/// Whether nothing proves that it comes back between two requests, see docs/optimization.md.
+bool may_turn_for_ever(const NloptAlgorithm& algorithm);
+
 }  // namespace twum::optim

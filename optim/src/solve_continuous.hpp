@@ -8,7 +8,7 @@ namespace twum::optim {
 /// The solvers that auto tries after its starts, in this order, each from the best design so far.
 struct Ladder {
   std::vector<std::string> rungs{"nlopt:slsqp", "nlopt:ccsaq", "ipopt", "nlopt:auglag",
-                                 "nlopt:sbplx"};
+                                 "nlopt:cobyla"};
   bool to_the_top{false};  ///< for tests: climbs on whatever has been found
 };
 

@@ -84,7 +84,7 @@ TEST_CASE("answers are the same to the last bit if the Jacobian is given on requ
   }
   // A search without derivatives asks for none but at its start and its end.
   SolveOptions blind;
-  blind.solver = "nlopt:sbplx";
+  blind.solver = "nlopt:cobyla";
   without = 0;
   const Result found = solve(sparing(1, without), blind);
   CHECK(without > 10);

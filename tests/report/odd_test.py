@@ -84,7 +84,7 @@ class Odd(Study):
 class ZeroLimit(Study):
     """A limit at 0, of which a millionth is nothing."""
 
-    STUDY = ("kind: optimize, solver: nlopt:sbplx, variables: {preload: {min: 60 N, max: 300 N}, amplitude: {min: 0.8 um, max: %s}}, "
+    STUDY = ("kind: optimize, solver: nlopt:cobyla, variables: {preload: {min: 60 N, max: 300 N}, amplitude: {min: 0.8 um, max: %s}}, "
              "minimize: no_load_speed, constraints: [torque_at(120 rpm) >= 0 N.m]")
 
     def shown(self):

@@ -102,7 +102,7 @@ TEST_CASE("an optimum at a limit of 0 keeps it", "[studies][optimize]") {
   const Search s(study_of("ring-60", "",
                           "{kind: optimize, variables: {preload: {min: 60 N, max: 300 N}, "
                           "amplitude: {min: 0.5 um, max: 2 um}}, minimize: no_load_speed, "
-                          "constraints: ['torque_at(120 rpm) >= 0 N.m'], solver: 'nlopt:sbplx'}"));
+                          "constraints: ['torque_at(120 rpm) >= 0 N.m'], solver: 'nlopt:cobyla'}"));
   CHECK(s.answer.outcome == "optimal");
   const OptimizeResult& r = s.optimum();
   // The search meets limits to 1e-8 of their slope over the box, here some N m; the torque falls by
@@ -117,7 +117,7 @@ TEST_CASE("a search that was cut short does not claim to keep its limits", "[stu
   const Search s(study_of("ring-60", "",
                           "{kind: optimize, variables: {preload: {min: 60 N, max: 300 N}}, "
                           "minimize: no_load_speed, constraints: ['torque_at(120 rpm) >= 5 N.m'], "
-                          "solver: {name: 'nlopt:sbplx', max_evaluations: 2}}"));
+                          "solver: {name: 'nlopt:cobyla', max_evaluations: 2}}"));
   CHECK(s.answer.outcome == "budget");
   CHECK_FALSE(keeps_limits(s.optimum().best));
   CHECK(s.kind_json()["best"]["certificate"]["infeasibility"].is_null());

@@ -113,7 +113,7 @@ TEST_CASE("a design without an answer has none however often it is asked for",
 
 TEST_CASE("a solver asks for no more points than it may, and says that it would have",
           "[optim][nlp][budget]") {
-  for (const std::string name : {"nlopt:sbplx", "nlopt:praxis", "nlopt:crs2_lm", "nlopt:isres"}) {
+  for (const std::string name : {"nlopt:cobyla", "nlopt:praxis", "nlopt:crs2_lm", "nlopt:isres"}) {
     Bench bench;
     Nlp nlp(bench.session, bench.scaling, plain_formulation(bench.problem, bench.scaling));
     RunSettings settings;

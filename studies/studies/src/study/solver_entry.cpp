@@ -148,7 +148,7 @@ class SolverChecker {
                        solver->description);
     else if (demands_.limits && !solver->inequality)
       diagnostics_.add(name.mark, path, quoted(name.scalar) + " takes no limits",
-                       "nlopt:slsqp, nlopt:mma, nlopt:sbplx and ipopt do");
+                       "nlopt:slsqp, nlopt:mma, nlopt:cobyla and ipopt do");
   }
 
   static std::string remedy(std::string_view name, const std::vector<std::string_view>& names) {
