@@ -89,7 +89,9 @@ std::string SolverOption::range() const {
   if (!choices.empty()) return choices;
   std::array<char, 64> numbers{};
   std::snprintf(numbers.data(), numbers.size(), "%g to %g", least, most);
-  return numbers.data();
+  std::string range = numbers.data();
+  const std::size_t exponent = range.find("e+0");  // 1e6, as people type it
+  return exponent == std::string::npos ? range : range.erase(exponent + 1, 2);
 }
 
 const std::vector<SolverOption>& solver_options() {

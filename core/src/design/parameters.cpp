@@ -79,12 +79,13 @@ constexpr std::array<ParameterInfo, kParameterCount> kTable{{
      "0 is no contact; 100 GN is ten times what full contact takes of the stiffest tested motor"},
 }};
 
-constexpr bool each_in_its_place() {
+constexpr bool every_parameter_in_its_place() {
   for (std::size_t i = 0; i < kParameterCount; ++i)
     if (index_of(kTable[i].parameter) != i || kTable[i].reason.empty()) return false;
   return true;
 }
-static_assert(each_in_its_place(), "a parameter has no row of its own, or not in its place");
+static_assert(every_parameter_in_its_place(),
+              "a parameter has no row of its own, or not in its place");
 
 std::string number(double value) {
   char text[32];

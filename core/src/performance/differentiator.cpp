@@ -12,7 +12,7 @@ using M = Metric;
 
 constexpr double kVanishing = 1e-8;  // length of a zone that counts as about to vanish [rad]
 constexpr double kBeside = 1e-9;  // of the crest speed: a zone about to appear is there so far away
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoDerivative = std::numeric_limits<double>::quiet_NaN();
 
 // Zones come or go a hair away from the speed.
 bool zones_change_beside(const DrivenMotor<double>& m, const SolvedPoint& p, double speed) {
@@ -66,7 +66,7 @@ std::array<double, kParameterCount> Differentiator::in_parameters(const ModelDua
 template <typename Ask>
 MetricDerivative Differentiator::answered(const MetricValue& value, Ask ask) {
   MetricDerivative result{value, {}, Smoothness::undefined};
-  result.gradient.fill(kNaN);
+  result.gradient.fill(kNoDerivative);
   if (value.status != MetricStatus::ok) return result;
   try {
     const Derived derived = ask();

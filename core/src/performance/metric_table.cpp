@@ -54,12 +54,13 @@ constexpr std::array<MetricInfo, kMetricCount> kMetricTable{{
      "share of the contact length that sticks"},
 }};
 
-constexpr bool each_in_its_place() {
+constexpr bool every_metric_in_its_place() {
   for (std::size_t i = 0; i < kMetricCount; ++i)
-    if (static_cast<std::size_t>(kMetricTable[i].metric) != i || kMetricTable[i].name.empty()) return false;
+    if (static_cast<std::size_t>(kMetricTable[i].metric) != i || kMetricTable[i].name.empty())
+      return false;
   return true;
 }
-static_assert(each_in_its_place(), "a metric has no row of its own, or not in its place");
+static_assert(every_metric_in_its_place(), "a metric has no row of its own, or not in its place");
 
 }  // namespace
 

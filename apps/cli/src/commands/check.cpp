@@ -19,7 +19,7 @@
 namespace twum::cli {
 namespace {
 
-constexpr const char* kExamples = R"text(Examples:
+constexpr const char* kCheckExamples = R"text(Examples:
   twum check ring-60.yaml
   twum check study.yaml              with the files that the study names
   twum check ring-60.yaml --set "thickness=0.2 mm"
@@ -83,7 +83,7 @@ void add_check(CLI::App& app, Action& action) {
       ->required()
       ->type_name("FILE");
   add_set_option(*command, options->settings);
-  command->footer(kExamples);
+  command->footer(kCheckExamples);
   command->callback([options, &action] { action = [options] { return run_check(*options); }; });
 }
 

@@ -22,7 +22,7 @@ namespace {
 using studies::Comparison;
 using studies::ComparisonRow;
 
-constexpr const char* kExamples = R"text(Examples:
+constexpr const char* kCompareExamples = R"text(Examples:
   twum compare results/by-slsqp results/by-ipopt
   twum compare results/a results/b results/c --format csv -o compared.csv
 
@@ -120,7 +120,7 @@ void add_compare(CLI::App& app, Action& action) {
       ->required()
       ->type_name("DIR DIR");
   add_output_options(*command, options->output, {"table", "csv", "json"});
-  command->footer(kExamples);
+  command->footer(kCompareExamples);
   command->callback([options, &action] { action = [options] { return run_compare(*options); }; });
 }
 

@@ -31,7 +31,7 @@ using studies::curve_columns;
 using studies::CurveColumn;
 using studies::MotorFile;
 
-constexpr const char* kExamples = R"text(Examples:
+constexpr const char* kCurveExamples = R"text(Examples:
   twum curve examples/motors/ring-60.yaml
   twum curve ring-60.yaml --points 200 --format csv -o curve.csv
   twum curve ring-60.yaml --speeds "0 rpm, 50 rpm, 10 rad/s" --format json
@@ -229,7 +229,7 @@ void add_curve(CLI::App& app, Action& action) {
                       "Rotor speeds between commas, instead of --points");
   add_output_options(*command, options->output, {"table", "csv", "json"});
   add_plot_option(*command, options->plot);
-  command->footer(kExamples);
+  command->footer(kCurveExamples);
   command->callback([options, &action] { action = [options] { return run_curve(*options); }; });
 }
 

@@ -22,7 +22,7 @@
 namespace twum::cli {
 namespace {
 
-constexpr const char* kExamples = R"text(Examples:
+constexpr const char* kEvaluateExamples = R"text(Examples:
   twum evaluate ring-60.yaml --designs designs.csv
   twum evaluate ring-60.yaml --designs designs.csv -o results.csv \
       --metrics "stall_torque, no_load_speed, wear_intensity_at(80 rpm)" --jobs 4
@@ -149,7 +149,7 @@ void add_evaluate(CLI::App& app, Action& action) {
                       "Threads (default: all processors); the result does not depend on it");
   command->add_option("-o,--output", options->output, "Write the result to this file")
       ->type_name("FILE");
-  command->footer(kExamples);
+  command->footer(kEvaluateExamples);
   command->callback([options, &action] { action = [options] { return run_evaluate(*options); }; });
 }
 

@@ -24,7 +24,7 @@
 namespace twum::cli {
 namespace {
 
-constexpr const char* kExamples = R"text(Examples:
+constexpr const char* kFieldsExamples = R"text(Examples:
   twum fields ring-60.yaml --speed "100 rpm"
   twum fields ring-60.yaml --speed "95 rpm" --samples 721 --format csv -o fields.csv
   twum fields ring-60.yaml --speed "130 rpm" --plot fields.svg)text";
@@ -169,7 +169,7 @@ void add_fields(CLI::App& app, Action& action) {
                       "Number of phases along the wave (default: 181)");
   add_output_options(*command, options->output, {"table", "csv", "json"});
   add_plot_option(*command, options->plot);
-  command->footer(kExamples);
+  command->footer(kFieldsExamples);
   command->callback([options, &action] { action = [options] { return run_fields(*options); }; });
 }
 

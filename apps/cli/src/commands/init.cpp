@@ -15,7 +15,7 @@
 namespace twum::cli {
 namespace {
 
-constexpr const char* kExamples = R"text(Examples:
+constexpr const char* kInitExamples = R"text(Examples:
   twum init motor                    prints the file
   twum init optimize -o study.yaml   a study: curve, sweep, sensitivity, optimize, pareto,
                                      size, uncertainty or calibrate
@@ -74,7 +74,7 @@ void add_init(CLI::App& app, Action& action) {
       ->type_name("FILE");
   command->add_option("-o,--output", options->path, "Write the result to this new file")
       ->type_name("FILE");
-  command->footer(kExamples);
+  command->footer(kInitExamples);
   command->callback([options, &action] { action = [options] { return run_init(*options); }; });
 }
 

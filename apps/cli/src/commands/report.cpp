@@ -15,7 +15,7 @@
 namespace twum::cli {
 namespace {
 
-constexpr const char* kExamples = R"text(Examples:
+constexpr const char* kReportExamples = R"text(Examples:
   twum report results                 builds results/report.html again)text";
 
 int run_report(const std::string& directory) {
@@ -37,7 +37,7 @@ void add_report(CLI::App& app, Action& action) {
   command->add_option("DIR", *directory, "Directory that 'twum run' wrote")
       ->required()
       ->type_name("DIR");
-  command->footer(kExamples);
+  command->footer(kReportExamples);
   command->callback(
       [directory, &action] { action = [directory] { return run_report(*directory); }; });
 }

@@ -18,7 +18,7 @@
 namespace twum::cli {
 namespace {
 
-constexpr const char* kExamples = R"text(Examples:
+constexpr const char* kRunExamples = R"text(Examples:
   twum run study.yaml                       results in results/study
   twum run study.yaml -o first --jobs 4
   twum run study.yaml --set "preload=140 N" -o first-140N
@@ -130,7 +130,7 @@ void add_run(CLI::App& app, Action& action) {
                       "Threads (default: all processors); the result does not depend on it");
   command->add_flag("--fresh", options->fresh,
                     "Discard the results that are in the directory and start anew");
-  command->footer(kExamples);
+  command->footer(kRunExamples);
   command->callback([options, &action] { action = [options] { return run_study(*options); }; });
 }
 

@@ -14,7 +14,7 @@
 namespace twum::cli {
 namespace {
 
-constexpr const char* kExamples = R"text(Examples:
+constexpr const char* kSchemaExamples = R"text(Examples:
   twum schema motor -o motor.schema.json
   twum schema study --format markdown
 
@@ -61,7 +61,7 @@ void add_schema(CLI::App& app, Action& action) {
       ->type_name("json|markdown");
   command->add_option("-o,--output", options->path, "Write the result to this file")
       ->type_name("FILE");
-  command->footer(kExamples);
+  command->footer(kSchemaExamples);
   command->callback([options, &action] { action = [options] { return run_schema(*options); }; });
 }
 

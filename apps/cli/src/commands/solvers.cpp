@@ -33,7 +33,7 @@ constexpr const char* kOptionsText =
     "solver whose name\n"
     "begins so.";
 
-constexpr const char* kExamples = R"text(Examples:
+constexpr const char* kSolversExamples = R"text(Examples:
   twum solvers
   twum solvers --options
   twum solvers --format json)text";
@@ -88,7 +88,7 @@ void add_solvers(CLI::App& app, Action& action) {
       app.add_subcommand("solvers", "Lists the solvers, what they need and what they take");
   command->add_flag("--options", options->options, "List the options of the solvers instead");
   add_output_options(*command, options->output, {"table", "csv", "json", "markdown"});
-  command->footer(kExamples);
+  command->footer(kSolversExamples);
   command->callback([options, &action] { action = [options] { return run_solvers(*options); }; });
 }
 

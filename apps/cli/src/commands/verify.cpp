@@ -17,7 +17,7 @@ namespace {
 
 using studies::counted;
 
-constexpr const char* kExamples = R"text(Examples:
+constexpr const char* kVerifyExamples = R"text(Examples:
   twum verify results/optimize
   twum verify results/sweep --samples 100000 --seed 7
 
@@ -79,7 +79,7 @@ void add_verify(CLI::App& app, Action& action) {
   command->add_option("--samples", options->samples,
                       "Stored evaluations to repeat, drawn at random (default: 1000)");
   command->add_option("--seed", options->seed, "Seed of the draw (default: 1)");
-  command->footer(kExamples);
+  command->footer(kVerifyExamples);
   command->callback([options, &action] { action = [options] { return run_verify(*options); }; });
 }
 

@@ -29,8 +29,11 @@ std::string printable(std::string_view text, std::size_t limit = 60);
 
 /// printable() between single quotes.
 std::string quoted(std::string_view text);
-/// Likewise; without it std::quoted() would be the better match for a std::string.
+/// Likewise; without these std::quoted() would be the better match.
+/// @{
 inline std::string quoted(const std::string& text) { return quoted(std::string_view(text)); }
+inline std::string quoted(const char* text) { return quoted(std::string_view(text)); }
+/// @}
 
 /// "1 row", "2 rows"
 std::string counted(std::uint64_t count, std::string_view what);
