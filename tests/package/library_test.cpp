@@ -97,10 +97,10 @@ TEST_CASE("two threads sizing at once find the same as one", "[library]") {
 TEST_CASE("misuse says what was found and what would be right", "[library]") {
   const MotorDesign design;
   CHECK_THROWS_WITH(with(design, Parameter::thickness, -3e-4),
-                    Contains("thickness") && Contains("more than 0 m") && Contains("-0.0003"));
+                    Contains("thickness") && Contains("at least 1e-08 m") && Contains("-0.0003"));
   MotorDesign thin = design;
   thin.layer.thickness = -3e-4;
-  CHECK_THROWS_WITH(Motor(thin), Contains("thickness") && Contains("more than 0 m"));
+  CHECK_THROWS_WITH(Motor(thin), Contains("thickness") && Contains("at least 1e-08 m"));
   const Motor motor(design);
   CHECK_THROWS_WITH(motor.operating_point(-1.01 * motor.wave_speed()),
                     Contains("rotor speed") && Contains("rad/s"));

@@ -80,16 +80,17 @@ void survey_metrics(const Motor& motor, NotablePoint place, BoxSurvey& found) {
   }
 }
 
-// One point, and what it breaks.
-void survey_point(const Motor& motor, const BoxPoint& box, std::int64_t index, BoxSurvey& found,
-                  double slack = 1e-10) {
+// One point, and what it breaks. Returns its imbalance as a share of the scale of powers, NaN without an answer.
+double survey_point(const Motor& motor, const BoxPoint& box, std::int64_t index, BoxSurvey& found,
+                    double slack = 1e-10) {
   const double start = processor_seconds();
   const OperatingPoint point = motor.operating_point(box.speed);
   note(found.slowest, {index, processor_seconds() - start, box});
   ++found.statuses[to_string(point.status)];
+  double share = std::numeric_limits<double>::quiet_NaN();
   if (point.status == PointStatus::ok) {
     const double scale = power_scale(motor, point.speed);
-    const double share = scale > 0 ? std::abs(imbalance(point)) / scale : 0;
+    share = scale > 0 ? std::abs(imbalance(point)) / scale : 0;
     found.identity = std::max(found.identity, share);
     note(found.strangest, {index, share, box});
   }
@@ -97,6 +98,7 @@ void survey_point(const Motor& motor, const BoxPoint& box, std::int64_t index, B
     ++found.broken[law];
     note_broken(law, box, found);
   }
+  return share;
 }
 
 }  // namespace
@@ -119,18 +121,18 @@ std::string broken_law(const Motor& motor, const OperatingPoint& point, double s
 
 BoxSurvey survey_box(const BoxSurveyOptions& options) {
   BoxSurvey found;
+  Deviation identity("identity on " + std::to_string(options.count) + " points of the whole box",
+                     1e-10);
   Uniform random(options.seed);
   for (std::int64_t i = 0; i < options.count; ++i) {
     const BoxPoint box = random_box_point(random);
     const Motor motor(box.design);
-    survey_point(motor, box, i, found);
+    if (const double share = survey_point(motor, box, i, found); !std::isnan(share))
+      identity.add(share, 0, 1);
     if (options.metrics_every > 0 && i % options.metrics_every == 0)
       survey_metrics(motor, {i, 0, box}, found);
   }
   found.designs = options.count;
-  Deviation identity("identity on " + std::to_string(options.count) + " points of the whole box",
-                     1e-10);
-  identity.add(found.identity, 0, 1);
   return found;
 }
 
