@@ -88,7 +88,7 @@ TEST_CASE("a motor that is written reads back the same", "[studies][motor]") {
 }
 
 TEST_CASE("the file that init writes is valid", "[studies][motor]") {
-  const MotorDesign design = read(yaml_template(motor_file_schema(), "# a comment\n"));
+  const MotorDesign design = read(yaml_template(motor_file_shape().schema, "# a comment\n"));
   CHECK_NOTHROW(Motor(design));
 }
 

@@ -5,7 +5,7 @@
 #include "study/resolved_study.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/schema/validate.hpp>
+#include <twum/studies/schema/shape.hpp>
 #include <twum/studies/text/value_error.hpp>
 #include <twum/studies/yaml/loader.hpp>
 
@@ -49,16 +49,21 @@ Lines optimize(const std::string& more) {
       more + "}");
 }
 
-// What validate() says of a text, by a schema of one entry x.
-Lines validated(const Schema& x, const std::string& text) {
-  Schema whole;
-  whole.kind = ValueKind::mapping;
-  whole.entries.resize(1);
-  whole.entries[0].name = "x";
-  whole.entries[0].schema = x;
+template <typename T>
+struct Holder {
+  T x{};
+};
+
+// What a shape says of the value of an entry x.
+template <typename T>
+Lines said_of(const Shape<T>& x, const std::string& text) {
+  const Shape<Holder<T>> whole =
+      mapping<Holder<T>>("whole", {needed<Holder<T>>("x", x, &Holder<T>::x)});
   const Source source("text", text);
   Diagnostics diagnostics(source);
-  validate(load_yaml(diagnostics), whole, diagnostics);
+  Holder<T> read;
+  const bool right = whole.read(read, load_yaml(diagnostics), {{}, {1, 1}}, diagnostics);
+  CHECK(right == diagnostics.empty());
   Lines lines;
   try {
     diagnostics.throw_if_any();
@@ -276,42 +281,44 @@ TEST_CASE("options of a solver are read as the study says, and as the solver rea
 }
 
 TEST_CASE("a list says how many items it wants", "[studies][schema]") {
-  Schema list;
-  list.kind = ValueKind::list;
-  list.items = {number(0, 1)};
-  list.min_items = 2;
-  CHECK(validated(list, "x: [0, 1]\n").empty());
-  CHECK(validated(list, "x: [0]\n") == Lines{"x: 1 item; expected at least 2"});
-  list.max_items = 2;
-  CHECK(validated(list, "x: [0, 1, 1]\n") == Lines{"x: 3 items; expected 2"});
-  list.max_items = 3;
-  CHECK(validated(list, "x: [0, 1, 1, 1]\n") == Lines{"x: 4 items; expected 2 to 3"});
-  CHECK(validated(list, "x: []\n") == Lines{"x: an empty list; expected a number without unit"});
-  CHECK(validated(list, "x: 3\n") ==
+  const auto numbers = [](std::size_t least, std::size_t most) {
+    return list("numbers", studies::number(number(0, 1)), least, most);
+  };
+  CHECK(said_of(numbers(2, 9), "x: [0, 1]\n").empty());
+  CHECK(said_of(numbers(2, static_cast<std::size_t>(-1)), "x: [0]\n") ==
+        Lines{"x: 1 item; expected at least 2"});
+  CHECK(said_of(numbers(2, 2), "x: [0, 1, 1]\n") == Lines{"x: 3 items; expected 2"});
+  CHECK(said_of(numbers(2, 3), "x: [0, 1, 1, 1]\n") == Lines{"x: 4 items; expected 2 to 3"});
+  CHECK(said_of(numbers(2, 3), "x: []\n") ==
+        Lines{"x: an empty list; expected a number without unit"});
+  CHECK(said_of(numbers(2, 3), "x: 3\n") ==
         Lines{"x: '3'; expected a list, each item a number without unit"});
-  CHECK(validated(list, "x: {a: 1}\n") ==
+  CHECK(said_of(numbers(2, 3), "x: {a: 1}\n") ==
         Lines{"x: a mapping; expected a list, each item a number without unit"});
-  CHECK(validated(list, "x:\n") ==
+  CHECK(said_of(numbers(2, 3), "x:\n") ==
         Lines{"x: empty; expected a list, each item a number without unit"});
 }
 
 TEST_CASE("a number out of its range is told the limit, and an example if there is one",
           "[studies][schema]") {
   Schema schema = number(2, 5);
-  CHECK(validated(schema, "x: 1\n") == Lines{"x: '1' is too small; must be at least 2"});
-  CHECK(validated(schema, "x: 6\n") == Lines{"x: '6' is too large; must be at most 5"});
+  CHECK(said_of(studies::number(schema), "x: 1\n") ==
+        Lines{"x: '1' is too small; must be at least 2"});
+  CHECK(said_of(studies::number(schema), "x: 6\n") ==
+        Lines{"x: '6' is too large; must be at most 5"});
   schema.example = "3";
-  CHECK(validated(schema, "x: 6\n") ==
+  CHECK(said_of(studies::number(schema), "x: 6\n") ==
         Lines{"x: '6' is too large; must be at most 5, such as '3'"});
   schema.min_excluded = true;
-  CHECK(validated(schema, "x: 2\n") ==
+  CHECK(said_of(studies::number(schema), "x: 2\n") ==
         Lines{"x: '2' is too small; must be more than 2, such as '3'"});
   schema.whole = true;
-  CHECK(validated(schema, "x: 2.5\n") ==
+  CHECK(said_of(studies::number(schema), "x: 2.5\n") ==
         Lines{"x: '2.5' is not a whole number; expected a whole number such as '3'"});
   Schema force = number(0, 10);
   force.unit = "N";
-  CHECK(validated(force, "x: -1 N\n") == Lines{"x: '-1 N' is too small; must be at least 0 N"});
+  CHECK(said_of(studies::number(force), "x: -1 N\n") ==
+        Lines{"x: '-1 N' is too small; must be at least 0 N"});
 }
 
 TEST_CASE("every kind of schema says what it expects", "[studies][schema]") {
@@ -319,35 +326,31 @@ TEST_CASE("every kind of schema says what it expects", "[studies][schema]") {
   word.kind = ValueKind::word;
   word.words = {"one"};
   CHECK(expectation(word) == "expected one");
-  CHECK(validated(word, "x: two\n") == Lines{"x: 'two' is not known here; expected one"});
+  CHECK(said_of(choice("a word", {"one"}), "x: two\n") ==
+        Lines{"x: 'two' is not known here; expected one"});
   word.words = {"linear", "log"};
   CHECK(expectation(word) == "expected one of linear, log");
-  CHECK(validated(word, "x: logs\n") == Lines{"x: 'logs' is not known here; did you mean 'log'?"});
+  CHECK(said_of(choice("a word", {"linear", "log"}), "x: logs\n") ==
+        Lines{"x: 'logs' is not known here; did you mean 'log'?"});
   Schema any;
   any.kind = ValueKind::any_of;
   any.alternatives = {word, number(0, 1)};
   CHECK(expectation(any) == "expected one of linear, log or a number without unit");
-  Schema variant;
-  variant.kind = ValueKind::variant;
-  variant.selector = "kind";
-  variant.words = {"curve", "sweep"};
-  variant.alternatives.resize(2);
-  for (Schema& one : variant.alternatives) {
-    one.kind = ValueKind::mapping;
-    one.entries.resize(1);
-    one.entries[0].name = "kind";
-  }
-  CHECK(expectation(variant) == "expected a mapping with kind: curve, sweep");
-  CHECK(validated(variant, "x: {kind: sweep}\n").empty());
-  CHECK(validated(variant, "x: {kind: [sweep]}\n") ==
+  const Shape<int> kind = mapping<int>("one", {selector<int>("kind", "what it is", "curve")});
+  const Shape<int> other = mapping<int>("other", {selector<int>("kind", "what it is", "sweep")});
+  const Shape<int> variant =
+      one_of<int>("either", {kind, other}, [](int) { return 0; }, "kind", {"curve", "sweep"});
+  CHECK(expectation(variant.schema) == "expected a mapping with kind: curve, sweep");
+  CHECK(said_of(variant, "x: {kind: sweep}\n").empty());
+  CHECK(said_of(variant, "x: {kind: [sweep]}\n") ==
         Lines{"x.kind: a list; expected one of curve, sweep"});
-  CHECK(validated(variant, "x: {kind: sweeps}\n") ==
+  CHECK(said_of(variant, "x: {kind: sweeps}\n") ==
         Lines{"x.kind: 'sweeps' is not known here; did you mean 'sweep'?"});
-  CHECK(validated(variant, "x: {}\n") == Lines{"x.kind: missing; expected one of curve, sweep"});
-  CHECK(expectation(variant.alternatives[0]) == "expected a mapping with kind");
+  CHECK(said_of(variant, "x: {}\n") == Lines{"x.kind: missing; expected one of curve, sweep"});
+  CHECK(expectation(kind.schema) == "expected a mapping with kind");
   Schema text;
   CHECK(expectation(text) == "expected a text");
-  CHECK(validated(text, "x: ''\n") == Lines{"x: nothing; expected a text"});
+  CHECK(said_of(path("", ""), "x: ''\n") == Lines{"x: nothing; expected a text"});
   text.example = "points.csv";
   CHECK(expectation(text) == "expected a text such as 'points.csv'");
 }
@@ -359,20 +362,9 @@ TEST_CASE("names that other kinds of study have are known", "[studies][study][er
   CHECK(complaints("{kind: curve, parameters: 3}").at(0).find("did you mean") == std::string::npos);
 }
 
-TEST_CASE("a path through a tree leads to its entry, or nowhere", "[studies][schema]") {
-  const Source source("text", "a: {b: {c: 3 N}}\ndepth: 4\n");
-  Diagnostics diagnostics(source);
-  const YamlNode root = load_yaml(diagnostics);
-  CHECK(find_path(root, "a.b.c")->scalar == "3 N");
-  CHECK(find_path(root, "depth")->scalar == "4");
-  CHECK(find_path(root, "")->entries.size() == 2);
-  for (const char* none : {"x", "a.x", "a.b.c.d", "depth.x"})
-    CHECK(find_path(root, none) == nullptr);
+TEST_CASE("a path through a schema leads to its entry, or nowhere", "[studies][schema]") {
   const Schema& file = study_file_schema();
   CHECK(find_path(file, "motor")->name == "motor");
   CHECK(find_path(file, "set.preload")->name == "preload");
   for (const char* none : {"x", "set.x", "set.preload.x"}) CHECK(find_path(file, none) == nullptr);
-  CHECK_FALSE(quantity_of(*find_path(root, "a"), number(0, 9)));      // no scalar
-  CHECK_FALSE(quantity_of(*find_path(root, "depth"), number(0, 3)));  // out of range
-  CHECK(quantity_of(*find_path(root, "depth"), number(0, 9)) == 4);
 }

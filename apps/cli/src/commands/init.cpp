@@ -43,7 +43,7 @@ std::string template_of(const InitOptions& options) {
     return studies::study_template(*study, options.motor);
   if (!options.motor.empty())
     throw InputError("init: --motor is for a study; 'twum init motor' writes a motor file itself");
-  return studies::yaml_template(studies::motor_file_schema(), kMotorHeading);
+  return studies::yaml_template(studies::motor_file_shape().schema, kMotorHeading);
 }
 
 int run_init(const InitOptions& options) {

@@ -8,7 +8,7 @@
 #include <twum/core/design/parameters.hpp>
 #include <twum/core/performance/metrics.hpp>
 #include <twum/studies/motor/motor_file.hpp>
-#include <twum/studies/schema/validate.hpp>
+#include <twum/studies/schema/schema.hpp>
 #include <twum/studies/units/engineering.hpp>
 
 #include <CLI/CLI.hpp>
@@ -44,8 +44,8 @@ std::string need_text(const ParameterInfo& row) {
   const std::string twin = row.twin ? std::string(info(*row.twin).name) : "";
   if (row.required) return twin.empty() ? "yes" : "or " + twin;
   if (!twin.empty()) return "instead of " + twin;
-  const studies::SchemaEntry* entry =
-      studies::find_path(studies::motor_file_schema(), "motor." + std::string(row.file_entry));
+  const studies::SchemaEntry* entry = studies::find_path(studies::motor_file_shape().schema,
+                                                         "motor." + std::string(row.file_entry));
   return "no; left out: " + entry->fallback;
 }
 

@@ -29,7 +29,7 @@ struct SchemaOptions {
 
 std::string schema_text(const SchemaOptions& options) {
   if (options.kind == "motor") {
-    return studies::json_schema(studies::motor_file_schema(), "twum motor file",
+    return studies::json_schema(studies::motor_file_shape().schema, "twum motor file",
                                 "urn:twum:motor:1");
   }
   if (options.format == "markdown") return studies::study_reference();

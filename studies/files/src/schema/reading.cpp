@@ -132,12 +132,13 @@ bool says_no_error(const YamlNode& node, const Schema& schema, const Spot& spot,
   }
 }
 
-void check_item_count(const YamlNode& list, const Schema& schema, const Spot& spot,
+bool check_item_count(const YamlNode& list, const Schema& schema, const Spot& spot,
                       Diagnostics& diagnostics) {
   const std::size_t count = list.items.size();
-  if (count >= schema.min_items && count <= schema.max_items) return;
+  if (count >= schema.min_items && count <= schema.max_items) return true;
   diagnostics.add(list.mark, spot.path, count == 0 ? "an empty list" : counted(count, "item"),
                   count == 0 ? expectation(schema.items.front()) : items_allowed(schema));
+  return false;
 }
 
 std::vector<GivenEntry> given_entries(const YamlNode& node, const Schema& schema, const Spot& spot,
@@ -189,6 +190,23 @@ std::optional<std::size_t> alternative_of(const YamlNode& node, const Schema& sc
   return {};
 }
 
+const SchemaEntry* find_path(const Schema& root, std::string_view path) {
+  const Schema* level = &root;
+  const SchemaEntry* found = nullptr;
+  while (!path.empty()) {
+    const std::size_t dot = path.find('.');
+    const std::string_view name = path.substr(0, dot);
+    found = nullptr;
+    for (const SchemaEntry& entry : level->entries) {
+      if (entry.name == name) found = &entry;
+    }
+    if (found == nullptr) return nullptr;
+    level = &found->schema;
+    path = dot == std::string_view::npos ? std::string_view() : path.substr(dot + 1);
+  }
+  return found;
+}
+
 YamlNode scalar_node(std::string text) {
   YamlNode node;
   node.kind = YamlNode::Kind::scalar;
@@ -205,11 +223,11 @@ std::string typed_text(const YamlNode& value) {
 Shape<double> number(Schema schema) {
   Shape<double> shape;
   shape.schema = std::move(schema);
-  shape.read = [schema = shape.schema](double& into, const YamlNode& node, const Spot& spot,
-                                       Diagnostics& diagnostics) {
-    return says_no_error(node, schema, spot, diagnostics, [&](const std::string& text) {
-      into = parse_number_of(text, schema);  // for checks beside it, even if it is too large
-      check_size(into, text, schema);
+  shape.read = [schema = kept(shape.schema)](double& into, const YamlNode& node, const Spot& spot,
+                                             Diagnostics& diagnostics) {
+    return says_no_error(node, *schema, spot, diagnostics, [&](const std::string& text) {
+      into = parse_number_of(text, *schema);  // for checks beside it, even if it is too large
+      check_size(into, text, *schema);
     });
   };
   shape.write = [unit = shape.schema.unit](const double& value) {
@@ -262,12 +280,12 @@ Shape<std::size_t> choice(std::string text, std::vector<std::string> words) {
   shape.schema.text = std::move(text);
   shape.schema.example = words.front();
   shape.schema.words = std::move(words);
-  shape.read = [schema = shape.schema](std::size_t& into, const YamlNode& node, const Spot& spot,
-                                       Diagnostics& diagnostics) {
-    return says_no_error(node, schema, spot, diagnostics, [&](const std::string& typed) {
-      check_scalar(typed, schema);
-      const auto found = std::find(schema.words.begin(), schema.words.end(), typed);
-      into = static_cast<std::size_t>(found - schema.words.begin());
+  shape.read = [schema = kept(shape.schema)](std::size_t& into, const YamlNode& node,
+                                             const Spot& spot, Diagnostics& diagnostics) {
+    return says_no_error(node, *schema, spot, diagnostics, [&](const std::string& typed) {
+      check_scalar(typed, *schema);
+      const auto found = std::find(schema->words.begin(), schema->words.end(), typed);
+      into = static_cast<std::size_t>(found - schema->words.begin());
     });
   };
   shape.write = [words = shape.schema.words](const std::size_t& value) {

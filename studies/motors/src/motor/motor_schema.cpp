@@ -1,65 +1,131 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/studies/motor/motor_file.hpp>
 
+#include <twum/studies/text/number.hpp>
+#include <twum/studies/text/words.hpp>
+
 #include <algorithm>
 
 namespace twum::studies {
 namespace {
 
-struct Section {
-  std::string_view name;
-  const char* text;
+// The entries of one section of a motor file, in SI.
+using Values = std::vector<ParameterValue>;
+
+// A motor as its file gives it.
+struct GivenMotor {
+  std::string name;
+  Values stator, contact_layer, friction, others;
 };
 
-constexpr Section kSections[] = {{"stator", "the vibrating ring and its travelling wave"},
-                                 {"contact_layer", "the layer between stator and rotor"},
-                                 {"friction", "Coulomb friction between stator and contact layer"}};
-
-std::string_view last_step(std::string_view path) {
-  const std::size_t dot = path.rfind('.');
-  return dot == std::string_view::npos ? path : path.substr(dot + 1);
+std::string_view section_of(const ParameterInfo& row) {
+  return row.file_entry.substr(0, std::min(row.file_entry.find('.'), row.file_entry.size()));
 }
 
-SchemaEntry entry_of(const ParameterInfo& row) {
-  SchemaEntry entry;
-  entry.name = last_step(row.file_entry);
-  entry.schema = parameter_schema(row);
-  entry.required = row.required;
-  if (row.twin) entry.twin = last_step(info(*row.twin).file_entry);
-  entry.alias = row.name == entry.name ? row.symbol : row.name;
-  if (row.parameter == Parameter::modal_damping) entry.fallback = "0";
-  if (row.parameter == Parameter::static_friction) entry.fallback = "the kinetic one";
-  return entry;
+std::string_view entry_name(const ParameterInfo& row) {
+  return row.file_entry.substr(row.file_entry.rfind('.') + 1);
 }
 
-// The mapping that an entry such as "stator.amplitude" belongs into.
-Schema& section_of(Schema& motor, std::string_view path) {
-  const std::size_t dot = path.find('.');
-  if (dot == std::string_view::npos) return motor;
-  const std::string_view name = path.substr(0, dot);
-  for (SchemaEntry& entry : motor.entries) {
-    if (entry.name == name) return entry.schema;
+bool has_section(const ParameterInfo& row) {
+  return row.file_entry.find('.') != std::string_view::npos;
+}
+
+std::string value_text(double value, const ParameterInfo& row) {
+  return number_text(value) + (row.unit == "1" ? "" : " " + std::string(row.unit));
+}
+
+// The entry of a parameter, whose value goes to a list of them.
+template <typename T>
+Field<T> field_of(const ParameterInfo& row, Values T::*values) {
+  const Shape<double> value = number(parameter_schema(row));
+  Field<T> field;
+  field.entry.name = entry_name(row);
+  field.entry.schema = value.schema;
+  field.entry.required = row.required;
+  if (row.twin) field.entry.twin = entry_name(info(*row.twin));
+  field.entry.alias = row.name == entry_name(row) ? row.symbol : row.name;
+  if (row.parameter == Parameter::modal_damping) field.entry.fallback = "0";
+  if (row.parameter == Parameter::static_friction) field.entry.fallback = "the kinetic one";
+  field.read = [&row, values, read = value.read](T& into, const YamlNode& node, const Spot& spot,
+                                                 Diagnostics& diagnostics) {
+    double typed = 0;
+    const bool right = read(typed, node, spot, diagnostics);
+    if (right) (into.*values).emplace_back(row.parameter, typed);
+    return right;
+  };
+  field.write = [&row, values](const T& from) -> std::optional<YamlNode> {
+    const Values& given = from.*values;
+    const auto own = std::find_if(given.begin(), given.end(),
+                                  [&](const auto& one) { return one.first == row.parameter; });
+    if (own == given.end()) return {};
+    return scalar_node(value_text(own->second, row));
+  };
+  return field;
+}
+
+struct Section {
+  Values values;
+};
+
+using Check = std::function<bool(Section&, const Given&, Diagnostics&)>;
+
+Field<GivenMotor> section(const std::string& name, std::string text, Values GivenMotor::*values,
+                          const Check& check = {}) {
+  std::vector<Field<Section>> fields;
+  for (const ParameterInfo& row : parameter_table())
+    if (has_section(row) && section_of(row) == name)
+      fields.push_back(field_of(row, &Section::values));
+  const auto shape = as<Values, Section>(
+      mapping<Section>(std::move(text), std::move(fields), check),
+      [](Section given) { return std::move(given.values); },
+      [](const Values& given) { return Section{given}; });
+  return needed<GivenMotor>(name, shape, values);
+}
+
+double value_in(const Values& values, Parameter parameter) {
+  return std::find_if(values.begin(), values.end(),
+                      [=](const ParameterValue& one) { return one.first == parameter; })
+      ->second;
+}
+
+// mu_0 below mu: no single entry is wrong, but the two together are.
+bool check_friction(Section& section, const Given& given, Diagnostics& diagnostics) {
+  const YamlNode* kinetic = given.right("kinetic");
+  const YamlNode* threshold = given.right("static");
+  if (kinetic == nullptr || threshold == nullptr) return true;
+  const double mu = value_in(section.values, Parameter::kinetic_friction);
+  if (value_in(section.values, Parameter::static_friction) >= mu) return true;
+  diagnostics.add({threshold->mark, given.path("static"),
+                   quoted(threshold->scalar) + " is less than the kinetic friction",
+                   "must be at least " + number_text(mu), kinetic->mark,
+                   "kinetic friction given here"});
+  return false;
+}
+
+MotorFile motor_of(const GivenMotor& given) {
+  // What a valid file does not give follows from what it gives: mu_0 = mu, and no modal damping.
+  MotorDesign blank;
+  blank.stator.modal_damping = 0;
+  blank.friction = {1, 1};
+  Values values;
+  for (const Values* part : {&given.stator, &given.contact_layer, &given.friction, &given.others})
+    values.insert(values.end(), part->begin(), part->end());
+  return {given.name, with(blank, values)};
+}
+
+GivenMotor given_by(const MotorFile& motor) {
+  GivenMotor given;
+  given.name = motor.name;
+  for (const ParameterInfo& row : parameter_table()) {
+    if (!in_use(motor.design, row.parameter)) continue;
+    const std::string_view name = has_section(row) ? section_of(row) : "";
+    Values& values = name == "stator"          ? given.stator
+                     : name == "contact_layer" ? given.contact_layer
+                     : name == "friction"      ? given.friction
+                                               : given.others;
+    values.emplace_back(row.parameter, get(motor.design, row.parameter));
   }
-  const Section* section = std::find_if(std::begin(kSections), std::end(kSections),
-                                        [&](const Section& s) { return s.name == name; });
-  SchemaEntry entry;
-  entry.name = name;
-  entry.schema.kind = ValueKind::mapping;
-  if (section != std::end(kSections)) entry.schema.text = section->text;
-  entry.required = true;
-  motor.entries.push_back(std::move(entry));
-  return motor.entries.back().schema;
-}
-
-SchemaEntry version_entry() {
-  SchemaEntry entry;
-  entry.name = "twum";
-  entry.schema.kind = ValueKind::word;
-  entry.schema.text = "version of the file format";
-  entry.schema.example = std::to_string(kFileVersion);
-  entry.schema.words = {entry.schema.example};
-  entry.required = true;
-  return entry;
+  return given;
 }
 
 }  // namespace
@@ -76,36 +142,29 @@ Schema parameter_schema(const ParameterInfo& parameter) {
   return schema;
 }
 
-Schema motor_schema() {
-  Schema motor;
-  motor.kind = ValueKind::mapping;
-  motor.text = "one motor";
-  SchemaEntry name;
-  name.name = "name";
-  name.schema.text = "what the motor is called";
-  name.schema.example = "ring-60";
-  name.fallback = "no name";
-  motor.entries.push_back(std::move(name));
-  for (const ParameterInfo& row : parameter_table()) {
-    section_of(motor, row.file_entry).entries.push_back(entry_of(row));
-  }
-  return motor;
+const Shape<MotorFile>& motor_shape() {
+  static const Shape<MotorFile> shape = [] {
+    std::vector<Field<GivenMotor>> fields{
+        optional<GivenMotor>("name", path("what the motor is called", "ring-60"), &GivenMotor::name,
+                             "no name"),
+        section("stator", "the vibrating ring and its travelling wave", &GivenMotor::stator),
+        section("contact_layer", "the layer between stator and rotor", &GivenMotor::contact_layer),
+        section("friction", "Coulomb friction between stator and contact layer",
+                &GivenMotor::friction, check_friction)};
+    for (const ParameterInfo& row : parameter_table())
+      if (!has_section(row)) fields.push_back(field_of(row, &GivenMotor::others));
+    return as<MotorFile, GivenMotor>(mapping<GivenMotor>("one motor", std::move(fields)), motor_of,
+                                     given_by);
+  }();
+  return shape;
 }
 
-const Schema& motor_file_schema() {
-  static const Schema schema = [] {
-    Schema file;
-    file.kind = ValueKind::mapping;
-    file.text = "a motor for twum";
-    file.entries.push_back(version_entry());
-    SchemaEntry motor;
-    motor.name = "motor";
-    motor.schema = motor_schema();
-    motor.required = true;
-    file.entries.push_back(std::move(motor));
-    return file;
-  }();
-  return schema;
+const Shape<MotorFile>& motor_file_shape() {
+  static const Shape<MotorFile> shape = mapping<MotorFile>(
+      "a motor for twum", {version_field<MotorFile>(),
+                           needed<MotorFile>(
+                               "motor", motor_shape(), [](auto& file) -> auto& { return file; })});
+  return shape;
 }
 
 }  // namespace twum::studies

@@ -3,33 +3,27 @@
 
 #include "yaml/yaml_text.hpp"
 
-#include <twum/studies/text/number.hpp>
-
 namespace twum::studies {
 namespace {
 
-std::string value_text(double value, const ParameterInfo& row) {
-  return number_text(value) + (row.unit == "1" ? "" : " " + std::string(row.unit));
+// Every entry on a line of its own.
+std::string lines_of(const YamlNode& mapping, const std::string& indent) {
+  std::string text;
+  for (const YamlEntry& entry : mapping.entries) {
+    const bool section = entry.value.kind == YamlNode::Kind::mapping;
+    text += indent + entry.key + ":";
+    text += section ? "\n" + lines_of(entry.value, indent + "  ") : " " + entry.value.scalar + "\n";
+  }
+  return text;
 }
 
 }  // namespace
 
 std::string motor_text(const MotorFile& motor) {
-  std::string text = "twum: " + std::to_string(kFileVersion) + "\nmotor:\n";
-  if (!motor.name.empty()) text += "  name: " + double_quoted(motor.name) + "\n";
-  std::string_view section;
-  for (const ParameterInfo& row : parameter_table()) {
-    if (!in_use(motor.design, row.parameter)) continue;
-    const std::size_t dot = row.file_entry.find('.');
-    const std::string_view own =
-        dot == std::string_view::npos ? std::string_view() : row.file_entry.substr(0, dot);
-    if (own != section && !own.empty()) text += "  " + std::string(own) + ":\n";
-    section = own;
-    const std::string_view name = own.empty() ? row.file_entry : row.file_entry.substr(dot + 1);
-    text += std::string(own.empty() ? 2 : 4, ' ') + std::string(name) + ": " +
-            value_text(get(motor.design, row.parameter), row) + "\n";
-  }
-  return text;
+  YamlNode file = motor_file_shape().write(motor);
+  for (YamlEntry& entry : file.entries.back().value.entries)
+    if (entry.key == "name") entry.value.scalar = double_quoted(entry.value.scalar);
+  return lines_of(file, "");
 }
 
 }  // namespace twum::studies

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/studies/study/study_file.hpp>
 
-#include "study/entry_shapes.hpp"
 #include "study/study_kinds.hpp"
 
 #include <twum/studies/motor/settings.hpp>
-#include <twum/studies/schema/validate.hpp>
 #include <twum/studies/text/words.hpp>
 #include <twum/studies/yaml/loader.hpp>
 
@@ -29,15 +27,15 @@ bool refuse_motor(const YamlNode& root, Diagnostics& diagnostics) {
 }
 
 // The motor that a study names, without the errors of that file: those come out as a FileError.
-std::optional<MotorFile> named_motor(const YamlNode& name, const std::string& folder,
-                                     Diagnostics& diagnostics) {
-  const std::string path = (fs::path(folder) / name.scalar).string();
+std::optional<MotorFile> named_motor(const std::string& name, const YamlNode& node,
+                                     const std::string& folder, Diagnostics& diagnostics) {
+  if (name.empty()) return {};
   try {
-    return read_motor_file(path);
+    return read_motor_file((fs::path(folder) / name).string());
   } catch (const FileError&) {
     throw;
   } catch (const InputError& error) {
-    diagnostics.add(name.mark, "motor", error.what(),
+    diagnostics.add(node.mark, "motor", error.what(),
                     "expected the path of a motor file, from the folder of this file");
     return {};
   }
@@ -54,16 +52,17 @@ void apply(const std::vector<shapes::Override>& overrides, const YamlNode& node,
   }
 }
 
-std::optional<MotorFile> motor_of(const YamlNode& root, const std::string& folder,
-                                  const std::vector<shapes::Override>& overrides,
+// Nothing if there is none, or if what stands there is wrong, which is said.
+std::optional<MotorFile> motor_of(const YamlNode& root, const std::string& folder, StudyText text,
                                   Diagnostics& diagnostics) {
   const YamlNode* node = root.find("motor");
   if (node == nullptr) return {};
-  std::optional<MotorFile> motor = node->kind == YamlNode::Kind::scalar
-                                       ? named_motor(*node, folder, diagnostics)
-                                       : motor_from(*node, "motor", diagnostics);
+  auto* given = std::get_if<MotorFile>(&text.motor);
+  std::optional<MotorFile> motor =
+      given != nullptr ? std::optional<MotorFile>(std::move(*given))
+                       : named_motor(std::get<std::string>(text.motor), *node, folder, diagnostics);
   const YamlNode* set = root.find("set");
-  if (motor && set != nullptr) apply(overrides, *set, *motor, diagnostics);
+  if (motor && set != nullptr) apply(text.set, *set, *motor, diagnostics);
   return motor;
 }
 
@@ -84,59 +83,23 @@ bool is_study(const Source& source) {
   return load_yaml(ignored).find("study") != nullptr;
 }
 
-namespace {
-
-// What a study file says beside its motor.
-struct Entries {
-  std::vector<shapes::Override> overrides;
-  std::optional<Study> asked;
-};
-
-Entries read_entries(const YamlNode& root, Diagnostics& diagnostics) {
-  static const auto overrides = shapes::overrides();
-  const Schema& schema = study_file_schema();
-  const Spot top{{}, {1, 1}};
-  Entries read;
-  if (root.kind != YamlNode::Kind::mapping) {
-    say_wrong_kind(root, schema, top, diagnostics);
-    return read;
-  }
-  for (const auto& [number, entry] : given_entries(root, schema, top, diagnostics)) {
-    const SchemaEntry& known = schema.entries[number];
-    const Spot spot = top.entry(entry->key, entry->key_mark);
-    if (known.name == "set") {
-      overrides.read(read.overrides, entry->value, spot, diagnostics);
-    } else if (known.name == "study") {
-      const auto kind = alternative_of(entry->value, known.schema, spot, diagnostics);
-      Study study;
-      if (kind &&
-          study_shape(static_cast<StudyKind>(*kind)).read(study, entry->value, spot, diagnostics))
-        read.asked = std::move(study);
-    } else {
-      validate(entry->value, known.schema, spot, diagnostics);
-    }
-  }
-  return read;
-}
-
-}  // namespace
-
 StudyFile read_study(const Source& source, const std::string& folder,
                      std::span<const std::string> settings) {
   Diagnostics diagnostics(source);
   YamlNode root = load_yaml(diagnostics);
-  Entries entries;
-  if (!refuse_motor(root, diagnostics)) entries = read_entries(root, diagnostics);
+  StudyText text;
+  if (!refuse_motor(root, diagnostics))
+    study_file_shape().read(text, root, {{}, {1, 1}}, diagnostics);
   std::optional<MotorFile> motor;
   try {
-    motor = motor_of(root, folder, entries.overrides, diagnostics);
+    motor = motor_of(root, folder, text, diagnostics);
   } catch (const FileError& error) {
     throw_both(diagnostics, error);
   }
   diagnostics.throw_if_any();
-  TWUM_ASSERT(motor.has_value() && entries.asked.has_value());
+  TWUM_ASSERT(motor.has_value());
   motor->design = with_settings(motor->design, settings);
-  return {std::move(*motor), std::move(*entries.asked), *root.find("study"), folder, source.name()};
+  return {std::move(*motor), std::move(text.study), *root.find("study"), folder, source.name()};
 }
 
 StudyFile read_study_file(const std::string& path, std::span<const std::string> settings) {

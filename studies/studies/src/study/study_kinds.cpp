@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/study_kinds.hpp"
 
-#include "study/entry_shapes.hpp"
-
 #include <twum/studies/study/study_file.hpp>
 
 #include <array>
@@ -27,25 +25,25 @@ struct Rows<std::variant<S...>> {
 };
 using Kinds = Rows<Study>;
 
-Schema study_variant() {
-  Schema study;
-  study.kind = ValueKind::variant;
-  study.text = "what is asked";
-  study.selector = "kind";
+Shape<Study> any_study() {
+  std::vector<Shape<Study>> kinds;
+  std::vector<std::string> names;
   for (std::size_t i = 0; i < Kinds::kNames.size(); ++i) {
-    study.words.emplace_back(Kinds::kNames[i]);
-    study.alternatives.push_back(study_schema(static_cast<StudyKind>(i)));
+    kinds.push_back(study_shape(static_cast<StudyKind>(i)));
+    names.emplace_back(Kinds::kNames[i]);
   }
-  return study;
+  return one_of<Study>(
+      "what is asked", std::move(kinds), [](const Study& study) { return study.index(); }, "kind",
+      std::move(names));
 }
 
-SchemaEntry entry(std::string name, Schema schema, bool required, std::string fallback = {}) {
-  SchemaEntry result;
-  result.name = std::move(name);
-  result.schema = std::move(schema);
-  result.required = required;
-  result.fallback = std::move(fallback);
-  return result;
+using MotorEntry = std::variant<std::string, MotorFile>;
+
+template <typename T>
+Shape<MotorEntry> motor_as(const Shape<T>& shape) {
+  return as<MotorEntry, T>(
+      shape, [](T given) { return MotorEntry{std::move(given)}; },
+      [](const MotorEntry& entry) { return std::get<T>(entry); });
 }
 
 }  // namespace
@@ -72,21 +70,21 @@ const Shape<Study>& study_shape(StudyKind kind) {
 
 Schema study_schema(StudyKind kind) { return study_shape(kind).schema; }
 
-const Schema& study_file_schema() {
-  static const Schema schema = [] {
-    Schema motor;
-    motor.kind = ValueKind::any_of;
-    motor.text = "the motor: a path beside this file, or its entries";
-    motor.alternatives = {path("a motor file", "ring-60.yaml").schema, motor_schema()};
-    Schema file;
-    file.kind = ValueKind::mapping;
-    file.text = "a study for twum";
-    file.entries = {motor_file_schema().entries.front(), entry("motor", motor, true),
-                    entry("set", shapes::overrides().schema, false, "the motor as it is"),
-                    entry("study", study_variant(), true)};
-    return file;
-  }();
-  return schema;
+const Shape<StudyText>& study_file_shape() {
+  static const Shape<StudyText> shape = mapping<StudyText>(
+      "a study for twum",
+      {version_field<StudyText>(),
+       needed<StudyText>("motor",
+                         one_of<MotorEntry>("the motor: a path beside this file, or its entries",
+                                            {motor_as(path("a motor file", "ring-60.yaml")),
+                                             motor_as(motor_shape())},
+                                            [](const MotorEntry& entry) { return entry.index(); }),
+                         &StudyText::motor),
+       optional<StudyText>("set", shapes::overrides(), &StudyText::set, "the motor as it is"),
+       needed<StudyText>("study", any_study(), &StudyText::study)});
+  return shape;
 }
+
+const Schema& study_file_schema() { return study_file_shape().schema; }
 
 }  // namespace twum::studies

@@ -46,7 +46,7 @@ std::string study_template(StudyKind kind, std::string_view motor) {
     file.entries.push_back(
         entry("motor", "or a motor file, from the folder of this one: 'motor: FILE'", ""));
     file.entries.back().schema.kind = ValueKind::mapping;
-    file.entries.back().schema.entries = motor_schema().entries;
+    file.entries.back().schema.entries = motor_shape().schema.entries;
   }
   return yaml_template(file, heading);
 }

@@ -56,6 +56,8 @@ class Diagnostics {
   /// @}
   /// True if nothing is wrong so far.
   bool empty() const noexcept { return found_.empty(); }
+  /// Errors so far.
+  std::size_t count() const noexcept { return found_.size(); }
   /// @throws FileError with all of them, in the order of the file, if there are any.
   void throw_if_any() const;
 

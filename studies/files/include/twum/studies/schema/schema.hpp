@@ -72,4 +72,7 @@ struct SchemaEntry {
   std::vector<StandardValue> standards{};  ///< the same as values; the first that holds counts
 };
 
+/// The entry of a schema at a path such as "motor.stator.frequency"; null if there is none.
+const SchemaEntry* find_path(const Schema& root, std::string_view path);
+
 }  // namespace twum::studies

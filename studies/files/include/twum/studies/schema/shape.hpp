@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -57,14 +58,20 @@ Shape<std::string> path(std::string text, std::string example);
 Shape<std::size_t> choice(std::string text, std::vector<std::string> words);
 /// @}
 
+/// A value that the copies of a function share.
+template <typename V>
+std::shared_ptr<const V> kept(V value) {
+  return std::make_shared<const V>(std::move(value));
+}
+
 /// Says that something else stands where the schema wants something.
 void say_wrong_kind(const YamlNode& node, const Schema& schema, const Spot& spot,
                     Diagnostics& diagnostics);
 /// Runs a reader of a text; nothing if it throws a ValueError, which is said.
 bool says_no_error(const YamlNode& node, const Schema& schema, const Spot& spot,
                    Diagnostics& diagnostics, const std::function<void(const std::string&)>& use);
-/// Says what is wrong with the number of items.
-void check_item_count(const YamlNode& list, const Schema& schema, const Spot& spot,
+/// False if the number of items is wrong, which is said.
+bool check_item_count(const YamlNode& list, const Schema& schema, const Spot& spot,
                       Diagnostics& diagnostics);
 /// An entry of a mapping, and its number in the schema.
 struct GivenEntry {
@@ -89,9 +96,9 @@ Shape<T> text_of(std::string text, std::string example, T (*parse)(std::string_v
   shape.schema.kind = ValueKind::text;
   shape.schema.text = std::move(text);
   shape.schema.example = std::move(example);
-  shape.read = [schema = shape.schema, parse](T& into, const YamlNode& node, const Spot& spot,
-                                              Diagnostics& diagnostics) {
-    return says_no_error(node, schema, spot, diagnostics,
+  shape.read = [schema = kept(shape.schema), parse](T& into, const YamlNode& node, const Spot& spot,
+                                                    Diagnostics& diagnostics) {
+    return says_no_error(node, *schema, spot, diagnostics,
                          [&](const std::string& typed) { into = parse(typed); });
   };
   shape.write = [print](const T& value) { return scalar_node(print(value)); };
@@ -133,21 +140,21 @@ Shape<std::vector<T>> list(std::string text, Shape<T> item, std::size_t least = 
   shape.schema.items.push_back(item.schema);
   shape.schema.min_items = least;
   shape.schema.max_items = most;
-  shape.read = [schema = shape.schema, read = item.read](std::vector<T>& into, const YamlNode& node,
-                                                         const Spot& spot,
-                                                         Diagnostics& diagnostics) {
+  shape.read = [schema = kept(shape.schema), read = item.read](
+                   std::vector<T>& into, const YamlNode& node, const Spot& spot,
+                   Diagnostics& diagnostics) {
     if (node.kind != YamlNode::Kind::list) {
-      say_wrong_kind(node, schema, spot, diagnostics);
+      say_wrong_kind(node, *schema, spot, diagnostics);
       return false;
     }
-    check_item_count(node, schema, spot, diagnostics);
+    const bool counted = check_item_count(node, *schema, spot, diagnostics);
     into.clear();
     for (std::size_t i = 0; i < node.items.size(); ++i) {
       const Spot place{spot.path + "[" + std::to_string(i) + "]", node.items[i].mark};
       T value{};
       if (read(value, node.items[i], place, diagnostics)) into.push_back(std::move(value));
     }
-    return into.size() == node.items.size();
+    return counted && into.size() == node.items.size();
   };
   shape.write = [write = item.write](const std::vector<T>& values) {
     YamlNode node;
@@ -170,14 +177,13 @@ Shape<T> one_of(std::string text, std::vector<Shape<T>> alternatives,
   shape.schema.selector = std::move(selector);
   shape.schema.words = std::move(words);
   for (const Shape<T>& one : alternatives) shape.schema.alternatives.push_back(one.schema);
-  shape.read = [schema = shape.schema, alternatives](T& into, const YamlNode& node,
-                                                     const Spot& spot, Diagnostics& diagnostics) {
-    const auto found = alternative_of(node, schema, spot, diagnostics);
-    return found && alternatives[*found].read(into, node, spot, diagnostics);
+  const auto ways = kept(std::move(alternatives));
+  shape.read = [schema = kept(shape.schema), ways](T& into, const YamlNode& node, const Spot& spot,
+                                                   Diagnostics& diagnostics) {
+    const auto found = alternative_of(node, *schema, spot, diagnostics);
+    return found && (*ways)[*found].read(into, node, spot, diagnostics);
   };
-  shape.write = [alternatives, which](const T& value) {
-    return alternatives[which(value)].write(value);
-  };
+  shape.write = [ways, which](const T& value) { return (*ways)[which(value)].write(value); };
   return shape;
 }
 
@@ -322,32 +328,31 @@ Shape<T> mapping(std::string text, std::vector<Field<T>> fields,
     }
     shape.schema.entries.push_back(field.entry);
   }
-  shape.read = [schema = shape.schema, fields, check, fresh](
+  const auto parts = kept(std::move(fields));
+  shape.read = [schema = kept(shape.schema), parts, check, fresh](
                    T& into, const YamlNode& node, const Spot& spot, Diagnostics& diagnostics) {
     into = fresh;
     if (node.kind != YamlNode::Kind::mapping) {
-      say_wrong_kind(node, schema, spot, diagnostics);
+      say_wrong_kind(node, *schema, spot, diagnostics);
       return false;
     }
-    std::vector<const YamlNode*> right(fields.size(), nullptr);
-    bool good = true;
-    for (const auto& [number, entry] : given_entries(node, schema, spot, diagnostics)) {
+    std::vector<const YamlNode*> right(parts->size(), nullptr);
+    const std::size_t said = diagnostics.count();
+    const std::vector<GivenEntry> given = given_entries(node, *schema, spot, diagnostics);
+    bool good = diagnostics.count() == said;
+    for (const auto& [number, entry] : given) {
       const Spot place = spot.entry(entry->key, entry->key_mark);
-      if (fields[number].read(into, entry->value, place, diagnostics))
+      if ((*parts)[number].read(into, entry->value, place, diagnostics))
         right[number] = &entry->value;
       else
         good = false;
     }
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-      const SchemaEntry& entry = fields[i].entry;
-      good = good && (right[i] != nullptr || !entry.required || !entry.twin.empty());
-    }
-    return (!check || check(into, Given(node, spot, schema, right), diagnostics)) && good;
+    return (!check || check(into, Given(node, spot, *schema, right), diagnostics)) && good;
   };
-  shape.write = [fields](const T& value) {
+  shape.write = [parts](const T& value) {
     YamlNode node;
     node.kind = YamlNode::Kind::mapping;
-    for (const Field<T>& field : fields)
+    for (const Field<T>& field : *parts)
       if (auto written = field.write(value))
         node.entries.push_back({field.entry.name, {}, std::move(*written)});
     return node;

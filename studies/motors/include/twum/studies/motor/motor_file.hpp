@@ -4,10 +4,8 @@
 #include <twum/core/design/motor_design.hpp>
 #include <twum/core/design/parameters.hpp>
 #include <twum/studies/diagnostics/diagnostics.hpp>
-#include <twum/studies/schema/schema.hpp>
-#include <twum/studies/yaml/node.hpp>
+#include <twum/studies/schema/shape.hpp>
 
-#include <optional>
 #include <string>
 
 namespace twum::studies {
@@ -24,11 +22,17 @@ struct MotorFile {
 /// Shape of a value of one parameter: unit, range and example of the parameter table.
 Schema parameter_schema(const ParameterInfo& parameter);
 
-/// Shape of what stands below `motor:`, made from the parameter table.
-Schema motor_schema();
+/// `twum: 1`, which every file begins with.
+template <typename T>
+Field<T> version_field() {
+  return selector<T>("twum", "version of the file format", std::to_string(kFileVersion));
+}
 
-/// Shape of a motor file; lives for ever.
-const Schema& motor_file_schema();
+/// What stands below `motor:`, made from the parameter table; lives for ever.
+const Shape<MotorFile>& motor_shape();
+
+/// A motor file; lives for ever.
+const Shape<MotorFile>& motor_file_shape();
 
 /// Reads a motor file; "-" is standard input.
 /// @throws FileError with everything that is wrong in it; InputError if it cannot be read.
@@ -37,11 +41,6 @@ MotorFile read_motor_file(const std::string& path);
 /// Reads the text of a motor file.
 /// @throws FileError with everything that is wrong in it.
 MotorFile read_motor(const Source& source);
-
-/// The motor of a mapping that validate() was asked about with motor_schema(): adds what only a look at
-/// several entries shows; nothing if the diagnostics are not empty then.
-std::optional<MotorFile> motor_from(const YamlNode& motor, const std::string& path,
-                                    Diagnostics& diagnostics);
 
 /// A motor as the text of a motor file, SI values to the last digit; twins as they are in use.
 std::string motor_text(const MotorFile& motor);
