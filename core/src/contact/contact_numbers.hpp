@@ -62,6 +62,7 @@ struct ContactMeans {
   S friction_power;  ///< <-t v_rel / V0> and the work of snaps (T7.3)
   S layer_loss;      ///< <C e'^2> / s (T7.4)
   S stick_length;    ///< length of the stick zones [rad]
+  S reactive_force;  ///< <t sin theta> (D1.6); forces on the wave are in units of 2 pi r b P kappa a
 };
 
 }  // namespace twum::contact

@@ -104,7 +104,8 @@ class LapRunner {
     if (delicate_ && ShortSlip<S>::rate(layer_) * value_of(length) <= ShortSlip<S>::kReach) {
       const ShortSlip<S> zone(n_, layer_, sigma, start, length, from.layer, motion.u);
       if constexpr (kHasMeans) {
-        add(lap_.means, slip_integrals(n_, sigma, Moments<S>(start, end), zone.work(start, end)));
+        add(lap_.means,
+            slip_integrals(n_, sigma, Moments<S>(start, end), start, end, zone.work(start, end)));
       }
       here_.layer = zone.end();
     } else {
@@ -112,7 +113,7 @@ class LapRunner {
       if constexpr (kHasMeans) {
         const Moments<S> moments(start, end);
         const SlipWork<S> work = slip_work(n_, layer_, f, moments, start, end, h0, h1);
-        add(lap_.means, slip_integrals(n_, sigma, moments, work));
+        add(lap_.means, slip_integrals(n_, sigma, moments, start, end, work));
       }
       here_.layer = {h1.e + f.at(here_.theta, here_.at), h1.rate + f.slope(here_.at)};
     }
@@ -207,6 +208,7 @@ class LapRunner {
       m.layer_loss = S(0.0);  // what is left is rounding of the layer's energy
     const double mean = 1 / (2 * kPi);
     m.traction *= mean, m.stator_power *= mean, m.friction_power *= mean, m.layer_loss *= mean;
+    m.reactive_force *= mean;
   }
 
   Lap<S>& lap_;

@@ -62,7 +62,7 @@ struct Lap {
   /// Back to a lap that has not begun.
   void clear() {
     const S zero(0.0);
-    means = {zero, zero, zero, zero, zero};
+    means = {zero, zero, zero, zero, zero, zero};
     next = {{zero, zero}, false, ZoneState::stick};
     exit = {zero, zero};
     itinerary = 0xcbf29ce484222325ull;

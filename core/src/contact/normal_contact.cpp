@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/core/contact/normal_contact.hpp>
 
-#include <twum/base/dual.hpp>
+#include "contact/load_shape.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -11,16 +11,9 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// sin t - t cos t. Both terms tend to t, so small angles use the series: at the switch its first
-// dropped term is 5e-16 of the sum, and the closed form loses 3 eps / t^2 = 1.4e-15 by rounding.
 double load_shape(double t) {
-  if (t > 0.7) return std::sin(t) - t * std::cos(t);
-  const double q = t * t;
-  const double tail = 1.0 / 518918400 - q / 93405312000;
-  const double series =
-      1.0 / 3 -
-      q * (1.0 / 30 - q * (1.0 / 840 - q * (1.0 / 45360 - q * (1.0 / 3991680 - q * tail))));
-  return t * q * series;
+  if (t > contact::kLoadSeriesReach) return std::sin(t) - t * std::cos(t);
+  return contact::load_shape_series(t);
 }
 
 }  // namespace

@@ -77,8 +77,8 @@ ContactMeans<Dual<double, N>> differentiated_means(const ContactNumbers<Dual<dou
   const Lap<Wide> lap = run_lap(n, {n.inertia, n.damping}, entry, &state.lap.script);
   const EntryMotion<N> motion(lap.next.layer);
   const ContactMeans<Wide>& m = lap.means;
-  return {motion.along(m.traction), motion.along(m.stator_power), motion.along(m.friction_power),
-          motion.along(m.layer_loss), motion.along(m.stick_length)};
+  return {motion.along(m.traction),   motion.along(m.stator_power), motion.along(m.friction_power),
+          motion.along(m.layer_loss), motion.along(m.stick_length), motion.along(m.reactive_force)};
 }
 
 }  // namespace

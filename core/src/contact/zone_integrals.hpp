@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/layer_motion.hpp"
+#include "contact/load_shape.hpp"
 #include "contact/zone_curves.hpp"
 
 namespace twum::contact {
@@ -73,12 +74,17 @@ SlipWork<S> slip_work(const ContactNumbers<S>& n, const LayerMotion<S>& layer, c
 /// Integrals over a slip zone.
 template <typename S>
 ContactMeans<S> slip_integrals(const ContactNumbers<S>& n, double sigma, const Moments<S>& m,
-                               const SlipWork<S>& work) {
+                               const Phase<S>& from, const Phase<S>& to, const SlipWork<S>& work) {
   const S c = 1.0 - n.peak;
   const S p = n.peak * m.one - (m.one - m.c), pc = m.cc - c * m.c;
+  const S ps = m.s * (n.peak - 0.5 * (from.at.versine + to.at.versine));
   const S q = sigma * n.kinetic;
-  return {-(q * p), -(q * pc), q * (work.rate_pressure / n.stick_rate - pc + n.speed_ratio * p),
-          work.loss / n.stick_rate, S(0.0)};
+  return {-(q * p),
+          -(q * pc),
+          q * (work.rate_pressure / n.stick_rate - pc + n.speed_ratio * p),
+          work.loss / n.stick_rate,
+          S(0.0),
+          -(q * ps)};  // (D1.7)
 }
 
 /// Integrals over a stick zone with traction t = k0 + kb theta + kw (1 - cos theta) + ks sin theta.
@@ -88,10 +94,17 @@ ContactMeans<S> stick_integrals(const ContactNumbers<S>& n, const LayerMotion<S>
   const Moments<S> m(from, to);
   const S theta = 0.5 * (to.theta * to.theta - from.theta * from.theta);
   const S theta_c = to.theta * to.at.sin - from.theta * from.at.sin - m.s;
+  const S g0 = load_shape(from.theta, from.at), g1 = load_shape(to.theta, to.at);
+  const S versine_s = 0.5 * (to.at.versine * to.at.versine - from.at.versine * from.at.versine);
+  const S ss = 0.5 * (to.theta * to.at.sin * to.at.sin - to.at.cos * g1 -
+                      (from.theta * from.at.sin * from.at.sin - from.at.cos * g0));
   const S& V = n.speed_ratio;
   return {t.k0 * m.one + t.kb * theta + t.kw * (m.one - m.c) + t.ks * m.s,
-          t.k0 * m.c + t.kb * theta_c + t.kw * (m.c - m.cc) + t.ks * m.sc, S(0.0),
-          layer.C * n.stick_rate * (m.cc - 2.0 * V * m.c + V * V * m.one), m.one};
+          t.k0 * m.c + t.kb * theta_c + t.kw * (m.c - m.cc) + t.ks * m.sc,
+          S(0.0),
+          layer.C * n.stick_rate * (m.cc - 2.0 * V * m.c + V * V * m.one),
+          m.one,
+          t.k0 * m.s + t.kb * (g1 - g0) + t.kw * versine_s + t.ks * ss};  // (D1.8)
 }
 
 template <typename S>
@@ -101,6 +114,7 @@ void add(ContactMeans<S>& sum, const ContactMeans<S>& zone) {
   sum.friction_power += zone.friction_power;
   sum.layer_loss += zone.layer_loss;
   sum.stick_length += zone.stick_length;
+  sum.reactive_force += zone.reactive_force;
 }
 
 }  // namespace twum::contact

@@ -25,7 +25,7 @@ std::string speed_text(double speed) {
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 OperatingPoint no_answer(double speed, PointStatus status) {
-  return {speed,    kNoValue, kNoValue, kNoValue, kNoValue,
+  return {speed,    kNoValue, kNoValue, kNoValue, kNoValue, kNoValue,
           kNoValue, kNoValue, kNoValue, kNoValue, status};
 }
 
@@ -108,6 +108,7 @@ OperatingPoint operating_point_of(const performance::DrivenMotor<double>& m,
           stator_loss(m),
           n.friction_power / track_area(m),
           n.stick_fraction,
+          n.reactive_force,
           PointStatus::ok};
 }
 

@@ -44,6 +44,7 @@ struct DrivenMotor : MotorModel<S> {
   S stick_gain;           ///< G V0 / (h P), s W of (E1.1)
   S peak;                 ///< p(0) / P = 1 - c
   contact::Trig<S> edge;  ///< of theta_L
+  S pressure_force;       ///< of the contact on the wave, Re F_n (D1.3, D1.4) [N]
 };
 
 // theta_L in S: found in double, its derivatives by the implicit function theorem (T3.2).
@@ -111,6 +112,15 @@ Wave<S> design_wave(const ModelArray<S>& p) {
           2 * std::numbers::pi * p[model_index(Parameter::frequency)]};
 }
 
+/// Re F_n (D1.3, D1.4) of a contact with `edge` at its half angle.
+template <typename S>
+S pressure_force(const MotorModel<S>& m, const NormalContact<S>& c, const contact::Trig<S>& edge) {
+  if (c.full) return std::numbers::pi * m.r * m.b * c.pressure_amplitude;
+  if (value_of(c.half_angle) == 0) return m.preload;
+  const S g = std::numbers::pi * c.load_ratio;  // (T3.2)
+  return 0.5 * m.preload * (c.half_angle * edge.sin * edge.sin / g - edge.cos);
+}
+
 /// The motor under a wave: solves the normal contact.
 template <typename S>
 DrivenMotor<S> driven(const MotorModel<S>& model, const Wave<S>& wave) {
@@ -124,6 +134,7 @@ DrivenMotor<S> driven(const MotorModel<S>& model, const Wave<S>& wave) {
   m.edge = contact::trig(m.contact.half_angle);
   if (m.contact.full) m.edge = {S(0.0), S(-1.0), S(2.0)};
   m.peak = m.contact.full ? S(1.0 - m.contact.edge_cosine) : m.edge.versine;
+  m.pressure_force = pressure_force(model, m.contact, m.edge);
   return m;
 }
 
@@ -175,6 +186,12 @@ S torque_scale(const DrivenMotor<S>& m) {
 template <typename S>
 S power_scale(const DrivenMotor<S>& m) {
   return 2 * std::numbers::pi * m.r * m.b * m.contact.pressure_amplitude * m.crest_velocity;
+}
+
+/// Force of one unit of the mean <t sin theta>, 2 pi r b kappa a P (D1.6) [N].
+template <typename S>
+S wave_force_scale(const DrivenMotor<S>& m) {
+  return 2 * std::numbers::pi * m.r * m.b * m.tilt * m.contact.pressure_amplitude;
 }
 
 /// mu_0 F_N r (T7.8), bound and scale of torques [N m].

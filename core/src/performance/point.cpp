@@ -33,9 +33,9 @@ bool keeps_laws(const DrivenMotor<double>& m, const PointNumbers<double>& n, dou
   const double holding = holding_torque(m);
   const double scale = holding * std::fmax(m.crest_velocity / m.r, std::fabs(speed));
   const double share = n.stick_fraction;
-  return std::fabs(excess(n, speed)) <= kBalance * scale && n.friction_power >= -kBeyond * scale &&
-         n.layer_loss >= -kBeyond * scale && std::fabs(n.torque) <= holding * (1 + kBeyond) &&
-         share >= 0 && share <= 1 + kBeyond;
+  return std::isfinite(n.reactive_force) && std::fabs(excess(n, speed)) <= kBalance * scale &&
+         n.friction_power >= -kBeyond * scale && n.layer_loss >= -kBeyond * scale &&
+         std::fabs(n.torque) <= holding * (1 + kBeyond) && share >= 0 && share <= 1 + kBeyond;
 }
 
 // Without a wave the rotor drags the layer over a flat stator. Released at mu_0 p it slips steadily,
@@ -62,6 +62,7 @@ bool drags_steadily(const DrivenMotor<double>& m, double speed) {
 template <typename S>
 struct Lock {
   S low, high, damping_work;
+  S reactive_force;  // <t sin theta> (C20.3)
 
   explicit Lock(const DrivenMotor<S>& m) {
     using std::sqrt;
@@ -72,6 +73,7 @@ struct Lock {
     low = sqrt(forward * forward + swing * swing) - mean;
     high = mean - sqrt(back * back + swing * swing);
     damping_work = 0.5 * n.damping * n.stick_rate;
+    reactive_force = 0.5 * swing;
   }
 };
 
@@ -89,15 +91,22 @@ bool locks_at_rest(const DrivenMotor<S>& m) {
 template <typename S, typename R>
 PointNumbers<R> special_point(const DrivenMotor<S>& m, const R& speed) {
   const R zero(0.0);
-  if (value_of(m.static_) == 0 || value_of(m.preload) == 0) return {zero, zero, zero, zero, zero};
+  const R force = m.pressure_force + zero;
+  if (value_of(m.static_) == 0 || value_of(m.preload) == 0)
+    return {zero, zero, zero, zero, zero, force};
   if (value_of(m.amplitude) == 0) {
     // At rest the limit of forward speeds, as everywhere.
     const R drag = (value_of(speed) < 0 ? 1.0 : -1.0) * slipping_torque(m) + zero;
-    return {drag, zero, -(drag * speed), zero, zero};
+    return {drag, zero, -(drag * speed), zero, zero, force};
   }
   const Lock<S> lock(m);
   const R power = power_scale(m) * lock.damping_work + zero;
-  return {torque_scale(m) * lock.low + zero, power, zero, power, R(1.0)};
+  return {torque_scale(m) * lock.low + zero,
+          power,
+          zero,
+          power,
+          R(1.0),
+          force + wave_force_scale(m) * lock.reactive_force};
 }
 
 SolvedPoint::SolvedPoint(const contact::ContactNumbers<double>& n, const WarmStart* guess,

@@ -16,6 +16,7 @@ namespace twum::performance {
 template <typename S>
 struct PointNumbers {
   S torque, stator_power, friction_power, layer_loss, stick_fraction;
+  S reactive_force;  ///< Re F, the contact's force on the wave in phase with its displacement (D1.1) [N]
 };
 
 /// What goes in and does not come out (T7.10) [W]; zero but for rounding.
@@ -114,8 +115,12 @@ PointNumbers<R> SolvedPoint::dimensional(const DrivenMotor<S>& m,
   const S power = power_scale(m);
   R torque = torque_scale(m) * means.traction;
   if (slips_one_way()) torque = R(static_cast<double>(state_.lap.first) * slipping_torque(m));
-  return {torque, power * means.stator_power, power * means.friction_power,
-          power * means.layer_loss, means.stick_length / (2.0 * m.contact.half_angle)};
+  return {torque,
+          power * means.stator_power,
+          power * means.friction_power,
+          power * means.layer_loss,
+          means.stick_length / (2.0 * m.contact.half_angle),
+          m.pressure_force + wave_force_scale(m) * means.reactive_force};
 }
 
 }  // namespace twum::performance

@@ -109,10 +109,10 @@ PointNumbers<S> SolvedPoint::differentiated(const DrivenMotor<S>& m, const S& sp
   const contact::ContactMeans<K> means =
       contact::periodic_means(seeded<K>(n), values_of(n), state_);
   const std::array<S, 7> x = listed(n);
-  return dimensional(
-      m, contact::ContactMeans<S>{chained(means.traction, x), chained(means.stator_power, x),
-                                  chained(means.friction_power, x), chained(means.layer_loss, x),
-                                  chained(means.stick_length, x)});
+  return dimensional(m, contact::ContactMeans<S>{
+                            chained(means.traction, x), chained(means.stator_power, x),
+                            chained(means.friction_power, x), chained(means.layer_loss, x),
+                            chained(means.stick_length, x), chained(means.reactive_force, x)});
 }
 
 PointNumbers<SpeedDual> SolvedPoint::differentiated(const DrivenMotor<double>& m,

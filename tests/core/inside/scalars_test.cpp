@@ -25,6 +25,7 @@ void check_same_bits(const ContactNumbers<double>& n) {
   CHECK(value_of(m.friction_power) == d.friction_power);
   CHECK(value_of(m.layer_loss) == d.layer_loss);
   CHECK(value_of(m.stick_length) == d.stick_length);
+  CHECK(value_of(m.reactive_force) == d.reactive_force);
 }
 
 // The return map alone: its laps have no means.

@@ -50,6 +50,8 @@ struct OperatingPoint {
   double stator_loss{0};     ///< P_stator = c_stator (omega A)^2 [W]
   double wear_intensity{0};  ///< P_fric / (2 pi r b) [W/m^2]
   double stick_fraction{0};  ///< share of the contact length that sticks [1]
+  double reactive_force{0};  ///< Re F, the contact's force on the wave in phase with it (D1.1) [N];
+                             ///< Im F = P_in / (omega A) (D1.2)
   PointStatus status{PointStatus::ok};  ///< why there is no answer
 
   /// P_out / P_in where P_in > 0 and balances to 1e-6 of itself, else NaN [1]
