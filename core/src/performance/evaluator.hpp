@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "performance/curve/prescribed_curve.hpp"
 #include "performance/metric_rows.hpp"
 
 #include <deque>
@@ -14,7 +15,8 @@ class Evaluator {
  public:
   using Number = double;
 
-  explicit Evaluator(const DrivenMotor<double>& motor) : m_(motor), search_(motor) {}
+  explicit Evaluator(const DrivenMotor<double>& motor)
+      : m_(motor), curve_(motor), search_(curve_) {}
 
   MetricValue evaluate(const MetricRequest& request);
   /// At a load of a share of the largest torque; `unreachable` if the motor has no torque.
@@ -46,6 +48,7 @@ class Evaluator {
   void require_input(Metric metric, double speed);
 
   const DrivenMotor<double>& m_;
+  PrescribedCurve curve_;
   CurveSearch search_;
   std::deque<std::pair<double, SolvedPoint>> points_;  // references stay valid
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "performance/curve_search.hpp"
+#include "performance/curve/search.hpp"
 
 #include <twum/core/performance/metrics.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "performance/speed_roots.hpp"
+#include "performance/curve/speed_roots.hpp"
 #include "random_contact.hpp"
 
 #include <catch2/catch.hpp>
@@ -19,7 +19,7 @@ namespace {
 using Function = std::function<double(double)>;
 
 Bracket closed_in(const Function& f, double low, double high) {
-  return close_in(f, low, high, f(low), f(high));
+  return close_in(f, {low, high, f(low), f(high)});
 }
 
 // x(f) = zero + f / slope + bend f^2 + twist f^3, which has its zero where it says. f(x) by Newton's method from
@@ -74,8 +74,8 @@ TEST_CASE("what does not change its sign is not closed in on", "[core][metrics][
   CHECK_THROWS_AS(closed_in([](double x) { return 0.2 + 0.4 * x; }, 0, 1), SearchFailure);
   CHECK_THROWS_AS(closed_in([](double x) { return -0.5 - x; }, 0, 1), SearchFailure);
   const Function falling = [](double x) { return 0.5 - x; };
-  CHECK_THROWS_AS(close_in(falling, 0, 1, nan, -0.5), SearchFailure);
-  CHECK_THROWS_AS(close_in(falling, 0, 1, 0.5, nan), SearchFailure);
+  CHECK_THROWS_AS(close_in(falling, {0, 1, nan, -0.5}), SearchFailure);
+  CHECK_THROWS_AS(close_in(falling, {0, 1, 0.5, nan}), SearchFailure);
 }
 
 TEST_CASE(

@@ -1,61 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "performance/point.hpp"
-
-#include <twum/core/performance/metrics.hpp>
+#include "performance/curve/curve.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <optional>
 
 namespace twum::performance {
 
-/// Thrown inside a search when a point has no answer; the metric takes the status.
-struct SearchFailure {
-  MetricStatus status;
-};
-
-/// Two neighbouring speeds.
+/// Two neighbouring speeds, or any two between which a function changes its sign, with its values there.
 struct Bracket {
-  double low, high;
+  double low, high, at_low, at_high;
 };
 
 /// Closes in on a sign change to neighbouring doubles, or to an exact zero.
-/// @throws SearchFailure if the ends do not differ in sign
-Bracket close_in(const std::function<double(double)>& f, double low, double high, double f_low,
-                 double f_high);
-
-/// Warm starts from the two points solved last: what the next one begins with.
-class Trail {
- public:
-  void add(double speed, const WarmStart& start) {
-    before_ = last_;
-    last_ = Known{speed, start};
-  }
-
-  /// Along the line through the two states, unless that leads far away. Null at first.
-  const WarmStart* at(double speed) {
-    if (!last_) return nullptr;
-    guess_ = last_->start;
-    if (before_ && before_->speed != last_->speed) {
-      const double t = (speed - last_->speed) / (last_->speed - before_->speed);
-      if (std::fabs(t) <= 3) guess_ = WarmStart::beyond(before_->start, last_->start, t);
-    }
-    return &guess_;
-  }
-
- private:
-  struct Known {
-    double speed;
-    WarmStart start;
-  };
-  std::optional<Known> before_, last_;
-  WarmStart guess_{};
-};
+/// @throws SearchFailure (unresolved) if the ends do not differ in sign
+Bracket close_in(const std::function<double(double)>& f, const Bracket& ends);
 
 /// Polynomial through a few points of a function, in Newton's form: where to begin an iteration.
 class Interpolant {

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "performance/curve/crossings.hpp"
+
+#include "performance/curve/speed_roots.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace twum::performance {
+namespace {
+
+constexpr double kTorqueJump = 1e-7;  // of the holding torque, between neighbouring speeds
+
+}  // namespace
+
+// The zero of a smooth stretch by inverse interpolation; nothing if that does not settle at once.
+std::optional<double> CurveCrossings::zero_near(double torque, const CurvePoint& low,
+                                                const CurvePoint& high) {
+  Walk walk(points_);
+  walk.pass(low);
+  walk.pass(high);
+  InverseInterpolation line(points_.curve().crest(), 1e-16);
+  line.add(low.speed, low.torque - torque);
+  line.add(high.speed, high.torque - torque);
+  for (int i = 0; i < 8; ++i) {
+    const double speed = line.zero();
+    if (!(speed > low.speed && speed < high.speed)) return {};
+    if (line.settled()) return speed;
+    const double excess = walk.answered(speed).torque - torque;
+    if (excess == 0) return speed;
+    line.add(speed, excess);
+  }
+  return {};
+}
+
+Crossing CurveCrossings::falls_through(double torque, const CurvePoint& low,
+                                       const CurvePoint& high) {
+  if (!points_.curve().may_jump()) {
+    if (const std::optional<double> zero = zero_near(torque, low, high)) return {*zero, false};
+  }
+  const auto excess = [&](double speed) { return points_.answered(speed).torque - torque; };
+  const Bracket b =
+      close_in(excess, {low.speed, high.speed, low.torque - torque, high.torque - torque});
+  const bool jump = b.at_low - b.at_high > kTorqueJump * points_.curve().holding();
+  return {std::fabs(b.at_low) <= std::fabs(b.at_high) || jump ? b.low : b.high, jump};
+}
+
+Crossing CurveCrossings::no_load() {
+  if (no_load_) return *no_load_;
+  if (!scan_.drives()) return *(no_load_ = Crossing{points_.curve().begin(), false});
+  const std::vector<CurvePoint>& nodes = scan_.nodes();
+  return *(no_load_ = falls_through(0, nodes.end()[-2], nodes.back()));
+}
+
+std::vector<CurvePoint> CurveCrossings::working_nodes() {
+  const std::vector<CurvePoint>& all = scan_.nodes();
+  std::vector<CurvePoint> nodes(all.begin(), all.end() - 1);
+  const double end = no_load().speed;
+  if (!(end > nodes.back().speed)) return nodes;
+  const bool may_jump = points_.curve().may_jump();
+  CurvePoint last = may_jump ? points_.answered(end) : all.back();
+  if (!may_jump) last.speed = end, last.torque = 0;
+  nodes.push_back(last);
+  return nodes;
+}
+
+double CurveCrossings::plateau_end() {
+  if (plateau_end_) return *plateau_end_;
+  const Curve& curve = points_.curve();
+  if (!scan_.drives() || !scan_.starts_on_plateau()) return *(plateau_end_ = 0.0);
+  const std::vector<CurvePoint>& nodes = scan_.nodes();
+  const auto beyond =
+      std::find_if(nodes.begin(), nodes.end(), [](const CurvePoint& n) { return !n.plateau; });
+  const double low = beyond[-1].speed, high = beyond->speed;
+  const double hair = 1e-4 * curve.crest();  // nodes are not exact
+  double speed = margin_end(std::max(low - hair, curve.begin()), high + hair);
+  // With mu_0 > mu the layer may hold on to sticking where slipping all through would be possible too.
+  if (curve.may_jump() && !points_.at(speed * (1 - 1e-9)).plateau)
+    speed = last_on_plateau(low, speed);
+  return *(plateau_end_ = speed);
+}
+
+// Where the margin of slipping all through is used up.
+double CurveCrossings::margin_end(double low, double high) const {
+  const Curve& curve = points_.curve();
+  double speed = low;
+  for (int i = 0; i < 60; ++i) {
+    const Margin margin = plateau_margin(curve.motor(), speed);
+    (margin.value > 0 ? low : high) = speed;
+    double next = speed - margin.value / margin.slope;
+    const bool inside = next >= low && next <= high;
+    if (!inside) next = 0.5 * (low + high);
+    const double step = std::fabs(next - speed);
+    speed = next;
+    // The margin is nearly linear in speed: after a step of 1e-9 the next would be lost in rounding.
+    if ((inside && step <= 1e-9 * curve.crest()) || high - low <= 1e-15 * curve.crest()) break;
+  }
+  return speed;
+}
+
+double CurveCrossings::last_on_plateau(double low, double high) {
+  Halving halving(points_);
+  while (high - low > 1e-15 * points_.curve().crest()) {
+    const double middle = 0.5 * (low + high);
+    (halving.at(middle).plateau ? low : high) = middle;
+  }
+  return low;
+}
+
+bool CurveCrossings::leaves_plateau_at(double speed) {
+  return scan_.starts_on_plateau() &&
+         std::fabs(speed - plateau_end()) <= 1e-8 * points_.curve().crest();
+}
+
+}  // namespace twum::performance

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "performance/curve/jumping_peak.hpp"
+
+#include <algorithm>
+
+namespace twum::performance {
+
+Peak JumpingPeakSearch::find() {
+  const std::vector<CurvePoint> nodes = crossings_.working_nodes();
+  Peak best = goal_.peak_at(nodes[goal_.highest(nodes)], PeakKind::kink);
+  const auto consider = [&best](const Peak& peak) {
+    if (peak.value > best.value) best = peak;
+  };
+  const auto consider_end = [&](const CurvePoint& end) {
+    if (end.ok()) consider({end.speed, goal_.value(end), PeakKind::kink});
+  };
+  const double worth = CurveStretches::kWorth * best.value;
+  CurveStretches stretches(points_);
+  for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
+    if (std::max(goal_.value(nodes[k]), goal_.value(nodes[k + 1])) < worth) continue;
+    for (const Stretch& stretch : stretches.between(nodes[k], nodes[k + 1])) {
+      consider_end(stretch.first);
+      for (const Peak& inside : peaks_inside(stretch, GoalCurve::kNearly * best.value))
+        consider(inside);
+      consider_end(stretch.last);
+    }
+  }
+  return named(best);
+}
+
+// Maxima between neighbouring places of a stretch of which one has the value `worth`. A zone that is just born has
+// an end without slope: the ends are a little inside.
+std::vector<Peak> JumpingPeakSearch::peaks_inside(const Stretch& stretch, double worth) {
+  if (!may_have_peaks(stretch)) return {};
+  const double low = stretch.first.speed, high = stretch.last.speed;
+  const double inset = CurveStretches::kInset * (high - low);
+  std::vector<double> places{low + inset};
+  places.insert(places.end(), stretch.inside.begin(), stretch.inside.end());
+  places.push_back(high - inset);
+  std::vector<Peak> peaks;
+  for (std::size_t k = 1; k < places.size(); ++k) {
+    const bool worthy = stretch.inside.empty() ||
+                        std::max(goal_.at(places[k - 1]).value, goal_.at(places[k]).value) >= worth;
+    if (!worthy) continue;
+    if (const std::optional<Peak> peak = goal_.peak_between(places[k - 1], places[k]))
+      peaks.push_back(*peak);
+  }
+  return peaks;
+}
+
+bool JumpingPeakSearch::may_have_peaks(const Stretch& stretch) const {
+  const bool level = goal_.goal() == Goal::torque && stretch.first.plateau;
+  return stretch.first.ok() && !level && stretch.first.speed < stretch.last.speed;
+}
+
+// A peak at the plateau's end by its name. Its speed stays on its side of the jump.
+Peak JumpingPeakSearch::named(Peak peak) {
+  if (peak.kind == PeakKind::kink && crossings_.leaves_plateau_at(peak.speed))
+    peak.kind =
+        points_.answered(peak.speed).plateau ? PeakKind::plateau_end : PeakKind::beyond_plateau;
+  return peak;
+}
+
+}  // namespace twum::performance

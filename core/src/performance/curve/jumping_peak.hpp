@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "performance/curve/crossings.hpp"
+#include "performance/curve/goal.hpp"
+#include "performance/curve/stretches.hpp"
+
+#include <vector>
+
+namespace twum::performance {
+
+/// Search for the largest value of a goal where torque may jump: every stretch with the same sequence of zones, or without
+/// a periodic state, is taken by itself, its ends located by halving.
+class JumpingPeakSearch {
+ public:
+  JumpingPeakSearch(Goal goal, CurvePoints& points, CurveCrossings& crossings)
+      : goal_(goal, points), points_(points), crossings_(crossings) {}
+
+  Peak find();
+
+ private:
+  bool may_have_peaks(const Stretch& stretch) const;
+  std::vector<Peak> peaks_inside(const Stretch& stretch, double worth);
+  Peak named(Peak peak);
+
+  GoalCurve goal_;
+  CurvePoints& points_;
+  CurveCrossings& crossings_;
+};
+
+}  // namespace twum::performance

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "performance/curve/scan.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace twum::performance {
+namespace {
+
+constexpr int kJumpingIntervals = 40;  // in place of kIntervals where torque may jump
+constexpr int kMissing = 4;            // points without an answer that may follow one another
+constexpr double kFarthest = 1e4;      // times the crest speed
+
+// True if less than half of the layer's own motion is left after a turn. What is left longer can upset the
+// plateau at single speeds, where a turn is a multiple of the layer's own period.
+bool forgets_a_turn(const DrivenMotor<double>& m) {
+  const contact::ContactNumbers<double> n = contact_numbers(m, 0.0);
+  const contact::LayerMotion<double> layer(n.inertia, n.damping);
+  return layer.slowest_decay() * 2 * std::numbers::pi > std::numbers::ln2;
+}
+
+}  // namespace
+
+const CurvePoint& CurveScan::first() {
+  if (nodes_.empty()) nodes_.push_back(points_.answered(points_.curve().begin()));
+  return nodes_.front();
+}
+
+void CurveScan::require_drive() {
+  if (!drives()) throw SearchFailure{MetricStatus::undefined};
+}
+
+const std::vector<CurvePoint>& CurveScan::nodes() {
+  if (failure_) throw SearchFailure{*failure_};
+  if (done_) return nodes_;
+  require_drive();
+  try {
+    run();
+    done_ = true;
+  } catch (const SearchFailure& failure) {
+    failure_ = failure.status;
+    throw;
+  }
+  return nodes_;
+}
+
+// Exact again where the sign is in doubt. On the plateau all torques are one, but for rounding.
+CurvePoint CurveScan::node(double speed, Walk& walk) {
+  CurvePoint n = walk.at(speed, kAccuracy);
+  if (n.plateau && starts_on_plateau()) n.torque = first().torque;
+  const bool in_doubt = std::fabs(n.torque) < 1e3 * kAccuracy * points_.curve().holding();
+  return n.ok() && in_doubt ? walk.at(speed) : n;
+}
+
+// A layer that slips all through at one speed does so at every lower one: halving finds the last node on
+// the plateau, and of those before only the first one is kept. Returns the nodes met beyond, the
+// slowest last.
+std::vector<CurvePoint> CurveScan::skip_plateau(double step, Walk& walk) {
+  int low = 0, high = kIntervals;
+  std::vector<CurvePoint> on_plateau, beyond;
+  while (high - low > 1) {
+    const int middle = (low + high + 1) / 2;
+    const CurvePoint next = node(points_.curve().begin() + middle * step, walk);
+    if (!next.ok()) throw SearchFailure{next.status};
+    (next.plateau ? low : high) = middle;
+    next.plateau ? on_plateau.assign(1, next) : beyond.push_back(next);
+  }
+  nodes_.insert(nodes_.end(), on_plateau.begin(), on_plateau.end());
+  return beyond;
+}
+
+void CurveScan::run() {
+  const Curve& curve = points_.curve();
+  double step = curve.crest() / (curve.may_jump() ? kJumpingIntervals : kIntervals);
+  int missing = 0;
+  Walk walk(points_);
+  std::vector<CurvePoint> known;
+  if (!curve.may_jump() && forgets_a_turn(curve.motor()) && starts_on_plateau())
+    known = skip_plateau(step, walk);
+  for (double speed = nodes_.back().speed + step; nodes_.back().torque > 0; speed += step) {
+    if (speed > kFarthest * curve.crest()) throw SearchFailure{MetricStatus::unresolved};
+    if (speed > 2 * curve.crest()) step *= 1.5;
+    CurvePoint next;
+    if (!known.empty() && known.back().speed < speed + 0.5 * step) {
+      next = known.back();
+      known.pop_back();
+    } else {
+      next = node(speed, walk);
+    }
+    missing = next.ok() ? 0 : missing + 1;
+    if (missing > kMissing) throw SearchFailure{next.status};
+    if (next.ok()) nodes_.push_back(next);
+  }
+}
+
+}  // namespace twum::performance

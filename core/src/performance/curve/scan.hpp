@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "performance/curve/points.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace twum::performance {
+
+/// Points of the curve from its beginning to the first one past no-load: between which of them to look for what is
+/// searched. Between two neighbours torque is taken to have no more than one maximum (with mu_0 > mu: one in each stretch
+/// with the same sequence of zones).
+class CurveScan {
+ public:
+  static constexpr int kIntervals = 20;      ///< between the beginning and the crest speed
+  static constexpr double kAccuracy = 1e-7;  ///< of the points
+
+  explicit CurveScan(CurvePoints& points) : points_(points) {}
+
+  /// The beginning of the curve. @throws SearchFailure if it has no answer
+  const CurvePoint& first();
+  /// The torque there is positive.
+  bool drives() { return first().torque > 0; }
+  /// @throws SearchFailure (undefined) unless it drives
+  void require_drive();
+  /// The whole contact slips and drives there.
+  bool starts_on_plateau() { return first().plateau; }
+
+  /// From the first to the first whose torque is not positive. Those without an answer, as layers without damping or with
+  /// mu_0 > mu may have, are left out as long as they do not follow one another.
+  /// @throws SearchFailure (undefined) unless it drives, and if there is no end of the curve
+  const std::vector<CurvePoint>& nodes();
+
+  /// A point as good as those of the scan: only good enough to say where to look.
+  CurvePoint node(double speed, Walk& walk);
+
+ private:
+  void run();
+  std::vector<CurvePoint> skip_plateau(double step, Walk& walk);
+
+  CurvePoints& points_;
+  std::vector<CurvePoint> nodes_;
+  std::optional<MetricStatus> failure_;
+  bool done_{false};
+};
+
+}  // namespace twum::performance

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "performance/curve/smooth_peak.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace twum::performance {
+namespace {
+
+constexpr double kRippled =
+    0.95;  // share of the best node, of intervals that ripples may hide a hump in
+constexpr double kPerRipple = 12;    // nodes
+constexpr double kMostNodes = 1500;  // of ripples from rest to the crest speed
+
+// Nodes between rest and the crest speed that tell ripples of the torque: it follows the phase in which the layer's
+// own oscillation leaves the contact, which speed moves by no more than it turns through before it is over, in the
+// contact and in what speed takes from the wave's turn.
+double nodes_of_ripples(const DrivenMotor<double>& m) {
+  const contact::ContactNumbers<double> n = contact_numbers(m, 0.0);
+  const contact::LayerMotion<double> layer(n.inertia, n.damping);
+  if (layer.kind() != contact::LayerKind::oscillating) return 0;
+  const double over = std::log(100.0) / layer.slowest_decay();
+  const double shift = 2 * std::numbers::pi * m.kappa * m.crest_velocity / m.omega;
+  const double ringing = std::min(2 * n.half_angle, over) + std::min(shift, over);
+  const double ripples = layer.natural_frequency() * ringing / (2 * std::numbers::pi);
+  return std::min(kPerRipple * ripples, kMostNodes);
+}
+
+}  // namespace
+
+SmoothPeakSearch::SmoothPeakSearch(Goal goal, CurvePoints& points, CurveScan& scan,
+                                   CurveCrossings& crossings)
+    : goal_(goal, points),
+      points_(points),
+      scan_(scan),
+      crossings_(crossings),
+      nodes_(with_ripples(crossings.working_nodes())) {}
+
+Peak SmoothPeakSearch::find() {
+  const std::size_t top = goal_.highest(nodes_);
+  Peak best = peak_beside(top);
+  const auto consider = [&](const Peak& peak) {
+    if (peak.value > best.value) best = peak;
+  };
+  for (std::size_t k = 0; k + 1 < nodes_.size(); ++k) {
+    const bool hump = (k == 0 || value(k) >= value(k - 1)) && value(k) >= value(k + 1);
+    if (hump && k != top && value(k) >= GoalCurve::kNearly * value(top)) consider(peak_beside(k));
+  }
+  if (goal_.goal() != Goal::torque && plateau_may_top(best.value)) {
+    const CurvePoint end = points_.answered(crossings_.plateau_end());
+    consider({end.speed, goal_.value(end), PeakKind::plateau_end});
+  }
+  return best;
+}
+
+// More nodes where a ripple between two of them may be the highest. Those without an answer are left out.
+std::vector<CurvePoint> SmoothPeakSearch::with_ripples(std::vector<CurvePoint> nodes) {
+  const Curve& curve = points_.curve();
+  const double wanted = nodes_of_ripples(curve.motor()), spacing = curve.crest() / wanted;
+  if (!(wanted > CurveScan::kIntervals)) return nodes;
+  const double worth = kRippled * goal_.value(nodes[goal_.highest(nodes)]);
+  std::vector<CurvePoint> all(nodes.begin(), nodes.begin() + 1);
+  for (std::size_t k = 1; k < nodes.size(); ++k) {
+    const CurvePoint &low = nodes[k - 1], &high = nodes[k];
+    const bool worthy = !high.plateau && std::max(goal_.value(low), goal_.value(high)) >= worth;
+    const int parts = worthy ? static_cast<int>(std::ceil((high.speed - low.speed) / spacing)) : 1;
+    Walk walk(points_);
+    walk.pass(low);
+    for (int i = 1; i < parts; ++i) {
+      const CurvePoint between = scan_.node(low.speed + (high.speed - low.speed) * i / parts, walk);
+      if (between.ok()) all.push_back(between);
+    }
+    all.push_back(high);
+  }
+  return all;
+}
+
+// Where a speed beside it has no answer, as without damping, the node stands for the maximum.
+Peak SmoothPeakSearch::peak_beside(std::size_t top) {
+  try {
+    return sharp_peak(top);
+  } catch (const SearchFailure&) {
+    return goal_.peak_at(points_.answered(nodes_[top].speed), PeakKind::kink);
+  }
+}
+
+Peak SmoothPeakSearch::sharp_peak(std::size_t top) {
+  if (top > 0 && top + 1 < nodes_.size()) {
+    const std::optional<Peak> near = peak_near(top);
+    if (near && near->value >= value(top) * (1 - 1e3 * CurveScan::kAccuracy)) return *near;
+  }
+  const Peak at_node = goal_.peak_at(points_.answered(nodes_[top].speed), PeakKind::smooth);
+  if (nodes_.size() == 1) return at_node;
+  const bool rises = goal_.at(at_node.speed).slope > 0;
+  if (!rises && top == 0) return at_node;
+  if (rises && top + 1 == nodes_.size()) return at_node;
+  const std::size_t from = rises ? top : top - 1;
+  const std::optional<Peak> inside = goal_.peak_between(nodes_[from].speed, nodes_[from + 1].speed);
+  if (!inside || !(inside->value >= at_node.value)) return at_node;
+  if (inside->kind == PeakKind::kink && crossings_.leaves_plateau_at(inside->speed))
+    return {crossings_.plateau_end(), inside->value, PeakKind::plateau_end};
+  return *inside;
+}
+
+// The zero of the slope by inverse interpolation, from where the nodes about `top` have their maximum;
+// nothing if that does not settle at once between its neighbours, as at a kink.
+std::optional<Peak> SmoothPeakSearch::peak_near(std::size_t top) {
+  const CurvePoint &a = nodes_[top - 1], &b = nodes_[top], &c = nodes_[top + 1];
+  const Likely likely = likely_peak(top);
+  double speed = likely.speed;
+  Walk walk(points_);
+  walk.pass(b.speed < speed ? c : a);
+  walk.pass(b);
+  InverseInterpolation line(points_.curve().crest(), 1e-13);
+  for (int i = 0; i < 8; ++i) {
+    if (!(speed > a.speed && speed < c.speed)) return {};
+    const Sloped s = goal_.sloped(walk.slope(speed));
+    if (s.slope == 0) return Peak{speed, s.value, PeakKind::smooth};
+    line.add(speed, s.slope);
+    const double step = i == 0 ? -s.slope / likely.curvature : line.zero() - speed;
+    if (!(step * s.slope > 0)) return {};  // not a maximum
+    speed += step;
+    if (line.settled()) return Peak{speed, s.value + 0.5 * s.slope * step, PeakKind::smooth};
+  }
+  return {};
+}
+
+// Where the polynomial through the nodes about `top`, those of the plateau left out, has its maximum, and how it bends.
+SmoothPeakSearch::Likely SmoothPeakSearch::likely_peak(std::size_t top) const {
+  Interpolant line;
+  for (std::size_t k = top < 2 ? 0 : top - 2; k < std::min(top + 3, nodes_.size()); ++k) {
+    if (!nodes_[k].plateau) line.add(nodes_[k].speed, value(k));
+  }
+  Likely likely{nodes_[top].speed, 0};
+  for (int i = 0; i < 4; ++i) {
+    const Interpolant::Value p = line.at(likely.speed);
+    likely = {likely.speed - p.slope / p.curvature, p.curvature};
+  }
+  return likely;
+}
+
+// Power and efficiency may have their maximum at the plateau's end, a kink, wherever the best node is.
+bool SmoothPeakSearch::plateau_may_top(double best) {
+  const auto beyond =
+      std::find_if(nodes_.begin(), nodes_.end(), [](const CurvePoint& n) { return !n.plateau; });
+  if (beyond == nodes_.begin() || beyond == nodes_.end()) return false;
+  CurvePoint most = *beyond;
+  most.torque = nodes_.front().torque;
+  most.input = std::min(beyond[-1].input, beyond->input);
+  return goal_.value(most) > best;
+}
+
+}  // namespace twum::performance

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "performance/curve/crossings.hpp"
+#include "performance/curve/goal.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace twum::performance {
+
+/// Search for the largest value of a goal where torque does not jump: humps of the nodes, made exact by their slopes.
+class SmoothPeakSearch {
+ public:
+  SmoothPeakSearch(Goal goal, CurvePoints& points, CurveScan& scan, CurveCrossings& crossings);
+
+  Peak find();
+
+ private:
+  std::vector<CurvePoint> with_ripples(std::vector<CurvePoint> nodes);
+  double value(std::size_t k) const { return goal_.value(nodes_[k]); }
+  Peak peak_beside(std::size_t top);
+  Peak sharp_peak(std::size_t top);
+  std::optional<Peak> peak_near(std::size_t top);
+  struct Likely {
+    double speed, curvature;
+  };
+  Likely likely_peak(std::size_t top) const;
+  bool plateau_may_top(double best);
+
+  GoalCurve goal_;
+  CurvePoints& points_;
+  CurveScan& scan_;
+  CurveCrossings& crossings_;
+  std::vector<CurvePoint> nodes_;  // up to no-load
+};
+
+}  // namespace twum::performance

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "performance/curve/points.hpp"
+
+#include <utility>
+#include <vector>
+
+namespace twum::performance {
+
+/// A part of the curve with the same sequence of zones and without a jump, if there were not too many to tell apart; or a
+/// part without a periodic state.
+struct Stretch {
+  CurvePoint first, last;
+  std::vector<double>
+      inside;  ///< speeds between, so close that torque is steady between neighbours
+};
+
+/// Where torque may jump, as with mu_0 > mu, one search takes the curve apart into stretches over which it does not.
+class CurveStretches {
+ public:
+  static constexpr double kInset =
+      1e-7;  ///< share of a stretch at its ends, which stand for themselves
+  static constexpr double kWorth = 0.7;  ///< share of a value above which jumps nearby may pass it
+
+  explicit CurveStretches(CurvePoints& points) : points_(points), halving_(points) {}
+
+  /// What lies between two points, cut where the sequence of zones changes and where the torque jumps.
+  /// @throws SearchFailure if the search takes too long
+  std::vector<Stretch> between(const CurvePoint& low, const CurvePoint& end);
+
+ private:
+  std::vector<CurvePoint> steady_between(const CurvePoint& low, const CurvePoint& high);
+  bool is_steady(const CurvePoint& low, const CurvePoint& high);
+  std::pair<CurvePoint, CurvePoint> stretch_end(const CurvePoint& low, const CurvePoint& end);
+  CurvePoint past_jump(const CurvePoint& end, double inside);
+  bool are_neighbours(double low, double high) const;
+
+  CurvePoints& points_;
+  Halving halving_;
+};
+
+}  // namespace twum::performance
