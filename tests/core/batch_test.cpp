@@ -7,7 +7,11 @@
 
 #include <catch2/catch.hpp>
 
+#include <cstdint>
 #include <cstring>
+#include <stdexcept>
+#include <utility>
+#include <variant>
 
 using namespace twum;
 using Catch::Matchers::Contains;
@@ -102,4 +106,40 @@ TEST_CASE("a batch names the first design that cannot be", "[core][batch]") {
   CHECK_THROWS_WITH(evaluate_designs(batch, kAsked), Contains("design 0: thickness"));
   CHECK(evaluate_designs({}, kAsked).empty());
   CHECK(differentiate_designs({}, kAsked).empty());
+}
+
+TEST_CASE("designs are asked one by one: each has its answer or the reason why it cannot be",
+          "[core][batch]") {
+  const auto preload = [](std::uint64_t i) { return 20.0 * static_cast<double>(i) - 60; };  // [N]
+  const auto make = [&](std::uint64_t i) {
+    if (i == 7) throw std::runtime_error("out of memory, say");
+    return with(MotorDesign{}, Parameter::preload, preload(i));
+  };
+  const auto ask = [](const Motor& motor) { return motor.holding_torque(); };
+  const MotorDesign usual;
+  for (const unsigned jobs : {1U, 3U}) {
+    std::vector<DesignOutcome<double>> outcomes;
+    const std::uint64_t next = ask_designs({0, 100, jobs, {}}, make, ask, [&](auto, auto& block) {
+      for (auto& outcome : block) outcomes.push_back(std::move(outcome));
+    });
+    CHECK(next == 100);
+    REQUIRE(outcomes.size() == 100);
+    for (std::uint64_t i = 0; i < 100; ++i) {
+      CAPTURE(i);
+      const double* torque = std::get_if<double>(&outcomes[i]);
+      const auto* failure = std::get_if<DesignFailure>(&outcomes[i]);
+      const bool refused = i < 3;  // preloads below zero
+      REQUIRE((torque == nullptr) == (refused || i == 7));
+      if (refused) {
+        CHECK(failure->kind == DesignFailure::Kind::refused);
+        CHECK_THAT(failure->text, Contains("preload must be at least 0 N, but is -"));
+      } else if (i == 7) {
+        CHECK(failure->kind == DesignFailure::Kind::error);
+        CHECK(failure->text == "out of memory, say");
+      } else {  // (T7.8); a product of three numbers: two roundings, in any order
+        const double expected = usual.friction.static_ * preload(i) * usual.stator.contact_radius;
+        CHECK(*torque == Approx(expected).epsilon(1e-15));
+      }
+    }
+  }
 }

@@ -6,20 +6,18 @@
 #include "py_motor.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/jobs/ordered.hpp>
+#include <twum/core/performance/batch.hpp>
 #include <twum/studies/motor/settings.hpp>
 
-#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <map>
-#include <optional>
+#include <variant>
 
 namespace twum::python {
 namespace {
 
-// Enough designs a block that handing one out costs nothing beside it.
-constexpr std::size_t kBlock = 256;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // A column of values of one parameter; one value holds for every design.
@@ -72,65 +70,48 @@ Designs to_designs(const py::dict& arguments) {
   return designs;
 }
 
-// The designs as motors, for threads that know nothing of Python.
-class MotorRows {
+// The designs, for threads that know nothing of Python.
+class DesignRows {
  public:
-  MotorRows(const MotorDesign& base, const Designs& designs) : base_(base), rows_(designs.rows) {
-    for (const Column& column : designs.columns) {
-      parameters_.emplace_back(column.parameter, 0.0);
-      from_.push_back({column.values.data(), column.values.size() == 1 ? 0U : 1U});
-    }
+  DesignRows(const MotorDesign& base, const Designs& designs) : base_(base), rows_(designs.rows) {
+    for (const Column& column : designs.columns)
+      sources_.push_back(
+          {column.parameter, column.values.data(), column.values.size() == 1 ? 0U : 1U});
   }
 
-  /// Calls answer(row, motor, why) for every row, on several threads and without the GIL; the motor is
-  /// null where a design cannot be, and `why` says why then. Ctrl-C ends it.
-  template <typename Answer>
-  void visit(unsigned jobs, Answer answer) const {
+  /// Calls take(row, outcome) with what ask(motor) says of every row, in their order. The asking is done on several
+  /// threads, all of it without the GIL. Ctrl-C ends it.
+  template <typename Ask, typename Take>
+  void visit(unsigned jobs, Ask ask, Take take) const {
     run_interruptible(
         [&](std::stop_token stop) {
-          std::size_t next = 0;
-          const auto read = [&](Block& block) {
-            block = {next, std::min(next + kBlock, rows_)};
-            next = block.end;
-            return block.begin < block.end && !stop.stop_requested();
+          const auto design = [&](std::uint64_t row) { return with(base_, values(row)); };
+          const auto take_all = [&](std::uint64_t first, const auto& outcomes) {
+            for (std::size_t i = 0; i < outcomes.size(); ++i) take(first + i, outcomes[i]);
           };
-          const auto work = [&](Block& block) { visit_block(block, answer); };
-          studies::run_ordered<Block>(studies::job_count(jobs), read, work, [](Block&) {});
+          ask_designs({0, rows_, jobs, [stop] { return !stop.stop_requested(); }}, design, ask,
+                      take_all);
         },
         [] {});
   }
 
  private:
-  struct Block {
-    std::size_t begin{0};
-    std::size_t end{0};
-  };
   struct Source {
+    Parameter parameter;
     const double* data;
     std::size_t step;  // 0: one value for all
   };
 
-  template <typename Answer>
-  void visit_block(const Block& block, Answer& answer) const {
-    std::vector<ParameterValue> values = parameters_;
-    for (std::size_t row = block.begin; row < block.end; ++row) {
-      for (std::size_t j = 0; j < values.size(); ++j)
-        values[j].second = from_[j].data[row * from_[j].step];
-      std::optional<Motor> motor;
-      std::string why;
-      try {
-        motor.emplace(with(base_, values));
-      } catch (const InputError& error) {
-        why = error.what();
-      }
-      answer(row, motor ? &*motor : nullptr, why);
-    }
+  std::vector<ParameterValue> values(std::uint64_t row) const {
+    std::vector<ParameterValue> values;
+    for (const Source& source : sources_)
+      values.emplace_back(source.parameter, source.data[row * source.step]);
+    return values;
   }
 
   const MotorDesign& base_;
   std::size_t rows_;
-  std::vector<ParameterValue> parameters_;
-  std::vector<Source> from_;
+  std::vector<Source> sources_;
 };
 
 // Texts as an array. Most are the same few: each becomes one Python string.
@@ -166,13 +147,16 @@ py::dict evaluate_batch(const PyMotor& base, const py::dict& arguments, const py
   }
   std::vector<std::string> statuses(designs.rows);
   const studies::ExpressionEvaluator evaluator(metrics);
-  MotorRows(base.motor.design(), designs)
-      .visit(jobs, [&](std::size_t row, const Motor* motor, const std::string& why) {
-        std::vector<MetricValue> values(metrics.size(), MetricValue{kNaN});
-        if (motor != nullptr) evaluator.evaluate(*motor, values);
-        for (std::size_t k = 0; k < values.size(); ++k) results[k][row] = values[k].value;
-        statuses[row] = motor != nullptr ? status_of(metrics, values) : why;
-      });
+  DesignRows(base.motor.design(), designs)
+      .visit(
+          jobs, [&](const Motor& motor) { return evaluator.evaluate(motor); },
+          [&](std::size_t row, const DesignOutcome<std::vector<MetricValue>>& outcome) {
+            const auto* values = std::get_if<std::vector<MetricValue>>(&outcome);
+            for (std::size_t k = 0; k < results.size(); ++k)
+              results[k][row] = values != nullptr ? (*values)[k].value : kNaN;
+            statuses[row] = values != nullptr ? status_of(metrics, *values)
+                                              : std::get<DesignFailure>(outcome).text;
+          });
   answer["status"] = text_array(statuses);
   return answer;
 }
@@ -234,15 +218,20 @@ py::dict gradients_batch(const PyMotor& base, const py::dict& arguments, const p
   std::vector<DerivativeColumns> columns;
   columns.reserve(metrics.size());
   for (std::size_t k = 0; k < metrics.size(); ++k) columns.emplace_back(designs.rows);
-  MotorRows(base.motor.design(), designs)
-      .visit(jobs, [&](std::size_t row, const Motor* motor, const std::string& why) {
-        if (motor == nullptr) {
-          for (DerivativeColumns& column : columns) column.refuse(row, why);
-          return;
-        }
-        const auto derivatives = differentiate(*motor, requests, fixed_static_friction);
-        for (std::size_t k = 0; k < columns.size(); ++k) columns[k].set(row, derivatives[k]);
-      });
+  DesignRows(base.motor.design(), designs)
+      .visit(
+          jobs,
+          [&](const Motor& motor) { return differentiate(motor, requests, fixed_static_friction); },
+          [&](std::size_t row, const DesignOutcome<std::vector<MetricDerivative>>& outcome) {
+            const auto* derivatives = std::get_if<std::vector<MetricDerivative>>(&outcome);
+            for (std::size_t k = 0; k < columns.size(); ++k) {
+              if (derivatives != nullptr) {
+                columns[k].set(row, (*derivatives)[k]);
+              } else {
+                columns[k].refuse(row, std::get<DesignFailure>(outcome).text);
+              }
+            }
+          });
   py::dict answer;
   for (std::size_t k = 0; k < metrics.size(); ++k)
     answer[py::str(metrics[k].text)] = columns[k].to_python();

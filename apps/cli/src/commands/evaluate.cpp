@@ -6,7 +6,7 @@
 #include "output.hpp"
 #include "progress.hpp"
 
-#include <twum/studies/jobs/ordered.hpp>
+#include <twum/base/ordered.hpp>
 #include <twum/studies/metrics/expression.hpp>
 #include <twum/studies/tables/design_table.hpp>
 #include <twum/studies/text/value_error.hpp>
@@ -88,7 +88,7 @@ double fraction_read(std::size_t bytes, double size) {
 
 int run_evaluate(const EvaluateOptions& options) {
   Output output(options.output, {options.motor.path, options.designs});
-  const unsigned jobs = studies::job_count(
+  const unsigned jobs = job_count(
       options.jobs.empty() ? 0
                            : static_cast<unsigned>(parse_count("--jobs", options.jobs, 1, 1024)));
   std::vector<studies::MetricExpression> metrics = metrics_of(options);

@@ -6,7 +6,6 @@
 #include "output.hpp"
 #include "progress.hpp"
 
-#include <twum/studies/jobs/ordered.hpp>
 #include <twum/studies/run/run_study.hpp>
 #include <twum/studies/study/study_file.hpp>
 

@@ -156,4 +156,20 @@ void ExpressionEvaluator::evaluate(const Motor& motor, std::span<MetricValue> va
   }
 }
 
+std::vector<MetricValue> ExpressionEvaluator::evaluate(const Motor& motor) const {
+  std::vector<MetricValue> values(size());
+  evaluate(motor, values);
+  return values;
+}
+
+std::string unanswered(std::span<const MetricExpression> expressions,
+                       std::span<const MetricValue> values) {
+  std::string text;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i].status == MetricStatus::ok) continue;
+    text += (text.empty() ? "" : "; ") + expressions[i].text + ": " + to_string(values[i].status);
+  }
+  return text;
+}
+
 }  // namespace twum::studies

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/studies/tables/design_table.hpp>
 
-#include "metrics/evaluate_design.hpp"
 #include "tables/heading.hpp"
 
+#include <twum/core/performance/batch.hpp>
 #include <twum/studies/motor/settings.hpp>
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/text/value_error.hpp>
@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
+#include <variant>
 
 namespace twum::studies {
 namespace {
@@ -138,11 +140,14 @@ bool DesignTable::compute(std::string_view record, std::size_t line, Scratch& sc
     return false;
   }
   if (!read_values(line, scratch)) return false;
-  try {
-    scratch.design = with(base_, scratch.values);
-    scratch.reason = evaluate_design(*scratch.design, metrics_, evaluator_, scratch.metrics);
-  } catch (const InputError& error) {
-    scratch.reason = at_line(line) + error.what();
+  auto outcome = ask_design([&] { return scratch.design.emplace(with(base_, scratch.values)); },
+                            [&](const Motor& motor) { return evaluator_.evaluate(motor); });
+  if (const auto* failure = std::get_if<DesignFailure>(&outcome)) {
+    const bool refused = failure->kind == DesignFailure::Kind::refused;
+    scratch.reason = (refused ? at_line(line) : "") + failure->text;
+  } else {
+    scratch.metrics = std::get<std::vector<MetricValue>>(std::move(outcome));
+    scratch.reason = unanswered(metrics_, scratch.metrics);
   }
   return scratch.reason.empty();
 }

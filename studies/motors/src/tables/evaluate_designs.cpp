@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "motor/worst_notes.hpp"
 
-#include <twum/studies/jobs/ordered.hpp>
+#include <twum/base/ordered.hpp>
 #include <twum/studies/tables/design_table.hpp>
 
 #include <algorithm>

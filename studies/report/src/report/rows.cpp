@@ -8,7 +8,7 @@
 #include <twum/core/performance/metrics.hpp>
 #include <twum/core/performance/motor.hpp>
 #include <twum/optim/random.hpp>
-#include <twum/studies/jobs/ordered.hpp>
+#include <twum/base/ordered.hpp>
 
 #include <algorithm>
 #include <cmath>

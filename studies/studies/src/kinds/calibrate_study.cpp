@@ -6,14 +6,17 @@
 #include "kinds/unit_box.hpp"
 
 #include <twum/base/error.hpp>
+#include <twum/base/ordered.hpp>
 #include <twum/optim/low_discrepancy.hpp>
-#include <twum/studies/jobs/ordered.hpp>
 #include <twum/studies/text/words.hpp>
 #include <twum/studies/units/engineering.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <mutex>
 
@@ -89,19 +92,10 @@ class CalibrateRun final : public StudyKindRun {
     const auto starts = start_values();
     Teller teller(context);
     std::vector<optim::LeastSquaresResult> fits;
-    struct Item {
-      std::uint64_t start{0};
-      optim::LeastSquaresResult fit;
-    };
-    std::uint64_t next = 0;
-    run_ordered<Item>(
-        context.jobs,
-        [&](Item& item) {
-          item.start = next++;
-          return item.start < starts_ && !context.stop.stop_requested();
-        },
-        [&](Item& item) { item.fit = one_fit(context, item.start, starts[item.start], teller); },
-        [&](Item& item) { fits.push_back(std::move(item.fit)); });
+    run_indexed(
+        {0, starts_, context.jobs, [&] { return !context.stop.stop_requested(); }},
+        [&](std::uint64_t i) { return one_fit(context, i, starts[i], teller); },
+        [&](std::uint64_t, auto& found) { std::ranges::move(found, std::back_inserter(fits)); });
     return calibration(fit_, fits, confidence_);
   }
 

@@ -10,7 +10,7 @@
 
 #include <twum/base/error.hpp>
 #include <twum/base/version.hpp>
-#include <twum/studies/jobs/ordered.hpp>
+#include <twum/base/ordered.hpp>
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/text/words.hpp>
 

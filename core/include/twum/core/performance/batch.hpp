@@ -3,10 +3,63 @@
 
 #include <twum/core/performance/metrics.hpp>
 
+#include <twum/base/error.hpp>
+#include <twum/base/ordered.hpp>
+
+#include <exception>
 #include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace twum {
+
+/// Why a design of a batch has no answer at all.
+struct DesignFailure {
+  /// What kind of reason.
+  enum class Kind : unsigned char {
+    refused,  ///< no motor can have these values: the text of the InputError
+    error     ///< asking the motor failed: a lack of memory, or a mistake of ours
+  };
+  Kind kind{Kind::refused};  ///< of the reason
+  std::string text;          ///< what was wrong
+};
+
+/// What became of a design of a batch. An answer whose numbers have a status each is an answer.
+template <typename Answer>
+using DesignOutcome = std::variant<Answer, DesignFailure>;
+
+/// Asks one design; never throws for it.
+/// @param make  `MotorDesign make()`, which may throw an InputError for values that no motor can have
+/// @param ask   `Answer ask(const Motor&)`
+template <typename Make, typename Ask>
+auto ask_design(Make&& make, Ask&& ask) -> DesignOutcome<std::invoke_result_t<Ask&, const Motor&>> {
+  try {
+    return ask(Motor(make()));
+  } catch (const InputError& error) {
+    return DesignFailure{DesignFailure::Kind::refused, error.what()};
+  } catch (const std::exception& error) {
+    return DesignFailure{DesignFailure::Kind::error, error.what()};
+  }
+}
+
+/// Asks many designs on several threads, as run_indexed(), which is the loop: the outcomes come in the order of the designs,
+/// the same for any number of threads.
+///
+///     MotorDesign make(std::uint64_t index)     on any thread; as of ask_design()
+///     Answer ask(const Motor&)                  on any thread
+///     void take(std::uint64_t first, std::vector<DesignOutcome<Answer>>& outcomes)   one call at a time
+///
+/// @return the first design that was not asked: `range.end`, unless range.proceed said no
+/// @throws what `take` throws
+template <typename Make, typename Ask, typename Take>
+std::uint64_t ask_designs(const IndexRange& range, Make make, Ask ask, Take take) {
+  return run_indexed(
+      range, [&](std::uint64_t index) { return ask_design([&] { return make(index); }, ask); },
+      std::move(take));
+}
 
 /// Metrics of many designs on several threads. Row i holds the metrics of design i in the order asked,
 /// bit for bit those of evaluate(), whatever `jobs` is. Cost: that of evaluate() per design, shared by

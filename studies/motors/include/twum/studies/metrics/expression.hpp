@@ -42,6 +42,8 @@ class ExpressionEvaluator {
   /// Costs what twum::evaluate() does, and throws as little: every value has a status.
   /// @param values  room for size() of them
   void evaluate(const Motor& motor, std::span<MetricValue> values) const;
+  /// The same in a vector.
+  std::vector<MetricValue> evaluate(const Motor& motor) const;
   /// How many expressions there are.
   std::size_t size() const noexcept { return places_.size(); }
 
@@ -50,5 +52,10 @@ class ExpressionEvaluator {
   std::vector<std::variant<std::size_t, Parameter>>
       places_;  // index into requests_, or a parameter
 };
+
+/// Which of these have no value and why, such as "stall_torque: no-periodic-state; ..."; empty if all have one.
+/// @param values  of the expressions, in their order
+std::string unanswered(std::span<const MetricExpression> expressions,
+                       std::span<const MetricValue> values);
 
 }  // namespace twum::studies

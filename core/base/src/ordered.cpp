@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <twum/studies/jobs/ordered.hpp>
+#include <twum/base/ordered.hpp>
 
-namespace twum::studies {
+namespace twum {
 
 unsigned job_count(unsigned requested) {
   return requested > 0 ? requested : std::max(std::thread::hardware_concurrency(), 1U);
 }
 
-}  // namespace twum::studies
+}  // namespace twum

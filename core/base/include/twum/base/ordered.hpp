@@ -4,15 +4,18 @@
 #include <algorithm>
 #include <condition_variable>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
+#include <functional>
 #include <limits>
 #include <map>
 #include <mutex>
 #include <thread>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
-namespace twum::studies {
+namespace twum {
 
 /// Threads to use for a request: 0 means one for each processor.
 unsigned job_count(unsigned requested);
@@ -144,4 +147,54 @@ void run_ordered(unsigned jobs, Read read, Work work, Write write) {
       .run();
 }
 
-}  // namespace twum::studies
+/// Items that run_indexed() is to make: those from `first` to before `end`.
+struct IndexRange {
+  std::uint64_t first{0};         ///< first item
+  std::uint64_t end{0};           ///< past the last item
+  unsigned jobs{0};               ///< threads; 0 takes one for each processor
+  std::function<bool()> proceed;  ///< asked between items, on any thread; false ends the run
+};
+
+/// Makes an item for each index on several threads, and takes them in the order of the indices, without gaps: the same
+/// for any number of threads. No more than some hundred items for each thread exist at a time.
+///
+///     Item make(std::uint64_t index)                      on any thread, several at a time
+///     void take(std::uint64_t first, vector<Item>& items)  one call at a time, of indices that follow one another
+///
+/// @return the first index not taken: `end`, unless the run was told to end
+/// @throws whatever the first callback to throw did, once every block of items before is taken
+template <typename Make, typename Take>
+std::uint64_t run_indexed(const IndexRange& range, Make make, Take take) {
+  struct Block {
+    std::uint64_t first{0}, end{0};
+    std::vector<std::invoke_result_t<Make&, std::uint64_t>> items;
+  };
+  // Enough blocks for every thread to have its share, and items enough in one to be worth the handing on.
+  constexpr std::uint64_t kMostAtATime = 256;
+  const std::uint64_t count = range.end > range.first ? range.end - range.first : 0;
+  const std::uint64_t threads = std::min<std::uint64_t>(job_count(range.jobs), count);
+  const std::uint64_t at_a_time =
+      std::clamp<std::uint64_t>(count / std::max<std::uint64_t>(8 * threads, 1), 1, kMostAtATime);
+  const auto proceeds = [&range] { return !range.proceed || range.proceed(); };
+  std::uint64_t next = range.first, taken = range.first;
+  run_ordered<Block>(
+      static_cast<unsigned>(threads),
+      [&](Block& block) {
+        if (next >= range.end || !proceeds()) return false;
+        block.first = next;
+        next = block.end = std::min(next + at_a_time, range.end);
+        return true;
+      },
+      [&](Block& block) {
+        for (std::uint64_t i = block.first; i < block.end && proceeds(); ++i)
+          block.items.push_back(make(i));
+      },
+      [&](Block& block) {
+        if (block.first != taken) return;  // behind a gap
+        take(block.first, block.items);
+        taken += block.items.size();
+      });
+  return taken;
+}
+
+}  // namespace twum
