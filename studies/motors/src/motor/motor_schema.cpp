@@ -26,6 +26,11 @@ std::string_view entry_name(const ParameterInfo& row) {
   return row.file_entry.substr(row.file_entry.rfind('.') + 1);
 }
 
+// An entry of a section itself: what is nested deeper has no entry in the file yet.
+bool stands_in(const ParameterInfo& row, std::string_view section) {
+  return section_of(row) == section && row.file_entry == std::string(section) + "." + std::string(entry_name(row));
+}
+
 bool has_section(const ParameterInfo& row) {
   return row.file_entry.find('.') != std::string_view::npos;
 }
@@ -73,7 +78,7 @@ Field<GivenMotor> section(const std::string& name, std::string text, Values Give
                           const Check& check = {}) {
   std::vector<Field<Section>> fields;
   for (const ParameterInfo& row : parameter_table())
-    if (has_section(row) && section_of(row) == name)
+    if (stands_in(row, name))
       fields.push_back(field_of(row, &Section::values));
   const auto shape = as<Values, Section>(
       mapping<Section>(std::move(text), std::move(fields), check),
