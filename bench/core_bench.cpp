@@ -2,6 +2,7 @@
 // Times of the core: one operating point by regime and layer, curves, metrics, gradients.
 #include "layers.hpp"
 #include "support/test_motors.hpp"
+#include "timing.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -9,7 +10,6 @@
 #include <twum/core/performance/motor.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <string>
 #include <vector>
 
@@ -17,6 +17,7 @@ namespace {
 
 using namespace twum;
 using namespace twum::test;
+using bench::seconds_per_call;
 
 double no_load_speed(const Motor& motor) { return evaluate(motor, {Metric::no_load_speed}).value; }
 
@@ -25,19 +26,6 @@ void operating_point(benchmark::State& state, const MotorDesign& design, double 
   const double speed = share * no_load_speed(motor);
   for (auto _ : state) benchmark::DoNotOptimize(motor.operating_point(speed));
   state.SetLabel(std::to_string(motor.zones(speed).size()) + " zones");
-}
-
-// Time of one call [s], as the best of a few batches that are long against the clock's grain.
-template <typename Call>
-double seconds_per_call(Call call, int batch = 20, int repeats = 5) {
-  using Clock = std::chrono::steady_clock;
-  double best = 1e9;
-  for (int r = 0; r < repeats; ++r) {
-    const auto start = Clock::now();
-    for (int i = 0; i < batch; ++i) call();
-    best = std::min(best, std::chrono::duration<double>(Clock::now() - start).count() / batch);
-  }
-  return best;
 }
 
 double quantile(std::vector<double> values, double share) {

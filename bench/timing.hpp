@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 
 namespace twum::bench {
@@ -12,6 +13,19 @@ double seconds(Work work) {
   const auto start = Clock::now();
   work();
   return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Time of one call [s], as the best of a few batches that are long against the clock's grain.
+template <typename Call>
+double seconds_per_call(Call call, int batch = 20, int repeats = 5) {
+  double best = 1e9;
+  for (int r = 0; r < repeats; ++r) {
+    const double all = seconds([&] {
+      for (int i = 0; i < batch; ++i) call();
+    });
+    best = std::min(best, all / batch);
+  }
+  return best;
 }
 
 }  // namespace twum::bench

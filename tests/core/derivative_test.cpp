@@ -71,6 +71,17 @@ MotorDesign design_of(Uniform& random, int index) {
   return design;
 }
 
+// Few slices, so that the zones of each show in the differences; nothing about the track is left at zero.
+MotorDesign annulus_of(Uniform& random, int index) {
+  MotorDesign design = design_of(random, index);
+  const Stator& stator = design.stator;
+  const double inner = stator.contact_radius - 0.5 * stator.contact_width;
+  design.stator.radial_slices = 3 + index % 3;
+  design.stator.radial_shape = {random(-1, 3), random(0.2, 0.8) * inner, {}};
+  design.rotor.taper = random(-2, 2) * stator.amplitude / stator.contact_width;
+  return design;
+}
+
 struct Tally {
   std::map<std::string, int> sharp;  // metric name -> comparisons at full sharpness
   int blunt{0};                      // differences too noisy or across a kink
@@ -172,7 +183,8 @@ void check_gradients(const MotorDesign& design, const std::vector<MetricRequest>
   }
 }
 
-Tally check_designs(std::uint64_t seed, int count) {
+template <typename DesignOf>
+Tally check_designs(std::uint64_t seed, int count, DesignOf design_of) {
   Tally tally;
   Deviation deviation("metric derivatives against Richardson differences, relative", 1e-7);
   Uniform random(seed);
@@ -219,7 +231,19 @@ TEST_CASE("every metric's derivative by every parameter is that of differences",
           "[core][derivative][differential]") {
   // 1e-7 of |f / x| or of the derivative, plus three times the difference's own error estimate;
   // differences that know themselves worse than 1e-8 do not count.
-  const Tally tally = check_designs(20250101, 8);
+  const Tally tally = check_designs(20250101, 8, design_of);
+  std::string sharp;
+  for (const auto& [name, count] : tally.sharp) sharp += name + " " + std::to_string(count) + "  ";
+  CAPTURE(sharp, tally.blunt, tally.again, tally.examples);
+  CHECK(tally.wrong == 0);
+  CHECK(tally.again <= tally.total_sharp() / 100);  // by chance, and seldom
+  CHECK(tally.sharp.size() >= kMetricCount - 2);
+  CHECK(tally.total_sharp() > 1000);
+}
+
+TEST_CASE("an annulus has the derivatives of differences, shape and taper included (W2.3, W2.4, W4.1)",
+          "[core][annulus][derivative][differential]") {
+  const Tally tally = check_designs(20250102, 6, annulus_of);
   std::string sharp;
   for (const auto& [name, count] : tally.sharp) sharp += name + " " + std::to_string(count) + "  ";
   CAPTURE(sharp, tally.blunt, tally.again, tally.examples);
@@ -258,7 +282,7 @@ TEST_CASE("a layer that still rings at the next entry has the derivatives of dif
 
 TEST_CASE("derivatives of hundreds of designs are those of differences",
           "[.long][core][derivative][differential]") {
-  const Tally tally = check_designs(7, 200);
+  const Tally tally = check_designs(7, 200, design_of);
   CAPTURE(tally.blunt, tally.again, tally.examples);
   CHECK(tally.wrong == 0);
   CHECK(tally.again <= tally.total_sharp() / 100);  // by chance, and seldom

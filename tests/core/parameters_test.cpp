@@ -47,11 +47,13 @@ TEST_CASE("every parameter of the ring motor can be set and read back",
           "[core][design][identity]") {
   for (const ParameterInfo& row : parameter_table()) {
     CAPTURE(row.name);
-    const double now = get(ring(), row.parameter);
+    // what shapes the track is in use where it has more than one slice
+    const MotorDesign design = with(ring(), P::radial_slices, 8);
+    const double now = get(design, row.parameter);
     const double value = row.integer                           ? now + 1
                          : row.parameter == P::static_friction ? 0.3
                                                                : now * 0.9 + 1e-9;
-    const MotorDesign changed = with(ring(), row.parameter, value);
+    const MotorDesign changed = with(design, row.parameter, value);
     CHECK(get(changed, row.parameter) == Approx(value).epsilon(1e-15));
     CHECK(in_use(changed, row.parameter));
     if (row.twin) CHECK_FALSE(in_use(changed, *row.twin));

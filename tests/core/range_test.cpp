@@ -10,6 +10,7 @@
 #include <twum/core/performance/metrics.hpp>
 #include <twum/core/performance/motor.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -71,6 +72,15 @@ TEST_CASE("small numbers beside zero keep the laws or have a status (T7.10, C8.1
   }
 }
 
+// A track that reaches the axis is no track: the ends of radius and width are met by one as narrow or as large.
+MotorDesign with_track(MotorDesign design, P parameter, double value) {
+  if (parameter == P::contact_radius)
+    design.stator.contact_width = std::min(design.stator.contact_width, value);
+  if (parameter == P::contact_width)
+    design.stator.contact_radius = std::max(design.stator.contact_radius, value);
+  return with(design, parameter, value);
+}
+
 TEST_CASE("ends of ranges keep the laws or have a status (T7.10, C8.1)", "[core][design][limit]") {
   for (const MotorDesign& design : layers()) {
     for (const ParameterInfo& row : parameter_table()) {
@@ -78,7 +88,7 @@ TEST_CASE("ends of ranges keep the laws or have a status (T7.10, C8.1)", "[core]
         if (row.parameter == P::static_friction && value < design.friction.kinetic) continue;
         for (const double share : {0.0, 0.3, 0.8, 1.0, 1.2}) {
           CAPTURE(row.name, value, share);
-          CHECK(broken_at(with(design, row.parameter, value), share) == "");
+          CHECK(broken_at(with_track(design, row.parameter, value), share) == "");
         }
       }
     }

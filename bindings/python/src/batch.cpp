@@ -214,14 +214,14 @@ py::dict gradients_batch(const PyMotor& base, const py::dict& arguments, const p
                          bool fixed_static_friction, unsigned jobs) {
   const Designs designs = to_designs(arguments);
   const std::vector<studies::MetricExpression> metrics = to_metrics(names);
-  const std::vector<MetricRequest> requests = to_requests(metrics);
+  const studies::ExpressionEvaluator evaluator(metrics);
   std::vector<DerivativeColumns> columns;
   columns.reserve(metrics.size());
   for (std::size_t k = 0; k < metrics.size(); ++k) columns.emplace_back(designs.rows);
   DesignRows(base.motor.design(), designs)
       .visit(
           jobs,
-          [&](const Motor& motor) { return differentiate(motor, requests, fixed_static_friction); },
+          [&](const Motor& motor) { return evaluator.differentiate(motor, fixed_static_friction); },
           [&](std::size_t row, const DesignOutcome<std::vector<MetricDerivative>>& outcome) {
             const auto* derivatives = std::get_if<std::vector<MetricDerivative>>(&outcome);
             for (std::size_t k = 0; k < columns.size(); ++k) {

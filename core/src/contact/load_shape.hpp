@@ -4,6 +4,7 @@
 #include "contact/contact_numbers.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace twum::contact {
 
@@ -29,5 +30,35 @@ S load_shape(const S& theta, const Trig<S>& at) {
   return std::fabs(value_of(theta)) > kLoadSeriesReach ? S(at.sin - theta * at.cos)
                                                        : load_shape_series(theta);
 }
+
+/// The angle of 0 .. pi whose versine 1 - cos is `versine`; S is double or carries derivatives, which are infinite at 0.
+inline double angle_of_versine(double versine) { return 2 * std::asin(std::sqrt(0.5 * versine)); }
+template <typename T, int N>
+Dual<T, N> angle_of_versine(const Dual<T, N>& versine) {
+  using std::sin;
+  const T angle = angle_of_versine(versine.v);
+  return detail::chain(versine, angle, T(1.0 / sin(angle)));
+}
+
+/// theta_L of a crest that presses with p(0) = w P (W2.2): 0 where it does not touch, pi in full contact.
+template <typename S>
+S contact_angle_of(const S& peak) {
+  if (!(value_of(peak) > 0)) return S(0.0);
+  if (!(value_of(peak) < 2)) return S(std::numbers::pi);
+  return angle_of_versine(peak);
+}
+
+/// Load of such a contact in the units of load_shape(); its derivative in w is theta_L (W2.4).
+/// @{
+inline double load_of_peak(double peak) {
+  if (!(peak < 2)) return std::numbers::pi * (peak - 1);
+  const double angle = contact_angle_of(peak);
+  return load_shape(angle, trig(angle));
+}
+template <typename T, int N>
+Dual<T, N> load_of_peak(const Dual<T, N>& peak) {
+  return detail::chain(peak, T(load_of_peak(peak.v)), contact_angle_of(peak.v));
+}
+/// @}
 
 }  // namespace twum::contact

@@ -2,6 +2,7 @@
 #include <twum/core/design/parameters.hpp>
 
 #include "design/layer_properties.hpp"
+#include "design/radial_shape.hpp"
 
 #include <twum/base/dual.hpp>
 #include <twum/base/error.hpp>
@@ -40,6 +41,19 @@ constexpr std::array<ParameterInfo, kParameterCount> kTable{{
     {P::modal_damping, "modal_damping", "", "N.s/m", "stator.modal_damping", 0, 1e6, false, false,
      kNone, "45 N.s/m", "modal damping of the stator; its loss is c (omega A)^2",
      "0 is a stator without loss; 1 MN.s/m is 1 kg at 150 kHz with a quality factor of 1"},
+    {P::radial_slices, "radial_slices", "", "1", "stator.radial_slices", kAutoSlices, 256, true,
+     false, kNone, "8",
+     "slices of each smooth piece of the contact track; 1 takes all at the contact radius, 0 stands "
+     "for auto",
+     "256 slices of a smooth piece leave rounding, and next to kinks 1e-6 of the torque"},
+    {P::shape_exponent, "shape_exponent", "", "1", "stator.radial_shape.exponent", -20, 20, false,
+     false, kNone, "1.5",
+     "exponent p of the wave's radial shape R = ((rho - rho_0) / (r - rho_0))^p",
+     "a plate beside its clamp has 2; at 20 a ring's wave is 55 times higher at the outer edge of a "
+     "track of a fifth of its radius than at the inner"},
+    {P::shape_root, "shape_root", "", "m", "stator.radial_shape.root", 0, 2, false, false, kNone,
+     "13 mm", "radius rho_0 where the wave's radial shape is zero; outside the contact track",
+     "0 is the axis; twice the largest contact radius for a ring clamped at its outer edge"},
     {P::thickness, "thickness", "h", "m", "contact_layer.thickness", 1e-8, 0.1, false, true, kNone,
      "0.3 mm", "thickness of the contact layer",
      "thinner than 10 nm is no continuum; thicker than 100 mm is no layer"},
@@ -74,6 +88,9 @@ constexpr std::array<ParameterInfo, kParameterCount> kTable{{
     {P::static_friction, "static_friction", "mu_0", "1", "friction.static", 0, 10, false, false,
      kNone, "0.2", "friction coefficient at the threshold of sticking, at least the kinetic one",
      "0 is no friction; twice the largest kinetic one"},
+    {P::rotor_taper, "rotor_taper", "", "rad", "rotor.taper", -0.1, 0.1, false, false, kNone,
+     "20 urad", "cone angle of the rotor's face, positive if the face falls away towards the outer edge",
+     "1 mrad over 4 mm is 4 um, more than a usual amplitude; beyond 0.1 rad only an edge touches"},
     {P::preload, "preload", "F_N", "N", "preload", 0, 1e11, false, true, kNone, "160 N",
      "total axial force that presses rotor and stator together",
      "0 is no contact; 100 GN is ten times what full contact takes of the stiffest tested motor"},
@@ -106,6 +123,7 @@ double friction_ratio(const Friction& friction) {
 void set(MotorDesign& design, Parameter parameter, double value) {
   ContactLayer& layer = design.layer;
   Friction& friction = design.friction;
+  RadialShape& shape = design.stator.radial_shape;
   switch (parameter) {
     case P::wavelengths: design.stator.wavelengths = value; break;
     case P::contact_radius: design.stator.contact_radius = value; break;
@@ -114,6 +132,9 @@ void set(MotorDesign& design, Parameter parameter, double value) {
     case P::frequency: design.stator.frequency = value; break;
     case P::amplitude: design.stator.amplitude = value; break;
     case P::modal_damping: design.stator.modal_damping = value; break;
+    case P::radial_slices: design.stator.radial_slices = static_cast<int>(value); break;
+    case P::shape_exponent: shape.exponent = value, shape.table.clear(); break;
+    case P::shape_root: shape.root = value, shape.table.clear(); break;
     case P::thickness: layer.thickness = value; break;
     case P::youngs_modulus: layer.youngs_modulus = value; break;
     case P::poisson_ratio: layer.poisson_ratio = value, layer.given_shear_modulus.reset(); break;
@@ -127,6 +148,7 @@ void set(MotorDesign& design, Parameter parameter, double value) {
       friction.kinetic = value;
       break;
     case P::static_friction: friction.static_ = value; break;
+    case P::rotor_taper: design.rotor.taper = value; break;
     case P::preload: design.preload = value; break;
   }
 }
@@ -174,6 +196,9 @@ double get(const MotorDesign& design, Parameter parameter) {
     case P::frequency: return stator.frequency;
     case P::amplitude: return stator.amplitude;
     case P::modal_damping: return stator.modal_damping;
+    case P::radial_slices: return stator.radial_slices;
+    case P::shape_exponent: return stator.radial_shape.exponent;
+    case P::shape_root: return stator.radial_shape.root;
     case P::thickness: return layer.thickness;
     case P::youngs_modulus: return layer.youngs_modulus;
     case P::poisson_ratio:
@@ -189,6 +214,7 @@ double get(const MotorDesign& design, Parameter parameter) {
     case P::inertia: return inertia(design);
     case P::kinetic_friction: return design.friction.kinetic;
     case P::static_friction: return design.friction.static_;
+    case P::rotor_taper: return design.rotor.taper;
     case P::preload: return design.preload;
   }
   TWUM_ASSERT(false);
@@ -197,7 +223,12 @@ double get(const MotorDesign& design, Parameter parameter) {
 
 bool in_use(const MotorDesign& design, Parameter parameter) {
   const ContactLayer& layer = design.layer;
+  const bool sliced = design.stator.radial_slices != 1;
   switch (parameter) {
+    case P::radial_slices:
+    case P::rotor_taper: return sliced;
+    case P::shape_exponent:
+    case P::shape_root: return sliced && design.stator.radial_shape.table.empty();
     case P::poisson_ratio: return !layer.given_shear_modulus;
     case P::shear_modulus: return layer.given_shear_modulus.has_value();
     case P::loss_factor: return !layer.given_shear_viscosity;
@@ -251,6 +282,8 @@ MotorDesign with(const MotorDesign& design, std::span<const ParameterValue> valu
         "static_friction must be at least kinetic_friction = " + number(result.friction.kinetic) +
         ", but is " + number(result.friction.static_));
   }
+  const std::string wrong = track_complaint(result);
+  if (!wrong.empty()) throw InputError(wrong);
   return result;
 }
 
@@ -271,6 +304,8 @@ std::vector<std::string> complaints(const MotorDesign& design) {
         "static_friction must be at least kinetic_friction = " + number(design.friction.kinetic) +
         ", but is " + number(design.friction.static_));
   }
+  if (std::string wrong = track_complaint(design); !wrong.empty())
+    found.push_back(std::move(wrong));
   return found;
 }
 

@@ -36,7 +36,7 @@ Derived with_speed(const Derived& moving, double speed) {
 // elastic layers with mu_0 = mu. Special points are limits (locked at rest) or stand where nothing rubs.
 Smoothness smoothness_of(const DrivenMotor<double>& m, const SolvedPoint& p, double speed) {
   if (is_trivial(m)) return Smoothness::undefined;
-  if (p.special) return Smoothness::one_sided;
+  if (p.special || p.locks_in_part()) return Smoothness::one_sided;
   const bool may_kink = m.static_ > m.kinetic || m.inertia > 0;
   const bool kinks =
       may_kink && (p.shortest_zone() < kVanishing || zones_change_beside(m, p, speed));
@@ -47,7 +47,7 @@ Differentiator::Differentiator(const Motor& motor, bool fixed_static_friction)
     : design_(motor.design()),
       values_(motor.model()),
       m_(motor.model()),
-      model_(differentiated_motor<ModelDual>(design_)) {
+      model_(differentiated_motor<ModelDual>(design_, m_.track)) {
   const ParameterJacobian jacobian = parameter_jacobian(design_, fixed_static_friction);
   for (std::size_t i = 0; i < kModelParameters.size(); ++i) {
     const auto& row = jacobian[index_of(kModelParameters[i])];
@@ -92,17 +92,22 @@ MetricDerivative Differentiator::differentiate_at_share(Metric metric, double sh
   });
 }
 
-// Where partial turns into full contact the contact angle has no derivative.
+// Where partial turns into full contact the contact angle at the mean radius has no derivative.
 Smoothness Differentiator::of_contact_angle() const {
   const double gap =
       m_.contact.full ? m_.contact.edge_cosine + 1 : m_.contact.half_angle - std::numbers::pi;
   return std::fabs(gap) < 1e-7 ? Smoothness::one_sided : Smoothness::smooth;
 }
 
+// An annulus takes the contact angle's square root into an integral, which is smooth there (W4.1).
+Smoothness Differentiator::of_normal_contact() const {
+  return m_.annulus.empty() ? of_contact_angle() : Smoothness::smooth;
+}
+
 // By (T3.2) theta_L grows with the cube root of the first preload, and pressure with the square of that. In full contact
 // theta_L is pi.
 Derived Differentiator::sized(const ModelDual& dual) const {
-  if (m_.contact.half_angle == 0) return {dual, Smoothness::undefined};
+  if (m_.annulus.empty() && m_.contact.half_angle == 0) return {dual, Smoothness::undefined};
   const bool constant = std::all_of(dual.d, dual.d + kDirections, [](double d) { return d == 0; });
   return {dual, constant ? Smoothness::flat : of_contact_angle()};
 }
@@ -112,7 +117,7 @@ Smoothness Differentiator::of_point(double speed) {
     if (at == speed) return kept;
   }
   const Smoothness found =
-      worse(smoothness_of(m_, values_.point(speed), speed), of_contact_angle());
+      worse(smoothness_of(m_, values_.point(speed), speed), of_normal_contact());
   return smoothness_.emplace_back(speed, found).second;
 }
 
@@ -184,7 +189,7 @@ Derived Differentiator::plateau() {
   const Margin margin = plateau_margin(m_, end);
   if (std::fabs(margin.value / margin.slope) > 1e-9 * m_.crest_velocity / m_.r)
     return {ModelDual(end), Smoothness::undefined};
-  return {plateau_end_derivative(model_, end), of_contact_angle()};
+  return {plateau_end_derivative(model_, end), of_normal_contact()};
 }
 
 // dOmega = -d(T - load) / T_Omega.
@@ -214,7 +219,7 @@ Derived Differentiator::speed_of_peak(Metric metric, const Peak& peak) {
   for (const auto& [kept, speed] : peak_speeds_) {
     if (kept == metric) return speed;
   }
-  if (!model2_) model2_ = differentiated_motor<ModelDual2>(design_);
+  if (!model2_) model2_ = differentiated_motor<ModelDual2>(design_, m_.track);
   const ModelDual2 moving = speed_variable<ModelDual2>(peak.speed);
   const PointNumbers<ModelDual2> n = values_.point(peak.speed).differentiated(*model2_, moving);
   const ModelDual2 f = point_metric(metric, n, moving, *model2_);

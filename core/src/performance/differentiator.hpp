@@ -52,7 +52,7 @@ class Differentiator {
   }
   template <typename F>
   Derived of_contact(F f) const {
-    return sized(f(model_.contact));
+    return sized(f(model_));
   }
   CurveSearch& search() { return values_.search(); }
 
@@ -68,6 +68,7 @@ class Differentiator {
   std::array<double, kParameterCount> in_parameters(const ModelDual& dual) const;
   Derived sized(const ModelDual& dual) const;
   Smoothness of_contact_angle() const;
+  Smoothness of_normal_contact() const;
   Smoothness of_point(double speed);
   const PointNumbers<ModelDual>& numbers(double speed);
   Derived at_plateau_end(Metric metric, double speed);

@@ -36,7 +36,7 @@ class Evaluator {
   }
   template <typename F>
   double of_contact(F f) const {
-    return f(m_.contact);
+    return f(m_);
   }
   CurveSearch& search() { return search_; }
 

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "performance/fields.hpp"
+
 #include "performance/point.hpp"
+#include "performance/track.hpp"
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace twum::performance {
 namespace {
@@ -76,87 +80,117 @@ Trace trace_of(const ContactNumbers<double>& n, const LayerMotion<double>& layer
 
 double phase_of(int i, int samples) { return -kPi + 2 * kPi * i / (samples - 1); }
 
+// Area of the slice [m^2].
+double area_of(const Slice<double>& s) { return 2 * kPi * s.radius * s.width; }
+
 // (T3.1), (T3.3) [Pa]
-double pressure_at(const DrivenMotor<double>& m, double theta) {
-  const double P = m.contact.pressure_amplitude;
-  if (m.contact.full) return P * std::cos(theta) + m.preload / track_area(m);
-  const double edge = m.contact.half_angle;
+double pressure_at(const Slice<double>& s, double theta) {
+  const double P = s.contact.pressure_amplitude;
+  if (s.contact.full) return P * std::cos(theta) + s.load / area_of(s);
+  const double edge = s.contact.half_angle;
   if (!(std::fabs(theta) <= edge)) return 0;
   return P * (contact::trig(edge).versine - contact::trig(theta).versine);
 }
 
-// Points in closed form: without friction there is no traction; at rest the locked layer sticks all round; a flat
-// stator is dragged over.
-FieldSample special_sample(const DrivenMotor<double>& m, double torque, double speed,
-                           double theta) {
-  const double area = track_area(m);
-  FieldSample s{theta,      pressure_at(m, theta), 0, 0, m.crest_velocity * std::cos(theta),
-                m.r * speed};
-  if (m.amplitude == 0) {
-    s.traction = torque / (area * m.r);
-    s.displacement = m.thickness * s.traction / m.shear;
-  } else if (m.contact.full && locks_at_rest(m)) {
-    const ContactNumbers<double> n = contact_numbers(m, 0.0);
-    const double P = m.contact.pressure_amplitude, swing = n.stick_rate;
-    const double mean = torque / (area * m.r);
-    s.traction =
-        mean + P * swing * (n.damping * std::cos(theta) + (1 - n.inertia) * std::sin(theta));
-    s.displacement = m.thickness * (mean + P * swing * std::sin(theta)) / m.shear;
-    s.layer_velocity = s.stator_velocity;
-  }
-  return s;
+// What does not depend on the tangential contact.
+FieldSample untouched_sample(const Slice<double>& s, double speed, double theta) {
+  return {theta, pressure_at(s, theta),
+          0,     0,
+          s.crest_velocity * std::cos(theta), s.radius * speed};
 }
 
-FieldSample dimensional_sample(const DrivenMotor<double>& m, const ContactNumbers<double>& n,
-                               const LayerAt& at, double theta) {
-  const double P = m.contact.pressure_amplitude, c = std::cos(theta);
-  const double layer_ratio = n.speed_ratio + at.rate / n.stick_rate;
-  return {theta,
-          pressure_at(m, theta),
-          P * at.traction,
-          m.thickness * P * at.e / m.shear,
-          m.crest_velocity * c,
-          m.crest_velocity * layer_ratio};
+// A layer that is dragged over a flat stator.
+FieldSample dragged_sample(const DrivenMotor<double>& m, const Slice<double>& s, double speed,
+                           double theta) {
+  FieldSample sample = untouched_sample(s, speed, theta);
+  const double torque = (speed < 0 ? 1.0 : -1.0) * (m.kinetic * s.load * s.radius);
+  sample.traction = torque / (area_of(s) * s.radius);
+  sample.displacement = m.thickness * sample.traction / m.shear;
+  return sample;
 }
+
+// A layer that is locked at rest.
+FieldSample locked_sample(const DrivenMotor<double>& m, const Slice<double>& s, double theta) {
+  FieldSample sample = untouched_sample(s, 0, theta);
+  const ContactNumbers<double> n = contact_numbers(m, s, 0.0);
+  const double P = s.contact.pressure_amplitude, swing = n.stick_rate;
+  const double mean = locked_slice(m, s, 0.0).torque / (area_of(s) * s.radius);
+  sample.traction =
+      mean + P * swing * (n.damping * std::cos(theta) + (1 - n.inertia) * std::sin(theta));
+  sample.displacement = m.thickness * (mean + P * swing * std::sin(theta)) / m.shear;
+  sample.layer_velocity = sample.stator_velocity;
+  return sample;
+}
+
+FieldSample rubbing_sample(const DrivenMotor<double>& m, const Slice<double>& s,
+                           const ContactNumbers<double>& n, const LayerAt& at, double theta) {
+  const double P = s.contact.pressure_amplitude;
+  FieldSample sample = untouched_sample(s, 0, theta);
+  sample.traction = P * at.traction;
+  sample.displacement = m.thickness * P * at.e / m.shear;
+  sample.layer_velocity = s.crest_velocity * (n.speed_ratio + at.rate / n.stick_rate);
+  return sample;
+}
+
+// What rubs at a radius.
+enum class Rubbing : unsigned char { nothing, flat_stator, locked_layer, wave };
+
+Rubbing rubbing_of(const DrivenMotor<double>& m, const Slice<double>& s, double speed) {
+  if (m.static_ == 0 || m.preload == 0 || s.load == 0) return Rubbing::nothing;
+  if (m.amplitude == 0) return Rubbing::flat_stator;
+  if (s.contact.half_angle == 0) return Rubbing::nothing;
+  return speed == 0 && locks_at_rest(m, s) ? Rubbing::locked_layer : Rubbing::wave;
+}
+
+// The contact in its periodic state.
+struct Rubbed {
+  ContactNumbers<double> numbers;
+  LayerMotion<double> layer;
+  Trace trace;
+
+  Rubbed(const DrivenMotor<double>& m, const Slice<double>& s, double speed)
+      : numbers(contact_numbers(m, s, speed)),
+        layer(numbers.inertia, numbers.damping),
+        trace(trace_of(numbers, layer, contact::find_periodic_state(numbers, layer))) {}
+};
 
 }  // namespace
 
-std::vector<Zone> SolvedPoint::zones(const DrivenMotor<double>& m, double speed) const {
-  if (status != PointStatus::ok) return {};
-  const double edge = m.contact.half_angle;
-  if (special) {
-    if (edge == 0) return {};
-    if (m.amplitude != 0 && m.contact.full && m.static_ > 0)
-      return {{ZoneState::stick, -edge, edge}};
-    const bool drags = m.amplitude == 0 && speed < 0;
-    return {
-        {drags || m.amplitude != 0 ? ZoneState::slip_plus : ZoneState::slip_minus, -edge, edge}};
+std::vector<Zone> zones_at(const DrivenMotor<double>& m, double speed, double radius) {
+  const Slice<double> s = slice_at(m, radius, m.b);
+  const double edge = s.contact.half_angle;
+  if (edge == 0) return {};
+  switch (rubbing_of(m, s, speed)) {
+    case Rubbing::nothing: return {{ZoneState::slip_plus, -edge, edge}};
+    case Rubbing::flat_stator:
+      return {{speed < 0 ? ZoneState::slip_plus : ZoneState::slip_minus, -edge, edge}};
+    case Rubbing::locked_layer: return {{ZoneState::stick, -edge, edge}};
+    case Rubbing::wave: break;
   }
-  const ContactNumbers<double> n = contact_numbers(m, speed);
-  std::vector<Zone> result;
-  for (const ZoneTrace& z : trace_of(n, LayerMotion<double>(n.inertia, n.damping), state_).zones) {
-    result.push_back(z.zone);
-  }
-  return result;
+  std::vector<Zone> zones;
+  for (const ZoneTrace& z : Rubbed(m, s, speed).trace.zones) zones.push_back(z.zone);
+  return zones;
 }
 
-std::vector<FieldSample> SolvedPoint::fields(const DrivenMotor<double>& m, double speed,
-                                             int samples) const {
+std::vector<FieldSample> fields_at(const DrivenMotor<double>& m, double speed, double radius,
+                                   int samples) {
+  const Slice<double> s = slice_at(m, radius, m.b);
+  const Rubbing rubbing = rubbing_of(m, s, speed);
+  std::optional<Rubbed> rubbed;
+  if (rubbing == Rubbing::wave) rubbed.emplace(m, s, speed);
+  const auto sample_at = [&](double theta) {
+    switch (rubbing) {
+      case Rubbing::nothing: return untouched_sample(s, speed, theta);
+      case Rubbing::flat_stator: return dragged_sample(m, s, speed, theta);
+      case Rubbing::locked_layer: return locked_sample(m, s, theta);
+      case Rubbing::wave: break;
+    }
+    const auto& [numbers, layer, trace] = *rubbed;
+    return rubbing_sample(m, s, numbers, layer_at(numbers, layer, trace, theta), theta);
+  };
   std::vector<FieldSample> result;
-  if (status != PointStatus::ok) return result;
   result.reserve(static_cast<std::size_t>(samples));
-  if (special) {
-    for (int i = 0; i < samples; ++i)
-      result.push_back(special_sample(m, numbers.torque, speed, phase_of(i, samples)));
-    return result;
-  }
-  const ContactNumbers<double> n = contact_numbers(m, speed);
-  const LayerMotion<double> layer(n.inertia, n.damping);
-  const Trace trace = trace_of(n, layer, state_);
-  for (int i = 0; i < samples; ++i) {
-    const double theta = phase_of(i, samples);
-    result.push_back(dimensional_sample(m, n, layer_at(n, layer, trace, theta), theta));
-  }
+  for (int i = 0; i < samples; ++i) result.push_back(sample_at(phase_of(i, samples)));
   return result;
 }
 

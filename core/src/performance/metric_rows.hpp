@@ -2,6 +2,7 @@
 #pragma once
 
 #include "performance/curve/search.hpp"
+#include "performance/track.hpp"
 
 #include <twum/core/performance/metrics.hpp>
 
@@ -37,9 +38,18 @@ S point_metric(Metric metric, const PointNumbers<S>& n, const S& speed, const Dr
     case M::speed_at_max_efficiency:
     case M::contact_half_length:
     case M::contact_ratio:
-    case M::max_pressure: break;
+    case M::max_pressure:
+    case M::layer_aspect:
+    case M::pressure_nonuniformity: break;
   }
   return S(0.0);
+}
+
+/// h / 2 L at the mean radius (W5.3). @throws SearchFailure if the wave does not reach the rotor there
+template <typename S>
+S layer_aspect(const DrivenMotor<S>& m) {
+  if (!(value_of(m.contact.half_length) > 0)) throw SearchFailure{MetricStatus::undefined};
+  return m.thickness / (2.0 * m.contact.half_length);
 }
 
 /// One row for each metric: what it is, for its value and for its derivatives alike; a metric without its row does not
@@ -65,10 +75,14 @@ typename Answers::Number metric_row(Answers& to, const MetricRequest& request) {
     case M::speed_at_max_efficiency:
       return to.speed_of_peak(M::efficiency_at, search.max_efficiency());
     case M::contact_half_length:
-      return to.of_contact([](const auto& contact) { return contact.half_length; });
-    case M::contact_ratio: return to.of_contact([](const auto& contact) { return contact.ratio; });
+      return to.of_contact([](const auto& m) { return m.contact.half_length; });
+    case M::contact_ratio: return to.of_contact([](const auto& m) { return m.contact.ratio; });
     case M::max_pressure:
-      return to.of_contact([](const auto& contact) { return contact.max_pressure; });
+      return to.of_contact([](const auto& m) { return largest_pressure(m); });
+    case M::layer_aspect:
+      return to.of_contact([](const auto& m) { return layer_aspect(m); });
+    case M::pressure_nonuniformity:
+      return to.of_contact([](const auto& m) { return pressure_nonuniformity(m); });
     case M::speed_at: return to.crossing(search.speed_at(request.at), to.fixed(request.at));
     case M::torque_at:
     case M::output_power_at:

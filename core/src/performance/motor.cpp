@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/core/performance/motor.hpp>
 
+#include "performance/fields.hpp"
 #include "performance/point.hpp"
 
 #include <twum/core/design/parameters.hpp>
@@ -67,7 +68,16 @@ Motor::Motor(const MotorDesign& design) : design_(design) {
   }
   const auto values = performance::model_values(design);
   model_ = std::make_shared<const performance::DrivenMotor<double>>(
-      driven(performance::motor_model(values), performance::design_wave(values)));
+      driven(performance::motor_model(values, performance::track_rule(design)),
+             performance::design_wave(values)));
+}
+
+int Motor::radial_slices() const noexcept { return model_->track.nodes; }
+
+std::vector<double> Motor::slice_radii() const {
+  std::vector<double> radii;
+  for (const performance::Slice<double>& slice : model_->slices()) radii.push_back(slice.radius);
+  return radii;
 }
 
 const NormalContact<double>& Motor::contact() const noexcept { return model_->contact; }
@@ -131,16 +141,41 @@ OperatingPoint Motor::operating_point(const OperatingConditions& at) const {
   return operating_point_of(m, solved(m, at.speed), at.speed);
 }
 
-std::vector<Zone> Motor::zones(double speed) const {
-  return solved(*model_, speed).zones(*model_, speed);
+namespace {
+
+void require_on_track(const performance::DrivenMotor<double>& m, double radius) {
+  const double slack = 1e-12 * m.r;  // of radii that were added and subtracted
+  if (std::fabs(radius - m.r) <= 0.5 * m.b + slack) return;
+  char text[120];
+  std::snprintf(text, sizeof text, "radius must be on the contact track, %.6g to %.6g mm, but is %.6g mm",
+                1e3 * (m.r - 0.5 * m.b), 1e3 * (m.r + 0.5 * m.b), 1e3 * radius);
+  throw InputError(text);
+}
+
+}  // namespace
+
+std::vector<Zone> Motor::zones(double speed) const { return zones(speed, model_->r); }
+
+std::vector<Zone> Motor::zones(double speed, double radius) const {
+  require_on_track(*model_, radius);
+  if (solved(*model_, speed).status != PointStatus::ok) return {};
+  return performance::zones_at(*model_, speed, radius);
 }
 
 ContactFields Motor::fields(double speed, int samples) const {
+  return fields(speed, samples, model_->r);
+}
+
+ContactFields Motor::fields(double speed, int samples, double radius) const {
   if (samples < 2)
     throw InputError("fields need at least 2 samples, not " + std::to_string(samples));
+  require_on_track(*model_, radius);
   const performance::SolvedPoint point = solved(*model_, speed);
-  return {operating_point_of(*model_, point, speed), point.zones(*model_, speed),
-          point.fields(*model_, speed, samples)};
+  ContactFields fields{operating_point_of(*model_, point, speed), radius, {}, {}};
+  if (point.status != PointStatus::ok) return fields;
+  fields.zones = performance::zones_at(*model_, speed, radius);
+  fields.samples = performance::fields_at(*model_, speed, radius, samples);
+  return fields;
 }
 
 std::vector<OperatingPoint> torque_speed_curve(const Motor& motor,

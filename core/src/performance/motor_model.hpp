@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/contact_numbers.hpp"
+#include "design/radial_shape.hpp"
 #include "performance/scalars.hpp"
 
 #include <twum/base/dual.hpp>
@@ -10,13 +11,23 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace twum::performance {
 
 /// A value for each of kModelParameters, in their order.
 template <typename S>
 using ModelArray = std::array<S, kModelParameters.size()>;
+
+/// Radial slices of a track and their shape: what a design says of them without a derivative.
+struct TrackRule {
+  int nodes{1};                              ///< of each smooth piece; 1: all at the contact radius
+  std::shared_ptr<const ShapeSpline> table;  ///< of the radial shape; null: exponent and root
+};
 
 /// What a design says to the contact model, whatever wave drives it (theory sections 1 and 2).
 template <typename S>
@@ -25,7 +36,10 @@ struct MotorModel {
   S tilt;  ///< kappa a, slope of the surface per amplitude of the wave
   S youngs, thickness, shear, viscosity, inertia;
   S kinetic, static_, preload, stator_damping;
-  S compliance;  ///< 1 / G
+  S exponent, root;  ///< of the radial shape (W1.3)
+  S slope;           ///< tan(taper) of the rotor's face
+  S compliance;      ///< 1 / G
+  TrackRule track;
 };
 
 /// The wave prescribed at an operating point, beside the design.
@@ -35,16 +49,35 @@ struct Wave {
   S omega;      ///< [rad/s]
 };
 
-/// A motor under a wave (theory section 3).
+/// The contact at one radius of the track (W1.1, W1.2).
 template <typename S>
-struct DrivenMotor : MotorModel<S> {
-  S amplitude, omega;
-  S crest_velocity;  ///< V0 = kappa a A omega (T2.2)
+struct Slice {
+  S radius, width;   ///< rho and drho [m]
+  S shape;           ///< R(rho) [1]
+  S amplitude;       ///< A R(rho) [m]
+  S crest_velocity;  ///< V0 = kappa a A R omega (T2.2)
+  S load;            ///< its part of F_N [N]
+  S share;           ///< its part of the area in contact [1]
   NormalContact<S> contact;
   S stick_gain;           ///< G V0 / (h P), s W of (E1.1)
   S peak;                 ///< p(0) / P = 1 - c
   contact::Trig<S> edge;  ///< of theta_L
   S pressure_force;       ///< of the contact on the wave, Re F_n (D1.3, D1.4) [N]
+};
+
+/// A motor under a wave (theory section 3). As a slice it is the contact at the mean radius.
+template <typename S>
+struct DrivenMotor : MotorModel<S>, Slice<S> {
+  S omega;
+  S lever;          ///< mean radius of the preload: mu F_N lever is the torque of a contact that slips all through
+  S holding_lever;  ///< the same without a wave
+  S indentation;    ///< of the layer by the crest at the mean radius (W2.1) [m]
+  std::vector<Slice<S>> annulus;  ///< slices that touch; empty: all at the mean radius
+
+  /// What the motor's numbers are sums over.
+  std::span<const Slice<S>> slices() const {
+    return annulus.empty() ? std::span(static_cast<const Slice<S>*>(this), 1) : std::span(annulus);
+  }
 };
 
 // theta_L in S: found in double, its derivatives by the implicit function theorem (T3.2).
@@ -89,7 +122,7 @@ NormalContact<S> normal_contact(const S& preload, const S& n, const S& b, const 
 
 /// The model behind values of kModelParameters.
 template <typename S>
-MotorModel<S> motor_model(const ModelArray<S>& p) {
+MotorModel<S> motor_model(const ModelArray<S>& p, const TrackRule& track = {}) {
   using P = Parameter;
   const auto at = [&p](P parameter) -> const S& { return p[model_index(parameter)]; };
   MotorModel<S> m;
@@ -102,6 +135,10 @@ MotorModel<S> motor_model(const ModelArray<S>& p) {
   m.kinetic = at(P::kinetic_friction), m.static_ = at(P::static_friction);
   m.preload = at(P::preload), m.stator_damping = at(P::modal_damping);
   m.compliance = 1.0 / m.shear;
+  using std::cos, std::sin;
+  const S taper = at(P::rotor_taper);
+  m.exponent = at(P::shape_exponent), m.root = at(P::shape_root), m.slope = sin(taper) / cos(taper);
+  m.track = track;
   return m;
 }
 
@@ -112,13 +149,36 @@ Wave<S> design_wave(const ModelArray<S>& p) {
           2 * std::numbers::pi * p[model_index(Parameter::frequency)]};
 }
 
-/// Re F_n (D1.3, D1.4) of a contact with `edge` at its half angle.
+/// Re F_n (D1.3, D1.4) of a contact with `edge` at its half angle, on the wave at the mean radius (W3.4).
 template <typename S>
-S pressure_force(const MotorModel<S>& m, const NormalContact<S>& c, const contact::Trig<S>& edge) {
-  if (c.full) return std::numbers::pi * m.r * m.b * c.pressure_amplitude;
-  if (value_of(c.half_angle) == 0) return m.preload;
+S pressure_force(const Slice<S>& s, const contact::Trig<S>& edge) {
+  const NormalContact<S>& c = s.contact;
+  if (c.full) return s.shape * (std::numbers::pi * s.radius * s.width * c.pressure_amplitude);
+  if (value_of(c.half_angle) == 0) return s.shape * s.load;
   const S g = std::numbers::pi * c.load_ratio;  // (T3.2)
-  return 0.5 * m.preload * (c.half_angle * edge.sin * edge.sin / g - edge.cos);
+  return s.shape * (0.5 * s.load * (c.half_angle * edge.sin * edge.sin / g - edge.cos));
+}
+
+/// The slice with what the tangential contact takes of its normal contact.
+template <typename S>
+Slice<S> completed(Slice<S> s, const MotorModel<S>& m) {
+  s.stick_gain = m.shear * s.crest_velocity / (m.thickness * s.contact.pressure_amplitude);
+  s.edge = contact::trig(s.contact.half_angle);
+  if (s.contact.full) s.edge = {S(0.0), S(-1.0), S(2.0)};
+  s.peak = s.contact.full ? S(1.0 - s.contact.edge_cosine) : s.edge.versine;
+  s.pressure_force = pressure_force(s, s.edge);
+  return s;
+}
+
+/// The motor whose contact at the mean radius alone is known, with that of the whole annulus (W2.1 to W2.4).
+template <typename S>
+DrivenMotor<S> over_annulus(DrivenMotor<S> motor);
+
+/// True if nothing moves or nothing rubs: no amplitude, no preload, no friction.
+template <typename S>
+bool is_trivial(const DrivenMotor<S>& m) {
+  return value_of(m.amplitude) == 0 || value_of(m.preload) == 0 || value_of(m.static_) == 0 ||
+         (m.annulus.empty() && value_of(m.contact.half_angle) == 0);
 }
 
 /// The motor under a wave: solves the normal contact.
@@ -130,13 +190,15 @@ DrivenMotor<S> driven(const MotorModel<S>& model, const Wave<S>& wave) {
   m.crest_velocity = m.tilt * m.amplitude * m.omega;
   const S P = m.youngs * m.amplitude / m.thickness;
   m.contact = normal_contact(m.preload, m.n, m.b, m.kappa, P);
-  m.stick_gain = m.shear * m.crest_velocity / (m.thickness * P);
-  m.edge = contact::trig(m.contact.half_angle);
-  if (m.contact.full) m.edge = {S(0.0), S(-1.0), S(2.0)};
-  m.peak = m.contact.full ? S(1.0 - m.contact.edge_cosine) : m.edge.versine;
-  m.pressure_force = pressure_force(model, m.contact, m.edge);
-  return m;
+  m.radius = m.r, m.width = m.b, m.shape = S(1.0), m.load = m.preload, m.share = S(1.0);
+  static_cast<Slice<S>&>(m) = completed<S>(m, m);
+  m.lever = m.holding_lever = m.r, m.indentation = S(0.0);
+  return m.track.nodes == 1 ? m : over_annulus(std::move(m));
 }
+
+/// What a design says of its track. `auto` becomes the number of nodes that keeps torque and powers within 1e-6 of their
+/// scales (W4.2), which takes some milliseconds.
+TrackRule track_rule(const MotorDesign& design);
 
 /// Values of kModelParameters for a design.
 inline ModelArray<double> model_values(const MotorDesign& design) {
@@ -145,65 +207,66 @@ inline ModelArray<double> model_values(const MotorDesign& design) {
   return values;
 }
 
-/// True if nothing moves or nothing rubs: no amplitude, no preload, no friction.
-template <typename S>
-bool is_trivial(const DrivenMotor<S>& m) {
-  return value_of(m.amplitude) == 0 || value_of(m.preload) == 0 || value_of(m.static_) == 0 ||
-         value_of(m.contact.half_angle) == 0;
-}
-
 /// True if the wave still meets the rotor at this speed: finite, and W > 0 in (T2.1).
 inline bool wave_meets_rotor(const DrivenMotor<double>& m, double speed) {
   return std::isfinite(speed) && m.omega + m.kappa * (m.r * speed) > 0;
 }
 
-/// The contact's seven numbers (E1.1) at rotor speed Omega, with W of (T2.1); R is S or carries more derivatives than S.
+/// The contact's seven numbers (E1.1) in a slice at rotor speed Omega, with W of (T2.1), which all slices share; R is S or
+/// carries more derivatives than S.
 template <typename S, typename R>
-contact::ContactNumbers<R> contact_numbers(const DrivenMotor<S>& m, const R& speed) {
-  const R surface = m.r * speed;
-  const R W = m.omega + m.kappa * surface;
+contact::ContactNumbers<R> contact_numbers(const DrivenMotor<S>& m, const Slice<S>& slice,
+                                           const R& speed) {
+  const R W = m.omega + m.kappa * R(m.r * speed);
   const R rate = W * m.compliance;
   return {m.inertia * W * rate,
           m.viscosity * rate,
-          m.stick_gain / W,
-          surface / m.crest_velocity,
-          R(m.contact.half_angle),
-          R(m.peak),
+          slice.stick_gain / W,
+          slice.radius * speed / slice.crest_velocity,
+          R(slice.contact.half_angle),
+          R(slice.peak),
           R(m.kinetic),
           R(m.static_),
-          {R(m.edge.sin), R(m.edge.cos), R(m.edge.versine)},
-          m.contact.full};
+          {R(slice.edge.sin), R(slice.edge.cos), R(slice.edge.versine)},
+          slice.contact.full};
+}
+/// Those of the contact at the mean radius.
+template <typename S, typename R>
+contact::ContactNumbers<R> contact_numbers(const DrivenMotor<S>& m, const R& speed) {
+  return contact_numbers(m, static_cast<const Slice<S>&>(m), speed);
 }
 
 /// Torque of one unit of mean traction, 2 pi r^2 b P (T4.5) [N m].
 template <typename S>
-S torque_scale(const DrivenMotor<S>& m) {
-  return 2 * std::numbers::pi * m.r * m.r * m.b * m.contact.pressure_amplitude;
+S torque_scale(const Slice<S>& s) {
+  return 2 * std::numbers::pi * s.radius * s.radius * s.width * s.contact.pressure_amplitude;
 }
 
 /// Power of one unit of the contact's mean powers, 2 pi r b P V0 [W]; the largest that can occur is the
 /// scale of powers (T7.11).
 template <typename S>
-S power_scale(const DrivenMotor<S>& m) {
-  return 2 * std::numbers::pi * m.r * m.b * m.contact.pressure_amplitude * m.crest_velocity;
+S power_scale(const Slice<S>& s) {
+  return 2 * std::numbers::pi * s.radius * s.width * s.contact.pressure_amplitude *
+         s.crest_velocity;
 }
 
-/// Force of one unit of the mean <t sin theta>, 2 pi r b kappa a P (D1.6) [N].
+/// Force on the wave of one unit of the mean <t sin theta>, 2 pi r b kappa a P (D1.6), at the mean radius (W3.4) [N].
 template <typename S>
-S wave_force_scale(const DrivenMotor<S>& m) {
-  return 2 * std::numbers::pi * m.r * m.b * m.tilt * m.contact.pressure_amplitude;
+S wave_force_scale(const MotorModel<S>& m, const Slice<S>& s) {
+  return 2 * std::numbers::pi * s.radius * s.width * (m.tilt * (m.r / s.radius)) *
+         s.contact.pressure_amplitude * s.shape;
 }
 
-/// mu_0 F_N r (T7.8), bound and scale of torques [N m].
+/// mu_0 F_N r (T7.8), over an annulus (W3.6): torque held at rest without drive [N m].
 template <typename S>
 S holding_torque(const DrivenMotor<S>& m) {
-  return m.static_ * m.preload * m.r;
+  return m.static_ * m.preload * m.holding_lever;
 }
 
-/// mu F_N r, the torque of a contact that slips all through [N m].
+/// mu F_N r, over an annulus (W3.5): the torque of a contact that slips all through [N m].
 template <typename S>
 S slipping_torque(const DrivenMotor<S>& m) {
-  return m.kinetic * m.preload * m.r;
+  return m.kinetic * m.preload * m.lever;
 }
 
 /// c_stator (omega A)^2 (T7.5) [W].

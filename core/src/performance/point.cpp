@@ -4,6 +4,7 @@
 #include "contact/zone_curves.hpp"
 #include "performance/scalars.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace twum::performance {
@@ -27,15 +28,18 @@ PointStatus point_status(PeriodicStatus status) {
 // powers are small differences and balance to 1e-7, while the torque is still that of the rigid limit.
 constexpr double kBalance = 1e-6, kBeyond = 1e-9;
 
-// The laws that rounding may break: balance of powers (T7.10), signs of losses, bound of the torque (C8.1). A number
+// The laws that rounding may break: balance of powers (T7.10), signs of losses, bound of the torque (C8.1, W3.5). A number
 // that is not finite breaks them too.
 bool keeps_laws(const DrivenMotor<double>& m, const PointNumbers<double>& n, double speed) {
-  const double holding = holding_torque(m);
-  const double scale = holding * std::fmax(m.crest_velocity / m.r, std::fabs(speed));
+  const double most = m.static_ * m.preload * m.lever;
+  double fastest = std::fabs(speed);
+  for (const Slice<double>& s : m.slices())
+    fastest = std::fmax(s.crest_velocity / s.radius, fastest);
+  const double scale = most * fastest;
   const double share = n.stick_fraction;
-  return std::isfinite(n.reactive_force) && std::fabs(excess(n, speed)) <= kBalance * scale &&
-         n.friction_power >= -kBeyond * scale && n.layer_loss >= -kBeyond * scale &&
-         std::fabs(n.torque) <= holding * (1 + kBeyond) && share >= 0 && share <= 1 + kBeyond;
+  return std::isfinite(n.reactive_force) && std::fabs(excess(n, speed)) <= kBalance * scale && n.friction_power >= -kBeyond * scale &&
+         n.layer_loss >= -kBeyond * scale && std::fabs(n.torque) <= most * (1 + kBeyond) &&
+         share >= 0 && share <= 1 + kBeyond;
 }
 
 // Without a wave the rotor drags the layer over a flat stator. Released at mu_0 p it slips steadily,
@@ -64,9 +68,9 @@ struct Lock {
   S low, high, damping_work;
   S reactive_force;  // <t sin theta> (C20.3)
 
-  explicit Lock(const DrivenMotor<S>& m) {
+  Lock(const DrivenMotor<S>& m, const Slice<S>& slice) {
     using std::sqrt;
-    const contact::ContactNumbers<S> n = contact_numbers(m, S(0.0));
+    const contact::ContactNumbers<S> n = contact_numbers(m, slice, S(0.0));
     const S mean = n.static_ * (n.peak - 1.0), swing = (1.0 - n.inertia) * n.stick_rate;
     const S forward = n.static_ + n.damping * n.stick_rate,
             back = n.static_ - n.damping * n.stick_rate;
@@ -80,18 +84,39 @@ struct Lock {
 }  // namespace
 
 template <typename S>
-bool locks_at_rest(const DrivenMotor<S>& m) {
-  if (value_of(m.static_) == 0 || value_of(m.preload) == 0) return false;
-  if (value_of(m.amplitude) == 0) return true;
-  if (!m.contact.full) return false;
-  const Lock<S> lock(m);
+bool locks_at_rest(const DrivenMotor<S>& m, const Slice<S>& slice) {
+  if (!slice.contact.full) return false;
+  const Lock<S> lock(m, slice);
   return value_of(lock.low) <= value_of(lock.high);
+}
+
+bool locks_at_rest(const DrivenMotor<double>& m) {
+  if (m.static_ == 0 || m.preload == 0) return false;
+  if (m.amplitude == 0) return true;
+  const auto slices = m.slices();
+  return std::all_of(slices.begin(), slices.end(),
+                     [&m](const Slice<double>& s) { return locks_at_rest(m, s); });
+}
+
+template <typename S, typename R>
+PointNumbers<R> locked_slice(const DrivenMotor<S>& m, const Slice<S>& s, const R& /*speed*/) {
+  const R zero(0.0);
+  const Lock<S> lock(m, s);
+  const R power = power_scale(s) * lock.damping_work + zero;
+  return {torque_scale(s) * lock.low + zero,
+          power,
+          zero,
+          power,
+          s.share + zero,
+          s.pressure_force + zero + wave_force_scale(m, s) * lock.reactive_force};
 }
 
 template <typename S, typename R>
 PointNumbers<R> special_point(const DrivenMotor<S>& m, const R& speed) {
   const R zero(0.0);
-  const R force = m.pressure_force + zero;
+  const auto slices = m.slices();
+  R force = slices[0].pressure_force + zero;
+  for (const Slice<S>& s : slices.subspan(1)) force = force + s.pressure_force;
   if (value_of(m.static_) == 0 || value_of(m.preload) == 0)
     return {zero, zero, zero, zero, zero, force};
   if (value_of(m.amplitude) == 0) {
@@ -99,21 +124,111 @@ PointNumbers<R> special_point(const DrivenMotor<S>& m, const R& speed) {
     const R drag = (value_of(speed) < 0 ? 1.0 : -1.0) * slipping_torque(m) + zero;
     return {drag, zero, -(drag * speed), zero, zero, force};
   }
-  const Lock<S> lock(m);
-  const R power = power_scale(m) * lock.damping_work + zero;
-  return {torque_scale(m) * lock.low + zero,
-          power,
-          zero,
-          power,
-          R(1.0),
-          force + wave_force_scale(m) * lock.reactive_force};
+  PointNumbers<R> sum = locked_slice(m, slices[0], speed);
+  for (const Slice<S>& s : slices.subspan(1)) sum = sum + locked_slice(m, s, speed);
+  return sum;
 }
 
-SolvedPoint::SolvedPoint(const contact::ContactNumbers<double>& n, const WarmStart* guess,
+bool SolvedPoint::slips_one_way() const {
+  if (special || !first_.slips_one_way()) return false;
+  return std::all_of(others_.begin(), others_.end(), [this](const SolvedSlice& s) {
+    return s.slips_one_way() && s.state.lap.first == first_.state.lap.first;
+  });
+}
+
+bool SolvedPoint::locks_in_part() const {
+  return first_.locked || std::any_of(others_.begin(), others_.end(),
+                                      [](const SolvedSlice& s) { return s.locked; });
+}
+
+std::uint64_t SolvedPoint::signature() const {
+  if (special) return 0;
+  std::uint64_t mark = first_.state.lap.itinerary;
+  for (const SolvedSlice& s : others_) mark = (mark ^ s.state.lap.itinerary) * 0x100000001b3ull;
+  return mark;
+}
+
+double SolvedPoint::shortest_zone() const {
+  double shortest = first_.state.lap.shortest;
+  for (const SolvedSlice& s : others_) shortest = std::fmin(shortest, s.state.lap.shortest);
+  return shortest;
+}
+
+long SolvedPoint::zones_followed() const {
+  long zones = first_.state.zones;
+  for (const SolvedSlice& s : others_) zones += s.state.zones;
+  return zones;
+}
+
+WarmStart SolvedPoint::start() const {
+  std::vector<WarmStart::Entry> others;
+  others.reserve(others_.size());
+  for (const SolvedSlice& s : others_) others.push_back(s.state.entry);
+  return {first_.state.entry, std::move(others)};
+}
+
+std::optional<WarmStart::Entry> SolvedPoint::entry_near(std::span<const Slice<double>> slices,
+                                                        std::size_t k,
+                                                        const WarmStart* guess) const {
+  if (guess) return guess->of_slice(k);
+  // A layer that slips all through is known in closed form: the search starts there by itself.
+  if (k == 0 || slice(k - 1).slips_one_way()) return {};
+  const WarmStart::Entry& last = slice(k - 1).state.entry;
+  if (k == 1 || slice(k - 2).slips_one_way()) return last;
+  const double t = (slices[k].radius - slices[k - 1].radius) /
+                   (slices[k - 1].radius - slices[k - 2].radius);
+  return WarmStart::beyond(slice(k - 2).state.entry, last, t);
+}
+
+namespace {
+
+SolvedSlice solve_slice(const DrivenMotor<double>& m, const Slice<double>& slice, double speed,
+                        const LayerMotion<double>& layer, const WarmStart::Entry* guess,
+                        double accuracy) {
+  if (speed == 0 && locks_at_rest(m, slice)) return {{}, true};
+  return {contact::find_periodic_state(contact_numbers(m, slice, speed), layer, guess, accuracy),
+          false};
+}
+
+// How the layer moves is the same in all slices: W is.
+LayerMotion<double> layer_of(const DrivenMotor<double>& m, double speed) {
+  const contact::ContactNumbers<double> n = contact_numbers(m, speed);
+  return {n.inertia, n.damping};
+}
+
+// What is the matter with a slice. With mu_0 > mu a locked one is torn loose.
+PointStatus status_of(const DrivenMotor<double>& m, const SolvedSlice& s) {
+  if (!s.locked) return point_status(s.state.status);
+  return m.static_ > m.kinetic ? PointStatus::no_periodic_state : PointStatus::ok;
+}
+
+PointNumbers<double> numbers_of(const DrivenMotor<double>& m, const Slice<double>& slice,
+                                const SolvedSlice& s, double speed) {
+  return s.locked ? locked_slice(m, slice, speed)
+                  : slice_numbers(m, slice, s.state.lap, s.state.lap.means);
+}
+
+}  // namespace
+
+SolvedPoint::SolvedPoint(const DrivenMotor<double>& m, double speed, const WarmStart* guess,
                          double accuracy)
-    : state_(contact::find_periodic_state(n, LayerMotion<double>(n.inertia, n.damping),
-                                          guess ? &guess->entry : nullptr, accuracy)) {
-  status = point_status(state_.status);
+    : SolvedPoint(m, speed, layer_of(m, speed), guess, accuracy) {}
+
+SolvedPoint::SolvedPoint(const DrivenMotor<double>& m, double speed,
+                         const LayerMotion<double>& layer, const WarmStart* guess, double accuracy)
+    : first_(solve_slice(m, m.slices()[0], speed, layer, guess ? &guess->of_slice(0) : nullptr,
+                         accuracy)) {
+  const auto slices = m.slices();
+  status = status_of(m, first_);
+  numbers = numbers_of(m, slices[0], first_, speed);
+  others_.reserve(slices.size() - 1);
+  for (std::size_t k = 1; k < slices.size() && status == PointStatus::ok; ++k) {
+    const auto entry = entry_near(slices, k, guess);
+    others_.push_back(
+        solve_slice(m, slices[k], speed, layer, entry ? &*entry : nullptr, accuracy));
+    status = status_of(m, others_.back());
+    numbers = numbers + numbers_of(m, slices[k], others_.back(), speed);
+  }
 }
 
 SolvedPoint SolvedPoint::of_special(const DrivenMotor<double>& m, double speed) {
@@ -126,18 +241,11 @@ SolvedPoint SolvedPoint::of_special(const DrivenMotor<double>& m, double speed) 
   return point;
 }
 
-SolvedPoint SolvedPoint::of_rubbing(const DrivenMotor<double>& m, double speed,
-                                    const WarmStart* guess, double accuracy) {
-  SolvedPoint point(contact_numbers(m, speed), guess, accuracy);
-  point.numbers = point.dimensional(m, point.state_.lap.means);
-  return point;
-}
-
 SolvedPoint solve_point(const DrivenMotor<double>& m, double speed, const WarmStart* guess,
                         double accuracy) {
-  const bool special = is_trivial(m) || (speed == 0 && m.contact.full && locks_at_rest(m));
-  SolvedPoint point = special ? SolvedPoint::of_special(m, speed)
-                              : SolvedPoint::of_rubbing(m, speed, guess, accuracy);
+  const bool special = is_trivial(m) || (speed == 0 && locks_at_rest(m));
+  SolvedPoint point =
+      special ? SolvedPoint::of_special(m, speed) : SolvedPoint(m, speed, guess, accuracy);
   const bool lawful = accuracy > 0
                           ? std::isfinite(point.numbers.torque + point.numbers.stator_power)
                           : keeps_laws(m, point.numbers, speed);
@@ -145,11 +253,15 @@ SolvedPoint solve_point(const DrivenMotor<double>& m, double speed, const WarmSt
   return point;
 }
 
-#define TWUM_INSTANTIATE(S, R)                        \
-  template bool locks_at_rest(const DrivenMotor<S>&); \
+#define TWUM_INSTANTIATE(S, R)                                               \
+  template bool locks_at_rest(const DrivenMotor<S>&, const Slice<S>&);       \
+  template PointNumbers<R> locked_slice(const DrivenMotor<S>&, const Slice<S>&, const R&); \
   template PointNumbers<R> special_point(const DrivenMotor<S>&, const R&);
 TWUM_FOR_EACH_MODEL_SCALAR(TWUM_INSTANTIATE)
 #undef TWUM_INSTANTIATE
+template PointNumbers<contact::SpeedDual> locked_slice(const DrivenMotor<double>&,
+                                                       const Slice<double>&,
+                                                       const contact::SpeedDual&);
 template PointNumbers<contact::SpeedDual> special_point(const DrivenMotor<double>&,
                                                         const contact::SpeedDual&);
 

@@ -7,17 +7,29 @@
 #include <twum/core/performance/motor.hpp>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace twum::performance {
 
-/// Numbers of an operating point in S; the other powers follow from these (T7.1).
+/// Numbers of an operating point, or of a slice of it, in S; the other powers follow from these (T7.1).
 template <typename S>
 struct PointNumbers {
   S torque, stator_power, friction_power, layer_loss, stick_fraction;
   S reactive_force;  ///< Re F, the contact's force on the wave in phase with its displacement (D1.1) [N]
 };
+
+/// Of two slices together (W3.1, W3.2, W3.3, W3.4).
+template <typename S>
+PointNumbers<S> operator+(const PointNumbers<S>& a, const PointNumbers<S>& b) {
+  return {a.torque + b.torque, a.stator_power + b.stator_power, a.friction_power + b.friction_power,
+          a.layer_loss + b.layer_loss, a.stick_fraction + b.stick_fraction,
+          a.reactive_force + b.reactive_force};
+}
 
 /// What goes in and does not come out (T7.10) [W]; zero but for rounding.
 inline double excess(const PointNumbers<double>& n, double speed) {
@@ -30,20 +42,46 @@ inline bool is_known(double input, double excess) {
   return input > 0 && std::fabs(excess) <= 1e-6 * input;
 }
 
-/// Where the search for a neighbouring point may begin: the layer as it enters the contact.
-struct WarmStart {
-  contact::LapEntry<double> entry;
+/// Where the search for a neighbouring point may begin: the layer as it enters the contact, in each slice.
+class WarmStart {
+ public:
+  using Entry = contact::LapEntry<double>;
+
+  WarmStart() = default;
+  /// Of the first slice, and of the others in their order.
+  WarmStart(const Entry& first, std::vector<Entry> others)
+      : first_(first), others_(std::move(others)) {}
+
+  const Entry& of_slice(std::size_t k) const { return k == 0 ? first_ : others_[k - 1]; }
 
   /// From `a` on through `b`, by t times their distance beyond `b`.
   static WarmStart beyond(const WarmStart& a, const WarmStart& b, double t) {
-    const auto &p = a.entry.layer, &q = b.entry.layer;
-    WarmStart start = b;
-    start.entry.layer = {q.e + t * (q.e - p.e), q.rate + t * (q.rate - p.rate)};
+    WarmStart start(beyond(a.first_, b.first_, t), b.others_);
+    for (std::size_t k = 0; k < start.others_.size(); ++k)
+      start.others_[k] = beyond(a.others_[k], b.others_[k], t);
     return start;
   }
+  static Entry beyond(const Entry& a, const Entry& b, double t) {
+    const auto &p = a.layer, &q = b.layer;
+    Entry entry = b;
+    entry.layer = {q.e + t * (q.e - p.e), q.rate + t * (q.rate - p.rate)};
+    return entry;
+  }
+
+ private:
+  Entry first_{};
+  std::vector<Entry> others_;  // none where the motor is one slice: then a start costs no memory
 };
 
-/// The contact at one operating point. What it is made of, today one slice of the track, only its members know.
+/// The contact of one slice at an operating point.
+struct SolvedSlice {
+  contact::PeriodicState state;  ///< undefined where it is locked
+  bool locked{false};            ///< sticks all round at rest, in closed form
+
+  bool slips_one_way() const { return !locked && state.lap.one_slip; }
+};
+
+/// The contact at one operating point. Of how many slices it is made only its members know.
 class SolvedPoint {
  public:
   SolvedPoint() = default;
@@ -54,16 +92,18 @@ class SolvedPoint {
   bool special{false};
 
   /// The whole contact slips one way.
-  bool slips_one_way() const { return !special && state_.lap.one_slip; }
+  bool slips_one_way() const;
   /// The whole contact slips and drives: the torque is on its plateau.
-  bool drives() const { return slips_one_way() && state_.lap.first == ZoneState::slip_plus; }
-  /// Fingerprint of the sequence of zones.
-  std::uint64_t signature() const { return special ? 0 : state_.lap.itinerary; }
+  bool drives() const { return slips_one_way() && first_.state.lap.first == ZoneState::slip_plus; }
+  /// Some of the contact is locked at rest.
+  bool locks_in_part() const;
+  /// Fingerprint of the sequences of zones.
+  std::uint64_t signature() const;
   /// Length of the shortest zone [rad].
-  double shortest_zone() const { return state_.lap.shortest; }
+  double shortest_zone() const;
   /// Zones followed to find it: what the search cost.
-  long zones_followed() const { return state_.zones; }
-  WarmStart start() const { return {state_.entry}; }
+  long zones_followed() const;
+  WarmStart start() const;
 
   /// The numbers with derivatives in kModelParameters and the speed; S is ModelDual or ModelDual2. The contact is
   /// differentiated in its own seven numbers and chained.
@@ -73,24 +113,26 @@ class SolvedPoint {
   PointNumbers<contact::SpeedDual> differentiated(const DrivenMotor<double>& motor,
                                                   const contact::SpeedDual& speed) const;
 
-  /// Zones from contact entry to exit.
-  std::vector<Zone> zones(const DrivenMotor<double>& motor, double speed) const;
-  /// Fields at equally spaced phases -pi .. pi.
-  std::vector<FieldSample> fields(const DrivenMotor<double>& motor, double speed,
-                                  int samples) const;
-
  private:
   friend SolvedPoint solve_point(const DrivenMotor<double>&, double, const WarmStart*, double);
-  SolvedPoint(const contact::ContactNumbers<double>& n, const WarmStart* guess, double accuracy);
+  SolvedPoint(const DrivenMotor<double>& motor, double speed, const WarmStart* guess,
+              double accuracy);
+  SolvedPoint(const DrivenMotor<double>& motor, double speed,
+              const contact::LayerMotion<double>& layer, const WarmStart* guess, double accuracy);
   static SolvedPoint of_special(const DrivenMotor<double>& motor, double speed);
-  static SolvedPoint of_rubbing(const DrivenMotor<double>& motor, double speed,
-                                const WarmStart* guess, double accuracy);
 
-  template <typename S, typename R>
-  PointNumbers<R> dimensional(const DrivenMotor<S>& motor,
-                              const contact::ContactMeans<R>& means) const;
+  std::size_t size() const { return 1 + others_.size(); }
+  const SolvedSlice& slice(std::size_t k) const { return k == 0 ? first_ : others_[k - 1]; }
+  /// Where the search in slice k may begin: what its neighbours in speed or radius say.
+  std::optional<WarmStart::Entry> entry_near(std::span<const Slice<double>> slices, std::size_t k,
+                                             const WarmStart* guess) const;
 
-  contact::PeriodicState state_;  // undefined for special points
+  template <typename S, typename R, typename Differentiate>
+  PointNumbers<R> summed(const DrivenMotor<S>& motor, const R& speed,
+                         Differentiate differentiate) const;
+
+  SolvedSlice first_;                // undefined for special points
+  std::vector<SolvedSlice> others_;  // none where the motor is one slice: a point then costs no memory
 };
 
 /// Solves one operating point.
@@ -100,27 +142,35 @@ SolvedPoint solve_point(const DrivenMotor<double>& motor, double speed,
                         const WarmStart* guess = nullptr, double accuracy = 0);
 
 /// True if the whole contact sticks at rest (theory section 10).
+bool locks_at_rest(const DrivenMotor<double>& motor);
+
+/// True if a slice does.
 template <typename S>
-bool locks_at_rest(const DrivenMotor<S>& motor);
+bool locks_at_rest(const DrivenMotor<S>& motor, const Slice<S>& slice);
+
+/// Numbers of a slice that is locked at rest, in the limit of a rotor that begins to turn forward.
+template <typename S, typename R>
+PointNumbers<R> locked_slice(const DrivenMotor<S>& motor, const Slice<S>& slice, const R& speed);
 
 /// Points without a periodic state to search for: trivial motors at any speed, locked ones at rest.
 template <typename S, typename R>
 PointNumbers<R> special_point(const DrivenMotor<S>& motor, const R& speed);
 
-/// Where the whole contact slips one way the torque is +-mu F_N r, whatever the layer does: then the derivatives of all
-/// else are exactly zero.
+/// Numbers of a slice from the means of its contact. Where it slips all through one way its torque is +-mu F_N r, whatever
+/// the layer does: then the derivatives of all else are exactly zero.
 template <typename S, typename R>
-PointNumbers<R> SolvedPoint::dimensional(const DrivenMotor<S>& m,
-                                         const contact::ContactMeans<R>& means) const {
-  const S power = power_scale(m);
-  R torque = torque_scale(m) * means.traction;
-  if (slips_one_way()) torque = R(static_cast<double>(state_.lap.first) * slipping_torque(m));
+PointNumbers<R> slice_numbers(const DrivenMotor<S>& m, const Slice<S>& s,
+                              const contact::Lap<double>& lap,
+                              const contact::ContactMeans<R>& means) {
+  const S power = power_scale(s);
+  R torque = torque_scale(s) * means.traction;
+  if (lap.one_slip) torque = R(static_cast<double>(lap.first) * (m.kinetic * s.load * s.radius));
   return {torque,
           power * means.stator_power,
           power * means.friction_power,
           power * means.layer_loss,
-          means.stick_length / (2.0 * m.contact.half_angle),
-          m.pressure_force + wave_force_scale(m) * means.reactive_force};
+          s.share * (means.stick_length / (2.0 * s.contact.half_angle)),
+          s.pressure_force + wave_force_scale(m, s) * means.reactive_force};
 }
 
 }  // namespace twum::performance

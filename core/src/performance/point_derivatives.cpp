@@ -84,11 +84,11 @@ ContactNumbers<double> values_of(const ContactNumbers<S>& n) {
 }  // namespace
 
 template <typename S>
-DrivenMotor<S> differentiated_motor(const MotorDesign& design) {
+DrivenMotor<S> differentiated_motor(const MotorDesign& design, const TrackRule& track) {
   const ModelArray<double> values = model_values(design);
   ModelArray<S> p;
   for (std::size_t i = 0; i < p.size(); ++i) p[i] = S::variable(values[i], static_cast<int>(i));
-  return driven(motor_model(p), design_wave(p));
+  return driven(motor_model(p, track), design_wave(p));
 }
 
 template <>
@@ -101,25 +101,43 @@ ModelDual2 speed_variable<ModelDual2>(double speed) {
   return ModelDual2::variable(SpeedDual::variable(speed, 0), kSpeedDirection);
 }
 
+// The sum over slices of what `differentiate` says of each that is not locked.
+template <typename S, typename R, typename Differentiate>
+PointNumbers<R> SolvedPoint::summed(const DrivenMotor<S>& m, const R& speed,
+                                    Differentiate differentiate) const {
+  if (special) return special_point(m, speed);
+  const auto slices = m.slices();
+  const auto numbers_of = [&](std::size_t k) {
+    const Slice<S>& s = slices[k];
+    if (slice(k).locked) return locked_slice(m, s, speed);
+    const contact::PeriodicState& state = slice(k).state;
+    return slice_numbers(m, s, state.lap, differentiate(contact_numbers(m, s, speed), state));
+  };
+  PointNumbers<R> sum = numbers_of(0);
+  for (std::size_t k = 1; k < size(); ++k) sum = sum + numbers_of(k);
+  return sum;
+}
+
 template <typename S>
 PointNumbers<S> SolvedPoint::differentiated(const DrivenMotor<S>& m, const S& speed) const {
   using K = typename ContactScalar<S>::Outer;
-  if (special) return special_point(m, speed);
-  const ContactNumbers<S> n = contact_numbers(m, speed);
-  const contact::ContactMeans<K> means =
-      contact::periodic_means(seeded<K>(n), values_of(n), state_);
-  const std::array<S, 7> x = listed(n);
-  return dimensional(m, contact::ContactMeans<S>{
-                            chained(means.traction, x), chained(means.stator_power, x),
-                            chained(means.friction_power, x), chained(means.layer_loss, x),
-                            chained(means.stick_length, x), chained(means.reactive_force, x)});
+  return summed(m, speed, [](const ContactNumbers<S>& n, const contact::PeriodicState& state) {
+    const contact::ContactMeans<K> means =
+        contact::periodic_means(seeded<K>(n), values_of(n), state);
+    const std::array<S, 7> x = listed(n);
+    return contact::ContactMeans<S>{
+        chained(means.traction, x), chained(means.stator_power, x),
+        chained(means.friction_power, x), chained(means.layer_loss, x),
+        chained(means.stick_length, x), chained(means.reactive_force, x)};
+  });
 }
 
 PointNumbers<SpeedDual> SolvedPoint::differentiated(const DrivenMotor<double>& m,
                                                     const SpeedDual& speed) const {
-  if (special) return special_point(m, speed);
-  const ContactNumbers<SpeedDual> n = contact_numbers(m, speed);
-  return dimensional(m, contact::periodic_means(n, values_of(n), state_));
+  return summed(m, speed,
+                [](const ContactNumbers<SpeedDual>& n, const contact::PeriodicState& state) {
+                  return contact::periodic_means(n, values_of(n), state);
+                });
 }
 
 TorqueSlope torque_slope(const DrivenMotor<double>& m, double speed, const WarmStart* guess) {
@@ -130,18 +148,48 @@ TorqueSlope torque_slope(const DrivenMotor<double>& m, double speed, const WarmS
           n.stator_power.d[0], point.status,  point.start()};
 }
 
-Margin plateau_margin(const DrivenMotor<double>& m, double speed) {
+namespace {
+
+Margin margin_in(const DrivenMotor<double>& m, const Slice<double>& slice, double speed) {
+  const contact::SlipMargin low = contact::slip_margin(contact_numbers(m, slice, speed));
   const SpeedDual omega = SpeedDual::variable(speed, 0);
-  const ContactNumbers<double> n = contact_numbers(m, speed);
-  const contact::SlipMargin low = contact::slip_margin(n);
-  const SpeedDual at = contact::slip_margin_at(contact_numbers(m, omega), low);
+  const SpeedDual at = contact::slip_margin_at(contact_numbers(m, slice, omega), low);
   return {at.v, at.d[0], low.place, low.exit, low.slips};
 }
 
+// How far the plateau's end is away by the margin's slope; the units of a slice drop out.
+double reach(const Margin& margin) { return margin.value / std::fabs(margin.slope); }
+
+}  // namespace
+
+Margin plateau_margin(const DrivenMotor<double>& m, double speed) {
+  const auto slices = m.slices();
+  Margin first = margin_in(m, slices[0], speed);
+  for (const Slice<double>& slice : slices.subspan(1)) {
+    const Margin next = margin_in(m, slice, speed);
+    const bool slips = first.slips && next.slips;
+    if (reach(next) < reach(first)) first = next;
+    first.slips = slips;
+  }
+  return first;
+}
+
 ModelDual plateau_end_derivative(const DrivenMotor<ModelDual>& motor, double speed) {
-  const ContactNumbers<ModelDual> x = contact_numbers(motor, speed_variable<ModelDual>(speed));
-  const contact::SlipMargin low = contact::slip_margin(values_of(x));
-  const ModelDual margin = chained(contact::slip_margin_at(seeded<NumbersDual>(x), low), listed(x));
+  const auto margin_of = [&](const Slice<ModelDual>& slice) {
+    const ContactNumbers<ModelDual> x =
+        contact_numbers(motor, slice, speed_variable<ModelDual>(speed));
+    const contact::SlipMargin low = contact::slip_margin(values_of(x));
+    return chained(contact::slip_margin_at(seeded<NumbersDual>(x), low), listed(x));
+  };
+  const auto reach_of = [](const ModelDual& margin) {
+    return margin.v / std::fabs(margin.d[kSpeedDirection]);
+  };
+  const auto slices = motor.slices();
+  ModelDual margin = margin_of(slices[0]);
+  for (const Slice<ModelDual>& slice : slices.subspan(1)) {
+    const ModelDual next = margin_of(slice);
+    if (reach_of(next) < reach_of(margin)) margin = next;
+  }
   // margin(Omega(p), p) = 0
   ModelDual end(speed);
   for (int j = 0; j < kSpeedDirection; ++j) end.d[j] = -margin.d[j] / margin.d[kSpeedDirection];
@@ -149,7 +197,7 @@ ModelDual plateau_end_derivative(const DrivenMotor<ModelDual>& motor, double spe
 }
 
 #define TWUM_INSTANTIATE(S)                                         \
-  template DrivenMotor<S> differentiated_motor(const MotorDesign&); \
+  template DrivenMotor<S> differentiated_motor(const MotorDesign&, const TrackRule&); \
   template PointNumbers<S> SolvedPoint::differentiated(const DrivenMotor<S>&, const S&) const;
 TWUM_INSTANTIATE(ModelDual)
 TWUM_INSTANTIATE(ModelDual2)

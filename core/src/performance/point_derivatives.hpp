@@ -9,8 +9,15 @@
 namespace twum::performance {
 
 /// The design's motor with derivatives: each of kModelParameters a direction of its own, the speed the last one.
+/// @param track  of the motor in double; absent: found again
+/// @{
 template <typename S>
-DrivenMotor<S> differentiated_motor(const MotorDesign& design);
+DrivenMotor<S> differentiated_motor(const MotorDesign& design, const TrackRule& track);
+template <typename S>
+DrivenMotor<S> differentiated_motor(const MotorDesign& design) {
+  return differentiated_motor<S>(design, track_rule(design));
+}
+/// @}
 
 /// Speed as an independent variable of the model's derivatives.
 template <typename S>
@@ -32,7 +39,7 @@ TorqueSlope torque_slope(const DrivenMotor<double>& model, double speed,
                          const WarmStart* guess = nullptr);
 
 /// Smallest v_rel margin -v_rel s / V0 of a contact that slips and drives all through, at `speed`:
-/// positive on the plateau of the torque, zero at its end (T7.17).
+/// positive on the plateau of the torque, zero at its end (T7.17). Of several slices that of the first one to stick.
 struct Margin {
   double value;  ///< smallest margin, in units of P
   double slope;  ///< its derivative in speed

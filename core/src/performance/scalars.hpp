@@ -16,7 +16,8 @@ inline constexpr std::array kModelParameters{
     Parameter::frequency,     Parameter::amplitude,        Parameter::neutral_plane_distance,
     Parameter::modal_damping, Parameter::thickness,        Parameter::youngs_modulus,
     Parameter::shear_modulus, Parameter::shear_viscosity,  Parameter::inertia,
-    Parameter::preload,       Parameter::kinetic_friction, Parameter::static_friction};
+    Parameter::preload,       Parameter::kinetic_friction, Parameter::static_friction,
+    Parameter::shape_exponent, Parameter::shape_root,      Parameter::rotor_taper};
 
 /// Position of a parameter in kModelParameters.
 constexpr std::size_t model_index(Parameter parameter) {

@@ -12,8 +12,8 @@ function bullets(lines) { return el('ul', { class: 'holders' }, lines.map((line)
 function relaxationVerdict() {
   const conflict = summary.relaxation.conflict.map(limitWords);
   const least = summary.relaxation.limits.filter((l) => l.alone).map((l) => {
-    const unit = unitOf(metricOfLimit(l.text));
-    return limitWords(l.text) + ' by ' + engineering(l.alone, unit, 3) + ', to ' + engineering(l.limit + (isLowerLimit(l.text) ? -l.alone : l.alone), unit, 3);
+    const unit = l.unit;
+    return limitWords(l.text) + ' by ' + engineering(l.alone, unit, 3) + ', to ' + engineering(l.limit + (l.sense === 'at least' ? -l.alone : l.alone), unit, 3);
   });
   const why = conflict.length === 1 ? conflict[0] + ' is out of reach.' : conflict.length ? 'These cannot hold together: ' + conflict.join('; ') + '.' : '';
   const cure = least.length === 0 ? 'Loosening a single limit is not enough; the table below says what would be.'
@@ -119,17 +119,13 @@ function sensitivityVerdict() {
   return { look: 'good', lines };
 }
 
-/** From here on most of a series may be sold; below, the first line of the page warns. */
-const GOOD_YIELD = 0.95;
-
 function uncertaintyVerdict() {
   const lines = [];
-  const look = !summary.yield ? 'plain' : summary.yield.low >= GOOD_YIELD ? 'good' : 'bad';
   if (summary.yield) {
     lines.push(sentence(bold(percent(summary.yield.value, 4)), ' of the motors keep every limit (between ' + percent(summary.yield.low, 4) + ' and ' + percent(summary.yield.high, 4) + ' with ' + percent(summary.confidence) + ' confidence). What costs the others, the limit that costs most first:'), yieldList());
   }
   lines.push(bullets(Object.entries(summary.metrics).map(([n, m]) => [bold(capital(plain(n))), ': ' + engineering(m.mean, unitOf(n)) + ' on average, standard deviation ' + engineering(m.sd, unitOf(n), 3) + '.'])));
-  return { look, lines };
+  return { look: 'good', lines };
 }
 
 function calibrateVerdict() {

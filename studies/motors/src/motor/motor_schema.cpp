@@ -1,100 +1,94 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/studies/motor/motor_file.hpp>
 
+#include <twum/base/error.hpp>
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/text/words.hpp>
 
 #include <algorithm>
+#include <cctype>
 
 namespace twum::studies {
 namespace {
 
-// The entries of one section of a motor file, in SI.
-using Values = std::vector<ParameterValue>;
-
-// A motor as its file gives it.
+// A motor as its file gives it, in SI.
 struct GivenMotor {
   std::string name;
-  Values stator, contact_layer, friction, others;
+  std::vector<ParameterValue> values;
+  std::vector<std::pair<double, double>> shape_table;  // radius and R
+
+  std::optional<double> value(Parameter parameter) const {
+    const auto found = std::find_if(values.begin(), values.end(),
+                                    [=](const auto& one) { return one.first == parameter; });
+    return found == values.end() ? std::nullopt : std::optional<double>(found->second);
+  }
 };
 
-std::string_view section_of(const ParameterInfo& row) {
-  return row.file_entry.substr(0, std::min(row.file_entry.find('.'), row.file_entry.size()));
-}
+std::string_view first_step(std::string_view path) { return path.substr(0, path.find('.')); }
 
-std::string_view entry_name(const ParameterInfo& row) {
-  return row.file_entry.substr(row.file_entry.rfind('.') + 1);
-}
-
-bool has_section(const ParameterInfo& row) {
-  return row.file_entry.find('.') != std::string_view::npos;
-}
+std::string_view last_step(std::string_view path) { return path.substr(path.rfind('.') + 1); }
 
 std::string value_text(double value, const ParameterInfo& row) {
+  if (row.parameter == Parameter::radial_slices && value == kAutoSlices) return "auto";
   return number_text(value) + (row.unit == "1" ? "" : " " + std::string(row.unit));
 }
 
-// The entry of a parameter, whose value goes to a list of them.
-template <typename T>
-Field<T> field_of(const ParameterInfo& row, Values T::*values) {
-  const Shape<double> value = number(parameter_schema(row));
-  Field<T> field;
-  field.entry.name = entry_name(row);
+// A number of slices, or `auto`, for which kAutoSlices stands.
+Shape<double> slices(const ParameterInfo& row) {
+  Schema schema = parameter_schema(row);
+  schema.min = 1;
+  const Shape<double> count = number(schema);
+  const Shape<double> automatic = as<double, std::size_t>(
+      choice("as many as the torque needs", {"auto"}), [](std::size_t) { return kAutoSlices; },
+      [](const double&) { return std::size_t{0}; });
+  Shape<double> shape;
+  shape.schema.kind = ValueKind::any_of;
+  shape.schema.text = row.text;
+  shape.schema.example = "auto";
+  shape.schema.alternatives = {automatic.schema, count.schema};
+  shape.read = [automatic, count](double& into, const YamlNode& node, const Spot& spot,
+                                  Diagnostics& diagnostics) {
+    const bool number =
+        !node.scalar.empty() && std::isalpha(static_cast<unsigned char>(node.scalar.front())) == 0;
+    return (number ? count : automatic).read(into, node, spot, diagnostics);
+  };
+  return shape;
+}
+
+// The entry of a parameter.
+Field<GivenMotor> field_of(const ParameterInfo& row) {
+  const bool sliced = row.parameter == Parameter::radial_slices;
+  const Shape<double> value = sliced ? slices(row) : number(parameter_schema(row));
+  Field<GivenMotor> field;
+  field.entry.name = last_step(row.file_entry);
   field.entry.schema = value.schema;
   field.entry.required = row.required;
-  if (row.twin) field.entry.twin = entry_name(info(*row.twin));
-  field.entry.alias = row.name == entry_name(row) ? row.symbol : row.name;
-  if (row.parameter == Parameter::modal_damping) field.entry.fallback = "0";
+  if (row.twin) field.entry.twin = last_step(info(*row.twin).file_entry);
+  field.entry.alias = row.name == field.entry.name ? row.symbol : row.name;
   if (row.parameter == Parameter::static_friction) field.entry.fallback = "the kinetic one";
-  field.read = [&row, values, read = value.read](T& into, const YamlNode& node, const Spot& spot,
-                                                 Diagnostics& diagnostics) {
+  if (sliced) field.entry.fallback = "1";
+  if (!row.required && field.entry.fallback.empty() && !row.twin) field.entry.fallback = "0";
+  field.read = [&row, read = value.read](GivenMotor& into, const YamlNode& node, const Spot& spot,
+                                         Diagnostics& diagnostics) {
     double typed = 0;
     const bool right = read(typed, node, spot, diagnostics);
-    if (right) (into.*values).emplace_back(row.parameter, typed);
+    if (right) into.values.emplace_back(row.parameter, typed);
     return right;
   };
-  field.write = [&row, values](const T& from) -> std::optional<YamlNode> {
-    const Values& given = from.*values;
-    const auto own = std::find_if(given.begin(), given.end(),
-                                  [&](const auto& one) { return one.first == row.parameter; });
-    if (own == given.end()) return {};
-    return scalar_node(value_text(own->second, row));
+  field.write = [&row](const GivenMotor& from) {
+    const auto given = from.value(row.parameter);
+    return given ? std::optional<YamlNode>(scalar_node(value_text(*given, row))) : std::nullopt;
   };
   return field;
 }
 
-struct Section {
-  Values values;
-};
-
-using Check = std::function<bool(Section&, const Given&, Diagnostics&)>;
-
-Field<GivenMotor> section(const std::string& name, std::string text, Values GivenMotor::*values,
-                          const Check& check = {}) {
-  std::vector<Field<Section>> fields;
-  for (const ParameterInfo& row : parameter_table())
-    if (has_section(row) && section_of(row) == name)
-      fields.push_back(field_of(row, &Section::values));
-  const auto shape = as<Values, Section>(
-      mapping<Section>(std::move(text), std::move(fields), check),
-      [](Section given) { return std::move(given.values); },
-      [](const Values& given) { return Section{given}; });
-  return needed<GivenMotor>(name, shape, values);
-}
-
-double value_in(const Values& values, Parameter parameter) {
-  return std::find_if(values.begin(), values.end(),
-                      [=](const ParameterValue& one) { return one.first == parameter; })
-      ->second;
-}
-
 // mu_0 below mu: no single entry is wrong, but the two together are.
-bool check_friction(Section& section, const Given& given, Diagnostics& diagnostics) {
+bool check_friction(GivenMotor& motor, const Given& given, Diagnostics& diagnostics) {
   const YamlNode* kinetic = given.right("kinetic");
   const YamlNode* threshold = given.right("static");
   if (kinetic == nullptr || threshold == nullptr) return true;
-  const double mu = value_in(section.values, Parameter::kinetic_friction);
-  if (value_in(section.values, Parameter::static_friction) >= mu) return true;
+  const double mu = *motor.value(Parameter::kinetic_friction);
+  if (*motor.value(Parameter::static_friction) >= mu) return true;
   diagnostics.add({threshold->mark, given.path("static"),
                    quoted(threshold->scalar) + " is less than the kinetic friction",
                    "must be at least " + number_text(mu), kinetic->mark,
@@ -102,29 +96,129 @@ bool check_friction(Section& section, const Given& given, Diagnostics& diagnosti
   return false;
 }
 
+// One row of a measured or computed shape.
+Shape<std::pair<double, double>> shape_row() {
+  const Shape<double> radius = quantity("radius", "m", "24.5 mm");
+  const Shape<double> amplitude = quantity("R there", "1", "0.9");
+  const auto pair = list("radius and R", path("a number", "24.5 mm"), 2, 2);
+  using Pair = std::pair<double, double>;
+  Shape<Pair> shape;
+  shape.schema = pair.schema;
+  shape.read = [=](Pair& into, const YamlNode& node, const Spot& spot, Diagnostics& diagnostics) {
+    std::vector<std::string> texts;
+    if (!pair.read(texts, node, spot, diagnostics)) return false;
+    const auto at = [&](std::size_t i) {
+      return Spot{spot.path + "[" + std::to_string(i) + "]", node.items[i].mark};
+    };
+    const bool first = radius.read(into.first, node.items[0], at(0), diagnostics);
+    return amplitude.read(into.second, node.items[1], at(1), diagnostics) && first;
+  };
+  shape.write = [=](const Pair& row) {
+    YamlNode node;
+    node.kind = YamlNode::Kind::list;
+    node.items = {radius.write(row.first), amplitude.write(row.second)};
+    return node;
+  };
+  return shape;
+}
+
+Field<GivenMotor> shape_table() {
+  auto rows = list("measured or computed shape, instead of exponent and root", shape_row(), 4);
+  rows.schema.example = "[[24.5 mm, 0.9], [26 mm, 0.98], [27 mm, 1.02], [28.5 mm, 1.1]]";
+  auto field = optional<GivenMotor>("table", rows, &GivenMotor::shape_table, "no table");
+  return hidden(std::move(field));
+}
+
+bool check_shape(GivenMotor& /*motor*/, const Given& given, Diagnostics& diagnostics) {
+  const YamlNode* table = given.find("table");
+  for (const char* other : {"exponent", "root"}) {
+    if (table == nullptr || given.find(other) == nullptr) continue;
+    diagnostics.add(table->mark, given.path("table"),
+                    "a second shape beside '" + std::string(other) + "'",
+                    "give the table, or exponent and root");
+    return false;
+  }
+  return true;
+}
+
+struct Section {
+  std::string_view path, text;
+  bool (*check)(GivenMotor&, const Given&, Diagnostics&){nullptr};
+  bool shown{true};  // in a file to start from
+};
+
+constexpr Section kSections[] = {
+    {"stator", "the vibrating ring and its travelling wave"},
+    {"contact_layer", "the layer between stator and rotor"},
+    {"stator.radial_shape", "amplitude of the wave across the track, 1 at the contact radius",
+     check_shape, false},
+    {"friction", "Coulomb friction between stator and contact layer", check_friction},
+    {"rotor", "the rotor's face", nullptr, false}};
+
+// The entries below a path, by the parameter table: parameters, and sections of them.
+std::vector<Field<GivenMotor>> fields_below(const std::string& path) {
+  std::vector<Field<GivenMotor>> fields;
+  for (const ParameterInfo& row : parameter_table()) {
+    if (!row.file_entry.starts_with(path)) continue;
+    const std::string_view rest = row.file_entry.substr(path.size());
+    const std::string name(first_step(rest));
+    if (name == rest) {
+      fields.push_back(field_of(row));
+    } else if (fields.empty() || fields.back().entry.name != name) {
+      const auto* known = std::find_if(std::begin(kSections), std::end(kSections),
+                                       [&](const Section& one) { return one.path == path + name; });
+      TWUM_ASSERT(known != std::end(kSections));
+      fields.push_back(section(name, std::string(known->text), fields_below(path + name + "."),
+                               Check<GivenMotor>(known->check)));
+      fields.back().entry.shown = known->shown;
+    }
+  }
+  if (path == "stator.radial_shape.") fields.push_back(shape_table());
+  return fields;
+}
+
 MotorFile motor_of(const GivenMotor& given) {
   // What a valid file does not give follows from what it gives: mu_0 = mu, and no modal damping.
   MotorDesign blank;
   blank.stator.modal_damping = 0;
   blank.friction = {1, 1};
-  Values values;
-  for (const Values* part : {&given.stator, &given.contact_layer, &given.friction, &given.others})
-    values.insert(values.end(), part->begin(), part->end());
-  return {given.name, with(blank, values)};
+  // Exponent and root, which a design has as well, would replace a table.
+  blank.stator.radial_shape.table = given.shape_table;
+  return {given.name, with(blank, given.values)};
+}
+
+// "NAME must ..., but ..." of a design whose entries are right one by one, said at the entry of that name.
+bool check_motor(GivenMotor& motor, const Given& given, Diagnostics& diagnostics) {
+  if (!diagnostics.empty()) return true;
+  try {
+    motor_of(motor);
+    return true;
+  } catch (const InputError& error) {
+    const std::string text = error.what();
+    const std::string name = text.substr(0, text.find(' '));
+    const auto parameter = find_parameter(name);
+    const std::string entry =
+        parameter ? std::string(info(*parameter).file_entry) : "stator." + name;
+    const std::size_t but = text.find(", but ");
+    const YamlNode* node = &given.node();
+    for (std::size_t at = 0; at != std::string::npos && node != nullptr;) {
+      const std::size_t dot = entry.find('.', at);
+      node = node->find(entry.substr(at, dot - at));
+      at = dot == std::string::npos ? dot : dot + 1;
+    }
+    diagnostics.add(
+        node == nullptr ? given.node().mark : node->mark, given.path(entry),
+        but == std::string::npos ? text : text.substr(but + 6),
+        but == std::string::npos ? "" : text.substr(name.size() + 1, but - name.size() - 1));
+    return false;
+  }
 }
 
 GivenMotor given_by(const MotorFile& motor) {
-  GivenMotor given;
-  given.name = motor.name;
-  for (const ParameterInfo& row : parameter_table()) {
-    if (!in_use(motor.design, row.parameter)) continue;
-    const std::string_view name = has_section(row) ? section_of(row) : "";
-    Values& values = name == "stator"          ? given.stator
-                     : name == "contact_layer" ? given.contact_layer
-                     : name == "friction"      ? given.friction
-                                               : given.others;
-    values.emplace_back(row.parameter, get(motor.design, row.parameter));
-  }
+  GivenMotor given{motor.name, {}, motor.design.stator.radial_shape.table};
+  for (const ParameterInfo& row : parameter_table())
+    if (in_use(motor.design, row.parameter))
+      given.values.emplace_back(row.parameter, get(motor.design, row.parameter));
   return given;
 }
 
@@ -144,17 +238,12 @@ Schema parameter_schema(const ParameterInfo& parameter) {
 
 const Shape<MotorFile>& motor_shape() {
   static const Shape<MotorFile> shape = [] {
-    std::vector<Field<GivenMotor>> fields{
-        optional<GivenMotor>("name", path("what the motor is called", "ring-60"), &GivenMotor::name,
-                             "no name"),
-        section("stator", "the vibrating ring and its travelling wave", &GivenMotor::stator),
-        section("contact_layer", "the layer between stator and rotor", &GivenMotor::contact_layer),
-        section("friction", "Coulomb friction between stator and contact layer",
-                &GivenMotor::friction, check_friction)};
-    for (const ParameterInfo& row : parameter_table())
-      if (!has_section(row)) fields.push_back(field_of(row, &GivenMotor::others));
-    return as<MotorFile, GivenMotor>(mapping<GivenMotor>("one motor", std::move(fields)), motor_of,
-                                     given_by);
+    std::vector<Field<GivenMotor>> fields = fields_below("");
+    fields.insert(fields.begin(),
+                  optional<GivenMotor>("name", path("what the motor is called", "ring-60"),
+                                       &GivenMotor::name, "no name"));
+    return as<MotorFile, GivenMotor>(
+        mapping<GivenMotor>("one motor", std::move(fields), check_motor), motor_of, given_by);
   }();
   return shape;
 }

@@ -6,13 +6,21 @@
 namespace twum::studies {
 namespace {
 
+std::string in_line(const YamlNode& node) {
+  if (node.kind != YamlNode::Kind::list) return node.scalar;
+  std::string text;
+  for (const YamlNode& item : node.items) text += (text.empty() ? "" : ", ") + in_line(item);
+  return "[" + text + "]";
+}
+
 // Every entry on a line of its own.
 std::string lines_of(const YamlNode& mapping, const std::string& indent) {
   std::string text;
   for (const YamlEntry& entry : mapping.entries) {
     const bool section = entry.value.kind == YamlNode::Kind::mapping;
     text += indent + entry.key + ":";
-    text += section ? "\n" + lines_of(entry.value, indent + "  ") : " " + entry.value.scalar + "\n";
+    text +=
+        section ? "\n" + lines_of(entry.value, indent + "  ") : " " + in_line(entry.value) + "\n";
   }
   return text;
 }

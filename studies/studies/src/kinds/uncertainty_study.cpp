@@ -2,7 +2,6 @@
 #include "kinds/earlier_result.hpp"
 #include "kinds/found_motors.hpp"
 #include "kinds/sample_rows.hpp"
-#include "study/tolerance_shape.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/optim/random.hpp>
@@ -30,16 +29,10 @@ struct DrawnVariable {
   }
 };
 
-std::vector<DrawnVariable> drawn_variables(const std::vector<Tolerance>& asked,
-                                           const MotorDesign& design) {
+std::vector<DrawnVariable> drawn_variables(const std::vector<UncertainVariable>& asked) {
   std::vector<DrawnVariable> variables;
-  for (const Tolerance& one : asked) {
-    const double value = get(design, one.parameter);
-    if (const auto wrong = complaint(one, value))
-      throw InputError("study.variables." + std::string(info(one.parameter).name) + ": " +
-                       wrong->what());
-    variables.push_back({one.parameter, one.distribution(value)});
-  }
+  for (const UncertainVariable& variable : asked)
+    variables.push_back({variable.parameter, variable.distribution()});
   return variables;
 }
 
@@ -58,10 +51,6 @@ std::vector<double> sorted(std::vector<double> values) {
 struct LimitPlace {
   Constraint limit;
   std::size_t metric;
-
-  bool kept(double value) const {  // NaN is not kept
-    return limit.at_least ? value >= limit.limit : value <= limit.limit;
-  }
 };
 
 // Adds to the metrics what limits look at and the list does not have yet.
@@ -100,13 +89,11 @@ MotorDesign motor_of(const StudyFile& file, const std::string& start) {
 class UncertaintyRun : public StudyKindRun {
  public:
   UncertaintyRun(const UncertaintyStudy& asked, const StudyFile& file)
-      : design_(motor_of(file, asked.start)),
-        tolerances_(asked.variables),
-        variables_(drawn_variables(asked.variables, design_)),
+      : variables_(drawn_variables(asked.variables)),
         probabilities_(sorted(asked.quantiles)),
         metrics_(asked.metrics),
         limits_(place_limits(asked.limits, metrics_)),
-        evaluator_(design_, parameters_of(variables_), metrics_),
+        evaluator_(motor_of(file, asked.start), parameters_of(variables_), metrics_),
         seed_(asked.seed),
         samples_(asked.samples),
         start_(asked.start) {}
@@ -114,9 +101,6 @@ class UncertaintyRun : public StudyKindRun {
   std::vector<Column> columns() const override { return evaluator_.columns(); }
   std::size_t variables() const override { return variables_.size(); }
   std::uint64_t seed() const override { return seed_; }
-  std::vector<std::string> notes() const override {
-    return shapes::tolerance_notes(tolerances_, design_);
-  }
 
   KindAnswer run(RunContext& context) override {
     const bool complete =
@@ -181,7 +165,7 @@ class UncertaintyRun : public StudyKindRun {
       bool all = true;
       bool known = true;
       for (std::size_t i = 0; i < limits_.size(); ++i) {
-        const bool holds = limits_[i].kept(metrics[limits_[i].metric]);
+        const bool holds = limits_[i].limit.holds(metrics[limits_[i].metric]);
         known = known && !std::isnan(metrics[limits_[i].metric]);
         kept[i] += holds ? 1 : 0;
         all = all && holds;
@@ -192,7 +176,7 @@ class UncertaintyRun : public StudyKindRun {
     for (std::size_t i = 0; i < metrics_.size(); ++i) describe(values[i], result.metrics[i]);
     for (std::size_t i = 0; i < limits_.size(); ++i) {
       const Constraint& limit = limits_[i].limit;
-      result.limits.push_back({limit.text, limit.metric.text, limit.at_least, limit.limit,
+      result.limits.push_back({limit.text, limit.metric.text, limit.lower, limit.upper,
                                proportion_estimate(kept[i], result.samples, kConfidence)});
     }
     if (!limits_.empty()) result.yield = proportion_estimate(good, result.samples, kConfidence);
@@ -210,8 +194,6 @@ class UncertaintyRun : public StudyKindRun {
       metric.quantiles.push_back({p, quantile_estimate(values, p, kConfidence)});
   }
 
-  MotorDesign design_;
-  std::vector<Tolerance> tolerances_;
   std::vector<DrawnVariable> variables_;
   std::vector<double> probabilities_;
   std::vector<MetricExpression> metrics_;

@@ -201,6 +201,17 @@ Dual<T, N> exp(const Dual<T, N>& x) {
   const T f = exp(x.v);
   return detail::chain(x, f, f);
 }
+/// exp(x) - 1 and log(1 + x), accurate where x is small.
+template <typename T, int N>
+Dual<T, N> expm1(const Dual<T, N>& x) {
+  using std::exp, std::expm1;
+  return detail::chain(x, T(expm1(x.v)), T(exp(x.v)));
+}
+template <typename T, int N>
+Dual<T, N> log1p(const Dual<T, N>& x) {
+  using std::log1p;
+  return detail::chain(x, T(log1p(x.v)), T(1.0 / (1.0 + x.v)));
+}
 template <typename T, int N>
 Dual<T, N> sqrt(const Dual<T, N>& x) {
   using std::sqrt;

@@ -2,8 +2,24 @@
 #pragma once
 
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace twum {
+
+/// Shape of the wave across the contact track: w = A R(rho) cos(omega t - n phi), R = 1 at the contact radius.
+///
+/// R(rho) = ((rho - rho_0) / (r - rho_0))^p, unless a table is given (theory, W1.3).
+struct RadialShape {
+  double exponent{0};  ///< p [1]
+  double root{0};      ///< rho_0, where the shape is zero: a clamped edge, or the axis [m]
+  /// Radius [m] and R, measured or computed, in rising order: replaces exponent and root. At least 4 rows that cover the
+  /// track. Between them runs a cubic spline, C2 with not-a-knot ends, scaled to R = 1 at the contact radius.
+  std::vector<std::pair<double, double>> table;
+};
+
+/// Value of Stator::radial_slices that stands for as many slices as the numbers need.
+inline constexpr int kAutoSlices = 0;
 
 /// The vibrating ring. Wave w = A cos(omega t - kappa x), kappa = n / r.
 struct Stator {
@@ -14,6 +30,9 @@ struct Stator {
   double frequency{40e3};                ///< f, drive frequency [Hz]
   double amplitude{1.6e-6};              ///< A, amplitude of the travelling wave [m]
   double modal_damping{0};               ///< c_stator, loss of the stator is c (omega A)^2 [N s/m]
+  /// Nodes of the Gauss rule on each smooth piece of the track. 1: all at the contact radius, as in the paper.
+  int radial_slices{1};
+  RadialShape radial_shape{};  ///< acts where the track has more than one slice
 };
 
 /// The layer between stator and rotor: a foundation that is elastic along the axis and has
@@ -37,6 +56,13 @@ struct Friction {
   double static_{0.2};  ///< mu_0, threshold of sticking [1]
 };
 
+/// The rotor's face.
+struct Rotor {
+  /// Cone angle: the face stands (rho - r) tan(taper) higher at radius rho, away from the stator at the outer edge if
+  /// positive [rad]. Acts where the track has more than one slice.
+  double taper{0};
+};
+
 /// One motor: everything the contact model needs, in SI units. A plain value.
 ///
 /// The defaults are a 60 mm ring motor, the one of `examples/motors/ring-60.yaml` without its
@@ -46,6 +72,7 @@ struct MotorDesign {
   ContactLayer layer;   ///< between stator and rotor
   Friction friction;    ///< of the contact
   double preload{160};  ///< F_N, total axial force [N]
+  Rotor rotor{};        ///< pressed on the stator
 };
 
 /// G, shear modulus of the layer: as given, or E / (2 (1 + nu)) [Pa]. Smooth; never throws.

@@ -23,6 +23,9 @@ enum class Parameter : unsigned char {
   frequency,
   amplitude,
   modal_damping,
+  radial_slices,
+  shape_exponent,
+  shape_root,
   thickness,
   youngs_modulus,
   poisson_ratio,
@@ -33,11 +36,12 @@ enum class Parameter : unsigned char {
   inertia,
   kinetic_friction,
   static_friction,
+  rotor_taper,
   preload
 };
 
 /// Rows of the parameter table.
-inline constexpr std::size_t kParameterCount = 18;
+inline constexpr std::size_t kParameterCount = 22;
 
 /// Position of a parameter in arrays over the parameter table.
 constexpr std::size_t index_of(Parameter parameter) { return static_cast<std::size_t>(parameter); }
@@ -76,7 +80,8 @@ std::optional<Parameter> find_parameter(std::string_view name_or_symbol);
 double get(const MotorDesign& design, Parameter parameter);
 
 /// True if the design's behaviour is stated through this parameter: false for shear_modulus when G
-/// follows from E and nu, and for poisson_ratio when G is given outright; likewise the other twins.
+/// follows from E and nu, and for poisson_ratio when G is given outright; likewise the other twins. False for what only
+/// a track of several slices has, its radial shape and taper, when there is one; for exponent and root beside a table.
 bool in_use(const MotorDesign& design, Parameter parameter);
 
 /// Derivatives of every parameter's value, as get() has it: row i, column j is d value i / d parameter j, SI.
@@ -95,17 +100,18 @@ std::string complaint(Parameter parameter, double value);
 using ParameterValue = std::pair<Parameter, double>;
 
 /// The design with some parameters replaced (SI units). The order of the list does not matter:
-/// a value replaces its twin; mu_0 keeps its ratio to mu when only mu is replaced; the last of two
-/// values for the same parameter holds.
+/// a value replaces its twin, and exponent or root of the radial shape replace its table; mu_0 keeps its ratio to mu when
+/// only mu is replaced; the last of two values for the same parameter holds.
 /// @throws InputError if a value is not admissible, a parameter and its twin are both in the list,
-///         or the result has mu_0 < mu.
+///         or the result has mu_0 < mu or a track that cannot be.
 /// @{
 MotorDesign with(const MotorDesign& design, std::span<const ParameterValue> values);
 MotorDesign with(const MotorDesign& design, Parameter parameter, double value);
 /// @}
 
 /// All that is wrong with a design, one sentence each, in the order of the table; empty if it is
-/// admissible: every parameter in use within its range, and mu_0 >= mu.
+/// admissible: every parameter in use within its range, mu_0 >= mu, a track outside the axis, and a radial shape that is
+/// known and positive on it.
 std::vector<std::string> complaints(const MotorDesign& design);
 
 }  // namespace twum

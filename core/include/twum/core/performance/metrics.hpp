@@ -28,6 +28,8 @@ enum class Metric : unsigned char {
   contact_half_length,
   contact_ratio,
   max_pressure,
+  layer_aspect,
+  pressure_nonuniformity,
   torque_at,
   speed_at,
   output_power_at,
@@ -41,7 +43,7 @@ enum class Metric : unsigned char {
 };
 
 /// Rows of the metric table.
-inline constexpr std::size_t kMetricCount = 24;
+inline constexpr std::size_t kMetricCount = 26;
 
 /// What a metric is asked at.
 enum class Argument : unsigned char {

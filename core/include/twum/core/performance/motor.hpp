@@ -70,9 +70,10 @@ struct FieldSample {
   double layer_velocity;   ///< v_r [m/s]
 };
 
-/// Fields along one wave in the periodic state.
+/// Fields along one wave in the periodic state, at one radius of the contact track.
 struct ContactFields {
   OperatingPoint point;              ///< the numbers of the whole motor
+  double radius{0};                  ///< where the fields are [m]
   std::vector<Zone> zones;           ///< from contact entry to exit
   std::vector<FieldSample> samples;  ///< ordered by phase
 };
@@ -81,20 +82,27 @@ struct ContactFields {
 /// Motor may be used by any number of threads.
 class Motor {
  public:
-  /// Solves the normal contact (T3.1 to T3.4). About a microsecond.
+  /// Solves the normal contact (T3.1 to T3.4; W2.1 to W2.4). About a microsecond, 20 for 8 slices, and some milliseconds
+  /// for `auto`, which tries how many slices it takes.
   /// @throws InputError with every complaint about the design.
   explicit Motor(const MotorDesign& design);
 
   /// The design as it was given.
   const MotorDesign& design() const noexcept { return design_; }
-  /// Pressure between wave and rotor, the same at every speed (T3.1 to T3.4).
+  /// Pressure between wave and rotor at the contact radius, the same at every speed (T3.1 to T3.4, W2.2).
   const NormalContact<double>& contact() const noexcept;
+
+  /// Nodes of the Gauss rule on each smooth piece of the track: those of the design, or what `auto` comes to for it.
+  /// `with(design, Parameter::radial_slices, motor.radial_slices())` fixes them while the design moves.
+  int radial_slices() const noexcept;
+  /// Radii of the slices that touch, in rising order [m]; the contact radius alone if there is one slice.
+  std::vector<double> slice_radii() const;
 
   /// V0 / r, rotor speed that matches the crest velocity of the stator surface [rad/s].
   double crest_speed() const noexcept;
   /// v_w / r; rotor speeds must exceed its negative [rad/s].
   double wave_speed() const noexcept;
-  /// mu_0 F_N r (T7.8), bound of every torque and torque at rest without drive [N m].
+  /// mu_0 F_N r (T7.8), over an annulus (W3.6): torque at rest without drive; for one slice the bound of every torque [N m].
   double holding_torque() const noexcept;
   /// True if the whole contact sticks at rest, the motor being locked like a brake; theory section 10.
   bool locks_at_rest() const noexcept;
@@ -111,15 +119,23 @@ class Motor {
   OperatingPoint operating_point(const OperatingConditions& at) const;
 
   /// Stick and slip zones at a rotor speed [rad/s] from contact entry to exit; empty if the point has no
-  /// answer. About a microsecond.
-  /// @throws InputError as operating_point().
+  /// answer. About a microsecond a slice.
+  /// @param radius  of the contact track [m], any; one slice has the same zones at all. If absent: the contact radius.
+  /// @throws InputError as operating_point(), and for a radius outside the track.
+  /// @{
   std::vector<Zone> zones(double speed) const;
+  std::vector<Zone> zones(double speed, double radius) const;
+  /// @}
 
   /// Fields at a rotor speed [rad/s] at `samples` equally spaced phases over one wave (zone borders are
   /// not added). Pressure is continuous; traction jumps where zones meet.
   /// @param samples  at least 2
-  /// @throws InputError as operating_point(), and for fewer samples.
+  /// @param radius   as of zones(); need not be that of a slice
+  /// @throws InputError as zones(), and for fewer samples.
+  /// @{
   ContactFields fields(double speed, int samples) const;
+  ContactFields fields(double speed, int samples, double radius) const;
+  /// @}
 
   /// The model behind the motor; for the library's own use.
   const performance::DrivenMotor<double>& model() const noexcept { return *model_; }

@@ -311,53 +311,99 @@ Field<T> hidden(Field<T> field) {
 }
 /// @}
 
-/// Entries with fixed names that become a struct.
-/// @param check  says what only a look at several entries shows, on whatever could be read
+/// Says what only a look at several entries of a mapping shows, on whatever could be read; false if something is wrong.
+template <typename T>
+using Check = std::function<bool(T&, const Given&, Diagnostics&)>;
+
+/// The schema of a mapping with these fields.
 /// @param fresh  values of what is left out
 template <typename T>
-Shape<T> mapping(std::string text, std::vector<Field<T>> fields,
-                 std::function<bool(T&, const Given&, Diagnostics&)> check = {}, T fresh = {}) {
-  Shape<T> shape;
-  shape.schema.kind = ValueKind::mapping;
-  shape.schema.text = std::move(text);
+Schema mapping_schema(std::string text, std::vector<Field<T>>& fields, const T& fresh) {
+  Schema schema;
+  schema.kind = ValueKind::mapping;
+  schema.text = std::move(text);
   for (Field<T>& field : fields) {
     if (field.has_standard) {
       YamlNode value = *field.write(fresh);
       if (field.entry.fallback.empty()) field.entry.fallback = typed_text(value);
       field.entry.standards.push_back({std::move(value)});
     }
-    shape.schema.entries.push_back(field.entry);
+    schema.entries.push_back(field.entry);
   }
+  return schema;
+}
+
+/// Reads the entries of a mapping into a struct that keeps what is left out.
+template <typename T>
+bool read_entries(T& into, const YamlNode& node, const Spot& spot, const Schema& schema,
+                  const std::vector<Field<T>>& fields, const Check<T>& check,
+                  Diagnostics& diagnostics) {
+  if (node.kind != YamlNode::Kind::mapping) {
+    say_wrong_kind(node, schema, spot, diagnostics);
+    return false;
+  }
+  std::vector<const YamlNode*> right(fields.size(), nullptr);
+  const std::size_t said = diagnostics.count();
+  const std::vector<GivenEntry> given = given_entries(node, schema, spot, diagnostics);
+  bool good = diagnostics.count() == said;
+  for (const auto& [number, entry] : given) {
+    const Spot place = spot.entry(entry->key, entry->key_mark);
+    if (fields[number].read(into, entry->value, place, diagnostics))
+      right[number] = &entry->value;
+    else
+      good = false;
+  }
+  return (!check || check(into, Given(node, spot, schema, right), diagnostics)) && good;
+}
+
+/// The entries of a struct as a mapping; what is left out is not there.
+template <typename T>
+YamlNode written_entries(const T& from, const std::vector<Field<T>>& fields) {
+  YamlNode node;
+  node.kind = YamlNode::Kind::mapping;
+  for (const Field<T>& field : fields)
+    if (auto written = field.write(from))
+      node.entries.push_back({field.entry.name, {}, std::move(*written)});
+  return node;
+}
+
+/// Entries with fixed names that become a struct.
+/// @param fresh  values of what is left out
+template <typename T>
+Shape<T> mapping(std::string text, std::vector<Field<T>> fields, Check<T> check = {},
+                 T fresh = {}) {
+  Shape<T> shape;
+  shape.schema = mapping_schema(std::move(text), fields, fresh);
   const auto parts = kept(std::move(fields));
   shape.read = [schema = kept(shape.schema), parts, check, fresh](
                    T& into, const YamlNode& node, const Spot& spot, Diagnostics& diagnostics) {
     into = fresh;
-    if (node.kind != YamlNode::Kind::mapping) {
-      say_wrong_kind(node, *schema, spot, diagnostics);
-      return false;
-    }
-    std::vector<const YamlNode*> right(parts->size(), nullptr);
-    const std::size_t said = diagnostics.count();
-    const std::vector<GivenEntry> given = given_entries(node, *schema, spot, diagnostics);
-    bool good = diagnostics.count() == said;
-    for (const auto& [number, entry] : given) {
-      const Spot place = spot.entry(entry->key, entry->key_mark);
-      if ((*parts)[number].read(into, entry->value, place, diagnostics))
-        right[number] = &entry->value;
-      else
-        good = false;
-    }
-    return (!check || check(into, Given(node, spot, *schema, right), diagnostics)) && good;
+    return read_entries(into, node, spot, *schema, *parts, check, diagnostics);
   };
-  shape.write = [parts](const T& value) {
-    YamlNode node;
-    node.kind = YamlNode::Kind::mapping;
-    for (const Field<T>& field : *parts)
-      if (auto written = field.write(value))
-        node.entries.push_back({field.entry.name, {}, std::move(*written)});
-    return node;
-  };
+  shape.write = [parts](const T& value) { return written_entries(value, *parts); };
   return shape;
+}
+
+/// A mapping inside that of a struct whose entries are members of the same struct. It has to be there if one of its entries
+/// has to.
+template <typename T>
+Field<T> section(std::string name, std::string text, std::vector<Field<T>> fields,
+                 Check<T> check = {}) {
+  Field<T> field;
+  field.entry.name = std::move(name);
+  field.entry.schema = mapping_schema(std::move(text), fields, T{});
+  field.entry.required = std::any_of(fields.begin(), fields.end(),
+                                     [](const Field<T>& one) { return one.entry.required; });
+  const auto parts = kept(std::move(fields));
+  field.read = [schema = kept(field.entry.schema), parts, check](
+                   T& into, const YamlNode& node, const Spot& spot, Diagnostics& diagnostics) {
+    return read_entries(into, node, spot, *schema, *parts, check, diagnostics);
+  };
+  field.write = [parts](const T& value) {
+    YamlNode node = written_entries(value, *parts);
+    return node.entries.empty() ? std::nullopt : std::optional<YamlNode>(std::move(node));
+  };
+  return field;
 }
 
 }  // namespace twum::studies

@@ -7,7 +7,6 @@
 #include <functional>
 #include <stop_token>
 #include <string>
-#include <vector>
 
 namespace twum::studies {
 
@@ -21,9 +20,8 @@ struct RunOptions {
 };
 
 /// Reads what a valid study file names besides its motor, such as measured points and earlier results.
-/// @return what to know before one believes the answer, a sentence each without a full stop
 /// @throws FileError or InputError for what is wrong there
-std::vector<std::string> study_notes(const StudyFile& file);
+void check_named_files(const StudyFile& file);
 
 /// In memory: no directory, nothing kept. The same answer.
 /// @throws FileError or InputError for a wrong input

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/base/dual.hpp>
+#include <twum/core/design/motor_design.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace twum {
+
+/// Cubic spline through the rows of a table, C2, with not-a-knot ends.
+class ShapeSpline {
+ public:
+  /// @param rows  at least 4, the first entry of each strictly rising
+  explicit ShapeSpline(const std::vector<std::pair<double, double>>& rows);
+
+  /// Radii of the rows.
+  const std::vector<double>& knots() const { return x_; }
+
+  /// At a radius; the end pieces go on beyond the table. S is double or carries derivatives.
+  template <typename S>
+  S at(const S& radius) const {
+    const std::size_t k = piece(value_of(radius));
+    const double width = x_[k + 1] - x_[k];
+    const S right = (radius - x_[k]) / width, left = 1.0 - right;
+    const double bend = width * width / 6;
+    return left * y_[k] + right * y_[k + 1] + left * (left * left - 1.0) * (bend * m_[k]) +
+           right * (right * right - 1.0) * (bend * m_[k + 1]);
+  }
+
+ private:
+  std::size_t piece(double radius) const {
+    const auto next = std::upper_bound(x_.begin() + 1, x_.end() - 1, radius);
+    return static_cast<std::size_t>(next - x_.begin()) - 1;
+  }
+
+  std::vector<double> x_, y_, m_;  // rows, and second derivatives there
+};
+
+/// What is wrong with a track: its inner edge, or the radial shape on it; empty if nothing is.
+std::string track_complaint(const MotorDesign& design);
+
+}  // namespace twum

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// How many slices the numbers of a motor take: radial_slices = auto.
+#include "performance/point.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace twum::performance {
+namespace {
+
+constexpr double kWanted = 1e-6;  // of the scales of torque and powers
+constexpr std::array kCounts{4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128};
+// Speeds in parts of the crest speed: from the end of the plateau to full braking zones come and go along the track.
+constexpr std::array kSpeeds{0.2, 0.5, 0.65, 0.75, 0.8, 0.85, 0.9, 0.95, 1.0, 1.05, 1.1, 1.2, 1.4};
+
+using Numbers = std::array<SolvedPoint, kSpeeds.size()>;
+
+DrivenMotor<double> motor_of(const ModelArray<double>& values, const TrackRule& rule, int nodes) {
+  return driven(motor_model(values, {nodes, rule.table}), design_wave(values));
+}
+
+// Largest difference of two points in units of their scales; points without an answer say nothing.
+double difference(const DrivenMotor<double>& m, const SolvedPoint& a, const SolvedPoint& b) {
+  if (a.status != PointStatus::ok || b.status != PointStatus::ok) return 0;
+  const double torque = holding_torque(m), power = torque * m.crest_velocity / m.r;
+  const PointNumbers<double>&p = a.numbers, &q = b.numbers;
+  return std::max({std::fabs(p.torque - q.torque) / torque,
+                   std::fabs(p.stator_power - q.stator_power) / power,
+                   std::fabs(p.friction_power - q.friction_power) / power,
+                   std::fabs(p.layer_loss - q.layer_loss) / power});
+}
+
+Numbers points_of(const DrivenMotor<double>& m) {
+  Numbers points;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points[i] = solve_point(m, kSpeeds[i] * m.crest_velocity / m.r);
+  return points;
+}
+
+// Largest difference over the speeds.
+double difference(const DrivenMotor<double>& m, const Numbers& a, const Numbers& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, difference(m, a[i], b[i]));
+  return most;
+}
+
+// The first number of nodes whose points are those of the number before it.
+int nodes_needed(const ModelArray<double>& values, const TrackRule& rule) {
+  Numbers before;
+  for (const int nodes : kCounts) {
+    const DrivenMotor<double> motor = motor_of(values, rule, nodes);
+    if (is_trivial(motor)) return nodes;
+    const Numbers points = points_of(motor);
+    if (nodes != kCounts.front() && difference(motor, before, points) <= kWanted) return nodes;
+    before = points;
+  }
+  return kCounts.back();
+}
+
+}  // namespace
+
+TrackRule track_rule(const MotorDesign& design) {
+  const Stator& stator = design.stator;
+  const auto& table = stator.radial_shape.table;
+  TrackRule rule{stator.radial_slices,
+                 table.empty() ? nullptr : std::make_shared<const ShapeSpline>(table)};
+  if (rule.nodes == kAutoSlices) rule.nodes = nodes_needed(model_values(design), rule);
+  return rule;
+}
+
+}  // namespace twum::performance
