@@ -9,7 +9,7 @@ import tree
 CORE = ["core/base", "core/design", "core/contact", "core/performance"]
 # Inside studies: four libraries, and the folders of each, in this order.
 STUDIES = {
-    "files": ["text", "units", "diagnostics", "yaml", "schema", "statistics", "store", "jobs", "tables"],
+    "files": ["text", "units", "formula", "diagnostics", "yaml", "schema", "statistics", "store", "jobs", "tables"],
     "motors": ["metrics", "motor", "tables"],
     "studies": ["problem", "study", "results", "kinds", "run"],
     "report": ["report", "run"],

@@ -19,14 +19,6 @@ bool same_but_for_case(std::string_view a, std::string_view b) {
                     [](char x, char y) { return lower(x) == lower(y); });
 }
 
-// Length in bytes of a blank at the front of the text: ASCII, U+00A0 or U+202F.
-std::size_t leading_blank(std::string_view text) {
-  if (text.empty()) return 0;
-  if (text[0] == ' ' || (text[0] >= '\t' && text[0] <= '\r')) return 1;
-  if (text.starts_with("\xC2\xA0")) return 2;
-  return text.starts_with("\xE2\x80\xAF") ? 3 : 0;
-}
-
 std::size_t trailing_blank(std::string_view text) {
   if (text.empty()) return 0;
   if (text.back() == ' ' || (text.back() >= '\t' && text.back() <= '\r')) return 1;
@@ -103,6 +95,13 @@ std::string did_you_mean(std::string_view word, std::span<const std::string_view
     text += (&candidate == candidates.data() ? "" : ", ") + std::string(candidate);
   }
   return text;
+}
+
+std::size_t leading_blank(std::string_view text) {
+  if (text.empty()) return 0;
+  if (text[0] == ' ' || (text[0] >= '\t' && text[0] <= '\r')) return 1;
+  if (text.starts_with("\xC2\xA0")) return 2;
+  return text.starts_with("\xE2\x80\xAF") ? 3 : 0;
 }
 
 std::string_view trimmed(std::string_view text) {

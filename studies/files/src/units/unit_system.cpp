@@ -8,7 +8,9 @@
 
 #include <udunits2.h>
 
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <mutex>
 
@@ -23,6 +25,49 @@ using UnitPointer = std::unique_ptr<ut_unit, FreeUnit>;
 struct FreeConverter {
   void operator()(cv_converter* converter) const { cv_free(converter); }
 };
+
+using BasePowers = std::array<int, std::size(kBaseUnits)>;
+
+// Callbacks of ut_accept_visitor(), which takes a unit apart; `powers` is a BasePowers.
+ut_status visit_basic(const ut_unit* unit, void* powers) {
+  const std::string_view symbol = ut_get_symbol(unit, UT_UTF8);
+  for (std::size_t i = 0; i < std::size(kBaseUnits); ++i) {
+    if (symbol == kBaseUnits[i].symbol) (*static_cast<BasePowers*>(powers))[i] += 1;
+  }
+  return UT_SUCCESS;
+}
+
+ut_status visit_product(const ut_unit* /*unit*/, int count, const ut_unit* const* basic,
+                        const int* exponents, void* powers) {
+  for (int k = 0; k < count; ++k) {
+    BasePowers one{};
+    visit_basic(basic[k], &one);
+    for (std::size_t i = 0; i < one.size(); ++i)
+      (*static_cast<BasePowers*>(powers))[i] += one[i] * exponents[k];
+  }
+  return UT_SUCCESS;
+}
+
+ut_status visit_scaled(const ut_unit* /*unit*/, double /*scale*/, const ut_unit* underlying,
+                       double /*origin*/, void* powers);
+
+ut_status visit_timestamp(const ut_unit* /*unit*/, const ut_unit* /*time*/, double /*origin*/,
+                          void* /*powers*/) {
+  return UT_VISIT_ERROR;
+}
+
+ut_status visit_logarithmic(const ut_unit* /*unit*/, double /*base*/, const ut_unit* /*reference*/,
+                            void* /*powers*/) {
+  return UT_VISIT_ERROR;
+}
+
+constexpr ut_visitor kBasePowers{visit_basic, visit_product, visit_scaled, visit_timestamp,
+                                 visit_logarithmic};
+
+ut_status visit_scaled(const ut_unit* /*unit*/, double /*scale*/, const ut_unit* underlying,
+                       double /*origin*/, void* powers) {
+  return ut_accept_visitor(underlying, &kBasePowers, powers);
+}
 
 // The unit system; lives as long as the process.
 class UnitSystem {
@@ -70,6 +115,8 @@ class UnitSystem {
     const UnitPointer unit(ut_new_base_unit(system_));
     map(base.symbol, unit.get());
     map(base.name, unit.get());
+    TWUM_ASSERT(ut_map_unit_to_symbol(unit.get(), base.symbol, UT_UTF8) ==
+                UT_SUCCESS);  // for base_powers()
     if (std::string_view(base.symbol) == "s") ut_set_second(unit.get());
   }
 
@@ -147,6 +194,15 @@ std::optional<double> factor_to(std::string_view unit, std::string_view si_unit)
   const UnitPointer to = system.parse(si_unit);
   TWUM_ASSERT(from != nullptr && to != nullptr);
   return system.ratio(from.get(), to.get());
+}
+
+BasePowers base_powers(std::string_view unit) {
+  const std::lock_guard lock(units_mutex());
+  const UnitPointer parsed = UnitSystem::instance().parse(unit);
+  TWUM_ASSERT(parsed != nullptr);
+  BasePowers powers{};
+  TWUM_ASSERT(ut_accept_visitor(parsed.get(), &kBasePowers, &powers) == UT_SUCCESS);
+  return powers;
 }
 
 }  // namespace twum::studies

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +14,9 @@ namespace twum::studies {
 /// SI value of one `unit` if it has the dimension of `si_unit` ("1": none); nothing if not.
 /// Both must be known units.
 std::optional<double> factor_to(std::string_view unit, std::string_view si_unit);
+
+/// Powers of the base units m, kg, s, rad, A and K that a known unit is made of.
+std::array<int, 6> base_powers(std::string_view unit);
 
 /// True if the text is a unit that can mean only one thing.
 bool is_unit(std::string_view unit);

@@ -7,6 +7,7 @@
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/text/value_error.hpp>
 #include <twum/studies/text/words.hpp>
+#include <twum/studies/units/dimension.hpp>
 
 #include <algorithm>
 #include <array>
@@ -172,6 +173,21 @@ Quantity parse_quantity(std::string_view text, std::span<const Expected> expecte
   if (!value)
     throw ValueError(quoted(text) + " is beyond the range of numbers", expectation(expected));
   return {*value, match.which};
+}
+
+Measure parse_measure(std::string_view text) {
+  text = trimmed(text);
+  const std::string_view unit = trimmed(text.substr(number_prefix(text)));
+  if (unit.empty()) return {parse_quantity(text, {"1", ""}), {}};
+  if (!unit_form_complaint(unit).empty() || !is_unit(unit)) {
+    const std::string_view meant = nearest(unit, kUsualUnits);
+    throw ValueError(quoted(text) + ": unknown unit " + quoted(unit),
+                     meant.empty() ? "expected a unit such as 'N.m' or 'W/m^2'"
+                                   : "did you mean '" + std::string(meant) + "'?",
+                     text.size() - unit.size());
+  }
+  const Dimension dimension = Dimension(unit);
+  return {parse_quantity(text, {dimension.unit(), ""}), dimension};
 }
 
 double parse_quantity(std::string_view text, const Expected& expected) {

@@ -21,6 +21,9 @@ std::string_view nearest(std::string_view word, std::span<const std::string_view
 /// "did you mean 'x'?" or, where nothing is near, "expected one of a, b, c".
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> candidates);
 
+/// Length in bytes of a blank at the front of the text: ASCII, U+00A0 or U+202F; 0 if there is none.
+std::size_t leading_blank(std::string_view text);
+
 /// The text without blanks at its ends (no-break spaces included); a view into it.
 std::string_view trimmed(std::string_view text);
 
