@@ -35,7 +35,7 @@ class Mistakes(program.Case):
         self.refused("curve", RING, "extra")
 
     def test_missing_arguments(self):
-        for arguments in (["curve"], ["fields", RING], ["evaluate", RING], ["check"], ["schema"], ["init"],
+        for arguments in (["curve"], ["fields", RING], ["evaluate"], ["check"], ["schema"], ["init"],
                           ["curve", RING, "--set"], ["curve", RING, "--points"]):
             with self.subTest(arguments):
                 self.refused(*arguments)

@@ -88,6 +88,14 @@ class Curve(program.Case):
 
 
 class Fields(program.Case):
+    def test_fields_at_a_torque_are_those_at_its_speed(self):
+        at = json.loads(self.ok("fields", RING, "--torque", "0.5 N.m", "--samples", 5, "--format", "json"))
+        self.assertAlmostEqual(at["torque"], 0.5, delta=1e-9)
+        speed = repr(at["speed"]) + " rad/s"
+        same = json.loads(self.ok("fields", RING, "--speed", speed, "--samples", 5, "--format", "json"))
+        self.assertEqual(at["fields"], same["fields"])
+        self.assertEqual(program.twum("fields", RING, "--torque", "50 N.m").returncode, 1)
+
     def test_formats_agree(self):
         result = json.loads(self.ok("fields", RING, "--speed", "130 rpm", "--samples", 25, "--format", "json"))
         rows = list(csv.reader(io.StringIO(

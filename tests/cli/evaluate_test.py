@@ -43,6 +43,25 @@ class Evaluate(program.Case):
         self.assertNotIn("max_efficiency", undamped[0])
         self.assertTrue(undamped[1].endswith(",ok"))
 
+    def test_without_a_table_the_motor_itself_is_evaluated(self):
+        rows = list(csv.reader(io.StringIO(self.ok(
+            "evaluate", RING, "--set", "preload=100 N", "--metrics", "stall_torque, max( preload*2, 1 kN )"))))
+        # mu F_N r; of 200 N and 1 kN the larger.
+        self.assertEqual(rows[0], ["stall_torque [N.m]", "max(preload * 2, 1 kN) [N]", "status"])
+        self.assertAlmostEqual(float(rows[1][0]), 0.2 * 100 * 0.0265, delta=1e-9)
+        self.assertEqual(rows[1][1:], ["1000", "ok"])
+        self.assertIn("max_efficiency [1]", self.ok("evaluate", RING))
+        none = program.twum("evaluate", RING, "--metrics", "2 * speed_at(50 N.m)")
+        self.assertEqual((none.returncode, none.stdout.decode().splitlines()[1]),
+                         (1, ",2 * speed_at(50 N.m): unreachable"))
+
+    def test_a_wrong_expression_is_shown_with_a_caret(self):
+        done = program.twum("evaluate", RING, "--metrics", "preload, preload + 5 m")
+        self.assertEqual(done.returncode, 2)
+        lines = done.stderr.splitlines()
+        self.assertIn("'preload' is a force [N], but '5 m' is a length [m]", lines[0])
+        self.assertEqual(lines[1][lines[2].index("^")], "+")
+
     def test_output_file_and_standard_input(self):
         out = self.folder / "ergebnis größe.csv"
         self.assertEqual(self.ok("evaluate", RING, "--designs", "-", "--metrics", "preload", "-o", out,

@@ -37,7 +37,7 @@ auto accepted(const Read& read) -> std::optional<decltype(read())> {
 void expect_same(const MetricExpression& metric) {
   const MetricExpression again = parse_metric(metric.text);
   if (again.text != metric.text || again.unit() != metric.unit() ||
-      again.what.index() != metric.what.index())
+      again.formula.text() != metric.formula.text() || again.terms.size() != metric.terms.size())
     throw BrokenLaw("another metric: " + metric.text);
 }
 
@@ -68,8 +68,8 @@ void feed_metrics(std::string_view text) {
   if (!limit) return;
   expect_same(limit->metric);
   const Constraint again = parse_constraint(limit->text);
-  if (!std::isfinite(limit->limit) || again.limit != limit->limit ||
-      again.at_least != limit->at_least)
+  if (std::isnan(limit->lower) || !(limit->lower <= limit->upper) || again.lower != limit->lower ||
+      again.upper != limit->upper || again.metric.text != limit->metric.text)
     throw BrokenLaw("another limit: " + limit->text);
 }
 

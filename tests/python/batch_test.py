@@ -150,8 +150,13 @@ class Gradients(unittest.TestCase):
         self.assertEqual(derivatives.smoothness[1], "undefined")
         self.assertTrue(np.isnan(derivatives.value[1]) and np.isnan(derivatives["preload"][1]))
         self.assertEqual(twum.gradients(self.motor, {"preload": []}, "stall_torque")["stall_torque"].value.shape, (0,))
-        with self.assertRaisesRegex(twum.InputError, "'preload' is a parameter"):
-            twum.gradients(self.motor, {"thickness": [1e-4]}, "preload")
+
+    def test_expressions_have_derivatives_by_the_product_rule(self):
+        answers = twum.gradients(self.motor, {"thickness": [1e-4]}, ["preload", "peak_power", "preload * peak_power"])
+        load, power, product = answers.values()
+        self.assertEqual((load["preload"][0], load["thickness"][0]), (1, 0))
+        expected = power.value[0] + load.value[0] * power["preload"][0]
+        self.assertAlmostEqual(product["preload"][0], expected, delta=1e-12 * abs(expected))
 
 
 class Patience(unittest.TestCase):

@@ -204,8 +204,7 @@ TEST_CASE("NLopt and Ipopt find the same motor, and no random one is better",
     bool holds = true;
     for (std::size_t k = 0; k < limits.size(); ++k) {
       const double v = values[k + 1].value;
-      holds = holds && values[k + 1].status == MetricStatus::ok &&
-              (limits[k].at_least ? v >= limits[k].limit : v <= limits[k].limit);
+      holds = holds && values[k + 1].status == MetricStatus::ok && limits[k].holds(v);
     }
     if (!holds) continue;
     ++feasible;

@@ -210,8 +210,13 @@ TEST_CASE("limits that no design keeps are named with what would do",
                             "(XTOL_REACHED).\n"));
   const Json json = answer_json(result)["relaxation"];
   CHECK(json["conflict"] == Json::array({"stall_torque >= 1 N.m", "max_pressure <= 2 MPa"}));
-  CHECK(json["limits"][0] ==
-        Json{{"text", "stall_torque >= 1 N.m"}, {"limit", 1.0}, {"amount", 0.1}, {"alone", 0.3}});
+  CHECK(json["limits"][0] == Json{{"text", "stall_torque >= 1 N.m"},
+                                  {"metric", "stall_torque"},
+                                  {"unit", "N.m"},
+                                  {"sense", "at least"},
+                                  {"limit", 1.0},
+                                  {"amount", 0.1},
+                                  {"alone", 0.3}});
   CHECK(json["limits"][1]["alone"].is_null());
 
   // One limit that is out of reach by itself, without a way out; and a way out without a conflict.

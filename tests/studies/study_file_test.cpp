@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/scratch_folder.hpp"
 
-#include <twum/studies/metrics/constraint.hpp>
 #include <twum/studies/study/study_file.hpp>
 #include <twum/studies/text/value_error.hpp>
 
@@ -98,37 +97,4 @@ TEST_CASE("every wrong study file is refused with place, entry, finding and reme
 TEST_CASE("a motor file is not taken for a study", "[studies][study][error]") {
   CHECK_THROWS_WITH(read_study_file(TWUM_SOURCE_DIR "/examples/motors/ring-60.yaml"),
                     Catch::Contains("expected a study file"));
-}
-
-TEST_CASE("a constraint limits a metric or a parameter in its own unit", "[studies][metrics]") {
-  const Constraint wear = parse_constraint(" wear_intensity_at(80 rpm) <= 5 kW/m^2 ");
-  CHECK(wear.limit == 5000);
-  CHECK_FALSE(wear.at_least);
-  CHECK(wear.text == "wear_intensity_at(80 rpm) <= 5 kW/m^2");
-  CHECK(parse_constraint("preload>=60 N").at_least);
-  CHECK(parse_constraint("contact_ratio <= 0.3").limit == 0.3);
-}
-
-TEST_CASE("a wrong constraint says where, what and what would be right",
-          "[studies][metrics][error]") {
-  const auto complaint = [](const char* text) -> std::string {
-    try {
-      parse_constraint(text);
-      return "";
-    } catch (const ValueError& error) {
-      return std::to_string(error.position()) + ": " + error.what();
-    }
-  };
-  CHECK(complaint("stall_torque") ==
-        "12: 'stall_torque' limits nothing; expected a limit such as 'stall_torque >= 0.8 N.m'");
-  CHECK(complaint("stall_torque > 1 N.m") ==
-        "13: 'stall_torque > 1 N.m' compares with '>'; only '>=' and '<=' are known");
-  CHECK(complaint("stall_torque = 1 N.m") ==
-        "13: 'stall_torque = 1 N.m' compares with '='; only '>=' and '<=' are known");
-  CHECK(complaint("stall_torque >= 1 N") == "18: '1 N' is a force [N]; expected a torque [N.m]");
-  CHECK(complaint("stal_torque >= 1 N.m") ==
-        "0: unknown metric 'stal_torque'; did you mean 'stall_torque'?");
-  CHECK(complaint("stall_torque >=") == "15: nothing; expected a torque [N.m]");
-  CHECK(complaint(">= 1 N.m") ==
-        "0: nothing; expected a metric such as 'stall_torque' or 'torque_at(100 rpm)'");
 }

@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <limits>
+
 #include <string>
 
 using namespace twum;
@@ -28,10 +30,12 @@ UncertaintyResult spread() {
   return result;
 }
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 UncertaintyResult with_limits() {
   UncertaintyResult result = spread();
-  result.limits = {{"stall_torque >= 0.5 N.m", "stall_torque", true, 0.5, {0.95, 0.93, 0.97}},
-                   {"max_pressure <= 2 MPa", "max_pressure", false, 2e6, {0.9, 0.88, 0.92}}};
+  result.limits = {{"stall_torque >= 0.5 N.m", "stall_torque", 0.5, kInfinity, {0.95, 0.93, 0.97}},
+                   {"max_pressure <= 2 MPa", "max_pressure", -kInfinity, 2e6, {0.9, 0.88, 0.92}}};
   result.yield = Estimate{0.875, 0.85, 0.9};
   return result;
 }
@@ -112,8 +116,13 @@ TEST_CASE("the yield names the limit that costs most", "[studies][uncertainty][w
   CHECK(json["limits"][0]["sense"] == "at least");
   CHECK(json["limits"][1]["sense"] == "at most");
   CHECK(json["limits"][1]["limit"] == 2e6);
+  CHECK(json["limits"][1]["lower"].is_null());
   CHECK(json["limits"][1]["kept"]["high"] == 0.92);
   CHECK(json["without_value"] == 0);
+
+  result.limits[0].upper = 1;  // a limit with two ends
+  CHECK(answer_json(result)["limits"][0]["sense"] == "between");
+  CHECK(answer_json(result)["limits"][0]["limit"].is_null());
 
   result.no_value = 12;
   CHECK_THAT(answer_text(result), EndsWith("\n12 motors have no value for a limit and count as not "

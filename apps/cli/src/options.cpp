@@ -11,6 +11,18 @@
 #include <charconv>
 
 namespace twum::cli {
+namespace {
+
+double parse_option(const std::string& option, std::string_view text,
+                    const studies::Expected& expected) {
+  try {
+    return studies::parse_quantity(text, expected);
+  } catch (const studies::ValueError& error) {
+    throw InputError(option + ": " + error.what());
+  }
+}
+
+}  // namespace
 
 void add_set_option(CLI::App& command, std::vector<std::string>& settings) {
   command
@@ -46,11 +58,11 @@ std::size_t parse_count(const std::string& option, const std::string& text, std:
 }
 
 double parse_speed(const std::string& option, std::string_view text) {
-  try {
-    return studies::parse_quantity(text, studies::Expected{"rad/s", "100 rpm"});
-  } catch (const studies::ValueError& error) {
-    throw InputError(option + ": " + error.what());
-  }
+  return parse_option(option, text, {"rad/s", "100 rpm"});
+}
+
+double parse_torque(const std::string& option, std::string_view text) {
+  return parse_option(option, text, {"N.m", "0.5 N.m"});
 }
 
 }  // namespace twum::cli

@@ -29,7 +29,10 @@ studies::MotorFile load_motor(const MotorOptions& options);
 std::size_t parse_count(const std::string& option, const std::string& text, std::size_t least,
                         std::size_t most);
 
-/// A speed given to an option [rad/s].
+/// A speed given to an option [rad/s], a torque [N m].
+/// @{
 double parse_speed(const std::string& option, std::string_view text);
+double parse_torque(const std::string& option, std::string_view text);
+/// @}
 
 }  // namespace twum::cli

@@ -230,7 +230,7 @@ py::dict gradients_batch(const PyMotor& base, const py::dict& arguments, const p
                          bool fixed_static_friction, unsigned jobs) {
   const Designs designs = to_designs(arguments);
   const std::vector<studies::MetricExpression> metrics = to_metrics(names);
-  const std::vector<MetricRequest> requests = to_requests(metrics);
+  const studies::ExpressionEvaluator evaluator(metrics);
   std::vector<DerivativeColumns> columns;
   columns.reserve(metrics.size());
   for (std::size_t k = 0; k < metrics.size(); ++k) columns.emplace_back(designs.rows);
@@ -240,7 +240,7 @@ py::dict gradients_batch(const PyMotor& base, const py::dict& arguments, const p
           for (DerivativeColumns& column : columns) column.refuse(row, why);
           return;
         }
-        const auto derivatives = differentiate(*motor, requests, fixed_static_friction);
+        const auto derivatives = evaluator.differentiate(*motor, fixed_static_friction);
         for (std::size_t k = 0; k < columns.size(); ++k) columns[k].set(row, derivatives[k]);
       });
   py::dict answer;

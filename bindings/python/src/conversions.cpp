@@ -114,18 +114,6 @@ std::vector<studies::MetricExpression> to_metrics(py::handle metrics) {
   return list;
 }
 
-std::vector<MetricRequest> to_requests(const std::vector<studies::MetricExpression>& metrics) {
-  std::vector<MetricRequest> requests;
-  for (const studies::MetricExpression& metric : metrics) {
-    const auto* request = std::get_if<MetricRequest>(&metric.what);
-    if (request == nullptr)
-      throw InputError(studies::quoted(metric.text) +
-                       " is a parameter; gradients are those of metrics");
-    requests.push_back(*request);
-  }
-  return requests;
-}
-
 double value_or_throw(std::string_view name, const MetricValue& value) {
   if (value.status == MetricStatus::ok) return value.value;
   const std::string reason = to_string(value.status);

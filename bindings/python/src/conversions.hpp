@@ -44,10 +44,6 @@ std::vector<ParameterValue> to_parameter_values(const py::dict& arguments);
 /// Metrics as a text between commas or a sequence of texts.
 std::vector<studies::MetricExpression> to_metrics(py::handle metrics);
 
-/// What metrics ask; a parameter has no derivatives.
-/// @throws InputError naming the first parameter among them
-std::vector<MetricRequest> to_requests(const std::vector<studies::MetricExpression>& metrics);
-
 /// @throws EvaluationError naming the metric unless its status is ok
 double value_or_throw(std::string_view name, const MetricValue& value);
 

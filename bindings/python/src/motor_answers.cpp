@@ -60,11 +60,11 @@ py::dict statuses_of(const PyMotor& self, const py::args& names) {
 
 py::dict gradients_of(const PyMotor& self, const py::args& names, bool fixed_static_friction) {
   const auto metrics = asked(names);
-  const std::vector<MetricRequest> requests = to_requests(metrics);
   std::vector<MetricDerivative> derivatives;
   {
     const py::gil_scoped_release release;
-    derivatives = differentiate(self.motor, requests, fixed_static_friction);
+    derivatives =
+        studies::ExpressionEvaluator(metrics).differentiate(self.motor, fixed_static_friction);
   }
   py::dict answer;
   for (std::size_t i = 0; i < metrics.size(); ++i)
@@ -111,8 +111,7 @@ py::object point_metric(const PyMotor& self, const MetricInfo& row, Argument arg
   const std::string name(row.name);
   if (py::isinstance<py::str>(at)) {
     const auto metric = studies::parse_metric(name + "(" + py::cast<std::string>(at) + ")");
-    const MetricRequest request = std::get<MetricRequest>(metric.what);
-    return py::float_(point_value(self, metric.text, request));
+    return py::float_(point_value(self, metric.text, *metric.request()));
   }
   MetricRequest request{row.metric, argument, 0};
   const auto number = number_of(at);

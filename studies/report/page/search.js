@@ -50,7 +50,7 @@ function relaxationCard() {
   const r = summary.relaxation;
   if (!r) return;
   const node = card('What would make it possible', 'How far each limit has to give way: all together, and if it is the only one.', 'wide');
-  const lines = r.limits.map((l) => { const unit = unitOf(metricOfLimit(l.text)); return [{ text: limitWords(l.text), value: l.text, words: true }, quantity(l.limit, unit), quantity(l.amount, unit), l.alone === null ? words('does not help alone') : quantity(l.alone, unit)]; });
+  const lines = r.limits.map((l) => { const unit = l.unit; return [{ text: limitWords(l.text), value: l.text, words: true }, quantity(l.limit, unit), quantity(l.amount, unit), l.alone === null ? words('does not help alone') : quantity(l.alone, unit)]; });
   node.append(table('relaxation', ['limit', 'asked for', 'to loosen, all together', 'to loosen, this one alone'], lines));
 }
 

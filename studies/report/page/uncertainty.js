@@ -7,7 +7,10 @@ function limitsOn(metric) {
   return (summary.limits || []).filter((l) => l.metric === metric && l.limit !== null);
 }
 
-function keeps(limit, value) { return limit.sense === 'at least' ? value >= limit.limit : value <= limit.limit; }
+function keeps(limit, value) {
+  if (limit.sense === 'between') return value >= limit.lower && value <= limit.upper;
+  return limit.sense === 'at least' ? value >= limit.limit : value <= limit.limit;
+}
 
 /** Share of the motors on this page that keep every limit, one of them moved (null: none). */
 function yieldWith(moved, limit) {
@@ -151,7 +154,7 @@ function histogram(node, column, info) {
 /** "Limit ≥ 0.75 N.m: kept by 99.1 % of the motors." */
 function histogramNote(name, info) {
   const spread = 'Mean ' + engineering(info.mean, unitOf(name)) + ', standard deviation ' + engineering(info.sd, unitOf(name), 3) + '.';
-  const limits = (summary.limits || []).filter((l) => metricOfLimit(l.text) === name);
+  const limits = (summary.limits || []).filter((l) => l.metric === name);
   return spread + limits.map((l) => ' ' + capital(limitWords(l.text)) + ' is kept by ' + percent(l.kept.value, 4) + ' of the motors (' + percent(l.kept.low, 4) + ' to ' + percent(l.kept.high, 4) + ').').join('');
 }
 

@@ -12,8 +12,8 @@ function bullets(lines) { return el('ul', { class: 'holders' }, lines.map((line)
 function relaxationVerdict() {
   const conflict = summary.relaxation.conflict.map(limitWords);
   const least = summary.relaxation.limits.filter((l) => l.alone).map((l) => {
-    const unit = unitOf(metricOfLimit(l.text));
-    return limitWords(l.text) + ' by ' + engineering(l.alone, unit, 3) + ', to ' + engineering(l.limit + (isLowerLimit(l.text) ? -l.alone : l.alone), unit, 3);
+    const unit = l.unit;
+    return limitWords(l.text) + ' by ' + engineering(l.alone, unit, 3) + ', to ' + engineering(l.limit + (l.sense === 'at least' ? -l.alone : l.alone), unit, 3);
   });
   const why = conflict.length === 1 ? conflict[0] + ' is out of reach.' : conflict.length ? 'These cannot hold together: ' + conflict.join('; ') + '.' : '';
   const cure = least.length === 0 ? 'Loosening a single limit is not enough; the table below says what would be.'

@@ -20,14 +20,10 @@ function capital(text) { return text.charAt(0).toUpperCase() + text.slice(1); }
 
 function axisLabel(name, shown) { return plain(name) + (shown.text ? ' [' + shown.text + ']' : ''); }
 
-function metricOfLimit(text) { return text.split(/<=|>=|==|<|>/)[0].trim(); }
-function isLowerLimit(text) { return text.includes('>'); }
-
 /** "no_load_speed >= 100 rpm" as one reads it. */
 function limitWords(text) {
-  const parts = /^(.*?)(<=|>=)(.*)$/s.exec(text);
-  if (!parts) return plain(text);
-  return plain(parts[1].trim()) + (parts[2] === '>=' ? ' ≥' : ' ≤') + parts[3].replace(/\w+\([^)]*\)/g, plain).replace(/([\d.]) (?=\S+$)/, '$1' + noBreak);
+  const signs = { '>=': '≥', '<=': '≤', '==': '=', '+-': '±' };
+  return text.split(/(<=|>=|==|\+-)/).map((part) => signs[part] || plain(part.trim()).replace(/([\d.]) (?=\S+$)/, '$1' + noBreak)).join(' ');
 }
 
 function boundWords(b) { return plain(b.variable) + (b.side === 'upper' ? ' ≤ ' : ' ≥ ') + engineering(b.limit, unitOf(b.variable)) + ', the end of its range'; }
@@ -77,7 +73,7 @@ function allowance(c, report) {
 }
 
 function limitStanding(c, goals, report) {
-  const s = standing(c, limitWords(c.text), c.text, unitOf(metricOfLimit(c.text)), isLowerLimit(c.text) ? -1 : 1, goals);
+  const s = standing(c, limitWords(c.text), c.text, c.unit, c.sense === 'at least' ? -1 : 1, goals);
   const broken = c.violation > allowance(c, report);
   const slack = c.value === null ? null : s.direction * (c.limit - c.value);
   return { ...s, value: c.value, active: c.active && !broken, slack: slack !== null && Math.abs(slack) <= allowance(c, report) ? 0 : slack,
@@ -112,8 +108,8 @@ function wholeLine(end, report, goal) {
 
 /** Which stored motors keep every limit of a search. */
 function keepsLimits(report) {
-  const limits = report.constraints.map((c) => ({ column: rows.columns.find((r) => r.name === metricOfLimit(c.text)), least: isLowerLimit(c.text), limit: c.limit, slack: allowance(c, report) })).filter((l) => l.column);
-  return (i) => limits.every((l) => { const v = l.column.values[i]; return l.least ? v >= l.limit - l.slack : v <= l.limit + l.slack; });
+  const limits = report.constraints.map((c) => ({ column: rows.columns.find((r) => r.name === c.metric), lower: c.lower, upper: c.upper, slack: allowance(c, report) })).filter((l) => l.column);
+  return (i) => limits.every((l) => { const v = l.column.values[i]; return (l.lower === null || v >= l.lower - l.slack) && (l.upper === null || v <= l.upper + l.slack); });
 }
 
 /** The best value of a goal among stored motors that keep the limits and have this value of a parameter. */

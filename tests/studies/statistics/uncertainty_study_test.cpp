@@ -108,11 +108,11 @@ TEST_CASE("a limit is told in SI, with its side and the metric that it looks at"
   const std::vector<UncertaintyResult::Limit>& limits = uncertainty(result).limits;
   REQUIRE(limits.size() == 2);
   CHECK(limits[0].metric == "stall_torque");
-  CHECK(limits[0].at_least);
-  CHECK(limits[0].limit == Approx(0.69).epsilon(1e-14));  // a few roundings of the unit
+  CHECK(std::isinf(limits[0].upper));
+  CHECK(limits[0].lower == Approx(0.69).epsilon(1e-14));  // a few roundings of the unit
   CHECK(limits[1].metric == "no_load_speed");
-  CHECK_FALSE(limits[1].at_least);
-  CHECK(limits[1].limit == Approx(3.14159265358979323846).epsilon(1e-14));
+  CHECK(std::isinf(limits[1].lower));
+  CHECK(limits[1].upper == Approx(3.14159265358979323846).epsilon(1e-14));
 }
 
 TEST_CASE("a motor without a value does not keep the limit, and is counted",

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command.hpp"
 #include "exit_status.hpp"
+#include "formats.hpp"
 #include "interrupt.hpp"
+#include "notes.hpp"
 #include "options.hpp"
 #include "output.hpp"
 #include "progress.hpp"
 
 #include <twum/studies/jobs/ordered.hpp>
+#include <twum/studies/metrics/evaluate_design.hpp>
 #include <twum/studies/metrics/expression.hpp>
 #include <twum/studies/tables/design_table.hpp>
 #include <twum/studies/text/value_error.hpp>
@@ -14,6 +17,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -23,12 +27,15 @@ namespace twum::cli {
 namespace {
 
 constexpr const char* kEvaluateExamples = R"text(Examples:
+  twum evaluate ring-60.yaml --metrics "stall_torque, peak_power / preload"
   twum evaluate ring-60.yaml --designs designs.csv
   twum evaluate ring-60.yaml --designs designs.csv -o results.csv \
       --metrics "stall_torque, no_load_speed, wear_intensity_at(80 rpm)" --jobs 4
 
 The table's columns are parameter names with an optional unit, such as "preload [N]";
-other columns are copied. A design that fails gets empty cells and a reason in "status".)text";
+other columns are copied. A design that fails gets empty cells and a reason in "status".
+Without a table the motor itself is evaluated. Metrics may stand in expressions:
+numbers with units, + - * / ^, parentheses, sqrt abs exp log min max.)text";
 
 struct EvaluateOptions {
   MotorOptions motor;
@@ -67,9 +74,8 @@ std::vector<studies::MetricExpression> metrics_of(const EvaluateOptions& options
 }
 
 bool needs_stator_loss(const studies::MetricExpression& metric) {
-  const auto& request = std::get<MetricRequest>(metric.what);
-  return request.metric == Metric::max_efficiency ||
-         request.metric == Metric::speed_at_max_efficiency;
+  const Metric asked = metric.request()->metric;
+  return asked == Metric::max_efficiency || asked == Metric::speed_at_max_efficiency;
 }
 
 // All plain metrics that have a meaning for these designs: efficiency needs a modal damping.
@@ -82,11 +88,37 @@ std::vector<studies::MetricExpression> usual_metrics(const MotorDesign& base,
   return metrics;
 }
 
+// The motor as it is: a row of metrics and a status, under their names.
+int run_alone(const EvaluateOptions& options, std::vector<studies::MetricExpression> metrics) {
+  Output output(options.output, {options.motor.path});
+  const MotorDesign design = load_motor(options.motor).design;
+  if (metrics.empty()) metrics = usual_metrics(design, {});
+  std::vector<MetricValue> values(metrics.size());
+  const std::string reason =
+      studies::evaluate_design(design, metrics, studies::ExpressionEvaluator(metrics), values);
+  std::vector<std::string> names;
+  std::vector<std::string> cells;
+  for (std::size_t i = 0; i < metrics.size(); ++i) {
+    names.push_back(metrics[i].text + " [" + metrics[i].unit() + "]");
+    cells.push_back(cell_of(values[i].value));
+  }
+  names.emplace_back("status");
+  cells.push_back(reason.empty() ? "ok" : reason);
+  output.write(csv_line(names) + csv_line(cells));
+  output.finish();
+  print_model_notes(design);
+  const bool none = std::all_of(values.begin(), values.end(), [](const MetricValue& value) {
+    return value.status != MetricStatus::ok;
+  });
+  return none ? kNoAnswer : kDone;
+}
+
 double fraction_read(std::size_t bytes, double size) {
   return size > 0 ? static_cast<double>(bytes) / size : 0;
 }
 
 int run_evaluate(const EvaluateOptions& options) {
+  if (options.designs.empty()) return run_alone(options, metrics_of(options));
   Output output(options.output, {options.motor.path, options.designs});
   const unsigned jobs = studies::job_count(
       options.jobs.empty() ? 0
@@ -139,12 +171,13 @@ void add_evaluate(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("evaluate", "Metrics of every design in a CSV table");
   add_motor_options(*command, options->motor);
   command
-      ->add_option("--designs", options->designs,
-                   "CSV table, one design a row ('-': standard input)")
-      ->required()
+      ->add_option(
+          "--designs", options->designs,
+          "CSV table, one design a row ('-': standard input); without it, the motor itself")
       ->type_name("FILE");
   command->add_option("--metrics", options->metrics,
-                      "Metrics between commas (default: all without argument)");
+                      "Metrics or expressions between commas (default: all metrics without "
+                      "argument)");
   command->add_option("--jobs", options->jobs,
                       "Threads (default: all processors); the result does not depend on it");
   command->add_option("-o,--output", options->output, "Write the result to this file")

@@ -9,6 +9,7 @@
 #include "plot/fields_plot.hpp"
 #include "text_table.hpp"
 
+#include <twum/core/performance/metrics.hpp>
 #include <twum/core/performance/motor.hpp>
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/text/words.hpp>
@@ -26,12 +27,14 @@ namespace {
 
 constexpr const char* kFieldsExamples = R"text(Examples:
   twum fields ring-60.yaml --speed "100 rpm"
+  twum fields ring-60.yaml --torque "0.5 N.m"
   twum fields ring-60.yaml --speed "95 rpm" --samples 721 --format csv -o fields.csv
   twum fields ring-60.yaml --speed "130 rpm" --plot fields.svg)text";
 
 struct FieldsOptions {
   MotorOptions motor;
   std::string speed;
+  std::string torque;
   std::string samples;
   std::string plot;
   OutputOptions output;
@@ -131,23 +134,37 @@ std::string as_table(const Fields& fields) {
          studies::engineering(point.torque, "N.m") + "\n\n" + aligned(table);
 }
 
+// The rotor speed asked for, or at which the motor carries the torque asked for; nothing, and why on standard error, if it
+// cannot.
+std::optional<double> speed_of(const FieldsOptions& options, const Motor& motor) {
+  if (options.torque.empty()) return parse_speed("--speed", options.speed);
+  const double torque = parse_torque("--torque", options.torque);
+  const MetricValue speed = evaluate(motor, {Metric::speed_at, Argument::torque, torque});
+  if (speed.status == MetricStatus::ok) return speed.value;
+  std::fprintf(stderr, "twum: no answer at this torque: %s\n", to_string(speed.status));
+  explain_reasons({to_string(speed.status)});
+  return {};
+}
+
 int run_fields(const FieldsOptions& options) {
   Output output(options.output.path, {options.motor.path});
   const std::optional<PlotFile> plot =
       plot_file(options.plot, {options.motor.path, options.output.path});
-  const double speed = parse_speed("--speed", options.speed);
   const std::size_t samples =
       options.samples.empty() ? 181 : parse_count("--samples", options.samples, 2, 1000000);
   Fields fields;
   fields.file = load_motor(options.motor);
-  fields.contact = Motor(fields.file.design).fields(speed, static_cast<int>(samples));
+  const Motor motor(fields.file.design);
+  const std::optional<double> speed = speed_of(options, motor);
+  if (!speed) return kNoAnswer;
+  fields.contact = motor.fields(*speed, static_cast<int>(samples));
   if (fields.contact.point.status != PointStatus::ok) {
     std::fprintf(stderr, "twum: no answer at this speed: %s\n",
                  to_string(fields.contact.point.status));
     explain_reasons({to_string(fields.contact.point.status)});
     return kNoAnswer;
   }
-  if (plot) plot->draw(kFieldsPlotSize, fields_plot(fields.file, speed));
+  if (plot) plot->draw(kFieldsPlotSize, fields_plot(fields.file, *speed));
   const std::string& format = options.output.format;
   output.write(format == "json"  ? as_json(fields)
                : format == "csv" ? as_csv(fields)
@@ -164,7 +181,10 @@ void add_fields(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("fields", "Pressure, traction, velocities and zones along one wave");
   add_motor_options(*command, options->motor);
-  command->add_option("--speed", options->speed, "Rotor speed, such as \"100 rpm\"")->required();
+  CLI::Option_group* at = command->add_option_group("At", "One of the two");
+  at->add_option("--speed", options->speed, "Rotor speed, such as \"100 rpm\"");
+  at->add_option("--torque", options->torque, "Load torque, such as \"0.5 N.m\"");
+  at->require_option(1);
   command->add_option("--samples", options->samples,
                       "Number of phases along the wave (default: 181)");
   add_output_options(*command, options->output, {"table", "csv", "json"});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/studies/diagnostics/diagnostics.hpp>
 
+#include "text/utf8.hpp"
+
 #include <twum/studies/text/words.hpp>
 
 #include <algorithm>
@@ -14,16 +16,6 @@ constexpr std::size_t kMostShown = 100;  // of the errors of one file
 std::string place(const Source& source, SourceMark mark) {
   return printable(source.name(), 4096) + ":" + std::to_string(mark.line) + ":" +
          std::to_string(mark.column) + ": ";
-}
-
-// Byte at which a character of the text begins, counted from 0.
-std::size_t byte_of(std::string_view text, int character) {
-  std::size_t at = 0;
-  for (; at < text.size(); ++at) {
-    const bool begins = (static_cast<unsigned char>(text[at]) & 0xC0U) != 0x80U;
-    if (begins && character-- == 0) break;
-  }
-  return at;
 }
 
 // The line with a caret below the column; of a long line, the part round the column.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/studies/diagnostics/source.hpp>
 
+#include "text/utf8.hpp"
+
 #include <twum/base/error.hpp>
 
 #include <algorithm>
@@ -47,6 +49,15 @@ SourceMark Source::mark(int line_from_0, int byte) const {
   int column = 1;
   for (const char c : before) column += (static_cast<unsigned char>(c) & 0xC0U) == 0x80U ? 0 : 1;
   return {line_from_0 + 1, column};
+}
+
+SourceMark Source::mark_within(SourceMark begin, std::string_view value, std::size_t byte) const {
+  if (byte == 0) return begin;
+  const std::string_view whole = line(begin.line);
+  std::size_t at = byte_of(whole, begin.column - 1);
+  if (at < whole.size() && (whole[at] == '"' || whole[at] == '\'')) ++at;
+  if (!whole.substr(at).starts_with(value)) return begin;
+  return mark(begin.line - 1, static_cast<int>(at + std::min(byte, value.size())));
 }
 
 Source read_source(const std::string& path) {

@@ -127,7 +127,11 @@ bool says_no_error(const YamlNode& node, const Schema& schema, const Spot& spot,
     use(node.scalar);
     return true;
   } catch (const ValueError& error) {
-    diagnostics.add(node.mark, spot.path, error.found(), error.expected());
+    const bool long_text = schema.kind == ValueKind::text;  // in which the place matters
+    diagnostics.add(long_text
+                        ? diagnostics.source().mark_within(node.mark, node.scalar, error.position())
+                        : node.mark,
+                    spot.path, error.found(), error.expected());
     return false;
   }
 }

@@ -24,4 +24,13 @@ std::size_t utf8_length(std::string_view text) {
   return 0;
 }
 
+std::size_t byte_of(std::string_view text, int character) {
+  std::size_t at = 0;
+  for (; at < text.size(); ++at) {
+    const bool begins = (static_cast<unsigned char>(text[at]) & 0xC0U) != 0x80U;
+    if (begins && character-- == 0) break;
+  }
+  return at;
+}
+
 }  // namespace twum::studies

@@ -3,39 +3,161 @@
 
 #include <twum/studies/text/value_error.hpp>
 #include <twum/studies/text/words.hpp>
-#include <twum/studies/units/units.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
 
 namespace twum::studies {
 namespace {
 
 constexpr const char* kUsage = "expected a limit such as 'stall_torque >= 0.8 N.m'";
+constexpr const char* kTolerance =
+    "an equality has a tolerance, such as 'no_load_speed == 150 rpm +- 3 rpm'";
 
-// Length of the comparison at a place: 2 for ">=" and "<="; anything else is refused.
-bool is_at_least(std::string_view text, std::size_t at) {
-  const std::string_view sign = text.substr(at, 2);
-  if (sign == ">=") return true;
-  if (sign == "<=") return false;
-  throw ValueError(quoted(text) + " compares with '" + std::string(text.substr(at, 1)) + "'",
-                   "only '>=' and '<=' are known", at);
+// A part of a text, which knows its place in it.
+struct Piece {
+  std::string_view whole;
+  std::size_t begin;
+  std::size_t end;
+
+  std::string_view text() const { return whole.substr(begin, end - begin); }
+  // What a reader of the text makes of it; its errors say where in the whole.
+  template <typename Read>
+  auto read(const Read& read) const {
+    try {
+      return read(text());
+    } catch (const ValueError& error) {
+      throw ValueError(error.found(), error.expected(), begin + error.position());
+    }
+  }
+  MetricExpression side() const { return read(parse_side); }
+};
+
+struct Sign {
+  std::string_view text;
+  std::size_t at;
+};
+
+// Every comparison in the text.
+std::vector<Sign> comparisons(std::string_view text) {
+  std::vector<Sign> signs;
+  for (std::size_t at = text.find_first_of("<>="); at != std::string_view::npos;
+       at = text.find_first_of("<>=", at + 2)) {
+    const std::string_view sign = text.substr(at, 2);
+    if (sign != ">=" && sign != "<=" && sign != "==")
+      throw ValueError(quoted(text) + " compares with '" + std::string(sign.substr(0, 1)) + "'",
+                       "only '>=', '<=' and '== A +- B' are known", at);
+    signs.push_back({sign, at});
+  }
+  return signs;
+}
+
+double constant(const MetricExpression& side) { return side.formula.value({}); }
+
+// left - right, whose sign tells which is larger.
+MetricExpression difference(const MetricExpression& left, const MetricExpression& right) {
+  return parse_metric(left.formula.text() + " - (" + right.formula.text() + ")");
+}
+
+Constraint between_sides(std::string_view text, const Sign& sign, MetricExpression left,
+                         MetricExpression right) {
+  require_same_dimension(left.formula, right.formula, sign.text, sign.at);
+  bool at_least = sign.text == ">=";
+  if (left.formula.constant()) {
+    std::swap(left, right);
+    at_least = !at_least;
+  }
+  if (left.formula.constant())
+    throw ValueError(quoted(text) + " has no metric or parameter in it", kUsage, sign.at);
+  Constraint limit{std::string(text), left};
+  double end = 0;
+  if (right.formula.constant()) {
+    end = constant(right);
+  } else {
+    limit.metric = difference(left, right);
+    limit.sides = {std::move(left), std::move(right)};
+  }
+  (at_least ? limit.lower : limit.upper) = end;
+  return limit;
+}
+
+// "A <= EXPR <= B" or "B >= EXPR >= A".
+Constraint two_sided(std::string_view text, const std::vector<Sign>& signs,
+                     const MetricExpression& first, const MetricExpression& metric,
+                     const MetricExpression& last) {
+  if (signs[0].text != signs[1].text || signs[0].text == "==")
+    throw ValueError(quoted(text) + " compares in two directions",
+                     "expected one such as '145 rpm <= no_load_speed <= 155 rpm'", signs[1].at);
+  if (!first.formula.constant() || !last.formula.constant() || metric.formula.constant())
+    throw ValueError(
+        "the ends of a limit with two signs are quantities, with a metric between them",
+        "write two limits instead", signs[first.formula.constant() ? 1 : 0].at);
+  require_same_dimension(first.formula, metric.formula, signs[0].text, signs[0].at);
+  require_same_dimension(metric.formula, last.formula, signs[1].text, signs[1].at);
+  Constraint limit{std::string(text), metric, constant(first), constant(last)};
+  if (signs[0].text == ">=") std::swap(limit.lower, limit.upper);
+  if (!(limit.lower <= limit.upper))
+    throw ValueError(quoted(text) + " leaves no room",
+                     "the smaller end must not exceed the larger one", signs[1].at);
+  return limit;
+}
+
+// The tolerance in SI: a percentage is one of the target.
+double tolerance_of(const Piece& piece, const MetricExpression& target) {
+  const MetricExpression tolerance = piece.side();
+  const std::size_t at = piece.begin;
+  const bool relative = piece.text().find('%') != std::string_view::npos;
+  if (!tolerance.formula.constant() || (relative && !target.formula.constant()))
+    throw ValueError("a tolerance " + quoted(trimmed(piece.text())) + " that depends on the motor",
+                     kTolerance, at);
+  if (!relative) require_same_dimension(target.formula, tolerance.formula, "+-", at);
+  const double size = constant(tolerance) * (relative ? std::fabs(constant(target)) : 1);
+  if (!(size > 0)) throw ValueError("a tolerance that is not positive", kTolerance, at);
+  return size;
+}
+
+// "EXPR == A +- B"
+Constraint equality(std::string_view text, const Sign& sign) {
+  const std::size_t begin = sign.at + sign.text.size();
+  const std::size_t plus = text.find("+-", begin);
+  if (plus == std::string_view::npos)
+    throw ValueError(quoted(text) + " has no tolerance", kTolerance, text.size());
+  const MetricExpression target = Piece{text, begin, plus}.side();
+  Constraint limit = between_sides(text, sign, Piece{text, 0, sign.at}.side(), target);
+  const double tolerance = tolerance_of({text, plus + 2, text.size()}, target);
+  const double middle = std::isfinite(limit.lower) ? limit.lower : limit.upper;
+  limit.lower = middle - tolerance;
+  limit.upper = middle + tolerance;
+  return limit;
 }
 
 }  // namespace
 
+double Constraint::excess(double value) const {
+  if (std::isnan(value)) return value;
+  return std::max({0.0, lower - value, value - upper});
+}
+
+bool Constraint::at_least(double value) const {
+  if (std::isinf(lower) || std::isinf(upper)) return std::isinf(upper);
+  return std::fabs(value - lower) < std::fabs(value - upper);
+}
+
 Constraint parse_constraint(std::string_view text) {
   text = trimmed(text);
-  const std::size_t at = text.find_first_of("<>=");
-  if (at == std::string_view::npos)
-    throw ValueError(quoted(text) + " limits nothing", kUsage, text.size());
-  const bool at_least = is_at_least(text, at);
-  MetricExpression metric = parse_metric(text.substr(0, at));
-  const std::string_view limit = trimmed(text.substr(at + 2));
-  try {
-    const double value = parse_quantity(limit, Expected{metric.unit(), ""});
-    return {std::string(text), std::move(metric), at_least, value};
-  } catch (const ValueError& error) {
-    const auto begin = static_cast<std::size_t>(limit.data() - text.data());
-    throw ValueError(error.found(), error.expected(), begin + error.position());
-  }
+  const std::vector<Sign> signs = comparisons(text);
+  if (signs.empty()) throw ValueError(quoted(text) + " limits nothing", kUsage, text.size());
+  if (signs.size() > 2)
+    throw ValueError(quoted(text) + " has more than two signs", kUsage, signs[2].at);
+  if (signs.size() == 1 && signs[0].text == "==") return equality(text, signs[0]);
+  const auto after = [](const Sign& sign) { return sign.at + sign.text.size(); };
+  const MetricExpression first = Piece{text, 0, signs[0].at}.side();
+  const MetricExpression last = Piece{text, after(signs.back()), text.size()}.side();
+  if (signs.size() == 1) return between_sides(text, signs[0], first, last);
+  const MetricExpression middle = Piece{text, after(signs[0]), signs[1].at}.side();
+  return two_sided(text, signs, first, middle, last);
 }
 
 }  // namespace twum::studies

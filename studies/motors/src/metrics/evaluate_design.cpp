@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "metrics/evaluate_design.hpp"
+#include <twum/studies/metrics/evaluate_design.hpp>
 
 #include <twum/base/error.hpp>
 

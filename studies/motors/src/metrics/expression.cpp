@@ -5,7 +5,12 @@
 #include <twum/studies/text/words.hpp>
 #include <twum/studies/units/units.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
 
 namespace twum::studies {
 namespace {
@@ -53,19 +58,7 @@ MetricRequest parse_argument(const MetricInfo& metric, std::string_view argument
   }
 }
 
-// The place of the closing parenthesis, which must end the text.
-std::size_t closing(std::string_view text, std::size_t open) {
-  const std::size_t close = text.rfind(')');
-  if (close == std::string_view::npos || close < open) {
-    throw ValueError(quoted(text) + " has no ')'", "close the parenthesis", text.size());
-  }
-  if (close + 1 != text.size()) {
-    throw ValueError(quoted(text.substr(close + 1)) + " after the ')'", "nothing may follow it",
-                     close + 1);
-  }
-  return close;
-}
-
+// "torque_at(100 rpm)", of which the reader of formulas has seen that the parentheses close.
 MetricRequest parse_request(const MetricInfo& metric, std::string_view text, std::size_t open) {
   if (open == std::string_view::npos) {
     if (metric.argument != Argument::none) {
@@ -78,34 +71,161 @@ MetricRequest parse_request(const MetricInfo& metric, std::string_view text, std
     throw ValueError(quoted(metric.name) + " takes nothing in parentheses", "write it without them",
                      open);
   }
-  const std::size_t close = closing(text, open);
-  const std::string_view argument = trimmed(text.substr(open + 1, close - open - 1));
+  const std::string_view argument = trimmed(text.substr(open + 1, text.size() - open - 2));
   return parse_argument(metric, argument, static_cast<std::size_t>(argument.data() - text.data()));
 }
 
-}  // namespace
-
-std::string_view MetricExpression::unit() const {
-  if (const auto* request = std::get_if<MetricRequest>(&what)) return info(request->metric).unit;
-  return info(std::get<Parameter>(what)).unit;
+// A symbol stands alone: in a formula it could be meant for a unit.
+void refuse_symbol(const ParameterInfo& row, std::string_view name) {
+  if (row.name == name) return;
+  throw ValueError(quoted(name) + " is a symbol, which an expression does not read",
+                   "write '" + std::string(row.name) +
+                       "'; a unit is written without blanks, such as '5 kW/m^2'");
 }
 
-MetricExpression parse_metric(std::string_view text) {
-  text = trimmed(text);
-  if (text.empty())
-    throw ValueError("nothing", "expected a metric such as 'stall_torque' or 'torque_at(100 rpm)'");
+Term parse_term(std::string_view text, bool alone) {
   const std::size_t open = text.find('(');
   const std::string_view name = trimmed(text.substr(0, open));
-  if (const auto metric = find_metric(name)) {
-    return {std::string(text), parse_request(info(*metric), text, open)};
-  }
+  if (const auto metric = find_metric(name)) return parse_request(info(*metric), text, open);
   const auto parameter = find_parameter(name);
   if (!parameter) unknown_name(name, 0);
+  if (!alone) refuse_symbol(info(*parameter), name);
   if (open != std::string_view::npos) {
     throw ValueError(quoted(name) + " is a parameter and takes nothing in parentheses",
                      "write it without them", open);
   }
-  return {std::string(text), *parameter};
+  return *parameter;
+}
+
+// True if the text begins with the name of a metric or parameter: not if it stands in parentheses.
+bool find_term(std::string_view text) {
+  const std::string_view name = trimmed(text.substr(0, text.find('(')));
+  return find_metric(name).has_value() || find_parameter(name).has_value();
+}
+
+bool same(const MetricRequest& a, const MetricRequest& b) {
+  return a.metric == b.metric && a.argument == b.argument && a.at == b.at;
+}
+
+bool same(const Term& a, const Term& b) {
+  if (a.index() != b.index()) return false;
+  const auto* request = std::get_if<MetricRequest>(&a);
+  return request != nullptr ? same(*request, std::get<MetricRequest>(b))
+                            : std::get<Parameter>(a) == std::get<Parameter>(b);
+}
+
+// Place of an item in a list, to which it is added if it is new.
+template <typename T>
+std::size_t place_in(std::vector<T>& list, const T& item) {
+  const auto found =
+      std::find_if(list.begin(), list.end(), [&](const T& one) { return same(one, item); });
+  const auto place = static_cast<std::size_t>(found - list.begin());
+  if (found == list.end()) list.push_back(item);
+  return place;
+}
+
+std::string_view unit_of(const Term& term) {
+  if (const auto* request = std::get_if<MetricRequest>(&term)) return info(request->metric).unit;
+  return info(std::get<Parameter>(term)).unit;
+}
+
+std::string long_text(const Term& term, std::string_view reference) {
+  const auto* parameter = std::get_if<Parameter>(&term);
+  return std::string(parameter != nullptr ? info(*parameter).name : reference);
+}
+
+// The value of a formula from those of its terms; the first failure of a term is passed on.
+MetricValue value_of(const Formula& formula, std::span<const MetricValue> terms) {
+  if (formula.is_name()) return terms[0];
+  std::vector<double> values;
+  for (const MetricValue& term : terms) {
+    if (term.status != MetricStatus::ok) return term;
+    values.push_back(term.value);
+  }
+  const double value = formula.value(values);
+  return {value, std::isnan(value) ? MetricStatus::undefined : MetricStatus::ok};
+}
+
+// What the gradient of a sum of gradients is good for: the worst of those that take part, flat if all are.
+Smoothness smoothness_of(const FormulaDerivative& formula,
+                         std::span<const MetricDerivative> terms) {
+  bool undefined = false;
+  bool one_sided = formula.kinked;
+  bool flat = true;
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    if (formula.by_name[i] == 0) continue;
+    const Smoothness term = terms[i].smoothness;
+    undefined = undefined || term == Smoothness::undefined || std::isnan(formula.by_name[i]);
+    one_sided = one_sided || term == Smoothness::one_sided;
+    flat = flat && term == Smoothness::flat;
+  }
+  if (undefined) return Smoothness::undefined;
+  if (one_sided) return Smoothness::one_sided;
+  return flat && !terms.empty() ? Smoothness::flat : Smoothness::smooth;
+}
+
+// The chain rule: derivatives of the formula by its terms times those of the terms by the parameters.
+MetricDerivative derivative_of(const Formula& formula, std::span<const MetricDerivative> terms) {
+  if (formula.is_name()) return terms[0];
+  MetricDerivative result;
+  std::vector<MetricValue> values;
+  std::vector<double> numbers;
+  for (const MetricDerivative& term : terms) {
+    values.push_back(term.value);
+    numbers.push_back(term.value.value);
+  }
+  result.value = value_of(formula, values);
+  result.gradient.fill(std::numeric_limits<double>::quiet_NaN());
+  result.smoothness = Smoothness::undefined;
+  if (result.value.status != MetricStatus::ok) return result;
+  const FormulaDerivative derivative = formula.differentiate(numbers);
+  result.smoothness = smoothness_of(derivative, terms);
+  if (result.smoothness == Smoothness::undefined) return result;
+  result.gradient.fill(0);
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    if (derivative.by_name[i] == 0) continue;
+    for (std::size_t p = 0; p < kParameterCount; ++p)
+      result.gradient[p] += derivative.by_name[i] * terms[i].gradient[p];
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string MetricExpression::unit() const {
+  return formula.is_name() ? std::string(unit_of(terms[0])) : formula.dimension().unit();
+}
+
+const MetricRequest* MetricExpression::request() const {
+  return formula.is_name() ? std::get_if<MetricRequest>(terms.data()) : nullptr;
+}
+
+const Parameter* MetricExpression::parameter() const {
+  return formula.is_name() ? std::get_if<Parameter>(terms.data()) : nullptr;
+}
+
+MetricExpression expression_of(Parameter parameter) { return parse_metric(info(parameter).name); }
+
+MetricExpression parse_side(std::string_view text) {
+  MetricExpression expression;
+  const FormulaNames names{[&](std::string_view reference, bool alone) -> FormulaName {
+                             const Term term = parse_term(reference, alone);
+                             return {long_text(term, reference), Dimension(unit_of(term)),
+                                     place_in(expression.terms, term)};
+                           },
+                           "expected a metric such as 'stall_torque' or 'torque_at(100 rpm)'"};
+  expression.formula = read_formula(text, names);
+  const bool bare = expression.formula.is_name() && find_term(trimmed(text));
+  expression.text = bare ? std::string(trimmed(text)) : expression.formula.text();
+  return expression;
+}
+
+MetricExpression parse_metric(std::string_view text) {
+  MetricExpression expression = parse_side(text);
+  if (expression.terms.empty())
+    throw ValueError(quoted(trimmed(text)) + " has no metric or parameter in it",
+                     "expected a metric such as 'stall_torque' or 'torque_at(100 rpm)'");
+  return expression;
 }
 
 std::vector<MetricExpression> parse_metric_list(std::string_view text) {
@@ -129,31 +249,70 @@ std::vector<MetricExpression> parse_metric_list(std::string_view text) {
 std::vector<MetricExpression> plain_metrics() {
   std::vector<MetricExpression> list;
   for (const MetricInfo& row : metric_table()) {
-    if (row.argument != Argument::none) continue;
-    list.push_back({std::string(row.name), MetricRequest{row.metric, Argument::none, 0}});
+    if (row.argument == Argument::none) list.push_back(parse_metric(row.name));
   }
   return list;
 }
 
+MetricDerivative parameter_value(const MotorDesign& design, Parameter parameter,
+                                 bool fixed_static_friction) {
+  return {{get(design, parameter), MetricStatus::ok},
+          parameter_jacobian(design, fixed_static_friction)[index_of(parameter)],
+          Smoothness::smooth};
+}
+
 ExpressionEvaluator::ExpressionEvaluator(std::span<const MetricExpression> expressions) {
   for (const MetricExpression& expression : expressions) {
-    if (const auto* request = std::get_if<MetricRequest>(&expression.what)) {
-      places_.emplace_back(requests_.size());
-      requests_.push_back(*request);
-    } else {
-      places_.emplace_back(std::get<Parameter>(expression.what));
+    Asked asked{expression.formula, {}};
+    for (const Term& term : expression.terms) {
+      const auto* request = std::get_if<MetricRequest>(&term);
+      asked.places.push_back(request != nullptr ? Place(place_in(requests_, *request))
+                                                : Place(std::get<Parameter>(term)));
     }
+    asked_.push_back(std::move(asked));
   }
 }
 
 void ExpressionEvaluator::evaluate(const Motor& motor, std::span<MetricValue> values) const {
-  const std::vector<MetricValue> metrics = twum::evaluate(motor, requests_);
-  for (std::size_t i = 0; i < places_.size(); ++i) {
-    const auto* index = std::get_if<std::size_t>(&places_[i]);
-    values[i] = index != nullptr ? metrics[*index]
-                                 : MetricValue{get(motor.design(), std::get<Parameter>(places_[i])),
-                                               MetricStatus::ok};
+  combine(motor.design(), twum::evaluate(motor, requests_), values);
+}
+
+std::vector<MetricDerivative> ExpressionEvaluator::differentiate(const Motor& motor,
+                                                                 bool fixed_static_friction) const {
+  return combine(motor.design(), twum::differentiate(motor, requests_, fixed_static_friction),
+                 fixed_static_friction);
+}
+
+void ExpressionEvaluator::combine(const MotorDesign& design, std::span<const MetricValue> metrics,
+                                  std::span<MetricValue> values) const {
+  std::vector<MetricValue> terms;
+  for (std::size_t i = 0; i < asked_.size(); ++i) {
+    terms.clear();
+    for (const Place& place : asked_[i].places) {
+      const auto* metric = std::get_if<std::size_t>(&place);
+      terms.push_back(metric != nullptr
+                          ? metrics[*metric]
+                          : MetricValue{get(design, std::get<Parameter>(place)), MetricStatus::ok});
+    }
+    values[i] = value_of(asked_[i].formula, terms);
   }
+}
+
+std::vector<MetricDerivative> ExpressionEvaluator::combine(
+    const MotorDesign& design, std::span<const MetricDerivative> metrics,
+    bool fixed_static_friction) const {
+  std::vector<MetricDerivative> result;
+  for (const Asked& asked : asked_) {
+    std::vector<MetricDerivative> terms;
+    for (const Place& place : asked.places) {
+      const auto* metric = std::get_if<std::size_t>(&place);
+      terms.push_back(metric != nullptr ? metrics[*metric]
+                                        : parameter_value(design, std::get<Parameter>(place),
+                                                          fixed_static_friction));
+    }
+    result.push_back(derivative_of(asked.formula, terms));
+  }
+  return result;
 }
 
 }  // namespace twum::studies

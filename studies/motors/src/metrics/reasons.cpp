@@ -7,8 +7,8 @@ std::span<const Reason> reasons() {
   static constexpr Reason kReasons[] = {
       {MetricStatus::undefined,
        "no meaning for this motor: peaks need a stall torque, efficiencies an input, "
-       "max_efficiency "
-       "modal_damping"},
+       "max_efficiency modal_damping; of an expression: a quotient by zero, or sqrt or log of a "
+       "negative number"},
       {MetricStatus::unreachable, "the motor cannot carry this load"},
       {MetricStatus::no_periodic_state,
        "the contact never repeats itself from wave to wave, usual with static friction above the "

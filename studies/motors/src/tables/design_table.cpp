@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/studies/tables/design_table.hpp>
 
-#include "metrics/evaluate_design.hpp"
+#include <twum/studies/metrics/evaluate_design.hpp>
 #include "tables/heading.hpp"
 
 #include <twum/studies/motor/settings.hpp>

@@ -28,19 +28,32 @@ std::vector<double> values_of(const MotorDesign& design,
 std::vector<Constraint> all_limits(const DesignProblem& problem) {
   std::vector<Constraint> limits = problem.limits;
   for (const ImpliedLimit& implied : implied_limits(problem)) {
-    const MetricExpression metric =
-        implied.load ? parse_metric("max_torque") : parse_metric("static_friction");
-    limits.push_back({implied.name, metric, true, implied.load.value_or(0)});
+    const char* metric = implied.load ? "max_torque" : "static_friction";
+    limits.push_back({implied.name, parse_metric(metric), implied.load.value_or(0)});
   }
   return limits;
 }
 
 const optim::Activity* activity_of(const optim::Certificate& certificate, const std::string& name,
                                    bool bound) {
+  const optim::Activity* found =
+      nullptr;  // of a limit with two ends the one that holds the design back
   for (const optim::Activity& a : certificate.limits) {
-    if (a.is_bound == bound && a.name == name) return &a;
+    if (a.is_bound == bound && a.name == name && (found == nullptr || a.active)) found = &a;
   }
-  return nullptr;
+  return found;
+}
+
+double end_of(const Constraint& limit, bool at_least) {
+  return at_least ? limit.lower : limit.upper;
+}
+
+// Where both sides depend on the motor: the left one is the value and the right one the limit, of which 1 % is meant.
+void show_sides(LimitState& state, double left, double right, bool maximize) {
+  state.value = left;
+  state.limit = right;
+  if (state.active)
+    state.one_percent_buys = (maximize ? 1 : -1) * state.multiplier * 0.01 * std::fabs(right);
 }
 
 }  // namespace
@@ -85,22 +98,29 @@ std::vector<NamedValue> DesignReporter::metrics_of(const MotorDesign& motor) con
 
 std::vector<LimitState> DesignReporter::limits(const MotorDesign& motor,
                                                const optim::Certificate& certificate) const {
-  std::vector<MetricExpression> metrics;
-  for (const Constraint& limit : limits_) metrics.push_back(limit.metric);
-  const std::vector<double> values = values_of(motor, metrics);
   std::vector<LimitState> states;
-  for (std::size_t i = 0; i < limits_.size(); ++i) {
-    const Constraint& limit = limits_[i];
-    LimitState state{limit.text,     limit.metric.text, std::string(limit.metric.unit()),
-                     limit.at_least, values[i],         limit.limit};
+  for (const Constraint& limit : limits_) {
+    std::vector<MetricExpression> asked{limit.metric};
+    asked.insert(asked.end(), limit.sides.begin(), limit.sides.end());
+    const std::vector<double> values = values_of(motor, asked);
+    LimitState state{limit.text, limit.metric.text, limit.metric.unit()};
+    state.lower = limit.lower;
+    state.upper = limit.upper;
+    state.value = values[0];
+    state.at_least = limit.at_least(state.value);
     if (const optim::Activity* a = activity_of(certificate, limit.text, false)) {
       state.active = a->active;
       state.multiplier = a->multiplier;
       state.one_percent_buys = a->one_percent_buys;
-      if (i >= problem_.limits.size()) state.value = a->value;  // such as mu_0 - mu
+      if (a->active && a->side != optim::Side::equal)
+        state.at_least = a->side == optim::Side::lower;
+      if (states.size() >= problem_.limits.size()) state.value = a->value;  // such as mu_0 - mu
     }
-    const double excess = limit.at_least ? limit.limit - state.value : state.value - limit.limit;
-    state.violation = std::isnan(excess) ? kNoValue : std::max(0.0, excess);
+    state.limit = end_of(limit, state.at_least);
+    state.violation = limit.excess(state.value);
+    const bool one_end = std::isinf(limit.lower) || std::isinf(limit.upper);
+    if (one_end && !limit.sides.empty())
+      show_sides(state, values[1], values[2], problem_.objectives.front().maximize);
     states.push_back(std::move(state));
   }
   return states;
@@ -135,8 +155,8 @@ std::vector<RelaxationState> DesignReporter::relaxation(
     const auto limit = std::find_if(limits_.begin(), limits_.end(),
                                     [&](const Constraint& c) { return c.text == r.name; });
     if (limit == limits_.end()) continue;
-    states.push_back({limit->text, limit->metric.text, std::string(limit->metric.unit()),
-                      limit->at_least, r.limit, r.amount, r.alone});
+    states.push_back({limit->text, limit->metric.text, limit->metric.unit(),
+                      r.side == optim::Side::lower, r.limit, r.amount, r.alone});
   }
   return states;
 }

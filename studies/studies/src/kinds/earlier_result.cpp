@@ -57,8 +57,9 @@ std::pair<double, double> merit(const DesignProblem& problem, const EarlierDesig
   for (std::size_t i = 0; i < problem.limits.size(); ++i) {
     const Constraint& limit = problem.limits[i];
     if (values[i + 1].status != MetricStatus::ok) return {kWorst, kWorst};
-    const double excess = (limit.at_least ? 1 : -1) * (limit.limit - values[i + 1].value);
-    broken += std::max(0.0, excess) / std::max(std::fabs(limit.limit), 1e-300);
+    const double value = values[i + 1].value;
+    const double end = limit.at_least(value) ? limit.lower : limit.upper;
+    broken += limit.excess(value) / std::max(std::fabs(end), 1e-300);
   }
   constexpr double kRoom = 1e-6;  // an optimum breaks its active limits by the solver's tolerance
   if (values[0].status != MetricStatus::ok) return {kWorst, kWorst};

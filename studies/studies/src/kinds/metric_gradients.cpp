@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/metric_gradients.hpp"
 
-#include "problem/metric_values.hpp"
-
 #include <algorithm>
 #include <cstring>
 #include <limits>
@@ -10,27 +8,17 @@
 
 namespace twum::studies {
 
-MetricGradients::MetricGradients(std::vector<MetricExpression> metrics,
+MetricGradients::MetricGradients(const std::vector<MetricExpression>& metrics,
                                  std::vector<Parameter> variables)
-    : metrics_(std::move(metrics)),
+    : evaluator_(metrics),
       variables_(std::move(variables)),
       fixed_static_friction_(std::find(variables_.begin(), variables_.end(),
-                                       Parameter::static_friction) != variables_.end()) {
-  for (const MetricExpression& metric : metrics_) {
-    if (const auto* request = std::get_if<MetricRequest>(&metric.what))
-      requests_.push_back(*request);
-  }
-}
+                                       Parameter::static_friction) != variables_.end()) {}
 
 std::vector<MetricGradients::Gradient> MetricGradients::at(const MotorDesign& design) const {
-  const auto answers = differentiate(Motor(design), requests_, fixed_static_friction_);
   std::vector<Gradient> result;
-  std::size_t asked = 0;
-  for (const MetricExpression& metric : metrics_) {
-    const auto* parameter = std::get_if<Parameter>(&metric.what);
-    const MetricDerivative derivative =
-        parameter != nullptr ? parameter_value(design, *parameter, fixed_static_friction_)
-                             : answers[asked++];
+  for (const MetricDerivative& derivative :
+       evaluator_.differentiate(Motor(design), fixed_static_friction_)) {
     Gradient gradient{{}, derivative.smoothness};
     if (derivative.value.status != MetricStatus::ok) gradient.smoothness = Smoothness::undefined;
     for (const Parameter variable : variables_) {

@@ -15,7 +15,7 @@ namespace twum::studies {
 /// them move along). Constant, safe from any number of threads.
 class MetricGradients {
  public:
-  MetricGradients(std::vector<MetricExpression> metrics, std::vector<Parameter> variables);
+  MetricGradients(const std::vector<MetricExpression>& metrics, std::vector<Parameter> variables);
 
   struct Gradient {
     std::vector<double> values;  ///< by each variable, SI; NaN: none
@@ -25,9 +25,8 @@ class MetricGradients {
   std::vector<Gradient> at(const MotorDesign& design) const;
 
  private:
-  std::vector<MetricExpression> metrics_;
+  ExpressionEvaluator evaluator_;
   std::vector<Parameter> variables_;
-  std::vector<MetricRequest> requests_;
   bool fixed_static_friction_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/sample_rows.hpp"
 
-#include "metrics/evaluate_design.hpp"
+#include <twum/studies/metrics/evaluate_design.hpp>
 
 #include <twum/studies/jobs/ordered.hpp>
 

@@ -92,11 +92,11 @@ SearchRows::SearchRows(const DesignProblem& problem) : variables_(problem.variab
                                    [&](const Column& c) { return c.name == metric.text; });
     if (known) continue;
     columns_.push_back({metric.text, std::string(metric.unit())});
-    metrics_.push_back({i, 0, 0});
-    const auto* request = std::get_if<MetricRequest>(&metric.what);
-    if (request == nullptr || request->argument != Argument::torque) continue;
-    for (std::size_t k = 0; k < implied.size(); ++k) {
-      if (implied[k].load == request->at) metrics_.back() = {i, asked.size() + k, request->at};
+    metrics_.push_back({i, {}});
+    for (const double load : loads_of(metric)) {
+      for (std::size_t k = 0; k < implied.size(); ++k) {
+        if (implied[k].load == load) metrics_.back().loads.push_back({asked.size() + k, load});
+      }
     }
   }
 }
@@ -108,8 +108,11 @@ Row SearchRows::row(std::uint64_t stage, std::uint64_t index, std::span<const do
   row.index = index;
   row.values.assign(design.begin(), design.end());
   for (const MetricColumn& metric : metrics_) {
-    const bool none = !evaluation.ok() || (metric.load_response > 0 &&
-                                           evaluation.values[metric.load_response] < metric.load);
+    const bool none =
+        !evaluation.ok() ||
+        std::any_of(metric.loads.begin(), metric.loads.end(), [&](const MetricColumn::Load& load) {
+          return evaluation.values[load.response] < load.torque;
+        });
     row.values.push_back(none ? kNoValue : evaluation.values[metric.response]);
   }
   if (!evaluation.ok()) row.status = evaluation.failure;

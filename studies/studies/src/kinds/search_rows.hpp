@@ -31,9 +31,13 @@ class SearchRows {
 
  private:
   struct MetricColumn {
+    /// A load that the metric is asked at.
+    struct Load {
+      std::size_t response;  ///< of the limit "max_torque >= load"
+      double torque;         ///< [N m]
+    };
     std::size_t response;
-    std::size_t load_response;  ///< of the limit "max_torque >= load", 0 if it has none
-    double load;
+    std::vector<Load> loads;
   };
 
   std::size_t variables_;

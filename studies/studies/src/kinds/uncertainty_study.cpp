@@ -58,10 +58,6 @@ std::vector<double> sorted(std::vector<double> values) {
 struct LimitPlace {
   Constraint limit;
   std::size_t metric;
-
-  bool kept(double value) const {  // NaN is not kept
-    return limit.at_least ? value >= limit.limit : value <= limit.limit;
-  }
 };
 
 // Adds to the metrics what limits look at and the list does not have yet.
@@ -181,7 +177,7 @@ class UncertaintyRun : public StudyKindRun {
       bool all = true;
       bool known = true;
       for (std::size_t i = 0; i < limits_.size(); ++i) {
-        const bool holds = limits_[i].kept(metrics[limits_[i].metric]);
+        const bool holds = limits_[i].limit.holds(metrics[limits_[i].metric]);
         known = known && !std::isnan(metrics[limits_[i].metric]);
         kept[i] += holds ? 1 : 0;
         all = all && holds;
@@ -192,7 +188,7 @@ class UncertaintyRun : public StudyKindRun {
     for (std::size_t i = 0; i < metrics_.size(); ++i) describe(values[i], result.metrics[i]);
     for (std::size_t i = 0; i < limits_.size(); ++i) {
       const Constraint& limit = limits_[i].limit;
-      result.limits.push_back({limit.text, limit.metric.text, limit.at_least, limit.limit,
+      result.limits.push_back({limit.text, limit.metric.text, limit.lower, limit.upper,
                                proportion_estimate(kept[i], result.samples, kConfidence)});
     }
     if (!limits_.empty()) result.yield = proportion_estimate(good, result.samples, kConfidence);

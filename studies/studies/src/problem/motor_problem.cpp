@@ -46,10 +46,7 @@ void refuse_twins(const DesignProblem& problem) {
 }
 
 optim::Constraint limit_of(const Constraint& limit) {
-  optim::Constraint c;
-  c.name = limit.text;
-  (limit.at_least ? c.lower : c.upper) = limit.limit;
-  return c;
+  return {limit.text, limit.lower, limit.upper};
 }
 
 DesignProblem& want(DesignProblem& problem, std::string_view metric, bool maximize) {

@@ -46,16 +46,24 @@ std::string reason(const MetricExpression& metric, MetricStatus status) {
 
 }  // namespace
 
+std::vector<double> loads_of(const MetricExpression& metric) {
+  std::vector<double> loads;
+  for (const Term& term : metric.terms) {
+    const auto* request = std::get_if<MetricRequest>(&term);
+    if (request != nullptr && request->argument == Argument::torque) loads.push_back(request->at);
+  }
+  return loads;
+}
+
 std::vector<ImpliedLimit> implied_limits(const DesignProblem& problem) {
   std::vector<ImpliedLimit> limits;
   for (const MetricExpression& metric : asked(problem)) {
-    const auto* request = std::get_if<MetricRequest>(&metric.what);
-    if (request == nullptr || request->argument != Argument::torque) continue;
-    const bool known = std::any_of(limits.begin(), limits.end(),
-                                   [&](const ImpliedLimit& l) { return l.load == request->at; });
-    if (!known)
-      limits.push_back(
-          {"max_torque >= " + number_text(request->at) + " N.m for " + metric.text, request->at});
+    for (const double load : loads_of(metric)) {
+      const bool known = std::any_of(limits.begin(), limits.end(),
+                                     [&](const ImpliedLimit& l) { return l.load == load; });
+      if (!known)
+        limits.push_back({"max_torque >= " + number_text(load) + " N.m for " + metric.text, load});
+    }
   }
   if (orders_friction(problem)) limits.push_back({"static_friction >= kinetic_friction", {}});
   return limits;
@@ -67,9 +75,9 @@ MotorResponses::MotorResponses(DesignProblem problem)
       responses_(asked(problem_)),
       fixed_static_friction_(variable_of(problem_, Parameter::static_friction) != nullptr) {
   for (const ImpliedLimit& limit : implied_) {
-    if (limit.load)
-      responses_.push_back({"max_torque", MetricRequest{Metric::max_torque, Argument::none, 0}});
+    if (limit.load) responses_.push_back(parse_metric("max_torque"));
   }
+  evaluator_ = ExpressionEvaluator(responses_);
 }
 
 optim::Evaluation MotorResponses::evaluate(std::span<const double> design, bool gradient) const {
@@ -87,7 +95,7 @@ optim::Evaluation MotorResponses::evaluate(std::span<const double> design, bool 
 }
 
 MotorResponses::Numbers MotorResponses::numbers(const MotorDesign& motor, bool gradient) const {
-  Numbers numbers = metric_values(Motor(motor), responses_, gradient, fixed_static_friction_);
+  Numbers numbers = metric_values(Motor(motor), evaluator_, gradient, fixed_static_friction_);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const MetricStatus status = numbers[i].value.status;
     if (status != MetricStatus::ok)

@@ -16,6 +16,9 @@ struct ImpliedLimit {
   std::optional<double> load;  ///< max_torque >= load [N m]; otherwise static >= kinetic friction
 };
 
+/// The loads [N m] that an expression asks a metric at.
+std::vector<double> loads_of(const MetricExpression& metric);
+
 std::vector<ImpliedLimit> implied_limits(const DesignProblem& problem);
 
 /// The evaluator of motor_problem(): responses of one motor and their Jacobian.
@@ -42,6 +45,7 @@ class MotorResponses {
   DesignProblem problem_;
   std::vector<ImpliedLimit> implied_;
   std::vector<MetricExpression> responses_;  // all but the friction order, which comes last
+  ExpressionEvaluator evaluator_;            // of these
   bool fixed_static_friction_;
 };
 

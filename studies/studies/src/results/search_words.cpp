@@ -19,8 +19,15 @@ void add_gains(Json& json, double multiplier, const optim::Certificate& certific
     json["gains"].push_back(number_json(gain));
 }
 
+const char* sense_word(bool at_least) { return at_least ? "at least" : "at most"; }
+
 Json limit_json(const LimitState& state, const optim::Certificate& certificate) {
   Json json{{"text", state.text},
+            {"metric", state.metric},
+            {"unit", state.unit},
+            {"sense", sense_word(state.at_least)},
+            {"lower", number_json(state.lower)},
+            {"upper", number_json(state.upper)},
             {"value", number_json(state.value)},
             {"limit", number_json(state.limit)},
             {"violation", number_json(state.violation)},
@@ -125,6 +132,9 @@ Json relaxation_json(const std::vector<std::string>& conflict,
   Json json{{"conflict", conflict}, {"limits", Json::array()}};
   for (const RelaxationState& state : states)
     json["limits"].push_back({{"text", state.text},
+                              {"metric", state.metric},
+                              {"unit", state.unit},
+                              {"sense", sense_word(state.at_least)},
                               {"limit", number_json(state.limit)},
                               {"amount", number_json(state.amount)},
                               {"alone", number_json(state.alone)}});

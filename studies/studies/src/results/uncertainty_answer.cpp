@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace twum::studies {
 namespace {
@@ -33,6 +34,20 @@ Json metric_json(const UncertaintyResult::Metric& metric, std::uint64_t samples)
     json["quantile_intervals"][name] = interval_json(quantile.value);
   }
   return json;
+}
+
+bool two_ended(const UncertaintyResult::Limit& limit) {
+  return std::isfinite(limit.lower) && std::isfinite(limit.upper);
+}
+
+const char* sense_of(const UncertaintyResult::Limit& limit) {
+  if (two_ended(limit)) return "between";
+  return std::isfinite(limit.lower) ? "at least" : "at most";
+}
+
+double only_end(const UncertaintyResult::Limit& limit) {
+  if (two_ended(limit)) return std::numeric_limits<double>::quiet_NaN();
+  return std::isfinite(limit.lower) ? limit.lower : limit.upper;
 }
 
 std::string finite_text(double value, const std::string& unit) {
@@ -121,8 +136,10 @@ Json answer_json(const UncertaintyResult& result) {
     for (const UncertaintyResult::Limit& limit : result.limits)
       json["limits"].push_back({{"text", limit.text},
                                 {"metric", limit.metric},
-                                {"sense", limit.at_least ? "at least" : "at most"},
-                                {"limit", number_json(limit.limit)},
+                                {"sense", sense_of(limit)},
+                                {"limit", number_json(only_end(limit))},
+                                {"lower", number_json(limit.lower)},
+                                {"upper", number_json(limit.upper)},
                                 {"kept", estimate_json(limit.kept)}});
     json["without_value"] = result.no_value;
   }

@@ -94,14 +94,9 @@ Shape<Constraint> duty_point() {
         return true;
       });
   return as<Constraint, Duty>(
-      point,
-      [](Duty duty) {
-        const MetricRequest request{Metric::torque_at, Argument::speed, duty.speed};
-        MetricExpression torque{duty.text.substr(0, duty.text.find(" >= ")), request};
-        return Constraint{std::move(duty.text), std::move(torque), true, duty.torque};
-      },
+      point, [](const Duty& duty) { return parse_constraint(duty.text); },
       [](const Constraint& limit) {
-        return Duty{limit.limit, std::get<MetricRequest>(limit.metric.what).at, {}};
+        return Duty{limit.lower, limit.metric.request()->at, {}};
       });
 }
 

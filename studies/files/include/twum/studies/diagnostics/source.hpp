@@ -30,6 +30,9 @@ class Source {
   std::string_view line(int number) const;
   /// The mark of a place given by line and byte, both counted from 0.
   SourceMark mark(int line, int byte) const;
+  /// The mark of a byte of a value, counted from 0, where the value stands at `begin` as it is, perhaps in quotes;
+  /// otherwise, such as over several lines, `begin`.
+  SourceMark mark_within(SourceMark begin, std::string_view value, std::size_t byte) const;
 
  private:
   std::string name_;

@@ -3,20 +3,33 @@
 
 #include <twum/studies/metrics/expression.hpp>
 
+#include <limits>
 #include <string>
 #include <string_view>
 
 namespace twum::studies {
 
-/// A limit on what a motor does: "stall_torque >= 0.8 N.m", "wear_intensity_at(80 rpm) <= 5 kW/m^2".
+/// A limit on what a motor does: "stall_torque >= 0.8 N.m", "thickness <= 0.2 * contact_half_length",
+/// "145 rpm <= no_load_speed <= 155 rpm", "no_load_speed == 150 rpm +- 3 %".
 struct Constraint {
-  std::string text;         ///< as typed, blanks trimmed
-  MetricExpression metric;  ///< what is limited
-  bool at_least;            ///< ">=", otherwise "<="
-  double limit;             ///< in the metric's SI unit
+  std::string text;  ///< as typed, blanks trimmed
+  MetricExpression
+      metric;  ///< what stays between the ends: one side, or left minus right if both depend on the motor
+  double lower{-std::numeric_limits<double>::infinity()};  ///< SI
+  double upper{std::numeric_limits<double>::infinity()};   ///< SI, >= lower
+  /// The two sides where both depend on the motor, for reports; otherwise empty, and the metric and its ends say all.
+  std::vector<MetricExpression> sides{};
+
+  /// True if the value is between the ends; NaN is not.
+  bool holds(double value) const { return value >= lower && value <= upper; }
+  /// By how much the value is outside, SI; 0 if it is between the ends, NaN if it is NaN.
+  double excess(double value) const;
+  /// True if the end at hand is the lower one: the only one, or the one that the value is nearer to.
+  bool at_least(double value) const;
 };
 
-/// Reads a limit: a metric or parameter, "<=" or ">=", and a quantity of its dimension.
+/// Reads a limit: two expressions of one dimension with ">=" or "<=" between them, a quantity on each side ("A <= EXPR <=
+/// B"), or an equality with a tolerance ("EXPR == A +- B"), which in % is relative to A.
 /// @throws ValueError with the position in the text, what was found and what would be right.
 Constraint parse_constraint(std::string_view text);
 

@@ -19,16 +19,18 @@ struct Goal {
 /// A limit at a design, SI.
 struct LimitState {
   std::string text;      ///< as typed
-  std::string metric;    ///< what is limited
+  std::string metric;    ///< what is limited: one side, or left minus right
   std::string unit;      ///< SI unit of the metric
   bool at_least{false};  ///< a lower limit
   double value{0};      ///< NaN: the motor has none, such as a speed at a load that it cannot carry
-  double limit{0};      ///< SI
+  double limit{0};      ///< SI; of two ends the one that is active, or nearer
   double violation{0};  ///< by how much the limit is broken, >= 0
   bool active{false};   ///< it holds the design back
   double multiplier{
       0};  ///< improvement of the goal for each unit by which the limit gives way, >= 0
   double one_percent_buys{0};  ///< change of the goal when the limit gives way by 1 %, first order
+  double lower{0};             ///< lower end of the metric, SI; -infinity: none
+  double upper{0};             ///< upper end of the metric, SI; infinity: none
 };
 
 /// A variable at the end of its range, SI.

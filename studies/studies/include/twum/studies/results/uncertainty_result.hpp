@@ -30,8 +30,8 @@ struct UncertaintyResult {
   struct Limit {
     std::string text;    ///< as typed
     std::string metric;  ///< what is limited
-    bool at_least;       ///< a lower limit
-    double limit;        ///< SI
+    double lower;        ///< SI; -infinity: none
+    double upper;        ///< SI; infinity: none
     Estimate kept;       ///< fraction of motors
   };
   /// A variable whose distribution reaches beyond what is admissible.
