@@ -15,24 +15,23 @@ using Values = std::vector<ParameterValue>;
 // A motor as its file gives it.
 struct GivenMotor {
   std::string name;
-  Values stator, contact_layer, friction, others;
+  Values stator, contact_layer, friction, rotor, others;
 };
 
+// The mapping that an entry stands in, such as "stator.radial_shape"; empty for one of the motor itself.
 std::string_view section_of(const ParameterInfo& row) {
-  return row.file_entry.substr(0, std::min(row.file_entry.find('.'), row.file_entry.size()));
+  const std::size_t dot = row.file_entry.rfind('.');
+  return row.file_entry.substr(0, dot == std::string_view::npos ? 0 : dot);
+}
+
+// The first step of that, the section of the motor.
+std::string_view outer_section_of(const ParameterInfo& row) {
+  const std::string_view section = section_of(row);
+  return section.substr(0, section.find('.'));
 }
 
 std::string_view entry_name(const ParameterInfo& row) {
   return row.file_entry.substr(row.file_entry.rfind('.') + 1);
-}
-
-// An entry of a section itself: what is nested deeper has no entry in the file yet.
-bool stands_in(const ParameterInfo& row, std::string_view section) {
-  return section_of(row) == section && row.file_entry == std::string(section) + "." + std::string(entry_name(row));
-}
-
-bool has_section(const ParameterInfo& row) {
-  return row.file_entry.find('.') != std::string_view::npos;
 }
 
 std::string value_text(double value, const ParameterInfo& row) {
@@ -51,6 +50,10 @@ Field<T> field_of(const ParameterInfo& row, Values T::*values) {
   field.entry.alias = row.name == entry_name(row) ? row.symbol : row.name;
   if (row.parameter == Parameter::modal_damping) field.entry.fallback = "0";
   if (row.parameter == Parameter::static_friction) field.entry.fallback = "the kinetic one";
+  if (row.parameter == Parameter::radial_slices) field.entry.fallback = "1";
+  if (row.parameter == Parameter::shape_exponent) field.entry.fallback = "0";
+  if (row.parameter == Parameter::shape_root) field.entry.fallback = "0 m";
+  if (row.parameter == Parameter::rotor_taper) field.entry.fallback = "0 rad";
   field.read = [&row, values, read = value.read](T& into, const YamlNode& node, const Spot& spot,
                                                  Diagnostics& diagnostics) {
     double typed = 0;
@@ -74,17 +77,54 @@ struct Section {
 
 using Check = std::function<bool(Section&, const Given&, Diagnostics&)>;
 
-Field<GivenMotor> section(const std::string& name, std::string text, Values GivenMotor::*values,
-                          const Check& check = {}) {
+// The parameters of a mapping and, if it has one, the mapping nested in it.
+std::vector<Field<Section>> fields_of(std::string_view section) {
   std::vector<Field<Section>> fields;
   for (const ParameterInfo& row : parameter_table())
-    if (stands_in(row, name))
-      fields.push_back(field_of(row, &Section::values));
+    if (section_of(row) == section) fields.push_back(field_of(row, &Section::values));
+  return fields;
+}
+
+// A mapping that may be left out, its values among those of the mapping around it.
+template <typename T>
+Field<T> group(std::string_view section, std::string text, Values T::*values) {
+  const Shape<Section> shape = mapping<Section>(std::move(text), fields_of(section));
+  Field<T> field;
+  field.entry.name = section.substr(section.rfind('.') + 1);
+  field.entry.schema = shape.schema;
+  field.entry.fallback = "its own defaults";
+  field.read = [values, read = shape.read](T& into, const YamlNode& node, const Spot& spot,
+                                           Diagnostics& diagnostics) {
+    Section given;
+    const bool right = read(given, node, spot, diagnostics);
+    Values& all = into.*values;
+    all.insert(all.end(), given.values.begin(), given.values.end());
+    return right;
+  };
+  field.write = [section, values, write = shape.write](const T& from) -> std::optional<YamlNode> {
+    Section own;
+    for (const ParameterValue& value : from.*values)
+      if (section_of(info(value.first)) == section) own.values.push_back(value);
+    if (own.values.empty()) return {};
+    return write(own);
+  };
+  return field;
+}
+
+Field<GivenMotor> section(const std::string& name, std::string text, Values GivenMotor::*values,
+                          std::vector<Field<Section>> fields, const Check& check = {}) {
   const auto shape = as<Values, Section>(
       mapping<Section>(std::move(text), std::move(fields), check),
       [](Section given) { return std::move(given.values); },
       [](const Values& given) { return Section{given}; });
   return needed<GivenMotor>(name, shape, values);
+}
+
+std::vector<Field<Section>> stator_fields() {
+  std::vector<Field<Section>> fields = fields_of("stator");
+  fields.push_back(group<Section>("stator.radial_shape",
+                                  "shape of the wave across the contact track", &Section::values));
+  return fields;
 }
 
 double value_in(const Values& values, Parameter parameter) {
@@ -113,7 +153,8 @@ MotorFile motor_of(const GivenMotor& given) {
   blank.stator.modal_damping = 0;
   blank.friction = {1, 1};
   Values values;
-  for (const Values* part : {&given.stator, &given.contact_layer, &given.friction, &given.others})
+  for (const Values* part :
+       {&given.stator, &given.contact_layer, &given.friction, &given.rotor, &given.others})
     values.insert(values.end(), part->begin(), part->end());
   return {given.name, with(blank, values)};
 }
@@ -123,10 +164,11 @@ GivenMotor given_by(const MotorFile& motor) {
   given.name = motor.name;
   for (const ParameterInfo& row : parameter_table()) {
     if (!in_use(motor.design, row.parameter)) continue;
-    const std::string_view name = has_section(row) ? section_of(row) : "";
+    const std::string_view name = outer_section_of(row);
     Values& values = name == "stator"          ? given.stator
                      : name == "contact_layer" ? given.contact_layer
                      : name == "friction"      ? given.friction
+                     : name == "rotor"         ? given.rotor
                                                : given.others;
     values.emplace_back(row.parameter, get(motor.design, row.parameter));
   }
@@ -152,12 +194,15 @@ const Shape<MotorFile>& motor_shape() {
     std::vector<Field<GivenMotor>> fields{
         optional<GivenMotor>("name", path("what the motor is called", "ring-60"), &GivenMotor::name,
                              "no name"),
-        section("stator", "the vibrating ring and its travelling wave", &GivenMotor::stator),
-        section("contact_layer", "the layer between stator and rotor", &GivenMotor::contact_layer),
+        section("stator", "the vibrating ring and its travelling wave", &GivenMotor::stator,
+                stator_fields()),
+        section("contact_layer", "the layer between stator and rotor", &GivenMotor::contact_layer,
+                fields_of("contact_layer")),
         section("friction", "Coulomb friction between stator and contact layer",
-                &GivenMotor::friction, check_friction)};
+                &GivenMotor::friction, fields_of("friction"), check_friction),
+        group<GivenMotor>("rotor", "the rotor's face", &GivenMotor::rotor)};
     for (const ParameterInfo& row : parameter_table())
-      if (!has_section(row)) fields.push_back(field_of(row, &GivenMotor::others));
+      if (section_of(row).empty()) fields.push_back(field_of(row, &GivenMotor::others));
     return as<MotorFile, GivenMotor>(mapping<GivenMotor>("one motor", std::move(fields)), motor_of,
                                      given_by);
   }();
