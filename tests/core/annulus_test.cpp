@@ -59,23 +59,33 @@ struct Ring {
   double radius, width, amplitude, load;
 };
 
-// Rings under a rotor whose face stands at `height` over the neutral surface at the mean radius.
+// A ring under a rotor whose face stands at `height` over the neutral surface at the mean radius.
+Ring ring_at(const MotorDesign& d, double radius, double width, double height) {
+  const double r = d.stator.contact_radius;
+  const RadialShape& shape = d.stator.radial_shape;
+  const double amplitude = d.stator.amplitude *
+                           std::pow((radius - shape.root) / (r - shape.root), shape.exponent);
+  const double face = height + (radius - r) * std::tan(d.rotor.taper);
+  // the wave cuts the face at +-theta, and the layer gives way by what is above it
+  const double theta = std::acos(std::clamp(face / amplitude, -1.0, 1.0));
+  const double area = 2 * (amplitude * std::sin(theta) - face * theta);
+  const double load = radius * width * d.layer.youngs_modulus / d.layer.thickness * area;
+  return {radius, width, amplitude, load};
+}
+
 std::vector<Ring> rings_at(const MotorDesign& d, int count, double height) {
-  const double r = d.stator.contact_radius, width = d.stator.contact_width / count;
+  const double width = d.stator.contact_width / count;
   std::vector<Ring> rings;
-  for (int i = 0; i < count; ++i) {
-    Ring ring{inner_of(d) + (i + 0.5) * width, width, 0, 0};
-    const RadialShape& shape = d.stator.radial_shape;
-    ring.amplitude = d.stator.amplitude *
-                     std::pow((ring.radius - shape.root) / (r - shape.root), shape.exponent);
-    const double face = height + (ring.radius - r) * std::tan(d.rotor.taper);
-    // the wave cuts the face at +-theta, and the layer gives way by what is above it
-    const double theta = std::acos(std::clamp(face / ring.amplitude, -1.0, 1.0));
-    const double area = 2 * (ring.amplitude * std::sin(theta) - face * theta);
-    ring.load = ring.radius * width * d.layer.youngs_modulus / d.layer.thickness * area;
-    rings.push_back(ring);
-  }
+  for (int i = 0; i < count; ++i)
+    rings.push_back(ring_at(d, inner_of(d) + (i + 0.5) * width, width, height));
   return rings;
+}
+
+MotorDesign motor_of(const MotorDesign& d, const Ring& ring) {
+  MotorDesign one = sliced(d, 1);
+  one.stator.contact_radius = ring.radius, one.stator.contact_width = ring.width;
+  one.stator.amplitude = ring.amplitude, one.preload = ring.load;
+  return one;
 }
 
 double load_of(const std::vector<Ring>& rings) {
@@ -84,13 +94,17 @@ double load_of(const std::vector<Ring>& rings) {
   return load;
 }
 
-std::vector<Ring> pressed_rings(const MotorDesign& d, int count) {
+double height_of(const MotorDesign& d, int count) {
   double low = -1e-2, high = 1e-2;  // far beyond any height here
   for (int i = 0; i < 100; ++i) {
     const double middle = 0.5 * (low + high);
     (load_of(rings_at(d, count, middle)) > d.preload ? low : high) = middle;
   }
-  return rings_at(d, count, 0.5 * (low + high));
+  return 0.5 * (low + high);
+}
+
+std::vector<Ring> pressed_rings(const MotorDesign& d, int count) {
+  return rings_at(d, count, height_of(d, count));
 }
 
 OperatingPoint sum_of_rings(const MotorDesign& d, int count, double speed) {
@@ -98,10 +112,7 @@ OperatingPoint sum_of_rings(const MotorDesign& d, int count, double speed) {
   double touching = 0;
   for (const Ring& ring : pressed_rings(d, count)) {
     if (!(ring.load > 0)) continue;
-    MotorDesign one = sliced(d, 1);
-    one.stator.contact_radius = ring.radius, one.stator.contact_width = ring.width;
-    one.stator.amplitude = ring.amplitude, one.preload = ring.load;
-    const Motor motor(one);
+    const Motor motor(motor_of(d, ring));
     const OperatingPoint p = motor.operating_point(speed);
     REQUIRE(p.status == PointStatus::ok);
     sum.torque += p.torque, sum.stator_power += p.stator_power;
@@ -290,10 +301,7 @@ TEST_CASE("pressure across the track follows shape and taper (W5.1, W5.2, W5.3)"
     for (const Ring& ring : rings) {
       most = std::max(most, ring.load / (2 * kPi * ring.radius * ring.width));
       if (!(ring.load > 0)) continue;
-      MotorDesign one = sliced(d, 1);
-      one.stator.contact_radius = ring.radius, one.stator.contact_width = ring.width;
-      one.stator.amplitude = ring.amplitude, one.preload = ring.load;
-      largest = std::max(largest, Motor(one).contact().max_pressure);
+      largest = std::max(largest, Motor(motor_of(d, ring)).contact().max_pressure);
     }
     const Stator& s = d.stator;
     const double mean = d.preload / (2 * kPi * s.contact_radius * s.contact_width);
@@ -307,6 +315,27 @@ TEST_CASE("pressure across the track follows shape and taper (W5.1, W5.2, W5.3)"
   const Motor ring(sliced(ring_motor(), 8));
   CHECK(evaluate(ring, {Metric::layer_aspect}).value ==
         Approx(ring_motor().layer.thickness / (2 * ring.contact().half_length)).epsilon(1e-15));
+}
+
+TEST_CASE("the plateau ends where the first ring sticks (W5.4)", "[core][annulus][oracle]") {
+  constexpr int kRings = 2000;
+  for (const Track& track : tracks()) {
+    const MotorDesign& d = track.design;
+    if (d.friction.static_ > d.friction.kinetic) continue;  // a ring that sticks may go on sticking
+    const double height = height_of(d, kRings), width = d.stator.contact_width / kRings;
+    std::vector<Ring> rings = rings_at(d, 200, height);
+    for (const double edge : {inner_of(d), inner_of(d) + d.stator.contact_width})
+      rings.push_back(ring_at(d, edge, width, height));
+    double first = 1e9;
+    for (const Ring& ring : rings)
+      if (ring.load > 0)
+        first = std::min(first, evaluate(Motor(motor_of(d, ring)), {Metric::plateau_speed}).value);
+    const Motor motor(sliced(d, 8));
+    const double end = evaluate(motor, {Metric::plateau_speed}).value;
+    CAPTURE(track.name, end, first);
+    // the height of 2000 rings is good to 1e-6 of the amplitude; a track that lifts off on one side is not first there
+    CHECK(std::abs(end - first) <= 1e-5 * motor.crest_speed());
+  }
 }
 
 TEST_CASE("fields at a radius are those of the wave and the rotor there (W1.1, W2.1)",

@@ -192,6 +192,14 @@ Derived Differentiator::plateau() {
   return {plateau_end_derivative(model_, end), of_normal_contact()};
 }
 
+Derived Differentiator::plateau_of_track() {
+  const Derived slices = plateau();
+  const double of_slices = value_of(slices.dual), end = track_plateau_end(m_, of_slices);
+  if (end == of_slices) return slices;
+  if (end == 0) return {ModelDual(0.0), Smoothness::flat};
+  return {track_plateau_end_derivative(model_, end), Smoothness::smooth};
+}
+
 // dOmega = -d(T - load) / T_Omega.
 Derived Differentiator::crossing(const Crossing& crossing, const Derived& load) {
   const double torque = value_of(load.dual), end = search().plateau_end();

@@ -45,7 +45,7 @@ class Differentiator {
   Derived speed_of_peak(Metric metric, const Peak& peak);
   /// A speed where the torque takes a load that moves with the parameters.
   Derived crossing(const Crossing& crossing, const Derived& load);
-  Derived plateau();
+  Derived plateau_of_track();
   template <typename F>
   Derived of_motor(F f) const {
     return {f(model_)};
@@ -69,6 +69,7 @@ class Differentiator {
   Derived sized(const ModelDual& dual) const;
   Smoothness of_contact_angle() const;
   Smoothness of_normal_contact() const;
+  Derived plateau();
   Smoothness of_point(double speed);
   const PointNumbers<ModelDual>& numbers(double speed);
   Derived at_plateau_end(Metric metric, double speed);

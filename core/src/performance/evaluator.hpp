@@ -29,7 +29,7 @@ class Evaluator {
   double along_peak(Metric metric, const Peak& peak) { return at(metric, peak.speed); }
   double speed_of_peak(Metric metric, const Peak& peak);
   double crossing(const Crossing& crossing, double /*load*/) const { return crossing.speed; }
-  double plateau() { return search_.plateau_end(); }
+  double plateau_of_track() { return track_plateau_end(m_, search_.plateau_end()); }
   template <typename F>
   double of_motor(F f) const {
     return f(m_);

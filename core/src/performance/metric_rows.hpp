@@ -65,7 +65,7 @@ typename Answers::Number metric_row(Answers& to, const MetricRequest& request) {
     case M::max_torque: return to.at_peak(M::torque_at, search.max_torque());
     case M::holding_torque: return to.of_motor([](const auto& m) { return holding_torque(m); });
     case M::no_load_speed: return to.crossing(search.no_load(), to.fixed(0));
-    case M::plateau_speed: return to.plateau();
+    case M::plateau_speed: return to.plateau_of_track();
     case M::peak_power: return to.at_peak(M::output_power_at, search.peak_power());
     case M::speed_at_peak_power: return to.speed_of_peak(M::output_power_at, search.peak_power());
     case M::torque_at_peak_power: return to.along_peak(M::torque_at, search.working_peak());

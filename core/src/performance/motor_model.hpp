@@ -73,6 +73,7 @@ struct DrivenMotor : MotorModel<S>, Slice<S> {
   S holding_lever;  ///< the same without a wave
   S indentation;    ///< of the layer by the crest at the mean radius (W2.1) [m]
   std::vector<Slice<S>> annulus;  ///< slices that touch; empty: all at the mean radius
+  std::vector<Slice<S>> edges;    ///< of an annulus, those that touch: no part of a sum, but the first to stick
 
   /// What the motor's numbers are sums over.
   std::span<const Slice<S>> slices() const {

@@ -192,8 +192,8 @@ SolvedSlice solve_slice(const DrivenMotor<double>& m, const Slice<double>& slice
 
 // How the layer moves is the same in all slices: W is.
 LayerMotion<double> layer_of(const DrivenMotor<double>& m, double speed) {
-  const contact::ContactNumbers<double> n = contact_numbers(m, speed);
-  return {n.inertia, n.damping};
+  const double W = m.omega + m.kappa * (m.r * speed), rate = W * m.compliance;
+  return {m.inertia * W * rate, m.viscosity * rate};
 }
 
 // What is the matter with a slice. With mu_0 > mu a locked one is torn loose.

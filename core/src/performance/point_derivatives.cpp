@@ -174,26 +174,65 @@ Margin plateau_margin(const DrivenMotor<double>& m, double speed) {
   return first;
 }
 
-ModelDual plateau_end_derivative(const DrivenMotor<ModelDual>& motor, double speed) {
-  const auto margin_of = [&](const Slice<ModelDual>& slice) {
-    const ContactNumbers<ModelDual> x =
-        contact_numbers(motor, slice, speed_variable<ModelDual>(speed));
-    const contact::SlipMargin low = contact::slip_margin(values_of(x));
-    return chained(contact::slip_margin_at(seeded<NumbersDual>(x), low), listed(x));
-  };
+namespace {
+
+ModelDual margin_in(const DrivenMotor<ModelDual>& m, const Slice<ModelDual>& slice, double speed) {
+  const ContactNumbers<ModelDual> x = contact_numbers(m, slice, speed_variable<ModelDual>(speed));
+  const contact::SlipMargin low = contact::slip_margin(values_of(x));
+  return chained(contact::slip_margin_at(seeded<NumbersDual>(x), low), listed(x));
+}
+
+// The margin that is used up first, of some slices.
+ModelDual first_margin(const DrivenMotor<ModelDual>& m, std::span<const Slice<ModelDual>> slices,
+                       double speed) {
   const auto reach_of = [](const ModelDual& margin) {
     return margin.v / std::fabs(margin.d[kSpeedDirection]);
   };
-  const auto slices = motor.slices();
-  ModelDual margin = margin_of(slices[0]);
+  ModelDual margin = margin_in(m, slices[0], speed);
   for (const Slice<ModelDual>& slice : slices.subspan(1)) {
-    const ModelDual next = margin_of(slice);
+    const ModelDual next = margin_in(m, slice, speed);
     if (reach_of(next) < reach_of(margin)) margin = next;
   }
-  // margin(Omega(p), p) = 0
+  return margin;
+}
+
+// margin(Omega(p), p) = 0
+ModelDual end_of(const ModelDual& margin, double speed) {
   ModelDual end(speed);
   for (int j = 0; j < kSpeedDirection; ++j) end.d[j] = -margin.d[j] / margin.d[kSpeedDirection];
   return end;
+}
+
+// Where a slice that sticks at `high` begins to, by Newton's method in a bracket from rest.
+double sticking_speed(const DrivenMotor<double>& m, const Slice<double>& slice, double high) {
+  double low = 0, speed = high;
+  for (int i = 0; i < 100 && high - low > 1e-15 * high; ++i) {
+    const Margin margin = margin_in(m, slice, speed);
+    (margin.value > 0 ? low : high) = speed;
+    double next = speed - margin.value / margin.slope;
+    if (!(next >= low && next <= high)) next = 0.5 * (low + high);
+    if (std::fabs(next - speed) <= 1e-12 * high) return next;
+    speed = next;
+  }
+  return speed;
+}
+
+}  // namespace
+
+ModelDual plateau_end_derivative(const DrivenMotor<ModelDual>& motor, double speed) {
+  return end_of(first_margin(motor, motor.slices(), speed), speed);
+}
+
+double track_plateau_end(const DrivenMotor<double>& m, double end) {
+  for (const Slice<double>& edge : m.edges) {
+    if (!(margin_in(m, edge, 0).value > 0)) return 0;
+    if (margin_in(m, edge, end).value < 0) end = sticking_speed(m, edge, end);
+  }
+  return end;
+}
+
+ModelDual track_plateau_end_derivative(const DrivenMotor<ModelDual>& m, double end) {
+  return end_of(first_margin(m, m.edges, end), end);
 }
 
 #define TWUM_INSTANTIATE(S)                                         \

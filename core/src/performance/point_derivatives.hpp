@@ -49,7 +49,14 @@ struct Margin {
 };
 Margin plateau_margin(const DrivenMotor<double>& model, double speed);
 
-/// End of the plateau with its derivatives.
+/// End of the plateau of the slices with its derivatives.
 ModelDual plateau_end_derivative(const DrivenMotor<ModelDual>& motor, double speed);
+
+/// End of the plateau of the whole track (W5.4): before that of its slices where an edge sticks first, since they lie within
+/// the track.
+/// @param end  of the slices
+double track_plateau_end(const DrivenMotor<double>& motor, double end);
+/// An end that an edge brings, with its derivatives.
+ModelDual track_plateau_end_derivative(const DrivenMotor<ModelDual>& motor, double end);
 
 }  // namespace twum::performance

@@ -28,7 +28,8 @@ constexpr std::size_t model_index(Parameter parameter) {
 }
 
 inline constexpr int kSpeedDirection = static_cast<int>(kModelParameters.size());
-inline constexpr int kDirections = kSpeedDirection + 1;
+/// Rounded up to an even number, of which vector instructions make pairs: one more that is always zero costs less than none.
+inline constexpr int kDirections = (kSpeedDirection + 2) / 2 * 2;
 
 using ModelDual = Dual<double, kDirections>;
 using ModelDual2 = Dual<contact::SpeedDual, kDirections>;  ///< and theirs along the speed

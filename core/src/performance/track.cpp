@@ -375,6 +375,10 @@ DrivenMotor<S> over_annulus(DrivenMotor<S> m) {
     moment += s.load * s.radius;
   }
   m.annulus = std::move(slices);
+  for (const S& radius : {S(m.r - 0.5 * m.b), S(m.r + 0.5 * m.b)}) {
+    Slice<S> edge = slice_at(m, radius, m.b);
+    if (value_of(edge.contact.half_angle) > 0) m.edges.push_back(std::move(edge));
+  }
   m.lever = moment / m.preload;
   return m;
 }
