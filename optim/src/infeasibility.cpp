@@ -93,21 +93,36 @@ double relaxation_alone(Campaign& campaign, std::size_t row, std::span<const dou
   return attempt.best->f / campaign.scaling().factor(r);
 }
 
-// Stationarity of the summed violation: limits that are broken pull with weight one, limits that
-// are just met push back. Returns the constraints that do either.
-std::set<std::size_t> fighting(const Problem& problem, const KktPoint& point, double tolerance,
-                               bool& stationary) {
+// Constraints and range ends that meet at a point of smallest summed violation.
+struct Fight {
+  std::set<std::size_t> constraints;
+  std::vector<RangeEnd> ranges;
+  bool stationary{false};
+};
+
+RangeEnd range_end(const Problem& problem, const Scaling& scaling, const KktPoint& point,
+                   std::size_t k) {
+  const Variable& v = problem.variables[scaling.variable(k)];
+  return point.unit[k] < 0.5 ? RangeEnd{v.name, Side::lower, v.lower}
+                             : RangeEnd{v.name, Side::upper, v.upper};
+}
+
+// Stationarity of the summed violation: limits that are broken pull with weight one, limits and range ends
+// that are just met push back with their multipliers.
+Fight fighting(const Problem& problem, const Scaling& scaling, const KktPoint& point,
+               double tolerance) {
+  constexpr double kNoForce = 1e-6;
   const std::size_t objectives = problem.objectives.size();
   KktPoint met = point;
   met.limits.clear();
-  std::set<std::size_t> names;
+  Fight fight;
   Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(point.variables(), 1);
   for (const Limit& l : point.limits) {
     if (l.excess <= tolerance) {
       met.limits.push_back(l);
       continue;
     }
-    names.insert(l.constraint);
+    fight.constraints.insert(l.constraint);
     const std::size_t response = objectives + l.constraint;
     const bool from_above =
         point.evaluation.values[response] > problem.constraints[l.constraint].upper;
@@ -116,13 +131,18 @@ std::set<std::size_t> fighting(const Problem& problem, const KktPoint& point, do
   }
   const Multipliers m = find_multipliers(met, pull, objectives, 1e-6);
   for (std::size_t i = 0; i < m.limits.size(); ++i)
-    if (std::abs(m.limit_values[i]) > 1e-6) names.insert(met.limits[m.limits[i]].constraint);
+    if (std::abs(m.limit_values[i]) > kNoForce)
+      fight.constraints.insert(met.limits[m.limits[i]].constraint);
+  for (std::size_t i = 0; i < m.bounds.size(); ++i)
+    if (m.bound_values[i] > kNoForce)
+      fight.ranges.push_back(
+          range_end(problem, scaling, point, static_cast<std::size_t>(m.bounds[i])));
   const double tiny = 1e-5 * (1.0 + (pull.size() == 0 ? 0.0 : pull.cwiseAbs().maxCoeff()));
   // A limit that gives way adds to the sum with weight one, so it holds against no more.
   const bool held = std::all_of(m.limit_values.begin(), m.limit_values.end(),
                                 [&](double force) { return std::abs(force) <= 1.0 + tiny; });
-  stationary = held && (m.residual.size() == 0 || m.residual.cwiseAbs().maxCoeff() <= tiny);
-  return names;
+  fight.stationary = held && (m.residual.size() == 0 || m.residual.cwiseAbs().maxCoeff() <= tiny);
+  return fight;
 }
 
 }  // namespace
@@ -142,7 +162,10 @@ Infeasibility explain_infeasible(Campaign& campaign, std::span<const double> uni
   campaign.book(look);
   if (!point || total_violation(*point) == 0.0) return report;
   const double tolerance = campaign.options().feasibility_tolerance;
-  const auto names = fighting(problem, *point, tolerance, report.certified);
+  Fight fight = fighting(problem, campaign.scaling(), *point, tolerance);
+  const auto& names = fight.constraints;
+  report.certified = fight.stationary;
+  report.ranges = std::move(fight.ranges);
   for (const std::size_t i : names) report.conflict.push_back(problem.constraints[i].name);
   for (const Limit& l : point->limits) {
     if (!names.contains(l.constraint) || (l.excess <= tolerance && l.slack > 1e-6)) continue;

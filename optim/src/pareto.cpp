@@ -3,6 +3,7 @@
 #include <twum/optim/hypervolume.hpp>
 #include <twum/optim/low_discrepancy.hpp>
 
+#include "causes.hpp"
 #include "front_search.hpp"
 #include "infeasibility.hpp"
 #include "polish.hpp"
@@ -149,6 +150,15 @@ void explain(Campaign& campaign, const std::optional<Candidate>& least, Front& f
   if (campaign.counters().all_failed() ||
       (campaign.exhausted() && front.infeasibility.relaxations.empty()))
     front.outcome = campaign.without_design();
+  if (front.infeasibility.relaxations.empty()) return;
+  SolveOptions rest = campaign.options();
+  rest.first_stage = campaign.next_stage();
+  Causes causes =
+      find_causes(campaign.problem(), rest, campaign.deadline(),
+                  cost_of_causes(campaign.counters(), rest.budget), std::move(front.infeasibility));
+  front.infeasibility = std::move(causes.infeasibility);
+  front.counters.add(causes.counters);
+  front.stages_used = causes.stages_used;
 }
 
 void conclude(Campaign& campaign, Front& front) {
@@ -162,7 +172,7 @@ void conclude(Campaign& campaign, Front& front) {
     front.stop = campaign.stop_reason() == StopReason::finished ? StopReason::evaluations
                                                                 : campaign.stop_reason();
   front.counters.add(campaign.counters());
-  front.stages_used = campaign.next_stage() - campaign.options().first_stage;
+  front.stages_used += campaign.next_stage() - campaign.options().first_stage;
   front.seconds = campaign.deadline().elapsed();
 }
 

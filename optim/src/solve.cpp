@@ -3,6 +3,7 @@
 
 #include <twum/optim/low_discrepancy.hpp>
 
+#include "causes.hpp"
 #include "infeasibility.hpp"
 #include "integer_search.hpp"
 #include "solve_continuous.hpp"
@@ -233,6 +234,19 @@ Observer serialized(const Observer& observer) {
   };
 }
 
+void complete_explanation(const Problem& problem, const SolveOptions& options,
+                          const Deadline& deadline, Result& result) {
+  SolveOptions rest = options;
+  rest.first_stage += result.stages_used;
+  Causes causes =
+      find_causes(problem, rest, deadline, cost_of_causes(result.counters, options.budget),
+                  std::move(result.infeasibility));
+  result.infeasibility = std::move(causes.infeasibility);
+  result.counters.add(causes.counters);
+  result.stages_used += causes.stages_used;
+  result.seconds = deadline.elapsed();
+}
+
 }  // namespace
 
 const char* to_string(Outcome outcome) {
@@ -251,6 +265,14 @@ Result solve_continuous(const Problem& problem, const SolveOptions& options,
   return ContinuousSolve(problem, options, deadline, ladder).run();
 }
 
+Result solve_plainly(const Problem& problem, const SolveOptions& options,
+                     const Deadline& deadline) {
+  const bool integers = std::any_of(problem.variables.begin(), problem.variables.end(),
+                                    [](const Variable& v) { return v.integer; });
+  return integers ? integer_search(problem, options, deadline)
+                  : solve_continuous(problem, options, deadline);
+}
+
 Result solve(const Problem& problem, const SolveOptions& options) {
   validate(problem);
   if (problem.objectives.size() != 1)
@@ -261,10 +283,10 @@ Result solve(const Problem& problem, const SolveOptions& options) {
   SolveOptions own = options;
   own.observer = serialized(options.observer);
   const Deadline deadline(options.budget.seconds);
-  const bool integers = std::any_of(problem.variables.begin(), problem.variables.end(),
-                                    [](const Variable& v) { return v.integer; });
-  return integers ? integer_search(problem, own, deadline)
-                  : solve_continuous(problem, own, deadline);
+  Result result = solve_plainly(problem, own, deadline);
+  if (!result.infeasibility.relaxations.empty())
+    complete_explanation(problem, own, deadline, result);
+  return result;
 }
 
 }  // namespace twum::optim

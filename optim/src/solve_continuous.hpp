@@ -16,4 +16,7 @@ struct Ladder {
 Result solve_continuous(const Problem& problem, const SolveOptions& options,
                         const Deadline& deadline, const Ladder& ladder = {});
 
+/// solve() of a problem that can be posed, without the search for causes.
+Result solve_plainly(const Problem& problem, const SolveOptions& options, const Deadline& deadline);
+
 }  // namespace twum::optim

@@ -133,14 +133,14 @@ TEST_CASE("limits that fight are named with the relaxation that would do", "[stu
                           kStallUnderNoLoad + speed_text(speed) + ", stall_torque >= 3 N.m]}"));
   CHECK(s.answer.outcome == "infeasible");
   const OptimizeResult& r = s.optimum();
-  REQUIRE(r.relaxation.size() == 2);
-  CHECK(r.conflict.size() == 2);
+  REQUIRE(r.explanation.limits.size() == 2);
+  CHECK(r.explanation.conflict.size() == 2);
   // Alone: the speed of the preload that carries the torque, or the torque of the angle with the speed.
   const double phi_of_torque = exact.angle_of_preload(torque / exact.plateau_torque(1));
   const double phi_of_speed = exact.angle_of_no_load(speed);
-  CHECK(r.relaxation[0].metric == "no_load_speed");
-  CHECK_THAT(r.relaxation[0].alone, WithinRel(speed - exact.no_load(phi_of_torque), 1e-5));
-  CHECK_THAT(r.relaxation[1].alone,
+  CHECK(r.explanation.limits[0].metric == "no_load_speed");
+  CHECK_THAT(r.explanation.limits[0].alone, WithinRel(speed - exact.no_load(phi_of_torque), 1e-5));
+  CHECK_THAT(r.explanation.limits[1].alone,
              WithinRel(torque - exact.plateau_torque(exact.preload(phi_of_speed)), 1e-5));
   CHECK(s.text().find("cannot hold together") != std::string::npos);
   CHECK(s.kind_json().contains("relaxation"));

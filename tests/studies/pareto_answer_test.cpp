@@ -194,12 +194,13 @@ TEST_CASE("a front that no design is on says what stands in the way", "[studies]
   CHECK_FALSE(result.has_knee());
   CHECK(answer_text(result) == "No point of the front was found.\n");
   CHECK(answer_json(result)["knee"].is_null());
-  result.conflict = {"stall_torque >= 1 N.m"};
+  result.explanation.conflict = {"stall_torque >= 1 N.m"};
   CHECK(answer_text(result) ==
         "No design satisfies all limits: stall_torque >= 1 N.m is out of reach.\n");
   CHECK(answer_json(result)["relaxation"]["conflict"] == Json::array({"stall_torque >= 1 N.m"}));
-  result.conflict.clear();
-  result.relaxation = {{"stall_torque >= 1 N.m", "stall_torque", "N.m", true, 1, 0.1, kNaN}};
+  result.explanation.conflict.clear();
+  result.explanation.limits = {
+      {"stall_torque >= 1 N.m", "stall_torque", "N.m", true, 1, 0.1, kNaN}};
   CHECK_THAT(barred(answer_text(result)),
              EndsWith("\nstall_torque >= 1 N.m | >= 900 mN.m | does not help alone\n"));
   CHECK(answer_json(result)["relaxation"]["limits"][0]["amount"] == 0.1);

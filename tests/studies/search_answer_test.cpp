@@ -188,10 +188,10 @@ TEST_CASE("no design at all is one sentence", "[studies][optimize][words]") {
 TEST_CASE("limits that no design keeps are named with what would do",
           "[studies][optimize][words]") {
   OptimizeResult result = optimum();
-  result.conflict = {"stall_torque >= 1 N.m", "max_pressure <= 2 MPa"};
-  result.relaxation = {relaxation("stall_torque >= 1 N.m", true, 0.1, 0.3),
-                       relaxation("max_torque <= 1 N.m", false, 0, kNaN),
-                       relaxation("peak_torque <= 1 N.m", false, 0.25, 0.5)};
+  result.explanation.conflict = {"stall_torque >= 1 N.m", "max_pressure <= 2 MPa"};
+  result.explanation.limits = {relaxation("stall_torque >= 1 N.m", true, 0.1, 0.3),
+                               relaxation("max_torque <= 1 N.m", false, 0, kNaN),
+                               relaxation("peak_torque <= 1 N.m", false, 0.25, 0.5)};
   const std::string text = barred(answer_text(result));
   CHECK_THAT(text,
              StartsWith("No design satisfies all limits; these cannot hold together: stall_torque "
@@ -220,15 +220,63 @@ TEST_CASE("limits that no design keeps are named with what would do",
   CHECK(json["limits"][1]["alone"].is_null());
 
   // One limit that is out of reach by itself, without a way out; and a way out without a conflict.
-  result.conflict = {"stall_torque >= 1 N.m"};
-  result.relaxation.clear();
+  result.explanation.conflict = {"stall_torque >= 1 N.m"};
+  result.explanation.limits.clear();
   CHECK_THAT(answer_text(result),
              StartsWith("No design satisfies all limits: stall_torque >= 1 N.m is out of reach.\n\n"
                         "The design that breaks them least:\n"));
   CHECK(answer_json(result).contains("relaxation"));
-  result.conflict.clear();
-  result.relaxation = {relaxation("stall_torque >= 1 N.m", true, 0.1, 0.1)};
+  result.explanation.conflict.clear();
+  result.explanation.limits = {relaxation("stall_torque >= 1 N.m", true, 0.1, 0.1)};
   CHECK_THAT(answer_text(result), StartsWith("No design satisfies all limits.\n\nthe least"));
+}
+
+TEST_CASE("limits impossible alone come first, then those that exclude each other, then the ranges",
+          "[studies][optimize][words]") {
+  OptimizeResult result = optimum();
+  Explanation& told = result.explanation;
+  told.conflict = {"stall_torque >= 1 N.m", "a <= 2 m", "a >= 3 m"};
+  told.ranges = {{{"preload", "N"}, true, 100, 180}, {{"amplitude", "m"}, false, 1e-6, kNaN}};
+  told.impossible = {{"stall_torque >= 1 N.m", "N.m", true, 1, 0.5, true, {0, 1}}};
+  told.limits = {relaxation("stall_torque >= 1 N.m", true, 0.5, kNaN)};
+  CHECK_THAT(
+      barred(answer_text(result)),
+      StartsWith(
+          "No design satisfies all limits.\n"
+          "stall_torque >= 1 N.m cannot be reached: the most found within the ranges is 500 mN.m, "
+          "at preload at most 100 N and amplitude at least 1 um.\n"
+          "Without it these cannot hold together: a <= 2 m and a >= 3 m.\n"
+          "\n"
+          "the least that would do | all together | this one alone\n"
+          "stall_torque >= 1 N.m | >= 500 mN.m | does not help alone\n"
+          "\n"
+          "range end that takes part | moving it alone\n"
+          "preload at most 100 N | possible with preload at most 180 N\n"
+          "amplitude at least 1 um | does not help alone\n"));
+  const Json json = answer_json(result)["relaxation"];
+  CHECK(json["impossible"] == Json::array({Json{{"text", "stall_torque >= 1 N.m"},
+                                                {"limit", 1.0},
+                                                {"best", 0.5},
+                                                {"certified", true},
+                                                {"ends", {0, 1}}}}));
+  CHECK(json["ranges"] ==
+        Json::array(
+            {Json{{"variable", "preload"}, {"side", "upper"}, {"limit", 100.0}, {"alone", 180.0}},
+             Json{{"variable", "amplitude"},
+                  {"side", "lower"},
+                  {"limit", 1e-6},
+                  {"alone", nullptr}}}));
+
+  // An upper limit without an end where its best value is; nothing else excludes.
+  told.conflict = {"max_pressure <= 1 MPa"};
+  told.ranges.clear();
+  told.limits.clear();
+  told.impossible = {{"max_pressure <= 1 MPa", "Pa", false, 1e6, 2e6, false, {}}};
+  CHECK_THAT(
+      answer_text(result),
+      StartsWith(
+          "No design satisfies all limits.\nmax_pressure <= 1 MPa cannot be reached: the least "
+          "found within the ranges is 2 MPa.\n\nThe design that breaks them least:\n"));
 }
 
 TEST_CASE("changes have a sign, and no change is nothing", "[studies][optimize][words]") {

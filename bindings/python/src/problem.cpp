@@ -110,6 +110,22 @@ py::list relaxation_list(const optim::Infeasibility& infeasibility) {
   });
 }
 
+const char* side_name(optim::Side side) { return side == optim::Side::upper ? "upper" : "lower"; }
+
+py::list impossible_list(const optim::Infeasibility& infeasibility) {
+  return list_of(infeasibility.impossible, [](const optim::Impossible& one) {
+    return py::dict("text"_a = one.name, "limit"_a = one.limit, "best"_a = one.best,
+                    "certified"_a = one.certified, "ends"_a = one.ends);
+  });
+}
+
+py::list ranges_list(const optim::Infeasibility& infeasibility) {
+  return list_of(infeasibility.ranges, [](const optim::RangeEnd& end) {
+    return py::dict("variable"_a = end.variable, "side"_a = side_name(end.side),
+                    "limit"_a = end.limit, "alone"_a = end.alone);
+  });
+}
+
 py::dict objective_dict(const DesignProblem& problem, const optim::Evaluation& evaluation) {
   py::dict values;
   for (std::size_t k = 0; k < problem.objectives.size() && k < evaluation.values.size(); ++k)
@@ -126,7 +142,9 @@ py::object optimum(const PyProblem& self, const DesignAnswer& answer) {
       "objective"_a = objective_dict(self.problem, search.evaluation),
       "limits"_a = limits_list(search.certificate),
       "certificate"_a = certificate_dict(search.certificate),
-      "relaxation"_a = relaxation_list(search.infeasibility), "solver"_a = search.solver,
+      "relaxation"_a = relaxation_list(search.infeasibility),
+      "impossible"_a = impossible_list(search.infeasibility),
+      "ranges"_a = ranges_list(search.infeasibility), "solver"_a = search.solver,
       "evaluations"_a = search.counters.evaluations, "failures"_a = search.counters.failures);
 }
 
@@ -140,7 +158,8 @@ py::object optimum(const PyProblem& self, const MotorDesign& motor,
       "design"_a = named_values(self.problem, point.design),
       "objective"_a = objective_dict(self.problem, point.evaluation),
       "limits"_a = limits_list(certificate), "certificate"_a = certificate_dict(certificate),
-      "relaxation"_a = py::list(), "solver"_a = "", "evaluations"_a = 0, "failures"_a = py::dict());
+      "relaxation"_a = py::list(), "impossible"_a = py::list(), "ranges"_a = py::list(),
+      "solver"_a = "", "evaluations"_a = 0, "failures"_a = py::dict());
 }
 
 // --- what is asked

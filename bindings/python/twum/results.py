@@ -83,7 +83,7 @@ class Optimum:
     """A design that was found, and the evidence for it.
 
     `outcome` is 'optimal' (feasible, and the certificate passes), 'feasible' (the search stopped short),
-    'infeasible' (`relaxation` says what has to give way), 'budget' or 'failed'.
+    'infeasible' (`impossible`, `relaxation` and `ranges` say why, and what has to change), 'budget' or 'failed'.
     """
 
     outcome: str
@@ -92,7 +92,9 @@ class Optimum:
     objective: dict
     limits: list = field(repr=False)  # dictionaries: text, value, limit, violation, active, multiplier
     certificate: dict = field(repr=False)
-    relaxation: list = field(repr=False)
+    relaxation: list = field(repr=False)  # dictionaries: text, limit, amount, alone
+    impossible: list = field(repr=False)  # of limits that cannot be kept even alone: text, limit, best, certified, ends
+    ranges: list = field(repr=False)  # ends of ranges with a part in it: variable, side, limit, alone
     solver: str
     evaluations: int
     failures: dict

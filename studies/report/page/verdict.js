@@ -8,17 +8,37 @@ function sentence(...parts) { return el('p', {}, ...parts); }
 /** A list of lines, each of words and nodes. */
 function bullets(lines) { return el('ul', { class: 'holders' }, lines.map((line) => el('li', {}, line))); }
 
+/** "preload ≤ 100 N": an end of a range, at its own place or at another. */
+function rangeWords(end, limit) { return plain(end.variable) + (end.side === 'upper' ? ' ≤ ' : ' ≥ ') + engineering(limit, unitOf(end.variable)); }
+
+/** A limit that cannot be kept even alone, its best value, and the ends of ranges where that is. */
+function impossibleWords(limit) {
+  const ends = limit.ends.map((i) => rangeWords(summary.relaxation.ranges[i], summary.relaxation.ranges[i].limit));
+  return limitWords(limit.text) + ' cannot be reached: the ' + (limit.sense === 'at least' ? 'most' : 'least') + ' found within the ranges is ' + engineering(limit.best, limit.unit) + (ends.length ? ', at ' + ends.join(' and ') : '') + '.';
+}
+
+/** What is at fault: limits impossible by themselves first, then those that exclude each other. */
+function causeSentences(r) {
+  const impossible = r.impossible || []; // results of earlier versions have none
+  const group = r.conflict.filter((text) => !impossible.some((limit) => limit.text === text)).map(limitWords);
+  const lines = impossible.map((limit) => sentence(impossibleWords(limit)));
+  if (group.length === 1) lines.push(sentence(group[0] + ' is out of reach.'));
+  if (group.length > 1) lines.push(sentence((impossible.length ? 'The others exclude each other as well: ' : 'These cannot hold together: ') + group.join('; ') + '.'));
+  return lines;
+}
+
 /** Limits that no design satisfies, and the least that would do. */
 function relaxationVerdict() {
-  const conflict = summary.relaxation.conflict.map(limitWords);
-  const least = summary.relaxation.limits.filter((l) => l.alone).map((l) => {
+  const r = summary.relaxation;
+  const limits = r.limits.filter((l) => l.alone).map((l) => {
     const unit = l.unit;
     return limitWords(l.text) + ' by ' + engineering(l.alone, unit, 3) + ', to ' + engineering(l.limit + (l.sense === 'at least' ? -l.alone : l.alone), unit, 3);
   });
-  const why = conflict.length === 1 ? conflict[0] + ' is out of reach.' : conflict.length ? 'These cannot hold together: ' + conflict.join('; ') + '.' : '';
+  const ranges = (r.ranges || []).filter((end) => end.alone !== null).map((end) => 'the range of ' + rangeWords(end, end.limit) + ', to ' + engineering(end.alone, unitOf(end.variable), 3));
+  const least = [...limits, ...ranges];
   const cure = least.length === 0 ? 'Loosening a single limit is not enough; the table below says what would be.'
     : least.length === 1 ? 'It would be possible with this limit loosened: ' + least[0] + '.' : 'It would be possible with one of these limits loosened: ' + least.join('; or ') + '.';
-  return { look: 'bad', lines: [sentence(bold('No design keeps every limit. '), why), sentence(cure)] };
+  return { look: 'bad', lines: [sentence(bold('No design keeps every limit.')), ...causeSentences(r), sentence(cure)] };
 }
 
 function changeWords(now, before) {

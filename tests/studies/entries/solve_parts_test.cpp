@@ -255,7 +255,7 @@ TEST_CASE("limits that would have to give way are named as they were typed",
       optim::Infeasibility found;
       found.relaxations = {{"of nobody", optim::Side::upper, 1, 1, 1},
                            {texts[i], optim::Side::upper, 1, 0.25, kNaN}};
-      const auto states = reporter.relaxation(found);
+      const auto states = reporter.explanation(found).limits;
       REQUIRE(states.size() == 1);
       CHECK(states[0].text == texts[i]);
       CHECK(states[0].amount == 0.25);

@@ -46,13 +46,37 @@ struct Relaxation {
   double alone{0.0};  ///< smallest relaxation of this limit alone that would do; NaN: none found
 };
 
-/// Why a problem has no feasible design, by an elastic solve: the sum of the scaled violations is
-/// smallest at `design`.
+/// An end of a variable's range that takes part in what no design can keep.
+struct RangeEnd {
+  std::string variable;    ///< whose range
+  Side side{Side::upper};  ///< which end
+  double limit{0.0};       ///< as asked, user units
+  /// Where this end has to be so that a design keeps every limit, all other ends and limits as asked; NaN: no
+  /// such place was found, or the variable does not allow the move (Variable::lowest, highest).
+  double alone{std::numeric_limits<double>::quiet_NaN()};
+};
+
+/// A limit that no design within the ranges was found to keep, even without every other limit.
+struct Impossible {
+  std::string name;               ///< of the constraint
+  Side side{Side::upper};         ///< which of its limits: lower or upper
+  double limit{0.0};              ///< as asked, user units
+  double best{0.0};               ///< value nearest to it within the ranges, user units
+  bool certified{false};          ///< that value passed the certificate of a local optimum
+  std::vector<std::size_t> ends;  ///< ends that prevent more, positions in Infeasibility::ranges
+};
+
+/// Why a problem has no feasible design. An elastic solve finds the design with the smallest sum of the
+/// scaled violations; limits broken there are then tried by themselves. Every statement is a local one, from
+/// several starts.
 struct Infeasibility {
   std::vector<double> design;           ///< the least infeasible one, user units
   std::vector<Relaxation> relaxations;  ///< limits that must give way, or would help alone
-  std::vector<std::string> conflict;    ///< constraints that fight: those with a multiplier there
-  bool certified{false};                ///< that design is a stationary point of the violation
+  std::vector<Impossible> impossible;   ///< limits that cannot be kept even alone
+  /// Constraints at fault: those impossible alone, then those of the others that exclude each other.
+  std::vector<std::string> conflict;
+  std::vector<RangeEnd> ranges;  ///< ends of ranges with a part in it
+  bool certified{false};         ///< the design is a stationary point of the violation
 };
 
 /// One solver run, for the report.

@@ -3,6 +3,8 @@
 
 #include "problem/motor_responses.hpp"
 
+#include <twum/base/error.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -148,17 +150,35 @@ DesignReport DesignReporter::report(std::span<const double> design,
           certificate};
 }
 
-std::vector<RelaxationState> DesignReporter::relaxation(
-    const optim::Infeasibility& infeasibility) const {
-  std::vector<RelaxationState> states;
+const Constraint* DesignReporter::limit_named(const std::string& text) const {
+  const auto at = std::find_if(limits_.begin(), limits_.end(),
+                               [&](const Constraint& limit) { return limit.text == text; });
+  return at == limits_.end() ? nullptr : &*at;
+}
+
+Explanation DesignReporter::explanation(const optim::Infeasibility& infeasibility) const {
+  Explanation told;
+  told.conflict = infeasibility.conflict;
   for (const optim::Relaxation& r : infeasibility.relaxations) {
-    const auto limit = std::find_if(limits_.begin(), limits_.end(),
-                                    [&](const Constraint& c) { return c.text == r.name; });
-    if (limit == limits_.end()) continue;
-    states.push_back({limit->text, limit->metric.text, limit->metric.unit(),
-                      r.side == optim::Side::lower, r.limit, r.amount, r.alone});
+    if (const Constraint* limit = limit_named(r.name))
+      told.limits.push_back({limit->text, limit->metric.text, limit->metric.unit(),
+                             r.side == optim::Side::lower, r.limit, r.amount, r.alone});
   }
-  return states;
+  for (const optim::Impossible& i : infeasibility.impossible) {
+    if (const Constraint* limit = limit_named(i.name))
+      told.impossible.push_back({limit->text, limit->metric.unit(),
+                                 i.side == optim::Side::lower, i.limit, i.best, i.certified,
+                                 i.ends});
+  }
+  for (const optim::RangeEnd& end : infeasibility.ranges) {
+    const auto parameter = find_parameter(end.variable);
+    TWUM_ASSERT(parameter.has_value());
+    told.ranges.push_back({{end.variable, std::string(info(*parameter).unit)},
+                           end.side == optim::Side::upper,
+                           end.limit,
+                           end.alone});
+  }
+  return told;
 }
 
 std::vector<std::string> DesignReporter::idle(const optim::Evaluation& evaluation,

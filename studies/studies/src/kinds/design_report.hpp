@@ -25,7 +25,7 @@ class DesignReporter {
   /// Every metric without argument, then those of the question.
   std::vector<NamedValue> metrics_of(const MotorDesign& motor) const;
 
-  std::vector<RelaxationState> relaxation(const optim::Infeasibility& infeasibility) const;
+  Explanation explanation(const optim::Infeasibility& infeasibility) const;
   /// Variables without influence on the goals or a limit that is active, by the Jacobian.
   std::vector<std::string> idle(const optim::Evaluation& evaluation,
                                 const DesignReport& report) const;
@@ -34,6 +34,7 @@ class DesignReporter {
   std::vector<LimitState> limits(const MotorDesign& motor,
                                  const optim::Certificate& certificate) const;
   std::vector<BoundState> bounds(const optim::Certificate& certificate) const;
+  const Constraint* limit_named(const std::string& text) const;
 
   const DesignProblem& problem_;
   std::vector<Parameter> besides_;

@@ -21,10 +21,8 @@ KindAnswer OptimumRun::run(RunContext& context) {
     result.best = reports.report(found.design, found.certificate);
     result.idle = reports.idle(found.evaluation, result.best);
   }
-  if (found.outcome == optim::Outcome::infeasible) {
-    result.conflict = found.infeasibility.conflict;
-    result.relaxation = reports.relaxation(found.infeasibility);
-  }
+  if (found.outcome == optim::Outcome::infeasible)
+    result.explanation = reports.explanation(found.infeasibility);
   return {outcome(found.outcome, context), std::move(result)};
 }
 

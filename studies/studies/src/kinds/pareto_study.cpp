@@ -101,8 +101,7 @@ class ParetoRun : public SearchRun {
     result.reference_point = front.reference;
     result.before_design = reports.design_of(before());
     result.before_metrics = reports.metrics_of(before());
-    result.conflict = front.infeasibility.conflict;
-    result.relaxation = reports.relaxation(front.infeasibility);
+    result.explanation = reports.explanation(front.infeasibility);
     return result;
   }
 

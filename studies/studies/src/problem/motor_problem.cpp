@@ -29,6 +29,8 @@ optim::Variable variable_of(const DesignProblem& problem, const DesignVariable& 
   v.start = std::isnan(variable.start) ? get(problem.motor, variable.parameter) : variable.start;
   v.scale = variable.log ? optim::Scale::log : optim::Scale::linear;
   v.integer = row.integer;
+  v.lowest = row.min;
+  v.highest = row.max;
   return v;
 }
 

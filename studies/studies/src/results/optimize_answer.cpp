@@ -115,8 +115,7 @@ std::string verdict(const OptimizeResult& result) {
 Json answer_json(const OptimizeResult& result) {
   Json json{{"objective", goal_json(result.goal)}};
   json["best"] = result.found ? report_json(result.best) : Json(nullptr);
-  if (!result.relaxation.empty() || !result.conflict.empty())
-    json["relaxation"] = relaxation_json(result.conflict, result.relaxation);
+  if (!result.explanation.empty()) json["relaxation"] = relaxation_json(result.explanation);
   json["before"] = {{"design", values_json(result.before_design)},
                     {"metrics", values_json(result.before_metrics)}};
   json["idle_variables"] = result.idle;
@@ -130,11 +129,10 @@ Json answer_json(const OptimizeResult& result) {
 
 std::string answer_text(const OptimizeResult& result) {
   if (!result.found) return "No design could be evaluated.\n";
-  const bool infeasible = !result.relaxation.empty() || !result.conflict.empty();
+  const bool infeasible = !result.explanation.empty();
   std::string text;
   if (infeasible)
-    text = relaxation_words(result.conflict, result.relaxation) +
-           "\nThe design that breaks them least:\n\n";
+    text = relaxation_words(result.explanation) + "\nThe design that breaks them least:\n\n";
   else
     text = goal_words(result.goal) + ": " +
            cell(value_of(result.best.metrics, result.goal.metric), result.goal.unit) + " (was " +

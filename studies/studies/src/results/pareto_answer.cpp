@@ -143,8 +143,7 @@ Json answer_json(const ParetoResult& result) {
   for (const DesignReport& report : result.alone) json["alone"].push_back(limits_json(report));
   json["hypervolume"] = number_json(result.hypervolume);
   json["reference_point"] = result.reference_point;
-  if (!result.relaxation.empty() || !result.conflict.empty())
-    json["relaxation"] = relaxation_json(result.conflict, result.relaxation);
+  if (!result.explanation.empty()) json["relaxation"] = relaxation_json(result.explanation);
   json["before"] = {{"design", values_json(result.before_design)},
                     {"metrics", values_json(result.before_metrics)}};
   json["units"] = Json::object();
@@ -154,8 +153,7 @@ Json answer_json(const ParetoResult& result) {
 }
 
 std::string answer_text(const ParetoResult& result) {
-  if (!result.relaxation.empty() || !result.conflict.empty())
-    return relaxation_words(result.conflict, result.relaxation);
+  if (!result.explanation.empty()) return relaxation_words(result.explanation);
   if (result.front.empty()) return "No point of the front was found.\n";
   return counted(result.front.size(), "point") + ", " + std::to_string(certified(result)) +
          " of them certified\n\n" + front_table(result) + "\n" + binding_words(result) +

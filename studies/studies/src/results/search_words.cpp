@@ -72,6 +72,57 @@ std::string relaxed(const RelaxationState& state, double amount) {
   return (state.at_least ? ">= " : "<= ") + engineering(limit, state.unit);
 }
 
+std::string range_words(const RangeState& end, double limit) {
+  return end.variable.name + (end.upper ? " at most " : " at least ") +
+         engineering(limit, end.variable.unit);
+}
+
+std::string impossible_words(const ImpossibleState& limit, const std::vector<RangeState>& ranges) {
+  std::string text = limit.text + " cannot be reached: the " + (limit.at_least ? "most" : "least") +
+                     " found within the ranges is " + engineering(limit.best, limit.unit);
+  std::vector<std::string> ends;
+  for (const std::size_t at : limit.ends) ends.push_back(range_words(ranges[at], ranges[at].limit));
+  if (!ends.empty()) text += ", at " + enumeration(ends);
+  return text + ".\n";
+}
+
+// Limits impossible by themselves first, then those that exclude each other.
+std::string cause_words(const Explanation& told) {
+  std::string text = "No design satisfies all limits";
+  std::vector<std::string> group;
+  for (const std::string& name : told.conflict)
+    if (std::ranges::find(told.impossible, name, &ImpossibleState::text) == told.impossible.end())
+      group.push_back(name);
+  if (told.impossible.empty() && group.size() == 1)
+    text += ": " + group.front() + " is out of reach";
+  if (told.impossible.empty() && group.size() > 1)
+    text += "; these cannot hold together: " + enumeration(group);
+  text += ".\n";
+  for (const ImpossibleState& limit : told.impossible) text += impossible_words(limit, told.ranges);
+  if (!told.impossible.empty() && !group.empty())
+    text += "Without " + std::string(told.impossible.size() == 1 ? "it" : "them") +
+            " these cannot hold together: " + enumeration(group) + ".\n";
+  return text;
+}
+
+std::string relaxation_table(const std::vector<RelaxationState>& limits) {
+  if (limits.empty()) return {};
+  TextTable table{{{"the least that would do", "all together", "this one alone"}}};
+  for (const RelaxationState& state : limits)
+    table.rows.push_back({state.text, relaxed(state, state.amount), relaxed(state, state.alone)});
+  return "\n" + aligned(table);
+}
+
+std::string range_table(const std::vector<RangeState>& ranges) {
+  if (ranges.empty()) return {};
+  TextTable table{{{"range end that takes part", "moving it alone"}}};
+  for (const RangeState& end : ranges)
+    table.rows.push_back({range_words(end, end.limit),
+                          std::isfinite(end.alone) ? "possible with " + range_words(end, end.alone)
+                                                   : "does not help alone"});
+  return "\n" + aligned(table);
+}
+
 }  // namespace
 
 Json values_json(const std::vector<NamedValue>& values) {
@@ -127,10 +178,12 @@ Json report_json(const DesignReport& report) {
   return json;
 }
 
-Json relaxation_json(const std::vector<std::string>& conflict,
-                     const std::vector<RelaxationState>& states) {
-  Json json{{"conflict", conflict}, {"limits", Json::array()}};
-  for (const RelaxationState& state : states)
+Json relaxation_json(const Explanation& explanation) {
+  Json json{{"conflict", explanation.conflict},
+            {"limits", Json::array()},
+            {"impossible", Json::array()},
+            {"ranges", Json::array()}};
+  for (const RelaxationState& state : explanation.limits)
     json["limits"].push_back({{"text", state.text},
                               {"metric", state.metric},
                               {"unit", state.unit},
@@ -138,6 +191,19 @@ Json relaxation_json(const std::vector<std::string>& conflict,
                               {"limit", number_json(state.limit)},
                               {"amount", number_json(state.amount)},
                               {"alone", number_json(state.alone)}});
+  for (const ImpossibleState& state : explanation.impossible)
+    json["impossible"].push_back({{"text", state.text},
+                                  {"unit", state.unit},
+                                  {"sense", sense_word(state.at_least)},
+                                  {"limit", number_json(state.limit)},
+                                  {"best", number_json(state.best)},
+                                  {"certified", state.certified},
+                                  {"ends", state.ends}});
+  for (const RangeState& end : explanation.ranges)
+    json["ranges"].push_back({{"variable", end.variable.name},
+                              {"side", end.upper ? "upper" : "lower"},
+                              {"limit", number_json(end.limit)},
+                              {"alone", number_json(end.alone)}});
   return json;
 }
 
@@ -163,18 +229,9 @@ std::string enumeration(const std::vector<std::string>& names) {
   return text;
 }
 
-std::string relaxation_words(const std::vector<std::string>& conflict,
-                             const std::vector<RelaxationState>& states) {
-  std::string text = "No design satisfies all limits";
-  if (!conflict.empty())
-    text += conflict.size() == 1 ? ": " + conflict.front() + " is out of reach"
-                                 : "; these cannot hold together: " + enumeration(conflict);
-  text += ".\n";
-  if (states.empty()) return text;
-  TextTable table{{{"the least that would do", "all together", "this one alone"}}};
-  for (const RelaxationState& state : states)
-    table.rows.push_back({state.text, relaxed(state, state.amount), relaxed(state, state.alone)});
-  return text + "\n" + aligned(table);
+std::string relaxation_words(const Explanation& explanation) {
+  return cause_words(explanation) + relaxation_table(explanation.limits) +
+         range_table(explanation.ranges);
 }
 
 std::string finding_words(const optim::Certificate& certificate) {

@@ -19,9 +19,9 @@ Json goal_json(const Goal& goal);
 Json limits_json(const DesignReport& report);
 /// {design, metrics, constraints, bounds, certificate}
 Json report_json(const DesignReport& report);
-/// {conflict, limits: [{text, limit, amount, alone}]}
-Json relaxation_json(const std::vector<std::string>& conflict,
-                     const std::vector<RelaxationState>& states);
+/// {conflict, limits: [{text, limit, amount, alone}], impossible: [{text, limit, best, certified, ends}],
+/// ranges: [{variable, side, limit, alone}]}; `ends` are positions in `ranges`.
+Json relaxation_json(const Explanation& explanation);
 
 /// "largest peak_power", "smallest max_pressure"
 std::string goal_words(const Goal& goal);
@@ -31,9 +31,8 @@ std::string change_words(double value, const std::string& unit);
 std::string end_words(const BoundState& bound);
 /// "a, b and c"
 std::string enumeration(const std::vector<std::string>& names);
-/// Which limits fight, and how little would do.
-std::string relaxation_words(const std::vector<std::string>& conflict,
-                             const std::vector<RelaxationState>& states);
+/// The limits that are impossible alone, those that exclude each other, and the smallest changes that help.
+std::string relaxation_words(const Explanation& explanation);
 /// What the certificate found out of the ordinary, a line each.
 std::string finding_words(const optim::Certificate& certificate);
 /// The value of a name; NaN if it is not there.

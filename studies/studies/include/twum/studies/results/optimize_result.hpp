@@ -74,6 +74,37 @@ struct RelaxationState {
   double alone{0};       ///< if only this one does; NaN: it does not help alone
 };
 
+/// A limit that no design within the ranges was found to keep, even without every other limit. SI.
+struct ImpossibleState {
+  std::string text;               ///< as typed
+  std::string unit;               ///< SI
+  bool at_least{false};           ///< a lower limit
+  double limit{0};                ///< as asked, SI
+  double best{0};                 ///< value nearest to it within the ranges, SI
+  bool certified{false};          ///< the best value is a certified local optimum
+  std::vector<std::size_t> ends;  ///< ends that prevent more, positions in Explanation::ranges
+};
+
+/// An end of a variable's range with a part in what no design keeps. SI.
+struct RangeState {
+  Column variable;    ///< which one
+  bool upper{false};  ///< the upper end
+  double limit{0};    ///< as asked
+  double alone{0};    ///< where it has to be if nothing else changes; NaN: no such place was found
+};
+
+/// Why no design satisfies all limits; empty() where one does.
+struct Explanation {
+  std::vector<std::string>
+      conflict;  ///< limits at fault: impossible alone, then those that exclude each other
+  std::vector<ImpossibleState> impossible;  ///< limits that cannot be kept even alone
+  std::vector<RangeState> ranges;           ///< ends of ranges with a part in it
+  std::vector<RelaxationState> limits;      ///< limits that must give way, or would help alone
+
+  /// Nothing to explain.
+  bool empty() const { return conflict.empty() && limits.empty(); }
+};
+
 /// Answer of `optimize` and `size`.
 struct OptimizeResult {
   Goal goal;          ///< what was wanted
@@ -82,10 +113,9 @@ struct OptimizeResult {
   std::vector<NamedValue> before_design;   ///< the motor as it was: its variables
   std::vector<NamedValue> before_metrics;  ///< the same metrics as those of the best
   std::vector<std::string> idle;  ///< variables without influence on the goal or an active limit
-  std::vector<std::string> conflict;        ///< limits that no design satisfies together
-  std::vector<RelaxationState> relaxation;  ///< limits that must give way, or would help alone
-  std::string solver;                       ///< whose answer it is
-  std::vector<optim::StageReport> stages;   ///< what each solver run said of itself
+  Explanation explanation;        ///< why no design satisfies all limits
+  std::string solver;             ///< whose answer it is
+  std::vector<optim::StageReport> stages;  ///< what each solver run said of itself
 };
 
 }  // namespace twum::studies

@@ -27,12 +27,11 @@ struct ParetoResult {
   /// These points once more, as optima of that one goal alone: what its limits are worth there. Empty
   /// for a front found without gradients.
   std::vector<DesignReport> alone;
-  double hypervolume{0};                    ///< product of the goals' units
-  std::vector<double> reference_point;      ///< of the hypervolume, in the goals' units
-  std::vector<NamedValue> before_design;    ///< the motor as it was: its variables
-  std::vector<NamedValue> before_metrics;   ///< the same metrics as those of the front
-  std::vector<std::string> conflict;        ///< as in OptimizeResult, where no design is feasible
-  std::vector<RelaxationState> relaxation;  ///< as in OptimizeResult
+  double hypervolume{0};                   ///< product of the goals' units
+  std::vector<double> reference_point;     ///< of the hypervolume, in the goals' units
+  std::vector<NamedValue> before_design;   ///< the motor as it was: its variables
+  std::vector<NamedValue> before_metrics;  ///< the same metrics as those of the front
+  Explanation explanation;                 ///< why no design satisfies all limits
 
   /// False of a front that bends the other way, and of an empty one.
   bool has_knee() const;
