@@ -9,7 +9,7 @@
 namespace twum::cli {
 
 void print_model_notes(const MotorDesign& design) {
-  for (const studies::ModelNote& note : studies::model_notes(design))
+  for (const studies::ModelNote& note : studies::model_notes_at_length(design))
     std::fprintf(stderr, "note: %s\n", note.text.c_str());
 }
 

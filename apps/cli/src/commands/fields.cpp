@@ -55,8 +55,25 @@ constexpr FieldColumn kColumns[] = {{"phase", "rad", &FieldSample::phase},
 
 struct Fields {
   studies::MotorFile file;
-  ContactFields contact;
+  std::vector<ContactFields> radii;  // one, or several across the track of a motor with slices
+
+  bool sliced() const { return radii.size() > 1; }
+  const OperatingPoint& point() const { return radii.front().point; }
 };
+
+// At the contact radius, or equally spaced over a track with slices.
+std::vector<ContactFields> fields_over(const Motor& motor, double speed, int samples) {
+  constexpr int kRadii = 9;
+  if (motor.design().stator.radial_slices == 1) return {motor.fields(speed, samples)};
+  const Stator& stator = motor.design().stator;
+  std::vector<ContactFields> fields;
+  for (int i = 0; i < kRadii; ++i) {
+    const double radius = stator.contact_radius +
+                          stator.contact_width * (static_cast<double>(i) / (kRadii - 1) - 0.5);
+    fields.push_back(motor.fields(speed, samples, radius));
+  }
+  return fields;
+}
 
 // What the contact does at a phase: "slip+", "stick", "slip-", or "free".
 const char* state_at(const std::vector<Zone>& zones, double phase) {
@@ -68,70 +85,83 @@ const char* state_at(const std::vector<Zone>& zones, double phase) {
 
 std::string as_json(const Fields& fields) {
   Json json = motor_json(fields.file);
-  const OperatingPoint& point = fields.contact.point;
+  const OperatingPoint& point = fields.point();
   json["units"] = parameter_units_json(fields.file);
   for (const FieldColumn& column : kColumns) json["units"][column.name] = column.unit;
   json["units"]["speed"] = "rad/s";
   json["units"]["torque"] = "N.m";
   json["units"]["from"] = json["units"]["to"] = "rad";
+  if (fields.sliced()) json["units"]["radius"] = "m";
   json["speed"] = point.speed;
   json["torque"] = number_json(point.torque);
-  json["zones"] = zones_json(fields.contact.zones);
+  json["zones"] = zones_json(fields.radii[fields.radii.size() / 2].zones);
   json["fields"] = Json::array();
-  for (const FieldSample& sample : fields.contact.samples) {
-    Json row;
-    for (const FieldColumn& column : kColumns) row[column.name] = number_json(sample.*column.value);
-    row["state"] = state_at(fields.contact.zones, sample.phase);
-    json["fields"].push_back(std::move(row));
+  for (const ContactFields& at : fields.radii) {
+    for (const FieldSample& sample : at.samples) {
+      Json row;
+      if (fields.sliced()) row["radius"] = at.radius;
+      for (const FieldColumn& column : kColumns)
+        row[column.name] = number_json(sample.*column.value);
+      row["state"] = state_at(at.zones, sample.phase);
+      json["fields"].push_back(std::move(row));
+    }
   }
   return json_text(json);
 }
 
 std::string as_csv(const Fields& fields) {
   std::vector<std::string> cells;
+  if (fields.sliced()) cells.emplace_back("radius [m]");
   for (const FieldColumn& column : kColumns)
     cells.push_back(std::string(column.name) + " [" + column.unit + "]");
   cells.emplace_back("state");
   std::string text = csv_line(cells);
-  for (const FieldSample& sample : fields.contact.samples) {
-    cells.clear();
-    for (const FieldColumn& column : kColumns) cells.push_back(cell_of(sample.*column.value));
-    cells.emplace_back(state_at(fields.contact.zones, sample.phase));
-    text += csv_line(cells);
+  for (const ContactFields& at : fields.radii) {
+    for (const FieldSample& sample : at.samples) {
+      cells.clear();
+      if (fields.sliced()) cells.push_back(cell_of(at.radius));
+      for (const FieldColumn& column : kColumns) cells.push_back(cell_of(sample.*column.value));
+      cells.emplace_back(state_at(at.zones, sample.phase));
+      text += csv_line(cells);
+    }
   }
   return text;
 }
 
-ColumnScale scale_of(const FieldColumn& column, const std::vector<FieldSample>& samples) {
+ColumnScale scale_of(const FieldColumn& column, const Fields& fields) {
   double largest = 0;
-  for (const FieldSample& sample : samples)
-    largest = std::max(largest, std::abs(sample.*column.value));
+  for (const ContactFields& at : fields.radii)
+    for (const FieldSample& sample : at.samples)
+      largest = std::max(largest, std::abs(sample.*column.value));
   if (std::string_view(column.unit) == "rad") return {{"rad", 1}, largest};
   return {studies::display_unit(largest, column.unit), largest};
 }
 
 std::string as_table(const Fields& fields) {
   TextTable table{{{}, {}}, true};
-  const auto& samples = fields.contact.samples;
+  const ColumnScale radius{{"mm", 1e-3}, fields.radii.back().radius};
+  if (fields.sliced()) table.rows = {{"radius"}, {"[mm]"}};
   std::vector<ColumnScale> scales;
   for (const FieldColumn& column : kColumns) {
-    scales.push_back(scale_of(column, samples));
+    scales.push_back(scale_of(column, fields));
     table.rows[0].emplace_back(column.name);
     table.rows[1].push_back("[" + scales.back().unit.text + "]");
   }
   table.rows[0].emplace_back("state");
-  for (const FieldSample& sample : samples) {
-    std::vector<std::string> row;
-    for (std::size_t c = 0; c < scales.size(); ++c)
-      row.push_back(rounded_cell(sample.*kColumns[c].value, scales[c]));
-    row.emplace_back(state_at(fields.contact.zones, sample.phase));
-    table.rows.push_back(std::move(row));
+  for (const ContactFields& at : fields.radii) {
+    for (const FieldSample& sample : at.samples) {
+      std::vector<std::string> row;
+      if (fields.sliced()) row.push_back(rounded_cell(at.radius, radius));
+      for (std::size_t c = 0; c < scales.size(); ++c)
+        row.push_back(rounded_cell(sample.*kColumns[c].value, scales[c]));
+      row.emplace_back(state_at(at.zones, sample.phase));
+      table.rows.push_back(std::move(row));
+    }
   }
-  const OperatingPoint& point = fields.contact.point;
   const std::string name =
       fields.file.name.empty() ? "motor" : studies::printable(fields.file.name);
-  return name + " at " + studies::engineering(point.speed, "rad/s") + ", " +
-         studies::engineering(point.torque, "N.m") + "\n\n" + aligned(table);
+  return name + " at " + studies::engineering(fields.point().speed, "rad/s") + ", " +
+         studies::engineering(fields.point().torque, "N.m") + "\n\n" + aligned(table);
 }
 
 // The rotor speed asked for, or at which the motor carries the torque asked for; nothing, and why on standard error, if it
@@ -157,14 +187,15 @@ int run_fields(const FieldsOptions& options) {
   const Motor motor(fields.file.design);
   const std::optional<double> speed = speed_of(options, motor);
   if (!speed) return kNoAnswer;
-  fields.contact = motor.fields(*speed, static_cast<int>(samples));
-  if (fields.contact.point.status != PointStatus::ok) {
-    std::fprintf(stderr, "twum: no answer at this speed: %s\n",
-                 to_string(fields.contact.point.status));
-    explain_reasons({to_string(fields.contact.point.status)});
+  fields.radii = fields_over(motor, *speed, static_cast<int>(samples));
+  if (fields.point().status != PointStatus::ok) {
+    std::fprintf(stderr, "twum: no answer at this speed: %s\n", to_string(fields.point().status));
+    explain_reasons({to_string(fields.point().status)});
     return kNoAnswer;
   }
-  if (plot) plot->draw(kFieldsPlotSize, fields_plot(fields.file, *speed));
+  if (plot)
+    plot->draw(kFieldsPlotSize, fields.sliced() ? fields_map(fields.file, *speed)
+                                                : fields_plot(fields.file, *speed));
   const std::string& format = options.output.format;
   output.write(format == "json"  ? as_json(fields)
                : format == "csv" ? as_csv(fields)

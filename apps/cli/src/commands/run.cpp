@@ -95,6 +95,8 @@ int run_study(const StudyOptions& options) {
   run.fresh = options.fresh;
   const studies::StudyFile file = studies::read_study_file(options.path, options.settings);
   const std::string directory = directory_of(options);
+  for (const std::string& note : studies::study_notes(file))
+    std::fprintf(stderr, "note: %s\n", note.c_str());
   const studies::StudyResult result = run_with_progress(file, directory, run);
   if (result.was_complete) {
     std::fprintf(stderr, "twum: %s holds this result already; --fresh computes it anew\n",

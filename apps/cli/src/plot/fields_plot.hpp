@@ -16,4 +16,8 @@ inline constexpr PlotSize kFieldsPlotSize{720, 860};
 /// contact, on a ground coloured by what each zone does. The point has to have an answer.
 std::string fields_plot(const studies::MotorFile& file, double speed);
 
+/// Script of maps of pressure and slip speed over phase and radius, with the ends of the stick zones; of a motor with several
+/// slices. The point has to have an answer.
+std::string fields_map(const studies::MotorFile& file, double speed);
+
 }  // namespace twum::cli

@@ -2,10 +2,11 @@
 #include <twum/studies/motor/model_notes.hpp>
 
 #include <twum/core/design/parameters.hpp>
-#include <twum/core/performance/motor.hpp>
+#include <twum/core/performance/metrics.hpp>
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/units/engineering.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace twum::studies {
@@ -88,6 +89,13 @@ void add_contact(const MotorDesign& design, const Motor& motor, std::vector<Mode
                      "hinder a real wave"});
 }
 
+// The change of a metric from one slice to the whole track, relative; 0 if one of them has none.
+double change(const Motor& one, const Motor& track, Metric metric) {
+  const MetricValue before = evaluate(one, {metric}), after = evaluate(track, {metric});
+  const bool known = before.status == MetricStatus::ok && after.status == MetricStatus::ok;
+  return known && before.value != 0 ? after.value / before.value - 1 : 0;
+}
+
 }  // namespace
 
 std::vector<ModelNote> model_notes(const MotorDesign& design) {
@@ -96,6 +104,30 @@ std::vector<ModelNote> model_notes(const MotorDesign& design) {
   const Motor motor(design);
   add_ratios(design, motor, notes);
   add_contact(design, motor, notes);
+  return notes;
+}
+
+std::vector<ModelNote> model_notes_at_length(const MotorDesign& design) {
+  std::vector<ModelNote> notes = model_notes(design);
+  constexpr double kMatters = 0.02;
+  constexpr int kSlices = 8;
+  MotorDesign wide = design;
+  wide.stator.radial_slices = kSlices;
+  if (design.stator.radial_slices != 1 || !complaints(wide).empty()) return notes;
+  const Motor narrow(design), track(wide);
+  std::string text;
+  double worst = 0;
+  for (const Metric metric : {Metric::stall_torque, Metric::no_load_speed, Metric::peak_power}) {
+    const double by = change(narrow, track, metric);
+    if (std::fabs(by) < kMatters) continue;
+    worst = std::max(worst, std::fabs(by));
+    text += (text.empty() ? "" : ", ") + std::string(info(metric).name) + " by " +
+            rounded_text(100 * by, 2) + " %";
+  }
+  if (!text.empty())
+    notes.push_back({"width of the contact", worst,
+                     "the width of the contact and the wave's radial shape change " + text +
+                         "; 'radial_slices: auto' counts them"});
   return notes;
 }
 

@@ -7,9 +7,9 @@
 
 namespace twum::studies {
 
-void WorstNotes::add(const MotorDesign& design, const std::string& what) {
+void WorstNotes::add(const std::vector<ModelNote>& notes, const std::string& what) {
   ++motors_;
-  for (const ModelNote& note : model_notes(design)) add({note, what, note.size, 0});
+  for (const ModelNote& note : notes) add({note, what, note.size, 0});
 }
 
 void WorstNotes::add(const WorstNotes& others) {

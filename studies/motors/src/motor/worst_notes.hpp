@@ -14,7 +14,7 @@ class WorstNotes {
  public:
   /// Adds the notes on one motor.
   /// @param what  names the motor: "best design", "line 17"
-  void add(const MotorDesign& design, const std::string& what);
+  void add(const std::vector<ModelNote>& notes, const std::string& what);
   /// Adds those of other motors, which come after these.
   void add(const WorstNotes& others);
 

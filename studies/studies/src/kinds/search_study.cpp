@@ -50,6 +50,19 @@ optim::SolveOptions SearchRun::options(SearchLog& log, const RunContext& context
   return options;
 }
 
+// Number of waves and frequency belong together in a real ring: its plate decides.
+std::vector<std::string> SearchRun::notes() const {
+  std::string varied;
+  for (const DesignVariable& v : problem_.variables)
+    if (v.parameter == Parameter::wavelengths || v.parameter == Parameter::frequency)
+      varied += (varied.empty() ? "" : " and ") + std::string(info(v.parameter).name);
+  if (varied.empty()) return {};
+  return {varied +
+          " varied: the model takes any number of waves at any frequency, but a real ring has one "
+          "frequency for each number "
+          "of waves; check the answer against the modes of the ring, or hold both"};
+}
+
 // A search that was asked to stop may still hold a certified design; it is not the one that the whole
 // search would have ended with.
 std::string SearchRun::outcome(optim::Outcome outcome, const RunContext& context) {

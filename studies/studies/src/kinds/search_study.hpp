@@ -17,6 +17,7 @@ class SearchRun : public StudyKindRun {
   std::vector<Column> columns() const override { return SearchRows(problem_).columns(); }
   std::size_t variables() const override { return problem_.variables.size(); }
   std::uint64_t seed() const override { return options_.seed; }
+  std::vector<std::string> notes() const override;
   std::optional<Row> recompute(const Row& stored) const override;
   std::optional<optim::Certificate> certify(std::span<const double> variables) const override;
 
