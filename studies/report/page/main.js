@@ -24,6 +24,7 @@ const outcomeWords = { feasible: 'keeps the limits, not shown to be best', infea
 
 function outcomeText() {
   if (summary.outcome === 'optimal') return summary.kind === 'pareto' ? 'every point certified' : 'certified local optimum';
+  if (summary.outcome === 'done' && summary.yield) return percent(summary.yield.value, 4) + ' keep the limits';
   return outcomeWords[summary.outcome] || summary.outcome;
 }
 

@@ -139,13 +139,17 @@ function sensitivityVerdict() {
   return { look: 'good', lines };
 }
 
+/** From here on most of a series may be sold; below, the first line of the page warns. */
+const GOOD_YIELD = 0.95;
+
 function uncertaintyVerdict() {
   const lines = [];
+  const look = !summary.yield ? 'plain' : summary.yield.low >= GOOD_YIELD ? 'good' : 'bad';
   if (summary.yield) {
     lines.push(sentence(bold(percent(summary.yield.value, 4)), ' of the motors keep every limit (between ' + percent(summary.yield.low, 4) + ' and ' + percent(summary.yield.high, 4) + ' with ' + percent(summary.confidence) + ' confidence). What costs the others, the limit that costs most first:'), yieldList());
   }
   lines.push(bullets(Object.entries(summary.metrics).map(([n, m]) => [bold(capital(plain(n))), ': ' + engineering(m.mean, unitOf(n)) + ' on average, standard deviation ' + engineering(m.sd, unitOf(n), 3) + '.'])));
-  return { look: 'good', lines };
+  return { look, lines };
 }
 
 function calibrateVerdict() {

@@ -15,6 +15,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace twum::cli {
 namespace {
@@ -32,6 +34,7 @@ struct Checked {
   std::string words;
   MotorDesign motor;
   std::string missing;
+  std::vector<std::string> notes{};
 };
 
 // A study may be written before its points are measured. What else may be wrong with the path, its
@@ -53,9 +56,9 @@ Checked checked(const MotorOptions& options) {
         options.path == "-" ? "" : std::filesystem::path(options.path).parent_path().string();
     const studies::StudyFile study = studies::read_study(source, folder, options.settings);
     const std::string missing = missing_data(study);
-    if (missing.empty()) studies::check_named_files(study);
     return {"a valid study file (" + std::string(studies::to_string(study.kind())) + ")",
-            study.motor.design, missing};
+            study.motor.design, missing,
+            missing.empty() ? studies::study_notes(study) : std::vector<std::string>()};
   }
   return {"a valid motor file",
           studies::with_settings(studies::read_motor(source).design, options.settings), ""};
@@ -69,6 +72,7 @@ int run_check(const MotorOptions& options) {
   output.finish();
   if (!found.missing.empty())
     std::fprintf(stderr, "note: %s: not there yet; 'twum run' needs it\n", found.missing.c_str());
+  for (const std::string& note : found.notes) std::fprintf(stderr, "note: %s\n", note.c_str());
   print_model_notes(found.motor);
   return kDone;
 }

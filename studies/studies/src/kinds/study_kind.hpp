@@ -51,6 +51,8 @@ class StudyKindRun {
   /// How many of the columns are variables.
   virtual std::size_t variables() const = 0;
   virtual std::uint64_t seed() const { return 0; }
+  /// What to know before one believes the answer, a sentence each without a full stop.
+  virtual std::vector<std::string> notes() const { return {}; }
   /// @throws StoreError
   virtual KindAnswer run(RunContext& context) = 0;
 

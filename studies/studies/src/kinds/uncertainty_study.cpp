@@ -2,6 +2,7 @@
 #include "kinds/earlier_result.hpp"
 #include "kinds/found_motors.hpp"
 #include "kinds/sample_rows.hpp"
+#include "study/tolerance_shape.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/optim/random.hpp>
@@ -29,10 +30,16 @@ struct DrawnVariable {
   }
 };
 
-std::vector<DrawnVariable> drawn_variables(const std::vector<UncertainVariable>& asked) {
+std::vector<DrawnVariable> drawn_variables(const std::vector<Tolerance>& asked,
+                                           const MotorDesign& design) {
   std::vector<DrawnVariable> variables;
-  for (const UncertainVariable& variable : asked)
-    variables.push_back({variable.parameter, variable.distribution()});
+  for (const Tolerance& one : asked) {
+    const double value = get(design, one.parameter);
+    if (const auto wrong = complaint(one, value))
+      throw InputError("study.variables." + std::string(info(one.parameter).name) + ": " +
+                       wrong->what());
+    variables.push_back({one.parameter, one.distribution(value)});
+  }
   return variables;
 }
 
@@ -89,11 +96,13 @@ MotorDesign motor_of(const StudyFile& file, const std::string& start) {
 class UncertaintyRun : public StudyKindRun {
  public:
   UncertaintyRun(const UncertaintyStudy& asked, const StudyFile& file)
-      : variables_(drawn_variables(asked.variables)),
+      : design_(motor_of(file, asked.start)),
+        tolerances_(asked.variables),
+        variables_(drawn_variables(asked.variables, design_)),
         probabilities_(sorted(asked.quantiles)),
         metrics_(asked.metrics),
         limits_(place_limits(asked.limits, metrics_)),
-        evaluator_(motor_of(file, asked.start), parameters_of(variables_), metrics_),
+        evaluator_(design_, parameters_of(variables_), metrics_),
         seed_(asked.seed),
         samples_(asked.samples),
         start_(asked.start) {}
@@ -101,6 +110,9 @@ class UncertaintyRun : public StudyKindRun {
   std::vector<Column> columns() const override { return evaluator_.columns(); }
   std::size_t variables() const override { return variables_.size(); }
   std::uint64_t seed() const override { return seed_; }
+  std::vector<std::string> notes() const override {
+    return shapes::tolerance_notes(tolerances_, design_);
+  }
 
   KindAnswer run(RunContext& context) override {
     const bool complete =
@@ -194,6 +206,8 @@ class UncertaintyRun : public StudyKindRun {
       metric.quantiles.push_back({p, quantile_estimate(values, p, kConfidence)});
   }
 
+  MotorDesign design_;
+  std::vector<Tolerance> tolerances_;
   std::vector<DrawnVariable> variables_;
   std::vector<double> probabilities_;
   std::vector<MetricExpression> metrics_;

@@ -213,7 +213,7 @@ std::unique_ptr<StudyKindRun> make_kind(const StudyFile& file) {
   return std::visit([&](const auto& asked) { return asked.run(file); }, file.asked);
 }
 
-void check_named_files(const StudyFile& file) { make_kind(file); }
+std::vector<std::string> study_notes(const StudyFile& file) { return make_kind(file)->notes(); }
 
 StudyResult result_of(const StudyFile& file, const StudyKindRun& kind, const ResultStore& store,
                       KindAnswer answer) {
@@ -224,7 +224,8 @@ StudyResult result_of(const StudyFile& file, const StudyKindRun& kind, const Res
   result.evaluations = store.rows();
   result.seed = kind.seed();
   result.answer = std::move(answer.answer);
-  result.model_notes = notes_on(file, result);
+  result.model_notes = kind.notes();
+  for (std::string& note : notes_on(file, result)) result.model_notes.push_back(std::move(note));
   return result;
 }
 

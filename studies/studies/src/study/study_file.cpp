@@ -2,6 +2,7 @@
 #include <twum/studies/study/study_file.hpp>
 
 #include "study/study_kinds.hpp"
+#include "study/tolerance_shape.hpp"
 
 #include <twum/studies/motor/settings.hpp>
 #include <twum/studies/text/words.hpp>
@@ -66,6 +67,17 @@ std::optional<MotorFile> motor_of(const YamlNode& root, const std::string& folde
   return motor;
 }
 
+// What only shows once the motor is known: tolerances follow its values. Those of a motor that an earlier study found are
+// looked at when the study runs.
+void check_with_motor(const StudyText& text, const MotorDesign& design, const YamlNode& root,
+                      Diagnostics& diagnostics) {
+  const auto* asked = std::get_if<UncertaintyStudy>(&text.study);
+  const YamlNode* study = root.find("study");
+  if (asked == nullptr || !asked->start.empty() || study == nullptr) return;
+  if (const YamlNode* given = study->find("variables"))
+    shapes::check_tolerances(asked->variables, design, *given, "study.variables", diagnostics);
+}
+
 // Both the study's errors and those of the motor file it names.
 [[noreturn]] void throw_both(const Diagnostics& diagnostics, const FileError& motor) {
   try {
@@ -96,9 +108,12 @@ StudyFile read_study(const Source& source, const std::string& folder,
   } catch (const FileError& error) {
     throw_both(diagnostics, error);
   }
+  if (motor) {
+    motor->design = with_settings(motor->design, settings);
+    check_with_motor(text, motor->design, root, diagnostics);
+  }
   diagnostics.throw_if_any();
   TWUM_ASSERT(motor.has_value());
-  motor->design = with_settings(motor->design, settings);
   return {std::move(*motor), std::move(text.study), *root.find("study"), folder, source.name()};
 }
 

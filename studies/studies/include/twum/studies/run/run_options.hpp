@@ -7,6 +7,7 @@
 #include <functional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 namespace twum::studies {
 
@@ -20,8 +21,9 @@ struct RunOptions {
 };
 
 /// Reads what a valid study file names besides its motor, such as measured points and earlier results.
+/// @return what to know before one believes the answer, a sentence each without a full stop
 /// @throws FileError or InputError for what is wrong there
-void check_named_files(const StudyFile& file);
+std::vector<std::string> study_notes(const StudyFile& file);
 
 /// In memory: no directory, nothing kept. The same answer.
 /// @throws FileError or InputError for a wrong input

@@ -3,7 +3,7 @@
 
 #include <twum/optim/options.hpp>
 #include <twum/studies/problem/motor_problem.hpp>
-#include <twum/studies/statistics/distribution.hpp>
+#include <twum/studies/study/tolerance.hpp>
 
 #include <cstdint>
 #include <memory>
@@ -142,23 +142,6 @@ struct SizeStudy {
   std::string start;  ///< result directory to start from; empty: the motor
 };
 
-/// A parameter that scatters.
-struct UncertainVariable {
-  /// The shape of the distribution.
-  enum class Shape : unsigned char { normal, uniform, lognormal, triangular };
-  Parameter parameter{};  ///< which one
-  Shape shape{};          ///< of the distribution
-  double mean{0};         ///< normal, lognormal; SI
-  double sd{0};           ///< normal, lognormal: standard deviation, SI
-  double min{0};          ///< uniform, triangular; SI
-  double mode{0};         ///< triangular: most likely value, SI
-  double max{0};          ///< uniform, triangular; SI
-
-  /// The distribution, cut off at the parameter's admissible range. Draws of a parameter of whole
-  /// numbers have to be rounded.
-  Distribution distribution() const;
-};
-
 /// Spread and yield under tolerances.
 struct UncertaintyStudy {
   static constexpr std::string_view kName{"uncertainty"};  ///< as in `kind:`
@@ -166,7 +149,7 @@ struct UncertaintyStudy {
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
-  std::vector<UncertainVariable> variables;        ///< what is uncertain, independently
+  std::vector<Tolerance> variables;                ///< what is uncertain, independently
   std::vector<MetricExpression> metrics;           ///< of what
   std::uint64_t samples{10000};                    ///< motors that are drawn
   std::vector<Constraint> limits;                  ///< of the yield; none: no yield

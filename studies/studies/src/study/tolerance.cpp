@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/studies/study/tolerance.hpp>
+
+#include <twum/studies/text/number.hpp>
+#include <twum/studies/units/engineering.hpp>
+
+namespace twum::studies {
+namespace {
+
+// Largest share of a distribution that may lie outside the admissible range of its parameter. More
+// than that would move mean and spread visibly away from those that were typed.
+constexpr double kMostCutOff = 0.01;
+
+// A spread has no meaning as a share of nothing.
+std::optional<ValueError> share_of_nothing(const Tolerance& tolerance, double centre) {
+  for (const std::optional<Spread>& spread :
+       {tolerance.sd, tolerance.range, tolerance.below, tolerance.above}) {
+    if (spread && spread->relative && centre == 0)
+      return ValueError("a spread of " + about(100 * spread->amount) + " % of 0",
+                        "give it with a unit, or the mean");
+  }
+  return {};
+}
+
+std::optional<ValueError> lognormal_complaint(const Tolerance& tolerance, double mean) {
+  const std::string unit(info(tolerance.parameter).unit);
+  if (!(mean > 0))
+    return ValueError("a lognormal distribution about " + engineering(mean, unit),
+                      "the mean must be more than 0");
+  // Beyond, the variance of the logarithm is lost in rounding, or infinite.
+  const double ratio = tolerance.sd->of(mean) / mean;
+  if (ratio >= 1e-7 && ratio <= 1e7) return {};
+  return ValueError("a lognormal distribution about " + engineering(mean, unit) +
+                        " with a standard deviation of " +
+                        engineering(tolerance.sd->of(mean), unit),
+                    "the deviation must be from 1e-7 to 1e7 times the mean");
+}
+
+}  // namespace
+
+double Tolerance::centre(double value) const {
+  if (mode) return *mode;
+  if (min && max) return 0.5 * (*min + *max);
+  return mean.value_or(value);
+}
+
+Distribution Tolerance::distribution(double value) const {
+  const ParameterInfo& row = info(parameter);
+  const double middle = centre(value);
+  // Whole numbers: each has the same share once draws are rounded.
+  const double half = row.integer ? 0.5 : 0.0;
+  const auto whole = [&] {
+    switch (shape) {
+      case Shape::normal: return Distribution::normal(middle, sd->of(middle));
+      case Shape::lognormal: return Distribution::lognormal(middle, sd->of(middle));
+      case Shape::triangular:
+        return min ? Distribution::triangular(*min, middle, *max)
+                   : Distribution::triangular(middle - below->of(middle), middle,
+                                              middle + above->of(middle));
+      case Shape::uniform: break;
+    }
+    return min ? Distribution::uniform(*min - half, *max + half)
+               : Distribution::uniform(middle - range->of(middle) - half,
+                                       middle + range->of(middle) + half);
+  };
+  return whole().within(row.min - half, row.max + half);
+}
+
+std::optional<ValueError> complaint(const Tolerance& tolerance, double value) {
+  const double centre = tolerance.centre(value);
+  if (auto wrong = share_of_nothing(tolerance, centre)) return wrong;
+  if (tolerance.shape == Tolerance::Shape::lognormal)
+    if (auto wrong = lognormal_complaint(tolerance, centre)) return wrong;
+  const double cut_off = tolerance.distribution(value).cut_off();
+  if (cut_off <= kMostCutOff) return {};
+  return ValueError(
+      rounded_text(100 * cut_off, 3) + " % of the distribution lies outside the admissible range",
+      "at most 1 % may be cut off: a smaller spread, or a lognormal or triangular "
+      "distribution, has less there");
+}
+
+const char* to_string(Tolerance::Shape shape) {
+  switch (shape) {
+    case Tolerance::Shape::normal: return "normal";
+    case Tolerance::Shape::uniform: return "uniform";
+    case Tolerance::Shape::lognormal: return "lognormal";
+    case Tolerance::Shape::triangular: break;
+  }
+  return "triangular";
+}
+
+}  // namespace twum::studies
