@@ -80,9 +80,11 @@ class Investigation {
            deadline_.passed() || share() == 0;
   }
 
-  // A quarter of what is left, so that no question takes the answers of the others.
+  // Of what is left, so that no question takes the answers of the others.
   std::size_t share() const {
-    return causes_.counters.evaluations < most_ ? (most_ - causes_.counters.evaluations) / 4 : 0;
+    return causes_.counters.evaluations < most_
+               ? (most_ - causes_.counters.evaluations) / questions_
+               : 0;
   }
 
   Result ask(const Problem& problem, const Observer& observer, bool explain) {
@@ -194,6 +196,7 @@ class Investigation {
     for (std::size_t i = 0; i < told().ranges.size();) {
       RangeEnd& end = told().ranges[i];
       const auto v = std::ranges::find(problem_.variables, end.variable, &Variable::name);
+      questions_ = told().ranges.size() - i;
       end.alone = end_alone(static_cast<std::size_t>(v - problem_.variables.begin()), end.side);
       if (v->integer && std::isnan(end.alone))
         drop_range(i);
@@ -246,6 +249,8 @@ class Investigation {
   const Deadline& deadline_;
   std::size_t most_;
   std::vector<double> design_;
+  std::size_t questions_{
+      4};  // that share what is left; the number of limits that will be asked for is not known
   Causes causes_;
 };
 

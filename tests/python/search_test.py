@@ -35,6 +35,11 @@ class Search(unittest.TestCase):
         self.assertEqual(answer.outcome, "infeasible")
         # At 100 N the motor holds 0.53 N.m: 0.27 N.m short.
         self.assertAlmostEqual(answer.relaxation[0]["amount"], 0.8 - 0.53, delta=1e-6)
+        self.assertAlmostEqual(answer.impossible[0]["best"], 0.53, delta=1e-6)
+        self.assertEqual(answer.impossible[0]["ends"], [0])
+        # The preload alone would have to reach 0.8 N.m / (0.2 * 26.5 mm); searches end within 1e-8 of a limit.
+        self.assertEqual((answer.ranges[0]["variable"], answer.ranges[0]["side"]), ("preload", "upper"))
+        self.assertAlmostEqual(answer.ranges[0]["alone"], 0.8 / (0.2 * 0.0265), delta=1e-4)
 
     def test_a_sized_motor_carries_its_duty(self):
         best = question(twum.Motor(RING)).size(("0.5 N.m", "100 rpm"))

@@ -252,7 +252,7 @@ TEST_CASE("limits impossible alone come first, then those that exclude each othe
           "\n"
           "range end that takes part | moving it alone\n"
           "preload at most 100 N | possible with preload at most 180 N\n"
-          "amplitude at least 1 um | does not help alone\n"));
+          "amplitude at least 1 um | none found\n"));
   const Json json = answer_json(result)["relaxation"];
   CHECK(json["impossible"] == Json::array({Json{{"text", "stall_torque >= 1 N.m"},
                                                 {"limit", 1.0},

@@ -52,7 +52,7 @@ function relaxationCard() {
   const node = card('What would make it possible', 'How far each limit has to give way: all together, and if it is the only one.', 'wide');
   const lines = r.limits.map((l) => { const unit = l.unit; return [{ text: limitWords(l.text), value: l.text, words: true }, quantity(l.limit, unit), quantity(l.amount, unit), l.alone === null ? words('does not help alone') : quantity(l.alone, unit)]; });
   node.append(table('relaxation', ['limit', 'asked for', 'to loosen, all together', 'to loosen, this one alone'], lines));
-  const ends = (r.ranges || []).map((end) => { const unit = unitOf(end.variable); return [named(end.variable), words(end.side === 'upper' ? 'largest' : 'smallest'), quantity(end.limit, unit), end.alone === null ? words('does not help alone') : quantity(end.alone, unit)]; });
+  const ends = (r.ranges || []).map((end) => { const unit = unitOf(end.variable); return [named(end.variable), words(end.side === 'upper' ? 'largest' : 'smallest'), quantity(end.limit, unit), end.alone === null ? words('none found') : quantity(end.alone, unit)]; });
   if (ends.length) node.append(table('range-ends', ['parameter', 'end of its range', 'asked for', 'to move to, this one alone'], ends));
 }
 

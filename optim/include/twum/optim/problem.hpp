@@ -26,9 +26,10 @@ struct Variable {
       double>::quiet_NaN()};   ///< NaN: the middle of the scale; clamped into the bounds
   Scale scale{Scale::linear};  ///< how solvers see it
   bool integer{false};         ///< then only whole numbers are ever evaluated
-  /// Smallest and largest value to which the search for causes of an infeasible problem may extend the bounds; NaN: a
-  /// design beyond that bound is never evaluated.
+  /// Smallest value to which the search for causes of an infeasible problem may extend the lower bound; NaN: no design
+  /// below the bound is ever evaluated.
   double lowest{std::numeric_limits<double>::quiet_NaN()};
+  /// The same of the upper bound, the largest value.
   double highest{std::numeric_limits<double>::quiet_NaN()};
 };
 

@@ -51,8 +51,8 @@ struct RangeEnd {
   std::string variable;    ///< whose range
   Side side{Side::upper};  ///< which end
   double limit{0.0};       ///< as asked, user units
-  /// Where this end has to be so that a design keeps every limit, all other ends and limits as asked; NaN: no
-  /// such place was found, or the variable does not allow the move (Variable::lowest, highest).
+  /// The nearest place found for this end at which a design keeps every limit, all other ends and limits as
+  /// asked. NaN: none was found, or the variable does not allow the move (Variable::lowest, highest).
   double alone{std::numeric_limits<double>::quiet_NaN()};
 };
 

@@ -117,9 +117,9 @@ std::string range_table(const std::vector<RangeState>& ranges) {
   if (ranges.empty()) return {};
   TextTable table{{{"range end that takes part", "moving it alone"}}};
   for (const RangeState& end : ranges)
-    table.rows.push_back({range_words(end, end.limit),
-                          std::isfinite(end.alone) ? "possible with " + range_words(end, end.alone)
-                                                   : "does not help alone"});
+    table.rows.push_back(
+        {range_words(end, end.limit),
+         std::isfinite(end.alone) ? "possible with " + range_words(end, end.alone) : "none found"});
   return "\n" + aligned(table);
 }
 
