@@ -74,16 +74,12 @@ bool store_rows(RunContext& context, std::uint64_t stage, std::uint64_t count,
   return stored >= count;
 }
 
-RowEvaluator::RowEvaluator(MotorDesign base, std::vector<Parameter> variables,
-                           std::vector<MetricExpression> metrics)
-    : base_(std::move(base)),
-      variables_(std::move(variables)),
-      metrics_(std::move(metrics)),
-      evaluator_(metrics_) {}
+RowEvaluator::RowEvaluator(VariedParameters varied, std::vector<MetricExpression> metrics)
+    : varied_(std::move(varied)), metrics_(std::move(metrics)), evaluator_(metrics_) {}
 
 std::vector<Column> RowEvaluator::columns() const {
   std::vector<Column> columns;
-  for (const Parameter parameter : variables_) {
+  for (const Parameter parameter : varied_.varied()) {
     columns.push_back({std::string(info(parameter).name), std::string(info(parameter).unit)});
   }
   for (const MetricExpression& metric : metrics_) {
@@ -93,17 +89,15 @@ std::vector<Column> RowEvaluator::columns() const {
 }
 
 void RowEvaluator::evaluate(std::span<const double> variables, Row& row) const {
-  TWUM_ASSERT(variables.size() == variables_.size());
-  std::vector<ParameterValue> parameters;
-  for (std::size_t i = 0; i < variables.size(); ++i)
-    parameters.emplace_back(variables_[i], variables[i]);
   constexpr MetricValue kNone{std::numeric_limits<double>::quiet_NaN(), MetricStatus::undefined};
   std::vector<MetricValue> values(metrics_.size(), kNone);
   std::string reason;
   try {
-    reason = evaluate_design(with(base_, parameters), metrics_, evaluator_, values);
+    reason = evaluate_design(varied_.motor(variables), metrics_, evaluator_, values);
   } catch (const InputError& error) {
     reason = short_reason(error.what());
+  } catch (const EvaluationError& error) {
+    reason = error.reason();
   }
   row.values.assign(variables.begin(), variables.end());
   for (const MetricValue& value : values) {

@@ -82,6 +82,7 @@ struct OptimizeResult {
   std::vector<NamedValue> before_design;   ///< the motor as it was: its variables
   std::vector<NamedValue> before_metrics;  ///< the same metrics as those of the best
   std::vector<std::string> idle;  ///< variables without influence on the goal or an active limit
+  std::vector<BoundState> whole_ends;       ///< whole numbers of the best at an end of their range
   std::vector<std::string> conflict;        ///< limits that no design satisfies together
   std::vector<RelaxationState> relaxation;  ///< limits that must give way, or would help alone
   std::string solver;                       ///< whose answer it is
