@@ -6,6 +6,7 @@
 #include "causes.hpp"
 #include "front_search.hpp"
 #include "infeasibility.hpp"
+#include "integer_front.hpp"
 #include "polish.hpp"
 
 #include <algorithm>
@@ -181,10 +182,7 @@ void conclude(Campaign& campaign, Front& front) {
 Front pareto_front(const Problem& problem, const ParetoOptions& options) {
   validate_front(problem, options.reference);
   if (options.points == 0) throw InputError("a front of no points: `points` is at least 1");
-  for (const Variable& v : problem.variables)
-    if (v.integer && v.lower < v.upper)
-      throw InputError("variable '" + v.name +
-                       "': a front by gradients takes no integer variables; nsga2 does");
+  if (has_free_integers(problem)) return integer_front(problem, options);
   SolveOptions solve = options.solve;
   const Deadline deadline(solve.budget.seconds);
   FrontSearch search(problem, solve, options, deadline);

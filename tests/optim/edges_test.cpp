@@ -230,7 +230,10 @@ TEST_CASE("what has no meaning is refused by number", "[optim][error]") {
     r[0] = x[0] + x[1];
     r[1] = x[2] - x[0];
   });
-  CHECK_THROWS_WITH(pareto_front(p, ParetoOptions{}), Contains("takes no integer variables"));
+  p.variables[0].integer = true;
+  p.variables[0].lower = 1;
+  p.variables[0].upper = 100;
+  CHECK_THROWS_WITH(pareto_front(p, ParetoOptions{}), Contains("at most 64"));
   CHECK_THROWS_WITH(solve(p), Contains("has 2 objectives; a front needs pareto_front"));
 }
 

@@ -302,3 +302,33 @@ TEST_CASE("a study starts from what another one found", "[studies][optimize]") {
                                        "300 N}}, maximize: peak_power, start: nowhere}")),
                   InputError);
 }
+
+TEST_CASE("an optimum with a whole number inside its range is certified again with it held",
+          "[studies][optimize]") {
+  const StudyFile file = test::study_of(
+      "ring-60", "",
+      "{kind: optimize, variables: {preload: {min: 150 N, max: 300 N}, wavelengths: {min: 5, max: "
+      "14}}, maximize: no_load_speed + 1 rpm * preload / 100 N, constraints: [plateau_speed <= 110 "
+      "rpm]}");
+  const test::Search search(file);
+  REQUIRE(search.answer.outcome == "optimal");
+  const std::vector<NamedValue>& best = search.optimum().best.design;
+  const std::vector<double> design{test::value(best, "preload"), test::value(best, "wavelengths")};
+  CHECK(design[1] > 5);
+  CHECK(design[1] < 14);
+  const auto again = search.kind->certify(design);
+  REQUIRE(again);
+  CHECK(again->passed);
+}
+
+TEST_CASE("a whole number at the end of its range is told", "[studies][optimize]") {
+  const StudyFile file =
+      test::study_of("ring-60", "",
+                     "{kind: optimize, variables: {preload: {min: 150 N, max: 300 N}, wavelengths: "
+                     "{min: 8, max: 10}}, maximize: no_load_speed}");
+  const test::Search search(file);
+  REQUIRE(search.optimum().whole_ends.size() == 1);
+  CHECK(search.optimum().whole_ends[0].variable.name == "wavelengths");
+  CHECK(search.optimum().whole_ends[0].upper);
+  CHECK(search.text().find("a wider range may have a better one") != std::string::npos);
+}

@@ -159,3 +159,24 @@ TEST_CASE("the examples of fronts are found, and every point is certified", "[st
     CHECK(s.front().hypervolume > 0);
   }
 }
+
+TEST_CASE("a front goes over whole numbers, each point certified with its own",
+          "[studies][pareto]") {
+  const StudyFile file = test::study_of(
+      "ring-60", "",
+      "{kind: pareto, variables: {preload: {min: 60 N, max: 300 N}, amplitude: {min: 0.8 um, max: "
+      "2.2 um}, wavelengths: {min: 8, max: 10}}, objectives: [{maximize: stall_torque}, {maximize: "
+      "no_load_speed}], constraints: [max_pressure <= 3 MPa], points: 8}");
+  const test::Search search(file);
+  CHECK(search.answer.outcome == "optimal");
+  const ParetoResult& front = search.front();
+  CHECK(front.front.size() == 8);
+  for (const auto& point : front.front) {
+    const double whole = test::value(point.report.design, "wavelengths");
+    CHECK(whole == std::round(whole));
+    CHECK(point.report.certificate.passed);
+    for (const BoundState& bound : point.report.bounds) CHECK(bound.variable.name != "wavelengths");
+  }
+  // The speed of the surface is a A k omega with k = n / r : the fastest motor has the most waves.
+  CHECK(test::value(front.front[front.ends[1]].report.design, "wavelengths") == 10);
+}

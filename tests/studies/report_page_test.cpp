@@ -180,7 +180,8 @@ TEST_CASE("a fit has its curve and its band, where something was estimated", "[s
 TEST_CASE("studies that look at many motors show the curve of their own", "[studies][report]") {
   const std::string metrics = ", metrics: [stall_torque]}";
   const std::string entries = GENERATE_REF(
-      as<std::string>{}, "{kind: sensitivity, method: local, " + std::string(kVariables) + metrics,
+      Catch::Generators::as<std::string>{},
+      "{kind: sensitivity, method: local, " + std::string(kVariables) + metrics,
       "{kind: uncertainty, variables: {preload: {distribution: normal, mean: 160 N, sd: 8 N}}" +
           metrics);
   CAPTURE(entries);

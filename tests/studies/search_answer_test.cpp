@@ -98,6 +98,9 @@ TEST_CASE("a check that holds whole numbers as they are says so", "[studies][opt
   const std::string text = answer_text(result);
   CHECK(text.find("Optimal by our own check, wavelengths held: no feasible change of the rest "
                   "improves it to first order (stationarity 1.2e-07)") != std::string::npos);
+  result.whole_ends = {{{"wavelengths", "1"}, true, 9}};
+  CHECK_THAT(barred(answer_text(result)),
+             Contains("wavelengths | - | 9 | at its largest; a wider range may have a better one"));
 }
 
 TEST_CASE("an optimum in summary.json has its evidence beside it", "[studies][optimize]") {

@@ -39,6 +39,7 @@ TEST_CASE("a number of whatever unit is read with its dimension", "[files][units
   CHECK(parse_measure("3 %").value == 0.03);
   CHECK_THROWS_WITH(parse_measure("5 Gpa"), "'5 Gpa': unknown unit 'Gpa'; did you mean 'GPa'?");
   CHECK_THROWS_AS(parse_measure("5 mm 3"), ValueError);
+  CHECK_THROWS_WITH(parse_measure("5 W92"), Catch::Contains("'W92' is of too high a power"));
 }
 
 TEST_CASE("the display of a power takes no prefix, which would belong to its base",

@@ -128,8 +128,9 @@ TEST_CASE("gradients of metrics and parameters come in the order asked, by the v
   const MotorDesign motor = study_in(folder, "{kind: curve, points: 3}").motor.design;
   const std::vector<MetricExpression> metrics{parse_metric("preload"), parse_metric("stall_torque"),
                                               parse_metric("poisson_ratio")};
-  const auto gradients =
-      MetricGradients(metrics, {P::kinetic_friction, P::preload, P::shear_modulus}).at(motor);
+  const VariedParameters varied(motor, {P::kinetic_friction, P::preload, P::shear_modulus}, {});
+  const auto gradients = MetricGradients(metrics, varied)
+                             .at(std::vector<double>{0.2, 160, get(motor, P::shear_modulus)});
   REQUIRE(gradients.size() == 3);
   CHECK(gradients[0].values == std::vector<double>{0, 1, 0});
   // mu F_N r; solutions are good to about 1e-12.

@@ -145,7 +145,7 @@ TEST_CASE("a row that no study asks for cannot be computed anew", "[studies][ver
 
 TEST_CASE("a design that is none is a row with the reason, without the values it found",
           "[studies][run]") {
-  const RowEvaluator rows(MotorDesign{}, {Parameter::preload, Parameter::static_friction},
+  const RowEvaluator rows({MotorDesign{}, {Parameter::preload, Parameter::static_friction}, {}},
                           {parse_metric("stall_torque")});
   const auto status = [&](double preload, double static_friction) {
     Row row;

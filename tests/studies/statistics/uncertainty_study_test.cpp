@@ -115,6 +115,20 @@ TEST_CASE("a limit is told in SI, with its side and the metric that it looks at"
   CHECK(limits[1].upper == Approx(3.14159265358979323846).epsilon(1e-14));
 }
 
+TEST_CASE("beside limits no metrics need be named: what is limited is told",
+          "[studies][uncertainty]") {
+  const StudyResult result = run(kNormal +
+                                 "  samples: 200\n"
+                                 "  limits:\n    - stall_torque / preload >= 4 mm\n"
+                                 "    - 100 rpm <= no_load_speed <= 200 rpm\n");
+  const UncertaintyResult& answer = uncertainty(result);
+  REQUIRE(answer.metrics.size() == 2);
+  CHECK(answer.metrics[0].column.name == "stall_torque / preload");
+  // mu r = 5.3 mm whatever the preload, so that all motors keep the first limit.
+  CHECK(answer.metrics[0].mean.value == Approx(kFriction * kRadius).epsilon(1e-9));
+  CHECK(answer.limits[0].kept.value == 1);
+}
+
 TEST_CASE("a motor without a value does not keep the limit, and is counted",
           "[studies][uncertainty]") {
   // A motor carries 0.74 N.m if mu F r reaches it; what it cannot carry has no speed.

@@ -51,10 +51,11 @@ struct Front {
 /// the widest gap between neighbours, which finds the ends of disconnected pieces exactly; of twice
 /// the points asked for, those with the largest hypervolume stay. With three, n runs over a lattice
 /// of directions from the ideal point. On the test problems of docs/optimization.md it takes 22 to 89
-/// evaluations a point. What solve() says of threads and of the answer's causes holds here.
+/// evaluations a point. With integer variables each of their combinations, at most 64, is a front of its own with an equal
+/// share of the budget; the answer holds what no other point dominates, certified with its integers held. What solve() says of threads and of the answer's causes holds here.
 ///
 /// @throws InputError for a problem that cannot be posed, one or more than three objectives, no
-///         points, an integer variable.
+///         points, more than 64 combinations of integers.
 Front pareto_front(const Problem& problem, const ParetoOptions& options = {});
 
 /// How NSGA-II searches.

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -185,6 +186,12 @@ Measure parse_measure(std::string_view text) {
                      meant.empty() ? "expected a unit such as 'N.m' or 'W/m^2'"
                                    : "did you mean '" + std::string(meant) + "'?",
                      text.size() - unit.size());
+  }
+  constexpr int kMostPower = 20;  // more means nothing; beyond 255 UDUNITS cannot say it either
+  for (const int power : base_powers(unit)) {
+    if (std::abs(power) > kMostPower)
+      throw ValueError(quoted(text) + ": " + quoted(unit) + " is of too high a power",
+                       "expected a unit such as 'N.m' or 'W/m^2'", text.size() - unit.size());
   }
   const Dimension dimension = Dimension(unit);
   return {parse_quantity(text, {dimension.unit(), ""}), dimension};

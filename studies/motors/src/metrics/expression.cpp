@@ -129,6 +129,23 @@ std::string_view unit_of(const Term& term) {
   return info(std::get<Parameter>(term)).unit;
 }
 
+// Taken apart once: the library of units serves one thread at a time.
+const Dimension& dimension_of(const Term& term) {
+  static const std::vector<Dimension> metrics = [] {
+    std::vector<Dimension> list;
+    for (const MetricInfo& row : metric_table()) list.emplace_back(row.unit);
+    return list;
+  }();
+  static const std::vector<Dimension> parameters = [] {
+    std::vector<Dimension> list;
+    for (const ParameterInfo& row : parameter_table()) list.emplace_back(row.unit);
+    return list;
+  }();
+  if (const auto* request = std::get_if<MetricRequest>(&term))
+    return metrics[static_cast<std::size_t>(request->metric)];
+  return parameters[index_of(std::get<Parameter>(term))];
+}
+
 std::string long_text(const Term& term, std::string_view reference) {
   const auto* parameter = std::get_if<Parameter>(&term);
   return std::string(parameter != nullptr ? info(*parameter).name : reference);
@@ -208,12 +225,12 @@ MetricExpression expression_of(Parameter parameter) { return parse_metric(info(p
 
 MetricExpression parse_side(std::string_view text) {
   MetricExpression expression;
-  const FormulaNames names{[&](std::string_view reference, bool alone) -> FormulaName {
-                             const Term term = parse_term(reference, alone);
-                             return {long_text(term, reference), Dimension(unit_of(term)),
-                                     place_in(expression.terms, term)};
-                           },
-                           "expected a metric such as 'stall_torque' or 'torque_at(100 rpm)'"};
+  const FormulaNames names{
+      [&](std::string_view reference, bool alone) -> FormulaName {
+        const Term term = parse_term(reference, alone);
+        return {long_text(term, reference), dimension_of(term), place_in(expression.terms, term)};
+      },
+      "expected a metric such as 'stall_torque' or 'torque_at(100 rpm)'"};
   expression.formula = read_formula(text, names);
   const bool bare = expression.formula.is_name() && find_term(trimmed(text));
   expression.text = bare ? std::string(trimmed(text)) : expression.formula.text();

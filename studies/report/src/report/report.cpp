@@ -102,6 +102,9 @@ DesignValues estimates(const Json& summary) {
     if (estimate.contains("value") && estimate["value"].is_number())
       values[name] = estimate["value"].get<double>();
   }
+  const Json derived = part(summary, {"derived"});
+  for (const auto& [name, value] : derived.items())
+    if (value.is_number()) values[name] = value.get<double>();
   return values;
 }
 

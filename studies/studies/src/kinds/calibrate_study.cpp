@@ -43,7 +43,7 @@ TorqueFit fit_of(const CalibrateStudy& asked, const StudyFile& file) {
     throw InputError(path + ": " + counted(points.size(), "point") + " cannot determine " +
                      counted(asked.variables.size(), "parameter") +
                      "; measure more points or estimate fewer parameters");
-  return {file.motor.design, asked.variables, std::move(points)};
+  return {file.motor.design, asked.variables, std::move(points), asked.derived};
 }
 
 // How far the fits are, for the eye.

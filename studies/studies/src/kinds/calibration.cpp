@@ -145,6 +145,9 @@ class Calibration {
       if (e.at_bound) estimate.followers = followers(best, j);
       result_.estimates.push_back(std::move(estimate));
     }
+    std::vector<double> values;
+    for (const optim::Estimate& e : best.estimates) values.push_back(e.value);
+    result_.derived = fit_.derived(values);
     result_.correlation = best.correlation;
     result_.residual_deviation = best.residual_deviation;
     result_.degrees_of_freedom = best.degrees_of_freedom;

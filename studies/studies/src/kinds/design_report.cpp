@@ -86,6 +86,8 @@ std::vector<NamedValue> DesignReporter::design_of(const MotorDesign& motor) cons
   std::vector<NamedValue> values;
   for (const DesignVariable& variable : problem_.variables)
     values.push_back(named(motor, variable.parameter));
+  for (const DerivedParameter& rule : problem_.derived)
+    values.push_back(named(motor, rule.parameter));
   for (const Parameter parameter : besides_) values.push_back(named(motor, parameter));
   return values;
 }
@@ -141,6 +143,19 @@ std::vector<BoundState> DesignReporter::bounds(const optim::Certificate& certifi
                       a->one_percent_buys});
   }
   return states;
+}
+
+std::vector<BoundState> DesignReporter::whole_ends(std::span<const double> design) const {
+  std::vector<BoundState> ends;
+  for (std::size_t j = 0; j < design.size(); ++j) {
+    const DesignVariable& variable = problem_.variables[j];
+    const ParameterInfo& row = info(variable.parameter);
+    const double low = std::ceil(variable.min);
+    const double high = std::floor(variable.max);
+    if (!row.integer || !(low < high) || (design[j] > low && design[j] < high)) continue;
+    ends.push_back({{std::string(row.name), std::string(row.unit)}, design[j] >= high, design[j]});
+  }
+  return ends;
 }
 
 DesignReport DesignReporter::report(std::span<const double> design,

@@ -25,6 +25,8 @@ class DesignReporter {
   /// Every metric without argument, then those of the question.
   std::vector<NamedValue> metrics_of(const MotorDesign& motor) const;
 
+  /// Variables of whole numbers that are at an end of their range; without a multiplier.
+  std::vector<BoundState> whole_ends(std::span<const double> design) const;
   Explanation explanation(const optim::Infeasibility& infeasibility) const;
   /// Variables without influence on the goals or a limit that is active, by the Jacobian.
   std::vector<std::string> idle(const optim::Evaluation& evaluation,

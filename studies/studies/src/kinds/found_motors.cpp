@@ -51,6 +51,7 @@ struct Finder {
     if (result.outcome != "fitted") return {};
     std::vector<NamedValue> values;
     for (const auto& estimate : answer.estimates) values.push_back(estimate.parameter);
+    values.insert(values.end(), answer.derived.begin(), answer.derived.end());
     return {{"fitted.yaml", "fitted motor", motor_with(file, values, "fit of " + result.study)}};
   }
 

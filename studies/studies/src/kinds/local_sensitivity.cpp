@@ -13,7 +13,7 @@ namespace {
 class LocalSensitivity : public SensitivityRun {
  public:
   LocalSensitivity(const SensitivityStudy& asked, const MotorDesign& motor)
-      : SensitivityRun(asked, motor), gradients_(metrics_, box_.parameters()) {
+      : SensitivityRun(asked, motor), gradients_(metrics_, varied_) {
     for (const DesignVariable& range : asked.variables)
       motor_.push_back(std::isnan(range.start) ? get(base_, range.parameter) : range.start);
   }
@@ -43,12 +43,9 @@ class LocalSensitivity : public SensitivityRun {
  private:
   void fill(Row& row) const {
     evaluator_.evaluate(motor_, row);
-    std::vector<ParameterValue> values;
-    for (std::size_t j = 0; j < variables(); ++j)
-      values.emplace_back(box_.parameters()[j], motor_[j]);
     std::vector<double> numbers;
     try {
-      for (const auto& gradient : gradients_.at(with(base_, values))) {
+      for (const auto& gradient : gradients_.at(motor_)) {
         numbers.push_back(static_cast<double>(gradient.smoothness));
         numbers.insert(numbers.end(), gradient.values.begin(), gradient.values.end());
       }

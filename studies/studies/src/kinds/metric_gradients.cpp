@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/metric_gradients.hpp"
 
-#include <algorithm>
 #include <cstring>
 #include <limits>
 #include <utility>
@@ -9,23 +8,21 @@
 namespace twum::studies {
 
 MetricGradients::MetricGradients(const std::vector<MetricExpression>& metrics,
-                                 std::vector<Parameter> variables)
-    : evaluator_(metrics),
-      variables_(std::move(variables)),
-      fixed_static_friction_(std::find(variables_.begin(), variables_.end(),
-                                       Parameter::static_friction) != variables_.end()) {}
+                                 VariedParameters varied)
+    : evaluator_(metrics), varied_(std::move(varied)) {}
 
-std::vector<MetricGradients::Gradient> MetricGradients::at(const MotorDesign& design) const {
+std::vector<MetricGradients::Gradient> MetricGradients::at(std::span<const double> values) const {
+  const MotorDesign design = varied_.motor(values);
+  const auto slopes = varied_.slopes(design);
   std::vector<Gradient> result;
   for (const MetricDerivative& derivative :
-       evaluator_.differentiate(Motor(design), fixed_static_friction_)) {
+       evaluator_.differentiate(Motor(design), varied_.fixed_static_friction())) {
     Gradient gradient{{}, derivative.smoothness};
     if (derivative.value.status != MetricStatus::ok) gradient.smoothness = Smoothness::undefined;
-    for (const Parameter variable : variables_) {
-      gradient.values.push_back(gradient.smoothness == Smoothness::undefined
-                                    ? std::numeric_limits<double>::quiet_NaN()
-                                    : derivative.gradient[index_of(variable)]);
-    }
+    const bool none = gradient.smoothness == Smoothness::undefined;
+    gradient.values =
+        none ? std::vector<double>(values.size(), std::numeric_limits<double>::quiet_NaN())
+             : varied_.derivatives(derivative.gradient, slopes);
     result.push_back(std::move(gradient));
   }
   return result;

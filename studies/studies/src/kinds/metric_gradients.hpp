@@ -3,6 +3,7 @@
 
 #include <twum/core/performance/metrics.hpp>
 #include <twum/studies/metrics/expression.hpp>
+#include <twum/studies/metrics/varied_parameters.hpp>
 
 #include <span>
 #include <string>
@@ -11,23 +12,23 @@
 
 namespace twum::studies {
 
-/// Exact derivatives of expressions by some parameters, the others held fixed (those that follow from
+/// Exact derivatives of expressions by the varied parameters, the others held fixed (those that follow from
 /// them move along). Constant, safe from any number of threads.
 class MetricGradients {
  public:
-  MetricGradients(const std::vector<MetricExpression>& metrics, std::vector<Parameter> variables);
+  MetricGradients(const std::vector<MetricExpression>& metrics, VariedParameters varied);
 
   struct Gradient {
     std::vector<double> values;  ///< by each variable, SI; NaN: none
     Smoothness smoothness{Smoothness::smooth};
   };
-  /// One for each metric.
-  std::vector<Gradient> at(const MotorDesign& design) const;
+  /// One for each metric, at values of the variables.
+  /// @throws InputError, EvaluationError as VariedParameters::motor()
+  std::vector<Gradient> at(std::span<const double> values) const;
 
  private:
   ExpressionEvaluator evaluator_;
-  std::vector<Parameter> variables_;
-  bool fixed_static_friction_;
+  VariedParameters varied_;
 };
 
 /// Numbers as the bytes of a row's detail, and back.

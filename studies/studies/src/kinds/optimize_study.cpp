@@ -8,8 +8,8 @@ namespace {
 class OptimizeRun : public OptimumRun {
  public:
   OptimizeRun(const OptimizeStudy& asked, const StudyFile& file)
-      : OptimumRun(file, {{}, asked.variables, {asked.objective}, asked.constraints}, asked.solver,
-                   asked.start) {}
+      : OptimumRun(file, {{}, asked.variables, {asked.objective}, asked.constraints, asked.derived},
+                   asked.solver, asked.start) {}
 };
 
 }  // namespace

@@ -19,6 +19,7 @@ KindAnswer OptimumRun::run(RunContext& context) {
   result.found = !found.design.empty();
   if (result.found) {
     result.best = reports.report(found.design, found.certificate);
+    result.whole_ends = reports.whole_ends(found.design);
     result.idle = reports.idle(found.evaluation, result.best);
   }
   if (found.outcome == optim::Outcome::infeasible)

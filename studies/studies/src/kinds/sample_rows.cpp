@@ -45,16 +45,12 @@ bool store_rows(RunContext& context, std::uint64_t stage, std::uint64_t count,
   return run_indexed(missing, made, store) >= count;
 }
 
-RowEvaluator::RowEvaluator(MotorDesign base, std::vector<Parameter> variables,
-                           std::vector<MetricExpression> metrics)
-    : base_(std::move(base)),
-      variables_(std::move(variables)),
-      metrics_(std::move(metrics)),
-      evaluator_(metrics_) {}
+RowEvaluator::RowEvaluator(VariedParameters varied, std::vector<MetricExpression> metrics)
+    : varied_(std::move(varied)), metrics_(std::move(metrics)), evaluator_(metrics_) {}
 
 std::vector<Column> RowEvaluator::columns() const {
   std::vector<Column> columns;
-  for (const Parameter parameter : variables_) {
+  for (const Parameter parameter : varied_.varied()) {
     columns.push_back({std::string(info(parameter).name), std::string(info(parameter).unit)});
   }
   for (const MetricExpression& metric : metrics_) {
@@ -64,12 +60,8 @@ std::vector<Column> RowEvaluator::columns() const {
 }
 
 void RowEvaluator::evaluate(std::span<const double> variables, Row& row) const {
-  TWUM_ASSERT(variables.size() == variables_.size());
-  std::vector<ParameterValue> parameters;
-  for (std::size_t i = 0; i < variables.size(); ++i)
-    parameters.emplace_back(variables_[i], variables[i]);
   row.values.assign(variables.begin(), variables.end());
-  const auto outcome = ask_design([&] { return with(base_, parameters); },
+  const auto outcome = ask_design([&] { return varied_.motor(variables); },
                                   [&](const Motor& motor) { return evaluator_.evaluate(motor); });
   if (const auto* failure = std::get_if<DesignFailure>(&outcome)) {
     row.values.resize(variables.size() + metrics_.size(), kNoValue);

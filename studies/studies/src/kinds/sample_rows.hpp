@@ -27,16 +27,14 @@ bool store_rows(RunContext& context, std::uint64_t stage, std::uint64_t count,
 /// Constant, safe from any number of threads.
 class RowEvaluator {
  public:
-  RowEvaluator(MotorDesign base, std::vector<Parameter> variables,
-               std::vector<MetricExpression> metrics);
+  RowEvaluator(VariedParameters varied, std::vector<MetricExpression> metrics);
   /// Columns of the rows.
   std::vector<Column> columns() const;
   /// Sets row.values and row.status.
   void evaluate(std::span<const double> variables, Row& row) const;
 
  private:
-  MotorDesign base_;
-  std::vector<Parameter> variables_;
+  VariedParameters varied_;
   std::vector<MetricExpression> metrics_;
   ExpressionEvaluator evaluator_;
 };

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
 
 namespace twum::studies {
 namespace {
@@ -77,9 +78,14 @@ std::string detail(const optim::Evaluation& evaluation, std::size_t variables, b
 
 }  // namespace
 
-SearchRows::SearchRows(const DesignProblem& problem) : variables_(problem.variables.size()) {
+SearchRows::SearchRows(const DesignProblem& problem)
+    : variables_(problem.variables.size()), problem_(problem), varied_(varied_parameters(problem)) {
   for (const DesignVariable& variable : problem.variables) {
     const ParameterInfo& row = info(variable.parameter);
+    columns_.push_back({std::string(row.name), std::string(row.unit)});
+  }
+  for (const DerivedParameter& rule : problem.derived) {
+    const ParameterInfo& row = info(rule.parameter);
     columns_.push_back({std::string(row.name), std::string(row.unit)});
   }
   const std::vector<ImpliedLimit> implied = implied_limits(problem);
@@ -107,6 +113,7 @@ Row SearchRows::row(std::uint64_t stage, std::uint64_t index, std::span<const do
   row.stage = stage;
   row.index = index;
   row.values.assign(design.begin(), design.end());
+  append_derived(design, row);
   for (const MetricColumn& metric : metrics_) {
     const bool none =
         !evaluation.ok() ||
@@ -118,6 +125,17 @@ Row SearchRows::row(std::uint64_t stage, std::uint64_t index, std::span<const do
   if (!evaluation.ok()) row.status = evaluation.failure;
   row.detail = detail(evaluation, variables_, gradient);
   return row;
+}
+
+void SearchRows::append_derived(std::span<const double> design, Row& row) const {
+  if (problem_.derived.empty()) return;
+  std::optional<MotorDesign> motor;
+  try {
+    motor = motor_of(problem_, varied_, design);
+  } catch (const Error&) {  // the evaluation says why there is no such motor
+  }
+  for (const DerivedParameter& rule : problem_.derived)
+    row.values.push_back(motor ? get(*motor, rule.parameter) : kNoValue);
 }
 
 bool SearchRows::asked_gradient(const Row& row) const {

@@ -5,6 +5,7 @@
 #include "problem/motor_responses.hpp"
 
 #include <memory>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -30,6 +31,8 @@ class SearchRows {
   static std::string key(std::span<const double> design, bool gradient);
 
  private:
+  void append_derived(std::span<const double> design, Row& row) const;
+
   struct MetricColumn {
     /// A load that the metric is asked at.
     struct Load {
@@ -41,6 +44,8 @@ class SearchRows {
   };
 
   std::size_t variables_;
+  DesignProblem problem_;
+  VariedParameters varied_;
   std::vector<Column> columns_;
   std::vector<MetricColumn> metrics_;
 };

@@ -35,6 +35,8 @@ void SearchRun::start_from(const std::string& folder) {
     const auto variable =
         std::find_if(problem_.variables.begin(), problem_.variables.end(),
                      [p = parameter](const DesignVariable& v) { return v.parameter == p; });
+    const auto derived = parameters_of(problem_.derived);
+    if (std::find(derived.begin(), derived.end(), parameter) != derived.end()) continue;
     if (variable == problem_.variables.end())
       besides_.push_back(parameter);
     else if (std::isnan(variable->start))
@@ -84,7 +86,13 @@ std::optional<optim::Certificate> SearchRun::certify(std::span<const double> var
 
 optim::Certificate SearchRun::certificate(const DesignProblem& asked,
                                           std::span<const double> design) const {
-  return optim::certify(motor_problem(asked), design, options_);
+  DesignProblem held =
+      asked;  // whole numbers have no slope: the rest is certified with them as they are
+  for (std::size_t j = 0; j < design.size(); ++j) {
+    DesignVariable& variable = held.variables[j];
+    if (info(variable.parameter).integer) variable.min = variable.max = design[j];
+  }
+  return optim::certify(motor_problem(held), design, options_);
 }
 
 }  // namespace twum::studies

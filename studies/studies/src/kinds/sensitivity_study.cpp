@@ -9,8 +9,9 @@ namespace twum::studies {
 SensitivityRun::SensitivityRun(const SensitivityStudy& asked, const MotorDesign& motor)
     : base_(motor),
       box_(asked.variables),
-      metrics_(asked.metrics),
-      evaluator_(base_, box_.parameters(), metrics_),
+      varied_(base_, box_.parameters(), asked.derived),
+      metrics_(with_derived(asked.metrics, asked.derived)),
+      evaluator_(varied_, metrics_),
       confidence_(asked.confidence) {}
 
 SensitivityResult SensitivityRun::frame(const char* method) const {

@@ -26,6 +26,7 @@ class SensitivityRun : public StudyKindRun {
 
   MotorDesign base_;
   UnitBox box_;
+  VariedParameters varied_;
   std::vector<MetricExpression> metrics_;
   RowEvaluator evaluator_;
   double confidence_;

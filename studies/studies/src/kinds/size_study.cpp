@@ -15,7 +15,8 @@ std::vector<Constraint> limits_of(const SizeStudy& asked) {
 class SizeRun : public OptimumRun {
  public:
   SizeRun(const SizeStudy& asked, const StudyFile& file)
-      : OptimumRun(file, {{}, asked.variables, {{asked.prefer, false}}, limits_of(asked)},
+      : OptimumRun(file,
+                   {{}, asked.variables, {{asked.prefer, false}}, limits_of(asked), asked.derived},
                    asked.solver, asked.start) {}
 };
 

@@ -24,7 +24,7 @@ class SobolSensitivity : public SensitivityRun {
         most_(asked.max_samples.value_or(first_round_ << kMostDoublings)),
         width_(asked.width.value_or(0)),
         design_(box_.size(), seed_),
-        gradients_(metrics_, box_.parameters()) {}
+        gradients_(metrics_, varied_) {}
 
   std::uint64_t seed() const override { return seed_; }
 
@@ -81,12 +81,9 @@ class SobolSensitivity : public SensitivityRun {
 
   // Derivatives of the metrics by the coordinates.
   std::string slopes(const std::vector<double>& values) const {
-    std::vector<ParameterValue> parameters;
-    for (std::size_t j = 0; j < variables(); ++j)
-      parameters.emplace_back(box_.parameters()[j], values[j]);
     std::vector<double> numbers;
     try {
-      for (const auto& gradient : gradients_.at(with(base_, parameters))) {
+      for (const auto& gradient : gradients_.at(values)) {
         for (std::size_t j = 0; j < variables(); ++j)
           numbers.push_back(gradient.values[j] * box_.slope(j, values[j]));
       }

@@ -14,7 +14,9 @@ namespace {
 class SweepRun : public StudyKindRun {
  public:
   SweepRun(const SweepStudy& asked, const MotorDesign& motor)
-      : sampler_(asked), evaluator_(motor, sampler_.variables(), asked.metrics) {}
+      : sampler_(asked),
+        evaluator_({motor, sampler_.variables(), asked.derived},
+                   with_derived(asked.metrics, asked.derived)) {}
 
   std::vector<Column> columns() const override { return evaluator_.columns(); }
   std::size_t variables() const override { return sampler_.variables().size(); }

@@ -9,15 +9,12 @@
 
 namespace twum::studies {
 
-TorqueFit::TorqueFit(MotorDesign motor, std::vector<DesignVariable> parameters,
-                     std::vector<MeasuredPoint> points)
-    : motor_(std::move(motor)),
+TorqueFit::TorqueFit(const MotorDesign& motor, std::vector<DesignVariable> parameters,
+                     std::vector<MeasuredPoint> points, std::vector<DerivedParameter> derived)
+    : motor_(motor),
       parameters_(std::move(parameters)),
       points_(std::move(points)),
-      fixed_static_friction_(
-          std::any_of(parameters_.begin(), parameters_.end(), [](const DesignVariable& range) {
-            return range.parameter == Parameter::static_friction;
-          })) {
+      varied_(motor_, parameters_of(parameters_), std::move(derived)) {
   for (const MeasuredPoint& point : points_)
     requests_.push_back({Metric::torque_at, Argument::speed, point.speed});
 }
@@ -35,11 +32,9 @@ optim::Residuals TorqueFit::residuals(std::span<const double> values) const {
 }
 
 optim::Residuals TorqueFit::torque_residuals(std::span<const double> values) const {
-  std::vector<ParameterValue> replaced;
-  for (std::size_t j = 0; j < parameters_.size(); ++j)
-    replaced.emplace_back(parameters_[j].parameter, values[j]);
-  const auto torques =
-      differentiate(Motor(with(motor_, replaced)), requests_, fixed_static_friction_);
+  const MotorDesign motor = varied_.motor(values);
+  const auto slopes = varied_.slopes(motor);
+  const auto torques = differentiate(Motor(motor), requests_, varied_.fixed_static_friction());
   optim::Residuals result;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const MetricDerivative& torque = torques[i];
@@ -49,8 +44,8 @@ optim::Residuals TorqueFit::torque_residuals(std::span<const double> values) con
       throw EvaluationError("torque: no derivative", "no derivative");
     const double root = std::sqrt(points_[i].weight);
     result.values.push_back(root * (torque.value.value - points_[i].torque));
-    for (const DesignVariable& range : parameters_)
-      result.jacobian.push_back(root * torque.gradient[index_of(range.parameter)]);
+    for (const double slope : varied_.derivatives(torque.gradient, slopes))
+      result.jacobian.push_back(root * slope);
   }
   return result;
 }
@@ -67,12 +62,23 @@ double TorqueFit::torque_size() const {
   return std::sqrt(sum / static_cast<double>(points_.size()));
 }
 
+std::vector<NamedValue> TorqueFit::derived(std::span<const double> values) const {
+  if (varied_.derived().empty()) return {};
+  const MotorDesign motor = varied_.motor(values);
+  std::vector<NamedValue> list;
+  for (const DerivedParameter& rule : varied_.derived()) {
+    const ParameterInfo& row = info(rule.parameter);
+    list.push_back({std::string(row.name), std::string(row.unit), get(motor, rule.parameter)});
+  }
+  return list;
+}
+
 double TorqueFit::static_ratio() const {
   const bool estimated = std::any_of(
       parameters_.begin(), parameters_.end(),
       [](const DesignVariable& range) { return range.parameter == Parameter::kinetic_friction; });
   const double kinetic = get(motor_, Parameter::kinetic_friction);
-  if (!estimated || fixed_static_friction_ || !(kinetic > 0)) return 1;
+  if (!estimated || varied_.fixed_static_friction() || !(kinetic > 0)) return 1;
   return get(motor_, Parameter::static_friction) / kinetic;
 }
 

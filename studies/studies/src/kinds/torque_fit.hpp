@@ -2,6 +2,7 @@
 #pragma once
 
 #include <twum/studies/problem/motor_problem.hpp>
+#include <twum/studies/store/column.hpp>
 
 #include "tables/measured_points.hpp"
 
@@ -19,8 +20,8 @@ namespace twum::studies {
 /// reads; so the error is one of torque. Constant, safe from any number of threads.
 class TorqueFit {
  public:
-  TorqueFit(MotorDesign motor, std::vector<DesignVariable> parameters,
-            std::vector<MeasuredPoint> points);
+  TorqueFit(const MotorDesign& motor, std::vector<DesignVariable> parameters,
+            std::vector<MeasuredPoint> points, std::vector<DerivedParameter> derived = {});
 
   const std::vector<DesignVariable>& parameters() const noexcept { return parameters_; }
   const std::vector<MeasuredPoint>& points() const noexcept { return points_; }
@@ -31,6 +32,9 @@ class TorqueFit {
   double rms(std::span<const double> residuals) const;
   /// Root mean square of the torques measured [N m].
   double torque_size() const;
+
+  /// Parameters that follow from those of the fit, at values of these.
+  std::vector<NamedValue> derived(std::span<const double> values) const;
 
   /// Static to kinetic friction where the latter is estimated and takes the former along; otherwise 1.
   double static_ratio() const;
@@ -45,8 +49,8 @@ class TorqueFit {
   MotorDesign motor_;
   std::vector<DesignVariable> parameters_;
   std::vector<MeasuredPoint> points_;
+  VariedParameters varied_;
   std::vector<MetricRequest> requests_;
-  bool fixed_static_friction_;
 };
 
 }  // namespace twum::studies

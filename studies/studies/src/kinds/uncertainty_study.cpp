@@ -43,12 +43,6 @@ std::vector<DrawnVariable> drawn_variables(const std::vector<Tolerance>& asked,
   return variables;
 }
 
-std::vector<Parameter> parameters_of(const std::vector<DrawnVariable>& variables) {
-  std::vector<Parameter> parameters;
-  for (const DrawnVariable& variable : variables) parameters.push_back(variable.parameter);
-  return parameters;
-}
-
 std::vector<double> sorted(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return values;
@@ -100,9 +94,9 @@ class UncertaintyRun : public StudyKindRun {
         tolerances_(asked.variables),
         variables_(drawn_variables(asked.variables, design_)),
         probabilities_(sorted(asked.quantiles)),
-        metrics_(asked.metrics),
+        metrics_(with_derived(asked.metrics, asked.derived)),
         limits_(place_limits(asked.limits, metrics_)),
-        evaluator_(design_, parameters_of(variables_), metrics_),
+        evaluator_({design_, parameters_of(variables_), asked.derived}, metrics_),
         seed_(asked.seed),
         samples_(asked.samples),
         start_(asked.start) {}

@@ -47,6 +47,19 @@ void refuse_twins(const DesignProblem& problem) {
   }
 }
 
+// The friction that varies may not fall below one that follows from something else.
+void refuse_derived_kinetic_friction(const DesignProblem& problem) {
+  const auto varied = parameters_of(problem.variables);
+  const auto derived = parameters_of(problem.derived);
+  const auto has = [](const std::vector<Parameter>& list, Parameter parameter) {
+    return std::find(list.begin(), list.end(), parameter) != list.end();
+  };
+  if (has(varied, Parameter::static_friction) && has(derived, Parameter::kinetic_friction))
+    throw InputError(
+        "static_friction is varied and kinetic_friction derived; vary kinetic_friction and derive "
+        "static_friction");
+}
+
 optim::Constraint limit_of(const Constraint& limit) {
   return {limit.text, limit.lower, limit.upper};
 }
@@ -76,22 +89,37 @@ DesignProblem& DesignProblem::limit(std::string_view text) {
   return *this;
 }
 
+DesignProblem& DesignProblem::derive(Parameter parameter, std::string_view text) {
+  derived.push_back(parse_derived(parameter, text));
+  return *this;
+}
+
+VariedParameters varied_parameters(const DesignProblem& problem) {
+  return {problem.motor, parameters_of(problem.variables), problem.derived};
+}
+
 MotorDesign motor_of(const DesignProblem& problem, std::span<const double> values) {
+  return motor_of(problem, varied_parameters(problem), values);
+}
+
+MotorDesign motor_of(const DesignProblem& problem, const VariedParameters& varied,
+                     std::span<const double> values) {
   TWUM_ASSERT(values.size() == problem.variables.size());
-  std::vector<ParameterValue> list;
+  std::vector<double> list(values.begin(), values.end());
   double kinetic = problem.motor.friction.kinetic;
   for (std::size_t j = 0; j < values.size(); ++j) {
-    list.emplace_back(problem.variables[j].parameter, values[j]);
     if (problem.variables[j].parameter == Parameter::kinetic_friction) kinetic = values[j];
   }
-  for (auto& [parameter, value] : list) {
-    if (parameter == Parameter::static_friction) value = std::max(value, kinetic);
+  for (std::size_t j = 0; j < values.size(); ++j) {
+    if (problem.variables[j].parameter == Parameter::static_friction)
+      list[j] = std::max(list[j], kinetic);
   }
-  return with(problem.motor, list);
+  return varied.motor(list);
 }
 
 optim::Problem motor_problem(const DesignProblem& problem) {
   refuse_twins(problem);
+  refuse_derived_kinetic_friction(problem);
   optim::Problem result;
   for (const DesignVariable& variable : problem.variables)
     result.variables.push_back(variable_of(problem, variable));

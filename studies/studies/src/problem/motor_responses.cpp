@@ -71,9 +71,9 @@ std::vector<ImpliedLimit> implied_limits(const DesignProblem& problem) {
 
 MotorResponses::MotorResponses(DesignProblem problem)
     : problem_(std::move(problem)),
+      varied_(varied_parameters(problem_)),
       implied_(implied_limits(problem_)),
-      responses_(asked(problem_)),
-      fixed_static_friction_(variable_of(problem_, Parameter::static_friction) != nullptr) {
+      responses_(asked(problem_)) {
   for (const ImpliedLimit& limit : implied_) {
     if (limit.load) responses_.push_back(parse_metric("max_torque"));
   }
@@ -95,7 +95,8 @@ optim::Evaluation MotorResponses::evaluate(std::span<const double> design, bool 
 }
 
 MotorResponses::Numbers MotorResponses::numbers(const MotorDesign& motor, bool gradient) const {
-  Numbers numbers = metric_values(Motor(motor), evaluator_, gradient, fixed_static_friction_);
+  Numbers numbers =
+      metric_values(Motor(motor), evaluator_, gradient, varied_.fixed_static_friction());
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const MetricStatus status = numbers[i].value.status;
     if (status != MetricStatus::ok)
@@ -106,14 +107,16 @@ MotorResponses::Numbers MotorResponses::numbers(const MotorDesign& motor, bool g
 
 optim::Evaluation MotorResponses::evaluate_motor(std::span<const double> design,
                                                  bool gradient) const {
-  Numbers responses = numbers(motor_of(problem_, design), gradient);
+  const MotorDesign motor = motor_of(problem_, varied_, design);
+  Numbers responses = numbers(motor, gradient);
   add_friction_order(design, responses);
+  const auto slopes = gradient ? varied_.slopes(motor) : VariedParameters::Slopes{};
   optim::Evaluation evaluation;
   for (const MetricDerivative& response : responses) {
     evaluation.values.push_back(response.value.value);
     if (!gradient) continue;
-    for (const DesignVariable& variable : problem_.variables)
-      evaluation.jacobian.push_back(response.gradient[index_of(variable.parameter)]);
+    const std::vector<double> row = varied_.derivatives(response.gradient, slopes);
+    evaluation.jacobian.insert(evaluation.jacobian.end(), row.begin(), row.end());
   }
   if (gradient) add_kinks(design, responses, evaluation);
   return evaluation;
@@ -159,11 +162,13 @@ void MotorResponses::add_kink(std::size_t response, std::size_t variable,
     std::vector<double> next(design.begin(), design.end());
     next[variable] *= 1 + step;
     try {
-      Numbers aside =
-          metric_values(Motor(motor_of(problem_, next)), std::span(&responses_[response], 1), true,
-                        fixed_static_friction_);
-      return aside[0].gradient[index_of(problem_.variables[variable].parameter)];
+      const MotorDesign motor = motor_of(problem_, varied_, next);
+      const Numbers aside = metric_values(Motor(motor), std::span(&responses_[response], 1), true,
+                                          varied_.fixed_static_friction());
+      return varied_.derivatives(aside[0].gradient, varied_.slopes(motor))[variable];
     } catch (const InputError&) {  // the end of what is admissible
+      return kNaN;
+    } catch (const EvaluationError&) {  // likewise of a derived parameter
       return kNaN;
     }
   };

@@ -43,10 +43,10 @@ class MotorResponses {
                 optim::Evaluation& evaluation) const;
 
   DesignProblem problem_;
+  VariedParameters varied_;
   std::vector<ImpliedLimit> implied_;
   std::vector<MetricExpression> responses_;  // all but the friction order, which comes last
   ExpressionEvaluator evaluator_;            // of these
-  bool fixed_static_friction_;
 };
 
 }  // namespace twum::studies

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "results/answers.hpp"
 #include "results/calibration_notes.hpp"
+#include "results/search_words.hpp"
 
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/text/text_table.hpp>
@@ -123,6 +123,7 @@ Json units_json(const CalibrateResult& result) {
   Json json = Json::object();
   for (const CalibrateResult::Estimate& e : result.estimates)
     json[e.parameter.name] = e.parameter.unit;
+  add_units(json, result.derived);
   json["speed"] = "rad/s";
   for (const char* torque : {"torque", "fitted", "residual", "residual_rms", "residual_sd"})
     json[torque] = "N.m";
@@ -189,20 +190,22 @@ std::string optima_table(const CalibrateResult& result) {
 }  // namespace
 
 Json answer_json(const CalibrateResult& result) {
-  return {{"estimates", estimates_json(result)},
-          {"confidence", result.confidence},
-          {"correlation", correlation_json(result)},
-          {"residual_rms", number_json(result.residual_rms)},
-          {"residual_sd", number_json(result.residual_deviation)},
-          {"degrees_of_freedom", result.degrees_of_freedom},
-          {"student_t", number_json(result.student_t)},
-          {"fit", tests_json(result)},
-          {"undetermined", undetermined_json(result)},
-          {"optima", optima_json(result)},
-          {"starts", starts_json(result)},
-          {"notes", calibration_notes(result)},
-          {"data", data_json(result)},
-          {"units", units_json(result)}};
+  Json json{{"estimates", estimates_json(result)},
+            {"confidence", result.confidence},
+            {"correlation", correlation_json(result)},
+            {"residual_rms", number_json(result.residual_rms)},
+            {"residual_sd", number_json(result.residual_deviation)},
+            {"degrees_of_freedom", result.degrees_of_freedom},
+            {"student_t", number_json(result.student_t)},
+            {"fit", tests_json(result)},
+            {"undetermined", undetermined_json(result)},
+            {"optima", optima_json(result)},
+            {"starts", starts_json(result)},
+            {"notes", calibration_notes(result)},
+            {"data", data_json(result)},
+            {"units", units_json(result)}};
+  if (!result.derived.empty()) json["derived"] = values_json(result.derived);
+  return json;
 }
 
 std::string answer_text(const CalibrateResult& result) {
@@ -210,6 +213,8 @@ std::string answer_text(const CalibrateResult& result) {
     return "No start could be evaluated: the motor has no torque at one of the speeds measured.\n";
   std::string text = "Estimates with intervals of " + percent(result.confidence) + "\n\n" +
                      estimates_table(result) + "\n";
+  for (const NamedValue& value : result.derived)
+    text += value.name + " follows: " + engineering(value.value, value.unit) + "\n";
   text += residual_words(result) + test_words(result);
   for (const std::string& note : calibration_notes(result)) text += note + "\n";
   return text + optima_table(result);

@@ -29,6 +29,14 @@ std::string cell(double value, const std::string& unit) {
   return std::isnan(value) ? "-" : engineering(value, unit);
 }
 
+// Whole numbers have no slope, so that no certificate tells of them.
+std::string whole_end_words(const OptimizeResult& result, const std::string& name) {
+  for (const BoundState& end : result.whole_ends) {
+    if (end.variable.name == name) return end_words(end) + "; a wider range may have a better one";
+  }
+  return {};
+}
+
 std::string bound_words(const OptimizeResult& result, const std::string& name) {
   for (const BoundState& bound : result.best.bounds) {
     if (bound.variable.name != name) continue;
@@ -36,7 +44,7 @@ std::string bound_words(const OptimizeResult& result, const std::string& name) {
     return end_words(bound) + "; 1 % further buys " +
            change_words(bound.one_percent_buys, result.goal.unit);
   }
-  return {};
+  return whole_end_words(result, name);
 }
 
 std::string design_table(const OptimizeResult& result) {

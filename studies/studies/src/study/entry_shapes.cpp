@@ -96,6 +96,26 @@ Shape<std::vector<DesignVariable>> variables(std::string text, std::string sampl
   return by_parameter<DesignVariable>(range, std::move(text), std::move(sample));
 }
 
+Shape<std::vector<DerivedParameter>> derived() {
+  const auto rule = [](const ParameterInfo& row) {
+    Shape<DerivedParameter> shape;
+    shape.schema.kind = ValueKind::text;
+    shape.schema.text = row.text;
+    shape.schema.example = row.example;
+    shape.read = [schema = kept(shape.schema), parameter = row.parameter](
+                     DerivedParameter& into, const YamlNode& node, const Spot& spot,
+                     Diagnostics& diagnostics) {
+      return says_no_error(node, *schema, spot, diagnostics, [&](const std::string& typed) {
+        into = parse_derived(parameter, typed);
+      });
+    };
+    shape.write = [](const DerivedParameter& derived) { return scalar_node(derived.value.text); };
+    return shape;
+  };
+  return by_parameter<DerivedParameter>(rule, "parameters that follow from others, as expressions",
+                                        "contact_width: 0.15 * contact_radius");
+}
+
 Shape<std::vector<Override>> overrides() {
   return by_parameter<Override>(
       [](const ParameterInfo& row) {

@@ -116,6 +116,14 @@ Shape<std::vector<V>> by_parameter(std::function<Shape<V>(const ParameterInfo&)>
 /// {min, max, scale, start} of each parameter.
 Shape<std::vector<DesignVariable>> variables(std::string text, std::string sample);
 
+/// Parameters that follow from the variables, each as an expression.
+Shape<std::vector<DerivedParameter>> derived();
+/// The entry `derived` of a study S.
+template <typename S>
+Field<S> derived_field() {
+  return hidden(optional<S>("derived", derived(), &S::derived, "none"));
+}
+
 /// A parameter and the value that replaces the motor's.
 struct Override {
   Parameter parameter{};

@@ -273,6 +273,7 @@ Shape<SweepStudy> SweepStudy::shape() {
       {kind_field<S>(),
        needed<S>("variables", by_parameter<Variable>(sweep_variable, "what is varied", kSweep),
                  &S::variables),
+       derived_field<S>(),
        needed<S>("sampling",
                  word<Sampling>("how designs are chosen", {kSamplings.begin(), kSamplings.end()}),
                  &S::sampling),
@@ -295,7 +296,8 @@ Shape<SensitivityStudy> SensitivityStudy::shape() {
       "which parameter matters",
       {kind_field<S>(), needed<S>("method", method, &S::method),
        needed<S>("variables", shapes::variables("what is varied", kRanges), &S::variables),
-       needed<S>("metrics", shapes::metrics(), &S::metrics), sensitivity_samples(),
+       derived_field<S>(), needed<S>("metrics", shapes::metrics(), &S::metrics),
+       sensitivity_samples(),
        standard<S>("confidence", fraction("level of the confidence intervals", "0.95"),
                    &S::confidence),
        hidden(optional<S>(

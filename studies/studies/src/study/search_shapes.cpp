@@ -118,7 +118,8 @@ bool refuse_whole_numbers(CalibrateStudy& /*study*/, const Given& given, Diagnos
 
 Shape<OptimizeStudy> OptimizeStudy::shape() {
   using S = OptimizeStudy;
-  std::vector<Field<S>> fields{kind_field<S>(), variables_field<S>("what may be changed")};
+  std::vector<Field<S>> fields{kind_field<S>(), variables_field<S>("what may be changed"),
+                               derived_field<S>()};
   for (Field<S>& field : goal(&S::objective)) fields.push_back(std::move(field));
   fields.push_back(constraints_field("constraints", &S::constraints));
   fields.push_back(solver_field<S>());
@@ -131,7 +132,7 @@ Shape<ParetoStudy> ParetoStudy::shape() {
   auto objectives = list("two or three objectives", objective(), 2, 3);
   objectives.schema.sample = "- maximize: stall_torque\n- maximize: no_load_speed";
   return mapping<S>("trade-off front of two or three metrics",
-                    {kind_field<S>(), variables_field<S>("what may be changed"),
+                    {kind_field<S>(), variables_field<S>("what may be changed"), derived_field<S>(),
                      needed<S>("objectives", objectives, &S::objectives),
                      constraints_field("constraints", &S::constraints),
                      standard<S>("points", count("points of the front", "50", 2, 1e5), &S::points),
@@ -145,7 +146,7 @@ Shape<SizeStudy> SizeStudy::shape() {
   duty.schema.sample = "- {torque: 0.5 N.m, speed: 100 rpm}";
   return mapping<S>(
       "a motor for a duty",
-      {kind_field<S>(), variables_field<S>("what may be changed"),
+      {kind_field<S>(), variables_field<S>("what may be changed"), derived_field<S>(),
        needed<S>("duty", duty, &S::duty), constraints_field("limits", &S::limits),
        standard<S>("prefer",
                    metric("what is minimized among the motors that will do", "max_pressure"),
@@ -168,6 +169,7 @@ Shape<CalibrateStudy> CalibrateStudy::shape() {
                 "points.csv"),
            &S::data),
        needed<S>("variables", shapes::variables("what is estimated", kEstimates), &S::variables),
+       derived_field<S>(),
        standard<S>("confidence", fraction("level of the confidence intervals", "0.95"),
                    &S::confidence),
        standard<S>("starts", count("local fits from different starts", "8", 1, 10000), &S::starts),

@@ -10,6 +10,7 @@
 #include <twum/studies/units/units.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <vector>
 
@@ -67,11 +68,21 @@ Shape<Options> options_shape() {
                           std::move(fields));
 }
 
+// How many whole numbers a range holds; 1 if it is wrong, which is said elsewhere.
+double values_of(const YamlNode& range) {
+  const YamlNode* min = range.find("min");
+  const YamlNode* max = range.find("max");
+  if (min == nullptr || max == nullptr) return 1;
+  const auto low = parse_number(min->scalar);
+  const auto high = parse_number(max->scalar);
+  return low && high && *low < *high ? std::floor(*high) - std::ceil(*low) + 1 : 1;
+}
+
 // What a study asks of its solver.
 struct Demands {
   bool front;
   bool limits;
-  bool whole_numbers;
+  double combinations{1};  // of whole numbers
 
   explicit Demands(const Given& study) {
     const YamlNode* kind = study.find("kind");
@@ -79,11 +90,10 @@ struct Demands {
     front = kind != nullptr && kind->scalar == "pareto";
     limits = study.find("constraints") != nullptr || study.find("limits") != nullptr ||
              study.find("duty") != nullptr;
-    whole_numbers = false;
     if (variables == nullptr) return;
     for (const YamlEntry& entry : variables->entries) {
       const auto parameter = find_parameter(entry.key);
-      whole_numbers = whole_numbers || (parameter && info(*parameter).integer);
+      if (parameter && info(*parameter).integer) combinations *= values_of(entry.value);
     }
   }
 };
@@ -116,20 +126,19 @@ class SolverChecker {
       check_options(*options, name == nullptr ? "auto" : name->scalar);
   }
 
-  // A front by gradients has no whole numbers between its points.
+  // A front by gradients solves every combination of whole numbers.
   void check_whole_numbers(const Given& study) {
-    if (!demands_.front || !demands_.whole_numbers) return;
     const YamlNode* solver = study.find("solver");
     const YamlNode* name = solver != nullptr ? solver->find("name") : nullptr;
     if (solver != nullptr && solver->kind == YamlNode::Kind::scalar) name = solver;
-    if (name != nullptr && name->scalar == kNsga2) return;
-    for (const YamlEntry& entry : study.find("variables")->entries) {
-      const auto parameter = find_parameter(entry.key);
-      if (parameter && info(*parameter).integer)
-        diagnostics_.add(entry.key_mark, "study.variables." + entry.key,
-                         "only whole numbers, which a front by gradients cannot vary",
-                         "fix it with 'set:', or choose 'solver: nsga2'");
-    }
+    if (!demands_.front || (name != nullptr && name->scalar == kNsga2)) return;
+    const double count = demands_.combinations;
+    constexpr double kMost = 64;  // as optim::pareto_front() takes
+    if (count <= kMost) return;
+    diagnostics_.add(study.find("variables")->mark, study.path("variables"),
+                     rounded_text(count, 6) + " combinations of whole numbers",
+                     "at most 64, since a front is found for each; narrow the ranges, or choose "
+                     "'solver: nsga2'");
   }
 
  private:

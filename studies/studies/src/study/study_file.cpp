@@ -4,7 +4,9 @@
 #include "study/study_kinds.hpp"
 #include "study/tolerance_shape.hpp"
 
+#include <twum/studies/metrics/varied_parameters.hpp>
 #include <twum/studies/motor/settings.hpp>
+#include <twum/studies/text/value_error.hpp>
 #include <twum/studies/text/words.hpp>
 #include <twum/studies/yaml/loader.hpp>
 
@@ -78,6 +80,23 @@ void check_with_motor(const StudyText& text, const MotorDesign& design, const Ya
     shapes::check_tolerances(asked->variables, design, *given, "study.variables", diagnostics);
 }
 
+// Whether what is derived goes together with what is varied, and with the motor.
+void check_derived(const Study& study, const MotorDesign& motor, const YamlNode& root,
+                   Diagnostics& diagnostics) {
+  const auto check = [&](const auto& asked) {
+    if constexpr (requires { asked.derived; }) {
+      if (asked.derived.empty()) return;
+      try {
+        VariedParameters(motor, parameters_of(asked.variables), asked.derived);
+      } catch (const ValueError& error) {
+        const YamlNode* node = root.find("study")->find("derived");
+        diagnostics.add(node->mark, "study.derived", error.found(), error.expected());
+      }
+    }
+  };
+  std::visit(check, study);
+}
+
 // Both the study's errors and those of the motor file it names.
 [[noreturn]] void throw_both(const Diagnostics& diagnostics, const FileError& motor) {
   try {
@@ -111,6 +130,7 @@ StudyFile read_study(const Source& source, const std::string& folder,
   if (motor) {
     motor->design = with_settings(motor->design, settings);
     check_with_motor(text, motor->design, root, diagnostics);
+    if (diagnostics.empty()) check_derived(text.study, motor->design, root, diagnostics);
   }
   diagnostics.throw_if_any();
   TWUM_ASSERT(motor.has_value());

@@ -14,6 +14,9 @@ namespace {
 // Probabilities stand in the list once each; 5 % is 0.05.
 bool check_uncertainty(UncertaintyStudy& study, const Given& given, Diagnostics& diagnostics) {
   check_repeats(given, diagnostics);
+  if (given.find("metrics") == nullptr && given.find("limits") == nullptr)
+    diagnostics.add(given.node().mark, given.path("metrics"), "missing",
+                    "name metrics whose spread is asked for, or limits whose yield is");
   if (const YamlNode* list = given.right("quantiles")) {
     Repeats repeats(given.path("quantiles"), "leave one of them out", diagnostics);
     for (std::size_t i = 0; i < list->items.size(); ++i)
@@ -31,7 +34,8 @@ Shape<UncertaintyStudy> UncertaintyStudy::shape() {
   return mapping<S>(
       "spread and yield under tolerances",
       {kind_field<S>(), needed<S>("variables", tolerances("what is uncertain"), &S::variables),
-       needed<S>("metrics", shapes::metrics(), &S::metrics),
+       derived_field<S>(),
+       optional<S>("metrics", shapes::metrics(), &S::metrics, "those of the limits"),
        standard<S>("samples", shapes::samples(), &S::samples),
        optional<S>("limits", shapes::constraints(), &S::limits, "no yield"),
        standard<S>("quantiles", quantiles, &S::quantiles),

@@ -21,7 +21,7 @@ struct DesignFailure {
   /// What kind of reason.
   enum class Kind : unsigned char {
     refused,  ///< no motor can have these values: the text of the InputError
-    error     ///< asking the motor failed: a lack of memory, or a mistake of ours
+    error     ///< it has no values, as an EvaluationError says in a word, or asking the motor failed
   };
   Kind kind{Kind::refused};  ///< of the reason
   std::string text;          ///< what was wrong
@@ -40,6 +40,8 @@ auto ask_design(Make&& make, Ask&& ask) -> DesignOutcome<std::invoke_result_t<As
     return ask(Motor(make()));
   } catch (const InputError& error) {
     return DesignFailure{DesignFailure::Kind::refused, error.what()};
+  } catch (const EvaluationError& error) {
+    return DesignFailure{DesignFailure::Kind::error, error.reason()};
   } catch (const std::exception& error) {
     return DesignFailure{DesignFailure::Kind::error, error.what()};
   }

@@ -6,6 +6,7 @@
 #include <twum/optim/problem.hpp>
 #include <twum/studies/metrics/constraint.hpp>
 #include <twum/studies/metrics/expression.hpp>
+#include <twum/studies/metrics/varied_parameters.hpp>
 
 #include <limits>
 #include <span>
@@ -42,10 +43,14 @@ struct DesignProblem {
   std::vector<DesignVariable> variables{};    ///< what may be changed
   std::vector<DesignObjective> objectives{};  ///< one for solve(), two or three for pareto_front()
   std::vector<Constraint> limits{};           ///< what must hold
+  std::vector<DerivedParameter> derived{};    ///< what follows from the variables
 
   /// Lets a parameter change from min to max [SI], evenly or by ratio. Whether that can be is seen when
   /// the question is posed: motor_problem().
   DesignProblem& vary(Parameter parameter, double min, double max, bool log = false);
+  /// Ties a parameter to others: derive(Parameter::contact_width, "0.15 * contact_radius").
+  /// @throws ValueError as parse_derived().
+  DesignProblem& derive(Parameter parameter, std::string_view text);
   /// Wants a metric to be large.
   /// @throws ValueError if the text is no metric, as parse_metric().
   DesignProblem& maximize(std::string_view metric);
@@ -57,10 +62,18 @@ struct DesignProblem {
   DesignProblem& limit(std::string_view text);
 };
 
-/// The motor with the variables at the given values, in their order. A value of static_friction below
-/// that of kinetic_friction counts as equal to it.
-/// @throws InputError if a value is not admissible
+/// The variables of a question and what follows from them.
+/// @throws InputError if they do not go together
+VariedParameters varied_parameters(const DesignProblem& problem);
+
+/// The motor with the variables at the given values, in their order, and what follows from them. A value of static_friction
+/// below that of kinetic_friction counts as equal to it.
+/// @throws InputError if a value is not admissible, EvaluationError if one that follows is not
+/// @{
 MotorDesign motor_of(const DesignProblem& problem, std::span<const double> values);
+MotorDesign motor_of(const DesignProblem& problem, const VariedParameters& varied,
+                     std::span<const double> values);
+/// @}
 
 /// The question as a mathematical problem in SI units, with exact first derivatives. Its responses
 /// are the objectives, the limits in their order, then limits that follow from them:

@@ -73,6 +73,7 @@ struct CalibrateResult {
 
   double confidence{0.95};          ///< level of all intervals
   std::vector<Estimate> estimates;  ///< empty if no start could be evaluated
+  std::vector<NamedValue> derived;  ///< parameters that follow from the estimates
   std::vector<double> correlation;  ///< row after row; NaN where undetermined
   double residual_rms{
       std::numeric_limits<double>::quiet_NaN()};  ///< root of the weighted mean square

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <twum/optim/options.hpp>
+#include <twum/studies/metrics/varied_parameters.hpp>
 #include <twum/studies/problem/motor_problem.hpp>
 #include <twum/studies/study/tolerance.hpp>
 
@@ -63,6 +64,7 @@ struct SweepStudy {
     bool log{false};             ///< spread evenly by ratio; min > 0
   };
   std::vector<Variable> variables;        ///< at least one
+  std::vector<DerivedParameter> derived;  ///< what follows from the variables
   Sampling sampling{Sampling::grid};      ///< how designs are chosen
   std::vector<MetricExpression> metrics;  ///< what is computed
   std::uint64_t samples{1000};            ///< designs, of lhs and sobol
@@ -81,6 +83,7 @@ struct SensitivityStudy {
 
   SensitivityMethod method{SensitivityMethod::sobol};  ///< derivatives, screening, or shares
   std::vector<DesignVariable> variables;               ///< `start` counts for local only
+  std::vector<DerivedParameter> derived;               ///< what follows from the variables
   std::vector<MetricExpression> metrics;               ///< of what
   /// Trajectories (morris) or base samples (sobol); none: standard_samples().
   std::optional<std::uint64_t> samples;
@@ -100,6 +103,7 @@ struct OptimizeStudy {
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
   std::vector<DesignVariable> variables;  ///< what may be changed
+  std::vector<DerivedParameter> derived;  ///< what follows from the variables
   DesignObjective objective;              ///< what is to be large or small
   std::vector<Constraint> constraints;    ///< what must hold
   optim::SolveOptions solver;             ///< observer, threads and stop are the run's
@@ -120,6 +124,7 @@ struct ParetoStudy {
     return options;
   }
   std::vector<DesignVariable> variables;          ///< what may be changed
+  std::vector<DerivedParameter> derived;          ///< what follows from the variables
   std::vector<DesignObjective> objectives;        ///< two or three
   std::vector<Constraint> constraints;            ///< what must hold
   std::uint64_t points{50};                       ///< of the front
@@ -135,6 +140,7 @@ struct SizeStudy {
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
   std::vector<DesignVariable> variables;  ///< what may be changed
+  std::vector<DerivedParameter> derived;  ///< what follows from the variables
   std::vector<Constraint> duty;           ///< torque_at(SPEED) >= LOAD of each point
   std::vector<Constraint> limits;         ///< what else must hold
   MetricExpression prefer{parse_metric("max_pressure")};  ///< minimized among motors that will do
@@ -150,6 +156,7 @@ struct UncertaintyStudy {
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
   std::vector<Tolerance> variables;                ///< what is uncertain, independently
+  std::vector<DerivedParameter> derived;           ///< what follows from the variables
   std::vector<MetricExpression> metrics;           ///< of what
   std::uint64_t samples{10000};                    ///< motors that are drawn
   std::vector<Constraint> limits;                  ///< of the yield; none: no yield
@@ -167,6 +174,7 @@ struct CalibrateStudy {
 
   std::string data;                       ///< path of the points
   std::vector<DesignVariable> variables;  ///< what is estimated
+  std::vector<DerivedParameter> derived;  ///< what follows from the variables
   double confidence{0.95};                ///< level of the intervals
   std::uint64_t starts{8};                ///< local fits from different starts
   std::uint64_t seed{1};                  ///< of the starts
