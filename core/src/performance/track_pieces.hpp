@@ -12,7 +12,7 @@
 
 namespace twum::performance {
 
-/// What happens at a radius: the crest leaves the rotor (w = 0 in W2.2), or the trough reaches it (w = 2).
+/// What happens at a radius: the crest leaves the rotor (w = 0 in W2.2), or the valley of the wave reaches it (w = 2).
 inline constexpr double kLiftOff = 0, kFull = 2;
 
 /// p(0) h / E less `versine` A R: of the sign of w - versine (W2.2) [m].
