@@ -53,7 +53,8 @@ double seconds_per_evaluation(const Motor& motor) {
 
 double seconds_per_gradient(const Motor& motor) {
   const auto requests = all_metrics();
-  return bench::seconds_per_call([&] { benchmark::DoNotOptimize(differentiate(motor, requests)); }, 5);
+  return bench::seconds_per_call([&] { benchmark::DoNotOptimize(differentiate(motor, requests)); },
+                                 5);
 }
 
 void beside_one_slice(benchmark::State& state, Shape shape) {
@@ -78,7 +79,13 @@ void make_motor(benchmark::State& state, int slices, Shape shape) {
 
 }  // namespace
 
-BENCHMARK_CAPTURE(beside_one_slice, level, Shape::level)->Arg(4)->Arg(8)->Arg(16)->Arg(32)->Arg(64)->Iterations(1);
+BENCHMARK_CAPTURE(beside_one_slice, level, Shape::level)
+    ->Arg(4)
+    ->Arg(8)
+    ->Arg(16)
+    ->Arg(32)
+    ->Arg(64)
+    ->Iterations(1);
 BENCHMARK_CAPTURE(beside_one_slice, rising, Shape::rising)->Arg(8)->Arg(32)->Iterations(1);
 BENCHMARK_CAPTURE(make_motor, one, 1, Shape::level);
 BENCHMARK_CAPTURE(make_motor, level_8, 8, Shape::level);

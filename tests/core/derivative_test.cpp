@@ -241,8 +241,9 @@ TEST_CASE("every metric's derivative by every parameter is that of differences",
   CHECK(tally.total_sharp() > 1000);
 }
 
-TEST_CASE("an annulus has the derivatives of differences, shape and taper included (W2.3, W2.4, W4.1)",
-          "[core][annulus][derivative][differential]") {
+TEST_CASE(
+    "an annulus has the derivatives of differences, shape and taper included (W2.3, W2.4, W4.1)",
+    "[core][annulus][derivative][differential]") {
   const Tally tally = check_designs(20250102, 6, annulus_of);
   std::string sharp;
   for (const auto& [name, count] : tally.sharp) sharp += name + " " + std::to_string(count) + "  ";

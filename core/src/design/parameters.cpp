@@ -43,13 +43,15 @@ constexpr std::array<ParameterInfo, kParameterCount> kTable{{
      "0 is a stator without loss; 1 MN.s/m is 1 kg at 150 kHz with a quality factor of 1"},
     {P::radial_slices, "radial_slices", "", "1", "stator.radial_slices", kAutoSlices, 256, true,
      false, kNone, "8",
-     "slices of each smooth piece of the contact track; 1 takes all at the contact radius, 0 stands "
+     "slices of each smooth piece of the contact track; 1 takes all at the contact radius, 0 "
+     "stands "
      "for auto",
      "256 slices of a smooth piece leave rounding, and next to kinks 1e-6 of the torque"},
     {P::shape_exponent, "shape_exponent", "", "1", "stator.radial_shape.exponent", -20, 20, false,
      false, kNone, "1.5",
      "exponent p of the wave's radial shape R = ((rho - rho_0) / (r - rho_0))^p",
-     "a plate beside its clamp has 2; at 20 a ring's wave is 55 times higher at the outer edge of a "
+     "a plate beside its clamp has 2; at 20 a ring's wave is 55 times higher at the outer edge of "
+     "a "
      "track of a fifth of its radius than at the inner"},
     {P::shape_root, "shape_root", "", "m", "stator.radial_shape.root", 0, 2, false, false, kNone,
      "13 mm", "radius rho_0 where the wave's radial shape is zero; outside the contact track",
@@ -89,7 +91,8 @@ constexpr std::array<ParameterInfo, kParameterCount> kTable{{
      kNone, "0.2", "friction coefficient at the threshold of sticking, at least the kinetic one",
      "0 is no friction; twice the largest kinetic one"},
     {P::rotor_taper, "rotor_taper", "", "rad", "rotor.taper", -0.1, 0.1, false, false, kNone,
-     "20 urad", "cone angle of the rotor's face, positive if the face falls away towards the outer edge",
+     "20 urad",
+     "cone angle of the rotor's face, positive if the face falls away towards the outer edge",
      "1 mrad over 4 mm is 4 um, more than a usual amplitude; beyond 0.1 rad only an edge touches"},
     {P::preload, "preload", "F_N", "N", "preload", 0, 1e11, false, true, kNone, "160 N",
      "total axial force that presses rotor and stator together",

@@ -94,9 +94,7 @@ double pressure_at(const Slice<double>& s, double theta) {
 
 // What does not depend on the tangential contact.
 FieldSample untouched_sample(const Slice<double>& s, double speed, double theta) {
-  return {theta, pressure_at(s, theta),
-          0,     0,
-          s.crest_velocity * std::cos(theta), s.radius * speed};
+  return {theta, pressure_at(s, theta), 0, 0, s.crest_velocity * std::cos(theta), s.radius * speed};
 }
 
 // A layer that is dragged over a flat stator.

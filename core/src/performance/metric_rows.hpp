@@ -77,10 +77,8 @@ typename Answers::Number metric_row(Answers& to, const MetricRequest& request) {
     case M::contact_half_length:
       return to.of_contact([](const auto& m) { return m.contact.half_length; });
     case M::contact_ratio: return to.of_contact([](const auto& m) { return m.contact.ratio; });
-    case M::max_pressure:
-      return to.of_contact([](const auto& m) { return largest_pressure(m); });
-    case M::layer_aspect:
-      return to.of_contact([](const auto& m) { return layer_aspect(m); });
+    case M::max_pressure: return to.of_contact([](const auto& m) { return largest_pressure(m); });
+    case M::layer_aspect: return to.of_contact([](const auto& m) { return layer_aspect(m); });
     case M::pressure_nonuniformity:
       return to.of_contact([](const auto& m) { return pressure_nonuniformity(m); });
     case M::speed_at: return to.crossing(search.speed_at(request.at), to.fixed(request.at));

@@ -147,7 +147,8 @@ void require_on_track(const performance::DrivenMotor<double>& m, double radius) 
   const double slack = 1e-12 * m.r;  // of radii that were added and subtracted
   if (std::fabs(radius - m.r) <= 0.5 * m.b + slack) return;
   char text[120];
-  std::snprintf(text, sizeof text, "radius must be on the contact track, %.6g to %.6g mm, but is %.6g mm",
+  std::snprintf(text, sizeof text,
+                "radius must be on the contact track, %.6g to %.6g mm, but is %.6g mm",
                 1e3 * (m.r - 0.5 * m.b), 1e3 * (m.r + 0.5 * m.b), 1e3 * radius);
   throw InputError(text);
 }

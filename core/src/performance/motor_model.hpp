@@ -63,17 +63,24 @@ struct Slice {
   S peak;                 ///< p(0) / P = 1 - c
   contact::Trig<S> edge;  ///< of theta_L
   S pressure_force;       ///< of the contact on the wave, Re F_n (D1.3, D1.4) [N]
+  S torque_scale;         ///< torque of one unit of mean traction, 2 pi r^2 b P (T4.5) [N m]
+  /// Power of one unit of the contact's mean powers, 2 pi r b P V0 [W]; the largest that can occur is the scale of powers
+  /// (T7.11).
+  S power_scale;
+  /// Force on the wave of one unit of the mean <t sin theta>, 2 pi r b kappa a P (D1.6), at the mean radius (W3.4) [N].
+  S force_scale;
 };
 
 /// A motor under a wave (theory section 3). As a slice it is the contact at the mean radius.
 template <typename S>
 struct DrivenMotor : MotorModel<S>, Slice<S> {
   S omega;
-  S lever;          ///< mean radius of the preload: mu F_N lever is the torque of a contact that slips all through
-  S holding_lever;  ///< the same without a wave
-  S indentation;    ///< of the layer by the crest at the mean radius (W2.1) [m]
+  S lever;  ///< mean radius of the preload: mu F_N lever is the torque of a contact that slips all through
+  S holding_lever;                ///< the same without a wave
+  S indentation;                  ///< of the layer by the crest at the mean radius (W2.1) [m]
   std::vector<Slice<S>> annulus;  ///< slices that touch; empty: all at the mean radius
-  std::vector<Slice<S>> edges;    ///< of an annulus, those that touch: no part of a sum, but the first to stick
+  std::vector<Slice<S>>
+      edges;  ///< of an annulus, those that touch: no part of a sum, but the first to stick
 
   /// What the motor's numbers are sums over.
   std::span<const Slice<S>> slices() const {
@@ -168,6 +175,11 @@ Slice<S> completed(Slice<S> s, const MotorModel<S>& m) {
   if (s.contact.full) s.edge = {S(0.0), S(-1.0), S(2.0)};
   s.peak = s.contact.full ? S(1.0 - s.contact.edge_cosine) : s.edge.versine;
   s.pressure_force = pressure_force(s, s.edge);
+  const S P = s.contact.pressure_amplitude;
+  const S circumference = 2 * std::numbers::pi * s.radius;
+  s.torque_scale = circumference * s.radius * s.width * P;
+  s.power_scale = circumference * s.width * P * s.crest_velocity;
+  s.force_scale = circumference * s.width * (m.tilt * (m.r / s.radius)) * P * s.shape;
   return s;
 }
 
@@ -235,27 +247,6 @@ contact::ContactNumbers<R> contact_numbers(const DrivenMotor<S>& m, const Slice<
 template <typename S, typename R>
 contact::ContactNumbers<R> contact_numbers(const DrivenMotor<S>& m, const R& speed) {
   return contact_numbers(m, static_cast<const Slice<S>&>(m), speed);
-}
-
-/// Torque of one unit of mean traction, 2 pi r^2 b P (T4.5) [N m].
-template <typename S>
-S torque_scale(const Slice<S>& s) {
-  return 2 * std::numbers::pi * s.radius * s.radius * s.width * s.contact.pressure_amplitude;
-}
-
-/// Power of one unit of the contact's mean powers, 2 pi r b P V0 [W]; the largest that can occur is the
-/// scale of powers (T7.11).
-template <typename S>
-S power_scale(const Slice<S>& s) {
-  return 2 * std::numbers::pi * s.radius * s.width * s.contact.pressure_amplitude *
-         s.crest_velocity;
-}
-
-/// Force on the wave of one unit of the mean <t sin theta>, 2 pi r b kappa a P (D1.6), at the mean radius (W3.4) [N].
-template <typename S>
-S wave_force_scale(const MotorModel<S>& m, const Slice<S>& s) {
-  return 2 * std::numbers::pi * s.radius * s.width * (m.tilt * (m.r / s.radius)) *
-         s.contact.pressure_amplitude * s.shape;
 }
 
 /// mu_0 F_N r (T7.8), over an annulus (W3.6): torque held at rest without drive [N m].

@@ -37,9 +37,9 @@ bool keeps_laws(const DrivenMotor<double>& m, const PointNumbers<double>& n, dou
     fastest = std::fmax(s.crest_velocity / s.radius, fastest);
   const double scale = most * fastest;
   const double share = n.stick_fraction;
-  return std::isfinite(n.reactive_force) && std::fabs(excess(n, speed)) <= kBalance * scale && n.friction_power >= -kBeyond * scale &&
-         n.layer_loss >= -kBeyond * scale && std::fabs(n.torque) <= most * (1 + kBeyond) &&
-         share >= 0 && share <= 1 + kBeyond;
+  return std::isfinite(n.reactive_force) && std::fabs(excess(n, speed)) <= kBalance * scale &&
+         n.friction_power >= -kBeyond * scale && n.layer_loss >= -kBeyond * scale &&
+         std::fabs(n.torque) <= most * (1 + kBeyond) && share >= 0 && share <= 1 + kBeyond;
 }
 
 // Without a wave the rotor drags the layer over a flat stator. Released at mu_0 p it slips steadily,
@@ -102,13 +102,13 @@ template <typename S, typename R>
 PointNumbers<R> locked_slice(const DrivenMotor<S>& m, const Slice<S>& s, const R& /*speed*/) {
   const R zero(0.0);
   const Lock<S> lock(m, s);
-  const R power = power_scale(s) * lock.damping_work + zero;
-  return {torque_scale(s) * lock.low + zero,
+  const R power = s.power_scale * lock.damping_work + zero;
+  return {s.torque_scale * lock.low + zero,
           power,
           zero,
           power,
           s.share + zero,
-          s.pressure_force + zero + wave_force_scale(m, s) * lock.reactive_force};
+          s.pressure_force + zero + s.force_scale * lock.reactive_force};
 }
 
 template <typename S, typename R>
@@ -137,8 +137,8 @@ bool SolvedPoint::slips_one_way() const {
 }
 
 bool SolvedPoint::locks_in_part() const {
-  return first_.locked || std::any_of(others_.begin(), others_.end(),
-                                      [](const SolvedSlice& s) { return s.locked; });
+  return first_.locked ||
+         std::any_of(others_.begin(), others_.end(), [](const SolvedSlice& s) { return s.locked; });
 }
 
 std::uint64_t SolvedPoint::signature() const {
@@ -175,8 +175,8 @@ std::optional<WarmStart::Entry> SolvedPoint::entry_near(std::span<const Slice<do
   if (k == 0 || slice(k - 1).slips_one_way()) return {};
   const WarmStart::Entry& last = slice(k - 1).state.entry;
   if (k == 1 || slice(k - 2).slips_one_way()) return last;
-  const double t = (slices[k].radius - slices[k - 1].radius) /
-                   (slices[k - 1].radius - slices[k - 2].radius);
+  const double t =
+      (slices[k].radius - slices[k - 1].radius) / (slices[k - 1].radius - slices[k - 2].radius);
   return WarmStart::beyond(slice(k - 2).state.entry, last, t);
 }
 
@@ -224,8 +224,7 @@ SolvedPoint::SolvedPoint(const DrivenMotor<double>& m, double speed,
   others_.reserve(slices.size() - 1);
   for (std::size_t k = 1; k < slices.size() && status == PointStatus::ok; ++k) {
     const auto entry = entry_near(slices, k, guess);
-    others_.push_back(
-        solve_slice(m, slices[k], speed, layer, entry ? &*entry : nullptr, accuracy));
+    others_.push_back(solve_slice(m, slices[k], speed, layer, entry ? &*entry : nullptr, accuracy));
     status = status_of(m, others_.back());
     numbers = numbers + numbers_of(m, slices[k], others_.back(), speed);
   }
@@ -253,8 +252,8 @@ SolvedPoint solve_point(const DrivenMotor<double>& m, double speed, const WarmSt
   return point;
 }
 
-#define TWUM_INSTANTIATE(S, R)                                               \
-  template bool locks_at_rest(const DrivenMotor<S>&, const Slice<S>&);       \
+#define TWUM_INSTANTIATE(S, R)                                                             \
+  template bool locks_at_rest(const DrivenMotor<S>&, const Slice<S>&);                     \
   template PointNumbers<R> locked_slice(const DrivenMotor<S>&, const Slice<S>&, const R&); \
   template PointNumbers<R> special_point(const DrivenMotor<S>&, const R&);
 TWUM_FOR_EACH_MODEL_SCALAR(TWUM_INSTANTIATE)

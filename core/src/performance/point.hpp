@@ -26,8 +26,11 @@ struct PointNumbers {
 /// Of two slices together (W3.1, W3.2, W3.3, W3.4).
 template <typename S>
 PointNumbers<S> operator+(const PointNumbers<S>& a, const PointNumbers<S>& b) {
-  return {a.torque + b.torque, a.stator_power + b.stator_power, a.friction_power + b.friction_power,
-          a.layer_loss + b.layer_loss, a.stick_fraction + b.stick_fraction,
+  return {a.torque + b.torque,
+          a.stator_power + b.stator_power,
+          a.friction_power + b.friction_power,
+          a.layer_loss + b.layer_loss,
+          a.stick_fraction + b.stick_fraction,
           a.reactive_force + b.reactive_force};
 }
 
@@ -131,8 +134,9 @@ class SolvedPoint {
   PointNumbers<R> summed(const DrivenMotor<S>& motor, const R& speed,
                          Differentiate differentiate) const;
 
-  SolvedSlice first_;                // undefined for special points
-  std::vector<SolvedSlice> others_;  // none where the motor is one slice: a point then costs no memory
+  SolvedSlice first_;  // undefined for special points
+  std::vector<SolvedSlice>
+      others_;  // none where the motor is one slice: a point then costs no memory
 };
 
 /// Solves one operating point.
@@ -162,15 +166,15 @@ template <typename S, typename R>
 PointNumbers<R> slice_numbers(const DrivenMotor<S>& m, const Slice<S>& s,
                               const contact::Lap<double>& lap,
                               const contact::ContactMeans<R>& means) {
-  const S power = power_scale(s);
-  R torque = torque_scale(s) * means.traction;
+  const S power = s.power_scale;
+  R torque = s.torque_scale * means.traction;
   if (lap.one_slip) torque = R(static_cast<double>(lap.first) * (m.kinetic * s.load * s.radius));
   return {torque,
           power * means.stator_power,
           power * means.friction_power,
           power * means.layer_loss,
           s.share * (means.stick_length / (2.0 * s.contact.half_angle)),
-          s.pressure_force + wave_force_scale(m, s) * means.reactive_force};
+          s.pressure_force + s.force_scale * means.reactive_force};
 }
 
 }  // namespace twum::performance

@@ -126,9 +126,9 @@ PointNumbers<S> SolvedPoint::differentiated(const DrivenMotor<S>& m, const S& sp
         contact::periodic_means(seeded<K>(n), values_of(n), state);
     const std::array<S, 7> x = listed(n);
     return contact::ContactMeans<S>{
-        chained(means.traction, x), chained(means.stator_power, x),
+        chained(means.traction, x),       chained(means.stator_power, x),
         chained(means.friction_power, x), chained(means.layer_loss, x),
-        chained(means.stick_length, x), chained(means.reactive_force, x)};
+        chained(means.stick_length, x),   chained(means.reactive_force, x)};
   });
 }
 
@@ -235,7 +235,7 @@ ModelDual track_plateau_end_derivative(const DrivenMotor<ModelDual>& m, double e
   return end_of(first_margin(m, m.edges, end), end);
 }
 
-#define TWUM_INSTANTIATE(S)                                         \
+#define TWUM_INSTANTIATE(S)                                                           \
   template DrivenMotor<S> differentiated_motor(const MotorDesign&, const TrackRule&); \
   template PointNumbers<S> SolvedPoint::differentiated(const DrivenMotor<S>&, const S&) const;
 TWUM_INSTANTIATE(ModelDual)

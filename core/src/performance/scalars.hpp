@@ -12,12 +12,12 @@ namespace twum::performance {
 /// What the contact model takes of a design: each is a direction of its derivatives, and the speed is the last one. All
 /// other parameters act through these, by parameter_jacobian(): they add no direction.
 inline constexpr std::array kModelParameters{
-    Parameter::wavelengths,   Parameter::contact_radius,   Parameter::contact_width,
-    Parameter::frequency,     Parameter::amplitude,        Parameter::neutral_plane_distance,
-    Parameter::modal_damping, Parameter::thickness,        Parameter::youngs_modulus,
-    Parameter::shear_modulus, Parameter::shear_viscosity,  Parameter::inertia,
-    Parameter::preload,       Parameter::kinetic_friction, Parameter::static_friction,
-    Parameter::shape_exponent, Parameter::shape_root,      Parameter::rotor_taper};
+    Parameter::wavelengths,    Parameter::contact_radius,   Parameter::contact_width,
+    Parameter::frequency,      Parameter::amplitude,        Parameter::neutral_plane_distance,
+    Parameter::modal_damping,  Parameter::thickness,        Parameter::youngs_modulus,
+    Parameter::shear_modulus,  Parameter::shear_viscosity,  Parameter::inertia,
+    Parameter::preload,        Parameter::kinetic_friction, Parameter::static_friction,
+    Parameter::shape_exponent, Parameter::shape_root,       Parameter::rotor_taper};
 
 /// Position of a parameter in kModelParameters.
 constexpr std::size_t model_index(Parameter parameter) {

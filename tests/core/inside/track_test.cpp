@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "performance/gauss_rule.hpp"
 #include "performance/track.hpp"
+#include "performance/gauss_rule.hpp"
 #include "support/test_motors.hpp"
 
 #include <catch2/catch.hpp>
@@ -58,7 +58,8 @@ TEST_CASE("slices carry the preload together (W2.3, W4.3)", "[core][annulus][ide
 }
 
 // Without the change of variable at radii of lift-off eight nodes would leave 1e-4.
-TEST_CASE("pieces that end where the contact begins or closes need few nodes (W4.1)", "[core][annulus][accuracy]") {
+TEST_CASE("pieces that end where the contact begins or closes need few nodes (W4.1)",
+          "[core][annulus][accuracy]") {
   for (const double load : {0.01, 0.3, 1.0, 1.3}) {
     MotorDesign design = ring_motor();
     design.stator.radial_shape = {4, 20e-3, {}};
@@ -73,7 +74,8 @@ TEST_CASE("pieces that end where the contact begins or closes need few nodes (W4
   }
 }
 
-TEST_CASE("a Gauss rule of N nodes integrates polynomials of degree 2 N - 1", "[core][annulus][identity]") {
+TEST_CASE("a Gauss rule of N nodes integrates polynomials of degree 2 N - 1",
+          "[core][annulus][identity]") {
   for (const int nodes : {1, 2, 5, 16, 128, 256}) {
     const GaussRule& rule = gauss_rule(nodes);
     REQUIRE(rule.nodes.size() == static_cast<std::size_t>(nodes));

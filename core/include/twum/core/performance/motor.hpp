@@ -118,24 +118,24 @@ class Motor {
   /// @throws InputError as above, and for an amplitude or a frequency outside its range.
   OperatingPoint operating_point(const OperatingConditions& at) const;
 
-  /// Stick and slip zones at a rotor speed [rad/s] from contact entry to exit; empty if the point has no
-  /// answer. About a microsecond a slice.
-  /// @param radius  of the contact track [m], any; one slice has the same zones at all. If absent: the contact radius.
-  /// @throws InputError as operating_point(), and for a radius outside the track.
-  /// @{
+  /// Stick and slip zones at the contact radius at a rotor speed [rad/s] from contact entry to exit; empty if the point has
+  /// no answer. About a microsecond a slice.
+  /// @throws InputError as operating_point().
   std::vector<Zone> zones(double speed) const;
+  /// The same at another radius of the contact track, which need not be that of a slice; one slice has the same zones at all.
+  /// @param radius  [m]
+  /// @throws InputError as operating_point(), and for a radius outside the track.
   std::vector<Zone> zones(double speed, double radius) const;
-  /// @}
 
-  /// Fields at a rotor speed [rad/s] at `samples` equally spaced phases over one wave (zone borders are
+  /// Fields at the contact radius at a rotor speed [rad/s] at `samples` equally spaced phases over one wave (zone borders are
   /// not added). Pressure is continuous; traction jumps where zones meet.
   /// @param samples  at least 2
-  /// @param radius   as of zones(); need not be that of a slice
-  /// @throws InputError as zones(), and for fewer samples.
-  /// @{
+  /// @throws InputError as operating_point(), and for fewer samples.
   ContactFields fields(double speed, int samples) const;
+  /// The same at another radius of the contact track, as zones().
+  /// @param radius  [m]
+  /// @throws InputError as above, and for a radius outside the track.
   ContactFields fields(double speed, int samples, double radius) const;
-  /// @}
 
   /// The model behind the motor; for the library's own use.
   const performance::DrivenMotor<double>& model() const noexcept { return *model_; }

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "contact/load_shape.hpp"
+#include "performance/gauss_rule.hpp"
+#include "performance/track.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace twum::performance {
+
+/// What happens at a radius: the crest leaves the rotor (w = 0 in W2.2), or the valley of the wave reaches it (w = 2).
+inline constexpr double kLiftOff = 0, kFull = 2;
+
+/// p(0) h / E less `versine` A R: of the sign of w - versine (W2.2) [m].
+template <typename S, typename R>
+R clearance(const DrivenMotor<S>& m, const R& radius, const R& indentation, double versine) {
+  const R excess = shape_excess(m, radius);
+  const R crest = indentation + m.amplitude * excess - (radius - m.r) * m.slope;
+  return versine == 0 ? crest : R(crest - (versine * m.amplitude) * (1.0 + excess));
+}
+
+/// Its slope along the radius, which does not depend on the indentation.
+double clearance_slope(const DrivenMotor<double>& m, double radius, double versine);
+
+/// Where a clearance changes sign between two radii.
+double clearance_zero(const DrivenMotor<double>& m, double indentation, double versine, double low,
+                      double high);
+
+/// Radii from edge to edge between which neither clearance turns: then each has one zero at most between two of them.
+std::vector<double> looks(const DrivenMotor<double>& m);
+
+/// A stretch of the track that touches. theta_L leaves 0 or pi like a square root where a partial contact begins or ends.
+template <typename R>
+struct Piece {
+  R low, high;
+  bool root_low, root_high;
+};
+
+/// The zero of a clearance, with derivatives by the implicit function theorem.
+template <typename S, typename R>
+R break_radius(const DrivenMotor<S>& m, const DrivenMotor<double>& values, double radius,
+               const R& indentation, double versine) {
+  R result(radius);
+  const double slope = clearance_slope(values, radius, versine);
+  for (int i = 0; i < kDualDepth<R>; ++i) {
+    const R gap = clearance(m, result, indentation, versine);
+    result = with_value(R(result - with_value(gap, 0.0) / slope), radius);
+  }
+  return result;
+}
+
+/// What the normal contact takes of a motor, without its derivatives.
+template <typename S>
+DrivenMotor<double> values_of(const DrivenMotor<S>& m) {
+  DrivenMotor<double> v;
+  v.r = value_of(m.r), v.b = value_of(m.b), v.preload = value_of(m.preload);
+  v.youngs = value_of(m.youngs), v.thickness = value_of(m.thickness);
+  v.exponent = value_of(m.exponent), v.root = value_of(m.root), v.slope = value_of(m.slope);
+  v.amplitude = value_of(m.amplitude), v.peak = value_of(m.peak), v.track = m.track;
+  return v;
+}
+
+/// Nodes of a piece for the preload. Where a piece enters the track the rule changes, and so does what it leaves: with this
+/// many it leaves 1e-7, which the slices' widths make good.
+inline constexpr int kLeastNodes = 16;
+
+/// The track of a motor: what does not depend on the rotor's position.
+template <typename S>
+class Track {
+ public:
+  explicit Track(const DrivenMotor<S>& motor)
+      : m_(motor), values_(values_of(motor)), looks_(looks(values_)) {}
+
+  /// Least indentation at which nothing touches [m].
+  double lift_off() const {
+    double most = -std::numeric_limits<double>::infinity();
+    for (const double radius : looks_) most = std::max(most, crest_rise(values_, radius));
+    return -most;
+  }
+
+  /// Calls visit(radius, width) at each of the nodes of the pieces that touch.
+  template <typename R, typename Visit>
+  void for_each_node(int nodes, const R& indentation, Visit visit) const {
+    const GaussRule& rule = gauss_rule(nodes);
+    for (const Piece<R>& piece : pieces(indentation)) {
+      const R length = piece.high - piece.low;
+      for (const GaussRule::Node& node : rule.nodes) {
+        const auto [place, weight] = substituted(piece.root_low, piece.root_high, node);
+        visit(R(piece.low + length * place), R(length * weight));
+      }
+    }
+  }
+
+  /// The preload that an indentation takes (W2.3) [N].
+  template <typename R>
+  R axial_force(const R& indentation) const {
+    R force(0.0);
+    for_each_node(
+        std::max(m_.track.nodes, kLeastNodes), indentation, [&](const R& radius, const R& width) {
+          const R excess = shape_excess(m_, radius);
+          const R amplitude = m_.amplitude * (1.0 + excess);
+          const R crest = indentation + m_.amplitude * excess - (radius - m_.r) * m_.slope;
+          force += 2.0 * radius * width * (m_.youngs / m_.thickness) * amplitude *
+                   contact::load_of_peak(R(crest / amplitude));
+        });
+    return force;
+  }
+
+ private:
+  // A Gauss node on 0 .. 1 moved so that square roots at the ends become smooth (W4.1).
+  static GaussRule::Node substituted(bool low, bool high, const GaussRule::Node& node) {
+    const double u = node.place, v = 1 - u;
+    if (low && high) return {u * u * (3 - 2 * u), 6 * u * v * node.weight};
+    if (low) return {u * u, 2 * u * node.weight};
+    if (high) return {1 - v * v, 2 * v * node.weight};
+    return node;
+  }
+
+  template <typename R>
+  std::vector<Piece<R>> pieces(const R& indentation) const {
+    const double depth = value_of(indentation);
+    std::vector<R> ends{R(m_.r - 0.5 * m_.b)};
+    for (std::size_t k = 1; k < looks_.size(); ++k) {
+      std::vector<R> breaks;
+      for (const double versine : {kLiftOff, kFull}) {
+        const auto gap = [&](double radius) { return clearance(values_, radius, depth, versine); };
+        if (gap(looks_[k - 1]) * gap(looks_[k]) < 0)
+          breaks.push_back(break_radius(
+              m_, values_, clearance_zero(values_, depth, versine, looks_[k - 1], looks_[k]),
+              indentation, versine));
+      }
+      if (breaks.size() == 2 && value_of(breaks[1]) < value_of(breaks[0]))
+        std::swap(breaks[0], breaks[1]);
+      ends.insert(ends.end(), breaks.begin(), breaks.end());
+    }
+    ends.push_back(R(m_.r + 0.5 * m_.b));
+    std::vector<Piece<R>> touching;
+    for (std::size_t k = 1; k < ends.size(); ++k) {
+      const double middle = 0.5 * (value_of(ends[k - 1]) + value_of(ends[k]));
+      if (!(clearance(values_, middle, depth, kLiftOff) > 0)) continue;
+      const bool partial = clearance(values_, middle, depth, kFull) < 0;
+      touching.push_back({ends[k - 1], ends[k], partial && k > 1, partial && k + 1 < ends.size()});
+    }
+    return touching;
+  }
+
+  const DrivenMotor<S>& m_;
+  DrivenMotor<double> values_;
+  std::vector<double> looks_;
+};
+
+}  // namespace twum::performance
