@@ -12,7 +12,8 @@ POINT = ["speed", "torque", "output_power", "stator_power", "friction_power", "l
          "wear_intensity", "stick_fraction", "zones"]
 METRICS = ["stall_torque", "max_torque", "holding_torque", "no_load_speed", "plateau_speed", "peak_power",
            "speed_at_peak_power", "torque_at_peak_power", "contact_efficiency_at_peak_power", "max_efficiency",
-           "speed_at_max_efficiency", "contact_half_length", "contact_ratio", "max_pressure"]
+           "speed_at_max_efficiency", "contact_half_length", "contact_ratio", "max_pressure", "layer_aspect",
+           "pressure_nonuniformity"]
 
 
 class Curve(program.Case):
@@ -70,7 +71,7 @@ class Curve(program.Case):
         done = program.twum("curve", RING, "--set", "modal_damping=0 N.s/m")
         self.assertIn("max_efficiency                    - (undefined)", done.stdout.decode())
         self.assertIn("note: undefined: no meaning for this motor", done.stderr)
-        self.assertEqual(program.twum("curve", RING).stderr, "")
+        self.assertEqual(program.twum("curve", RING, "--set", "contact_width=1 mm").stderr, "")
 
     def test_settings_change_the_motor_and_replace_twins(self):
         motor = json.loads(self.ok("curve", RING, "--set", "preload=140 N", "--set", "G=1 GPa", "--format", "json"))["motor"]

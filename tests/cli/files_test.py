@@ -72,7 +72,12 @@ class Check(program.Case):
             self.assertIn(said, note)
             self.assertNotIn(unsaid, note)
         for motor in sorted((ROOT / "examples/motors").glob("*.yaml")):
-            self.assertEqual(program.twum("check", motor).stderr, "")
+            self.assertEqual(program.twum("check", motor, "--set", "contact_width=1 mm").stderr, "")
+
+    def test_a_width_that_matters_is_noted(self):
+        self.assertRegex(program.twum("check", RING).stderr, "note: the width of the contact .* change peak_power by -5")
+        for settled in ("contact_width=1 mm", "radial_slices=8"):
+            self.assertEqual(program.twum("check", RING, "--set", settled).stderr, "")
 
     def test_entries_of_other_kinds_and_of_motor_files_are_recognized(self):
         text = "twum: 1\nmotor: {}\nstudy: {{kind: {}, {}: [stall_torque >= 1 N.m]}}\n"
@@ -160,7 +165,7 @@ class StudySchema(program.Case):
                      "constraint-not-a-list", "unknown-variable", "variable-without-max", "variable-is-a-value",
                      "variable-and-twin", "unknown-scale", "solver-option", "solver-fraction", "negative-seed",
                      "motor-is-a-list", "inline-motor-wrong", "family-not-a-list", "one-objective", "objective-is-text",
-                     "unknown-distribution", "distribution-missing", "sampling-unknown", "no-metrics"):
+                     "unknown-distribution", "sampling-unknown", "no-metrics"):
             with self.subTest(name):
                 text = (ROOT / f"tests/data/study_errors/{name}.yaml").read_text()
                 self.assertFalse(validator.is_valid(yaml.safe_load(text)))

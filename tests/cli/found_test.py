@@ -123,7 +123,7 @@ class Calibration(Found):
 
 class Notes(Found):
     def test_a_thick_layer_is_noted(self):
-        text = f"twum: 1\nmotor: {RING}\nset: {{thickness: 1 mm}}\nstudy: {{kind: curve, points: 3}}\n"
+        text = f"twum: 1\nmotor: {RING}\nset: {{thickness: 1 mm, contact_width: 1 mm}}\nstudy: {{kind: curve, points: 3}}\n"
         said = self.run_study("thick", text).stdout.decode()
         summary = self.summary("thick")
         length = 2 * summary["curves"][0]["metrics"]["contact_half_length"]
@@ -132,7 +132,7 @@ class Notes(Found):
         self.assertIn(f"note: {note}\n", said)
 
     def test_of_a_family_the_worst_is_named(self):
-        text = (f"twum: 1\nmotor: {RING}\n"
+        text = (f"twum: 1\nmotor: {RING}\nset: {{contact_width: 1 mm}}\n"
                 "study: {kind: curve, family: {thickness: [0.2 mm, 0.6 mm, 1 mm]}, points: 3}\n")
         self.run_study("family", text)
         note, = self.summary("family")["model_notes"]
@@ -148,7 +148,7 @@ class Notes(Found):
         self.assertTrue(note.endswith("a real wave; 2 others likewise"), note)
 
     def test_a_usual_motor_has_none(self):
-        self.run_study("usual", f"twum: 1\nmotor: {RING}\nstudy: {{kind: curve, points: 3}}\n")
+        self.run_study("usual", f"twum: 1\nmotor: {RING}\nset: {{contact_width: 1 mm}}\nstudy: {{kind: curve, points: 3}}\n")
         self.assertEqual(self.summary("usual")["model_notes"], [])
 
 

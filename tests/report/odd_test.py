@@ -41,7 +41,7 @@ class Odd(Study):
         "infeasible": ("optimize", "variables: {preload: {min: 60 N, max: 300 N}}, maximize: peak_power, "
                        "constraints: [no_load_speed >= 400 rpm, stall_torque >= 0.8 N.m]", "No design keeps every limit"),
         "no-front": ("pareto", "variables: {preload: {min: 60 N, max: 300 N}}, objectives: [{maximize: peak_power}, "
-                     "{minimize: max_pressure}], constraints: [no_load_speed >= 400 rpm]", "out of reach"),
+                     "{minimize: max_pressure}], constraints: [no_load_speed >= 400 rpm]", "cannot be reached: the most found"),
         "free": ("optimize", "variables: {preload: {min: 60 N, max: 300 N}}, maximize: peak_power", "preload ≤ 300 N, the end of its range"),
         "one-variable": ("sweep", "sampling: grid, variables: {preload: {min: 0.001 N, max: 3 kN, points: 5}}, "
                          "metrics: [speed_at(0.9 N.m)]", "5 designs, 1 of them without a full answer"),

@@ -258,6 +258,8 @@ TEST_CASE("limits impossible alone come first, then those that exclude each othe
           "amplitude at least 1 um | none found\n"));
   const Json json = answer_json(result)["relaxation"];
   CHECK(json["impossible"] == Json::array({Json{{"text", "stall_torque >= 1 N.m"},
+                                                {"unit", "N.m"},
+                                                {"sense", "at least"},
                                                 {"limit", 1.0},
                                                 {"best", 0.5},
                                                 {"certified", true},

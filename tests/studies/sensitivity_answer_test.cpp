@@ -272,7 +272,8 @@ TEST_CASE("samples that were dropped are counted, or explained by the note",
 
 TEST_CASE("a study that was stopped before its first motor has no value to tell",
           "[studies][sensitivity][words]") {
-  const std::string method = GENERATE(as<std::string>{}, "local", "morris", "sobol");
+  const std::string method =
+      GENERATE(Catch::Generators::as<std::string>{}, "local", "morris", "sobol");
   CAPTURE(method);
   RunOptions options;
   std::stop_source stop;

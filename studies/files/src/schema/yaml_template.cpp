@@ -13,22 +13,23 @@ class TemplateWriter {
  public:
   std::string take() { return std::move(text_); }
 
-  void mapping(const Schema& schema, std::size_t depth) {
+  void mapping(const Schema& schema, std::size_t depth, bool inside_hidden = false) {
     for (const SchemaEntry& entry : schema.entries) {
       const bool nested = entry.schema.kind == ValueKind::mapping && entry.schema.sample.empty();
+      const bool hidden =
+          inside_hidden || !entry.shown || (!nested && !entry.required && !entry.twin.empty());
       if (nested) {
-        line(depth, false, entry.name + ":", entry.schema.text);
-        mapping(entry.schema, depth + 1);
+        line(depth, hidden, entry.name + ":", entry.schema.text);
+        mapping(entry.schema, depth + 1, hidden);
       } else {
-        value(entry, depth);
+        value(entry, depth, hidden);
       }
     }
   }
 
  private:
   // An entry with its example behind it, or its sample below it.
-  void value(const SchemaEntry& entry, std::size_t depth) {
-    const bool hidden = !entry.shown || (!entry.required && !entry.twin.empty());
+  void value(const SchemaEntry& entry, std::size_t depth, bool hidden) {
     std::string comment = entry.schema.text;
     if (!entry.fallback.empty()) comment += " (optional; left out: " + entry.fallback + ")";
     if (!entry.twin.empty() && !entry.required) comment += " (instead of " + entry.twin + ")";

@@ -66,7 +66,7 @@ Field<GivenMotor> field_of(const ParameterInfo& row) {
   if (row.twin) field.entry.twin = last_step(info(*row.twin).file_entry);
   field.entry.alias = row.name == field.entry.name ? row.symbol : row.name;
   if (row.parameter == Parameter::static_friction) field.entry.fallback = "the kinetic one";
-  if (sliced) field.entry.fallback = "1";
+  if (sliced) field.entry.fallback = "1", field.entry.shown = false;
   if (!row.required && field.entry.fallback.empty() && !row.twin)
     field.entry.fallback =
         row.unit == "N.s/m" || row.unit == "1" ? "0" : "0 " + std::string(row.unit);
