@@ -133,7 +133,7 @@ class Notes(Found):
 
     def test_of_a_family_the_worst_is_named(self):
         text = (f"twum: 1\nmotor: {RING}\nset: {{contact_width: 1 mm}}\n"
-                "study: {kind: curve, family: {thickness: [0.2 mm, 0.6 mm, 1 mm]}, points: 3}\n")
+                "study: {kind: curve, family: {thickness: [0.2 mm, 0.9 mm, 1 mm]}, points: 3}\n")
         self.run_study("family", text)
         note, = self.summary("family")["model_notes"]
         self.assertTrue(note.startswith("motor with thickness 1 mm: thickness 1 mm is "), note)

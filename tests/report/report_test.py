@@ -54,7 +54,7 @@ class Numbers(Page):
         listed = self.lines(".verdict li")
         self.assertEqual(len(listed), len(binding))
         for (_, name), line in zip(binding, listed):
-            self.assertIn(name.split(" ")[0].split("_")[0], line.replace("-", " "))
+            self.assertIn(name.split(" ")[0].split("_")[0], line.lower().replace("'", "").replace("-", " "))
 
     def test_curve_axes_hold_the_data_and_the_cursor_reads_them(self):
         summary = self.open(self.result("paper-figure-4"))

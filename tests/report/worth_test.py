@@ -108,7 +108,7 @@ class Newcomer(Page):
 
     def test_the_words_on_top_answer_the_three_questions(self):
         expected = {
-            "optimize-ring-60": (r"best design found has a peak power of 17\.\d+ W", r"no-load speed ≥ 100 rpm: 1 % looser, at 99 rpm, changes peak power by \+\d+ mW"),
+            "optimize-ring-60": (r"best design found has a peak power of 16\.\d+ W", r"no-load speed ≥ 100 rpm: 1 % looser, at 99 rpm, changes peak power by \+\d+ mW"),
             "size-05Nm-100rpm": (r"best design found has a max pressure of 1\.\d+ MPa", r"contact radius ≤ 30 mm, the end of its range: 1 % looser, at 30\.3 mm, changes max pressure by -\d"),
             "pareto-power-wear": (r"knee has peak power 19\.8 W", r"no-load speed ≥ 100 rpm: 1 % looser, at 99 rpm, changes peak power by \+\S+ m?W \(\S+ %\) or wear intensity at 80 rpm by -"),
             "tolerances": (r"90\.\d+ % of the motors keep every limit", r"stall torque ≥ 0\.75 N\.m: kept by \S+ % of the motors; 1 % looser, at 742\.5 mN\.m, the yield is 9\d\.\d+ %"),
@@ -125,7 +125,7 @@ class Newcomer(Page):
 
     def test_parts_of_the_motor_are_named(self):
         self.open(self.result("optimize-ring-60"))
-        self.assertIn("contact layer thickness 1 mm and Young's modulus", self.text(".verdict"))
+        self.assertIn("contact layer thickness 100 um and Young's modulus", self.text(".verdict"))
 
 
 if __name__ == "__main__":
