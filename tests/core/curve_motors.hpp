@@ -76,13 +76,13 @@ inline MotorDesign elastic_ring(double phi, double compliance) {
 /// A narrow contact at 145 kHz whose soft layer holds a fifth more than it slides.
 inline MotorDesign rough_motor() {
   MotorDesign design;
-  design.stator = {8,
-                   0.039208379619791345,
-                   0.006389914430234179,
-                   0.00034867570723548361,
-                   145287.36654851906,
-                   2.7943915578906325e-07,
-                   30};
+  design.stator.wavelengths = 8;
+  design.stator.contact_radius = 0.039208379619791345;
+  design.stator.contact_width = 0.006389914430234179;
+  design.stator.neutral_plane_distance = 0.00034867570723548361;
+  design.stator.frequency = 145287.36654851906;
+  design.stator.amplitude = 2.7943915578906325e-07;
+  design.stator.modal_damping = 30;
   design.layer.thickness = 0.00011252512572183046;
   design.layer.youngs_modulus = 3341564.0085601537;
   design.layer.poisson_ratio = 0.41228156082484574;

@@ -56,7 +56,7 @@ double factor_of(std::string_view unit, const Scale& by) {
 std::vector<MetricRequest> requests_of(const Motor& motor) {
   std::vector<MetricRequest> requests;
   for (const MetricInfo& row : metric_table())
-    if (row.argument == Argument::none) requests.push_back({row.metric});
+    if (row.argument == Argument::none && !row.needs_modes) requests.push_back({row.metric});
   for (const double share : {0.3, 0.6})
     requests.push_back({Metric::speed_at, Argument::torque, share * motor.holding_torque()});
   requests.push_back(
@@ -91,6 +91,7 @@ void check_scale(const MotorDesign& design, const MotorDesign& larger, const Sca
         found[k].smoothness == Smoothness::undefined)
       continue;
     for (const ParameterInfo& each : parameter_table()) {
+      if (!in_use(design, each.parameter)) continue;
       const std::size_t j = index_of(each.parameter);
       // What a relative change of the parameter does has the metric's unit.
       const double change = expected[k].gradient[j] * get(design, each.parameter),

@@ -77,12 +77,16 @@ TEST_CASE("each status has a word of its own", "[core][metrics]") {
   for (const auto status :
        {MetricStatus::ok, MetricStatus::undefined, MetricStatus::unreachable,
         MetricStatus::no_periodic_state, MetricStatus::not_converged, MetricStatus::resonance,
-        MetricStatus::unresolved, MetricStatus::inaccurate, MetricStatus::out_of_range})
+        MetricStatus::unresolved, MetricStatus::inaccurate, MetricStatus::out_of_range,
+        MetricStatus::pulled_out, MetricStatus::no_running_branch, MetricStatus::no_dead_branch,
+        MetricStatus::unstable_amplitude, MetricStatus::does_not_pull_out})
     CHECK(words.insert(to_string(status)).second);
   // A point without an answer and a metric that needs it give the same reason.
   for (const auto status :
        {PointStatus::ok, PointStatus::no_periodic_state, PointStatus::not_converged,
-        PointStatus::resonance, PointStatus::unresolved, PointStatus::inaccurate})
+        PointStatus::resonance, PointStatus::unresolved, PointStatus::inaccurate,
+        PointStatus::pulled_out, PointStatus::no_running_branch, PointStatus::no_dead_branch,
+        PointStatus::unstable_amplitude})
     CHECK(words.contains(to_string(status)));
   std::set<std::string> smoothness;
   for (const auto kind :

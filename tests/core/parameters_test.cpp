@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "support/driven_motors.hpp"
 #include "support/test_motors.hpp"
 
 #include <catch2/catch.hpp>
@@ -14,6 +15,7 @@
 namespace {
 
 using namespace twum;
+using namespace twum::test;
 using P = Parameter;
 
 MotorDesign ring() { return test::ring_motor(); }
@@ -48,7 +50,8 @@ TEST_CASE("every parameter of the ring motor can be set and read back",
   for (const ParameterInfo& row : parameter_table()) {
     CAPTURE(row.name);
     // what shapes the track is in use where it has more than one slice
-    const MotorDesign design = with(ring(), P::radial_slices, 8);
+    const MotorDesign design =
+        of_driven_stator(row.parameter) ? driven_motor() : with(ring(), P::radial_slices, 8);
     const double now = get(design, row.parameter);
     const double value = row.integer                           ? now + 1
                          : row.parameter == P::static_friction ? 0.3
@@ -125,7 +128,8 @@ TEST_CASE("values outside their range are refused for every parameter", "[core][
       CHECK_FALSE(complaint(row.parameter, value).empty());
       CHECK_THROWS_AS(with(ring(), row.parameter, value), InputError);
     }
-    CHECK(complaint(row.parameter, get(ring(), row.parameter)).empty());
+    const MotorDesign design = of_driven_stator(row.parameter) ? driven_motor() : ring();
+    CHECK(complaint(row.parameter, get(design, row.parameter)).empty());
   }
   CHECK_FALSE(complaint(P::wavelengths, 8.5).empty());
 }

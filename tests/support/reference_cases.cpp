@@ -36,13 +36,12 @@ std::vector<Row> read_numbers(const std::string& path) {
 
 MotorDesign design_from_row(const Row& row) {
   MotorDesign design;
-  design.stator = {row.at("wavelengths"),
-                   row.at("contact_radius"),
-                   row.at("contact_width"),
-                   row.at("neutral_plane_distance"),
-                   row.at("frequency"),
-                   row.at("amplitude"),
-                   0.0};
+  design.stator.wavelengths = row.at("wavelengths");
+  design.stator.contact_radius = row.at("contact_radius");
+  design.stator.contact_width = row.at("contact_width");
+  design.stator.neutral_plane_distance = row.at("neutral_plane_distance");
+  design.stator.frequency = row.at("frequency");
+  design.stator.amplitude = row.at("amplitude");
   design.layer.thickness = row.at("thickness");
   design.layer.youngs_modulus = row.at("youngs_modulus");
   design.layer.given_shear_modulus = row.at("shear_modulus");

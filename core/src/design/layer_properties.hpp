@@ -34,6 +34,11 @@ template <typename S>
 S density_of(const S& inertia, const S& thickness) {
   return 3.0 * inertia / (thickness * thickness);
 }
+/// Damping of a mode from its quality factor, and the other way round; the two have the same form.
+template <typename S>
+S modal_damping_of(const S& quality_factor, const S& resonance, const S& modal_mass) {  // (D2.2)
+  return 2 * std::numbers::pi * resonance * modal_mass / quality_factor;
+}
 /// @}
 
 /// Values in the order of the parameter table.
@@ -46,6 +51,16 @@ template <typename S>
 ParameterArray<S> with_twins(const MotorDesign& given, ParameterArray<S> p) {
   using P = Parameter;
   const auto at = [&p](P parameter) -> S& { return p[index_of(parameter)]; };
+  if (in_use(given, P::frequency_ratio)) {
+    at(P::frequency) = at(P::frequency_ratio) * at(P::resonance_frequency);
+  } else if (in_use(given, P::resonance_frequency)) {
+    at(P::frequency_ratio) = at(P::frequency) / at(P::resonance_frequency);
+  }
+  const P damping = in_use(given, P::quality_factor) ? P::quality_factor : P::modal_damping;
+  if (in_use(given, P::resonance_frequency) && in_use(given, P::modal_mass)) {
+    const P twin = damping == P::modal_damping ? P::quality_factor : P::modal_damping;
+    at(twin) = modal_damping_of(at(damping), at(P::resonance_frequency), at(P::modal_mass));
+  }
   const S omega = 2 * std::numbers::pi * at(P::frequency);
   const S &E = at(P::youngs_modulus), &h = at(P::thickness);
   if (in_use(given, P::shear_modulus)) {

@@ -3,9 +3,34 @@
 
 #include "design/layer_properties.hpp"
 
+#include <limits>
 #include <numbers>
 
 namespace twum {
+namespace {
+
+constexpr double kNotGiven = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+double drive_frequency(const MotorDesign& design) {
+  const Stator& stator = design.stator;
+  if (!stator.frequency_ratio) return stator.frequency;
+  return *stator.frequency_ratio * stator.resonance_frequency.value_or(kNotGiven);
+}
+
+double modal_damping(const MotorDesign& design) {
+  const Stator& stator = design.stator;
+  if (!stator.quality_factor) return stator.modal_damping;
+  return modal_damping_of(*stator.quality_factor, stator.resonance_frequency.value_or(kNotGiven),
+                          stator.modal_mass.value_or(kNotGiven));
+}
+
+bool has_modal_data(const MotorDesign& design) {
+  const Stator& stator = design.stator;
+  return stator.resonance_frequency && stator.modal_mass && stator.force_factor &&
+         modal_damping(design) > 0;
+}
 
 double shear_modulus(const MotorDesign& design) {
   const ContactLayer& layer = design.layer;
@@ -14,7 +39,7 @@ double shear_modulus(const MotorDesign& design) {
 }
 
 double shear_viscosity(const MotorDesign& design) {
-  const double omega = 2 * std::numbers::pi * design.stator.frequency;
+  const double omega = 2 * std::numbers::pi * drive_frequency(design);
   return design.layer.given_shear_viscosity.value_or(
       shear_viscosity_of(design.layer.loss_factor, shear_modulus(design), omega));
 }

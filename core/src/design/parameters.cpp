@@ -33,14 +33,39 @@ constexpr std::array<ParameterInfo, kParameterCount> kTable{{
     {P::neutral_plane_distance, "neutral_plane_distance", "a", "m", "stator.neutral_plane_distance",
      1e-6, 0.1, false, true, kNone, "3 mm", "distance from the neutral plane to the stator surface",
      "half of a film of 2 um; teeth of 100 mm"},
-    {P::frequency, "frequency", "f", "Hz", "stator.frequency", 1, 1e9, false, true, kNone, "40 kHz",
-     "drive frequency", "from models that one can watch to surface acoustic waves of 1 GHz"},
-    {P::amplitude, "amplitude", "A", "m", "stator.amplitude", 0, 1e-2, false, true, kNone, "1.6 um",
-     "amplitude of the travelling wave",
+    {P::frequency, "frequency", "f", "Hz", "stator.frequency", 1, 1e9, false, true,
+     P::frequency_ratio, "40 kHz", "drive frequency",
+     "from models that one can watch to surface acoustic waves of 1 GHz"},
+    {P::frequency_ratio, "frequency_ratio", "", "1", "stator.frequency_ratio", 0.01, 100, false,
+     false, P::frequency, "1.046", "drive frequency over resonance_frequency",
+     "a motor runs within a tenth of its resonance; two decades leave room for other stators"},
+    {P::amplitude, "amplitude", "A", "m", "stator.amplitude", 0, 1e-2, false, true, P::voltage,
+     "1.6 um", "amplitude of the travelling wave",
      "0 is no drive; 10 mm is a model of a motor at audible frequencies"},
+    {P::voltage, "voltage", "", "V", "stator.voltage", 0, 1e5, false, false, P::amplitude, "120 V",
+     "drive voltage of each of the two phases, rms; gives the amplitude at each load",
+     "0 is no drive; 100 kV is beyond what insulates any stator"},
     {P::modal_damping, "modal_damping", "", "N.s/m", "stator.modal_damping", 0, 1e6, false, false,
-     kNone, "45 N.s/m", "modal damping of the stator; its loss is c (omega A)^2",
+     P::quality_factor, "45 N.s/m", "modal damping of the stator; its loss is c (omega A)^2",
      "0 is a stator without loss; 1 MN.s/m is 1 kg at 150 kHz with a quality factor of 1"},
+    {P::quality_factor, "quality_factor", "", "1", "stator.quality_factor", 0.5, 1e9, false, false,
+     P::modal_damping, "150", "quality factor of the free stator; gives modal_damping",
+     "below 0.5 nothing vibrates; the best quartz resonators reach 1e9 in the cold"},
+    {P::resonance_frequency, "resonance_frequency", "", "Hz", "stator.resonance_frequency", 1, 1e9,
+     false, false, kNone, "39 kHz", "resonance of the free stator, its phases shorted",
+     "as the drive frequency"},
+    {P::modal_mass, "modal_mass", "", "kg", "stator.modal_mass", 1e-15, 1e4, false, false, kNone,
+     "25 g", "mass of each of the two modes, for the displacement at the contact radius",
+     "a silicon disc of 10 um; a steel ring of 2 m"},
+    {P::force_factor, "force_factor", "", "N/V", "stator.force_factor", 1e-9, 1e6, false, false,
+     kNone, "0.55 N/V", "modal force of a phase per volt, and charge per modal displacement",
+     "a phase that hardly drives; a stack of a thousand thin layers on a ring of 2 m"},
+    {P::blocked_capacitance, "blocked_capacitance", "", "F", "stator.blocked_capacitance", 0, 1,
+     false, false, kNone, "8.5 nF", "capacitance of a phase with the stator held",
+     "0 counts the motional current alone; 1 F is beyond any ceramic"},
+    {P::loss_tangent, "loss_tangent", "", "1", "stator.loss_tangent", 0, 10, false, false, kNone,
+     "0.01", "loss tangent of the blocked capacitance",
+     "0 is a ceramic without dielectric loss; soft ceramics in strong fields reach 0.1"},
     {P::radial_slices, "radial_slices", "", "1", "stator.radial_slices", kAutoSlices, 256, true,
      false, kNone, "8",
      "slices of each smooth piece of the contact track; 1 takes all at the contact radius, 0 "
@@ -107,6 +132,10 @@ constexpr bool every_parameter_in_its_place() {
 static_assert(every_parameter_in_its_place(),
               "a parameter has no row of its own, or not in its place");
 
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+double or_nan(const std::optional<double>& value) { return value.value_or(kNaN); }
+
 std::string number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.10g", value);
@@ -124,18 +153,27 @@ double friction_ratio(const Friction& friction) {
 
 // Sets one parameter, its twin gives way. mu_0 follows mu; an own value for mu_0 is set after it.
 void set(MotorDesign& design, Parameter parameter, double value) {
+  Stator& stator = design.stator;
   ContactLayer& layer = design.layer;
   Friction& friction = design.friction;
   RadialShape& shape = design.stator.radial_shape;
   switch (parameter) {
-    case P::wavelengths: design.stator.wavelengths = value; break;
-    case P::contact_radius: design.stator.contact_radius = value; break;
-    case P::contact_width: design.stator.contact_width = value; break;
-    case P::neutral_plane_distance: design.stator.neutral_plane_distance = value; break;
-    case P::frequency: design.stator.frequency = value; break;
-    case P::amplitude: design.stator.amplitude = value; break;
-    case P::modal_damping: design.stator.modal_damping = value; break;
-    case P::radial_slices: design.stator.radial_slices = static_cast<int>(value); break;
+    case P::wavelengths: stator.wavelengths = value; break;
+    case P::contact_radius: stator.contact_radius = value; break;
+    case P::contact_width: stator.contact_width = value; break;
+    case P::neutral_plane_distance: stator.neutral_plane_distance = value; break;
+    case P::frequency: stator.frequency = value, stator.frequency_ratio.reset(); break;
+    case P::frequency_ratio: stator.frequency_ratio = value; break;
+    case P::amplitude: stator.amplitude = value, stator.voltage.reset(); break;
+    case P::voltage: stator.voltage = value; break;
+    case P::modal_damping: stator.modal_damping = value, stator.quality_factor.reset(); break;
+    case P::quality_factor: stator.quality_factor = value; break;
+    case P::resonance_frequency: stator.resonance_frequency = value; break;
+    case P::modal_mass: stator.modal_mass = value; break;
+    case P::force_factor: stator.force_factor = value; break;
+    case P::blocked_capacitance: stator.blocked_capacitance = value; break;
+    case P::loss_tangent: stator.loss_tangent = value; break;
+    case P::radial_slices: stator.radial_slices = static_cast<int>(value); break;
     case P::shape_exponent: shape.exponent = value, shape.table.clear(); break;
     case P::shape_root: shape.root = value, shape.table.clear(); break;
     case P::thickness: layer.thickness = value; break;
@@ -154,6 +192,31 @@ void set(MotorDesign& design, Parameter parameter, double value) {
     case P::rotor_taper: design.rotor.taper = value; break;
     case P::preload: design.preload = value; break;
   }
+}
+
+// What does not go together in a design, the first of it; empty if there is nothing.
+std::string contradiction(const MotorDesign& design) {
+  const Stator& stator = design.stator;
+  if (design.friction.static_ < design.friction.kinetic)
+    return "static_friction must be at least kinetic_friction = " +
+           number(design.friction.kinetic) + ", but is " + number(design.friction.static_);
+  if (stator.frequency_ratio && !stator.resonance_frequency)
+    return "frequency_ratio needs resonance_frequency; give it, or frequency in place of "
+           "frequency_ratio";
+  if (stator.quality_factor && !(stator.resonance_frequency && stator.modal_mass))
+    return "quality_factor needs resonance_frequency and modal_mass; give them, or modal_damping "
+           "in "
+           "place of quality_factor";
+  if (!stator.voltage || has_modal_data(design)) return {};
+  std::string missing;
+  const auto need = [&missing](bool given, const char* name) {
+    if (!given) missing += (missing.empty() ? "" : ", ") + std::string(name);
+  };
+  need(stator.resonance_frequency.has_value(), "resonance_frequency");
+  need(stator.modal_mass.has_value(), "modal_mass");
+  need(stator.force_factor.has_value(), "force_factor");
+  need(modal_damping(design) > 0, "quality_factor (or modal_damping, more than 0)");
+  return "voltage needs " + missing + "; give what is missing, or amplitude in place of voltage";
 }
 
 void require_admissible(Parameter parameter, double value) {
@@ -196,9 +259,21 @@ double get(const MotorDesign& design, Parameter parameter) {
     case P::contact_radius: return stator.contact_radius;
     case P::contact_width: return stator.contact_width;
     case P::neutral_plane_distance: return stator.neutral_plane_distance;
-    case P::frequency: return stator.frequency;
-    case P::amplitude: return stator.amplitude;
-    case P::modal_damping: return stator.modal_damping;
+    case P::frequency: return drive_frequency(design);
+    case P::frequency_ratio:
+      return used ? *stator.frequency_ratio : stator.frequency / or_nan(stator.resonance_frequency);
+    case P::amplitude: return used ? stator.amplitude : kNaN;
+    case P::voltage: return or_nan(stator.voltage);
+    case P::modal_damping: return modal_damping(design);
+    case P::quality_factor:
+      return used ? *stator.quality_factor
+                  : modal_damping_of(stator.modal_damping, or_nan(stator.resonance_frequency),
+                                     or_nan(stator.modal_mass));
+    case P::resonance_frequency: return or_nan(stator.resonance_frequency);
+    case P::modal_mass: return or_nan(stator.modal_mass);
+    case P::force_factor: return or_nan(stator.force_factor);
+    case P::blocked_capacitance: return stator.blocked_capacitance;
+    case P::loss_tangent: return stator.loss_tangent;
     case P::radial_slices: return stator.radial_slices;
     case P::shape_exponent: return stator.radial_shape.exponent;
     case P::shape_root: return stator.radial_shape.root;
@@ -211,7 +286,7 @@ double get(const MotorDesign& design, Parameter parameter) {
     case P::loss_factor:
       return used ? layer.loss_factor
                   : loss_factor_of(shear_viscosity(design), shear_modulus(design),
-                                   2 * std::numbers::pi * stator.frequency);
+                                   2 * std::numbers::pi * drive_frequency(design));
     case P::shear_modulus: return shear_modulus(design);
     case P::shear_viscosity: return shear_viscosity(design);
     case P::inertia: return inertia(design);
@@ -221,10 +296,11 @@ double get(const MotorDesign& design, Parameter parameter) {
     case P::preload: return design.preload;
   }
   TWUM_ASSERT(false);
-  return std::numeric_limits<double>::quiet_NaN();
+  return kNaN;
 }
 
 bool in_use(const MotorDesign& design, Parameter parameter) {
+  const Stator& stator = design.stator;
   const ContactLayer& layer = design.layer;
   const bool sliced = design.stator.radial_slices != 1;
   switch (parameter) {
@@ -232,6 +308,17 @@ bool in_use(const MotorDesign& design, Parameter parameter) {
     case P::rotor_taper: return sliced;
     case P::shape_exponent:
     case P::shape_root: return sliced && design.stator.radial_shape.table.empty();
+    case P::frequency: return !stator.frequency_ratio;
+    case P::frequency_ratio: return stator.frequency_ratio.has_value();
+    case P::amplitude: return !stator.voltage;
+    case P::voltage: return stator.voltage.has_value();
+    case P::modal_damping: return !stator.quality_factor;
+    case P::quality_factor: return stator.quality_factor.has_value();
+    case P::resonance_frequency: return stator.resonance_frequency.has_value();
+    case P::modal_mass: return stator.modal_mass.has_value();
+    case P::force_factor:
+    case P::blocked_capacitance:
+    case P::loss_tangent: return stator.force_factor.has_value();
     case P::poisson_ratio: return !layer.given_shear_modulus;
     case P::shear_modulus: return layer.given_shear_modulus.has_value();
     case P::loss_factor: return !layer.given_shear_viscosity;
@@ -280,13 +367,8 @@ MotorDesign with(const MotorDesign& design, std::span<const ParameterValue> valu
   for (const auto& [parameter, value] : values) {
     if (parameter == P::static_friction) set(result, parameter, value);
   }
-  if (result.friction.static_ < result.friction.kinetic) {
-    throw InputError(
-        "static_friction must be at least kinetic_friction = " + number(result.friction.kinetic) +
-        ", but is " + number(result.friction.static_));
-  }
-  const std::string wrong = track_complaint(result);
-  if (!wrong.empty()) throw InputError(wrong);
+  if (const std::string wrong = contradiction(result); !wrong.empty()) throw InputError(wrong);
+  if (const std::string wrong = track_complaint(result); !wrong.empty()) throw InputError(wrong);
   return result;
 }
 
@@ -302,11 +384,7 @@ std::vector<std::string> complaints(const MotorDesign& design) {
     const std::string wrong = complaint(row.parameter, get(design, row.parameter));
     if (!wrong.empty()) found.push_back(std::string(row.name) + " " + wrong);
   }
-  if (design.friction.static_ < design.friction.kinetic) {
-    found.push_back(
-        "static_friction must be at least kinetic_friction = " + number(design.friction.kinetic) +
-        ", but is " + number(design.friction.static_));
-  }
+  if (std::string wrong = contradiction(design); !wrong.empty()) found.push_back(std::move(wrong));
   if (std::string wrong = track_complaint(design); !wrong.empty())
     found.push_back(std::move(wrong));
   return found;

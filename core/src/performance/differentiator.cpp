@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "performance/differentiator.hpp"
 
+#include "performance/curve/prescribed_curve.hpp"
+
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -9,6 +11,7 @@ namespace twum::performance {
 namespace {
 
 using M = Metric;
+using P = Parameter;
 
 constexpr double kVanishing = 1e-8;  // length of a zone that counts as about to vanish [rad]
 constexpr double kBeside = 1e-9;  // of the crest speed: a zone about to appear is there so far away
@@ -30,6 +33,35 @@ Derived with_speed(const Derived& moving, double speed) {
   return {with_value(moving.dual, speed), moving.smoothness};
 }
 
+// f with the speed, too, moving as it does.
+DesignDual moved(DesignDual f, const DesignDual& speed) {
+  const double slope = f.d[kSpeedDirection];
+  f.d[kSpeedDirection] = 0;
+  for (int j = 0; j < kDesignDirections; ++j)
+    if (j != kSpeedDirection) f.d[j] += slope * speed.d[j];
+  return f;
+}
+
+// Where f stays zero: dOmega = -df / f_Omega.
+DesignDual zero_of(const DesignDual& f, double speed) {
+  DesignDual moving(speed);
+  for (int j = 0; j < kDesignDirections; ++j)
+    if (j != kSpeedDirection) moving.d[j] = -f.d[j] / f.d[kSpeedDirection];
+  return moving;
+}
+
+DrivenMotor<ModelDual> moving_motor(const Motor& motor) {
+  const DrivenMotor<double>& m = motor.model();
+  return motor.drive() ? differentiated_motor(motor.design(), m.amplitude, m.track)
+                       : differentiated_motor<ModelDual>(motor.design(), m.track);
+}
+
+template <typename T>
+DesignDualOf<T> force_of(const StatorModes<DesignDualOf<T>>& modes,
+                         const WavePoint<DesignDualOf<T>>& p) {
+  return wave_balance(modes, p.amplitude, p.omega, p.reactive_force, p.stator_power).force();
+}
+
 }  // namespace
 
 // One-sided where a zone is about to vanish or to appear, unless the torque is C1 there (theory section 8):
@@ -44,21 +76,21 @@ Smoothness smoothness_of(const DrivenMotor<double>& m, const SolvedPoint& p, dou
 }
 
 Differentiator::Differentiator(const Motor& motor, bool fixed_static_friction)
-    : design_(motor.design()),
-      values_(motor.model()),
-      m_(motor.model()),
-      model_(differentiated_motor<ModelDual>(design_, m_.track)) {
+    : design_(motor.design()), values_(motor), m_(motor.model()), model_(moving_motor(motor)) {
   const ParameterJacobian jacobian = parameter_jacobian(design_, fixed_static_friction);
-  for (std::size_t i = 0; i < kModelParameters.size(); ++i) {
-    const auto& row = jacobian[index_of(kModelParameters[i])];
+  const auto add = [&](Parameter parameter, int direction) {
+    const auto& row = jacobian[index_of(parameter)];
     for (std::size_t j = 0; j < kParameterCount; ++j)
-      if (row[j] != 0) slopes_.push_back({i, j, row[j]});
-  }
+      if (row[j] != 0) slopes_.push_back({direction, j, row[j]});
+  };
+  for (const Parameter p : kModelParameters) add(p, static_cast<int>(model_index(p)));
+  for (const Parameter p : kDriveParameters) add(p, drive_direction(p));
 }
 
-std::array<double, kParameterCount> Differentiator::in_parameters(const ModelDual& dual) const {
+std::array<double, kParameterCount> Differentiator::in_parameters(const DesignDual& dual) const {
   std::array<double, kParameterCount> gradient{};
-  for (const Slope& slope : slopes_) gradient[slope.parameter] += dual.d[slope.model] * slope.value;
+  for (const Slope& slope : slopes_)
+    gradient[slope.parameter] += dual.d[slope.direction] * slope.value;
   return gradient;
 }
 
@@ -93,23 +125,25 @@ MetricDerivative Differentiator::differentiate_at_share(Metric metric, double sh
 }
 
 // Where partial turns into full contact the contact angle at the mean radius has no derivative.
-Smoothness Differentiator::of_contact_angle() const {
+Smoothness Differentiator::of_contact_angle(const DrivenMotor<double>& m) const {
   const double gap =
-      m_.contact.full ? m_.contact.edge_cosine + 1 : m_.contact.half_angle - std::numbers::pi;
+      m.contact.full ? m.contact.edge_cosine + 1 : m.contact.half_angle - std::numbers::pi;
   return std::fabs(gap) < 1e-7 ? Smoothness::one_sided : Smoothness::smooth;
 }
 
 // An annulus takes the contact angle's square root into an integral, which is smooth there (W4.1).
-Smoothness Differentiator::of_normal_contact() const {
-  return m_.annulus.empty() ? of_contact_angle() : Smoothness::smooth;
+Smoothness Differentiator::of_normal_contact(const DrivenMotor<double>& m) const {
+  return m.annulus.empty() ? of_contact_angle(m) : Smoothness::smooth;
 }
 
 // By (T3.2) theta_L grows with the cube root of the first preload, and pressure with the square of that. In full contact
 // theta_L is pi.
-Derived Differentiator::sized(const ModelDual& dual) const {
-  if (m_.annulus.empty() && m_.contact.half_angle == 0) return {dual, Smoothness::undefined};
+Derived Differentiator::sized(const ModelDual& dual) {
+  const double begin = values_.begin();
+  const bool vanishing = m_.annulus.empty() && m_.contact.half_angle == 0;
+  if (vanishing || begin > 0) return {DesignDual(dual.v), Smoothness::undefined};
   const bool constant = std::all_of(dual.d, dual.d + kDirections, [](double d) { return d == 0; });
-  return {dual, constant ? Smoothness::flat : of_contact_angle()};
+  return {held(dual, begin), constant ? Smoothness::flat : of_contact_angle(m_)};
 }
 
 Smoothness Differentiator::of_point(double speed) {
@@ -117,29 +151,54 @@ Smoothness Differentiator::of_point(double speed) {
     if (at == speed) return kept;
   }
   const Smoothness found =
-      worse(smoothness_of(m_, values_.point(speed), speed), of_normal_contact());
+      worse(smoothness_of(values_.motor_at(speed), values_.point(speed), speed),
+            of_normal_contact(values_.motor_at(speed)));
   return smoothness_.emplace_back(speed, found).second;
 }
 
-const PointNumbers<ModelDual>& Differentiator::numbers(double speed) {
-  for (const auto& [at, kept] : duals_) {
-    if (at == speed) return kept;
+template <typename T>
+WaveMotion<T> Differentiator::wave_motion(const DrivenMotor<Dual<T, kDirections>>& motor,
+                                          const WavePoint<DesignDualOf<T>>& point) {
+  const auto modes = moving_modes(values_.modes(), motor.stator_damping);
+  return WaveMotion<T>(force_of<T>(modes, point) - moving_drive(modes, *design_.stator.voltage));
+}
+
+const Differentiator::Moving& Differentiator::moving(double speed) {
+  for (const Moving& kept : duals_) {
+    if (kept.speed == speed) return kept;
   }
-  const ModelDual moving = speed_variable<ModelDual>(speed);
-  return duals_.emplace_back(speed, values_.point(speed).differentiated(model_, moving)).second;
+  const SolvedPoint& point = values_.point(speed);
+  const ModelDual omega = speed_variable<ModelDual>(speed);
+  if (!values_.motor().drive())
+    return duals_.emplace_back(Moving{speed, &model_, point.differentiated(model_, omega), {}});
+  const DrivenMotor<ModelDual>& motor =
+      motors_.emplace_back(differentiated_motor(design_, values_.motor_at(speed).amplitude, m_.track));
+  const PointNumbers<ModelDual> n = point.differentiated(motor, omega);
+  return duals_.emplace_back(
+      Moving{speed, &motor, n, wave_motion<double>(motor, wave_point(motor, n, omega))});
+}
+
+DesignDual Differentiator::held(const ModelDual& dual, double speed) {
+  if (!values_.motor().drive()) return widened(dual);
+  return moving(speed).wave->of(widened(dual));
 }
 
 Derived Differentiator::at(Metric metric, const Derived& speed) {
   const double omega = value_of(speed.dual);
   if (metric == M::speed_at) return speed;
-  ModelDual f = point_metric(metric, numbers(omega), speed_variable<ModelDual>(omega), model_);
-  for (int j = 0; j < kSpeedDirection; ++j) f.d[j] += f.d[kSpeedDirection] * speed.dual.d[j];
+  const Moving& p = moving(omega);
+  const ModelDual variable = speed_variable<ModelDual>(omega);
+  DesignDual f = is_wave_metric(metric)
+                     ? wave_metric(metric, moving_modes(values_.modes(), p.motor->stator_damping),
+                                   wave_point(*p.motor, p.numbers, variable))
+                     : widened(point_metric(metric, p.numbers, variable, *p.motor));
+  if (p.wave) f = p.wave->of(f);
   Smoothness smoothness = worse(speed.smoothness, of_point(omega));
-  const SolvedPoint& p = values_.point(omega);
-  const bool plateau = metric == M::torque_at && p.slips_one_way();
-  const bool no_stick = metric == M::stick_fraction_at && p.numbers.stick_fraction == 0;
+  const SolvedPoint& point = values_.point(omega);
+  const bool plateau = metric == M::torque_at && point.slips_one_way();
+  const bool no_stick = metric == M::stick_fraction_at && point.numbers.stick_fraction == 0;
   if (smoothness == Smoothness::smooth && (plateau || no_stick)) smoothness = Smoothness::flat;
-  return {f, smoothness};
+  return {moved(f, speed.dual), smoothness};
 }
 
 Derived Differentiator::at_peak(Metric metric, const Peak& peak) {
@@ -150,7 +209,7 @@ Derived Differentiator::at_peak(Metric metric, const Peak& peak) {
     case PeakKind::beyond_plateau: return beyond_plateau(metric);
     case PeakKind::kink: break;
   }
-  return {ModelDual(peak.value), Smoothness::undefined};
+  return {DesignDual(peak.value), Smoothness::undefined};
 }
 
 Derived Differentiator::along_peak(Metric metric, const Peak& peak) {
@@ -160,7 +219,7 @@ Derived Differentiator::along_peak(Metric metric, const Peak& peak) {
 
 // On the plateau T = mu F_N r.
 Derived Differentiator::at_plateau_end(Metric metric, double speed) {
-  const ModelDual torque = slipping_torque(model_);
+  const DesignDual torque = widened(slipping_torque(model_));
   if (metric == M::torque_at) return {torque, Smoothness::flat};
   const Derived end = plateau();
   if (metric == M::output_power_at) return Derived{torque * end.dual, end.smoothness}.at_kink();
@@ -176,7 +235,7 @@ Derived Differentiator::beyond_plateau(Metric metric) {
                far = value_of(end.dual) * (1 + 4 * kDistance);
   const SolvedPoint &a = values_.point(near), &b = values_.point(far);
   if (a.slips_one_way() || a.signature() != b.signature())
-    return {ModelDual(values_.at(metric, near)), Smoothness::undefined};
+    return {DesignDual(values_.at(metric, near)), Smoothness::undefined};
   const Derived f = at(metric, {end.dual * (1 + kDistance), end.smoothness}),
                 g = at(metric, {end.dual * (1 + 4 * kDistance), end.smoothness});
   return Derived{2.0 * f.dual - g.dual, worse(f.smoothness, g.smoothness)}.at_kink();
@@ -184,20 +243,20 @@ Derived Differentiator::beyond_plateau(Metric metric) {
 
 Derived Differentiator::plateau() {
   const double end = search().plateau_end();
-  if (!(end > 0)) return {ModelDual(end), Smoothness::flat};
+  if (!(end > 0)) return {DesignDual(end), Smoothness::flat};
   // With mu_0 > mu the laps may leave the plateau for another state before they must.
   const Margin margin = plateau_margin(m_, end);
   if (std::fabs(margin.value / margin.slope) > 1e-9 * m_.crest_velocity / m_.r)
-    return {ModelDual(end), Smoothness::undefined};
-  return {plateau_end_derivative(model_, end), of_normal_contact()};
+    return {DesignDual(end), Smoothness::undefined};
+  return {zero_of(held(plateau_margin_derivative(model_, end), end), end), of_normal_contact(m_)};
 }
 
 Derived Differentiator::plateau_of_track() {
   const Derived slices = plateau();
-  const double of_slices = value_of(slices.dual), end = track_plateau_end(m_, of_slices);
-  if (end == of_slices) return slices;
-  if (end == 0) return {ModelDual(0.0), Smoothness::flat};
-  return {track_plateau_end_derivative(model_, end), Smoothness::smooth};
+  const double end = values_.plateau_of_track();
+  if (end == value_of(slices.dual)) return slices;
+  if (end == 0) return {DesignDual(0.0), Smoothness::flat};
+  return {zero_of(held(edge_margin_derivative(model_, end), end), end), Smoothness::smooth};
 }
 
 // dOmega = -d(T - load) / T_Omega.
@@ -206,34 +265,120 @@ Derived Differentiator::crossing(const Crossing& crossing, const Derived& load) 
   const bool on_plateau =
       end > 0 && crossing.speed == end && torque <= search().stall_torque() * (1 + 1e-12);
   if (on_plateau) return plateau().at_kink();
-  const ModelDual speed(crossing.speed);
+  const DesignDual speed(crossing.speed);
   if (crossing.slopeless) return {speed, Smoothness::undefined};
   const bool at_rest = crossing.speed == 0;
   if (at_rest && torque == 0) return {speed, Smoothness::one_sided};
-  const ModelDual t = numbers(crossing.speed).torque - load.dual;
+  const DesignDual t = held(moving(crossing.speed).numbers.torque, crossing.speed) - load.dual;
   if (at_rest && !(t.d[kSpeedDirection] < 0)) return {speed, Smoothness::undefined};
-  ModelDual moving = speed;
-  for (int j = 0; j < kSpeedDirection; ++j) moving.d[j] = -t.d[j] / t.d[kSpeedDirection];
-  const Derived found{moving, worse(load.smoothness, of_point(crossing.speed))};
+  const Derived found{zero_of(t, crossing.speed), worse(load.smoothness, of_point(crossing.speed))};
   return at_rest ? found.at_kink() : found;  // a load beyond the largest torque is not carried
 }
 
 // Where the slope f_Omega is zero: dOmega = -df_Omega / f_OmegaOmega.
 Derived Differentiator::speed_of_peak(Metric metric, const Peak& peak) {
-  if (peak.kind == PeakKind::rest) return {ModelDual(0.0), Smoothness::flat};
-  if (peak.kind == PeakKind::kink) return {ModelDual(peak.speed), Smoothness::undefined};
+  if (peak.kind == PeakKind::rest) return {DesignDual(0.0), Smoothness::flat};
+  if (peak.kind == PeakKind::kink) return {DesignDual(peak.speed), Smoothness::undefined};
   if (peak.kind == PeakKind::plateau_end || peak.kind == PeakKind::beyond_plateau)
     return with_speed(plateau(), peak.speed).at_kink();
   for (const auto& [kept, speed] : peak_speeds_) {
     if (kept == metric) return speed;
   }
-  if (!model2_) model2_ = differentiated_motor<ModelDual2>(design_, m_.track);
-  const ModelDual2 moving = speed_variable<ModelDual2>(peak.speed);
-  const PointNumbers<ModelDual2> n = values_.point(peak.speed).differentiated(*model2_, moving);
-  const ModelDual2 f = point_metric(metric, n, moving, *model2_);
-  ModelDual speed(peak.speed);
-  for (int j = 0; j < kSpeedDirection; ++j) speed.d[j] = -f.d[j].d[0] / f.d[kSpeedDirection].d[0];
-  return peak_speeds_.emplace_back(metric, Derived{speed, of_point(peak.speed)}).second;
+  const DesignDual2 f = along_curve(metric, peak.speed);
+  DesignDual slope;
+  slope.v = f.d[kSpeedDirection].v;
+  for (int j = 0; j < kDesignDirections; ++j) slope.d[j] = f.d[j].d[0];
+  return peak_speeds_
+      .emplace_back(metric, Derived{zero_of(slope, peak.speed), of_point(peak.speed)})
+      .second;
+}
+
+// A metric with its derivatives and theirs along the curve.
+DesignDual2 Differentiator::along_curve(Metric metric, double speed) {
+  const bool driven = values_.motor().drive() != nullptr;
+  if (driven) {
+    contact::SpeedDual amplitude(values_.motor_at(speed).amplitude);
+    amplitude.d[0] = moving(speed).wave->in_speed();
+    model2_ = differentiated_motor(design_, amplitude, m_.track);
+  } else if (!model2_) {
+    model2_ = differentiated_motor<ModelDual2>(design_, m_.track);
+  }
+  const ModelDual2 variable = speed_variable<ModelDual2>(speed);
+  const PointNumbers<ModelDual2> n = values_.point(speed).differentiated(*model2_, variable);
+  const auto p = wave_point(*model2_, n, variable);
+  const DesignDual2 f =
+      is_wave_metric(metric)
+          ? wave_metric(metric, moving_modes(values_.modes(), model2_->stator_damping), p)
+          : widened(point_metric(metric, n, variable, *model2_));
+  return driven ? wave_motion<contact::SpeedDual>(*model2_, p).of(f) : f;
+}
+
+// At the fold H = Theta u_0 and H_A = 0: the first moves the speed, the second the amplitude.
+Derived Differentiator::at_pull_out(Metric metric) {
+  const double speed = values_.pull_out_speed();
+  contact::SpeedDual amplitude(values_.motor_at(speed).amplitude);
+  amplitude.d[0] = 1;
+  const DrivenMotor<ModelDual2> motor = differentiated_motor(design_, amplitude, m_.track);
+  ModelDual2 variable = speed_variable<ModelDual2>(speed);
+  variable.v.d[0] = 0;  // the inner derivative is along the amplitude
+  const PointNumbers<ModelDual2> n = values_.point(speed).differentiated(motor, variable);
+  const auto p = wave_point(motor, n, variable);
+  const auto modes = moving_modes(values_.modes(), motor.stator_damping);
+  const DesignDual2 excess =
+      force_of<contact::SpeedDual>(modes, p) - moving_drive(modes, *design_.stator.voltage);
+  const DesignDual2 f = widened(point_metric(metric, n, variable, motor));
+  constexpr int kAmplitude = static_cast<int>(model_index(Parameter::amplitude));
+  DesignDual result(f.v.v);
+  for (int j = 0; j < kDesignDirections; ++j) {
+    if (j == kSpeedDirection || j == kAmplitude) continue;
+    const double in_speed = -excess.d[j].v / excess.d[kSpeedDirection].v;
+    const double in_amplitude =
+        -(excess.d[j].d[0] + excess.d[kSpeedDirection].d[0] * in_speed) / excess.d[kAmplitude].d[0];
+    result.d[j] = f.d[j].v + f.d[kSpeedDirection].v * in_speed + f.d[kAmplitude].v * in_amplitude;
+  }
+  return {result, of_point(speed)};
+}
+
+// H is at an extremum over the amplitude, which therefore drops out (D3.3).
+Derived Differentiator::threshold(Metric metric) {
+  const Threshold& t = values_.thresholds().at(metric);
+  if (t.amplitude == 0) return {DesignDual(t.value), Smoothness::flat};
+  const bool is_voltage = metric == M::start_voltage || metric == M::hold_voltage;
+  const MotorDesign design = is_voltage ? design_ : with(design_, Parameter::frequency, t.value);
+  const DrivenMotor<ModelDual> motor = differentiated_motor(design, t.amplitude, m_.track);
+  const ModelDual rest = speed_variable<ModelDual>(0);
+  const DrivenMotor<double> wave = values_.thresholds().waves_at(t.frequency).motor(t.amplitude);
+  const SolvedPoint point = solve_point(wave, 0);
+  if (point.status != PointStatus::ok) throw SearchFailure{metric_status(point.status)};
+  const Smoothness smoothness = point.special ? Smoothness::smooth : smoothness_of(wave, point, 0);
+  const auto modes = moving_modes(values_.modes(), motor.stator_damping);
+  DesignDual force =
+      force_of<double>(modes, wave_point(motor, point.differentiated(motor, rest), rest));
+  force.d[kSpeedDirection] = force.d[model_index(P::amplitude)] = 0;
+  if (is_voltage)
+    return {with_value(force / modes.force_factor * std::sqrt(0.5), t.value), smoothness};
+  return {frequency_of(force - moving_drive(modes, *design_.stator.voltage), design, t.value),
+          smoothness};
+}
+
+// The frequency at which `excess` is zero. Where the layer's viscosity is that of a loss factor it goes with the
+// frequency, there and in the slopes of the design's parameters, which are those at the design's own frequency.
+DesignDual Differentiator::frequency_of(DesignDual excess, const MotorDesign& there,
+                                        double frequency) const {
+  constexpr auto kFrequency = model_index(P::frequency),
+                 kViscosity = model_index(P::shear_viscosity);
+  const double own = drive_frequency(design_);
+  const bool follows = in_use(design_, P::loss_factor);
+  const double slope = excess.d[kFrequency] -
+                       (follows ? excess.d[kViscosity] * shear_viscosity(there) / frequency : 0);
+  DesignDual f(frequency);
+  for (int j = 0; j < kDesignDirections; ++j) f.d[j] = -excess.d[j] / slope;
+  f.d[kFrequency] = 0;
+  if (follows) {
+    f.d[kViscosity] *= own / frequency;
+    f.d[kFrequency] = f.d[kViscosity] * shear_viscosity(design_) / own;
+  }
+  return f;
 }
 
 }  // namespace twum::performance

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "performance/drive/wave_motion.hpp"
 #include "performance/evaluator.hpp"
 
 #include <algorithm>
@@ -13,9 +14,10 @@ namespace twum::performance {
 
 inline Smoothness worse(Smoothness a, Smoothness b) { return std::max(a, b); }
 
-/// A number with its derivatives in kModelParameters, the speed no longer free.
+/// A number with its derivatives in kModelParameters and kDriveParameters, the speed no longer free, and the amplitude
+/// neither where a voltage holds it.
 struct Derived {
-  ModelDual dual;
+  DesignDual dual;
   Smoothness smoothness{Smoothness::smooth};
 
   Derived at_kink() const { return {dual, worse(smoothness, Smoothness::one_sided)}; }
@@ -35,7 +37,7 @@ class Differentiator {
   /// At a load of a share of the largest torque, which moves with the design.
   MetricDerivative differentiate_at_share(Metric metric, double share);
 
-  Derived fixed(double x) const { return {ModelDual(x)}; }
+  Derived fixed(double x) const { return {DesignDual(x)}; }
   /// A point metric at a speed that moves with the parameters.
   Derived at(Metric metric, const Derived& speed);
   /// The value of a peak: the speed drops out where the slope is zero.
@@ -46,43 +48,68 @@ class Differentiator {
   /// A speed where the torque takes a load that moves with the parameters.
   Derived crossing(const Crossing& crossing, const Derived& load);
   Derived plateau_of_track();
+  Derived at_pull_out(Metric metric);
+  /// The wave at a fold moves with the design, but that does not count where H is at its extremum.
+  Derived threshold(Metric metric);
   template <typename F>
   Derived of_motor(F f) const {
-    return {f(model_)};
+    return {widened(f(model_))};
   }
   template <typename F>
-  Derived of_contact(F f) const {
+  Derived of_contact(F f) {
     return sized(f(model_));
   }
+  template <typename F>
+  Derived of_modes(F f) {
+    return {f(moving_modes(values_.modes(), model_.stator_damping))};
+  }
   CurveSearch& search() { return values_.search(); }
+  CurveSearch& electrical_search() { return values_.electrical_search(); }
 
  private:
-  /// How one of kModelParameters moves with a parameter in use.
+  /// How a direction moves with a parameter in use.
   struct Slope {
-    std::size_t model, parameter;
+    int direction;
+    std::size_t parameter;
     double value;
+  };
+  /// A point with derivatives.
+  struct Moving {
+    double speed;
+    const DrivenMotor<ModelDual>* motor;
+    PointNumbers<ModelDual> numbers;
+    std::optional<WaveMotion<double>> wave;  ///< under a voltage
   };
 
   template <typename Ask>
   MetricDerivative answered(const MetricValue& value, Ask ask);
-  std::array<double, kParameterCount> in_parameters(const ModelDual& dual) const;
-  Derived sized(const ModelDual& dual) const;
-  Smoothness of_contact_angle() const;
-  Smoothness of_normal_contact() const;
+  std::array<double, kParameterCount> in_parameters(const DesignDual& dual) const;
+  Derived sized(const ModelDual& dual);
+  Smoothness of_contact_angle(const DrivenMotor<double>& motor) const;
+  Smoothness of_normal_contact(const DrivenMotor<double>& motor) const;
   Derived plateau();
   Smoothness of_point(double speed);
-  const PointNumbers<ModelDual>& numbers(double speed);
+  const Moving& moving(double speed);
+  /// A number at a speed, with the amplitude held by the voltage if there is one.
+  DesignDual held(const ModelDual& dual, double speed);
+  template <typename T>
+  WaveMotion<T> wave_motion(const DrivenMotor<Dual<T, kDirections>>& motor,
+                            const WavePoint<DesignDualOf<T>>& point);
+  DesignDual2 along_curve(Metric metric, double speed);
+  DesignDual frequency_of(DesignDual excess, const MotorDesign& there, double frequency) const;
   Derived at_plateau_end(Metric metric, double speed);
   Derived beyond_plateau(Metric metric);
 
   const MotorDesign& design_;
   Evaluator values_;
-  const DrivenMotor<double>& m_;
+  const DrivenMotor<double>& m_;  // under the wave that the curve begins with
   DrivenMotor<ModelDual> model_;
   std::vector<Slope> slopes_;  // those that are not zero
   std::optional<DrivenMotor<ModelDual2>> model2_;
   std::vector<std::pair<Metric, Derived>> peak_speeds_;  // of smooth peaks
-  std::deque<std::pair<double, PointNumbers<ModelDual>>> duals_;
+  // References stay valid.
+  std::deque<Moving> duals_;
+  std::deque<DrivenMotor<ModelDual>> motors_;
   std::vector<std::pair<double, Smoothness>> smoothness_;
 };
 

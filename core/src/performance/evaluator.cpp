@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "performance/evaluator.hpp"
 
+#include "performance/curve/prescribed_curve.hpp"
+#include "performance/drive/driven_curve.hpp"
+
 #include <cmath>
 #include <limits>
 
@@ -9,9 +12,50 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
+std::unique_ptr<const Curve> curve_of(const Motor& motor) {
+  if (!motor.drive()) return std::make_unique<PrescribedCurve>(motor.model());
+  return std::make_unique<DrivenCurve>(*motor.drive(), motor.model(), Input::mechanical);
+}
+
 }  // namespace
 
+Evaluator::Evaluator(const Motor& motor)
+    : motor_(motor),
+      m_(motor.model()),
+      modes_(stator_modes(motor.design())),
+      curve_(curve_of(motor)),
+      search_(*curve_) {}
+
+const StatorModes<double>& Evaluator::modes() const {
+  if (!modes_) throw SearchFailure{MetricStatus::undefined};
+  return *modes_;
+}
+
+CurveSearch& Evaluator::electrical_search() {
+  if (electrical_search_) return *electrical_search_;
+  if (motor_.drive())
+    electrical_curve_ = std::make_unique<DrivenCurve>(*motor_.drive(), m_, Input::electrical);
+  else
+    electrical_curve_ = std::make_unique<TerminalCurve>(m_, modes());
+  return electrical_search_.emplace(*electrical_curve_);
+}
+
+Thresholds& Evaluator::thresholds() {
+  modes();
+  if (!thresholds_) thresholds_.emplace(motor_.design(), m_.track);
+  return *thresholds_;
+}
+
+double Evaluator::pull_out_speed() const {
+  if (!motor_.drive()) throw SearchFailure{MetricStatus::undefined};
+  const RunningBranch& branch = motor_.drive()->branch();
+  if (!branch.exists()) throw SearchFailure{MetricStatus::no_running_branch};
+  if (!branch.lower().pulls_out()) throw SearchFailure{MetricStatus::does_not_pull_out};
+  return branch.lower().speed;
+}
+
 MetricValue Evaluator::evaluate(const MetricRequest& request) {
+  if (!modes_ && info(request.metric).needs_modes) return {kNaN, MetricStatus::undefined};
   try {
     const double found = metric_row(*this, request);
     return std::isfinite(found) ? MetricValue{found, MetricStatus::ok}
@@ -31,7 +75,12 @@ MetricValue Evaluator::evaluate_at_share(Metric metric, double share) {
 double Evaluator::at(Metric metric, double speed) {
   if (!wave_meets_rotor(m_, speed)) throw SearchFailure{MetricStatus::out_of_range};
   require_input(metric, speed);
-  return point_metric(metric, point(speed).numbers, speed, m_);
+  const PointNumbers<double>& n = point(speed).numbers;
+  const DrivenMotor<double>& m = motor_at(speed);
+  if (!is_wave_metric(metric)) return point_metric(metric, n, speed, m);
+  return wave_metric(
+      metric, modes(),
+      WavePoint<double>{m.amplitude, m.omega, n.reactive_force, n.stator_power, n.torque * speed});
 }
 
 double Evaluator::at_peak(Metric metric, const Peak& peak) {
@@ -44,21 +93,32 @@ double Evaluator::speed_of_peak(Metric metric, const Peak& peak) {
   return peak.speed;
 }
 
-const SolvedPoint& Evaluator::point(double speed) {
-  for (const auto& [at, kept] : points_) {
-    if (at == speed) return kept;
+const Evaluator::Known& Evaluator::known(double speed) {
+  for (const Known& kept : points_) {
+    if (kept.speed == speed) return kept;
   }
-  const SolvedPoint solved = solve_point(m_, speed);
+  const DrivenMotor<double>* motor = &m_;
+  SolvedPoint solved;
+  if (motor_.drive()) {
+    MotorPoint at = motor_.drive()->at(speed);
+    motor = &motors_.emplace_back(at.motor);
+    solved = at.solved;
+  } else {
+    solved = solve_point(m_, speed);
+  }
   if (solved.status != PointStatus::ok) throw SearchFailure{metric_status(solved.status)};
-  return points_.emplace_back(speed, solved).second;
+  return points_.emplace_back(Known{speed, motor, solved});
 }
 
 // An efficiency needs an input power that is more than rounding.
 void Evaluator::require_input(Metric metric, double speed) {
-  const bool contact_alone = metric == Metric::contact_efficiency_at;
-  if (!contact_alone && metric != Metric::efficiency_at) return;
+  const bool contact_alone = metric == Metric::contact_efficiency_at,
+             overall = metric == Metric::overall_efficiency_at;
+  if (!contact_alone && !overall && metric != Metric::efficiency_at) return;
   const PointNumbers<double>& n = point(speed).numbers;
-  const double input = n.stator_power + (contact_alone ? 0 : stator_loss(m_));
+  const double input = overall
+                           ? at(Metric::electrical_power_at, speed)
+                           : n.stator_power + (contact_alone ? 0 : stator_loss(motor_at(speed)));
   if (!(input > 0)) throw SearchFailure{MetricStatus::undefined};
   if (!is_known(input, excess(n, speed))) throw SearchFailure{MetricStatus::inaccurate};
 }

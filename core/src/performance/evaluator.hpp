@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "performance/curve/prescribed_curve.hpp"
+#include "performance/drive/thresholds.hpp"
 #include "performance/metric_rows.hpp"
 
 #include <deque>
+#include <memory>
+#include <optional>
 #include <utility>
 
 namespace twum::performance {
@@ -15,8 +17,7 @@ class Evaluator {
  public:
   using Number = double;
 
-  explicit Evaluator(const DrivenMotor<double>& motor)
-      : m_(motor), curve_(motor), search_(curve_) {}
+  explicit Evaluator(const Motor& motor);
 
   MetricValue evaluate(const MetricRequest& request);
   /// At a load of a share of the largest torque; `unreachable` if the motor has no torque.
@@ -29,7 +30,19 @@ class Evaluator {
   double along_peak(Metric metric, const Peak& peak) { return at(metric, peak.speed); }
   double speed_of_peak(Metric metric, const Peak& peak);
   double crossing(const Crossing& crossing, double /*load*/) const { return crossing.speed; }
-  double plateau_of_track() { return track_plateau_end(m_, search_.plateau_end()); }
+  double plateau_of_track() {
+    const double end = track_plateau_end(m_, search_.plateau_end());
+    return end < begin() ? 0 : end;
+  }
+  /// A point metric where the running wave ends.
+  double at_pull_out(Metric metric) { return at(metric, pull_out_speed()); }
+  double threshold(Metric metric) { return thresholds().at(metric).value; }
+  template <typename F>
+  double of_modes(F f) const {
+    const double found = f(modes());
+    if (!std::isfinite(found)) throw SearchFailure{MetricStatus::undefined};
+    return found;
+  }
   template <typename F>
   double of_motor(F f) const {
     return f(m_);
@@ -39,18 +52,43 @@ class Evaluator {
     return f(m_);
   }
   CurveSearch& search() { return search_; }
+  /// With the power at the terminals as input. @throws SearchFailure without modal data
+  CurveSearch& electrical_search();
 
-  const DrivenMotor<double>& motor() const { return m_; }
+  const Motor& motor() const { return motor_; }
   /// The point at a speed. @throws SearchFailure if it has no answer
-  const SolvedPoint& point(double speed);
+  const SolvedPoint& point(double speed) { return known(speed).solved; }
+  /// The motor under the wave at a speed.
+  const DrivenMotor<double>& motor_at(double speed) { return *known(speed).motor; }
+  /// Smallest speed of the curve [rad/s].
+  double begin() const { return curve_->begin(); }
+  /// @throws SearchFailure without modal data
+  const StatorModes<double>& modes() const;
+  /// @throws SearchFailure without modal data
+  Thresholds& thresholds();
+  /// Speed at which the running wave ends. @throws SearchFailure if it does not
+  double pull_out_speed() const;
 
  private:
-  void require_input(Metric metric, double speed);
+  struct Known {
+    double speed;
+    const DrivenMotor<double>* motor;
+    SolvedPoint solved;
+  };
 
-  const DrivenMotor<double>& m_;
-  PrescribedCurve curve_;
+  void require_input(Metric metric, double speed);
+  const Known& known(double speed);
+
+  const Motor& motor_;
+  const DrivenMotor<double>& m_;  // under the wave that the curve begins with
+  std::optional<StatorModes<double>> modes_;
+  std::unique_ptr<const Curve> curve_, electrical_curve_;
   CurveSearch search_;
-  std::deque<std::pair<double, SolvedPoint>> points_;  // references stay valid
+  std::optional<CurveSearch> electrical_search_;
+  std::optional<Thresholds> thresholds_;
+  // References stay valid.
+  std::deque<Known> points_;
+  std::deque<DrivenMotor<double>> motors_;
 };
 
 }  // namespace twum::performance

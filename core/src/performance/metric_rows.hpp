@@ -4,6 +4,8 @@
 #include "performance/curve/search.hpp"
 #include "performance/track.hpp"
 
+#include "performance/drive/stator_modes.hpp"
+
 #include <twum/core/performance/metrics.hpp>
 
 namespace twum::performance {
@@ -24,7 +26,24 @@ S point_metric(Metric metric, const PointNumbers<S>& n, const S& speed, const Dr
     case M::wear_intensity_at: return n.friction_power / track_area(m);                  // (T7.9)
     case M::stick_fraction_at: return n.stick_fraction;
     case M::speed_at: return speed;
+    case M::amplitude_at: return m.amplitude;
+    // of the stator's modes, see wave_metric()
+    case M::phase_lag_at:
+    case M::electrical_power_at:
+    case M::overall_efficiency_at:
+    case M::phase_current_at:
+    case M::power_factor_at:
+    case M::loaded_resonance:
     // numbers of the motor, see metric_row()
+    case M::max_overall_efficiency:
+    case M::speed_at_max_overall_efficiency:
+    case M::pull_out_torque:
+    case M::start_voltage:
+    case M::hold_voltage:
+    case M::start_frequency:
+    case M::pull_out_frequency:
+    case M::coupling_factor:
+    case M::capacitance_ratio:
     case M::stall_torque:
     case M::max_torque:
     case M::holding_torque:
@@ -50,6 +69,53 @@ template <typename S>
 S layer_aspect(const DrivenMotor<S>& m) {
   if (!(value_of(m.contact.half_length) > 0)) throw SearchFailure{MetricStatus::undefined};
   return m.thickness / (2.0 * m.contact.half_length);
+}
+
+/// True for the point metrics that wave_metric() knows.
+constexpr bool is_wave_metric(Metric metric) {
+  using M = Metric;
+  return metric == M::phase_lag_at || metric == M::electrical_power_at ||
+         metric == M::overall_efficiency_at || metric == M::phase_current_at ||
+         metric == M::power_factor_at || metric == M::loaded_resonance;
+}
+
+/// What a metric of the stator's modes is made of at a point.
+template <typename S>
+struct WavePoint {
+  S amplitude, omega, reactive_force, stator_power, output_power;
+};
+
+/// A point metric of the stator's modes; S is double or carries derivatives.
+template <typename S>
+S wave_metric(Metric metric, const StatorModes<S>& modes, const WavePoint<S>& p) {
+  using M = Metric;
+  using std::sqrt;
+  constexpr double kTurn = 2 * std::numbers::pi;
+  const WaveBalance<S> w =
+      wave_balance(modes, p.amplitude, p.omega, p.reactive_force, p.stator_power);
+  if (metric == M::phase_lag_at) return argument(w.real, w.imaginary);  // (D2.4)
+  if (metric == M::loaded_resonance)                                    // (D3.1)
+    return sqrt(modes.resonance * modes.resonance + p.reactive_force / (p.amplitude * modes.mass)) /
+           kTurn;
+  const Terminals<S> t = terminals(modes, w, p.amplitude, p.omega);
+  if (metric == M::electrical_power_at) return t.power;
+  if (metric == M::phase_current_at) return t.current;
+  if (metric == M::power_factor_at) return t.power_factor;
+  return value_of(p.output_power) > 0 ? S(p.output_power / t.power) : S(0.0);  // (D4.3)
+}
+
+/// C_m / C_0 of a phase (D4.4).
+template <typename S>
+S capacitance_ratio(const StatorModes<S>& m) {
+  return m.force_factor * m.force_factor / (m.mass * m.resonance * m.resonance * m.capacitance);
+}
+
+/// sqrt(C_m / (C_0 + C_m)) of a phase.
+template <typename S>
+S coupling_factor(const StatorModes<S>& m) {
+  using std::sqrt;
+  const S motional = m.force_factor * m.force_factor / (m.mass * m.resonance * m.resonance);
+  return sqrt(motional / (m.capacitance + motional));
 }
 
 /// One row for each metric: what it is, for its value and for its derivatives alike; a metric without its row does not
@@ -81,6 +147,20 @@ typename Answers::Number metric_row(Answers& to, const MetricRequest& request) {
     case M::layer_aspect: return to.of_contact([](const auto& m) { return layer_aspect(m); });
     case M::pressure_nonuniformity:
       return to.of_contact([](const auto& m) { return pressure_nonuniformity(m); });
+    case M::max_overall_efficiency:
+      return to.at_peak(M::overall_efficiency_at, to.electrical_search().max_efficiency());
+    case M::speed_at_max_overall_efficiency:
+      return to.speed_of_peak(M::overall_efficiency_at, to.electrical_search().max_efficiency());
+    case M::pull_out_torque: return to.at_pull_out(M::torque_at);
+    case M::start_voltage:
+    case M::hold_voltage:
+    case M::start_frequency:
+    case M::pull_out_frequency: return to.threshold(request.metric);
+    case M::loaded_resonance:
+      return to.at(M::loaded_resonance, to.crossing(search.no_load(), to.fixed(0)));
+    case M::coupling_factor: return to.of_modes([](const auto& m) { return coupling_factor(m); });
+    case M::capacitance_ratio:
+      return to.of_modes([](const auto& m) { return capacitance_ratio(m); });
     case M::speed_at: return to.crossing(search.speed_at(request.at), to.fixed(request.at));
     case M::torque_at:
     case M::output_power_at:
@@ -90,7 +170,13 @@ typename Answers::Number metric_row(Answers& to, const MetricRequest& request) {
     case M::efficiency_at:
     case M::contact_efficiency_at:
     case M::wear_intensity_at:
-    case M::stick_fraction_at: break;
+    case M::stick_fraction_at:
+    case M::amplitude_at:
+    case M::phase_lag_at:
+    case M::electrical_power_at:
+    case M::overall_efficiency_at:
+    case M::phase_current_at:
+    case M::power_factor_at: break;
   }
   return request.argument == Argument::torque
              ? to.at(request.metric, to.crossing(search.speed_at(request.at), to.fixed(request.at)))

@@ -7,6 +7,8 @@ namespace {
 using M = Metric;
 using A = Argument;
 
+constexpr bool kModes = true;
+
 constexpr std::array<MetricInfo, kMetricCount> kMetricTable{{
     {M::stall_torque, "stall_torque", "N.m", A::none, "torque as the rotor begins to turn"},
     {M::max_torque, "max_torque", "N.m", A::none, "largest torque between rest and no-load speed"},
@@ -38,6 +40,26 @@ constexpr std::array<MetricInfo, kMetricCount> kMetricTable{{
      "thickness of the layer over the length of one contact zone"},
     {M::pressure_nonuniformity, "pressure_nonuniformity", "1", A::none,
      "largest over mean pressure across the track, each averaged over a wave"},
+    {M::max_overall_efficiency, "max_overall_efficiency", "1", A::none,
+     "largest overall efficiency between rest and no-load speed", kModes},
+    {M::speed_at_max_overall_efficiency, "speed_at_max_overall_efficiency", "rad/s", A::none,
+     "speed of the largest overall efficiency", kModes},
+    {M::pull_out_torque, "pull_out_torque", "N.m", A::none,
+     "torque at the lowest speed that the voltage keeps the motor running at", kModes},
+    {M::start_voltage, "start_voltage", "V", A::none,
+     "voltage above which the motor starts by itself from rest, rms", kModes},
+    {M::hold_voltage, "hold_voltage", "V", A::none,
+     "voltage below which the running wave ends at rest, rms", kModes},
+    {M::start_frequency, "start_frequency", "Hz", A::none,
+     "frequency above which the motor starts by itself from rest", kModes},
+    {M::pull_out_frequency, "pull_out_frequency", "Hz", A::none,
+     "frequency below which the running wave ends at rest", kModes},
+    {M::loaded_resonance, "loaded_resonance", "Hz", A::none,
+     "resonance of the stator with the rotor on it, at the amplitude at no-load", kModes},
+    {M::coupling_factor, "coupling_factor", "1", A::none,
+     "effective coupling factor of a phase, sqrt(C_m / (C_0 + C_m))", kModes},
+    {M::capacitance_ratio, "capacitance_ratio", "1", A::none,
+     "motional over blocked capacitance of a phase", kModes},
     {M::torque_at, "torque_at", "N.m", A::speed, "torque at a speed"},
     {M::speed_at, "speed_at", "rad/s", A::torque,
      "largest speed up to no-load at which the motor carries a torque"},
@@ -57,6 +79,17 @@ constexpr std::array<MetricInfo, kMetricCount> kMetricTable{{
      "friction power per area of the contact track"},
     {M::stick_fraction_at, "stick_fraction_at", "1", A::speed_or_torque,
      "share of the contact length that sticks"},
+    {M::amplitude_at, "amplitude_at", "m", A::speed_or_torque, "amplitude of the travelling wave"},
+    {M::phase_lag_at, "phase_lag_at", "rad", A::speed_or_torque,
+     "lag of the wave behind the voltage", kModes},
+    {M::electrical_power_at, "electrical_power_at", "W", A::speed_or_torque,
+     "power at the terminals, both phases together", kModes},
+    {M::overall_efficiency_at, "overall_efficiency_at", "1", A::speed_or_torque,
+     "output over electrical power; 0 where the output is negative", kModes},
+    {M::phase_current_at, "phase_current_at", "A", A::speed_or_torque, "current of a phase, rms",
+     kModes},
+    {M::power_factor_at, "power_factor_at", "1", A::speed_or_torque,
+     "electrical over apparent power of a phase", kModes},
 }};
 
 constexpr bool every_metric_in_its_place() {
@@ -91,6 +124,11 @@ const char* to_string(MetricStatus status) noexcept {
     case MetricStatus::unresolved: return "unresolved";
     case MetricStatus::inaccurate: return "inaccurate";
     case MetricStatus::out_of_range: return "out-of-range";
+    case MetricStatus::pulled_out: return "pulled-out";
+    case MetricStatus::no_running_branch: return "no-running-branch";
+    case MetricStatus::no_dead_branch: return "no-dead-branch";
+    case MetricStatus::unstable_amplitude: return "unstable-amplitude";
+    case MetricStatus::does_not_pull_out: return "does-not-pull-out";
   }
   return "unresolved";
 }

@@ -32,7 +32,7 @@ SpeedDerivative differentiate_in_speed(const Motor& motor, double speed) {
 }
 
 std::vector<MetricValue> evaluate(const Motor& motor, std::span<const MetricRequest> requests) {
-  Evaluator evaluator(motor.model());
+  Evaluator evaluator(motor);
   std::vector<MetricValue> values;
   values.reserve(requests.size());
   for (const MetricRequest& request : requests) values.push_back(evaluator.evaluate(request));
@@ -40,11 +40,11 @@ std::vector<MetricValue> evaluate(const Motor& motor, std::span<const MetricRequ
 }
 
 MetricValue evaluate(const Motor& motor, const MetricRequest& request) {
-  return Evaluator(motor.model()).evaluate(request);
+  return Evaluator(motor).evaluate(request);
 }
 
 MetricValue evaluate_at_share(const Motor& motor, Metric metric, double share) {
-  return Evaluator(motor.model()).evaluate_at_share(metric, share);
+  return Evaluator(motor).evaluate_at_share(metric, share);
 }
 
 std::vector<MetricDerivative> differentiate(const Motor& motor,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/core/performance/motor.hpp>
 
+#include "performance/drive/drive.hpp"
 #include "performance/fields.hpp"
 #include "performance/point.hpp"
 
@@ -26,8 +27,16 @@ std::string speed_text(double speed) {
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 OperatingPoint no_answer(double speed, PointStatus status) {
-  return {speed,    kNoValue, kNoValue, kNoValue, kNoValue, kNoValue,
-          kNoValue, kNoValue, kNoValue, kNoValue, status};
+  OperatingPoint point;
+  for (double* number :
+       {&point.torque, &point.output_power, &point.stator_power, &point.friction_power,
+        &point.layer_loss, &point.stator_loss, &point.wear_intensity, &point.stick_fraction,
+        &point.reactive_force, &point.amplitude, &point.phase_lag, &point.voltage,
+        &point.phase_current, &point.dielectric_loss, &point.electrical_power, &point.power_factor})
+    *number = kNoValue;
+  point.speed = speed;
+  point.status = status;
+  return point;
 }
 
 }  // namespace
@@ -40,6 +49,10 @@ const char* to_string(PointStatus status) noexcept {
     case PointStatus::resonance: return "resonance";
     case PointStatus::unresolved: return "unresolved";
     case PointStatus::inaccurate: return "inaccurate";
+    case PointStatus::pulled_out: return "pulled-out";
+    case PointStatus::no_running_branch: return "no-running-branch";
+    case PointStatus::no_dead_branch: return "no-dead-branch";
+    case PointStatus::unstable_amplitude: return "unstable-amplitude";
   }
   return "unresolved";
 }
@@ -51,6 +64,12 @@ const char* to_string(ZoneState state) noexcept {
 double OperatingPoint::contact_efficiency() const noexcept {
   const double excess = stator_power - output_power - friction_power - layer_loss;
   return performance::is_known(stator_power, excess) ? output_power / stator_power : kNoValue;
+}
+
+double OperatingPoint::overall_efficiency() const noexcept {
+  const double excess = stator_power - output_power - friction_power - layer_loss;
+  if (!performance::is_known(electrical_power, excess)) return kNoValue;
+  return output_power > 0 ? output_power / electrical_power : 0;
 }
 
 double OperatingPoint::efficiency() const noexcept {
@@ -65,6 +84,11 @@ Motor::Motor(const MotorDesign& design) : design_(design) {
     std::string text = "motor design: " + wrong.front();
     for (std::size_t i = 1; i < wrong.size(); ++i) text += "; " + wrong[i];
     throw InputError(text);
+  }
+  if (design.stator.voltage) {
+    drive_ = std::make_shared<const performance::Drive>(design);
+    model_ = std::make_shared<const performance::DrivenMotor<double>>(drive_->first_motor());
+    return;
   }
   const auto values = performance::model_values(design);
   model_ = std::make_shared<const performance::DrivenMotor<double>>(
@@ -99,27 +123,38 @@ void require_speed(const performance::DrivenMotor<double>& m, double speed) {
   }
 }
 
-// The point, once its speed is admissible.
-performance::SolvedPoint solved(const performance::DrivenMotor<double>& m, double speed) {
-  require_speed(m, speed);
-  return performance::solve_point(m, speed);
+void add_terminals(OperatingPoint& point, const performance::DrivenMotor<double>& m,
+                   const performance::StatorModes<double>& modes) {
+  const performance::WaveBalance<double> wave = performance::wave_balance(
+      modes, m.amplitude, m.omega, point.reactive_force, point.stator_power);
+  const performance::Terminals<double> t =
+      performance::terminals(modes, wave, m.amplitude, m.omega);
+  point.phase_lag = std::atan2(wave.imaginary, wave.real);  // (D2.4)
+  point.voltage = t.voltage;
+  point.phase_current = t.current;
+  point.dielectric_loss = t.dielectric_loss;
+  point.electrical_power = t.power;
+  point.power_factor = t.power_factor;
 }
 
 OperatingPoint operating_point_of(const performance::DrivenMotor<double>& m,
-                                  const performance::SolvedPoint& point, double speed) {
-  if (point.status != PointStatus::ok) return no_answer(speed, point.status);
-  const performance::PointNumbers<double>& n = point.numbers;
-  return {speed,
-          n.torque,
-          n.torque * speed,
-          n.stator_power,
-          n.friction_power,
-          n.layer_loss,
-          stator_loss(m),
-          n.friction_power / track_area(m),
-          n.stick_fraction,
-          n.reactive_force,
-          PointStatus::ok};
+                                  const performance::SolvedPoint& solved, double speed,
+                                  const std::optional<performance::StatorModes<double>>& modes) {
+  OperatingPoint point = no_answer(speed, solved.status);
+  if (solved.status != PointStatus::ok) return point;
+  const performance::PointNumbers<double>& n = solved.numbers;
+  point.torque = n.torque;
+  point.output_power = n.torque * speed;
+  point.stator_power = n.stator_power;
+  point.friction_power = n.friction_power;
+  point.layer_loss = n.layer_loss;
+  point.stator_loss = stator_loss(m);
+  point.wear_intensity = n.friction_power / track_area(m);
+  point.stick_fraction = n.stick_fraction;
+  point.reactive_force = n.reactive_force;
+  point.amplitude = m.amplitude;
+  if (modes) add_terminals(point, m, *modes);
+  return point;
 }
 
 void require_admissible(Parameter parameter, double value) {
@@ -129,8 +164,19 @@ void require_admissible(Parameter parameter, double value) {
 
 }  // namespace
 
+performance::MotorPoint Motor::solved(double speed) const {
+  require_speed(*model_, speed);
+  if (drive_) return drive_->at(speed);
+  return {*model_, performance::solve_point(*model_, speed)};
+}
+
 OperatingPoint Motor::operating_point(double speed) const {
-  return operating_point_of(*model_, solved(*model_, speed), speed);
+  require_speed(*model_, speed);
+  const auto modes = performance::stator_modes(design_);
+  if (!drive_)
+    return operating_point_of(*model_, performance::solve_point(*model_, speed), speed, modes);
+  const performance::MotorPoint at = drive_->at(speed);
+  return operating_point_of(at.motor, at.solved, speed, modes);
 }
 
 OperatingPoint Motor::operating_point(const OperatingConditions& at) const {
@@ -138,7 +184,9 @@ OperatingPoint Motor::operating_point(const OperatingConditions& at) const {
   require_admissible(Parameter::frequency, at.frequency);
   const performance::DrivenMotor<double> m =
       driven<double>(*model_, {at.amplitude, 2 * std::numbers::pi * at.frequency});
-  return operating_point_of(m, solved(m, at.speed), at.speed);
+  require_speed(m, at.speed);
+  return operating_point_of(m, performance::solve_point(m, at.speed), at.speed,
+                            performance::stator_modes(design_));
 }
 
 namespace {
@@ -159,8 +207,9 @@ std::vector<Zone> Motor::zones(double speed) const { return zones(speed, model_-
 
 std::vector<Zone> Motor::zones(double speed, double radius) const {
   require_on_track(*model_, radius);
-  if (solved(*model_, speed).status != PointStatus::ok) return {};
-  return performance::zones_at(*model_, speed, radius);
+  const auto [motor, point] = solved(speed);
+  if (point.status != PointStatus::ok) return {};
+  return performance::zones_at(motor, speed, radius);
 }
 
 ContactFields Motor::fields(double speed, int samples) const {
@@ -171,12 +220,25 @@ ContactFields Motor::fields(double speed, int samples, double radius) const {
   if (samples < 2)
     throw InputError("fields need at least 2 samples, not " + std::to_string(samples));
   require_on_track(*model_, radius);
-  const performance::SolvedPoint point = solved(*model_, speed);
-  ContactFields fields{operating_point_of(*model_, point, speed), radius, {}, {}};
+  const auto [motor, point] = solved(speed);
+  const auto modes = performance::stator_modes(design_);
+  ContactFields fields{operating_point_of(motor, point, speed, modes), radius, {}, {}};
   if (point.status != PointStatus::ok) return fields;
-  fields.zones = performance::zones_at(*model_, speed, radius);
-  fields.samples = performance::fields_at(*model_, speed, radius, samples);
+  fields.zones = performance::zones_at(motor, speed, radius);
+  fields.samples = performance::fields_at(motor, speed, radius, samples);
   return fields;
+}
+
+std::vector<WaveState> Motor::wave_states(double speed) const {
+  require_speed(*model_, speed);
+  std::vector<WaveState> states;
+  if (!drive_) return states;
+  for (const performance::WaveSolution& s : drive_->solutions(speed)) {
+    const performance::WaveBalance<double>& b = s.wave().balance;
+    states.push_back({s.wave().amplitude, std::atan2(b.imaginary, b.real), s.stability.determinant,
+                      s.stability.trace, s.stability.stable(), s.running()});
+  }
+  return states;
 }
 
 std::vector<OperatingPoint> torque_speed_curve(const Motor& motor,

@@ -243,6 +243,7 @@ SolvedPoint SolvedPoint::of_special(const DrivenMotor<double>& m, double speed) 
 SolvedPoint solve_point(const DrivenMotor<double>& m, double speed, const WarmStart* guess,
                         double accuracy) {
   const bool special = is_trivial(m) || (speed == 0 && locks_at_rest(m));
+  if (guess && guess->size() != m.slices().size()) guess = nullptr;
   SolvedPoint point =
       special ? SolvedPoint::of_special(m, speed) : SolvedPoint(m, speed, guess, accuracy);
   const bool lawful = accuracy > 0
@@ -262,6 +263,13 @@ template PointNumbers<contact::SpeedDual> locked_slice(const DrivenMotor<double>
                                                        const Slice<double>&,
                                                        const contact::SpeedDual&);
 template PointNumbers<contact::SpeedDual> special_point(const DrivenMotor<double>&,
+                                                        const contact::SpeedDual&);
+template bool locks_at_rest(const DrivenMotor<contact::SpeedDual>&,
+                            const Slice<contact::SpeedDual>&);
+template PointNumbers<contact::SpeedDual> locked_slice(const DrivenMotor<contact::SpeedDual>&,
+                                                       const Slice<contact::SpeedDual>&,
+                                                       const contact::SpeedDual&);
+template PointNumbers<contact::SpeedDual> special_point(const DrivenMotor<contact::SpeedDual>&,
                                                         const contact::SpeedDual&);
 
 }  // namespace twum::performance

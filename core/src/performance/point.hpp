@@ -56,9 +56,12 @@ class WarmStart {
       : first_(first), others_(std::move(others)) {}
 
   const Entry& of_slice(std::size_t k) const { return k == 0 ? first_ : others_[k - 1]; }
+  /// Slices that it knows of. Under another wave another number of them may touch: then it says nothing.
+  std::size_t size() const { return 1 + others_.size(); }
 
   /// From `a` on through `b`, by t times their distance beyond `b`.
   static WarmStart beyond(const WarmStart& a, const WarmStart& b, double t) {
+    if (a.size() != b.size()) return b;
     WarmStart start(beyond(a.first_, b.first_, t), b.others_);
     for (std::size_t k = 0; k < start.others_.size(); ++k)
       start.others_[k] = beyond(a.others_[k], b.others_[k], t);
@@ -115,6 +118,9 @@ class SolvedPoint {
   /// The numbers with derivatives in speed.
   PointNumbers<contact::SpeedDual> differentiated(const DrivenMotor<double>& motor,
                                                   const contact::SpeedDual& speed) const;
+  /// The numbers with derivatives along a path on which the wave and the speed move.
+  PointNumbers<contact::SpeedDual> differentiated(const DrivenMotor<contact::SpeedDual>& motor,
+                                                  const contact::SpeedDual& speed) const;
 
  private:
   friend SolvedPoint solve_point(const DrivenMotor<double>&, double, const WarmStart*, double);
@@ -129,6 +135,9 @@ class SolvedPoint {
   /// Where the search in slice k may begin: what its neighbours in speed or radius say.
   std::optional<WarmStart::Entry> entry_near(std::span<const Slice<double>> slices, std::size_t k,
                                              const WarmStart* guess) const;
+  template <typename S>
+  PointNumbers<contact::SpeedDual> differentiated_along(const DrivenMotor<S>& motor,
+                                                        const contact::SpeedDual& speed) const;
 
   template <typename S, typename R, typename Differentiate>
   PointNumbers<R> summed(const DrivenMotor<S>& motor, const R& speed,

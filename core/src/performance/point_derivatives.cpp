@@ -81,15 +81,38 @@ ContactNumbers<double> values_of(const ContactNumbers<S>& n) {
           n.full};
 }
 
+// Each of kModelParameters a direction of its own.
+template <typename S>
+ModelArray<S> variables(const MotorDesign& design) {
+  const ModelArray<double> values = model_values(design);
+  ModelArray<S> p;
+  for (std::size_t i = 0; i < p.size(); ++i) p[i] = S::variable(values[i], static_cast<int>(i));
+  return p;
+}
+
 }  // namespace
 
 template <typename S>
 DrivenMotor<S> differentiated_motor(const MotorDesign& design, const TrackRule& track) {
-  const ModelArray<double> values = model_values(design);
-  ModelArray<S> p;
-  for (std::size_t i = 0; i < p.size(); ++i) p[i] = S::variable(values[i], static_cast<int>(i));
+  const ModelArray<S> p = variables<S>(design);
   return driven(motor_model(p, track), design_wave(p));
 }
+
+template <typename T>
+DrivenMotor<Dual<T, kDirections>> differentiated_motor(const MotorDesign& design,
+                                                       const T& amplitude,
+                                                       const TrackRule& track) {
+  using S = Dual<T, kDirections>;
+  constexpr std::size_t kAmplitude = model_index(Parameter::amplitude);
+  ModelArray<S> p = variables<S>(design);
+  p[kAmplitude] = S::variable(amplitude, static_cast<int>(kAmplitude));
+  return driven(motor_model(p, track), design_wave(p));
+}
+
+template DrivenMotor<ModelDual> differentiated_motor(const MotorDesign&, const double&,
+                                                     const TrackRule&);
+template DrivenMotor<ModelDual2> differentiated_motor(const MotorDesign&, const SpeedDual&,
+                                                      const TrackRule&);
 
 template <>
 ModelDual speed_variable<ModelDual>(double speed) {
@@ -132,12 +155,23 @@ PointNumbers<S> SolvedPoint::differentiated(const DrivenMotor<S>& m, const S& sp
   });
 }
 
-PointNumbers<SpeedDual> SolvedPoint::differentiated(const DrivenMotor<double>& m,
-                                                    const SpeedDual& speed) const {
+template <typename S>
+PointNumbers<SpeedDual> SolvedPoint::differentiated_along(const DrivenMotor<S>& m,
+                                                          const SpeedDual& speed) const {
   return summed(m, speed,
                 [](const ContactNumbers<SpeedDual>& n, const contact::PeriodicState& state) {
                   return contact::periodic_means(n, values_of(n), state);
                 });
+}
+
+PointNumbers<SpeedDual> SolvedPoint::differentiated(const DrivenMotor<double>& m,
+                                                    const SpeedDual& speed) const {
+  return differentiated_along(m, speed);
+}
+
+PointNumbers<SpeedDual> SolvedPoint::differentiated(const DrivenMotor<SpeedDual>& m,
+                                                    const SpeedDual& speed) const {
+  return differentiated_along(m, speed);
 }
 
 TorqueSlope torque_slope(const DrivenMotor<double>& m, double speed, const WarmStart* guess) {
@@ -196,13 +230,6 @@ ModelDual first_margin(const DrivenMotor<ModelDual>& m, std::span<const Slice<Mo
   return margin;
 }
 
-// margin(Omega(p), p) = 0
-ModelDual end_of(const ModelDual& margin, double speed) {
-  ModelDual end(speed);
-  for (int j = 0; j < kSpeedDirection; ++j) end.d[j] = -margin.d[j] / margin.d[kSpeedDirection];
-  return end;
-}
-
 // Where a slice that sticks at `high` begins to, by Newton's method in a bracket from rest.
 double sticking_speed(const DrivenMotor<double>& m, const Slice<double>& slice, double high) {
   double low = 0, speed = high;
@@ -219,8 +246,8 @@ double sticking_speed(const DrivenMotor<double>& m, const Slice<double>& slice, 
 
 }  // namespace
 
-ModelDual plateau_end_derivative(const DrivenMotor<ModelDual>& motor, double speed) {
-  return end_of(first_margin(motor, motor.slices(), speed), speed);
+ModelDual plateau_margin_derivative(const DrivenMotor<ModelDual>& motor, double speed) {
+  return first_margin(motor, motor.slices(), speed);
 }
 
 double track_plateau_end(const DrivenMotor<double>& m, double end) {
@@ -231,8 +258,8 @@ double track_plateau_end(const DrivenMotor<double>& m, double end) {
   return end;
 }
 
-ModelDual track_plateau_end_derivative(const DrivenMotor<ModelDual>& m, double end) {
-  return end_of(first_margin(m, m.edges, end), end);
+ModelDual edge_margin_derivative(const DrivenMotor<ModelDual>& m, double end) {
+  return first_margin(m, m.edges, end);
 }
 
 #define TWUM_INSTANTIATE(S)                                                           \

@@ -19,6 +19,12 @@ DrivenMotor<S> differentiated_motor(const MotorDesign& design) {
 }
 /// @}
 
+/// The same under a wave of another amplitude, a direction of its own; T is double or carries its derivative in speed.
+template <typename T>
+DrivenMotor<Dual<T, kDirections>> differentiated_motor(const MotorDesign& design,
+                                                       const T& amplitude,
+                                                       const TrackRule& track);
+
 /// Speed as an independent variable of the model's derivatives.
 template <typename S>
 S speed_variable(double speed);
@@ -49,14 +55,14 @@ struct Margin {
 };
 Margin plateau_margin(const DrivenMotor<double>& model, double speed);
 
-/// End of the plateau of the slices with its derivatives.
-ModelDual plateau_end_derivative(const DrivenMotor<ModelDual>& motor, double speed);
+/// The margin at the end of the plateau of the slices with its derivatives.
+ModelDual plateau_margin_derivative(const DrivenMotor<ModelDual>& motor, double speed);
 
 /// End of the plateau of the whole track (W5.4): before that of its slices where an edge sticks first, since they lie within
 /// the track.
 /// @param end  of the slices
 double track_plateau_end(const DrivenMotor<double>& motor, double end);
-/// An end that an edge brings, with its derivatives.
-ModelDual track_plateau_end_derivative(const DrivenMotor<ModelDual>& motor, double end);
+/// The margin at an end that an edge brings, with its derivatives.
+ModelDual edge_margin_derivative(const DrivenMotor<ModelDual>& motor, double end);
 
 }  // namespace twum::performance

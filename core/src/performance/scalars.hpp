@@ -34,6 +34,26 @@ inline constexpr int kDirections = (kSpeedDirection + 2) / 2 * 2;
 using ModelDual = Dual<double, kDirections>;
 using ModelDual2 = Dual<contact::SpeedDual, kDirections>;  ///< and theirs along the speed
 
+/// What the stator's modes and the drive take of a design beside kModelParameters: the contact does not know of them, so that
+/// they are directions of what is made of its answers alone.
+inline constexpr std::array kDriveParameters{
+    Parameter::resonance_frequency, Parameter::modal_mass,   Parameter::force_factor,
+    Parameter::blocked_capacitance, Parameter::loss_tangent, Parameter::voltage};
+
+/// Direction of a parameter in kDriveParameters.
+constexpr int drive_direction(Parameter parameter) {
+  int i = 0;
+  while (kDriveParameters[static_cast<std::size_t>(i)] != parameter) ++i;
+  return kDirections + i;
+}
+
+inline constexpr int kDesignDirections = kDirections + static_cast<int>(kDriveParameters.size());
+
+template <typename T>
+using DesignDualOf = Dual<T, kDesignDirections>;
+using DesignDual = DesignDualOf<double>;
+using DesignDual2 = DesignDualOf<contact::SpeedDual>;
+
 }  // namespace twum::performance
 
 /// The closed list of scalars of the motor model, with the scalar of the speed that goes with each.

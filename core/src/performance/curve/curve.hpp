@@ -68,6 +68,8 @@ class Curve {
 
   double crest() const { return motor_.crest_velocity / motor_.r; }  ///< V0 / r [rad/s]
   double holding() const { return holding_torque(motor_); }          ///< mu_0 F_N r [N m]
+  /// The input is more than what the contact takes, so that an efficiency means something at no-load (T7.18).
+  bool has_input() const { return motor_.stator_damping > 0; }
   bool may_jump() const { return motor_.static_ > motor_.kinetic; }
 
  protected:

@@ -11,6 +11,10 @@ MetricStatus metric_status(PointStatus status) {
     case PointStatus::resonance: return MetricStatus::resonance;
     case PointStatus::unresolved: return MetricStatus::unresolved;
     case PointStatus::inaccurate: return MetricStatus::inaccurate;
+    case PointStatus::pulled_out: return MetricStatus::pulled_out;
+    case PointStatus::no_running_branch: return MetricStatus::no_running_branch;
+    case PointStatus::no_dead_branch: return MetricStatus::no_dead_branch;
+    case PointStatus::unstable_amplitude: return MetricStatus::unstable_amplitude;
   }
   return MetricStatus::unresolved;
 }

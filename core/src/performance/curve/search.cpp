@@ -39,7 +39,7 @@ Peak CurveSearch::working_peak() {
 }
 
 Peak CurveSearch::max_efficiency() {
-  if (!(points_.curve().motor().stator_damping > 0)) throw SearchFailure{MetricStatus::undefined};
+  if (!points_.curve().has_input()) throw SearchFailure{MetricStatus::undefined};
   return peak(Goal::efficiency);
 }
 

@@ -266,7 +266,7 @@ std::vector<MetricExpression> parse_metric_list(std::string_view text) {
 std::vector<MetricExpression> plain_metrics() {
   std::vector<MetricExpression> list;
   for (const MetricInfo& row : metric_table()) {
-    if (row.argument == Argument::none) list.push_back(parse_metric(row.name));
+    if (row.argument == Argument::none && !row.needs_modes) list.push_back(parse_metric(row.name));
   }
   return list;
 }

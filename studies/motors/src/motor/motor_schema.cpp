@@ -68,8 +68,10 @@ Field<GivenMotor> field_of(const ParameterInfo& row) {
   if (row.parameter == Parameter::static_friction) field.entry.fallback = "the kinetic one";
   if (sliced) field.entry.fallback = "1", field.entry.shown = false;
   if (!row.required && field.entry.fallback.empty() && !row.twin)
-    field.entry.fallback =
-        row.unit == "N.s/m" || row.unit == "1" ? "0" : "0 " + std::string(row.unit);
+    field.entry.fallback = row.min > 0 ? "none"
+                           : row.unit == "N.s/m" || row.unit == "1"
+                               ? "0"
+                               : "0 " + std::string(row.unit);
   field.read = [&row, read = value.read](GivenMotor& into, const YamlNode& node, const Spot& spot,
                                          Diagnostics& diagnostics) {
     double typed = 0;

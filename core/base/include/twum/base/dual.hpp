@@ -220,6 +220,19 @@ Dual<T, N> sqrt(const Dual<T, N>& x) {
 }
 /// @}
 
+/// The argument of the complex number x + i y [rad].
+/// @{
+inline double argument(double x, double y) { return std::atan2(y, x); }
+template <typename T, int N>
+Dual<T, N> argument(const Dual<T, N>& x, const Dual<T, N>& y) {
+  Dual<T, N> r;
+  r.v = argument(x.v, y.v);
+  const T inverse = 1.0 / (x.v * x.v + y.v * y.v);
+  for (int i = 0; i < N; ++i) r.d[i] = (x.v * y.d[i] - y.v * x.d[i]) * inverse;
+  return r;
+}
+/// @}
+
 /// Sine and cosine of the same angle.
 template <typename S>
 struct SinCos {

@@ -21,15 +21,34 @@ struct RadialShape {
 /// Value of Stator::radial_slices that stands for as many slices as the numbers need.
 inline constexpr int kAutoSlices = 0;
 
+/// Which of two stable waves a driven stator is asked for.
+enum class Branch : unsigned char {
+  running,  ///< the large one, that of a running motor
+  dead      ///< the small one, which the rotor clamps
+};
+
 /// The vibrating ring. Wave w = A cos(omega t - kappa x), kappa = n / r.
+///
+/// The amplitude is given, or follows from the voltage and the load (theory of the driven stator). A voltage needs
+/// resonance_frequency, modal_mass, force_factor and damping. With these and an amplitude the voltage that it takes is known.
 struct Stator {
   double wavelengths{9};                 ///< n, wavelengths round the circumference [1], integer
   double contact_radius{0.0265};         ///< r, mean contact radius [m]
   double contact_width{0.004};           ///< b, radial contact width [m]
   double neutral_plane_distance{0.003};  ///< a, neutral plane to stator surface [m]
-  double frequency{40e3};                ///< f, drive frequency [Hz]
-  double amplitude{1.6e-6};              ///< A, amplitude of the travelling wave [m]
-  double modal_damping{0};               ///< c_stator, loss of the stator is c (omega A)^2 [N s/m]
+  double frequency{40e3};                ///< f, drive frequency [Hz], used without frequency_ratio
+  double amplitude{1.6e-6};  ///< A, amplitude of the travelling wave [m], used without voltage
+  double modal_damping{0};   ///< d_s, loss of the stator is d_s (omega A)^2 [N s/m], used without
+                             ///< quality_factor
+  std::optional<double> voltage;              ///< of each of the two phases, rms [V]
+  std::optional<double> frequency_ratio;      ///< f / f_r [1]
+  std::optional<double> resonance_frequency;  ///< f_r of the free stator, phases shorted [Hz]
+  std::optional<double> modal_mass;           ///< m_s of each mode, at the contact radius [kg]
+  std::optional<double> quality_factor;       ///< Q of the free stator [1]
+  std::optional<double> force_factor;         ///< Theta of a phase [N/V]
+  double blocked_capacitance{0};              ///< C_0 of a phase [F]
+  double loss_tangent{0};                     ///< tan delta of C_0 [1]
+  Branch branch{Branch::running};             ///< asked for under a voltage
   /// Nodes of the Gauss rule on each smooth piece of the track. 1: all at the contact radius, as in the paper.
   int radial_slices{1};
   RadialShape radial_shape{};  ///< acts where the track has more than one slice
@@ -74,6 +93,16 @@ struct MotorDesign {
   double preload{160};  ///< F_N, total axial force [N]
   Rotor rotor{};        ///< pressed on the stator
 };
+
+/// f, drive frequency: as given, or frequency_ratio f_r [Hz]. Smooth; never throws; NaN if f_r is wanted and not given.
+double drive_frequency(const MotorDesign& design);
+
+/// d_s, damping of each mode of the stator: as given, or 2 pi f_r m_s / Q (D2.2) [N s/m]. Smooth; never throws; NaN if
+/// what it follows from is not given.
+double modal_damping(const MotorDesign& design);
+
+/// True if all that a voltage needs to give a wave is there: resonance_frequency, modal_mass, force_factor, and damping.
+bool has_modal_data(const MotorDesign& design);
 
 /// G, shear modulus of the layer: as given, or E / (2 (1 + nu)) [Pa]. Smooth; never throws.
 double shear_modulus(const MotorDesign& design);

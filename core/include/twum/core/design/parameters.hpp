@@ -21,8 +21,16 @@ enum class Parameter : unsigned char {
   contact_width,
   neutral_plane_distance,
   frequency,
+  frequency_ratio,
   amplitude,
+  voltage,
   modal_damping,
+  quality_factor,
+  resonance_frequency,
+  modal_mass,
+  force_factor,
+  blocked_capacitance,
+  loss_tangent,
   radial_slices,
   shape_exponent,
   shape_root,
@@ -41,7 +49,7 @@ enum class Parameter : unsigned char {
 };
 
 /// Rows of the parameter table.
-inline constexpr std::size_t kParameterCount = 22;
+inline constexpr std::size_t kParameterCount = 30;
 
 /// Position of a parameter in arrays over the parameter table.
 constexpr std::size_t index_of(Parameter parameter) { return static_cast<std::size_t>(parameter); }
@@ -76,12 +84,14 @@ std::optional<Parameter> find_parameter(std::string_view name_or_symbol);
 
 /// Value of a parameter in SI units; for one that follows from others (G from E and nu, ...) the
 /// value in use, and for the twin that is not in use what it would have to be: nu from G and E,
-/// loss_factor from gamma, G and omega, density from m and h. Never throws, whatever the design.
+/// loss_factor from gamma, G and omega, density from m and h. NaN for one without a value: modal data that are not given, and the
+/// one of amplitude and voltage that follows from the load. Never throws, whatever the design.
 double get(const MotorDesign& design, Parameter parameter);
 
 /// True if the design's behaviour is stated through this parameter: false for shear_modulus when G
 /// follows from E and nu, and for poisson_ratio when G is given outright; likewise the other twins. False for what only
-/// a track of several slices has, its radial shape and taper, when there is one; for exponent and root beside a table.
+/// a track of several slices has, its radial shape and taper, when there is one; for exponent and root beside a table; for
+/// modal data that are not given, and for capacitance and loss tangent of a stator without a force factor.
 bool in_use(const MotorDesign& design, Parameter parameter);
 
 /// Derivatives of every parameter's value, as get() has it: row i, column j is d value i / d parameter j, SI.
@@ -103,15 +113,15 @@ using ParameterValue = std::pair<Parameter, double>;
 /// a value replaces its twin, and exponent or root of the radial shape replace its table; mu_0 keeps its ratio to mu when
 /// only mu is replaced; the last of two values for the same parameter holds.
 /// @throws InputError if a value is not admissible, a parameter and its twin are both in the list,
-///         or the result has mu_0 < mu or a track that cannot be.
+///         the result has mu_0 < mu, a track that cannot be, or a voltage without the modal data it needs.
 /// @{
 MotorDesign with(const MotorDesign& design, std::span<const ParameterValue> values);
 MotorDesign with(const MotorDesign& design, Parameter parameter, double value);
 /// @}
 
 /// All that is wrong with a design, one sentence each, in the order of the table; empty if it is
-/// admissible: every parameter in use within its range, mu_0 >= mu, a track outside the axis, and a radial shape that is
-/// known and positive on it.
+/// admissible: every parameter in use within its range, mu_0 >= mu, a track outside the axis, a radial shape that is
+/// known and positive on it, and modal data for a voltage.
 std::vector<std::string> complaints(const MotorDesign& design);
 
 }  // namespace twum

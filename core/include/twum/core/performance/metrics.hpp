@@ -30,6 +30,16 @@ enum class Metric : unsigned char {
   max_pressure,
   layer_aspect,
   pressure_nonuniformity,
+  max_overall_efficiency,
+  speed_at_max_overall_efficiency,
+  pull_out_torque,
+  start_voltage,
+  hold_voltage,
+  start_frequency,
+  pull_out_frequency,
+  loaded_resonance,
+  coupling_factor,
+  capacitance_ratio,
   torque_at,
   speed_at,
   output_power_at,
@@ -39,11 +49,17 @@ enum class Metric : unsigned char {
   efficiency_at,
   contact_efficiency_at,
   wear_intensity_at,
-  stick_fraction_at
+  stick_fraction_at,
+  amplitude_at,
+  phase_lag_at,
+  electrical_power_at,
+  overall_efficiency_at,
+  phase_current_at,
+  power_factor_at
 };
 
 /// Rows of the metric table.
-inline constexpr std::size_t kMetricCount = 26;
+inline constexpr std::size_t kMetricCount = 42;
 
 /// What a metric is asked at.
 enum class Argument : unsigned char {
@@ -55,11 +71,12 @@ enum class Argument : unsigned char {
 
 /// One row of the metric table.
 struct MetricInfo {
-  Metric metric;          ///< whose row it is
-  std::string_view name;  ///< as in studies, such as "torque_at"
-  std::string_view unit;  ///< SI unit, "1" if dimensionless
-  Argument argument;      ///< what it takes
-  std::string_view text;  ///< what it is, in one line
+  Metric metric;            ///< whose row it is
+  std::string_view name;    ///< as in studies, such as "torque_at"
+  std::string_view unit;    ///< SI unit, "1" if dimensionless
+  Argument argument;        ///< what it takes
+  std::string_view text;    ///< what it is, in one line
+  bool needs_modes{false};  ///< has a value only where the design has modal data of the stator
 };
 
 /// The table, one row for each Metric, in its order; it lives for ever.
@@ -84,13 +101,18 @@ struct MetricRequest {
 enum class MetricStatus : unsigned char {
   ok,
   undefined,  ///< has no meaning for this motor: no stall torque, no stator damping, no input power
-  unreachable,        ///< the motor cannot carry the torque asked for
-  no_periodic_state,  ///< needs a point without a periodic state
-  not_converged,      ///< needs a point that did not converge
-  resonance,          ///< needs a point at an undamped resonance
-  unresolved,         ///< needs a point with too many zones
-  inaccurate,         ///< needs a point where rounding breaks a law, or is not finite
-  out_of_range        ///< asked at a speed at or below the negative wave speed
+  unreachable,         ///< the motor cannot carry the torque asked for
+  no_periodic_state,   ///< needs a point without a periodic state
+  not_converged,       ///< needs a point that did not converge
+  resonance,           ///< needs a point at an undamped resonance
+  unresolved,          ///< needs a point with too many zones
+  inaccurate,          ///< needs a point where rounding breaks a law, or is not finite
+  out_of_range,        ///< asked at a speed at or below the negative wave speed
+  pulled_out,          ///< under the voltage there is no running wave at the speed that is needed
+  no_running_branch,   ///< under the voltage there is no running wave at any speed
+  no_dead_branch,      ///< the motor starts by itself
+  unstable_amplitude,  ///< needs a wave that grows or decays away from its balance
+  does_not_pull_out    ///< the running wave exists down to rest
 };
 
 /// Short machine-readable word, such as "unreachable"; "ok" for ok. A text that lives for ever.

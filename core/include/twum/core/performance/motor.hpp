@@ -13,7 +13,9 @@ namespace twum {
 namespace performance {
 template <typename S>
 struct DrivenMotor;
-}
+class Drive;
+struct MotorPoint;
+}  // namespace performance
 
 /// Whether an operating point has an answer.
 enum class PointStatus : unsigned char {
@@ -22,7 +24,11 @@ enum class PointStatus : unsigned char {
   not_converged,      ///< laps neither settle nor repeat within the limit (undamped layers)
   resonance,          ///< undamped layer driven at its own resonance: no finite response
   unresolved,         ///< more stick and slip zones than can be followed
-  inaccurate          ///< rounding breaks a law of the model: no number is trusted
+  inaccurate,         ///< rounding breaks a law of the model: no number is trusted
+  pulled_out,         ///< a motor under a voltage has no running wave at this speed, but at others
+  no_running_branch,  ///< a motor under a voltage has no running wave at any speed
+  no_dead_branch,     ///< a motor under a voltage starts by itself: it has no dead wave here
+  unstable_amplitude  ///< the wave that is asked for grows or decays away from its balance
 };
 
 /// Short machine-readable word, such as "no-periodic-state"; "ok" for ok. A text that lives for ever.
@@ -37,7 +43,8 @@ struct OperatingConditions {
 
 /// The motor in its periodic state at one rotor speed. SI units; theory section 7.
 ///
-/// If status is ok the numbers are finite, the powers balance (T7.10) to 1e-6 of mu_0 F_N max(V0, |U|)
+/// If status is ok the numbers are finite, those of the terminals where the design has modal data, the powers balance (T7.10) to 1e-6
+/// of mu_0 F_N max(V0, |U|)
 /// (T7.11), losses are negative by no more than 1e-9 of it, and |T| <= mu_0 F_N r (C8.1) to 1e-9. Known motors keep all of
 /// them to 1e-10. Otherwise every number but `speed` is NaN.
 struct OperatingPoint {
@@ -52,12 +59,34 @@ struct OperatingPoint {
   double stick_fraction{0};  ///< share of the contact length that sticks [1]
   double reactive_force{0};  ///< Re F, the contact's force on the wave in phase with it (D1.1) [N];
                              ///< Im F = P_in / (omega A) (D1.2)
+  double amplitude{0};       ///< A of the wave [m]
+  /// What the terminals see, NaN without modal data; powers of both phases together, voltage and current of one, rms.
+  /// @{
+  double phase_lag{0};         ///< phi of the wave behind the voltage (D2.4) [rad]
+  double voltage{0};           ///< that holds the wave [V]
+  double phase_current{0};     ///< (D4.1) [A]
+  double dielectric_loss{0};   ///< in the blocked capacitances [W]
+  double electrical_power{0};  ///< P_el = P_diel + P_stator + P_in (D4.2) [W]
+  double power_factor{0};      ///< (D4.3) [1]
+  /// @}
   PointStatus status{PointStatus::ok};  ///< why there is no answer
 
+  /// P_out / P_el (D4.3), 0 where the output is negative; NaN where P_el is not positive or not known [1]
+  double overall_efficiency() const noexcept;
   /// P_out / P_in where P_in > 0 and balances to 1e-6 of itself, else NaN [1]
   double contact_efficiency() const noexcept;
   /// P_out / (P_in + P_stator) where that sum is > 0 and P_in balances to 1e-6 of it, else NaN [1]
   double efficiency() const noexcept;
+};
+
+/// A wave that a voltage holds at a speed: a solution of the balance of the wave.
+struct WaveState {
+  double amplitude;    ///< A [m]
+  double phase_lag;    ///< phi behind the voltage [rad]
+  double determinant;  ///< of the slow flow (D2.6) [1/s^2]
+  double trace;        ///< of the slow flow (D2.6) [1/s]
+  bool stable;         ///< a disturbed wave comes back to it
+  bool running;        ///< stable, and what a running motor has (theory page, section 2)
 };
 
 /// State of the contact at one phase of the wave; theory sections 2 to 4.
@@ -80,10 +109,14 @@ struct ContactFields {
 
 /// A motor ready to be asked: the design, and all that follows from it alone. Immutable, so one
 /// Motor may be used by any number of threads.
+///
+/// Under a voltage the wave follows from the load. What does not depend on the speed elsewhere, contact() and crest_speed(), is
+/// then that of the wave with which the curve begins: at rest, or where the running wave begins.
 class Motor {
  public:
   /// Solves the normal contact (T3.1 to T3.4; W2.1 to W2.4). About a microsecond, 20 for 8 slices, and some milliseconds
-  /// for `auto`, which tries how many slices it takes.
+  /// for `auto`, which tries how many slices it takes. Under a voltage it follows the running wave over speed, which takes
+  /// some hundred points.
   /// @throws InputError with every complaint about the design.
   explicit Motor(const MotorDesign& design);
 
@@ -137,12 +170,23 @@ class Motor {
   /// @throws InputError as above, and for a radius outside the track.
   ContactFields fields(double speed, int samples, double radius) const;
 
+  /// Every wave that the voltage holds at a rotor speed [rad/s], stable or not, the smallest first (D2.4). Empty for a motor
+  /// with an amplitude.
+  /// @throws InputError as operating_point().
+  std::vector<WaveState> wave_states(double speed) const;
+
+  /// The drive of a motor under a voltage, else null; for the library's own use.
+  const performance::Drive* drive() const noexcept { return drive_.get(); }
   /// The model behind the motor; for the library's own use.
   const performance::DrivenMotor<double>& model() const noexcept { return *model_; }
 
  private:
+  performance::MotorPoint solved(double speed) const;
+
   MotorDesign design_;
-  std::shared_ptr<const performance::DrivenMotor<double>> model_;  // immutable, shared by copies
+  // Immutable, shared by copies.
+  std::shared_ptr<const performance::Drive> drive_;
+  std::shared_ptr<const performance::DrivenMotor<double>> model_;
 };
 
 /// Operating points at the given speeds [rad/s], in their order. About a microsecond each.

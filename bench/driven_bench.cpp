@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Times of a driven motor: a point on the branch it follows, its metrics and their gradients, and, for the ratio, an integration
+// in time of its two modes until the wave has settled to 1e-4.
+#include "support/driven_motors.hpp"
+#include "support/two_modes.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <twum/core/performance/metrics.hpp>
+#include <twum/core/performance/motor.hpp>
+
+#include <cmath>
+#include <vector>
+
+namespace {
+
+using namespace twum;
+using namespace twum::test;
+
+MotorDesign design_of(benchmark::State& state) {
+  const bool elastic = state.range(0) == 0;
+  state.SetLabel(elastic ? "elastic layer" : "inertia and viscosity");
+  return elastic ? driven_motor() : driven_motor_with_layer();
+}
+
+std::vector<MetricRequest> all_metrics() {
+  std::vector<MetricRequest> requests;
+  for (const MetricInfo& row : metric_table())
+    if (row.argument == Argument::none) requests.push_back({row.metric});
+  return requests;
+}
+
+void make_motor(benchmark::State& state) {
+  const MotorDesign design = design_of(state);
+  for (auto _ : state) benchmark::DoNotOptimize(Motor(design));
+}
+
+void point_at_given_amplitude(benchmark::State& state) {
+  MotorDesign design = design_of(state);
+  design.stator.voltage.reset();
+  design.stator.amplitude = 1.7e-6;
+  const Motor motor(design);
+  double speed = 0;
+  for (auto _ : state) {
+    speed = std::fmod(speed + 0.618 * 14, 14.0);
+    benchmark::DoNotOptimize(motor.operating_point(speed));
+  }
+}
+
+void point_on_the_branch(benchmark::State& state) {
+  const Motor motor(design_of(state));
+  double speed = 0;
+  for (auto _ : state) {
+    speed = std::fmod(speed + 0.618 * 14, 14.0);
+    benchmark::DoNotOptimize(motor.operating_point(speed));
+  }
+}
+
+void waves_at_a_speed(benchmark::State& state) {
+  const Motor motor(design_of(state));
+  for (auto _ : state) benchmark::DoNotOptimize(motor.wave_states(5));
+}
+
+// The motor is made anew each time: its branch is a part of the work.
+void metrics_of_a_design(benchmark::State& state) {
+  const MotorDesign design = design_of(state);
+  const std::vector<MetricRequest> requests = all_metrics();
+  for (auto _ : state) benchmark::DoNotOptimize(evaluate(Motor(design), requests));
+}
+
+void gradients_of_a_design(benchmark::State& state) {
+  const MotorDesign design = design_of(state);
+  const std::vector<MetricRequest> requests = all_metrics();
+  for (auto _ : state) benchmark::DoNotOptimize(differentiate(Motor(design), requests));
+}
+
+void integration_in_time(benchmark::State& state) {
+  constexpr double kSettled = 1e-4;
+  constexpr double kSpeed = 8;
+  const MotorDesign design = driven_motor();
+  const double amplitude = Motor(design).operating_point(kSpeed).amplitude;
+  int periods = 0;
+  for (auto _ : state) {
+    TwoModes modes(design, kSpeed);
+    modes.set_wave(0.8 * amplitude, 2.5);
+    double before = 0, now = 1;
+    for (periods = 0; std::fabs(now - before) > kSettled * now && periods < 2000; periods += 20) {
+      before = now;
+      modes.run(20);
+      now = std::abs(modes.wave());
+    }
+  }
+  state.SetLabel(std::to_string(periods) + " periods");
+}
+
+BENCHMARK(make_motor)->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
+BENCHMARK(point_at_given_amplitude)->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
+BENCHMARK(point_on_the_branch)->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
+BENCHMARK(waves_at_a_speed)->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
+BENCHMARK(metrics_of_a_design)->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
+BENCHMARK(gradients_of_a_design)->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
+BENCHMARK(integration_in_time)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "performance/drive/drive.hpp"
+
+#include <twum/base/error.hpp>
+
+#include <numbers>
+
+namespace twum::performance {
+namespace {
+
+// The model's amplitude is not looked at; any that makes a wave will do.
+ModelArray<double> values_of(const MotorDesign& design) {
+  ModelArray<double> values = model_values(design);
+  values[model_index(Parameter::amplitude)] = 1e-6;
+  return values;
+}
+
+// How many slices `auto` takes is asked of the motor under the wave that it begins with.
+TrackRule track_of(const MotorDesign& design) {
+  if (design.stator.radial_slices != kAutoSlices) return track_rule(design);
+  constexpr int kFirstSlices = 8;
+  const MotorDesign first = with(design, Parameter::radial_slices, kFirstSlices);
+  const double amplitude = Drive(first).first_motor().amplitude;
+  return track_rule(amplitude > 0 ? with(design, Parameter::amplitude, amplitude) : first);
+}
+
+StatorModes<double> modes_of(const MotorDesign& design) {
+  const auto modes = stator_modes(design);
+  TWUM_ASSERT(modes.has_value());
+  return *modes;
+}
+
+}  // namespace
+
+double drive_force(const MotorDesign& design) {
+  return std::numbers::sqrt2 * *design.stator.voltage * *design.stator.force_factor;
+}
+
+Drive::Drive(const MotorDesign& design)
+    : asked_(design.stator.branch),
+      waves_(values_of(design), modes_of(design), drive_force(design), track_of(design)),
+      branch_(waves_) {}
+
+double Drive::begin() const {
+  const bool above_rest = asked_ == Branch::running && branch_.lower().pulls_out();
+  return above_rest ? branch_.lower().speed : 0;
+}
+
+DrivenMotor<double> Drive::first_motor() const {
+  const std::vector<WaveSolution> at_rest = solutions(0);
+  if (asked_ == Branch::dead && !at_rest.empty())
+    return waves_.motor(at_rest.front().wave().amplitude);
+  if (branch_.exists()) return waves_.motor(branch_.first_amplitude());
+  return waves_.motor(at_rest.empty() ? 0 : at_rest.back().wave().amplitude);
+}
+
+MotorPoint Drive::at(double speed) const {
+  return asked_ == Branch::running ? running(speed) : dead(speed);
+}
+
+MotorPoint Drive::without_wave(PointStatus status) const {
+  MotorPoint point{waves_.motor(0), {}};
+  point.solved.status = status;
+  return point;
+}
+
+MotorPoint Drive::running(double speed) const {
+  if (!branch_.exists()) return without_wave(PointStatus::no_running_branch);
+  const std::optional<BranchWave> wave = branch_.at(speed);
+  if (!wave) return without_wave(PointStatus::pulled_out);
+  if (!branch_.steady(*wave)) return without_wave(PointStatus::unstable_amplitude);
+  const DrivenMotor<double> motor = waves_.motor(wave->amplitude);
+  return {motor, solve_point(motor, speed, &wave->start)};
+}
+
+// Below the maximum of H that a start has to pass there is one solution at most.
+MotorPoint Drive::dead(double speed) const {
+  const std::vector<WaveSolution> all = solutions(speed);
+  if (all.empty() || all.front().beyond_start()) return without_wave(PointStatus::no_dead_branch);
+  if (!all.front().stability.stable()) return without_wave(PointStatus::unstable_amplitude);
+  const DrivenMotor<double> motor = waves_.motor(all.front().wave().amplitude);
+  return {motor, solve_point(motor, speed)};
+}
+
+}  // namespace twum::performance

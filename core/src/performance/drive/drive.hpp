@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "performance/drive/running_branch.hpp"
+
+#include <twum/core/performance/motor.hpp>
+
+namespace twum::performance {
+
+/// A motor at a speed: the wave there, and the contact under it.
+struct MotorPoint {
+  DrivenMotor<double> motor;
+  SolvedPoint solved;
+};
+
+/// A motor whose wave follows from voltage and load. Immutable.
+class Drive {
+ public:
+  /// @param design  with a voltage, and complete
+  explicit Drive(const MotorDesign& design);
+  Drive(const Drive&) = delete;
+  Drive& operator=(const Drive&) = delete;
+
+  /// The point on the branch that the design asks for; its status says why there is none.
+  MotorPoint at(double speed) const;
+  /// Every wave that the voltage holds at a speed, stable or not, the smallest first.
+  std::vector<WaveSolution> solutions(double speed) const {
+    return wave_solutions(waves_, speed).found;
+  }
+
+  /// Smallest speed of the curve [rad/s]; 0 is rest.
+  double begin() const;
+  /// The motor under the wave that the curve begins with; that of the largest wave at rest if there is no curve.
+  DrivenMotor<double> first_motor() const;
+
+  const DrivenWaves& waves() const { return waves_; }
+  const RunningBranch& branch() const { return branch_; }
+
+ private:
+  MotorPoint without_wave(PointStatus status) const;
+  MotorPoint running(double speed) const;
+  MotorPoint dead(double speed) const;
+
+  Branch asked_;
+  DrivenWaves waves_;
+  RunningBranch branch_;
+};
+
+/// Theta u_0 of a design with a voltage [N].
+double drive_force(const MotorDesign& design);
+
+}  // namespace twum::performance

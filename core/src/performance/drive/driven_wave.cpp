@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "performance/drive/driven_wave.hpp"
+
+#include "performance/track.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace twum::performance {
+namespace {
+
+using contact::SpeedDual;
+
+ModelArray<SpeedDual> constants(const ModelArray<double>& values) {
+  ModelArray<SpeedDual> p;
+  for (std::size_t i = 0; i < p.size(); ++i) p[i] = SpeedDual(values[i]);
+  return p;
+}
+
+StatorModes<SpeedDual> constants(const StatorModes<double>& m) {
+  return {m.mass, m.resonance, m.damping, m.force_factor, m.capacitance, m.loss_tangent};
+}
+
+SpeedDual moving(double value, double seed) {
+  SpeedDual x(value);
+  x.d[0] = seed;
+  return x;
+}
+
+// k of (D2.10). A table's spline may rise a little above the radii looked at.
+double reach_of(const MotorModel<double>& m) {
+  if (m.track.nodes == 1) return 1;
+  constexpr int kLooks = 64;
+  constexpr double kAboveLooks = 1.1;
+  const double inner = m.r - 0.5 * m.b;
+  double most = 0;
+  for (int i = 0; i <= kLooks; ++i)
+    most = std::max(most, std::fabs(1 + shape_excess(m, inner + m.b * i / kLooks)));
+  return kAboveLooks * most * m.r / inner;
+}
+
+}  // namespace
+
+DrivenWaves::DrivenWaves(const ModelArray<double>& values, const StatorModes<double>& modes,
+                         double drive, const TrackRule& track)
+    : model_(motor_model(values, track)),
+      dual_model_(motor_model(constants(values), track)),
+      modes_(modes),
+      drive_(drive),
+      omega_(design_wave(values).omega),
+      reach_(reach_of(model_)) {}
+
+DrivenWave DrivenWaves::at(double amplitude, double speed, const WarmStart* guess,
+                           double accuracy) const {
+  const SolvedPoint point = solve_point(motor(amplitude), speed, guess, accuracy);
+  const WarmStart start = point.start();
+  const long slices = static_cast<long>(start.size());
+  return {amplitude,
+          speed,
+          wave_balance(modes_, amplitude, omega_, point.numbers.reactive_force,
+                       point.numbers.stator_power),
+          point.status,
+          start,
+          point.zones_followed() / slices};
+}
+
+PointNumbers<SpeedDual> DrivenWaves::along(const SolvedPoint& point, double amplitude, double speed,
+                                           double amplitude_seed, double speed_seed) const {
+  const SpeedDual a = moving(amplitude, amplitude_seed);
+  return point.differentiated(driven(dual_model_, {a, SpeedDual(omega_)}),
+                              moving(speed, speed_seed));
+}
+
+SlopedWave DrivenWaves::sloped(const SolvedPoint& point, double amplitude, double speed,
+                               double amplitude_seed, double speed_seed) const {
+  SlopedWave result;
+  const WarmStart start = point.start();
+  const long slices = static_cast<long>(start.size());
+  result.wave = {amplitude, speed, {0, 0}, point.status, start, point.zones_followed() / slices};
+  if (point.status != PointStatus::ok) return result;
+  const PointNumbers<SpeedDual> n = along(point, amplitude, speed, amplitude_seed, speed_seed);
+  const WaveBalance<SpeedDual> b =
+      wave_balance(constants(modes_), moving(amplitude, amplitude_seed), SpeedDual(omega_),
+                   n.reactive_force, n.stator_power);
+  result.wave.balance = {b.real.v, b.imaginary.v};
+  result.slope = {b.real.d[0], b.imaginary.d[0]};
+  return result;
+}
+
+SlopedWave DrivenWaves::in_amplitude(double amplitude, double speed, const WarmStart* guess) const {
+  return sloped(solve_point(motor(amplitude), speed, guess), amplitude, speed, 1, 0);
+}
+
+DrivenWaves::LevelSlopes DrivenWaves::slopes(double amplitude, double speed,
+                                             const WarmStart* guess) const {
+  const SolvedPoint point = solve_point(motor(amplitude), speed, guess);
+  return {sloped(point, amplitude, speed, 1, 0), sloped(point, amplitude, speed, 0, 1).fold()};
+}
+
+Stability DrivenWaves::stability(const SlopedWave& w) const {
+  const double rate = 2 * omega_ * modes_.mass, a = w.wave.amplitude;
+  return {w.fold() / (a * rate * rate),
+          -(w.wave.balance.imaginary + a * w.slope.imaginary) / (rate * a)};
+}
+
+double DrivenWaves::full_contact_amplitude() const {
+  return model_.preload * model_.thickness /
+         (2 * std::numbers::pi * model_.r * model_.b * model_.youngs);
+}
+
+double DrivenWaves::contact_stiffness() const {
+  // Of an annulus pi R^2 rho / h over its width: the mean of rho is r.
+  const double track =
+      reach_ * reach_ * std::numbers::pi * model_.r * model_.b / model_.thickness;
+  const double inertia = model_.inertia * omega_ * omega_, damping = model_.viscosity * omega_;
+  return track *
+         (model_.youngs + model_.tilt * model_.tilt * std::hypot(model_.shear - inertia, damping));
+}
+
+}  // namespace twum::performance

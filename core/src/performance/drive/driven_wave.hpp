@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "performance/drive/stator_modes.hpp"
+#include "performance/point.hpp"
+
+namespace twum::performance {
+
+/// A wave of a prescribed amplitude at a speed, and what drives it there.
+struct DrivenWave {
+  double amplitude{0}, speed{0};
+  WaveBalance<double> balance{0, 0};
+  PointStatus status{PointStatus::ok};
+  WarmStart start;  ///< for neighbouring waves
+  long zones{0};    ///< followed in a slice to find it: what it cost
+
+  double force() const { return balance.force(); }
+};
+
+/// The same with its derivatives at fixed speed in amplitude, or along another path.
+struct SlopedWave {
+  DrivenWave wave;
+  WaveBalance<double> slope;  ///< R_A, I_A [N/m]
+
+  /// H H_A; zero at folds.
+  double fold() const {
+    return wave.balance.real * slope.real + wave.balance.imaginary * slope.imaginary;
+  }
+  double force_slope() const { return fold() / wave.force(); }  ///< H_A [N/m]
+};
+
+/// What the slow flow does to a disturbed wave: determinant and trace of its Jacobian (D2.5, D2.6).
+struct Stability {
+  double determinant, trace;  ///< [1/s^2], [1/s]
+  bool stable() const { return determinant > 0 && trace < 0; }
+};
+
+/// The motor as its amplitude varies, at one frequency: what each amplitude and speed takes of the drive.
+class DrivenWaves {
+ public:
+  /// @param values  of kModelParameters; their amplitude is not looked at
+  /// @param drive   Theta u_0, the force of the voltage's peak [N]
+  /// @param track   the same at all amplitudes: H(A) has no steps
+  DrivenWaves(const ModelArray<double>& values, const StatorModes<double>& modes, double drive,
+              const TrackRule& track);
+
+  DrivenWave at(double amplitude, double speed, const WarmStart* guess = nullptr,
+                double accuracy = 0) const;
+  /// The contact's numbers along a path: derivatives where amplitude and speed move as their seeds say.
+  PointNumbers<contact::SpeedDual> along(const SolvedPoint& point, double amplitude, double speed,
+                                         double amplitude_seed, double speed_seed) const;
+  /// With derivatives in amplitude.
+  SlopedWave in_amplitude(double amplitude, double speed, const WarmStart* guess = nullptr) const;
+  /// With derivatives in amplitude, and H H_Omega at fixed amplitude.
+  struct LevelSlopes {
+    SlopedWave in_amplitude;
+    double speed_fold;
+  };
+  LevelSlopes slopes(double amplitude, double speed, const WarmStart* guess = nullptr) const;
+
+  DrivenMotor<double> motor(double amplitude) const { return driven(model_, {amplitude, omega_}); }
+  Stability stability(const SlopedWave& wave) const;
+
+  const StatorModes<double>& modes() const { return modes_; }
+  double drive() const { return drive_; }
+  double omega() const { return omega_; }
+  /// V0 / r per amplitude [rad/s/m]
+  double crest_speed_per_amplitude() const { return model_.tilt * omega_ / model_.r; }
+  /// A_1 (D1.5), up to which the contact is full where all lies at the contact radius [m].
+  double full_contact_amplitude() const;
+  /// No force of the contact against the wave is larger per amplitude: pressed all round and locked [N/m].
+  double contact_stiffness() const;
+  /// mu_0 a kappa F_N, bound of the traction's force (C20.4, D2.10) [N].
+  double traction_bound() const { return reach_ * model_.static_ * model_.tilt * model_.preload; }
+  /// Bound of the pressure's force [N].
+  double pressure_bound() const { return reach_ * model_.preload; }
+
+ private:
+  SlopedWave sloped(const SolvedPoint& point, double amplitude, double speed, double amplitude_seed,
+                    double speed_seed) const;
+
+  MotorModel<double> model_;
+  MotorModel<contact::SpeedDual> dual_model_;
+  StatorModes<double> modes_;
+  double drive_;
+  double omega_;
+  double reach_;  // k of (D2.10)
+};
+
+}  // namespace twum::performance

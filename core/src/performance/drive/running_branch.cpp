@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "performance/drive/running_branch.hpp"
+
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace twum::performance {
+namespace {
+
+constexpr int kSteps = 24;        // of the grid up to the crest speed
+constexpr int kStepsTraced = 32;  // to beyond no-load
+constexpr double kFar = 200;      // steps of the grid: so far away the branch is no longer followed
+constexpr double kSearched = 1.3;  // times the crest speed: no motor runs by itself above
+constexpr double kStraight =
+    0.02;  // of the amplitude: more off the tangent is another branch, or needs a smaller step
+constexpr double kShortestStep = 1e-3;  // of the grid: what is left to the fold
+constexpr long kMostZones = 200'000;    // to follow for the nodes: usual motors need a thousand
+constexpr int kMostSecants = 12;
+constexpr double kNodeSettled = 3e-4;  // of the amplitude: Newton's last step leaves its square
+constexpr double kSettled = 1e-13;     // of the amplitude: what the last secant may leave
+constexpr double kReach = 0.2;         // of the amplitude: largest step of a secant
+
+// The largest running solution.
+std::optional<DrivenWave> largest(const std::vector<WaveSolution>& solutions) {
+  for (auto s = solutions.rbegin(); s != solutions.rend(); ++s)
+    if (s->running()) return s->wave();
+  return {};
+}
+
+}  // namespace
+
+RunningBranch::RunningBranch(const DrivenWaves& waves) : waves_(waves) {
+  const std::optional<Node> first = first_node();
+  if (!first) return;
+  nodes_.push_back(*first);
+  step_ = waves.crest_speed_per_amplitude() * first->amplitude / kSteps;
+  if (!std::isfinite(step_)) {
+    nodes_.clear();
+    return;
+  }
+  upper_ = follow(step_, kStepsTraced);
+  if (first->speed == 0) return;
+  std::reverse(nodes_.begin(), nodes_.end());
+  lower_ = follow(-step_, kStepsTraced);
+  std::reverse(nodes_.begin(), nodes_.end());
+}
+
+// At rest, else at the lowest speed of a grid that has a running solution.
+std::optional<RunningBranch::Node> RunningBranch::first_node() const {
+  if (const auto at_rest = largest(wave_solutions(waves_, 0).found))
+    return node(0, at_rest->amplitude, &at_rest->start).node;
+  double hold = 0;
+  for (const ForceExtremum& e : force_extrema(waves_, 0))
+    if (!e.maximum) hold = e.amplitude;
+  const double step = waves_.crest_speed_per_amplitude() * hold / kSteps;
+  long zones = 0;
+  for (int i = 1; hold > 0 && i <= kSearched * kSteps && zones < kMostZones; ++i) {
+    const WaveSolutions solutions = wave_solutions(waves_, i * step);
+    zones += solutions.zones;
+    if (const auto found = largest(solutions.found))
+      return node(i * step, found->amplitude, &found->start).node;
+  }
+  return {};
+}
+
+// Newton's steps for H(A) = Theta u_0 near a guess, with the slope of the level curve (D2.9). Nodes are where other searches
+// begin: the last step is not solved again.
+RunningBranch::Attempt RunningBranch::node(double speed, double guess,
+                                           const WarmStart* start) const {
+  double a = guess;
+  long zones = 0;
+  WarmStart from;
+  for (int i = 0; i < kMostSecants; ++i) {
+    const DrivenWaves::LevelSlopes s = waves_.slopes(a, speed, start);
+    const SlopedWave& w = s.in_amplitude;
+    zones += w.wave.zones;
+    if (w.wave.status != PointStatus::ok || !(w.fold() > 0)) return {{}, zones};
+    const double step = (waves_.drive() - w.wave.force()) / w.force_slope();
+    a += step;
+    if (!(std::fabs(a - guess) <= kStraight * guess)) return {{}, zones};
+    if (std::fabs(step) <= kNodeSettled * a)
+      return {Node{speed, a, -s.speed_fold / w.fold(), w.force_slope(),
+                   !(waves_.stability(w).trace < 0), w.wave.start},
+              zones};
+    from = w.wave.start, start = &from;
+  }
+  return {{}, zones};
+}
+
+// Secants for H(A) = Theta u_0 near a guess, in the direction in which H rises with A. The layer's state goes along.
+std::optional<BranchWave> RunningBranch::polished(double speed, double guess, double force_slope,
+                                                  const WarmStart& start) const {
+  double slope = force_slope, before = 0, excess_before = 0, a = guess;
+  WarmStart last = start, from = start;
+  for (int i = 0; i < kMostSecants; ++i) {
+    const DrivenWave wave = waves_.at(a, speed, &from);
+    if (wave.status != PointStatus::ok) return {};
+    const double excess = wave.force() - waves_.drive();
+    if (i > 0 && a != before) slope = (excess - excess_before) / (a - before);
+    if (!(slope > 0)) return {};
+    const double step = -excess / slope;
+    if (!(std::fabs(step) <= kReach * guess)) return {};
+    from = i > 0 && a != before ? WarmStart::beyond(last, wave.start, step / (a - before))
+                                : wave.start;
+    // A secant leaves the product of the last two steps, over a length of the order of the amplitude.
+    const double last_step = i > 0 ? a - before : kReach * a;
+    if (std::fabs(step * last_step) <= kSettled * a * a) return BranchWave{a + step, speed, from};
+    last = wave.start, before = a, excess_before = excess;
+    a += step;
+  }
+  return {};
+}
+
+// From the tangent, bent as between the two nodes before.
+RunningBranch::Attempt RunningBranch::stepped(const Node& from, double speed,
+                                              const Node* before) const {
+  const double d = speed - from.speed;
+  double guess = from.amplitude + from.slope * d;
+  if (before && std::fabs(from.speed - before->speed) >= 0.5 * std::fabs(d))
+    guess += 0.5 * d * d * (from.slope - before->slope) / (from.speed - before->speed);
+  return node(speed, guess, &from.start);
+}
+
+// Goes on from the last node, in steps that are halved where the branch bends.
+BranchEnd RunningBranch::follow(double step, int steps) {
+  const BranchEnd endless{std::copysign(std::numeric_limits<double>::infinity(), step), 0};
+  const double first = nodes_.back().speed;
+  long zones = 0;
+  for (int i = 1; i <= steps; ++i) {
+    const double target = first + i * step;
+    double stride = step;
+    while (nodes_.back().speed != target) {
+      if (zones > kMostZones) return endless;
+      const Node& last = nodes_.back();
+      const bool reaches = std::fabs(stride) >= std::fabs(target - last.speed);
+      const double next = reaches ? target : last.speed + stride;
+      const Node* before = nodes_.size() > 1 ? &nodes_[nodes_.size() - 2] : nullptr;
+      const Attempt attempt = stepped(last, next, before);
+      zones += attempt.zones;
+      if (attempt.node) {
+        nodes_.push_back(*attempt.node);
+      } else {
+        stride *= 0.5;
+        if (std::fabs(stride) < kShortestStep * std::fabs(step)) return fold_beyond(last, next);
+      }
+    }
+  }
+  return endless;
+}
+
+// Secants for H_A = 0: what the search for a minimum knows of its place is the root of rounding.
+double RunningBranch::fold_amplitude(double speed, double near) const {
+  double a = near * (1 + 1e-5), b = near;
+  double at_a = waves_.in_amplitude(a, speed).fold(), at_b = waves_.in_amplitude(b, speed).fold();
+  for (int i = 0; i < 4 && at_a != at_b; ++i) {
+    const double next = b - at_b * (b - a) / (at_b - at_a);
+    if (!(std::fabs(next - near) < 1e-4 * near)) return near;
+    a = b, at_a = at_b;
+    b = next, at_b = waves_.in_amplitude(b, speed).fold();
+  }
+  return b;
+}
+
+// Where the least force beside the branch has risen to what the drive has.
+BranchEnd RunningBranch::fold_beyond(const Node& last, double speed) const {
+  const double low = last.amplitude / 1.5, high = last.amplitude * 1.02;
+  const auto missing = [&](double at) {
+    return least_force(waves_, at, low, high).force - waves_.drive();
+  };
+  double inside = last.speed, outside = speed;
+  const double at_inside = missing(inside);
+  double at_outside = missing(outside);
+  for (int i = 0; i < 12 && !(at_outside > 0); ++i)
+    at_outside = missing(outside += 0.1 * std::copysign(step_, speed - last.speed));
+  if (!(at_inside < 0 && at_outside > 0)) return {last.speed, last.amplitude};
+  std::uintmax_t most = 60;
+  const bool upward = outside > inside;
+  const auto [x, y] = boost::math::tools::toms748_solve(
+      missing, std::fmin(inside, outside), std::fmax(inside, outside),
+      upward ? at_inside : at_outside, upward ? at_outside : at_inside,
+      boost::math::tools::eps_tolerance<double>(48), most);
+  const double end = upward ? x : y;
+  return {end, fold_amplitude(end, least_force(waves_, end, low, high).amplitude)};
+}
+
+double RunningBranch::first_amplitude() const {
+  return lower_.pulls_out() ? lower_.amplitude : nodes_.front().amplitude;
+}
+
+// Closes in where H passes from below the drive's force to above.
+std::optional<BranchWave> RunningBranch::bracketed(double speed, double low, double high) const {
+  const auto excess = [&](double a) { return waves_.at(a, speed).force() - waves_.drive(); };
+  const double at_low = excess(low), at_high = excess(high);
+  if (!(at_low < 0 && at_high > 0)) return {};
+  std::uintmax_t most = 60;
+  const auto [x, y] = boost::math::tools::toms748_solve(
+      excess, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(52), most);
+  return BranchWave{y, speed, waves_.at(y, speed).start};
+}
+
+// From a node towards a speed off the grid or close to an end. Beside a fold the amplitude moves like the root of the
+// distance, and the fold's own is below it.
+std::optional<BranchWave> RunningBranch::beyond(const Node& last, const BranchEnd& end,
+                                                double speed) const {
+  if (end.pulls_out())
+    if (const auto wave = bracketed(speed, end.amplitude, last.amplitude * (1 + kStraight)))
+      return wave;
+  if (std::fabs(speed - last.speed) > kFar * step_) {
+    const std::optional<DrivenWave> far = largest(wave_solutions(waves_, speed).found);
+    return far ? std::optional(BranchWave{far->amplitude, speed, far->start}) : std::nullopt;
+  }
+  Node at = last;
+  double stride = std::copysign(step_, speed - last.speed);
+  while (at.speed != speed) {
+    const bool reaches = std::fabs(stride) >= std::fabs(speed - at.speed);
+    const double next = reaches ? speed : at.speed + stride;
+    if (const std::optional<Node> found = stepped(at, next).node) {
+      at = *found;
+    } else {
+      stride *= 0.5;
+      if (std::fabs(stride) < 1e-9 * step_) return {};
+    }
+  }
+  return polished(speed, at.amplitude, at.force_slope, at.start);
+}
+
+std::optional<BranchWave> RunningBranch::at(double speed) const {
+  if (nodes_.empty() || speed < lower_.speed || speed > upper_.speed) return {};
+  for (const BranchEnd& end : {lower_, upper_})
+    if (speed == end.speed) return BranchWave{end.amplitude, speed, nodes_.front().start};
+  const auto above = std::upper_bound(nodes_.begin(), nodes_.end(), speed,
+                                      [](double s, const Node& n) { return s < n.speed; });
+  if (above == nodes_.begin()) return beyond(nodes_.front(), lower_, speed);
+  const Node& a = *(above - 1);
+  if (a.speed == speed) return polished(speed, a.amplitude, a.force_slope, a.start);
+  if (above == nodes_.end()) return beyond(a, upper_, speed);
+  // Hermite's cubic between the nodes.
+  const Node& b = *above;
+  const double d = b.speed - a.speed, t = (speed - a.speed) / d, u = 1 - t;
+  const double guess = u * u * (1 + 2 * t) * a.amplitude + t * t * (1 + 2 * u) * b.amplitude +
+                       t * u * d * (u * a.slope - t * b.slope);
+  const double slope = u * a.force_slope + t * b.force_slope;
+  if (const auto wave = polished(speed, guess, slope, WarmStart::beyond(a.start, b.start, t - 1)))
+    return wave;
+  return beyond(a, {HUGE_VAL, 0}, speed);
+}
+
+// The trace changes little between two nodes: it is looked at where one of them grows.
+bool RunningBranch::steady(const BranchWave& wave) const {
+  const auto above = std::upper_bound(nodes_.begin(), nodes_.end(), wave.speed,
+                                      [](double s, const Node& n) { return s < n.speed; });
+  const bool inside = above != nodes_.begin() && above != nodes_.end();
+  if (inside && !above->grows && !(above - 1)->grows) return true;
+  return waves_.stability(waves_.in_amplitude(wave.amplitude, wave.speed, &wave.start)).trace < 0;
+}
+
+}  // namespace twum::performance

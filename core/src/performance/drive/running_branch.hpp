@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "performance/drive/wave_solutions.hpp"
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace twum::performance {
+
+/// A wave of the branch, and where the layer of its contact begins.
+struct BranchWave {
+  double amplitude, speed;
+  WarmStart start;
+};
+
+/// Where a branch of solutions ends on one side.
+struct BranchEnd {
+  double speed;      ///< rotor speed; infinite where the search met none
+  double amplitude;  ///< of the fold there
+  bool pulls_out() const { return std::isfinite(speed); }
+};
+
+/// The running branch over the rotor speed: the wave that a running motor keeps as its load changes.
+///
+/// It is followed once, over a fixed grid of speeds from rest to beyond no-load, and each wave starts from there, so that an
+/// answer does not depend on what was asked before. Where no running solution exists at rest it begins at the lowest speed
+/// at which one does.
+class RunningBranch {
+ public:
+  explicit RunningBranch(const DrivenWaves& waves);
+
+  bool exists() const { return !nodes_.empty(); }
+  const BranchEnd& lower() const { return lower_; }
+  const BranchEnd& upper() const { return upper_; }
+  /// Amplitude where the branch begins: at rest, or where it pulls out.
+  double first_amplitude() const;
+
+  /// The wave at a speed; without a value off the branch.
+  std::optional<BranchWave> at(double speed) const;
+  /// True if a disturbance of the wave there dies away.
+  bool steady(const BranchWave& wave) const;
+
+ private:
+  struct Node {
+    double speed, amplitude;
+    double slope;        // dA / dOmega
+    double force_slope;  // H_A
+    bool grows;          // a disturbance of the wave does not die away
+    WarmStart start;
+  };
+
+  struct Attempt {
+    std::optional<Node> node;
+    long zones;  // followed
+  };
+
+  std::optional<Node> first_node() const;
+  Attempt node(double speed, double guess, const WarmStart* start) const;
+
+  std::optional<BranchWave> polished(double speed, double guess, double force_slope,
+                                     const WarmStart& start) const;
+  Attempt stepped(const Node& from, double speed, const Node* before = nullptr) const;
+  BranchEnd follow(double step, int steps);
+  double fold_amplitude(double speed, double near) const;
+  BranchEnd fold_beyond(const Node& last, double speed) const;
+  std::optional<BranchWave> bracketed(double speed, double low, double high) const;
+  std::optional<BranchWave> beyond(const Node& last, const BranchEnd& end, double speed) const;
+
+  const DrivenWaves& waves_;
+  double step_{0};           // of the grid
+  std::vector<Node> nodes_;  // by rising speed
+  BranchEnd lower_{-std::numeric_limits<double>::infinity(), 0},
+      upper_{std::numeric_limits<double>::infinity(), 0};
+};
+
+}  // namespace twum::performance

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "performance/drive/wave_solutions.hpp"
+
+#include <twum/core/performance/metrics.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace twum::performance {
+
+/// A voltage or a frequency at which the number of waves at rest changes, and the wave that comes or goes there.
+struct Threshold {
+  double value;      ///< [V] rms, or [Hz]
+  double amplitude;  ///< of the fold [m]; 0: there is none, whatever the voltage
+  double frequency;  ///< [Hz]
+};
+
+/// Where a motor at rest starts by itself and where it stops running (D3.2 to D3.4). Each is found once and kept.
+class Thresholds {
+ public:
+  /// @param design  with modal data
+  /// @param track   of its motor
+  Thresholds(const MotorDesign& design, const TrackRule& track);
+
+  /// @param metric  start_voltage, hold_voltage, start_frequency or pull_out_frequency
+  /// @throws SearchFailure `undefined` for a frequency if no voltage is given or no frequency starts or ends the
+  ///         running wave at this voltage
+  const Threshold& at(Metric metric);
+
+  /// The motor's waves at another frequency of the drive; the layer's viscosity follows it where it is that of a loss factor.
+  DrivenWaves waves_at(double frequency) const;
+
+ private:
+  Threshold voltage(bool start);
+  Threshold frequency(bool start);
+  std::optional<ForceExtremum> own_extremum(bool start);
+  std::optional<ForceExtremum> followed(const DrivenWaves& waves, const ForceExtremum& near) const;
+
+  MotorDesign design_;
+  TrackRule track_;
+  StatorModes<double> modes_;
+  double frequency_;                                   // of the design
+  std::optional<std::vector<ForceExtremum>> extrema_;  // at this frequency
+  std::optional<Threshold> found_[4];
+};
+
+}  // namespace twum::performance

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "performance/metric_rows.hpp"
+#include "performance/scalars.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace twum::performance {
+
+/// x with the directions of kDriveParameters, in which it does not move.
+template <typename T>
+Dual<T, kDesignDirections> widened(const Dual<T, kDirections>& x) {
+  Dual<T, kDesignDirections> wide(0.0);
+  wide.v = x.v;
+  for (int i = 0; i < kDirections; ++i) wide.d[i] = x.d[i];
+  return wide;
+}
+
+/// The modes of a design, each of their numbers a direction of its own; the damping is one of kModelParameters.
+template <typename T>
+StatorModes<Dual<T, kDesignDirections>> moving_modes(const StatorModes<double>& m,
+                                                     const Dual<T, kDirections>& damping) {
+  using W = Dual<T, kDesignDirections>;
+  using P = Parameter;
+  const auto variable = [](P parameter, double value) {
+    return W::variable(T(value), drive_direction(parameter));
+  };
+  constexpr double kTurn = 2 * std::numbers::pi;
+  return {variable(P::modal_mass, m.mass),
+          kTurn * variable(P::resonance_frequency, m.resonance / kTurn),
+          widened(damping),
+          variable(P::force_factor, m.force_factor),
+          variable(P::blocked_capacitance, m.capacitance),
+          variable(P::loss_tangent, m.loss_tangent)};
+}
+
+/// The force of a voltage's peak, Theta u_0 [N].
+template <typename T>
+Dual<T, kDesignDirections> moving_drive(const StatorModes<Dual<T, kDesignDirections>>& modes,
+                                        double voltage) {
+  using W = Dual<T, kDesignDirections>;
+  return std::numbers::sqrt2 *
+         (modes.force_factor * W::variable(T(voltage), drive_direction(Parameter::voltage)));
+}
+
+/// How the amplitude moves where a drive holds it: H(A) = Theta u_0 stays (D2.9).
+template <typename T>
+class WaveMotion {
+ public:
+  using W = Dual<T, kDesignDirections>;
+
+  /// @param excess  H - Theta u_0, with the amplitude's own direction among those of kModelParameters
+  explicit WaveMotion(const W& excess) {
+    const T inverse = 1.0 / excess.d[kAmplitude];
+    for (int i = 0; i < kDesignDirections; ++i) motion_[i] = -(excess.d[i] * inverse);
+    motion_[kAmplitude] = T(0.0);
+  }
+
+  /// x with the amplitude no longer free.
+  W of(W x) const {
+    const T slope = x.d[kAmplitude];
+    for (int i = 0; i < kDesignDirections; ++i) x.d[i] = x.d[i] + slope * motion_[i];
+    x.d[kAmplitude] = T(0.0);
+    return x;
+  }
+  /// dA / dOmega
+  T in_speed() const { return motion_[kSpeedDirection]; }
+
+ private:
+  static constexpr int kAmplitude = static_cast<int>(model_index(Parameter::amplitude));
+  T motion_[kDesignDirections];
+};
+
+/// What wave_metric() takes, from the numbers of a point.
+template <typename T>
+WavePoint<Dual<T, kDesignDirections>> wave_point(const DrivenMotor<Dual<T, kDirections>>& m,
+                                                 const PointNumbers<Dual<T, kDirections>>& n,
+                                                 const Dual<T, kDirections>& speed) {
+  return {widened(m.amplitude), widened(m.omega), widened(n.reactive_force),
+          widened(n.stator_power), widened(n.torque * speed)};
+}
+
+}  // namespace twum::performance

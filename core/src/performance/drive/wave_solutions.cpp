@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "performance/drive/wave_solutions.hpp"
+
+#include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+namespace twum::performance {
+namespace {
+
+constexpr double kRatio = 1.25;  // of neighbouring samples; H bends over amplitudes of its own size
+constexpr double kScanAccuracy = 1e-9;
+// Zones one search may follow in a slice, some ten milliseconds: usual motors need a thousand, contacts far from any motor millions.
+constexpr long kMostZones = 50'000;
+constexpr int kMostDecades = 20;
+constexpr double kLargest = 1, kSmallest = 1e-30;  // [m], far beyond amplitudes of any motor
+constexpr int kHalfOfDigits = 26;  // more cannot be told of the place of an extremum
+
+// Brent's method takes lengths as they are: here in units of the interval's end.
+template <typename F>
+std::pair<double, double> minimum_of(const F& f, double low, double high) {
+  const auto [x, value] = boost::math::tools::brent_find_minima(
+      [&](double t) { return f(t * high); }, low / high, 1.0, kHalfOfDigits);
+  return {x * high, value};
+}
+
+// An amplitude met in a search whose contact has no periodic state.
+struct NoState {};
+
+struct Range {
+  double low, high;
+};
+
+// H over the amplitude at one speed.
+class ForceCurve {
+ public:
+  ForceCurve(const DrivenWaves& waves, double speed, const Range& range)
+      : waves_(waves), speed_(speed) {
+    for (double a = range.low; a < range.high; a *= kRatio) sample(a);
+    sample(range.high);
+    const double full = waves.full_contact_amplitude();
+    if (full > range.low && full < range.high) sample(full);
+    std::sort(samples_.begin(), samples_.end(), below);
+  }
+
+  // Goes on to smaller amplitudes until H is below a force: H(0) = 0.
+  void begin_below(double force) {
+    for (int i = 0; i < kMostDecades && !samples_.empty() && samples_.front().force >= force; ++i) {
+      sample(0.1 * samples_.front().amplitude);
+      std::sort(samples_.begin(), samples_.end(), below);
+    }
+  }
+
+  // Adds the extrema that `wanted` takes to the samples, and returns them.
+  template <typename Wanted>
+  std::vector<ForceExtremum> refine(Wanted wanted) {
+    std::vector<ForceExtremum> found;
+    for (std::size_t i = 1; i + 1 < samples_.size(); ++i) {
+      const Sample &a = samples_[i - 1], &b = samples_[i], &c = samples_[i + 1];
+      const bool maximum = b.force >= a.force && b.force > c.force,
+                 minimum = b.force <= a.force && b.force < c.force;
+      if (!(maximum || minimum) || !wanted(b.force, maximum)) continue;
+      const double sign = maximum ? -1 : 1;
+      try {
+        const auto [place, value] =
+            minimum_of([&](double x) { return sign * force(x); }, a.amplitude, c.amplitude);
+        found.push_back({place, sign * value, maximum});
+      } catch (const NoState&) {
+        found.push_back({b.amplitude, b.force, maximum});
+      }
+    }
+    for (const ForceExtremum& e : found) samples_.push_back({e.amplitude, e.force, {}});
+    std::sort(samples_.begin(), samples_.end(), below);
+    return found;
+  }
+
+  // Amplitudes where H passes through a force.
+  std::vector<double> crossings(double drive) {
+    std::vector<double> roots;
+    for (std::size_t i = 0; i + 1 < samples_.size(); ++i) {
+      const Sample &a = samples_[i], &b = samples_[i + 1];
+      if ((a.force < drive) == (b.force < drive)) continue;
+      try {
+        roots.push_back(crossing(drive, a, b));
+      } catch (const NoState&) {
+        continue;
+      }
+    }
+    return roots;
+  }
+
+  bool rises_below(double amplitude) const {
+    for (std::size_t i = 1; i < samples_.size() && samples_[i].amplitude < amplitude; ++i)
+      if (samples_[i].force < samples_[i - 1].force) return false;
+    return true;
+  }
+
+  long zones() const { return zones_; }
+
+ private:
+  struct Sample {
+    double amplitude, force;
+    WarmStart start;
+  };
+  static bool below(const Sample& a, const Sample& b) { return a.amplitude < b.amplitude; }
+
+  void sample(double amplitude) {
+    const WarmStart* guess = samples_.empty() ? nullptr : &samples_.back().start;
+    if (zones_ > kMostZones) return;
+    const DrivenWave wave = waves_.at(amplitude, speed_, guess, kScanAccuracy);
+    zones_ += wave.zones;
+    if (wave.status == PointStatus::ok) samples_.push_back({amplitude, wave.force(), wave.start});
+  }
+
+  double force(double amplitude) {
+    if (zones_ > kMostZones) throw NoState{};
+    const DrivenWave wave = waves_.at(amplitude, speed_);
+    zones_ += wave.zones;
+    if (wave.status != PointStatus::ok) throw NoState{};
+    return wave.force();
+  }
+
+  double crossing(double drive, const Sample& a, const Sample& b) {
+    const auto excess = [&](double x) { return force(x) - drive; };
+    const double low = excess(a.amplitude), high = excess(b.amplitude);
+    if (low == 0 || high == 0 || (low < 0) == (high < 0))
+      return std::fabs(low) <= std::fabs(high) ? a.amplitude : b.amplitude;
+    std::uintmax_t steps = 100;
+    const auto close = [](double x, double y) {
+      return std::fabs(y - x) <= 2 * std::numeric_limits<double>::epsilon() * std::fabs(y);
+    };
+    const auto [x, y] = boost::math::tools::toms748_solve(excess, a.amplitude, b.amplitude, low,
+                                                          high, close, steps);
+    return std::fabs(excess(x)) <= std::fabs(excess(y)) ? x : y;
+  }
+
+  const DrivenWaves& waves_;
+  double speed_;
+  std::vector<Sample> samples_;
+  long zones_{0};  // followed in all
+};
+
+// The largest solution there can be (D2.7).
+double largest_amplitude(const DrivenWaves& w) {
+  const StatorModes<double>& m = w.modes();
+  const double damped = (w.drive() + w.traction_bound()) / (w.omega() * m.damping);
+  const double stiff =
+      (w.drive() + w.pressure_bound() + w.traction_bound()) / std::fabs(dynamic_stiffness(m, w.omega()));
+  return std::fmin(std::fmin(damped, stiff) * (1 + 1e-9), kLargest);
+}
+
+// H is at most this per amplitude, as long as the contact answers no stronger than one that is pressed all round.
+double steepest(const DrivenWaves& w) {
+  const StatorModes<double>& m = w.modes();
+  return std::fabs(dynamic_stiffness(m, w.omega())) + w.omega() * m.damping +
+         2 * w.contact_stiffness();
+}
+
+}  // namespace
+
+WaveSolutions wave_solutions(const DrivenWaves& waves, double speed) {
+  const double drive = waves.drive(), high = largest_amplitude(waves);
+  if (!(drive > 0)) return {{}, 0};
+  const double low = std::fmax(std::fmin(0.1 * drive / steepest(waves), 0.1 * high), kSmallest);
+  ForceCurve curve(waves, speed, {low, high});
+  curve.begin_below(drive);
+  curve.refine([&](double force, bool maximum) { return (force < drive) == maximum; });
+  std::vector<WaveSolution> solutions;
+  for (const double amplitude : curve.crossings(drive)) {
+    const SlopedWave wave = waves.in_amplitude(amplitude, speed);
+    solutions.push_back({wave, waves.stability(wave), !curve.rises_below(amplitude)});
+  }
+  return {solutions, curve.zones()};
+}
+
+// Beyond the backbone, where R has fallen to zero for good, both R and I grow.
+std::vector<ForceExtremum> force_extrema(const DrivenWaves& waves, double speed) {
+  const double softness = -dynamic_stiffness(waves.modes(), waves.omega());
+  if (!(softness > 0)) return {};
+  const double high =
+                   std::fmin(2 * (waves.pressure_bound() + waves.traction_bound()) / softness, kLargest),
+               low = std::fmin(0.01 * waves.full_contact_amplitude(), 1e-3 * high);
+  if (!(low > kSmallest)) return {};  // no preload: nothing bends
+  return ForceCurve(waves, speed, {low, high}).refine([](double, bool) { return true; });
+}
+
+ForceExtremum least_force(const DrivenWaves& waves, double speed, double low, double high) {
+  long zones = 0;
+  const auto [place, force] = minimum_of(
+      [&](double x) {
+        if (zones > kMostZones) return std::numeric_limits<double>::infinity();
+        const DrivenWave wave = waves.at(x, speed);
+        zones += wave.zones;
+        return wave.force();
+      },
+      low, high);
+  return {place, force, false};
+}
+
+}  // namespace twum::performance

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "performance/drive/driven_wave.hpp"
+
+#include <vector>
+
+namespace twum::performance {
+
+/// A wave that the drive holds at a speed: a root of H(A) = Theta u_0 (D2.4).
+struct WaveSolution {
+  SlopedWave sloped;
+  Stability stability;
+  bool past_maximum;  ///< H has a maximum at a smaller amplitude
+
+  const DrivenWave& wave() const { return sloped.wave; }
+  /// Behind the drive by more than a quarter of a turn, or beyond the maximum that a start has to pass.
+  bool beyond_start() const { return past_maximum || wave().balance.real <= 0; }
+  bool running() const { return stability.stable() && beyond_start(); }
+};
+
+struct WaveSolutions {
+  std::vector<WaveSolution> found;
+  long zones;  ///< followed: what the search cost
+};
+
+/// An extremum of H over the amplitude: with rising voltage the motor starts at a maximum, with falling
+/// voltage it stops at a minimum.
+struct ForceExtremum {
+  double amplitude, force;  ///< [m], [N]
+  bool maximum;
+};
+
+/// All solutions at a speed, the smallest amplitude first (D2.8): H is sampled where they can lie, its extrema between
+/// the samples are refined, and each change of sign is closed in on. Amplitudes whose contact has no periodic state are passed
+/// over. Some 40 microseconds.
+WaveSolutions wave_solutions(const DrivenWaves& waves, double speed);
+
+/// All extrema of H at a speed, the smallest amplitude first. None where the drive's frequency is not above the
+/// free stator's resonance.
+std::vector<ForceExtremum> force_extrema(const DrivenWaves& waves, double speed);
+
+/// The minimum of H between two amplitudes, if it has one, else the smaller end.
+ForceExtremum least_force(const DrivenWaves& waves, double speed, double low, double high);
+
+}  // namespace twum::performance

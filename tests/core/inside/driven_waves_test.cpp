@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "performance/drive/drive.hpp"
+#include "random_contact.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+using namespace twum;
+using namespace twum::performance;
+using namespace twum::test;
+
+namespace {
+
+// Driven motors with soft and stiff layers, near and far from the resonance.
+MotorDesign random_driven(Dice& dice, int index) {
+  MotorDesign d;
+  d.stator.resonance_frequency = 40e3;
+  d.stator.frequency = 40e3 * dice.uniform(0.99, 1.12);
+  d.stator.modal_mass = dice.log_uniform(5e-3, 0.1);
+  d.stator.quality_factor = dice.log_uniform(30, 1000);
+  d.stator.force_factor = dice.uniform(0.2, 1);
+  d.stator.voltage = dice.log_uniform(10, 300);
+  d.layer.youngs_modulus = dice.log_uniform(2e8, 1e10);
+  if (index % 2) d.layer.given_inertia = d.layer.given_shear_viscosity = 0;
+  d.friction.kinetic = d.friction.static_ = dice.uniform(0.1, 0.4);
+  d.preload = dice.log_uniform(20, 400);
+  return d;
+}
+
+}  // namespace
+
+TEST_CASE("no wave is missed below the largest there can be (D2.7, D2.8)",
+          "[core][driven][brute_force]") {
+  Dice dice(91);
+  int several = 0, compared = 0;
+  for (int i = 0; i < 60; ++i) {
+    const MotorDesign design = random_driven(dice, i);
+    const Drive drive(design);
+    const DrivenWaves& waves = drive.waves();
+    const double crest = waves.crest_speed_per_amplitude() * 1e-6;
+    const double speed = i % 3 == 0 ? 0 : dice.uniform(0, 1.3) * crest;
+    const std::vector<WaveSolution> found = drive.solutions(speed);
+    // Twice as many samples a decade as bends need, to beyond the largest solution.
+    std::vector<double> places;
+    bool below = true;
+    for (double a = 1e-12; a < 1e-3; a *= 1.02) {
+      const DrivenWave wave = waves.at(a, speed);
+      if (wave.status != PointStatus::ok) continue;
+      if ((wave.force() < waves.drive()) != below) places.push_back(a), below = !below;
+    }
+    CAPTURE(i, speed, found.size(), places.size());
+    CHECK(found.size() % 2 == 1);
+    // Two solutions between neighbouring samples are found by their extremum alone.
+    REQUIRE(found.size() >= places.size());
+    for (const double place : places) {
+      bool there = false;
+      for (const WaveSolution& s : found)
+        there |= s.wave().amplitude <= place && s.wave().amplitude >= place / 1.0201;
+      CHECK(there);
+    }
+    for (const WaveSolution& s : found) {
+      // The search ends within a few roundings of the amplitude.
+      CHECK(s.wave().force() == Approx(waves.drive()).epsilon(1e-9));
+      ++compared;
+    }
+    several += found.size() > 1;
+  }
+  CHECK(several > 3);
+  CHECK(compared > 60);
+}
+
+TEST_CASE("the branch passes through the solutions at each of its speeds (D2.9)",
+          "[core][driven][identity]") {
+  Dice dice(92);
+  int points = 0;
+  for (int i = 0; i < 40; ++i) {
+    const Drive drive(random_driven(dice, i));
+    if (!drive.branch().exists()) continue;
+    const double first = drive.branch().first_amplitude();
+    const double crest = drive.waves().crest_speed_per_amplitude() * first;
+    for (const double share : {0.0, 0.31, 0.62, 0.9}) {
+      if (share == 0 && drive.begin() > 0)
+        continue;  // the fold itself, where two solutions are one
+      const double speed = drive.begin() + share * crest;
+      const std::optional<BranchWave> wave = drive.branch().at(speed);
+      if (!wave) continue;
+      double nearest = 1;
+      for (const WaveSolution& s : drive.solutions(speed))
+        nearest = std::fmin(nearest, std::fabs(s.wave().amplitude / wave->amplitude - 1));
+      CAPTURE(i, speed, wave->amplitude);
+      // Both searches end within rounding of H, which its slope makes 1e-12 or less of the amplitude away from folds.
+      CHECK(nearest <= 1e-10);
+      ++points;
+    }
+  }
+  CHECK(points > 50);
+}

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "support/two_modes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace twum::test {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+}  // namespace
+
+TwoModes::TwoModes(const MotorDesign& design, double speed)
+    : speed_(speed),
+      omega_(2 * kPi * drive_frequency(design)),
+      step_(2 * kPi / omega_ / kSteps),
+      mass_(*design.stator.modal_mass),
+      decay_(0.5 * modal_damping(design) / mass_),
+      drive_per_volt_(std::numbers::sqrt2 * *design.stator.force_factor),
+      foundation_(design.layer.youngs_modulus / design.layer.thickness),
+      shear_(shear_modulus(design) / design.layer.thickness),
+      friction_(design.friction.kinetic),
+      preload_(design.preload),
+      area_(2 * kPi * design.stator.contact_radius * design.stator.contact_width),
+      radius_(design.stator.contact_radius),
+      wave_number_(design.stator.wavelengths / design.stator.contact_radius),
+      turn_(kPlaces),
+      pressure_(kPlaces),
+      traction_(kPlaces) {
+  const double free = 2 * kPi * *design.stator.resonance_frequency;
+  own_ = std::sqrt(free * free - decay_ * decay_);
+  tilt_ = design.stator.neutral_plane_distance * wave_number_;
+  set_voltage(*design.stator.voltage);
+  place_rotor();
+}
+
+// w = Re(conj(Z) exp(i kappa x)) with Z = w_c + i w_s; a forward wave is Z = A exp(i (omega t - phi)).
+void TwoModes::set_wave(double amplitude, double phase_lag) {
+  place_ = std::polar(amplitude, omega_ * time_ - phase_lag);
+  velocity_ = Complex(0, omega_) * place_;
+  std::fill(traction_.begin(), traction_.end(), 0.0);
+  press();
+}
+
+void TwoModes::run(int periods) {
+  wave_ = 0, torque_ = 0, stator_power_ = 0;
+  const double share = 1.0 / (kSteps * periods);
+  for (int i = 0; i < kSteps * periods; ++i) {
+    step();
+    wave_ += place_ * std::polar(share, -omega_ * time_);
+    torque_ += torque_now_ * share;
+    stator_power_ += power_now_ * share;
+  }
+}
+
+void TwoModes::step() {
+  kick(0.5 * step_);
+  // w'' + 2 decay w' + (own^2 + decay^2) w = 0
+  const double envelope = std::exp(-decay_ * step_), c = std::cos(own_ * step_),
+               s = std::sin(own_ * step_);
+  const Complex glide = (velocity_ + decay_ * place_) / own_;
+  const Complex next = envelope * (c * place_ + s * glide);
+  velocity_ = own_ * envelope * (c * glide - s * place_) - decay_ * next;
+  const double turn = radius_ * speed_ * step_ * wave_number_;
+  rotor_ = std::fmod(rotor_ + 0.5 * turn, 2 * kPi);
+  place_rotor();
+  shear(next - place_);
+  rotor_ += 0.5 * turn;
+  place_rotor();
+  place_ = next;
+  time_ += step_;
+  press();
+  kick(0.5 * step_);
+}
+
+void TwoModes::kick(double duration) {
+  velocity_ += duration / mass_ * (drive_ * std::polar(1.0, omega_ * time_) + force_);
+}
+
+// The rotor moves in the drive direction, against the wave.
+void TwoModes::place_rotor() {
+  for (int j = 0; j < kPlaces; ++j)
+    turn_[static_cast<std::size_t>(j)] = std::polar(1.0, 2 * kPi * j / kPlaces - rotor_);
+}
+
+// A layer that sticks is sheared by the stator's surface, which moves by a dw/dx, and by the rotor.
+void TwoModes::shear(Complex moved) {
+  for (std::size_t j = 0; j < turn_.size(); ++j) {
+    const double surface =
+        tilt_ * (moved.imag() * turn_[j].real() - moved.real() * turn_[j].imag());
+    traction_[j] += shear_ * (surface - radius_ * speed_ * step_);
+  }
+}
+
+// Newton's method for the height at which the mean pressure carries the preload; the layer is a foundation of springs.
+double TwoModes::height_that_carries() const {
+  double z = height_;
+  for (int i = 0; i < 50; ++i) {
+    double sum = 0;
+    int touching = 0;
+    for (const Complex& e : turn_) {
+      const double depth = place_.real() * e.real() + place_.imag() * e.imag() - z;
+      if (depth > 0) sum += depth, ++touching;
+    }
+    const double missing = preload_ / (area_ * foundation_) * kPlaces - sum;
+    const double next = touching > 0 ? z - missing / touching : z - std::abs(place_) * 0.5 - 1e-9;
+    if (std::fabs(next - z) <= 1e-14 * std::abs(place_) + 1e-22) return next;
+    z = next;
+  }
+  return z;
+}
+
+void TwoModes::press() {
+  height_ = height_that_carries();
+  Complex q = 0;
+  double torque = 0, power = 0;
+  for (int j = 0; j < kPlaces; ++j) {
+    const auto k = static_cast<std::size_t>(j);
+    const Complex e = turn_[k];
+    const double depth = place_.real() * e.real() + place_.imag() * e.imag() - height_;
+    const double p = foundation_ * std::max(depth, 0.0);
+    const double t = std::clamp(traction_[k], -friction_ * p, friction_ * p);
+    traction_[k] = t;
+    q -= (p + Complex(0, tilt_ * t)) * e;
+    torque += t;
+    power += t * tilt_ * (velocity_.imag() * e.real() - velocity_.real() * e.imag());
+  }
+  force_ = q * (area_ / kPlaces);
+  torque_now_ = torque * area_ * radius_ / kPlaces;
+  power_now_ = power * area_ / kPlaces;
+}
+
+}  // namespace twum::test
