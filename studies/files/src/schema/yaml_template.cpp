@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/studies/schema/publish.hpp>
 
+#include <algorithm>
 #include <sstream>
 #include <utility>
 
@@ -8,6 +9,15 @@ namespace twum::studies {
 namespace {
 
 constexpr std::size_t kCommentColumn = 36;
+
+// The other way to say what an entry before it says.
+bool is_second(const Schema& schema, const SchemaEntry& entry) {
+  if (entry.required || entry.twin.empty()) return false;
+  const auto twin =
+      std::find_if(schema.entries.begin(), schema.entries.end(),
+                   [&](const SchemaEntry& other) { return other.name == entry.twin; });
+  return twin != schema.entries.end() && (twin->required || &*twin < &entry);
+}
 
 class TemplateWriter {
  public:

@@ -6,6 +6,7 @@
 #include <twum/studies/text/words.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 namespace twum::studies {
@@ -16,6 +17,7 @@ struct GivenMotor {
   std::string name;
   std::vector<ParameterValue> values;
   std::vector<std::pair<double, double>> shape_table;  // radius and R
+  std::optional<Branch> branch;
 
   std::optional<double> value(Parameter parameter) const {
     const auto found = std::find_if(values.begin(), values.end(),
@@ -55,6 +57,14 @@ Shape<double> slices(const ParameterInfo& row) {
   return shape;
 }
 
+// Modal and electrical data, which a motor with a given amplitude may do without.
+bool is_of_the_drive(Parameter parameter) {
+  constexpr std::array kDrive{Parameter::resonance_frequency, Parameter::modal_mass,
+                              Parameter::force_factor, Parameter::blocked_capacitance,
+                              Parameter::loss_tangent};
+  return std::find(kDrive.begin(), kDrive.end(), parameter) != kDrive.end();
+}
+
 // The entry of a parameter.
 Field<GivenMotor> field_of(const ParameterInfo& row) {
   const bool sliced = row.parameter == Parameter::radial_slices;
@@ -66,12 +76,13 @@ Field<GivenMotor> field_of(const ParameterInfo& row) {
   if (row.twin) field.entry.twin = last_step(info(*row.twin).file_entry);
   field.entry.alias = row.name == field.entry.name ? row.symbol : row.name;
   if (row.parameter == Parameter::static_friction) field.entry.fallback = "the kinetic one";
+  if (row.parameter == Parameter::modal_damping) field.entry.fallback = "0";
   if (sliced) field.entry.fallback = "1", field.entry.shown = false;
+  if (is_of_the_drive(row.parameter)) field.entry.shown = false;
+  if (is_of_the_drive(row.parameter) && row.min > 0)
+    field.entry.fallback = "none; a voltage needs it";
   if (!row.required && field.entry.fallback.empty() && !row.twin)
-    field.entry.fallback = row.min > 0 ? "none"
-                           : row.unit == "N.s/m" || row.unit == "1"
-                               ? "0"
-                               : "0 " + std::string(row.unit);
+    field.entry.fallback = row.unit == "1" ? "0" : "0 " + std::string(row.unit);
   field.read = [&row, read = value.read](GivenMotor& into, const YamlNode& node, const Spot& spot,
                                          Diagnostics& diagnostics) {
     double typed = 0;
@@ -126,6 +137,12 @@ Shape<std::pair<double, double>> shape_row() {
   return shape;
 }
 
+Field<GivenMotor> branch_field() {
+  return hidden(optional<GivenMotor>(
+      "branch", word<Branch>("which stable wave a voltage is taken to hold", {"running", "dead"}),
+      &GivenMotor::branch, "running"));
+}
+
 Field<GivenMotor> shape_table() {
   auto rows = list("measured or computed shape, instead of exponent and root", shape_row(), 4);
   rows.schema.example = "[[24.5 mm, 0.9], [26 mm, 0.98], [27 mm, 1.02], [28.5 mm, 1.1]]";
@@ -178,6 +195,7 @@ std::vector<Field<GivenMotor>> fields_below(const std::string& path) {
     }
   }
   if (path == "stator.radial_shape.") fields.push_back(shape_table());
+  if (path == "stator.") fields.push_back(branch_field());
   return fields;
 }
 
@@ -188,6 +206,7 @@ MotorFile motor_of(const GivenMotor& given) {
   blank.friction = {1, 1};
   // Exponent and root, which a design has as well, would replace a table.
   blank.stator.radial_shape.table = given.shape_table;
+  blank.stator.branch = given.branch.value_or(Branch::running);
   return {given.name, with(blank, given.values)};
 }
 
@@ -219,7 +238,8 @@ bool check_motor(GivenMotor& motor, const Given& given, Diagnostics& diagnostics
 }
 
 GivenMotor given_by(const MotorFile& motor) {
-  GivenMotor given{motor.name, {}, motor.design.stator.radial_shape.table};
+  GivenMotor given{motor.name, {}, motor.design.stator.radial_shape.table, {}};
+  if (motor.design.stator.branch != Branch::running) given.branch = motor.design.stator.branch;
   for (const ParameterInfo& row : parameter_table())
     if (in_use(motor.design, row.parameter))
       given.values.emplace_back(row.parameter, get(motor.design, row.parameter));
