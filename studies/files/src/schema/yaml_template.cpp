@@ -26,8 +26,7 @@ class TemplateWriter {
   void mapping(const Schema& schema, std::size_t depth, bool inside_hidden = false) {
     for (const SchemaEntry& entry : schema.entries) {
       const bool nested = entry.schema.kind == ValueKind::mapping && entry.schema.sample.empty();
-      const bool hidden =
-          inside_hidden || !entry.shown || (!nested && !entry.required && !entry.twin.empty());
+      const bool hidden = inside_hidden || !entry.shown || is_second(schema, entry);
       if (nested) {
         line(depth, hidden, entry.name + ":", entry.schema.text);
         mapping(entry.schema, depth + 1, hidden);
