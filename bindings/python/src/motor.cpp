@@ -9,6 +9,7 @@
 #include <twum/studies/motor/motor_file.hpp>
 #include <twum/studies/units/engineering.hpp>
 
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -34,8 +35,10 @@ PyMotor make(const py::object& path, const std::optional<std::string>& name,
 
 py::dict parameters_of(const PyMotor& self) {
   py::dict values;
-  for (const ParameterInfo& row : parameter_table())
-    values[to_py(row.name)] = get(self.motor.design(), row.parameter);
+  for (const ParameterInfo& row : parameter_table()) {
+    const double value = get(self.motor.design(), row.parameter);
+    if (!std::isnan(value)) values[to_py(row.name)] = value;
+  }
   return values;
 }
 
@@ -100,7 +103,7 @@ void add_making(Class& motor) {
   motor.def_readonly("name", &PyMotor::name, "Name of the motor.");
   motor.def_property_readonly(
       "parameters", &parameters_of,
-      "Every parameter by name, SI; G, gamma and m as they follow from others.");
+      "Every parameter that has a value by name, SI; G, gamma and m as they follow from others.");
   motor.def("file_text", &file_text,
             "file_text(self)\n--\n\nThe motor as the text of a motor file, to the last digit.");
   motor.def("__repr__", &representation);

@@ -90,6 +90,8 @@ inline constexpr NamedDimension kDimensions[] = {
     {"W/m^2", "power per area"},
     {"kg/m^3", "density"},
     {"N.s/m", "force per speed"},
+    {"N/V", "force per voltage"},
+    {"F", "capacitance"},
     {"Pa.s", "viscosity"},
     {"Pa.s^2", "inertia in shear"},
     {"rad", "angle"},
