@@ -111,8 +111,7 @@ double DrivenWaves::full_contact_amplitude() const {
 
 double DrivenWaves::contact_stiffness() const {
   // Of an annulus pi R^2 rho / h over its width: the mean of rho is r.
-  const double track =
-      reach_ * reach_ * std::numbers::pi * model_.r * model_.b / model_.thickness;
+  const double track = reach_ * reach_ * std::numbers::pi * model_.r * model_.b / model_.thickness;
   const double inertia = model_.inertia * omega_ * omega_, damping = model_.viscosity * omega_;
   return track *
          (model_.youngs + model_.tilt * model_.tilt * std::hypot(model_.shear - inertia, damping));

@@ -13,9 +13,9 @@ namespace twum::performance {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kStride = 1.25;        // of the distance to the free resonance
-constexpr double kSettled = 1e-13;      // of the frequency
-constexpr double kSettledPlace = 1e-7;  // of the amplitude, whose square counts
+constexpr double kStride = 1.25;             // of the distance to the free resonance
+constexpr double kFrequencySettled = 1e-13;  // of the frequency
+constexpr double kSettledPlace = 1e-7;       // of the amplitude, whose square counts
 constexpr int kMostSteps = 60;
 
 // dH / df at fixed amplitude, but for what the contact makes of the frequency.
@@ -48,7 +48,10 @@ std::optional<ForceExtremum> chosen(const std::vector<ForceExtremum>& extrema, b
 }  // namespace
 
 Thresholds::Thresholds(const MotorDesign& design, const TrackRule& track)
-    : design_(design), track_(track), modes_(*stator_modes(design)), frequency_(drive_frequency(design)) {}
+    : design_(design),
+      track_(track),
+      modes_(*stator_modes(design)),
+      frequency_(drive_frequency(design)) {}
 
 const Threshold& Thresholds::at(Metric metric) {
   std::optional<Threshold>& kept = found_[place_of(metric)];
@@ -96,7 +99,7 @@ Threshold Thresholds::frequency(bool start) {
     const double wanted = f - excess / slope;
     const double next =
         std::clamp(wanted, free + (f - free) / kStride, free + (f - free) * kStride);
-    if (std::fabs(next - f) <= kSettled * f) return {next, e->amplitude, next};
+    if (std::fabs(next - f) <= kFrequencySettled * f) return {next, e->amplitude, next};
     before = f, excess_before = excess, f = next;
     e = followed(waves_at(f), *e);
     if (!e) e = chosen(force_extrema(waves_at(f), 0), start);

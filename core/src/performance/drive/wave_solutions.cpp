@@ -16,7 +16,7 @@ namespace {
 constexpr double kRatio = 1.25;  // of neighbouring samples; H bends over amplitudes of its own size
 constexpr double kScanAccuracy = 1e-9;
 // Zones one search may follow in a slice, some ten milliseconds: usual motors need a thousand, contacts far from any motor millions.
-constexpr long kMostZones = 50'000;
+constexpr long kMostZonesToSolve = 50'000;
 constexpr int kMostDecades = 20;
 constexpr double kLargest = 1, kSmallest = 1e-30;  // [m], far beyond amplitudes of any motor
 constexpr int kHalfOfDigits = 26;  // more cannot be told of the place of an extremum
@@ -111,14 +111,14 @@ class ForceCurve {
 
   void sample(double amplitude) {
     const WarmStart* guess = samples_.empty() ? nullptr : &samples_.back().start;
-    if (zones_ > kMostZones) return;
+    if (zones_ > kMostZonesToSolve) return;
     const DrivenWave wave = waves_.at(amplitude, speed_, guess, kScanAccuracy);
     zones_ += wave.zones;
     if (wave.status == PointStatus::ok) samples_.push_back({amplitude, wave.force(), wave.start});
   }
 
   double force(double amplitude) {
-    if (zones_ > kMostZones) throw NoState{};
+    if (zones_ > kMostZonesToSolve) throw NoState{};
     const DrivenWave wave = waves_.at(amplitude, speed_);
     zones_ += wave.zones;
     if (wave.status != PointStatus::ok) throw NoState{};
@@ -149,8 +149,8 @@ class ForceCurve {
 double largest_amplitude(const DrivenWaves& w) {
   const StatorModes<double>& m = w.modes();
   const double damped = (w.drive() + w.traction_bound()) / (w.omega() * m.damping);
-  const double stiff =
-      (w.drive() + w.pressure_bound() + w.traction_bound()) / std::fabs(dynamic_stiffness(m, w.omega()));
+  const double stiff = (w.drive() + w.pressure_bound() + w.traction_bound()) /
+                       std::fabs(dynamic_stiffness(m, w.omega()));
   return std::fmin(std::fmin(damped, stiff) * (1 + 1e-9), kLargest);
 }
 
@@ -182,8 +182,8 @@ WaveSolutions wave_solutions(const DrivenWaves& waves, double speed) {
 std::vector<ForceExtremum> force_extrema(const DrivenWaves& waves, double speed) {
   const double softness = -dynamic_stiffness(waves.modes(), waves.omega());
   if (!(softness > 0)) return {};
-  const double high =
-                   std::fmin(2 * (waves.pressure_bound() + waves.traction_bound()) / softness, kLargest),
+  const double high = std::fmin(2 * (waves.pressure_bound() + waves.traction_bound()) / softness,
+                                kLargest),
                low = std::fmin(0.01 * waves.full_contact_amplitude(), 1e-3 * high);
   if (!(low > kSmallest)) return {};  // no preload: nothing bends
   return ForceCurve(waves, speed, {low, high}).refine([](double, bool) { return true; });
@@ -193,7 +193,7 @@ ForceExtremum least_force(const DrivenWaves& waves, double speed, double low, do
   long zones = 0;
   const auto [place, force] = minimum_of(
       [&](double x) {
-        if (zones > kMostZones) return std::numeric_limits<double>::infinity();
+        if (zones > kMostZonesToSolve) return std::numeric_limits<double>::infinity();
         const DrivenWave wave = waves.at(x, speed);
         zones += wave.zones;
         return wave.force();
