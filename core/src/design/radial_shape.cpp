@@ -17,7 +17,7 @@ std::string millimetres(double length) {
   return text;
 }
 
-std::string number(double value) {
+std::string shown_number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value);
   return text;
@@ -52,7 +52,7 @@ std::string table_complaint(const Rows& rows, double inner, double outer) {
   for (int i = 0; i <= kLooks; ++i) {
     const double radius = inner + (outer - inner) * i / kLooks, shape = spline.at(radius);
     if (!(shape > 0))
-      return "must be positive on the contact track, but is " + number(shape) + " at " +
+      return "must be positive on the contact track, but is " + shown_number(shape) + " at " +
              millimetres(radius);
   }
   return {};

@@ -142,18 +142,19 @@ class Reader {
   void close(std::size_t open) {
     if (take(")")) return;
     if (!ended()) throw ValueError(rest(), "expected an operator or ')'", at_);
-    throw ValueError(quoted(text_.substr(open)) + " has no ')'", "close the parenthesis", at_);
+    throw ValueError(studies::quoted(text_.substr(open)) + " has no ')'", "close the parenthesis",
+                     at_);
   }
 
   // What stands here, up to the next blank.
   std::string rest() const {
     std::size_t end = at_;
     while (end < text_.size() && leading_blank(text_.substr(end)) == 0) ++end;
-    return quoted(text_.substr(at_, end - at_));
+    return studies::quoted(text_.substr(at_, end - at_));
   }
 
   [[noreturn]] void refuse_rest(const FormulaPart& before) const {
-    throw ValueError(rest() + " after " + quoted(before.text),
+    throw ValueError(rest() + " after " + studies::quoted(before.text),
                      sees(')')
                          ? "it closes no parenthesis; in a YAML list, quote text that holds a comma"
                          : "expected an operator: '+', '-', '*', '/' or '^'",
@@ -170,7 +171,7 @@ class Reader {
     const std::size_t unit_at = at_;
     const std::string_view unit = take_unit();
     if (unit.find('+') != std::string_view::npos)  // UDUNITS takes "W+3" for W^3
-      throw ValueError(quoted(unit) + " is not a unit", kBlanksRound, unit_at);
+      throw ValueError(studies::quoted(unit) + " is not a unit", kBlanksRound, unit_at);
     if (!unit.empty()) text += " " + std::string(unit);
     try {
       return builder_.number(parse_measure(text), text);
@@ -237,8 +238,8 @@ class Reader {
     if (sees('(')) {
       end = closing(at_) + 1;
       if (end > text_.size())
-        throw ValueError(quoted(text_.substr(begin)) + " has no ')'", "close the parenthesis",
-                         text_.size());
+        throw ValueError(studies::quoted(text_.substr(begin)) + " has no ')'",
+                         "close the parenthesis", text_.size());
     }
     const std::string_view reference = text_.substr(begin, end - begin);
     at_ = end;
@@ -255,16 +256,16 @@ class Reader {
     const std::string name(function.name);
     const std::string usage = "expected '" + name + (function.two ? "(A, B)'" : "(A)'");
     if (!take("("))
-      throw ValueError(
-          quoted(name) + " needs " + (function.two ? "two values" : "a value") + " in parentheses",
-          usage, at_);
+      throw ValueError(studies::quoted(name) + " needs " +
+                           (function.two ? "two values" : "a value") + " in parentheses",
+                       usage, at_);
     const FormulaPart first = sum();
     if (!function.two) {
       close(begin);
       return builder_.unary(function.operation, first, begin);
     }
     if (!take(","))
-      throw ValueError(quoted(text_.substr(begin, at_ - begin)) + " has one value",
+      throw ValueError(studies::quoted(text_.substr(begin, at_ - begin)) + " has one value",
                        usage + "; in a YAML list, quote text that holds a comma", at_);
     const FormulaPart second = sum();
     close(begin);
