@@ -72,8 +72,9 @@ TEST_CASE("a narrow track under a voltage tends to one slice with order two in i
   }
 }
 
-TEST_CASE("the powers of a wide contact under a voltage balance, and its wave is that of its amplitude",
-          "[core][driven][annulus][identity]") {
+TEST_CASE(
+    "the powers of a wide contact under a voltage balance, and its wave is that of its amplitude",
+    "[core][driven][annulus][identity]") {
   for (const double voltage : {120.0, 60.0}) {
     const MotorDesign design = wide_motor(voltage);
     const Motor motor(design);
@@ -83,8 +84,8 @@ TEST_CASE("the powers of a wide contact under a voltage balance, and its wave is
       const OperatingPoint p = motor.operating_point(speed);
       if (p.status != PointStatus::ok) continue;
       CAPTURE(voltage, speed);
-      const double out = p.output_power + p.friction_power + p.layer_loss + p.stator_loss +
-                         p.dielectric_loss;
+      const double out =
+          p.output_power + p.friction_power + p.layer_loss + p.stator_loss + p.dielectric_loss;
       const double scale = std::fabs(p.output_power) + p.friction_power + p.layer_loss +
                            p.stator_loss + p.dielectric_loss;
       CHECK(std::fabs(p.electrical_power - out) <= 1e-10 * scale);

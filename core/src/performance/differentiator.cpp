@@ -171,8 +171,8 @@ const Differentiator::Moving& Differentiator::moving(double speed) {
   const ModelDual omega = speed_variable<ModelDual>(speed);
   if (!values_.motor().drive())
     return duals_.emplace_back(Moving{speed, &model_, point.differentiated(model_, omega), {}});
-  const DrivenMotor<ModelDual>& motor =
-      motors_.emplace_back(differentiated_motor(design_, values_.motor_at(speed).amplitude, m_.track));
+  const DrivenMotor<ModelDual>& motor = motors_.emplace_back(
+      differentiated_motor(design_, values_.motor_at(speed).amplitude, m_.track));
   const PointNumbers<ModelDual> n = point.differentiated(motor, omega);
   return duals_.emplace_back(
       Moving{speed, &motor, n, wave_motion<double>(motor, wave_point(motor, n, omega))});

@@ -100,8 +100,7 @@ DrivenMotor<S> differentiated_motor(const MotorDesign& design, const TrackRule& 
 
 template <typename T>
 DrivenMotor<Dual<T, kDirections>> differentiated_motor(const MotorDesign& design,
-                                                       const T& amplitude,
-                                                       const TrackRule& track) {
+                                                       const T& amplitude, const TrackRule& track) {
   using S = Dual<T, kDirections>;
   constexpr std::size_t kAmplitude = model_index(Parameter::amplitude);
   ModelArray<S> p = variables<S>(design);

@@ -22,8 +22,7 @@ DrivenMotor<S> differentiated_motor(const MotorDesign& design) {
 /// The same under a wave of another amplitude, a direction of its own; T is double or carries its derivative in speed.
 template <typename T>
 DrivenMotor<Dual<T, kDirections>> differentiated_motor(const MotorDesign& design,
-                                                       const T& amplitude,
-                                                       const TrackRule& track);
+                                                       const T& amplitude, const TrackRule& track);
 
 /// Speed as an independent variable of the model's derivatives.
 template <typename S>

@@ -82,8 +82,7 @@ std::string fields_map(const studies::MotorFile& file, double speed) {
          panel_place(0.915, 0.54, false) + "set rmargin at screen 0.84\n" + radius +
          panel(map, 3, "pressure", map.pressure, "Pa") + panel_place(0.46, 0.085, true) +
          "set rmargin at screen 0.84\n" +
-         horizontal_label("phase of the wave; white: ends of the stick zones",
-                          {"deg", 1}) +
+         horizontal_label("phase of the wave; white: ends of the stick zones", {"deg", 1}) +
          radius + panel(map, 4, "slip speed", map.slip, "m/s") + "unset multiplot\n";
 }
 

@@ -30,7 +30,8 @@ void evaluate_block(const DesignTable& table, Block& block) {
   for (std::size_t i = 0; i < block.rows.records.size(); ++i) {
     const std::size_t line = block.rows.records[i].line;
     const bool ok = table.append_result(block.rows.record(i), line, scratch, block.result);
-    if (scratch.design) block.notes.add(model_notes(*scratch.design), "line " + std::to_string(line));
+    if (scratch.design)
+      block.notes.add(model_notes(*scratch.design), "line " + std::to_string(line));
     block.failed += ok ? 0 : 1;
     block.empty += any_value(scratch.metrics) ? 0 : 1;
   }

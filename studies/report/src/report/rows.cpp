@@ -4,11 +4,11 @@
 #include "report/encode.hpp"
 
 #include <twum/base/error.hpp>
+#include <twum/base/ordered.hpp>
 #include <twum/core/design/parameters.hpp>
 #include <twum/core/performance/metrics.hpp>
 #include <twum/core/performance/motor.hpp>
 #include <twum/optim/random.hpp>
-#include <twum/base/ordered.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -181,9 +181,8 @@ Explanation DesignReporter::explanation(const optim::Infeasibility& infeasibilit
   }
   for (const optim::Impossible& i : infeasibility.impossible) {
     if (const Constraint* limit = limit_named(i.name))
-      told.impossible.push_back({limit->text, limit->metric.unit(),
-                                 i.side == optim::Side::lower, i.limit, i.best, i.certified,
-                                 i.ends});
+      told.impossible.push_back({limit->text, limit->metric.unit(), i.side == optim::Side::lower,
+                                 i.limit, i.best, i.certified, i.ends});
   }
   for (const optim::RangeEnd& end : infeasibility.ranges) {
     const auto parameter = find_parameter(end.variable);

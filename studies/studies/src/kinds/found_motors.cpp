@@ -101,7 +101,8 @@ std::vector<std::string> notes_on(const StudyFile& file, const StudyResult& resu
   std::vector<FoundMotor> motors = found_motors(file, result);
   if (motors.empty()) motors = asked_about(file, result);
   WorstNotes notes;
-  for (const FoundMotor& found : motors) notes.add(model_notes_at_length(found.motor.design), found.what);
+  for (const FoundMotor& found : motors)
+    notes.add(model_notes_at_length(found.motor.design), found.what);
   return notes.texts();
 }
 

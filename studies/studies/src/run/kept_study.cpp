@@ -9,8 +9,8 @@
 #include "study/resolved_study.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/base/version.hpp>
 #include <twum/base/ordered.hpp>
+#include <twum/base/version.hpp>
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/text/words.hpp>
 

@@ -21,7 +21,7 @@ struct DesignFailure {
   /// What kind of reason.
   enum class Kind : unsigned char {
     refused,  ///< no motor can have these values: the text of the InputError
-    error     ///< it has no values, as an EvaluationError says in a word, or asking the motor failed
+    error  ///< it has no values, as an EvaluationError says in a word, or asking the motor failed
   };
   Kind kind{Kind::refused};  ///< of the reason
   std::string text;          ///< what was wrong

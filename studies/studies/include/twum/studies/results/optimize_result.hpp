@@ -113,9 +113,9 @@ struct OptimizeResult {
   std::vector<NamedValue> before_design;   ///< the motor as it was: its variables
   std::vector<NamedValue> before_metrics;  ///< the same metrics as those of the best
   std::vector<std::string> idle;  ///< variables without influence on the goal or an active limit
-  std::vector<BoundState> whole_ends;       ///< whole numbers of the best at an end of their range
-  Explanation explanation;        ///< why no design satisfies all limits
-  std::string solver;             ///< whose answer it is
+  std::vector<BoundState> whole_ends;      ///< whole numbers of the best at an end of their range
+  Explanation explanation;                 ///< why no design satisfies all limits
+  std::string solver;                      ///< whose answer it is
   std::vector<optim::StageReport> stages;  ///< what each solver run said of itself
 };
 
