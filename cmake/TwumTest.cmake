@@ -7,8 +7,7 @@
 #  - RAPIDCHECK links rapidcheck and its Catch2 glue; the seed is fixed, failures print it.
 #  - A test case tagged [.long] is hidden from ctest; scripts/test-long.sh runs it.
 #  - `#include "support/x.hpp"` finds tests/support/x.hpp.
-#  - The sources may use TWUM_SOURCE_DIR, TWUM_TEST_DATA (tests/data) and, once the command line
-#    exists, TWUM_PROGRAM (path of twum); all three are string literals.
+#  - The sources may use TWUM_SOURCE_DIR and TWUM_TEST_DATA (tests/data), both string literals.
 find_package(Catch2 2.13 REQUIRED)
 include(Catch)
 
@@ -28,10 +27,6 @@ function(twum_test name)
   target_compile_definitions(${target} PRIVATE
     TWUM_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     TWUM_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data")
-  if(TARGET twum)
-    target_compile_definitions(${target} PRIVATE TWUM_PROGRAM="$<TARGET_FILE:twum>")
-    add_dependencies(${target} twum)
-  endif()
   target_link_libraries(${target} PRIVATE ${ARG_LIBRARIES} Catch2::Catch2WithMain twum::compile)
   if(ARG_RAPIDCHECK)
     find_package(rapidcheck REQUIRED)

@@ -139,7 +139,7 @@ function sensitivityVerdict() {
   return { look: 'good', lines };
 }
 
-/** From here on most of a series may be sold; below, the first line of the page warns. */
+/** A yield from here on is shown in green, a lower one in the colour of a warning. */
 const GOOD_YIELD = 0.95;
 
 function uncertaintyVerdict() {

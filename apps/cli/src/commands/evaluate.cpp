@@ -81,8 +81,7 @@ bool needs_stator_loss(const studies::MetricExpression& metric) {
 std::vector<studies::MetricExpression> usual_metrics(const MotorDesign& base,
                                                      const std::string& header) {
   std::vector<studies::MetricExpression> metrics = studies::plain_metrics();
-  const bool damped =
-      base.stator.modal_damping > 0 || header.find("modal_damping") != std::string::npos;
+  const bool damped = modal_damping(base) > 0 || header.find("modal_damping") != std::string::npos;
   if (!damped) std::erase_if(metrics, needs_stator_loss);
   return metrics;
 }

@@ -25,7 +25,8 @@ std::span<const Reason> reasons() {
       {MetricStatus::no_running_branch,
        "the voltage keeps no running wave at any speed; raise the voltage or lower the frequency"},
       {MetricStatus::no_dead_branch, "the motor starts by itself and has no dead wave"},
-      {MetricStatus::unstable_amplitude, "the wave that is asked for grows away from its balance"},
+      {MetricStatus::unstable_amplitude,
+       "the wave that is asked for is unstable: a small disturbance of it grows"},
       {MetricStatus::does_not_pull_out, "the running wave exists down to rest"}};
   return kReasons;
 }

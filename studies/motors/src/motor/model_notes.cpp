@@ -125,9 +125,11 @@ std::vector<ModelNote> model_notes_at_length(const MotorDesign& design) {
             rounded_text(100 * by, 2) + " %";
   }
   if (!text.empty())
-    notes.push_back({"width of the contact", worst,
-                     "the width of the contact and the wave's radial shape change " + text +
-                         "; 'radial_slices: auto' counts them"});
+    notes.push_back(
+        {"width of the contact", worst,
+         "the width of the contact and the wave's radial shape, which one slice leaves out, "
+         "change " +
+             text + "; write 'radial_slices: auto' to include them"});
   return notes;
 }
 

@@ -212,7 +212,7 @@ MotorFile motor_of(const GivenMotor& given) {
 
 // "NAME must ..., but ..." of a design whose entries are right one by one, said at the entry of that name.
 bool check_motor(GivenMotor& motor, const Given& given, Diagnostics& diagnostics) {
-  if (!diagnostics.empty()) return true;
+  if (!diagnostics.empty()) return false;  // what is wrong has been said; the motor is not made
   try {
     motor_of(motor);
     return true;

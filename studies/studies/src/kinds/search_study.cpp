@@ -60,7 +60,7 @@ std::vector<std::string> SearchRun::notes() const {
       varied += (varied.empty() ? "" : " and ") + std::string(info(v.parameter).name);
   if (varied.empty()) return {};
   return {varied +
-          " varied: the model takes any number of waves at any frequency, but a real ring has one "
+          " varied: the model accepts any number of waves at any frequency, but a real ring has one "
           "frequency for each number "
           "of waves; check the answer against the modes of the ring, or hold both"};
 }

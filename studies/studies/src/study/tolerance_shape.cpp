@@ -204,8 +204,8 @@ std::vector<std::string> tolerance_notes(const std::vector<Tolerance>& tolerance
     const ParameterInfo& row = info(one.parameter);
     notes.push_back(std::string(row.name) + " varies about " + engineering(centre, row.unit) +
                     ", but the motor has " + engineering(own, row.unit) +
-                    ": the answer is that of another motor; a spread alone, such as '" +
-                    std::string(row.name) + ": 3 %', follows the motor");
+                    ", so the answer is for another motor; give the spread alone, such as '" +
+                    std::string(row.name) + ": 3 %', to vary it about the motor's own value");
   }
   return notes;
 }
