@@ -24,9 +24,12 @@ class Study(Page):
         return summary
 
     def again(self, name, summary):
-        """The page of the same result with another summary."""
-        (self.folder / name / "summary.json").write_text(json.dumps(summary))
-        twum("report", self.folder / name)
+        """The same page with another summary among its data."""
+        page = self.folder / name / "report.html"
+        before, mark, rest = page.read_text().partition('id="data">')
+        data, end, after = rest.partition("</script>")
+        changed = {**json.loads(data), "summary": summary}
+        page.write_text(before + mark + json.dumps(changed).replace("<", "\\u003c") + end + after)
         self.show(name)
 
     def stored(self, name):

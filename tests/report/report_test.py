@@ -321,7 +321,7 @@ class Command(Page):
     def test_a_directory_without_result_is_refused(self):
         done = subprocess.run([PROGRAM, "report", str(self.folder)], capture_output=True, text=True)
         self.assertEqual(done.returncode, 2)
-        self.assertIn("holds no result", done.stderr)
+        self.assertIn("holds no complete result", done.stderr)
 
 
 if __name__ == "__main__":

@@ -10,8 +10,10 @@
 
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace twum;
@@ -30,11 +32,14 @@ StudyFile study_of(const std::string& entries) {
   return read_study_file(folder.path("study.yaml"));
 }
 
-// The data of the page of a study with this summary, and without rows.
-Json page_data(const std::string& entries, const std::string& summary,
-               const std::string& text = "twum: 1\n") {
+// The data of the page of a study with this answer, and without rows.
+Json page_data(const std::string& entries, Answer answer, const std::string& text = "twum: 1\n") {
   const ResultStore store(":memory:", {{"preload", "N"}});
-  const std::string page = report_html(study_of(entries), text, summary, store);
+  const StudyFile study = study_of(entries);
+  StudyResult result;
+  result.kind = study.kind();
+  result.answer = std::move(answer);
+  const std::string page = report_html(study, text, result, store);
   const std::string begin = "id=\"data\">";
   const std::size_t from = page.find(begin) + begin.size();
   return Json::parse(page.substr(from, page.find("</script>", from) - from));
@@ -46,27 +51,11 @@ std::vector<std::string> labels(const Json& data) {
   return list;
 }
 
-std::string refusal(const std::string& summary) {
-  const ResultStore store(":memory:", {{"preload", "N"}});
-  try {
-    report_html(study_of("{kind: curve}"), "", summary, store);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
+NamedValue preload(double newtons) { return {"preload", "N", newtons}; }
 
 using Labels = std::vector<std::string>;
 
 }  // namespace
-
-TEST_CASE("a page is made of a summary, and of nothing else", "[studies][report][errors]") {
-  const std::string refused = "the summary of the result cannot be read: it is no summary.json";
-  CHECK(refusal("{") == refused);
-  CHECK(refusal("[]") == refused);
-  CHECK(refusal("{}") == refused);
-  CHECK(refusal(R"({"kind": "curve"})") == "accepted");
-}
 
 TEST_CASE("a folder without a result has no report", "[studies][report][errors]") {
   const ScratchFolder folder;
@@ -78,9 +67,9 @@ TEST_CASE("a folder without a result has no report", "[studies][report][errors]"
     }
     return "accepted";
   };
-  CHECK(refused() == folder.folder() + ": holds no result of a study: summary.json cannot be read");
-  std::ofstream(folder.path("summary.json")) << "{}";
-  CHECK(refused() == folder.folder() + ": holds no result of a study: study.yaml cannot be read");
+  CHECK(refused() == folder.folder() + ": holds no complete result: there is no study.yaml");
+  std::ofstream(folder.path("study.yaml")) << "twum: 1\n";
+  CHECK(refused() == folder.folder() + ": holds no complete result: there is no summary.json");
 }
 
 TEST_CASE("a report is written beside its result, and again the same", "[studies][report]") {
@@ -103,7 +92,7 @@ TEST_CASE("a report is written beside its result, and again the same", "[studies
 
 TEST_CASE("no text of a study ends the data of the page", "[studies][report]") {
   const std::string hostile = "# </script><script>alert(1)</script> <!-- /*SCRIPT*/ /*DATA*/\n";
-  const Json data = page_data("{kind: curve}", R"({"kind": "curve"})", hostile);
+  const Json data = page_data("{kind: curve}", CurveResult{}, hostile);
   CHECK(data["study"] == hostile);
   CHECK(data["motor"]["name"] == "elastic-layer");
   CHECK(data["motor"]["design"]["preload"] == 160);
@@ -117,42 +106,53 @@ TEST_CASE("no text of a study ends the data of the page", "[studies][report]") {
 }
 
 TEST_CASE("a family has a curve for each member that is a motor", "[studies][report]") {
-  // A value that is missing or no number leaves the motor as it is; one that makes no motor is left out.
-  const Json data = page_data("{kind: curve, family: {preload: [100 N, 200 N]}}",
-                              R"({"kind": "curve", "family": {"parameter": "preload"}, "curves": [
-                                  {"preload": 100}, {"preload": null}, {}, {"preload": -1}]})");
-  REQUIRE(labels(data) == Labels(3, "preload"));
+  CurveResult family;
+  family.family = Column{"preload", "N"};
+  for (const double newtons : {100.0, 120.0, -1.0}) {
+    family.members.emplace_back();
+    family.members.back().value = newtons;
+  }
+  const Json data = page_data("{kind: curve, family: {preload: [100 N, 200 N]}}", family);
+  REQUIRE(labels(data) == Labels(2, "preload"));  // one is no motor and is left out
   CHECK(data["curves"][0]["design"]["preload"] == 100);
-  CHECK(data["curves"][1]["design"]["preload"] == 160);
-  CHECK(data["curves"][2]["design"]["preload"] == 160);
-  const Json alone = page_data("{kind: curve}", R"({"kind": "curve", "curves": [{"preload": 1}]})");
-  REQUIRE(labels(alone) == Labels{""});
-  CHECK(alone["curves"][0]["design"]["preload"] == 160);  // no family: nothing is varied
-  // Damaged: no list where one should be.
-  CHECK(page_data("{kind: curve}", R"({"kind": "curve", "curves": 3})")["curves"].empty());
+  CHECK(data["curves"][1]["design"]["preload"] == 120);
+  CurveResult alone;
+  alone.members.emplace_back();
+  const Json motor = page_data("{kind: curve}", alone);
+  REQUIRE(labels(motor) == Labels{""});
+  CHECK(motor["curves"][0]["design"]["preload"] == 160);  // no family: nothing is varied
 }
 
 TEST_CASE("an optimum has its curve beside that of the start", "[studies][report]") {
   const std::string entries =
       std::string("{kind: optimize, ") + kVariables + ", maximize: stall_torque}";
-  const Json data =
-      page_data(entries, R"({"kind": "optimize", "before": {"design": {"preload": 160}},
-                   "best": {"design": {"preload": 200}}})");
+  OptimizeResult found;
+  found.found = true;
+  found.before_design = {preload(160)};
+  found.best.design = {preload(200)};
+  const Json data = page_data(entries, found);
   CHECK(labels(data) == Labels{"before", "best"});
   CHECK(data["curves"][1]["design"]["preload"] == 200);
   CHECK(data["ranges"] == Json{{"preload", {{"min", 100.0}, {"max", 200.0}}}});
   // No design was found: the start is all there is. A start that is no motor has no curve either.
-  CHECK(labels(page_data(entries, R"({"kind": "optimize", "best": null})")) == Labels{"before"});
-  CHECK(labels(page_data(entries, R"({"kind": "optimize", "before": {"design": {"preload": -5}},
-                                      "best": {"design": {"preload": 150}}})")) == Labels{"best"});
+  OptimizeResult none = found;
+  none.found = false;
+  CHECK(labels(page_data(entries, none)) == Labels{"before"});
+  OptimizeResult no_start = found;
+  no_start.before_design = {preload(-5)};
+  CHECK(labels(page_data(entries, no_start)) == Labels{"best"});
 }
 
 TEST_CASE("a front has a curve for each point, in its place", "[studies][report]") {
-  const Json data = page_data(
-      std::string("{kind: pareto, ") + kVariables +
-          ", objectives: [{maximize: stall_torque}, {maximize: no_load_speed}]}",
-      R"({"kind": "pareto", "front": [{"design": {"preload": 100}}, {"design": {"preload": -1}},
-                                      {"design": {"preload": 200}}]})");
+  ParetoResult front;
+  for (const double newtons : {100.0, -1.0, 200.0}) {
+    front.front.emplace_back();
+    front.front.back().report.design = {preload(newtons)};
+  }
+  const Json data =
+      page_data(std::string("{kind: pareto, ") + kVariables +
+                    ", objectives: [{maximize: stall_torque}, {maximize: no_load_speed}]}",
+                front);
   REQUIRE(data["curves"].size() == 3);
   CHECK(data["curves"][0]["design"]["preload"] == 100);
   CHECK(data["curves"][1].is_null());  // no motor, but the place is kept
@@ -164,28 +164,34 @@ TEST_CASE("a front has a curve for each point, in its place", "[studies][report]
 TEST_CASE("a fit has its curve and its band, where something was estimated", "[studies][report]") {
   const std::string entries =
       std::string("{kind: calibrate, data: points.csv, ") + kVariables + "}";
-  const std::string points = R"("data": [{"speed": -1}, {"speed": 3}, {}])";
-  const Json data = page_data(entries, R"({"kind": "calibrate", "estimates": {
-      "preload": {"value": 120}, "amplitude": {"value": null}, "thickness": {}}, )" +
-                                           points + "}");
+  CalibrateResult fit;
+  fit.estimates.resize(2);
+  fit.estimates[0].parameter = preload(120);
+  fit.estimates[1].parameter = {"amplitude", "m", std::numeric_limits<double>::quiet_NaN()};
+  fit.correlation.assign(4, 0.0);
+  fit.data.resize(2);
+  fit.data[0].speed = -1, fit.data[1].speed = 3;
+  const Json data = page_data(entries, fit);
   CHECK(labels(data) == Labels{"fitted"});
   CHECK(data["curves"][0]["design"]["preload"] == 120);
   CHECK(data["curves"][0]["design"]["amplitude"] == 1.6e-6);
   CHECK(data["fit"]["gradients"].size() == 1);  // of what was estimated only
   CHECK(data["fit"]["gradients"].contains("preload"));
-  const Json none = page_data(entries, R"({"kind": "calibrate", "estimates": {}, )" + points + "}");
-  CHECK(none["fit"].is_null());
+  fit.estimates.clear(), fit.correlation.clear();
+  CHECK(page_data(entries, fit)["fit"].is_null());
 }
 
 TEST_CASE("studies that look at many motors show the curve of their own", "[studies][report]") {
   const std::string metrics = ", metrics: [stall_torque]}";
-  const std::string entries = GENERATE_REF(
-      Catch::Generators::as<std::string>{},
-      "{kind: sensitivity, method: local, " + std::string(kVariables) + metrics,
-      "{kind: uncertainty, variables: {preload: {distribution: normal, mean: 160 N, sd: 8 N}}" +
-          metrics);
+  const auto [entries, answer] = GENERATE_REF(table<std::string, Answer>(
+      {{"{kind: sensitivity, method: local, " + std::string(kVariables) + metrics,
+        SensitivityResult{}},
+       {"{kind: uncertainty, variables: {preload: {distribution: "
+        "normal, mean: 160 N, sd: 8 N}}" +
+            metrics,
+        UncertaintyResult{}}}));
   CAPTURE(entries);
-  const Json data = page_data(entries, R"({"kind": "any"})");
+  const Json data = page_data(entries, answer);
   REQUIRE(labels(data) == Labels{"motor"});
   CHECK(data["curves"][0]["design"]["preload"] == 160);
   CHECK(data["ranges"].empty());

@@ -108,12 +108,12 @@ Json metrics_json(const Motor& motor) {
 
 }  // namespace
 
-DesignValues design_values(const Json& object) {
-  DesignValues values;
-  for (const auto& [name, value] : object.items()) {
-    if (value.is_number()) values[name] = value.get<double>();
+DesignValues design_values(const std::vector<NamedValue>& values) {
+  DesignValues numbers;
+  for (const NamedValue& value : values) {
+    if (std::isfinite(value.value)) numbers[value.name] = value.value;
   }
-  return values;
+  return numbers;
 }
 
 Json curve_json(const MotorDesign& base, const DesignValues& values, const std::string& label,

@@ -7,6 +7,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 /// Curves and fields that a report shows; internal.
 namespace twum::studies {
@@ -14,8 +15,8 @@ namespace twum::studies {
 /// Values of some parameters, by flat name [SI].
 using DesignValues = std::map<std::string, double>;
 
-/// The design with the values that name parameters; null numbers are passed over.
-DesignValues design_values(const Json& object);
+/// The values that are numbers, by name.
+DesignValues design_values(const std::vector<NamedValue>& values);
 
 enum class Detail : unsigned char {
   curve,   ///< the curve alone

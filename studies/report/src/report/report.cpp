@@ -4,7 +4,8 @@
 #include "report/assets.hpp"
 #include "report/curves.hpp"
 #include "report/rows.hpp"
-#include "run/result_folder.hpp"
+#include "results/answers.hpp"
+#include "run/stored_study.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/core/design/parameters.hpp>
@@ -12,19 +13,9 @@
 #include <twum/studies/metrics/reasons.hpp>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 namespace twum::studies {
 namespace {
-
-Json parse_summary(const std::string& text) {
-  Json json = Json::parse(text, nullptr, false);
-  if (!json.is_object() || !json.contains("kind"))
-    throw InputError("the summary of the result cannot be read: it is no summary.json");
-  return json;
-}
 
 Json parameters_json() {
   Json json = Json::object();
@@ -50,93 +41,74 @@ Json reasons_json() {
   return json;
 }
 
-// The object at the end of a path of names; empty if there is none.
-Json part(const Json& json, std::initializer_list<const char*> names) {
-  const Json* at = &json;
-  for (const char* name : names) {
-    if (!at->is_object() || !at->contains(name)) return Json::object();
-    at = &(*at)[name];
-  }
-  return at->is_object() || at->is_array() ? *at : Json::object();
-}
-
 void add(Json& curves, Json curve) {
   if (!curve.is_null()) curves.push_back(std::move(curve));
 }
 
-Json family_curves(const Json& summary, const MotorDesign& base) {
-  Json curves = Json::array();
-  const std::string parameter = summary.contains("family")
-                                    ? summary["family"].value("parameter", std::string())
-                                    : std::string();
-  for (const Json& member : part(summary, {"curves"})) {
-    DesignValues values;
-    if (!parameter.empty() && member.contains(parameter) && member[parameter].is_number())
-      values[parameter] = member[parameter].get<double>();
-    add(curves, curve_json(base, values, parameter, Detail::fields));
+DesignValues estimates(const CalibrateResult& answer) {
+  std::vector<NamedValue> values = answer.derived;
+  for (const CalibrateResult::Estimate& estimate : answer.estimates)
+    values.push_back(estimate.parameter);
+  return design_values(values);
+}
+
+// The curves that the page of an answer shows.
+struct AnswerCurves {
+  const MotorDesign& base;
+
+  Json operator()(const CurveResult& answer) const {
+    Json curves = Json::array();
+    for (const CurveResult::Member& member : answer.members) {
+      const std::string name = answer.family ? answer.family->name : "";
+      const DesignValues values =
+          answer.family ? DesignValues{{name, member.value}} : DesignValues{};
+      add(curves, curve_json(base, values, name, Detail::fields));
+    }
+    return curves;
   }
-  return curves;
-}
 
-Json front_curves(const Json& summary, const MotorDesign& base) {
-  Json curves = Json::array();
-  for (const Json& point : part(summary, {"front"}))
-    curves.push_back(
-        curve_json(base, design_values(part(point, {"design"})), "front", Detail::curve));
-  return curves;
-}
-
-Json search_curves(const Json& summary, const MotorDesign& base) {
-  Json curves = Json::array();
-  add(curves, curve_json(base, design_values(part(summary, {"before", "design"})), "before",
-                         Detail::fields));
-  const Json best = part(summary, {"best", "design"});
-  if (!best.empty()) add(curves, curve_json(base, design_values(best), "best", Detail::fields));
-  return curves;
-}
-
-DesignValues estimates(const Json& summary) {
-  DesignValues values;
-  const Json found = part(summary, {"estimates"});
-  for (const auto& [name, estimate] : found.items()) {
-    if (estimate.contains("value") && estimate["value"].is_number())
-      values[name] = estimate["value"].get<double>();
+  Json operator()(const ParetoResult& answer) const {
+    Json curves = Json::array();
+    for (const ParetoResult::Point& point : answer.front)
+      curves.push_back(
+          curve_json(base, design_values(point.report.design), "front", Detail::curve));
+    return curves;
   }
-  const Json derived = part(summary, {"derived"});
-  for (const auto& [name, value] : derived.items())
-    if (value.is_number()) values[name] = value.get<double>();
-  return values;
-}
 
-Json fit_json(const Json& summary, const MotorDesign& base) {
-  const DesignValues values = estimates(summary);
+  Json operator()(const OptimizeResult& answer) const {
+    Json curves = Json::array();
+    add(curves, curve_json(base, design_values(answer.before_design), "before", Detail::fields));
+    if (answer.found)
+      add(curves, curve_json(base, design_values(answer.best.design), "best", Detail::fields));
+    return curves;
+  }
+
+  Json operator()(const CalibrateResult& answer) const {
+    Json curves = Json::array();
+    add(curves, curve_json(base, estimates(answer), "fitted", Detail::fields));
+    return curves;
+  }
+
+  // What looks at many motors shows the curve of its own.
+  template <typename Other>
+  Json operator()(const Other& /*answer*/) const {
+    Json curves = Json::array();
+    add(curves, curve_json(base, {}, "motor", Detail::fields));
+    return curves;
+  }
+};
+
+Json fit_json(const CalibrateResult& answer, const MotorDesign& base) {
+  const DesignValues values = estimates(answer);
   std::vector<std::string> names;
   for (const auto& [name, value] : values) names.push_back(name);
   double first = 0;
   double last = 0;
-  for (const Json& point : part(summary, {"data"})) {
-    first = std::min(first, point.value("speed", 0.0));
-    last = std::max(last, point.value("speed", 0.0));
+  for (const CalibrateResult::Point& point : answer.data) {
+    first = std::min(first, point.speed);
+    last = std::max(last, point.speed);
   }
   return names.empty() ? Json(nullptr) : slopes_json(base, values, names, first, last);
-}
-
-Json curves_json(StudyKind kind, const Json& summary, const MotorDesign& base) {
-  switch (kind) {
-    case StudyKind::curve: return family_curves(summary, base);
-    case StudyKind::pareto: return front_curves(summary, base);
-    case StudyKind::optimize:
-    case StudyKind::size: return search_curves(summary, base);
-    case StudyKind::calibrate: {
-      Json curves = Json::array();
-      add(curves, curve_json(base, estimates(summary), "fitted", Detail::fields));
-      return curves;
-    }
-    default: break;
-  }
-  Json curves = Json::array();
-  add(curves, curve_json(base, {}, "motor", Detail::fields));
-  return curves;
 }
 
 Json base_json(const MotorDesign& base) {
@@ -181,33 +153,23 @@ std::string filled(std::string_view page, std::string_view mark, std::string_vie
          std::string(page.substr(at + mark.size()));
 }
 
-std::string content_of(const std::string& path, const std::string& directory) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file)
-    throw InputError(directory + ": holds no result of a study: " +
-                     std::filesystem::path(path).filename().string() + " cannot be read");
-  return text.str();
-}
-
 }  // namespace
 
-std::string report_html(const StudyFile& study, const std::string& text, const std::string& summary,
+std::string report_html(const StudyFile& study, const std::string& text, const StudyResult& result,
                         const ResultStore& store) {
-  const Json result = parse_summary(summary);
   const MotorDesign& base = study.motor.design;
-  Json data{{"summary", result},
+  Json data{{"summary", summary_value(result)},
             {"study", text},
             {"motor", {{"name", study.motor.name}, {"design", base_json(base)}}},
             {"parameters", parameters_json()},
             {"metrics", metrics_json()},
             {"reasons", reasons_json()},
             {"ranges", ranges_json(study)},
-            {"curves", curves_json(study.kind(), result, base)},
+            {"curves", std::visit(AnswerCurves{base}, result.answer)},
             {"rows", rows_json(store)}};
   if (study.kind() == StudyKind::sweep) data["row_curves"] = row_curves_json(store, base);
-  if (study.kind() == StudyKind::calibrate) data["fit"] = fit_json(result, base);
+  if (const auto* fit = std::get_if<CalibrateResult>(&result.answer))
+    data["fit"] = fit_json(*fit, base);
   // The data go in last: nothing in them is taken for a mark.
   std::string page = filled(assets::page(), "/*STYLE*/", assets::style());
   page = filled(page, "/*SCRIPT*/", assets::script());
@@ -215,17 +177,13 @@ std::string report_html(const StudyFile& study, const std::string& text, const s
 }
 
 std::string write_report(const std::string& directory) {
-  const auto file = [&](std::string_view name) {
-    return (std::filesystem::path(directory) / name).string();
-  };
-  const std::string summary = content_of(file(ResultFolder::kSummary), directory);
-  const std::string text = content_of(file(ResultFolder::kStudy), directory);
-  const StudyFile study = read_study_file(file(ResultFolder::kStudy));
-  const ResultStore store(file(ResultFolder::kDatabase));
-  ResultFolder folder(directory);
-  folder.write(ResultFolder::kReport, report_html(study, text, summary, store));
+  StoredStudy stored(directory);
+  const StudyResult result = stored.answer();
+  ResultFolder& folder = stored.folder();
+  folder.write(ResultFolder::kReport,
+               report_html(stored.file(), stored.text(), result, stored.store()));
   folder.check_in_place();
-  return file(ResultFolder::kReport);
+  return folder.file(ResultFolder::kReport);
 }
 
 }  // namespace twum::studies

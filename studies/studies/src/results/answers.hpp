@@ -16,7 +16,10 @@ using Json = nlohmann::ordered_json;
 /// A number, or null where there is none.
 inline Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-/// Entries that are added to summary.json, in their order.
+/// The content of summary.json.
+Json summary_value(const StudyResult& result);
+
+/// Entries that are added to it, in their order.
 Json answer_json(const CurveResult& result);
 Json answer_json(const SweepResult& result);
 Json answer_json(const SensitivityResult& result);

@@ -73,7 +73,7 @@ std::string heading(const StudyResult& result) {
 
 }  // namespace
 
-std::string summary_json(const StudyResult& result) {
+Json summary_value(const StudyResult& result) {
   Json json{{"study", result.study},
             {"kind", to_string(result.kind)},
             {"motor", result.motor},
@@ -90,7 +90,11 @@ std::string summary_json(const StudyResult& result) {
             {"model_notes", result.model_notes}};
   const Json answer = std::visit([](const auto& one) { return answer_json(one); }, result.answer);
   json.update(answer);
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json;
+}
+
+std::string summary_json(const StudyResult& result) {
+  return summary_value(result).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string summary_text(const StudyResult& result) {

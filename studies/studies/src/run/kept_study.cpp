@@ -25,15 +25,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kDifferencesShown = 8;
 
-// Names of the facts beside the rows.
-constexpr const char* kHash = "hash";
-constexpr const char* kVersion = "version";
-constexpr const char* kStudyText = "study";
-constexpr const char* kFiles = "files";
-constexpr const char* kStarted = "started";
-constexpr const char* kSeconds = "seconds";
-constexpr const char* kComplete = "complete";
-
 std::string name_of(const StudyFile& file) {
   const std::string stem = std::filesystem::path(file.path).stem().string();
   return stem.empty() || stem == "-" ? "study" : stem;
@@ -90,18 +81,18 @@ class KeptRun {
     if (options_.fresh) folder_.discard();
     open_store();
     folder_.write(ResultFolder::kStudy, study_text());
-    const bool was_complete = !store_->fact(kComplete).empty();
+    const bool was_complete = !store_->fact(facts::kComplete).empty();
     StudyResult result = run_on(file_, *kind_, *store_, options_);
     result.was_complete = was_complete;
     result.hash = study_.hash();
-    result.started = store_->fact(kStarted);
-    result.seconds = parse_number(store_->fact(kSeconds)).value_or(0);
+    result.started = store_->fact(facts::kStarted);
+    result.seconds = parse_number(store_->fact(facts::kSeconds)).value_or(0);
     if (!was_complete) {
       result.seconds += seconds_since(begin_);
-      store_->set_fact(kSeconds, number_text(result.seconds));
+      store_->set_fact(facts::kSeconds, number_text(result.seconds));
     }
     write_results(result);
-    if (result.outcome != "interrupted") store_->set_fact(kComplete, "yes");
+    if (result.outcome != "interrupted") store_->set_fact(facts::kComplete, "yes");
     read_back();
     return result;
   }
@@ -129,26 +120,26 @@ class KeptRun {
       folder_.discard();
     }
     store_ = std::make_unique<ResultStore>(path, kind_->columns());
-    store_->set_fact(kVersion, version());
-    store_->set_fact(kStudyText, study_.text());
-    store_->set_fact(kFiles, files_text(study_));
-    store_->set_fact(kStarted, utc_text(std::chrono::system_clock::now()));
-    store_->set_fact(kHash, study_.hash());  // last: with it the others are there
+    store_->set_fact(facts::kVersion, version());
+    store_->set_fact(facts::kStudyText, study_.text());
+    store_->set_fact(facts::kFiles, files_text(study_));
+    store_->set_fact(facts::kStarted, utc_text(std::chrono::system_clock::now()));
+    store_->set_fact(facts::kHash, study_.hash());  // last: with it the others are there
   }
 
   // The database if it holds rows of this very study; none if it was left before its first row.
   std::unique_ptr<ResultStore> begun_already(const std::string& path) const {
     auto stored = std::make_unique<ResultStore>(path);
-    const std::string hash = stored->fact(kHash);
+    const std::string hash = stored->fact(facts::kHash);
     if (hash.empty() || stored->rows() == 0) return nullptr;
     std::vector<std::string> differ;
     if (hash != study_.hash()) {
-      differ = differences(stored->fact(kStudyText), study_.text());
-      if (stored->fact(kFiles) != files_text(study_))
+      differ = differences(stored->fact(facts::kStudyText), study_.text());
+      if (stored->fact(facts::kFiles) != files_text(study_))
         differ.emplace_back("the content of a file that the study names");
     }
-    if (stored->fact(kVersion) != version())
-      differ.push_back("twum: " + stored->fact(kVersion) + " there, " + version() + " here");
+    if (stored->fact(facts::kVersion) != version())
+      differ.push_back("twum: " + stored->fact(facts::kVersion) + " there, " + version() + " here");
     if (!differ.empty()) refuse(differ);
     return stored;
   }
@@ -173,13 +164,12 @@ class KeptRun {
     folder_.write(ResultFolder::kTable, [&](const std::function<void(std::string_view)>& put) {
       set_failures(result, write_rows(*store_, kind_->variables(), put));
     });
-    const std::string summary = summary_json(result);
-    folder_.write(ResultFolder::kSummary, summary);
+    folder_.write(ResultFolder::kSummary, summary_json(result));
     for (const FoundMotor& found : found_motors(file_, result)) {
       folder_.write(found.file, found_motor_text(found, result));
       result.motor_files.push_back(found.file);
     }
-    folder_.write(ResultFolder::kReport, page_(file_, study_text(), summary, *store_));
+    folder_.write(ResultFolder::kReport, page_(file_, study_text(), result, *store_));
   }
 
   // Another program may have damaged meanwhile what was written without an error; only reading it from
@@ -235,6 +225,14 @@ void set_failures(StudyResult& result, const FailureCount& failures) {
     result.failures[region.reason] = region.count;
 }
 
+FailureCount failures_of(const StudyKindRun& kind, const ResultStore& store) {
+  const std::vector<Column> columns = kind.columns();
+  FailureCount failures(
+      {columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(kind.variables())});
+  store.read([&](const Row& row) { failures.see(row); });
+  return failures;
+}
+
 StudyResult keep_study(const StudyFile& file, const std::string& directory,
                        const RunOptions& options, PageOf page) {
   return KeptRun(file, directory, options, page).run();
@@ -246,11 +244,7 @@ StudyResult run_study(const StudyFile& file, const RunOptions& options) {
   const std::unique_ptr<StudyKindRun> kind = make_kind(file);
   ResultStore store(":memory:", kind->columns());
   StudyResult result = run_on(file, *kind, store, options);
-  const std::vector<Column> columns = kind->columns();
-  FailureCount failures(
-      {columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(kind->variables())});
-  store.read([&](const Row& row) { failures.see(row); });
-  set_failures(result, failures);
+  set_failures(result, failures_of(*kind, store));
   result.hash = resolve(file).hash();
   result.started = started;
   result.seconds = seconds_since(begin);

@@ -13,7 +13,7 @@ namespace twum::studies {
 
 /// Makes the page of a result; report_html() is one.
 using PageOf = std::string (*)(const StudyFile& study, const std::string& text,
-                               const std::string& summary, const ResultStore& store);
+                               const StudyResult& result, const ResultStore& store);
 
 /// run_study() in a directory, with the page that a layer above makes.
 StudyResult keep_study(const StudyFile& file, const std::string& directory,
@@ -24,5 +24,17 @@ StudyResult keep_study(const StudyFile& file, const std::string& directory,
 StudyResult result_of(const StudyFile& file, const StudyKindRun& kind, const ResultStore& store,
                       KindAnswer answer);
 void set_failures(StudyResult& result, const FailureCount& failures);
+FailureCount failures_of(const StudyKindRun& kind, const ResultStore& store);
+
+/// Names of the facts that a database keeps beside the rows.
+namespace facts {
+inline constexpr const char* kHash = "hash";
+inline constexpr const char* kVersion = "version";
+inline constexpr const char* kStudyText = "study";
+inline constexpr const char* kFiles = "files";
+inline constexpr const char* kStarted = "started";
+inline constexpr const char* kSeconds = "seconds";
+inline constexpr const char* kComplete = "complete";
+}  // namespace facts
 
 }  // namespace twum::studies

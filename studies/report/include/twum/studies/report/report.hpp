@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/studies/results/study_result.hpp>
 #include <twum/studies/store/result_store.hpp>
 #include <twum/studies/study/study_file.hpp>
 
@@ -12,16 +13,16 @@ namespace twum::studies {
 /// arguments alone, for any number of threads.
 /// @param study    the study that was run
 /// @param text     the study as it was run, shown as it is
-/// @param summary  content of summary.json
+/// @param result   its answer
 /// @param store    its evaluations; of more than 100,000 the page holds one of each so many, drawn at
 ///                 random but always the same, and says so
-/// @throws InputError if `summary` is no such file
-std::string report_html(const StudyFile& study, const std::string& text, const std::string& summary,
+std::string report_html(const StudyFile& study, const std::string& text, const StudyResult& result,
                         const ResultStore& store);
 
-/// Builds report.html of a result directory from what else is in it.
+/// Builds report.html of a result directory again, from its study and its stored evaluations.
 /// @return the path of the page
-/// @throws InputError if the directory holds no result; StoreError if the page cannot be written
+/// @throws InputError if the directory holds no result, or one of an interrupted study; StoreError if the
+///         result is damaged or the page cannot be written
 std::string write_report(const std::string& directory);
 
 }  // namespace twum::studies

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run/stored_study.hpp"
+
+#include "results/stored_summary.hpp"
+#include "run/kept_study.hpp"
+
+#include <twum/base/error.hpp>
+#include <twum/studies/text/number.hpp>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace twum::studies {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string& required_result(const std::string& directory) {
+  std::error_code ignored;
+  if (!fs::is_directory(directory, ignored))
+    throw InputError(directory + ": no such directory; expected one that 'twum run' wrote");
+  for (const std::string_view name :
+       {ResultFolder::kStudy, ResultFolder::kSummary, ResultFolder::kDatabase}) {
+    if (!fs::exists(fs::path(directory) / name, ignored)) {
+      throw InputError(directory + ": holds no complete result: there is no " + std::string(name));
+    }
+  }
+  return directory;
+}
+
+// The study as it was run; that it is wrong is damage, not a user's mistake.
+StudyFile read_stored_study(const std::string& path) {
+  try {
+    return read_study_file(path);
+  } catch (const InputError& error) {
+    throw StoreError(std::string("the stored study is damaged: ") + error.what());
+  }
+}
+
+std::unique_ptr<StudyKindRun> make_stored_kind(const StudyFile& file) {
+  try {
+    return make_kind(file);
+  } catch (const InputError& error) {
+    throw StoreError(std::string("the stored study cannot be repeated: ") + error.what());
+  }
+}
+
+// A copy, with what a killed run left in its log, so that nothing is changed where it lies.
+std::string copy_database(const std::string& directory, const std::string& to) {
+  for (const std::string suffix : {"", "-wal"}) {
+    const std::string name = std::string(ResultFolder::kDatabase) + suffix;
+    if (!fs::exists(fs::path(directory) / name)) continue;
+    fs::copy_file(fs::path(directory) / name, fs::path(to) / name);
+  }
+  return (fs::path(to) / ResultFolder::kDatabase).string();
+}
+
+}  // namespace
+
+ScratchFolder::ScratchFolder() {
+  std::error_code error;
+  path_ = (fs::temp_directory_path(error) / "twum-result-XXXXXX").string();
+  if (error || ::mkdtemp(path_.data()) == nullptr) {
+    throw StoreError(
+        "no folder for a copy of the results can be made in that for temporary files: " +
+        (error ? error.message() : path_ + ": " + std::strerror(errno)) +
+        "; set TMPDIR to another one");
+  }
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+StoredStudy::StoredStudy(const std::string& directory)
+    : folder_(required_result(directory)),
+      summary_(stored_summary(folder_.file(ResultFolder::kSummary))),
+      file_(read_stored_study(folder_.file(ResultFolder::kStudy))),
+      kind_(make_stored_kind(file_)),
+      store_(copy_database(directory, scratch_.path()), kind_->columns()) {}
+
+std::string StoredStudy::text() const {
+  std::ostringstream text;
+  text << std::ifstream(folder_.file(ResultFolder::kStudy), std::ios::binary).rdbuf();
+  return text.str();
+}
+
+StudyResult StoredStudy::answer() {
+  if (interrupted()) {
+    throw InputError(folder_.file(ResultFolder::kSummary) +
+                     ": the study was interrupted; run it again to complete its result");
+  }
+  const std::uint64_t rows = store_.rows();
+  RunContext context{store_, 1, {}, {}};
+  StudyResult result = result_of(file_, *kind_, store_, kind_->run(context));
+  store_.flush();
+  if (store_.rows() != rows) {
+    throw StoreError(folder_.file(ResultFolder::kDatabase) + ": " +
+                     std::to_string(store_.rows() - rows) +
+                     " rows are missing that the study asks for; run the study again");
+  }
+  result.study = name();
+  result.hash = store_.fact(facts::kHash);
+  result.started = store_.fact(facts::kStarted);
+  result.seconds = parse_number(store_.fact(facts::kSeconds)).value_or(0);
+  set_failures(result, failures_of(*kind_, store_));
+  return result;
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "kinds/study_kind.hpp"
+#include "run/result_folder.hpp"
+
+#include <twum/studies/store/result_store.hpp>
+#include <twum/studies/study/study_file.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <memory>
+#include <string>
+
+namespace twum::studies {
+
+/// A folder for temporary files, removed at the end.
+class ScratchFolder {
+ public:
+  /// @throws StoreError if it cannot be made
+  ScratchFolder();
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  const std::string& path() const noexcept { return path_; }
+
+ private:
+  std::string path_;
+};
+
+/// The result of a study, read again from its directory, which nobody may write to meanwhile. Rows are
+/// read from a copy of the database, so nothing changes where it lies.
+class StoredStudy {
+ public:
+  /// @throws InputError if the directory holds no result; StoreError if the result is damaged
+  explicit StoredStudy(const std::string& directory);
+
+  ResultFolder& folder() { return folder_; }
+  const StudyFile& file() const { return file_; }
+  StudyKindRun& kind() { return *kind_; }
+  ResultStore& store() { return store_; }
+  const nlohmann::ordered_json& summary() const { return summary_; }
+  std::string name() const { return summary_.value("study", ""); }
+  bool interrupted() const { return summary_.value("outcome", "") == "interrupted"; }
+  std::string text() const;  ///< content of study.yaml
+
+  /// What the kind makes of the stored rows.
+  /// @throws InputError if the study was interrupted; StoreError if rows are missing
+  StudyResult answer();
+
+ private:
+  ResultFolder folder_;
+  nlohmann::ordered_json summary_;
+  StudyFile file_;
+  std::unique_ptr<StudyKindRun> kind_;
+  ScratchFolder scratch_;
+  ResultStore store_;
+};
+
+}  // namespace twum::studies
