@@ -9,6 +9,7 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 RING = str(ROOT / "examples/motors/ring-60.yaml")
+DRIVE = str(ROOT / "examples/motors/drive-60.yaml")
 PROGRAM = None
 
 

@@ -8,7 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
-
+#include <cstdio>
 #include <filesystem>
 
 using namespace twum;
@@ -88,6 +88,35 @@ TEST_CASE("a motor that is written reads back the same", "[studies][motor]") {
   const MotorFile again = read_motor(Source("m.yaml", motor_text(motor)));
   CHECK(again.name == motor.name);
   check_equal(again.design, motor.design);
+}
+
+TEST_CASE("an equivalent circuit stands for the modal data (D4.4)", "[studies][motor]") {
+  const std::string modal = read_source(TWUM_SOURCE_DIR "/examples/motors/drive-60.yaml").text();
+  // By (D4.4) of the example's 25 g, 39 kHz, Q = 153, 0.55 N/V, with 17 digits.
+  const MotorDesign expected = read(modal);
+  const double turn = 2 * std::acos(-1.0), resonance = turn * 39e3, mass = 0.025;
+  char circuit[300];
+  std::snprintf(
+      circuit, sizeof circuit,
+      "equivalent_circuit: {motional_resistance: %.17g ohm, motional_inductance: %.17g H, "
+      "motional_capacitance: %.17g F, blocked_capacitance: 8.5 nF, force_factor: 0.55 N/V}",
+      resonance * mass / 153 / (0.55 * 0.55), mass / (0.55 * 0.55),
+      0.55 * 0.55 / (mass * resonance * resonance));
+  std::string text = replaced(modal, "resonance_frequency: 39 kHz ", std::string(circuit) + " ");
+  for (const char* other : {"modal_mass: 25 g ", "quality_factor: 153", "force_factor: 0.55 N/V ",
+                            "blocked_capacitance: 8.5 nF "})
+    text = replaced(text, std::string("\n    ") + other, "\n    # ");
+  const MotorDesign design = read(text);
+  for (const ParameterInfo& row : parameter_table()) {
+    CAPTURE(row.name);
+    CHECK(in_use(design, row.parameter) == in_use(expected, row.parameter));
+    const double value = get(expected, row.parameter);
+    // Ten roundings at most.
+    if (!std::isnan(value))
+      CHECK(get(design, row.parameter) == Approx(value).epsilon(2e-15).margin(0));
+  }
+  // What is written is the modal data, which read back the same.
+  check_equal(read(motor_text({"a motor", design})), design);
 }
 
 TEST_CASE("the file that init writes is valid", "[studies][motor]") {

@@ -24,5 +24,6 @@
 #include <twum/core/design/motor_design.hpp>
 #include <twum/core/design/parameters.hpp>
 #include <twum/core/performance/batch.hpp>
+#include <twum/core/performance/equivalent_circuit.hpp>
 #include <twum/core/performance/metrics.hpp>
 #include <twum/core/performance/motor.hpp>

@@ -216,7 +216,9 @@ std::string contradiction(const MotorDesign& design) {
   need(stator.modal_mass.has_value(), "modal_mass");
   need(stator.force_factor.has_value(), "force_factor");
   need(modal_damping(design) > 0, "quality_factor (or modal_damping, more than 0)");
-  return "voltage needs " + missing + "; give what is missing, or amplitude in place of voltage";
+  return "voltage needs " + missing +
+         "; give what is missing (in a motor file 'equivalent_circuit' gives all of it), or "
+         "amplitude in place of voltage";
 }
 
 void require_admissible(Parameter parameter, double value) {

@@ -3,6 +3,7 @@
 #include "exit_status.hpp"
 #include "formats.hpp"
 #include "json_parts.hpp"
+#include "load.hpp"
 #include "notes.hpp"
 #include "options.hpp"
 #include "output.hpp"
@@ -33,8 +34,7 @@ constexpr const char* kFieldsExamples = R"text(Examples:
 
 struct FieldsOptions {
   MotorOptions motor;
-  std::string speed;
-  std::string torque;
+  LoadOptions load;
   std::string samples;
   std::string plot;
   OutputOptions output;
@@ -164,18 +164,6 @@ std::string as_table(const Fields& fields) {
          studies::engineering(fields.point().torque, "N.m") + "\n\n" + aligned(table);
 }
 
-// The rotor speed asked for, or at which the motor carries the torque asked for; nothing, and why on standard error, if it
-// cannot.
-std::optional<double> speed_of(const FieldsOptions& options, const Motor& motor) {
-  if (options.torque.empty()) return parse_speed("--speed", options.speed);
-  const double torque = parse_torque("--torque", options.torque);
-  const MetricValue speed = evaluate(motor, {Metric::speed_at, Argument::torque, torque});
-  if (speed.status == MetricStatus::ok) return speed.value;
-  std::fprintf(stderr, "twum: no answer at this torque: %s\n", to_string(speed.status));
-  explain_reasons({to_string(speed.status)});
-  return {};
-}
-
 int run_fields(const FieldsOptions& options) {
   Output output(options.output.path, {options.motor.path});
   const std::optional<PlotFile> plot =
@@ -185,7 +173,7 @@ int run_fields(const FieldsOptions& options) {
   Fields fields;
   fields.file = load_motor(options.motor);
   const Motor motor(fields.file.design);
-  const std::optional<double> speed = speed_of(options, motor);
+  const std::optional<double> speed = speed_of(options.load, motor);
   if (!speed) return kNoAnswer;
   fields.radii = fields_over(motor, *speed, static_cast<int>(samples));
   if (fields.point().status != PointStatus::ok) {
@@ -212,10 +200,7 @@ void add_fields(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("fields", "Pressure, traction, velocities and zones along one wave");
   add_motor_options(*command, options->motor);
-  CLI::Option_group* at = command->add_option_group("At", "One of the two");
-  at->add_option("--speed", options->speed, "Rotor speed, such as \"100 rpm\"");
-  at->add_option("--torque", options->torque, "Load torque, such as \"0.5 N.m\"");
-  at->require_option(1);
+  add_load_options(*command, options->load, 1);
   command->add_option("--samples", options->samples,
                       "Number of phases along the wave (default: 181)");
   add_output_options(*command, options->output, {"table", "csv", "json"});

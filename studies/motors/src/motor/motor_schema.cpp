@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/studies/motor/motor_file.hpp>
 
+#include "motor/circuit_shape.hpp"
+
 #include <twum/base/error.hpp>
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/text/words.hpp>
@@ -18,6 +20,7 @@ struct GivenMotor {
   std::vector<ParameterValue> values;
   std::vector<std::pair<double, double>> shape_table;  // radius and R
   std::optional<Branch> branch;
+  std::optional<EquivalentCircuit> circuit;
 
   std::optional<double> value(Parameter parameter) const {
     const auto found = std::find_if(values.begin(), values.end(),
@@ -143,6 +146,15 @@ Field<GivenMotor> branch_field() {
       &GivenMotor::branch, "running"));
 }
 
+Field<GivenMotor> circuit_field() {
+  return hidden(optional<GivenMotor>("equivalent_circuit", circuit_shape(), &GivenMotor::circuit,
+                                     "the modal data"));
+}
+
+bool check_stator(GivenMotor& motor, const Given& given, Diagnostics& diagnostics) {
+  return check_circuit(motor.circuit, given, diagnostics);
+}
+
 Field<GivenMotor> shape_table() {
   auto rows = list("measured or computed shape, instead of exponent and root", shape_row(), 4);
   rows.schema.example = "[[24.5 mm, 0.9], [26 mm, 0.98], [27 mm, 1.02], [28.5 mm, 1.1]]";
@@ -169,7 +181,7 @@ struct Section {
 };
 
 constexpr Section kSections[] = {
-    {"stator", "the vibrating ring and its travelling wave"},
+    {"stator", "the vibrating ring and its travelling wave", check_stator},
     {"contact_layer", "the layer between stator and rotor"},
     {"stator.radial_shape", "amplitude of the wave across the track, 1 at the contact radius",
      check_shape, false},
@@ -195,7 +207,10 @@ std::vector<Field<GivenMotor>> fields_below(const std::string& path) {
     }
   }
   if (path == "stator.radial_shape.") fields.push_back(shape_table());
-  if (path == "stator.") fields.push_back(branch_field());
+  if (path == "stator.") {
+    fields.push_back(circuit_field());
+    fields.push_back(branch_field());
+  }
   return fields;
 }
 
@@ -207,7 +222,10 @@ MotorFile motor_of(const GivenMotor& given) {
   // Exponent and root, which a design has as well, would replace a table.
   blank.stator.radial_shape.table = given.shape_table;
   blank.stator.branch = given.branch.value_or(Branch::running);
-  return {given.name, with(blank, given.values)};
+  std::vector<ParameterValue> values = given.values;
+  if (given.circuit)
+    for (const ParameterValue& one : modal_data(*given.circuit)) values.push_back(one);
+  return {given.name, with(blank, values)};
 }
 
 // "NAME must ..., but ..." of a design whose entries are right one by one, said at the entry of that name.
@@ -238,7 +256,7 @@ bool check_motor(GivenMotor& motor, const Given& given, Diagnostics& diagnostics
 }
 
 GivenMotor given_by(const MotorFile& motor) {
-  GivenMotor given{motor.name, {}, motor.design.stator.radial_shape.table, {}};
+  GivenMotor given{motor.name, {}, motor.design.stator.radial_shape.table, {}, {}};
   if (motor.design.stator.branch != Branch::running) given.branch = motor.design.stator.branch;
   for (const ParameterInfo& row : parameter_table())
     if (in_use(motor.design, row.parameter))

@@ -59,10 +59,11 @@ std::vector<std::string> SearchRun::notes() const {
     if (v.parameter == Parameter::wavelengths || v.parameter == Parameter::frequency)
       varied += (varied.empty() ? "" : " and ") + std::string(info(v.parameter).name);
   if (varied.empty()) return {};
-  return {varied +
-          " varied: the model accepts any number of waves at any frequency, but a real ring has one "
-          "frequency for each number "
-          "of waves; check the answer against the modes of the ring, or hold both"};
+  return {
+      varied +
+      " varied: the model accepts any number of waves at any frequency, but a real ring has one "
+      "frequency for each number "
+      "of waves; check the answer against the modes of the ring, or hold both"};
 }
 
 // A search that was asked to stop may still hold a certified design; it is not the one that the whole

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command.hpp"
+#include "exit_status.hpp"
+#include "formats.hpp"
+#include "json_parts.hpp"
+#include "load.hpp"
+#include "notes.hpp"
+#include "options.hpp"
+#include "output.hpp"
+#include "text_table.hpp"
+
+#include <twum/core/performance/equivalent_circuit.hpp>
+#include <twum/core/performance/metrics.hpp>
+#include <twum/studies/text/words.hpp>
+#include <twum/studies/units/engineering.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <memory>
+#include <optional>
+
+namespace twum::cli {
+namespace {
+
+constexpr const char* kStatorExamples = R"text(Examples:
+  twum stator examples/motors/drive-60.yaml
+  twum stator drive-60.yaml --torque "0.5 N.m"
+  twum stator drive-60.yaml --set "preload=140 N" --format json -o stator.json)text";
+
+struct StatorOptions {
+  MotorOptions motor;
+  LoadOptions load;
+  OutputOptions output;
+};
+
+struct StatorAnswer {
+  studies::MotorFile file;
+  EquivalentCircuit free;
+  std::optional<OperatingPoint> point;  // under load, if it has an answer
+  ContactCircuit contact{};
+};
+
+constexpr Parameter kModalData[] = {Parameter::resonance_frequency, Parameter::modal_mass,
+                                    Parameter::modal_damping,       Parameter::quality_factor,
+                                    Parameter::force_factor,        Parameter::blocked_capacitance,
+                                    Parameter::loss_tangent,        Parameter::frequency_ratio};
+
+template <typename T>
+struct Quantity {
+  const char* name;
+  const char* unit;
+  double (*value)(const T&);
+};
+
+using C = EquivalentCircuit;
+constexpr Quantity<C> kCircuit[] = {
+    {"motional_resistance", "ohm", [](const C& c) { return c.motional_resistance; }},
+    {"motional_inductance", "H", [](const C& c) { return c.motional_inductance; }},
+    {"motional_capacitance", "F", [](const C& c) { return c.motional_capacitance; }},
+    {"blocked_capacitance", "F", [](const C& c) { return c.blocked_capacitance; }},
+    {"series_resonance", "Hz", [](const C& c) { return series_resonance(c); }},
+    {"parallel_resonance", "Hz", [](const C& c) { return parallel_resonance(c); }},
+    {"capacitance_ratio", "1", [](const C& c) { return capacitance_ratio(c); }},
+    {"coupling_factor", "1", [](const C& c) { return coupling_factor(c); }}};
+
+using P = OperatingPoint;
+constexpr Quantity<P> kPoint[] = {
+    {"speed", "rad/s", [](const P& p) { return p.speed; }},
+    {"torque", "N.m", [](const P& p) { return p.torque; }},
+    {"voltage", "V", [](const P& p) { return p.voltage; }},
+    {"amplitude", "m", [](const P& p) { return p.amplitude; }},
+    {"phase_lag", "rad", [](const P& p) { return p.phase_lag; }},
+    {"phase_current", "A", [](const P& p) { return p.phase_current; }},
+    {"electrical_power", "W", [](const P& p) { return p.electrical_power; }},
+    {"overall_efficiency", "1", [](const P& p) { return p.overall_efficiency(); }}};
+
+constexpr Quantity<ContactCircuit> kContact[] = {
+    {"contact_resistance", "ohm", [](const ContactCircuit& c) { return c.resistance; }},
+    {"contact_capacitance", "F", [](const ContactCircuit& c) { return c.capacitance; }}};
+
+// The speed asked for, or that of the largest overall efficiency; nothing, which is said, if there is none.
+std::optional<double> loaded_speed(const StatorOptions& options, const Motor& motor) {
+  if (options.load.given()) return speed_of(options.load, motor);
+  const MetricValue best = evaluate(motor, {Metric::speed_at_max_overall_efficiency});
+  if (best.status == MetricStatus::ok) return best.value;
+  std::fprintf(stderr, "note: no operating point under load: %s\n", to_string(best.status));
+  explain_reasons({to_string(best.status)});
+  return {};
+}
+
+StatorAnswer compute_stator(const StatorOptions& options) {
+  StatorAnswer answer;
+  answer.file = load_motor(options.motor);
+  const auto circuit = equivalent_circuit(answer.file.design);
+  if (!circuit)
+    throw InputError(
+        options.motor.path +
+        ": this motor has no modal data; give resonance_frequency, modal_mass, force_factor and "
+        "quality_factor of its stator, or equivalent_circuit");
+  answer.free = *circuit;
+  const Motor motor(answer.file.design);
+  const std::optional<double> speed = loaded_speed(options, motor);
+  if (!speed) return answer;
+  const OperatingPoint point = motor.operating_point(*speed);
+  if (point.status == PointStatus::ok) {
+    answer.point = point;
+    answer.contact = contact_circuit(motor, point);
+  } else {
+    std::fprintf(stderr, "twum: no answer at this speed: %s\n", to_string(point.status));
+    explain_reasons({to_string(point.status)});
+  }
+  return answer;
+}
+
+template <typename T, std::size_t n>
+void add_json(Json& json, Json& units, const Quantity<T> (&quantities)[n], const T& from) {
+  for (const Quantity<T>& one : quantities) {
+    json[one.name] = number_json(one.value(from));
+    units[one.name] = one.unit;
+  }
+}
+
+std::string as_json(const StatorAnswer& answer) {
+  Json json = motor_json(answer.file);
+  Json units = parameter_units_json(answer.file);
+  for (const Parameter parameter : kModalData) {
+    const ParameterInfo& row = info(parameter);
+    json["modal_data"][std::string(row.name)] = number_json(get(answer.file.design, parameter));
+    units[std::string(row.name)] = row.unit;
+  }
+  add_json(json["equivalent_circuit"], units, kCircuit, answer.free);
+  json["under_load"] = nullptr;
+  if (answer.point) {
+    Json& loaded = json["under_load"];
+    add_json(loaded, units, kPoint, *answer.point);
+    add_json(loaded, units, kContact, answer.contact);
+    add_json(loaded["equivalent_circuit"], units, kCircuit,
+             with_contact(answer.free, answer.contact));
+  }
+  json["units"] = units;
+  return json_text(json);
+}
+
+std::string shown(double value, const char* unit) {
+  return std::isfinite(value) ? studies::engineering(value, unit) : "-";
+}
+
+template <typename T, std::size_t n>
+void add_rows(TextTable& table, const Quantity<T> (&quantities)[n], const T& from) {
+  for (const Quantity<T>& one : quantities)
+    table.rows.push_back({one.name, shown(one.value(from), one.unit)});
+}
+
+std::string modal_text(const MotorDesign& design) {
+  TextTable table;
+  for (const Parameter parameter : kModalData)
+    table.rows.push_back({std::string(info(parameter).name),
+                          shown(get(design, parameter), info(parameter).unit.data())});
+  return aligned(table);
+}
+
+std::string circuits_text(const StatorAnswer& answer) {
+  TextTable table{{{"circuit of a phase", "free"}}};
+  if (answer.point) table.rows[0].emplace_back("under load");
+  const EquivalentCircuit loaded = with_contact(answer.free, answer.contact);
+  for (const Quantity<C>& one : kCircuit) {
+    table.rows.push_back({one.name, shown(one.value(answer.free), one.unit)});
+    if (answer.point) table.rows.back().push_back(shown(one.value(loaded), one.unit));
+  }
+  return aligned(table);
+}
+
+std::string as_table(const StatorAnswer& answer) {
+  const std::string name =
+      answer.file.name.empty() ? "motor" : studies::printable(answer.file.name);
+  std::string text = name + "\n\n" + modal_text(answer.file.design) + "\n" + circuits_text(answer);
+  if (!answer.point) return text;
+  TextTable point{{{"under load", ""}}};
+  add_rows(point, kPoint, *answer.point);
+  add_rows(point, kContact, answer.contact);
+  return text + "\n" + aligned(point);
+}
+
+int run_stator(const StatorOptions& options) {
+  Output output(options.output.path, {options.motor.path});
+  const StatorAnswer answer = compute_stator(options);
+  if (options.load.given() && !answer.point) return kNoAnswer;
+  output.write(options.output.format == "json" ? as_json(answer) : as_table(answer));
+  output.finish();
+  print_model_notes(answer.file.design);
+  return kDone;
+}
+
+}  // namespace
+
+void add_stator(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<StatorOptions>();
+  CLI::App* command = app.add_subcommand(
+      "stator", "Modal data and equivalent circuit of the stator, free and under load");
+  add_motor_options(*command, options->motor);
+  add_load_options(*command, options->load, 0);
+  add_output_options(*command, options->output, {"table", "json"});
+  command->footer(kStatorExamples);
+  command->callback([options, &action] { action = [options] { return run_stator(*options); }; });
+}
+
+}  // namespace twum::cli

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "load.hpp"
+
+#include "notes.hpp"
+#include "options.hpp"
+
+#include <twum/core/performance/metrics.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+
+namespace twum::cli {
+
+void add_load_options(CLI::App& command, LoadOptions& options, std::size_t least) {
+  CLI::Option_group* at =
+      command.add_option_group("At", least == 1 ? "One of the two" : "At most one of the two");
+  at->add_option("--speed", options.speed, "Rotor speed, such as \"100 rpm\"");
+  at->add_option("--torque", options.torque, "Load torque, such as \"0.5 N.m\"");
+  at->require_option(static_cast<int>(least), 1);
+}
+
+std::optional<double> speed_of(const LoadOptions& options, const Motor& motor) {
+  if (options.torque.empty()) return parse_speed("--speed", options.speed);
+  const double torque = parse_torque("--torque", options.torque);
+  const MetricValue speed = evaluate(motor, {Metric::speed_at, Argument::torque, torque});
+  if (speed.status == MetricStatus::ok) return speed.value;
+  std::fprintf(stderr, "twum: no answer at this torque: %s\n", to_string(speed.status));
+  explain_reasons({to_string(speed.status)});
+  return {};
+}
+
+}  // namespace twum::cli
