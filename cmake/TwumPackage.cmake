@@ -84,6 +84,9 @@ function(twum_install_package)
   if(TWUM_WITH_IPOPT)
     list(APPEND solvers ipopt)
   endif()
+  if(TWUM_WITH_GSL)
+    list(APPEND solvers gsl)
+  endif()
   twum_pkg_config(twum-core DESCRIPTION "Travelling wave ultrasonic motors: the physics of one motor (C++20)"
     LIBRARY "-ltwum_core -ltwum_base" PRIVATE_LIBS -pthread)
   twum_pkg_config(twum-optim DESCRIPTION "Optimization with certificates, fronts, least squares (C++20)"

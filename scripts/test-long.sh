@@ -9,7 +9,7 @@
 # Exits with an error if a step failed.
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-all_steps=(cases properties validation kill stop damage no-ipopt shared asan tsan valgrind coverage clang fuzz package lint)
+all_steps=(cases properties validation kill stop damage no-ipopt no-gsl shared asan tsan valgrind coverage clang fuzz package lint)
 
 build() {  # PRESET [CMAKE ARGUMENT...]
   configure "$@" && cmake --build --preset "$1" -j "$(jobs)"
@@ -60,6 +60,11 @@ step_damage() {
 step_no-ipopt() {
   configure ci -B build/no-ipopt -DTWUM_WITH_IPOPT=OFF && cmake --build build/no-ipopt -j "$(jobs)" &&
     ! ldd build/no-ipopt/bin/twum | grep -i ipopt && all_tests build/no-ipopt
+}
+
+step_no-gsl() {
+  configure ci -B build/no-gsl -DTWUM_WITH_GSL=OFF && cmake --build build/no-gsl -j "$(jobs)" &&
+    ! ldd build/no-gsl/bin/twum | grep -i gsl && all_tests build/no-gsl
 }
 
 # Libraries, program, Python module and other people's programs with shared libraries.

@@ -17,7 +17,7 @@ std::string nlopt_text() {
 }  // namespace
 
 std::vector<LibraryVersion> library_versions() {
-  return {{"NLopt", nlopt_text()}, {"Ipopt", TWUM_IPOPT_VERSION}};
+  return {{"NLopt", nlopt_text()}, {"Ipopt", TWUM_IPOPT_VERSION}, {"GSL", TWUM_GSL_VERSION}};
 }
 
 }  // namespace twum::optim

@@ -16,7 +16,13 @@ class Help(program.Case):
                 self.assertIn(f"twum {command}", text)
 
     def test_version(self):
-        self.assertRegex(self.ok("--version"), r"^twum \d+\.\d+\.\d+\n$")
+        version, solvers, licence = self.ok("--version").splitlines()
+        self.assertRegex(version, r"^twum \d+\.\d+\.\d+$")
+        self.assertRegex(solvers, r"^solvers: NLopt \d+\.\d+")
+        # Both together may not be passed on; GSL alone makes it GPL-3.
+        both = "GSL" in solvers and "Ipopt" in solvers
+        self.assertEqual(licence.startswith("licence of this program: for your own use"), both)
+        self.assertEqual("GPL-3" in licence, "GSL" in solvers)
 
 
 class Mistakes(program.Case):

@@ -5,6 +5,7 @@
 #include <twum/base/error.hpp>
 #include <twum/optim/hypervolume.hpp>
 #include <twum/optim/latin_hypercube.hpp>
+#include <twum/optim/least_squares.hpp>
 #include <twum/optim/library_versions.hpp>
 #include <twum/optim/low_discrepancy.hpp>
 #include <twum/optim/pareto.hpp>
@@ -248,10 +249,11 @@ TEST_CASE("each solver option and library says what it is", "[optim]") {
   }
   CHECK(names.contains("nlopt xtol_rel"));
   const auto versions = library_versions();
-  REQUIRE(versions.size() == 2);
+  REQUIRE(versions.size() == 3);
   CHECK(versions[0].name == "NLopt");
   CHECK_THAT(versions[0].version, StartsWith("2."));  // the build asks for 2.7 or later
   CHECK((versions[1].version == "none") != find_solver("ipopt").available);
+  CHECK((versions[2].version == "none") != least_squares_solvers().back().available);
 }
 
 TEST_CASE("a search that is given no start begins in the middle of each scale",

@@ -209,8 +209,10 @@ struct Digits {
   double deviations{11.0};
 };
 
-Digits fitted(const DataSet& set, const std::string& start) {
-  const auto fit = least_squares(unbounded(set.entries.at(start)), residuals_of(set));
+Digits fitted(const DataSet& set, const std::string& start, const std::string& solver) {
+  LeastSquaresOptions options;
+  options.solver = solver;
+  const auto fit = least_squares(unbounded(set.entries.at(start)), residuals_of(set), options);
   Digits least;
   for (std::size_t j = 0; j < fit.estimates.size(); ++j) {
     least.parameters =
@@ -225,18 +227,29 @@ Digits fitted(const DataSet& set, const std::string& start) {
   return least;
 }
 
+// The solvers of fits that this build has.
+std::vector<std::string> usable_fits() {
+  std::vector<std::string> names;
+  for (const SolverInfo& one : least_squares_solvers())
+    if (one.available) names.push_back(one.name);
+  return names;
+}
+
 }  // namespace
 
 TEST_CASE(
     "NIST reference fits, from the nearer start: six digits of the parameters, four of their "
     "deviations",
     "[optim][least_squares][published]") {
+  const std::string solver = GENERATE(from_range(usable_fits()));
+  CAPTURE(solver);
   for (const DataSet& set : nist()) {
-    const Digits found = fitted(set, "start2");
+    const Digits found = fitted(set, "start2", solver);
     CAPTURE(set.name, found.parameters, found.deviations);
     CHECK(found.parameters >= 6.0);
-    // Lanczos1 has residuals of 1e-13 in data of 1: in double they keep no more than three digits.
-    CHECK(found.deviations >= (set.name == "Lanczos1" ? 3.0 : 4.0));
+    // Lanczos1: residuals of 7.7e-14 (root mean square) are differences of numbers of up to 2.5, which doubles round
+    // by up to 2.8e-16; that is 3.6e-3 of them, 2.4 digits.
+    CHECK(found.deviations >= (set.name == "Lanczos1" ? 2.4 : 4.0));
   }
 }
 

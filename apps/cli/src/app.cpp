@@ -4,11 +4,11 @@
 #include "command.hpp"
 #include "exit_status.hpp"
 #include "interrupt.hpp"
+#include "licence.hpp"
 #include "output.hpp"
 #include "progress.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/base/version.hpp>
 #include <twum/studies/diagnostics/diagnostics.hpp>
 #include <twum/studies/text/words.hpp>
 
@@ -128,7 +128,7 @@ int perform(const Action& action) {
 int run(int argc, char** argv) {
   install_interrupt_handler();
   CLI::App app("twum - design of travelling wave ultrasonic motors", "twum");
-  app.set_version_flag("--version", std::string("twum ") + version());
+  app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
   app.footer(kExamples);
   Action action;

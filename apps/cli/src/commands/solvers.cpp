@@ -5,6 +5,7 @@
 #include "listing.hpp"
 #include "output.hpp"
 
+#include <twum/optim/least_squares.hpp>
 #include <twum/optim/solvers.hpp>
 
 #include <CLI/CLI.hpp>
@@ -23,7 +24,8 @@ constexpr const char* kText =
     "says what a solver\n"
     "needs; exact gradients are always there. Every available solver keeps to the bounds of the "
     "variables; limits on\n"
-    "metrics are inequalities. This page is the output of `twum solvers --format markdown`; "
+    "metrics are inequalities. The last two are for `calibrate`, as `solver: gsl:lm`. This page is "
+    "the output of `twum solvers --format markdown`; "
     "`twum solvers --options`\n"
     "lists the options alone.";
 
@@ -45,13 +47,8 @@ struct SolversOptions {
 
 std::string mark(bool flag) { return flag ? "yes" : ""; }
 
-Listing solver_list() {
-  Listing listing{
-      "Solvers",
-      kText,
-      {"name", "gradient", "inequality", "equality", "global", "stochastic", "available", "text"},
-      {}};
-  for (const optim::SolverInfo& solver : optim::solvers()) {
+void add_rows(Listing& listing, const std::vector<optim::SolverInfo>& solvers) {
+  for (const optim::SolverInfo& solver : solvers) {
     listing.rows.push_back(
         {solver.name, solver.gradient ? "needed" : "",
          solver.augmented ? "augmented" : mark(solver.inequality),
@@ -59,6 +56,16 @@ Listing solver_list() {
          mark(solver.global), mark(solver.stochastic), solver.available ? "yes" : "no",
          solver.description});
   }
+}
+
+Listing solver_list() {
+  Listing listing{
+      "Solvers",
+      kText,
+      {"name", "gradient", "inequality", "equality", "global", "stochastic", "available", "text"},
+      {}};
+  add_rows(listing, optim::solvers());
+  add_rows(listing, optim::least_squares_solvers());
   return listing;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <twum/optim/result.hpp>
+#include <twum/optim/solvers.hpp>
 
 namespace twum::optim {
 
@@ -15,8 +16,15 @@ struct Residuals {
 /// Parameters in user units; fixed size of the answer. May throw EvaluationError for a failure.
 using ResidualFunction = std::function<Residuals(std::span<const double> parameters)>;
 
+/// Names of the solvers of fits.
+/// @{
+inline constexpr const char* kOwnFit = "twum:lm";
+inline constexpr const char* kGslFit = "gsl:lm";
+/// @}
+
 /// How to fit.
 struct LeastSquaresOptions {
+  std::string solver{kOwnFit};        ///< one of least_squares_solvers()
   std::size_t max_evaluations{2000};  ///< calls of the residuals
   double tolerance{
       1e-13};  ///< relative decrease of the sum of squares, and step, that end the search
@@ -58,8 +66,12 @@ struct LeastSquaresResult {
   std::string word;   ///< how the search ended
 };
 
-/// Fits parameters within bounds by least squares: a Levenberg-Marquardt method that projects onto
-/// the bounds (log scales are fitted in the logarithm), QR throughout. The covariance is
+/// The solvers of fits, those that this build lacks included: "twum:lm", Levenberg and Marquardt's method that
+/// projects onto the bounds, and "gsl:lm", GSL's trust region method on the parameters that no bound holds.
+const std::vector<SolverInfo>& least_squares_solvers();
+
+/// Fits parameters within bounds by least squares; log scales are fitted in the logarithm, and linear systems are
+/// solved by QR. Whatever the solver, the answer is judged by the same gradient test. The covariance is
 /// s^2 (J^T J)^-1 at the optimum over the parameters that no bound holds; intervals are
 /// linearised. A failed evaluation shortens the step.
 /// Variables without a start begin in the middle; bounds may be infinite where a start is given and
@@ -67,7 +79,7 @@ struct LeastSquaresResult {
 /// The residuals should be smooth in the parameters. Local: other starts may find other optima. Safe from
 /// any number of threads if the residuals are. Cost: one evaluation a step, and m n^2 operations for m
 /// residuals of n parameters.
-/// @throws InputError for no parameters, names missing or twice, fewer residuals than free
+/// @throws InputError for an unknown solver or one that this build lacks, for no parameters, names missing or twice, fewer residuals than free
 ///         parameters, a start without a value
 LeastSquaresResult least_squares(const std::vector<Variable>& parameters,
                                  const ResidualFunction& residuals,

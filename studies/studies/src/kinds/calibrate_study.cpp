@@ -72,6 +72,7 @@ class CalibrateRun final : public StudyKindRun {
   CalibrateRun(const CalibrateStudy& asked, const StudyFile& file)
       : fit_(fit_of(asked, file)),
         starts_(asked.starts),
+        solver_(optim::least_squares_solvers()[static_cast<std::size_t>(asked.solver)].name),
         seed_(asked.seed),
         confidence_(asked.confidence) {}
 
@@ -174,6 +175,7 @@ class CalibrateRun final : public StudyKindRun {
       return found;
     };
     optim::LeastSquaresOptions options;
+    options.solver = solver_;
     options.confidence = confidence_;
     options.stop = context.stop;
     return optim::least_squares(fit_.variables(start), residuals, options);
@@ -181,6 +183,7 @@ class CalibrateRun final : public StudyKindRun {
 
   TorqueFit fit_;
   std::uint64_t starts_;
+  std::string solver_;
   std::uint64_t seed_;
   double confidence_;
 };

@@ -4,6 +4,7 @@
 #include "study/repeats.hpp"
 #include "study/solver_entry.hpp"
 
+#include <twum/optim/least_squares.hpp>
 #include <twum/studies/text/words.hpp>
 
 namespace twum::studies {
@@ -114,6 +115,16 @@ bool refuse_whole_numbers(CalibrateStudy& /*study*/, const Given& given, Diagnos
   return true;
 }
 
+bool check_fit(CalibrateStudy& study, const Given& given, Diagnostics& diagnostics) {
+  const optim::SolverInfo& solver =
+      optim::least_squares_solvers()[static_cast<std::size_t>(study.solver)];
+  if (!solver.available)
+    diagnostics.add(given.find("solver")->mark, given.path("solver"),
+                    "'" + solver.name + "' cannot be used: " + solver.description,
+                    "one of those that 'twum solvers' lists as available");
+  return refuse_whole_numbers(study, given, diagnostics);
+}
+
 }  // namespace
 
 Shape<OptimizeStudy> OptimizeStudy::shape() {
@@ -173,8 +184,13 @@ Shape<CalibrateStudy> CalibrateStudy::shape() {
        standard<S>("confidence", fraction("level of the confidence intervals", "0.95"),
                    &S::confidence),
        standard<S>("starts", count("local fits from different starts", "8", 1, 10000), &S::starts),
+       standard<S>(
+           "solver",
+           word<FitSolver>("solver of each fit; gsl:lm is GSL's, a second way to the same answer",
+                           {optim::kOwnFit, optim::kGslFit}),
+           &S::solver),
        standard<S>("seed", shapes::seed(), &S::seed)},
-      refuse_whole_numbers);
+      check_fit);
 }
 
 }  // namespace twum::studies

@@ -165,6 +165,9 @@ struct UncertaintyStudy {
   std::string start;  ///< result directory with the motor that is varied; empty: the motor
 };
 
+/// Who searches for the least sum of squares, in the order of optim::least_squares_solvers().
+enum class FitSolver : unsigned char { own, gsl };
+
 /// Parameters from measured torque-speed points.
 struct CalibrateStudy {
   static constexpr std::string_view kName{"calibrate"};  ///< as in `kind:`
@@ -177,6 +180,7 @@ struct CalibrateStudy {
   std::vector<DerivedParameter> derived;  ///< what follows from the variables
   double confidence{0.95};                ///< level of the intervals
   std::uint64_t starts{8};                ///< local fits from different starts
+  FitSolver solver{FitSolver::own};       ///< of each of them
   std::uint64_t seed{1};                  ///< of the starts
 };
 

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/optim/least_squares.hpp>
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace twum::optim {
+
+/// How a search for the least sum of squares ended.
+struct FitEnd {
+  std::string word;
+  bool cut_short{false};  ///< asked to stop, or out of evaluations
+};
+
+/// What every solver of a fit sees: the residuals over t, the parameters themselves or their logarithms, in a
+/// box; where it stands; and what can be said of the end. Internal.
+class FitSpace {
+ public:
+  FitSpace(const std::vector<Variable>& parameters, const ResidualFunction& residuals,
+           const LeastSquaresOptions& options);
+
+  /// Evaluates the start; false: it has no residuals.
+  bool start();
+  /// Residuals and their Jacobian over t; false, and counted by reason, if there are none.
+  bool evaluate(const Eigen::VectorXd& t, Eigen::VectorXd& r, Eigen::MatrixXd& jacobian);
+  /// Stands there from now on.
+  void move(const Eigen::VectorXd& t, const Eigen::VectorXd& r, const Eigen::MatrixXd& j);
+
+  const Eigen::VectorXd& t() const { return t_; }
+  const Eigen::VectorXd& r() const { return r_; }
+  const Eigen::MatrixXd& j() const { return j_; }
+  const Eigen::VectorXd& lower() const { return lower_; }
+  const Eigen::VectorXd& upper() const { return upper_; }
+  const LeastSquaresOptions& options() const { return options_; }
+  bool out_of_evaluations() const { return counters_.evaluations >= options_.max_evaluations; }
+
+  /// The parameters that no bound holds; one is held at a bound beyond which the sum of squares falls.
+  std::vector<Eigen::Index> free_parameters() const;
+  /// Estimates, intervals and the gradient test, at the place where it stands.
+  LeastSquaresResult result(const FitEnd& end) const;
+
+ private:
+  const Variable& parameter(Eigen::Index j) const {
+    return parameters_[static_cast<std::size_t>(j)];
+  }
+  void begin(Eigen::Index j);
+  std::vector<double> user(const Eigen::VectorXd& t) const;
+  bool take(const Residuals& found, const std::vector<double>& b, Eigen::VectorXd& r,
+            Eigen::MatrixXd& jacobian) const;
+  bool held(Eigen::Index j) const;
+  double size_of_terms(bool cut_short) const;
+  double gradient_cosine(const std::vector<Eigen::Index>& free) const;
+  Eigen::MatrixXd user_jacobian(const std::vector<double>& b) const;
+
+  const std::vector<Variable>& parameters_;
+  const ResidualFunction& function_;
+  const LeastSquaresOptions& options_;
+  Eigen::VectorXd t_, lower_, upper_, r_;
+  Eigen::MatrixXd j_;
+  Counters counters_;
+  double first_{0.0};  // norm of the residuals at the start
+};
+
+/// GSL's trust region method on the parameters that no bound holds.
+/// @throws InputError if this build lacks GSL
+FitEnd gsl_fit(FitSpace& space);
+/// It is in this build.
+bool has_gsl();
+
+}  // namespace twum::optim
