@@ -6,9 +6,11 @@
 
 #include <benchmark/benchmark.h>
 
+#include <twum/core/performance/frequency_response.hpp>
 #include <twum/core/performance/metrics.hpp>
 #include <twum/core/performance/motor.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -93,12 +95,28 @@ void integration_in_time(benchmark::State& state) {
   state.SetLabel(std::to_string(periods) + " periods");
 }
 
+// A family of five voltages at 200 frequencies each, swept up and down without load.
+void frequency_sweeps(benchmark::State& state) {
+  MotorDesign design = design_of(state);
+  for (auto _ : state) {
+    for (const double voltage : {60.0, 80.0, 100.0, 120.0, 140.0}) {
+      design.stator.voltage = voltage;
+      const FrequencyResponse response(design, {Argument::torque, 0});
+      std::vector<double> frequencies = spaced_frequencies(response.from(), response.to(), 200);
+      benchmark::DoNotOptimize(response.sweep(frequencies));
+      std::reverse(frequencies.begin(), frequencies.end());
+      benchmark::DoNotOptimize(response.sweep(frequencies));
+    }
+  }
+}
+
 BENCHMARK(make_motor)->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
 BENCHMARK(point_at_given_amplitude)->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
 BENCHMARK(point_on_the_branch)->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
 BENCHMARK(waves_at_a_speed)->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
 BENCHMARK(metrics_of_a_design)->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
 BENCHMARK(gradients_of_a_design)->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
+BENCHMARK(frequency_sweeps)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(integration_in_time)->Unit(benchmark::kMicrosecond);
 
 }  // namespace

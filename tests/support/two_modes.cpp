@@ -36,9 +36,14 @@ TwoModes::TwoModes(const MotorDesign& design, double speed)
   place_rotor();
 }
 
+void TwoModes::set_frequency(double frequency) {
+  omega_ = 2 * kPi * frequency;
+  step_ = 2 * kPi / omega_ / kSteps;
+}
+
 // w = Re(conj(Z) exp(i kappa x)) with Z = w_c + i w_s; a forward wave is Z = A exp(i (omega t - phi)).
 void TwoModes::set_wave(double amplitude, double phase_lag) {
-  place_ = std::polar(amplitude, omega_ * time_ - phase_lag);
+  place_ = std::polar(amplitude, phase_ - phase_lag);
   velocity_ = Complex(0, omega_) * place_;
   std::fill(traction_.begin(), traction_.end(), 0.0);
   press();
@@ -49,7 +54,7 @@ void TwoModes::run(int periods) {
   const double share = 1.0 / (kSteps * periods);
   for (int i = 0; i < kSteps * periods; ++i) {
     step();
-    wave_ += place_ * std::polar(share, -omega_ * time_);
+    wave_ += place_ * std::polar(share, -phase_);
     torque_ += torque_now_ * share;
     stator_power_ += power_now_ * share;
   }
@@ -70,13 +75,16 @@ void TwoModes::step() {
   rotor_ += 0.5 * turn;
   place_rotor();
   place_ = next;
-  time_ += step_;
+  phase_ = std::fmod(phase_ + omega_ * step_, 2 * kPi);
   press();
   kick(0.5 * step_);
 }
 
+// Z' - i omega Z vanishes on a steady forward wave and is twice the velocity of a backward one.
 void TwoModes::kick(double duration) {
-  velocity_ += duration / mass_ * (drive_ * std::polar(1.0, omega_ * time_) + force_);
+  const Complex backward = 0.5 * (velocity_ - Complex(0, omega_) * place_);
+  const Complex drive = drive_ * std::polar(1.0, phase_);
+  velocity_ += duration / mass_ * (drive + force_ - backward_damping_ * backward);
 }
 
 // The rotor moves in the drive direction, against the wave.

@@ -21,7 +21,11 @@ class TwoModes {
   /// @param design  with a voltage
   TwoModes(const MotorDesign& design, double speed);
 
+  /// From here on another frequency of the drive [Hz]; its phase goes on.
+  void set_frequency(double frequency);
   void set_voltage(double rms) { drive_ = rms * drive_per_volt_; }
+  /// Adds a damping of waves that run backward; a steady forward wave does not feel it [N s/m].
+  void damp_backward_waves(double damping) { backward_damping_ = damping; }
   /// Begins with a forward wave of an amplitude that lags behind the voltage by a phase.
   void set_wave(double amplitude, double phase_lag);
   void run(int periods);
@@ -44,9 +48,10 @@ class TwoModes {
 
   // (w_c, w_s) as real and imaginary part.
   Complex place_{0, 0}, velocity_{0, 0}, force_{0, 0};
-  double time_{0}, speed_, omega_, step_;
+  double phase_{0};  // of the drive [rad]
+  double speed_, omega_, step_;
   double mass_, decay_, own_;  // of the modes: d / 2 m, damped frequency
-  double drive_{0}, drive_per_volt_;
+  double drive_{0}, drive_per_volt_, backward_damping_{0};
   double tilt_, foundation_, shear_, friction_, preload_, area_, radius_, wave_number_;
   double height_{0}, rotor_{0};
   std::vector<Complex> turn_;  // exp(i kappa x) of each place on the rotor

@@ -25,5 +25,6 @@
 #include <twum/core/design/parameters.hpp>
 #include <twum/core/performance/batch.hpp>
 #include <twum/core/performance/equivalent_circuit.hpp>
+#include <twum/core/performance/frequency_response.hpp>
 #include <twum/core/performance/metrics.hpp>
 #include <twum/core/performance/motor.hpp>

@@ -3,6 +3,7 @@
 
 #include "performance/drive/drive.hpp"
 #include "performance/fields.hpp"
+#include "performance/operating_point.hpp"
 #include "performance/point.hpp"
 
 #include <twum/core/design/parameters.hpp>
@@ -25,19 +26,6 @@ std::string speed_text(double speed) {
 }
 
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
-
-OperatingPoint no_answer(double speed, PointStatus status) {
-  OperatingPoint point;
-  for (double* number :
-       {&point.torque, &point.output_power, &point.stator_power, &point.friction_power,
-        &point.layer_loss, &point.stator_loss, &point.wear_intensity, &point.stick_fraction,
-        &point.reactive_force, &point.amplitude, &point.phase_lag, &point.voltage,
-        &point.phase_current, &point.dielectric_loss, &point.electrical_power, &point.power_factor})
-    *number = kNoValue;
-  point.speed = speed;
-  point.status = status;
-  return point;
-}
 
 }  // namespace
 
@@ -123,40 +111,6 @@ void require_speed(const performance::DrivenMotor<double>& m, double speed) {
   }
 }
 
-void add_terminals(OperatingPoint& point, const performance::DrivenMotor<double>& m,
-                   const performance::StatorModes<double>& modes) {
-  const performance::WaveBalance<double> wave = performance::wave_balance(
-      modes, m.amplitude, m.omega, point.reactive_force, point.stator_power);
-  const performance::Terminals<double> t =
-      performance::terminals(modes, wave, m.amplitude, m.omega);
-  point.phase_lag = std::atan2(wave.imaginary, wave.real);  // (D2.4)
-  point.voltage = t.voltage;
-  point.phase_current = t.current;
-  point.dielectric_loss = t.dielectric_loss;
-  point.electrical_power = t.power;
-  point.power_factor = t.power_factor;
-}
-
-OperatingPoint operating_point_of(const performance::DrivenMotor<double>& m,
-                                  const performance::SolvedPoint& solved, double speed,
-                                  const std::optional<performance::StatorModes<double>>& modes) {
-  OperatingPoint point = no_answer(speed, solved.status);
-  if (solved.status != PointStatus::ok) return point;
-  const performance::PointNumbers<double>& n = solved.numbers;
-  point.torque = n.torque;
-  point.output_power = n.torque * speed;
-  point.stator_power = n.stator_power;
-  point.friction_power = n.friction_power;
-  point.layer_loss = n.layer_loss;
-  point.stator_loss = stator_loss(m);
-  point.wear_intensity = n.friction_power / track_area(m);
-  point.stick_fraction = n.stick_fraction;
-  point.reactive_force = n.reactive_force;
-  point.amplitude = m.amplitude;
-  if (modes) add_terminals(point, m, *modes);
-  return point;
-}
-
 void require_admissible(Parameter parameter, double value) {
   const std::string wrong = complaint(parameter, value);
   if (!wrong.empty()) throw InputError(std::string(info(parameter).name) + " " + wrong);
@@ -174,9 +128,10 @@ OperatingPoint Motor::operating_point(double speed) const {
   require_speed(*model_, speed);
   const auto modes = performance::stator_modes(design_);
   if (!drive_)
-    return operating_point_of(*model_, performance::solve_point(*model_, speed), speed, modes);
+    return performance::operating_point_of(*model_, performance::solve_point(*model_, speed), speed,
+                                           modes);
   const performance::MotorPoint at = drive_->at(speed);
-  return operating_point_of(at.motor, at.solved, speed, modes);
+  return performance::operating_point_of(at.motor, at.solved, speed, modes);
 }
 
 OperatingPoint Motor::operating_point(const OperatingConditions& at) const {
@@ -185,8 +140,8 @@ OperatingPoint Motor::operating_point(const OperatingConditions& at) const {
   const performance::DrivenMotor<double> m =
       driven<double>(*model_, {at.amplitude, 2 * std::numbers::pi * at.frequency});
   require_speed(m, at.speed);
-  return operating_point_of(m, performance::solve_point(m, at.speed), at.speed,
-                            performance::stator_modes(design_));
+  return performance::operating_point_of(m, performance::solve_point(m, at.speed), at.speed,
+                                         performance::stator_modes(design_));
 }
 
 namespace {
@@ -222,7 +177,7 @@ ContactFields Motor::fields(double speed, int samples, double radius) const {
   require_on_track(*model_, radius);
   const auto [motor, point] = solved(speed);
   const auto modes = performance::stator_modes(design_);
-  ContactFields fields{operating_point_of(motor, point, speed, modes), radius, {}, {}};
+  ContactFields fields{performance::operating_point_of(motor, point, speed, modes), radius, {}, {}};
   if (point.status != PointStatus::ok) return fields;
   fields.zones = performance::zones_at(motor, speed, radius);
   fields.samples = performance::fields_at(motor, speed, radius, samples);

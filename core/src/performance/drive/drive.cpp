@@ -1,19 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "performance/drive/drive.hpp"
 
-#include <twum/base/error.hpp>
-
-#include <numbers>
-
 namespace twum::performance {
 namespace {
-
-// The model's amplitude is not looked at; any that makes a wave will do.
-ModelArray<double> values_of(const MotorDesign& design) {
-  ModelArray<double> values = model_values(design);
-  values[model_index(Parameter::amplitude)] = 1e-6;
-  return values;
-}
 
 // How many slices `auto` takes is asked of the motor under the wave that it begins with.
 TrackRule track_of(const MotorDesign& design) {
@@ -24,22 +13,12 @@ TrackRule track_of(const MotorDesign& design) {
   return track_rule(amplitude > 0 ? with(design, Parameter::amplitude, amplitude) : first);
 }
 
-StatorModes<double> modes_of(const MotorDesign& design) {
-  const auto modes = stator_modes(design);
-  TWUM_ASSERT(modes.has_value());
-  return *modes;
-}
-
 }  // namespace
 
-double drive_force(const MotorDesign& design) {
-  return std::numbers::sqrt2 * *design.stator.voltage * *design.stator.force_factor;
-}
-
 Drive::Drive(const MotorDesign& design)
-    : asked_(design.stator.branch),
-      waves_(values_of(design), modes_of(design), drive_force(design), track_of(design)),
-      branch_(waves_) {}
+    : asked_(design.stator.branch), waves_(waves_of(design)), branch_(waves_) {}
+
+DrivenWaves Drive::waves_of(const MotorDesign& design) { return {design, track_of(design)}; }
 
 double Drive::begin() const {
   const bool above_rest = asked_ == Branch::running && branch_.lower().pulls_out();

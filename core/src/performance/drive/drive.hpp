@@ -21,6 +21,9 @@ class Drive {
   Drive(const Drive&) = delete;
   Drive& operator=(const Drive&) = delete;
 
+  /// Its waves, at the slices that `auto` comes to.
+  static DrivenWaves waves_of(const MotorDesign& design);
+
   /// The point on the branch that the design asks for; its status says why there is none.
   MotorPoint at(double speed) const;
   /// Every wave that the voltage holds at a speed, stable or not, the smallest first.
@@ -45,8 +48,5 @@ class Drive {
   DrivenWaves waves_;
   RunningBranch branch_;
 };
-
-/// Theta u_0 of a design with a voltage [N].
-double drive_force(const MotorDesign& design);
 
 }  // namespace twum::performance

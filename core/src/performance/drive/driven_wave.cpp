@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "performance/drive/driven_wave.hpp"
 
+#include "design/layer_properties.hpp"
 #include "performance/track.hpp"
+
+#include <twum/base/error.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +23,25 @@ ModelArray<SpeedDual> constants(const ModelArray<double>& values) {
 
 StatorModes<SpeedDual> constants(const StatorModes<double>& m) {
   return {m.mass, m.resonance, m.damping, m.force_factor, m.capacitance, m.loss_tangent};
+}
+
+// Any amplitude that makes a wave will do for the model.
+ModelArray<double> values_of(const MotorDesign& design) {
+  ModelArray<double> values = model_values(design);
+  values[model_index(Parameter::amplitude)] = 1e-6;
+  return values;
+}
+
+StatorModes<double> modes_of(const MotorDesign& design) {
+  const auto modes = stator_modes(design);
+  TWUM_ASSERT(modes.has_value());
+  return *modes;
+}
+
+// Theta u_0 [N]; zero without a voltage.
+double drive_force(const MotorDesign& design) {
+  return std::numbers::sqrt2 * design.stator.voltage.value_or(0) *
+         design.stator.force_factor.value_or(0);
 }
 
 SpeedDual moving(double value, double seed) {
@@ -42,14 +64,24 @@ double reach_of(const MotorModel<double>& m) {
 
 }  // namespace
 
-DrivenWaves::DrivenWaves(const ModelArray<double>& values, const StatorModes<double>& modes,
-                         double drive, const TrackRule& track)
-    : model_(motor_model(values, track)),
-      dual_model_(motor_model(constants(values), track)),
-      modes_(modes),
-      drive_(drive),
-      omega_(design_wave(values).omega),
-      reach_(reach_of(model_)) {}
+DrivenWaves::DrivenWaves(const MotorDesign& design, const TrackRule& track)
+    : model_(motor_model(values_of(design), track)),
+      dual_model_(motor_model(constants(values_of(design)), track)),
+      modes_(modes_of(design)),
+      drive_(drive_force(design)),
+      omega_(2 * std::numbers::pi * drive_frequency(design)),
+      reach_(reach_of(model_)) {
+  if (in_use(design, Parameter::loss_factor)) loss_factor_ = design.layer.loss_factor;
+}
+
+DrivenWaves DrivenWaves::at_frequency(double omega) const {
+  DrivenWaves other = *this;
+  other.omega_ = omega;
+  if (!loss_factor_) return other;
+  other.model_.viscosity = shear_viscosity_of(*loss_factor_, model_.shear, omega);
+  other.dual_model_.viscosity = SpeedDual(other.model_.viscosity);
+  return other;
+}
 
 DrivenWave DrivenWaves::at(double amplitude, double speed, const WarmStart* guess,
                            double accuracy) const {
@@ -62,7 +94,8 @@ DrivenWave DrivenWaves::at(double amplitude, double speed, const WarmStart* gues
                        point.numbers.stator_power),
           point.status,
           start,
-          point.zones_followed() / slices};
+          point.zones_followed() / slices,
+          point.numbers.torque};
 }
 
 PointNumbers<SpeedDual> DrivenWaves::along(const SolvedPoint& point, double amplitude, double speed,
@@ -77,7 +110,9 @@ SlopedWave DrivenWaves::sloped(const SolvedPoint& point, double amplitude, doubl
   SlopedWave result;
   const WarmStart start = point.start();
   const long slices = static_cast<long>(start.size());
-  result.wave = {amplitude, speed, {0, 0}, point.status, start, point.zones_followed() / slices};
+  result.wave = {amplitude,           speed, {0, 0},
+                 point.status,        start, point.zones_followed() / slices,
+                 point.numbers.torque};
   if (point.status != PointStatus::ok) return result;
   const PointNumbers<SpeedDual> n = along(point, amplitude, speed, amplitude_seed, speed_seed);
   const WaveBalance<SpeedDual> b =
@@ -85,6 +120,7 @@ SlopedWave DrivenWaves::sloped(const SolvedPoint& point, double amplitude, doubl
                    n.reactive_force, n.stator_power);
   result.wave.balance = {b.real.v, b.imaginary.v};
   result.slope = {b.real.d[0], b.imaginary.d[0]};
+  result.torque_slope = n.torque.d[0];
   return result;
 }
 
@@ -95,7 +131,7 @@ SlopedWave DrivenWaves::in_amplitude(double amplitude, double speed, const WarmS
 DrivenWaves::LevelSlopes DrivenWaves::slopes(double amplitude, double speed,
                                              const WarmStart* guess) const {
   const SolvedPoint point = solve_point(motor(amplitude), speed, guess);
-  return {sloped(point, amplitude, speed, 1, 0), sloped(point, amplitude, speed, 0, 1).fold()};
+  return {sloped(point, amplitude, speed, 1, 0), sloped(point, amplitude, speed, 0, 1)};
 }
 
 Stability DrivenWaves::stability(const SlopedWave& w) const {

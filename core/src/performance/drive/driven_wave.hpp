@@ -4,6 +4,8 @@
 #include "performance/drive/stator_modes.hpp"
 #include "performance/point.hpp"
 
+#include <optional>
+
 namespace twum::performance {
 
 /// A wave of a prescribed amplitude at a speed, and what drives it there.
@@ -11,8 +13,9 @@ struct DrivenWave {
   double amplitude{0}, speed{0};
   WaveBalance<double> balance{0, 0};
   PointStatus status{PointStatus::ok};
-  WarmStart start;  ///< for neighbouring waves
-  long zones{0};    ///< followed in a slice to find it: what it cost
+  WarmStart start;   ///< for neighbouring waves
+  long zones{0};     ///< followed in a slice to find it: what it cost
+  double torque{0};  ///< on the rotor [N m]
 
   double force() const { return balance.force(); }
 };
@@ -21,6 +24,7 @@ struct DrivenWave {
 struct SlopedWave {
   DrivenWave wave;
   WaveBalance<double> slope;  ///< R_A, I_A [N/m]
+  double torque_slope{0};     ///< T_A [N]
 
   /// H H_A; zero at folds.
   double fold() const {
@@ -38,11 +42,13 @@ struct Stability {
 /// The motor as its amplitude varies, at one frequency: what each amplitude and speed takes of the drive.
 class DrivenWaves {
  public:
-  /// @param values  of kModelParameters; their amplitude is not looked at
-  /// @param drive   Theta u_0, the force of the voltage's peak [N]
+  /// @param design  with modal data; without a voltage the drive is zero. Its amplitude is not looked at
   /// @param track   the same at all amplitudes: H(A) has no steps
-  DrivenWaves(const ModelArray<double>& values, const StatorModes<double>& modes, double drive,
-              const TrackRule& track);
+  DrivenWaves(const MotorDesign& design, const TrackRule& track);
+
+  /// The same motor where the drive has another frequency; the layer's viscosity follows it where it is that of a loss factor.
+  /// @param omega  [rad/s]
+  DrivenWaves at_frequency(double omega) const;
 
   DrivenWave at(double amplitude, double speed, const WarmStart* guess = nullptr,
                 double accuracy = 0) const;
@@ -51,10 +57,16 @@ class DrivenWaves {
                                          double amplitude_seed, double speed_seed) const;
   /// With derivatives in amplitude.
   SlopedWave in_amplitude(double amplitude, double speed, const WarmStart* guess = nullptr) const;
-  /// With derivatives in amplitude, and H H_Omega at fixed amplitude.
+  /// The same beside the derivatives in speed at fixed amplitude.
   struct LevelSlopes {
-    SlopedWave in_amplitude;
-    double speed_fold;
+    SlopedWave in_amplitude, in_speed;
+
+    /// dA / dOmega along H(A, Omega) = Theta u_0 (D2.9).
+    double amplitude_per_speed() const { return -in_speed.fold() / in_amplitude.fold(); }
+    /// dT / dOmega along the same.
+    double torque_per_speed() const {
+      return in_speed.torque_slope + in_amplitude.torque_slope * amplitude_per_speed();
+    }
   };
   LevelSlopes slopes(double amplitude, double speed, const WarmStart* guess = nullptr) const;
 
@@ -82,9 +94,10 @@ class DrivenWaves {
   MotorModel<double> model_;
   MotorModel<contact::SpeedDual> dual_model_;
   StatorModes<double> modes_;
-  double drive_;
+  double drive_;  // Theta u_0, the force of the voltage's peak [N]
   double omega_;
-  double reach_;  // k of (D2.10)
+  std::optional<double> loss_factor_;  // where the layer's viscosity follows from it
+  double reach_;                       // k of (D2.10)
 };
 
 }  // namespace twum::performance

@@ -82,7 +82,7 @@ RunningBranch::Attempt RunningBranch::node(double speed, double guess,
     a += step;
     if (!(std::fabs(a - guess) <= kStraight * guess)) return {{}, zones};
     if (std::fabs(step) <= kNodeSettled * a)
-      return {Node{speed, a, -s.speed_fold / w.fold(), w.force_slope(),
+      return {Node{speed, a, s.amplitude_per_speed(), w.force_slope(),
                    !(waves_.stability(w).trace < 0), w.wave.start},
               zones};
     from = w.wave.start, start = &from;

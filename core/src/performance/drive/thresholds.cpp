@@ -48,9 +48,8 @@ std::optional<ForceExtremum> chosen(const std::vector<ForceExtremum>& extrema, b
 }  // namespace
 
 Thresholds::Thresholds(const MotorDesign& design, const TrackRule& track)
-    : design_(design),
-      track_(track),
-      modes_(*stator_modes(design)),
+    : waves_(design, track),
+      given_voltage_(design.stator.voltage.has_value()),
       frequency_(drive_frequency(design)) {}
 
 const Threshold& Thresholds::at(Metric metric) {
@@ -65,11 +64,7 @@ const Threshold& Thresholds::at(Metric metric) {
 }
 
 DrivenWaves Thresholds::waves_at(double frequency) const {
-  MotorDesign design = with(design_, Parameter::frequency, frequency);
-  ModelArray<double> values = model_values(design);
-  values[model_index(Parameter::amplitude)] = 1e-6;  // any that makes a wave
-  const double volts = design_.stator.voltage.value_or(0);
-  return {values, modes_, std::numbers::sqrt2 * volts * modes_.force_factor, track_};
+  return waves_.at_frequency(kTurn * frequency);
 }
 
 std::optional<ForceExtremum> Thresholds::own_extremum(bool start) {
@@ -81,14 +76,14 @@ std::optional<ForceExtremum> Thresholds::own_extremum(bool start) {
 Threshold Thresholds::voltage(bool start) {
   const std::optional<ForceExtremum> e = own_extremum(start);
   if (!e) return {0, 0, frequency_};
-  return {e->force / (std::numbers::sqrt2 * modes_.force_factor), e->amplitude, frequency_};
+  return {e->force / (std::numbers::sqrt2 * waves_.modes().force_factor), e->amplitude, frequency_};
 }
 
 // The extremum falls with the frequency, from the free resonance on until it vanishes. Secants from the design's own frequency
 // follow it to where it takes the drive's force, in steps up to a share of the distance to the free resonance.
 Threshold Thresholds::frequency(bool start) {
-  if (!design_.stator.voltage) throw SearchFailure{MetricStatus::undefined};
-  const double free = modes_.resonance / kTurn;
+  if (!given_voltage_) throw SearchFailure{MetricStatus::undefined};
+  const double free = waves_.modes().resonance / kTurn;
   double f = frequency_, before = 0, excess_before = 0;
   std::optional<ForceExtremum> e = own_extremum(start);
   for (int i = 0; e && i < kMostSteps; ++i) {

@@ -38,9 +38,8 @@ class Thresholds {
   std::optional<ForceExtremum> own_extremum(bool start);
   std::optional<ForceExtremum> followed(const DrivenWaves& waves, const ForceExtremum& near) const;
 
-  MotorDesign design_;
-  TrackRule track_;
-  StatorModes<double> modes_;
+  DrivenWaves waves_;  // at the design's own frequency
+  bool given_voltage_;
   double frequency_;                                   // of the design
   std::optional<std::vector<ForceExtremum>> extrema_;  // at this frequency
   std::optional<Threshold> found_[4];

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "performance/drive/frequency_path.hpp"
+
+#include <boost/math/tools/minima.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace twum::performance {
+namespace {
+
+constexpr int kNodesOfFlank = 80;
+constexpr double kScanRatio = 1.25;  // of amplitudes on the backbone
+constexpr int kTurnDigits = 26;      // more cannot be told of the place of an extremum
+constexpr double kSmallestWave = 1e-30, kLargestWave = 1;  // [m]
+constexpr int kHalvings = 40;  // of a step of the path, for a loss of stability
+
+}  // namespace
+
+// Even steps in the place are quadratic ones in the amplitude where the flanks meet: there the frequency moves with
+// the root of the distance.
+double FrequencyPath::Stretch::amplitude(double place) const {
+  const double depth = std::log(high / low);
+  const double share = closed ? 0.5 * (1 - std::cos(std::numbers::pi * place)) : place * place;
+  return high * std::exp(-depth * share);  // (D5.2)
+}
+
+FrequencyPath::FrequencyPath(const DrivenWaves& waves, const RotorLoad& load, double lowest,
+                             double highest)
+    : held_(waves, load), lowest_(lowest), highest_(highest), stretches_(stretches()) {
+  for (std::size_t i = 0; i < stretches_.size(); ++i) follow(i);
+}
+
+std::optional<ResponseWave> FrequencyPath::wave_at(const Stretch& stretch, double place,
+                                                   const HeldWaves::Guess& guess) const {
+  const double end = stretch.closed && std::fabs(place) == 1 ? 0 : place;
+  const double side = end > 0 ? 1 : end < 0 ? -1 : 0;
+  auto wave = held_.held(stretch.amplitude(place), side, guess);
+  if (wave) wave->place = place;
+  return wave;
+}
+
+std::optional<ResponseWave> FrequencyPath::between(const Stretch& stretch, const ResponseWave& a,
+                                                   const ResponseWave& b, double place) const {
+  const double t = (place - a.place) / (b.place - a.place);
+  const HeldWaves::Guess p = held_.guess_of(a), q = held_.guess_of(b);
+  return wave_at(
+      stretch, place,
+      {p.omega + t * (q.omega - p.omega), p.speed_ratio + t * (q.speed_ratio - p.speed_ratio)});
+}
+
+// Theta u_0 - |I| where R is zero; its sign says whether the drive holds a wave of this amplitude (D5.1).
+std::optional<double> FrequencyPath::excess_on_backbone(double amplitude) const {
+  const auto wave = held_.held(amplitude, 0, {held_.waves().omega(), 1});
+  if (!wave) return {};
+  const DrivenWaves waves = held_.waves().at_frequency(wave->omega);
+  return waves.drive() -
+         std::fabs(waves.at(amplitude, wave->speed, &wave->start).balance.imaginary);
+}
+
+std::vector<FrequencyPath::Stretch> FrequencyPath::stretches() const {
+  const StatorModes<double>& m = held_.waves().modes();
+  const double stiff = std::fmax(std::fabs(dynamic_stiffness(m, lowest_)),
+                                 std::fabs(dynamic_stiffness(m, highest_)));
+  const double steepest = stiff + highest_ * m.damping + 2 * held_.waves().contact_stiffness();
+  const double low = std::fmax(0.3 * held_.waves().drive() / steepest, kSmallestWave);
+  const double high = std::fmin(
+      1.01 * (held_.waves().drive() + held_.waves().traction_bound()) / (lowest_ * m.damping),
+      kLargestWave);
+  if (!(held_.waves().drive() > 0 && low < high)) return {};
+  const auto excess = [this](double a) {
+    const auto found = excess_on_backbone(a);
+    if (!found) throw NoWave{};
+    return *found;
+  };
+  std::vector<Stretch> found;
+  double begin = low, before = low;
+  std::optional<double> at_before = excess_on_backbone(low);
+  bool closed = false;
+  for (double a = low * kScanRatio; before < high; a *= kScanRatio) {
+    const double now = std::fmin(a, high);
+    const std::optional<double> at_now = excess_on_backbone(now);
+    if (at_now && !at_before) {
+      begin = now, closed = false;
+    } else if (at_now && (*at_before > 0) != (*at_now > 0)) {
+      double border = now;
+      try {
+        border = root_between(excess, before, now, *at_before, *at_now);
+      } catch (const NoWave&) {  // then it is known less well
+      }
+      if (*at_before > 0) found.push_back({begin, border, closed});
+      begin = border, closed = true;
+    }
+    before = now;
+    if (at_now) at_before = at_now;
+  }
+  return found;
+}
+
+// From the resonance outwards on both flanks: each wave is near the one before.
+void FrequencyPath::follow(std::size_t index) {
+  const Stretch& stretch = stretches_[index];
+  const auto top = wave_at(stretch, 0, {held_.waves().omega(), 1});
+  if (!top) return;
+  resonances_.push_back(top->omega);
+  std::vector<std::optional<ResponseWave>> waves(2 * kNodesOfFlank + 1);
+  const auto node = [&](int i) -> std::optional<ResponseWave>& {
+    return waves[static_cast<std::size_t>(i + kNodesOfFlank)];
+  };
+  node(0) = top;
+  for (const int side : {-1, 1}) {
+    HeldWaves::Guess guess = held_.guess_of(*top);
+    for (int i = 1; i <= kNodesOfFlank; ++i) {
+      auto& wave = node(side * i);
+      wave = wave_at(stretch, static_cast<double>(side * i) / kNodesOfFlank, guess);
+      if (wave) guess = held_.guess_of(*wave);
+    }
+  }
+  std::vector<ResponseWave> run;
+  const auto finish = [&] {
+    if (run.size() > 1) cut(with_turns(stretch, run), index);
+    run.clear();
+  };
+  for (auto& wave : waves) {
+    if (!wave) {
+      finish();
+      continue;
+    }
+    wave->stable = held_.lasts(*wave);
+    run.push_back(*wave);
+  }
+  finish();
+}
+
+ResponseWave FrequencyPath::surely_between(const Stretch& stretch, const ResponseWave& a,
+                                           const ResponseWave& b, double place) const {
+  const auto wave = between(stretch, a, b, place);
+  if (!wave) throw NoWave{};
+  return *wave;
+}
+
+// The wave next to b at which the frequency turns (D5.3), if b is the highest or the lowest of the three.
+std::optional<ResponseWave> FrequencyPath::turn(const Stretch& stretch, const ResponseWave& a,
+                                                const ResponseWave& b,
+                                                const ResponseWave& c) const {
+  const bool highest = b.omega >= a.omega && b.omega > c.omega,
+             lowest = b.omega <= a.omega && b.omega < c.omega;
+  if (!(highest || lowest)) return {};
+  const auto at_place = [&](double place) {
+    return place < b.place ? surely_between(stretch, a, b, place)
+                           : surely_between(stretch, b, c, place);
+  };
+  const double sign = highest ? -1 : 1;
+  try {
+    const auto [place, omega] = boost::math::tools::brent_find_minima(
+        [&](double s) { return sign * at_place(s).omega; }, a.place, c.place, kTurnDigits);
+    return at_place(place);
+  } catch (const NoWave&) {
+    return {};
+  }
+}
+
+// The last stable wave between two of which one is stable.
+ResponseWave FrequencyPath::last_stable(const Stretch& stretch, ResponseWave a,
+                                        ResponseWave b) const {
+  if (!a.stable) std::swap(a, b);
+  try {
+    for (int i = 0; i < kHalvings; ++i) {
+      ResponseWave middle = surely_between(stretch, a, b, 0.5 * (a.place + b.place));
+      middle.stable = held_.lasts(middle);
+      (middle.stable ? a : b) = middle;
+    }
+  } catch (const NoWave&) {  // then it is known less well
+  }
+  return a;
+}
+
+// The run with the waves at which the frequency turns, and those at which stability is lost otherwise.
+std::vector<FrequencyPath::Node> FrequencyPath::with_turns(
+    const Stretch& stretch, const std::vector<ResponseWave>& run) const {
+  std::vector<Node> nodes;
+  for (const ResponseWave& wave : run) nodes.push_back({wave, BranchEndKind::open});
+  const auto in_order = [&nodes] {
+    std::sort(nodes.begin(), nodes.end(),
+              [](const Node& a, const Node& b) { return a.wave.place < b.wave.place; });
+  };
+  for (std::size_t i = 1; i + 1 < run.size(); ++i)
+    if (const auto wave = turn(stretch, run[i - 1], run[i], run[i + 1]))
+      nodes.push_back({*wave, BranchEndKind::fold});
+  in_order();
+  const std::vector<Node> turned = nodes;
+  for (std::size_t i = 0; i + 1 < turned.size(); ++i) {
+    const Node &a = turned[i], &b = turned[i + 1];
+    const bool beside_turn = a.kind == BranchEndKind::fold || b.kind == BranchEndKind::fold;
+    if (!beside_turn && a.wave.stable != b.wave.stable)
+      nodes.push_back({last_stable(stretch, a.wave, b.wave), BranchEndKind::growing});
+  }
+  in_order();
+  return nodes;
+}
+
+// Pieces between the turns and losses of stability. A wave on the border belongs to both.
+void FrequencyPath::cut(const std::vector<Node>& nodes, std::size_t stretch) {
+  const auto end_of = [&](std::size_t i) {
+    const Node& n = nodes[i];
+    if (n.kind != BranchEndKind::open) return n.kind;
+    const bool outside = n.wave.omega < lowest_ || n.wave.omega > highest_;
+    return outside || std::fabs(n.wave.place) == 1 ? BranchEndKind::open : BranchEndKind::lost;
+  };
+  std::size_t first = 0;
+  for (std::size_t i = 1; i < nodes.size(); ++i) {
+    if (nodes[i].kind == BranchEndKind::open && i + 1 < nodes.size()) continue;
+    PathPiece piece{{}, false, end_of(first), end_of(i)};
+    for (std::size_t k = first; k <= i; ++k) piece.waves.push_back(nodes[k].wave);
+    if (i > first + 1) {
+      piece.stable = nodes[first + 1].wave.stable;
+    } else if (const auto middle =
+                   between(stretches_[stretch], piece.waves.front(), piece.waves.back(),
+                           0.5 * (piece.waves.front().place + piece.waves.back().place))) {
+      piece.stable = held_.lasts(*middle);
+    }
+    for (ResponseWave& wave : piece.waves) wave.stable = piece.stable;
+    pieces_.push_back(std::move(piece));
+    stretch_of_.push_back(stretch);
+    first = i;
+  }
+}
+
+// Between two neighbouring waves of a piece: by Newton's steps, and where these leave the interval by closing in.
+std::optional<ResponseWave> FrequencyPath::at(const Stretch& stretch, const ResponseWave& a,
+                                              const ResponseWave& b, double omega) const {
+  const double t = (omega - a.omega) / (b.omega - a.omega);
+  const auto mixed = [t](double x, double y) { return x + t * (y - x); };
+  if (a.standing == b.standing) {
+    ResponseWave near = a;
+    near.place = mixed(a.place, b.place), near.omega = omega;
+    near.amplitude = mixed(a.amplitude, b.amplitude), near.speed = mixed(a.speed, b.speed);
+    const auto found = held_.polished(near);
+    if (found && (found->amplitude - a.amplitude) * (found->amplitude - b.amplitude) <= 0)
+      return found;
+  }
+  std::optional<ResponseWave> last;
+  const auto excess = [&](double place) {
+    last = between(stretch, a, b, place);
+    if (!last) throw NoWave{};
+    return last->omega - omega;
+  };
+  try {
+    excess(root_between(excess, a.place, b.place, a.omega - omega, b.omega - omega));
+    return last;
+  } catch (const NoWave&) {
+    return {};
+  }
+}
+
+std::optional<ResponseWave> FrequencyPath::at(const PathPiece& piece, double omega) const {
+  const Stretch& stretch =
+      stretches_[stretch_of_[static_cast<std::size_t>(&piece - pieces_.data())]];
+  for (std::size_t i = 0; i + 1 < piece.waves.size(); ++i) {
+    const ResponseWave &a = piece.waves[i], &b = piece.waves[i + 1];
+    if (omega == a.omega) return a;
+    if (omega == b.omega) return b;
+    if ((a.omega < omega) == (b.omega < omega)) continue;
+    auto wave = at(stretch, a, b, omega);
+    if (wave) wave->stable = piece.stable;
+    return wave;
+  }
+  return {};
+}
+
+}  // namespace twum::performance

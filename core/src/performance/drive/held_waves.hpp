@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "performance/drive/driven_wave.hpp"
+
+#include <twum/core/performance/frequency_response.hpp>
+
+#include <functional>
+#include <numbers>
+#include <optional>
+
+namespace twum::performance {
+
+/// A wave that the drive holds at its own frequency.
+struct ResponseWave {
+  double place{0};       ///< along the path (D5.2)
+  double omega{0};       ///< of the drive [rad/s]
+  double amplitude{0};   ///< [m]
+  double speed{0};       ///< of the rotor [rad/s]
+  bool standing{false};  ///< friction holds the load, the rotor does not turn
+  bool stable{false};
+  WarmStart start;
+
+  double frequency() const { return omega / (2 * std::numbers::pi); }
+};
+
+/// Thrown inside searches where the contact has no answer.
+struct NoWave {};
+
+/// Root in a bracket, to rounding.
+double root_between(const std::function<double(double)>& f, double low, double high, double at_low,
+                    double at_high);
+
+/// Which frequency and speed a wave of an amplitude has, and which amplitude and speed one of a frequency, under the load
+/// of a rotor.
+class HeldWaves {
+ public:
+  /// Where a search begins.
+  struct Guess {
+    double omega, speed_ratio;  ///< rotor speed over crest speed
+  };
+
+  /// @param waves  at any frequency; has to outlive this
+  HeldWaves(const DrivenWaves& waves, const RotorLoad& load) : waves_(waves), load_(load) {}
+
+  /// The wave of an amplitude (D5.1).
+  /// @param side  -1 for the lower flank, 1 for the upper, 0 for the resonance between, whatever drives it there
+  std::optional<ResponseWave> held(double amplitude, double side, const Guess& guess) const;
+  /// The wave of a frequency, from one nearby.
+  std::optional<ResponseWave> polished(ResponseWave near) const;
+  /// True if a disturbed wave comes back, and a disturbed rotor too.
+  bool lasts(const ResponseWave& wave) const;
+  Guess guess_of(const ResponseWave& wave) const;
+  const DrivenWaves& waves() const { return waves_; }
+
+ private:
+  struct Carried {
+    DrivenWave wave;
+    bool standing;
+  };
+
+  std::optional<Carried> carried(const DrivenWaves& waves, double amplitude, double speed_ratio,
+                                 double window) const;
+  std::optional<Carried> at_torque(const DrivenWaves& waves, double amplitude, double speed_ratio,
+                                   double window) const;
+
+  const DrivenWaves& waves_;
+  RotorLoad load_;
+};
+
+}  // namespace twum::performance

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "performance/operating_point.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace twum::performance {
+namespace {
+
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+
+OperatingPoint no_answer(double speed, PointStatus status) {
+  OperatingPoint point;
+  for (double* number :
+       {&point.torque, &point.output_power, &point.stator_power, &point.friction_power,
+        &point.layer_loss, &point.stator_loss, &point.wear_intensity, &point.stick_fraction,
+        &point.reactive_force, &point.amplitude, &point.phase_lag, &point.voltage,
+        &point.phase_current, &point.dielectric_loss, &point.electrical_power, &point.power_factor})
+    *number = kNoNumber;
+  point.speed = speed;
+  point.status = status;
+  return point;
+}
+
+void add_terminals(OperatingPoint& point, const DrivenMotor<double>& m,
+                   const StatorModes<double>& modes) {
+  const WaveBalance<double> wave =
+      wave_balance(modes, m.amplitude, m.omega, point.reactive_force, point.stator_power);
+  const Terminals<double> t = terminals(modes, wave, m.amplitude, m.omega);
+  point.phase_lag = std::atan2(wave.imaginary, wave.real);  // (D2.4)
+  point.voltage = t.voltage;
+  point.phase_current = t.current;
+  point.dielectric_loss = t.dielectric_loss;
+  point.electrical_power = t.power;
+  point.power_factor = t.power_factor;
+}
+
+}  // namespace
+
+OperatingPoint operating_point_of(const DrivenMotor<double>& m, const SolvedPoint& solved,
+                                  double speed, const std::optional<StatorModes<double>>& modes) {
+  OperatingPoint point = no_answer(speed, solved.status);
+  if (solved.status != PointStatus::ok) return point;
+  const PointNumbers<double>& n = solved.numbers;
+  point.torque = n.torque;
+  point.output_power = n.torque * speed;
+  point.stator_power = n.stator_power;
+  point.friction_power = n.friction_power;
+  point.layer_loss = n.layer_loss;
+  point.stator_loss = stator_loss(m);
+  point.wear_intensity = n.friction_power / track_area(m);
+  point.stick_fraction = n.stick_fraction;
+  point.reactive_force = n.reactive_force;
+  point.amplitude = m.amplitude;
+  if (modes) add_terminals(point, m, *modes);
+  return point;
+}
+
+}  // namespace twum::performance

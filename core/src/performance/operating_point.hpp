@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "performance/drive/stator_modes.hpp"
+#include "performance/point.hpp"
+
+#include <twum/core/performance/motor.hpp>
+
+#include <optional>
+
+namespace twum::performance {
+
+/// What a solved point says of the motor, its terminals where the modes are known (T7.1 to T7.9, D4.1 to D4.3).
+OperatingPoint operating_point_of(const DrivenMotor<double>& motor, const SolvedPoint& solved,
+                                  double speed, const std::optional<StatorModes<double>>& modes);
+
+}  // namespace twum::performance
