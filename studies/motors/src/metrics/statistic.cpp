@@ -12,22 +12,23 @@ namespace {
 
 using Kind = StatisticRequest::Kind;
 
-constexpr std::array<std::string_view, 5> kNames{"mean", "sd", "quantile", "probability", "yield"};
-constexpr const char* kUsage =
+constexpr std::array<std::string_view, 5> kStatisticNames{"mean", "sd", "quantile", "probability",
+                                                          "yield"};
+constexpr const char* kStatisticUsage =
     "expected a limit such as 'yield >= 99 %', 'probability(no_load_speed >= 100 rpm) >= 99 %' or "
     "'mean(peak_power) >= 5 W'";
 
 // The word that a text begins with, if it is the name of a statistic.
 std::optional<Kind> kind_of(std::string_view text) {
   const std::string_view word = text.substr(0, text.find_first_of(" (<>=+-*/^"));
-  const auto found = std::find(kNames.begin(), kNames.end(), word);
-  if (found == kNames.end()) return {};
-  return static_cast<Kind>(found - kNames.begin());
+  const auto found = std::find(kStatisticNames.begin(), kStatisticNames.end(), word);
+  if (found == kStatisticNames.end()) return {};
+  return static_cast<Kind>(found - kStatisticNames.begin());
 }
 
 // Length of a statistic at the beginning of the text: to the bracket that closes its first one.
 std::size_t length_of(std::string_view text, Kind kind) {
-  const std::size_t name = kNames[static_cast<std::size_t>(kind)].size();
+  const std::size_t name = kStatisticNames[static_cast<std::size_t>(kind)].size();
   if (kind == Kind::yield) return name;
   if (name >= text.size() || text[name] != '(')
     throw ValueError(quoted(text) + " has no bracket after its name",
@@ -89,7 +90,7 @@ bool is_statistic(std::string_view text) { return kind_of(trimmed(text)).has_val
 StatisticRequest parse_statistic(std::string_view text) {
   text = trimmed(text);
   const auto kind = kind_of(text);
-  if (!kind) throw ValueError(quoted(text) + " is no statistic", kUsage, 0);
+  if (!kind) throw ValueError(quoted(text) + " is no statistic", kStatisticUsage, 0);
   const std::size_t length = length_of(text, *kind);
   if (length != text.size())
     throw ValueError(quoted(text) + " is more than one statistic",
@@ -97,7 +98,7 @@ StatisticRequest parse_statistic(std::string_view text) {
   StatisticRequest request;
   request.kind = *kind;
   if (*kind != Kind::yield) {
-    const std::size_t begin = kNames[static_cast<std::size_t>(*kind)].size() + 1;
+    const std::size_t begin = kStatisticNames[static_cast<std::size_t>(*kind)].size() + 1;
     const std::string_view inside = text.substr(begin, length - begin - 1);
     if (*kind == Kind::quantile)
       request = quantile_of(inside, begin);
@@ -113,22 +114,24 @@ StatisticRequest parse_statistic(std::string_view text) {
 StatisticLimit parse_statistic_limit(std::string_view text) {
   text = trimmed(text);
   const auto kind = kind_of(text);
-  if (!kind) throw ValueError(quoted(text) + " is no limit on a statistic", kUsage, 0);
+  if (!kind) throw ValueError(quoted(text) + " is no limit on a statistic", kStatisticUsage, 0);
   const std::size_t length = length_of(text, *kind);
   StatisticLimit limit{std::string(text), parse_statistic(text.substr(0, length))};
   const std::size_t sign = text.find_first_not_of(' ', length);
   const std::string_view comparison =
       sign == std::string_view::npos ? std::string_view{} : text.substr(sign, 2);
   if (comparison != ">=" && comparison != "<=")
-    throw ValueError(quoted(text) + " compares with nothing", kUsage, std::min(sign, text.size()));
+    throw ValueError(quoted(text) + " compares with nothing", kStatisticUsage,
+                     std::min(sign, text.size()));
   const std::string_view right = trimmed(text.substr(sign + 2));
   const auto place = static_cast<std::size_t>(right.data() - text.data());
   const bool share = *kind == Kind::yield || *kind == Kind::probability;
   const double end =
-      quantity_of(right, place, share ? nullptr : &limit.statistic.metric.formula, kUsage);
+      quantity_of(right, place, share ? nullptr : &limit.statistic.metric.formula, kStatisticUsage);
   if (share && comparison == "<=")
-    throw ValueError("an upper limit of a " + std::string(kNames[static_cast<std::size_t>(*kind)]),
-                     "expected a lower one, such as 'yield >= 99 %'", sign);
+    throw ValueError(
+        "an upper limit of a " + std::string(kStatisticNames[static_cast<std::size_t>(*kind)]),
+        "expected a lower one, such as 'yield >= 99 %'", sign);
   if (share && !(end > 0 && end < 1))
     throw ValueError("a share of " + quoted(right), "must be between 0 and 100 %, ends excluded",
                      place);
