@@ -22,7 +22,11 @@
 #include <twum/optim/pareto.hpp>
 #include <twum/optim/problem.hpp>
 #include <twum/optim/random.hpp>
+#include <twum/optim/random_input.hpp>
 #include <twum/optim/result.hpp>
+#include <twum/optim/robust.hpp>
+#include <twum/optim/robust_problem.hpp>
 #include <twum/optim/scrambled_sobol.hpp>
 #include <twum/optim/solve.hpp>
 #include <twum/optim/solvers.hpp>
+#include <twum/optim/yield_estimate.hpp>

@@ -4,7 +4,7 @@
 #include "study/entry_shapes.hpp"
 
 #include <twum/core/design/motor_design.hpp>
-#include <twum/studies/study/tolerance.hpp>
+#include <twum/studies/problem/tolerance.hpp>
 
 #include <string>
 #include <vector>

@@ -4,7 +4,7 @@
 #include <twum/optim/options.hpp>
 #include <twum/studies/metrics/varied_parameters.hpp>
 #include <twum/studies/problem/motor_problem.hpp>
-#include <twum/studies/study/tolerance.hpp>
+#include <twum/studies/problem/tolerance.hpp>
 
 #include <cstdint>
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <twum/studies/study/tolerance.hpp>
+#include <twum/studies/problem/tolerance.hpp>
 
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/units/engineering.hpp>

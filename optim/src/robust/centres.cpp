@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/centres.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace twum::optim {
+namespace {
+
+constexpr double kSpan = 1.5;   // of indices beyond the smallest: a risk 100 times smaller
+constexpr double kApart = 0.3;  // cosine below which a failing product belongs to no centre
+constexpr double kSameCentre = 0.99;
+constexpr int kMostDraws = 4;
+
+}  // namespace
+
+Centres::Centres(const RobustProblem& problem, const RobustTerms& terms, std::span<const double> x,
+                 std::vector<double> beta, std::vector<InversePoint> points)
+    : problem_(problem),
+      terms_(terms),
+      x_(x),
+      beta_(std::move(beta)),
+      points_(std::move(points)),
+      taken_(terms.terms.size(), false) {
+  for (std::size_t j = 0; j < points_.size(); ++j) {
+    const auto& target = terms.terms[j].target;
+    double least = beta_[j];
+    if (target)
+      for (const std::size_t l : terms.of_target[*target]) least = std::min(least, beta_[l]);
+    taken_[j] = beta_[j] <= least + kSpan;
+    if (taken_[j]) centres_.push_back(points_[j].at.z);
+  }
+}
+
+bool Centres::near(std::span<const double> z, double cosine) const {
+  return std::any_of(centres_.begin(), centres_.end(), [&](const std::vector<double>& c) {
+    return dot(c, z) >= cosine * norm(c) * norm(z);
+  });
+}
+
+// U3.2 from the lightest failing product that is apart from every centre.
+bool Centres::add_missing(const ImportanceSample& sample) {
+  std::size_t lightest = sample.normals.size(), failing = 0;
+  double least = kInfinity;
+  for (std::size_t i = 0; i < sample.normals.size(); ++i) {
+    const double size = norm(sample.normals[i]);
+    if (size >= least || near(sample.normals[i], kApart)) continue;
+    for (std::size_t j = 0; j < terms_.terms.size(); ++j) {
+      const double margin = sample.margins[i][j];
+      if (!terms_.terms[j].target || !(margin < 0.0) || !std::isfinite(margin)) continue;
+      least = size;
+      lightest = i;
+      failing = j;
+      break;
+    }
+  }
+  if (lightest == sample.normals.size()) return false;
+  std::vector<double> start = sample.normals[lightest];
+  for (double& c : start) c /= least;
+  InversePoint found =
+      inverse_form(problem_, terms_.terms[failing].margin, x_, beta_[failing], start);
+  if (!found.at.failure.empty() || near(found.at.z, kSameCentre)) return false;
+  centres_.push_back(found.at.z);
+  taken_[failing] = true;
+  if (found.at.value < points_[failing].at.value) points_[failing] = std::move(found);
+  return true;
+}
+
+ImportanceSample Centres::sample(const SamplePlan& plan) {
+  ImportanceSample sample;
+  for (int draw = 0; draw < kMostDraws; ++draw) {
+    sample = draw_importance(problem_, terms_, x_, centres_, plan);
+    if (!add_missing(sample)) break;
+  }
+  return sample;
+}
+
+}  // namespace twum::optim

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "robust/importance.hpp"
+
+namespace twum::optim {
+
+/// The centres of an importance sample, U4.1: the worst points of the limits that take part in the risk, and those that a
+/// sample shows to be missing.
+class Centres {
+ public:
+  /// Keeps references.
+  Centres(const RobustProblem& problem, const RobustTerms& terms, std::span<const double> x,
+          std::vector<double> beta, std::vector<InversePoint> points);
+
+  /// Draws; where failing products lie apart from every centre, adds one there and draws again.
+  ImportanceSample sample(const SamplePlan& plan);
+
+  /// True if the term has a centre.
+  bool holds(std::size_t term) const { return taken_[term]; }
+  /// Worst points of all terms; of two the worse.
+  const std::vector<InversePoint>& points() const noexcept { return points_; }
+
+ private:
+  bool near(std::span<const double> z, double cosine) const;
+  bool add_missing(const ImportanceSample& sample);
+
+  const RobustProblem& problem_;
+  const RobustTerms& terms_;
+  std::span<const double> x_;
+  std::vector<double> beta_;
+  std::vector<InversePoint> points_;
+  std::vector<bool> taken_;
+  std::vector<std::vector<double>> centres_;
+};
+
+}  // namespace twum::optim

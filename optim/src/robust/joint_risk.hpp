@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace twum::optim {
+
+/// Two limits of a set that fail together, U3.5: what `later` adds to the risk is lessened by its overlap with `earlier`.
+struct Overlap {
+  std::size_t later{0};
+  std::size_t earlier{0};
+  double correlation{0.0};  ///< rho of the two margins
+};
+
+/// Probability that a limit of the set fails, and its derivatives by the reliability indices.
+struct JointRisk {
+  double risk{0.0};
+  std::vector<double> by_beta;
+};
+
+/// R(beta): U3.4, less the given overlaps U3.5. An infinite index is no risk.
+JointRisk joint_risk(std::span<const double> beta, std::span<const Overlap> overlaps);
+
+/// The overlaps of limits with these indices and directions alpha, each with the one before it, in falling order of risk, that
+/// takes most of it; none if they change the risk by less than 1 %.
+std::vector<Overlap> overlaps_of(std::span<const double> beta,
+                                 std::span<const std::vector<double>> directions);
+
+}  // namespace twum::optim

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/optim/robust_problem.hpp>
+
+namespace twum::optim {
+
+/// One end of a limit as g(x, z) = sign (X - end) >= 0, U1.8.
+struct Margin {
+  std::size_t response{0};
+  double sign{1.0};
+  double end{0.0};
+};
+
+/// The ends of a limit: one or two.
+std::vector<Margin> margins_of(const RobustProblem& problem, std::size_t response);
+
+/// A margin with its derivatives at a built product.
+struct MarginPoint {
+  std::vector<double> z;
+  double value{0.0};
+  std::vector<double> by_design;  ///< dg/dx
+  std::vector<double> by_normal;  ///< d = dg/dz
+  std::vector<double> by_spread;  ///< s dg/ds, of each input
+  std::vector<double> by_input;   ///< dg/dP, of each input
+  std::string failure;            ///< nothing else holds if it is not empty
+};
+
+/// The built product of a design x and normal numbers z: x, then the inputs that are no variable, scattered.
+std::vector<double> build(const RobustProblem& problem, std::span<const double> x,
+                          std::span<const double> z);
+
+/// The value that input k has in the design.
+double design_value(const RobustProblem& problem, std::span<const double> x, std::size_t k);
+
+MarginPoint margin_at(const RobustProblem& problem, const Margin& margin, std::span<const double> x,
+                      std::vector<double> z);
+
+double norm(std::span<const double> v);
+double dot(std::span<const double> a, std::span<const double> b);
+
+}  // namespace twum::optim

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/robust_search.hpp"
+
+#include "robust/centres.hpp"
+#include "robust/normal.hpp"
+
+#include <twum/optim/low_discrepancy.hpp>
+#include <twum/optim/solve.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <twum/base/ordered.hpp>
+
+namespace twum::optim {
+namespace {
+
+constexpr std::uint64_t kStagesOfASolve = 1000;  // more than one search ever takes
+constexpr double kDesignStill = 1e-3;            // of the unit box
+constexpr std::uint64_t kCoarse = 4096, kFine = 16384;
+
+double unit(const Variable& v, double x) {
+  if (v.lower == v.upper) return 0.0;
+  return v.scale == Scale::log ? std::log(x / v.lower) / std::log(v.upper / v.lower)
+                               : (x - v.lower) / (v.upper - v.lower);
+}
+
+double of_unit(const Variable& v, double u) {
+  const double x = v.scale == Scale::log ? v.lower * std::pow(v.upper / v.lower, u)
+                                         : v.lower + u * (v.upper - v.lower);
+  return v.integer ? std::round(x) : x;
+}
+
+bool found(const Result& result) {
+  return result.outcome == Outcome::optimal || result.outcome == Outcome::feasible;
+}
+
+}  // namespace
+
+RobustSearch::RobustSearch(const RobustProblem& problem, const RobustOptions& options)
+    : problem_(problem),
+      options_(options),
+      terms_(problem),
+      next_stage_(options.solve.first_stage) {}
+
+SamplePlan RobustSearch::plan(std::uint64_t products, std::uint64_t replicate) const {
+  return {products, options_.solve.seed, replicate, static_cast<unsigned>(options_.solve.threads),
+          [this] { return !stopped(); }};
+}
+
+std::vector<std::vector<double>> RobustSearch::starts() const {
+  std::vector<std::vector<double>> list = options_.starts;
+  const auto& variables = problem_.design.variables;
+  if (list.empty()) list.push_back(start_design(problem_.design));
+  for (const auto& u : sobol_points(variables.size(), options_.draws, options_.solve.seed)) {
+    list.emplace_back();
+    for (std::size_t k = 0; k < u.size(); ++k) list.back().push_back(of_unit(variables[k], u[k]));
+  }
+  return list;
+}
+
+// One search of one round; calls of its problem go through the caller's memory.
+Result RobustSearch::search(const RobustRound& round, std::uint64_t number,
+                            std::span<const double> y, const std::string& solver,
+                            std::uint64_t stage) {
+  Problem p = round.problem();
+  for (std::size_t k = 0; k < y.size(); ++k) p.variables[k].start = y[k];
+  if (options_.recall) {
+    p.evaluate = [this, number, evaluate = p.evaluate](std::span<const double> at, bool gradient) {
+      return options_.recall(number, at, gradient, evaluate);
+    };
+  }
+  SolveOptions o = options_.solve;
+  o.solver = solver;
+  o.starts = 1;
+  o.threads = 1;
+  o.global.clear();
+  o.solver_options.clear();
+  o.analyse_infeasible = false;
+  o.first_stage = stage;
+  o.observer = [this, number](const Observation& observation) {
+    if (!options_.observer) return;
+    const std::lock_guard lock(observing_);
+    options_.observer(number, observation);
+  };
+  return optim::solve(p, o);
+}
+
+void RobustSearch::book(const Result& result) { counters_.add(result.counters); }
+
+bool RobustSearch::better(const Result& a, const Result& b) const {
+  if (found(a) != found(b)) return found(a);
+  if (a.evaluation.values.empty() || b.evaluation.values.empty())
+    return !a.evaluation.values.empty();
+  if (!found(a)) return a.certificate.infeasibility < b.certificate.infeasibility;
+  const double value = a.evaluation.values.front(), other = b.evaluation.values.front();
+  return value < other - 1e-9 * std::abs(other);
+}
+
+SolvedRound RobustSearch::first_round(RobustGoal goal, const std::vector<double>& risks) {
+  const auto round =
+      std::make_shared<const RobustRound>(problem_, goal, risks, Correction::none(terms_));
+  const std::uint64_t number = next_round_++;
+  const auto list = starts();
+  const std::uint64_t first = next_stage_;
+  next_stage_ += kStagesOfASolve * list.size();
+  std::vector<Result> results;
+  run_indexed(
+      {0, list.size(), static_cast<unsigned>(options_.solve.threads), {}},
+      [&](std::uint64_t i) {
+        return search(*round, number, round->start(list[i]), "nlopt:slsqp",
+                      first + kStagesOfASolve * i);
+      },
+      [&](std::uint64_t, std::vector<Result>& some) {
+        for (Result& one : some) results.push_back(std::move(one));
+      });
+  const bool largest = round->problem().objectives.front().sense == Sense::maximize;
+  const auto improves = [&](const Result& a, const Result& b) {
+    return largest && found(a) && found(b)
+               ? a.evaluation.values.front() >
+                     b.evaluation.values.front() + 1e-9 * std::abs(b.evaluation.values.front())
+               : better(a, b);
+  };
+  std::size_t best = 0;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    book(results[i]);
+    if (improves(results[i], results[best])) best = i;
+  }
+  SolvedRound solved{round, std::move(results[best])};
+  if (solved.result.certificate.passed || solved.result.design.empty() || stopped()) return solved;
+  Result finished = search(*round, number, solved.result.design, "auto", next_stage_);
+  next_stage_ += kStagesOfASolve;
+  book(finished);
+  if (!improves(solved.result, finished)) solved.result = std::move(finished);
+  return solved;
+}
+
+SolvedRound RobustSearch::solve(std::shared_ptr<const RobustRound> round,
+                                std::span<const double> y) {
+  const std::uint64_t number = next_round_++;
+  Result result = search(*round, number, y, "auto", next_stage_);
+  next_stage_ += kStagesOfASolve;
+  book(result);
+  return {std::move(round), std::move(result)};
+}
+
+SolvedRound RobustSearch::solve_again(const SolvedRound& from, RobustGoal goal,
+                                      const std::vector<double>& risks) {
+  return solve(std::make_shared<const RobustRound>(problem_, goal, risks, from.round->correction()),
+               from.result.design);
+}
+
+double RobustSearch::moved(const SolvedRound& from, const SolvedRound& to) const {
+  double most = 0.0;
+  for (std::size_t k = 0; k < problem_.design.variables.size(); ++k) {
+    const Variable& v = problem_.design.variables[k];
+    most = std::max(most, std::abs(unit(v, from.result.design[k]) - unit(v, to.result.design[k])));
+  }
+  return most;
+}
+
+// U4.4
+Correction RobustSearch::correction(const SolvedRound& solved, const SamplePlan& plan) {
+  const RobustRound& round = *solved.round;
+  const auto beta = round.betas(solved.result.design);
+  Centres centres(problem_, terms_, design(solved), beta, round.points(solved.result.design));
+  const ImportanceSample sample = centres.sample(plan);
+  Correction next = Correction::none(terms_);
+  for (std::size_t j = 0; j < terms_.terms.size(); ++j) {
+    if (!centres.holds(j)) continue;
+    next.directions[j] = centres.points()[j].direction;
+    const double quantile = weighted_quantile(sample, j, beta[j]);
+    if (std::isfinite(quantile)) next.delta[j] = quantile - centres.points()[j].at.value;
+  }
+  for (std::size_t s = 0; s < terms_.of_target.size(); ++s) {
+    const auto& members = terms_.of_target[s];
+    std::vector<double> own;
+    std::vector<std::vector<double>> directions;
+    for (const std::size_t j : members) {
+      own.push_back(beta[j]);
+      directions.push_back(centres.holds(j) ? centres.points()[j].direction
+                                            : std::vector<double>{});
+    }
+    next.overlaps[s] = overlaps_of(own, directions);
+    const SampledRisk risk = sampled_risk(sample, members);
+    std::vector<double> sampled;
+    for (const double p : risk.of_term) sampled.push_back(-normal_quantile(p));
+    if (risk.any > 0.0) next.kappa[s] = joint_risk(sampled, next.overlaps[s]).risk / risk.any - 1.0;
+    if (s == 0) last_risk_ = risk;
+  }
+  return next;
+}
+
+SolvedRound RobustSearch::correct_once(const SolvedRound& solved, std::uint64_t products,
+                                       std::uint64_t replicate) {
+  const RobustRound& old = *solved.round;
+  std::vector<double> risks;
+  for (std::size_t s = 0; s < terms_.of_target.size(); ++s) risks.push_back(old.risk(s));
+  const auto next = std::make_shared<const RobustRound>(
+      problem_, old.goal(), risks, correction(solved, plan(products, replicate)));
+  if (stopped()) return solved;
+  SolvedRound after = solve(next, solved.result.design);
+  RobustRoundReport report{products, last_risk_.any, last_risk_.error, 0.0, 0.0};
+  if (!next->correction().kappa.empty()) report.kappa = next->correction().kappa.front();
+  if (!after.result.evaluation.values.empty())
+    report.objective = after.result.evaluation.values.front();
+  reports_.push_back(report);
+  return after;
+}
+
+SolvedRound RobustSearch::corrected(SolvedRound solved) {
+  struct Level {
+    std::uint64_t products;
+    int rounds;
+  };
+  std::uint64_t replicate = 0;
+  for (const Level level : {Level{kCoarse, 3}, Level{kFine, 2}}) {
+    for (int round = 0; round < level.rounds; ++round) {
+      SolvedRound next = correct_once(solved, level.products, replicate);
+      if (stopped() || !next.feasible()) return next;
+      const double still = moved(solved, next);
+      const bool right = solved.round->goal() == RobustGoal::yield || terms_.of_target.empty() ||
+                         std::abs(last_risk_.any - next.round->risk(0)) < 2.0 * last_risk_.error;
+      solved = std::move(next);
+      if (right && still < kDesignStill) break;
+    }
+    ++replicate;
+  }
+  return solved;
+}
+
+}  // namespace twum::optim

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "robust/inverse_form.hpp"
+#include "robust/joint_risk.hpp"
+
+namespace twum::optim {
+
+/// One margin of the search: of a yield target, with a reliability index of its own among the variables, or of a quantile,
+/// with a fixed one.
+struct RobustTerm {
+  std::string name;
+  Margin margin;
+  std::optional<std::size_t> target;     ///< position of its yield target
+  std::optional<std::size_t> statistic;  ///< position of its quantile
+  double fixed_beta{0.0};                ///< of a quantile
+};
+
+/// What a search varies and weighs: the margins, in order of targets, then quantiles.
+struct RobustTerms {
+  explicit RobustTerms(const RobustProblem& problem);
+
+  std::vector<RobustTerm> terms;
+  std::vector<std::vector<std::size_t>> of_target;  ///< terms of each yield target
+
+  /// Index of a term: a variable of the search, or fixed.
+  double beta(std::span<const double> y, std::size_t variables, std::size_t term) const;
+};
+
+/// What a round holds fixed, U4.4; of the first round all is zero.
+struct Correction {
+  std::vector<double> delta;                    ///< of each term
+  std::vector<double> kappa;                    ///< of each yield target
+  std::vector<std::vector<Overlap>> overlaps;   ///< of each target, positions within it
+  std::vector<std::vector<double>> directions;  ///< where U3.2 starts, of each term; may be empty
+
+  static Correction none(const RobustTerms& terms);
+};
+
+/// The problem of one round, U3.1, in the design and the reliability indices y = (x, beta).
+class RobustRound {
+ public:
+  /// @param risks  of each yield target the share of products that may fail; not used of the goal
+  RobustRound(const RobustProblem& problem, RobustGoal goal, std::vector<double> risks,
+              Correction correction);
+
+  /// Its constraints: those of the design, G_j + delta_j >= 0 of each term of a target, the risk lines, the statistics.
+  Problem problem() const;
+  /// y of a design: every limit has the same share of the risk.
+  std::vector<double> start(std::span<const double> x) const;
+  /// Solutions of U3.2 at y, one for each term.
+  std::vector<InversePoint> points(std::span<const double> y) const;
+  std::vector<double> betas(std::span<const double> y) const;
+  /// ln R of a target at y.
+  double log_risk(std::span<const double> y, std::size_t target) const;
+
+  const RobustTerms& terms() const noexcept { return terms_; }
+  const Correction& correction() const noexcept { return correction_; }
+  RobustGoal goal() const noexcept { return goal_; }
+  double risk(std::size_t target) const { return risks_[target]; }
+  /// Name of the line of U3.1 that spends a target's risk.
+  std::string risk_line(std::size_t target) const;
+
+ private:
+  Evaluation evaluate(std::span<const double> y, bool gradient) const;
+  std::size_t variables() const { return problem_.design.variables.size(); }
+  bool is_goal(std::size_t target) const { return goal_ == RobustGoal::yield && target == 0; }
+
+  const RobustProblem& problem_;
+  RobustGoal goal_;
+  RobustTerms terms_;
+  std::vector<double> risks_;
+  Correction correction_;
+};
+
+}  // namespace twum::optim

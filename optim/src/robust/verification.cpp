@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/verification.hpp"
+
+#include "robust/normal.hpp"
+
+#include <twum/optim/random.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <twum/base/error.hpp>
+#include <twum/base/ordered.hpp>
+
+namespace twum::optim {
+namespace {
+
+constexpr std::uint64_t kFreshStream =
+    0x7E51F1ED00ULL;  // apart from the other random numbers of a seed
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<double> fresh_normals(std::uint64_t seed, std::uint64_t attempt, std::uint64_t index,
+                                  std::size_t count) {
+  Random random(seed, kFreshStream + attempt, index);
+  std::vector<double> z;
+  for (std::size_t k = 0; k < count; ++k)
+    z.push_back(normal_quantile(std::max(random.uniform(), 0x1.0p-54)));
+  return z;
+}
+
+Evaluation fresh_product(const RobustProblem& problem, std::span<const double> x,
+                         std::span<const double> z) {
+  try {
+    return problem.built(build(problem, x, z), {}, false);
+  } catch (const EvaluationError& error) {
+    Evaluation lost;
+    lost.failure = error.reason();
+    return lost;
+  }
+}
+
+}  // namespace
+
+Verification verify_products(const RobustProblem& problem, const RobustTerms& terms,
+                             std::span<const double> x, const SamplePlan& plan,
+                             std::uint64_t attempt) {
+  Verification found;
+  found.term_failures.assign(terms.terms.size(), 0);
+  found.values.resize(problem.limits.size());
+  std::vector<std::uint64_t> good(terms.of_target.size(), 0);
+  const auto count = [&](const Evaluation& answer) {
+    if (!answer.ok()) ++found.lost[answer.failure];
+    for (std::size_t r = 0; r < found.values.size(); ++r)
+      found.values[r].push_back(answer.ok() ? answer.values[r] : kNaN);
+    std::vector<bool> keeps(good.size(), true);
+    for (std::size_t j = 0; j < terms.terms.size(); ++j) {
+      const RobustTerm& term = terms.terms[j];
+      if (!term.target) continue;
+      const bool holds =
+          answer.ok() &&
+          term.margin.sign * (answer.values[term.margin.response] - term.margin.end) >= 0.0;
+      if (holds) continue;
+      ++found.term_failures[j];
+      keeps[*term.target] = false;
+    }
+    for (std::size_t s = 0; s < good.size(); ++s) good[s] += keeps[s] ? 1 : 0;
+  };
+  const std::uint64_t made = run_indexed(
+      {0, plan.products, plan.jobs, plan.proceed},
+      [&](std::uint64_t index) {
+        return fresh_product(problem, x,
+                             fresh_normals(plan.seed, attempt, index, problem.inputs.size()));
+      },
+      [&](std::uint64_t, std::vector<Evaluation>& answers) {
+        for (const Evaluation& answer : answers) count(answer);
+      });
+  for (const std::uint64_t kept : good)
+    found.yields.push_back(made > 0 ? yield_estimate(kept, made) : YieldEstimate{});
+  return found;
+}
+
+}  // namespace twum::optim
