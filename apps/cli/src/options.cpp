@@ -65,4 +65,8 @@ double parse_torque(const std::string& option, std::string_view text) {
   return parse_option(option, text, {"N.m", "0.5 N.m"});
 }
 
+double parse_frequency(const std::string& option, std::string_view text) {
+  return parse_option(option, text, {"Hz", "40 kHz"});
+}
+
 }  // namespace twum::cli

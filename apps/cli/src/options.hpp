@@ -29,10 +29,11 @@ studies::MotorFile load_motor(const MotorOptions& options);
 std::size_t parse_count(const std::string& option, const std::string& text, std::size_t least,
                         std::size_t most);
 
-/// A speed given to an option [rad/s], a torque [N m].
+/// A speed given to an option [rad/s], a torque [N m], a frequency [Hz].
 /// @{
 double parse_speed(const std::string& option, std::string_view text);
 double parse_torque(const std::string& option, std::string_view text);
+double parse_frequency(const std::string& option, std::string_view text);
 /// @}
 
 }  // namespace twum::cli

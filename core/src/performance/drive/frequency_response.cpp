@@ -18,7 +18,7 @@ namespace {
 using performance::PathPiece;
 using performance::ResponseWave;
 
-constexpr double kFullTurn = 2 * std::numbers::pi;
+constexpr double kTurnOfResponse = 2 * std::numbers::pi;
 constexpr double kMargin = 0.15;       // of the range of jumps and resonances, on both sides
 constexpr double kLeastMargin = 0.01;  // of the frequency
 constexpr int kMostJumps = 8;          // at one frequency
@@ -64,7 +64,7 @@ struct FrequencyResponse::Content {
         load(rotor_load),
         path(waves, load, lowest(range), highest(range)) {
     if (range) {
-      from = kFullTurn * range->first, to = kFullTurn * range->second;
+      from = kTurnOfResponse * range->first, to = kTurnOfResponse * range->second;
       return;
     }
     from = to = waves.omega();
@@ -82,11 +82,11 @@ struct FrequencyResponse::Content {
 
   double lowest(const std::optional<std::pair<double, double>>& range) const {
     const double own = 0.9 * std::fmin(waves.modes().resonance, waves.omega());
-    return range ? std::fmin(own, kFullTurn * range->first) : own;
+    return range ? std::fmin(own, kTurnOfResponse * range->first) : own;
   }
   double highest(const std::optional<std::pair<double, double>>& range) const {
     const double own = 1.1 * std::fmax(highest_resonance(waves), waves.omega());
-    return range ? std::fmax(own, kFullTurn * range->second) : own;
+    return range ? std::fmax(own, kTurnOfResponse * range->second) : own;
   }
 
   ResponsePoint point_of(const ResponseWave& wave) const {
@@ -94,7 +94,9 @@ struct FrequencyResponse::Content {
     const auto solved = performance::solve_point(motor, wave.speed, &wave.start);
     OperatingPoint point =
         performance::operating_point_of(motor, solved, wave.speed, waves.modes());
-    if (wave.standing) point.torque = load.value;
+    // The search for the speed leaves a billionth of the torque; where the rotor stands friction gives what is missing.
+    if (load.given == Argument::torque)
+      point.torque = load.value, point.output_power = load.value * wave.speed;
     return {wave.frequency(), point, wave.stable};
   }
 
@@ -143,8 +145,8 @@ FrequencyResponse::~FrequencyResponse() = default;
 FrequencyResponse::FrequencyResponse(FrequencyResponse&&) noexcept = default;
 FrequencyResponse& FrequencyResponse::operator=(FrequencyResponse&&) noexcept = default;
 
-double FrequencyResponse::from() const noexcept { return content_->from / kFullTurn; }
-double FrequencyResponse::to() const noexcept { return content_->to / kFullTurn; }
+double FrequencyResponse::from() const noexcept { return content_->from / kTurnOfResponse; }
+double FrequencyResponse::to() const noexcept { return content_->to / kTurnOfResponse; }
 
 // The part of a piece that lies in the range, with a wave at each end of the range that it passes.
 ResponseBranch FrequencyResponse::Content::branch_of(const PathPiece& piece) const {
@@ -175,7 +177,7 @@ std::vector<ResponseBranch> FrequencyResponse::branches() const {
 
 std::vector<ResponsePoint> FrequencyResponse::at(double frequency) const {
   std::vector<ResponsePoint> found;
-  const double omega = kFullTurn * frequency;
+  const double omega = kTurnOfResponse * frequency;
   if (!(omega >= content_->from && omega <= content_->to)) return found;
   for (const Content::Place& place : content_->places_at(omega))
     found.push_back(content_->point_of(place.wave));
@@ -191,7 +193,7 @@ FrequencySweep FrequencyResponse::sweep(std::span<const double> frequencies) con
   FrequencySweep sweep;
   const PathPiece* piece = nullptr;
   for (const double frequency : frequencies) {
-    const double omega = kFullTurn * frequency;
+    const double omega = kTurnOfResponse * frequency;
     for (int i = 0; piece && !piece->covers(omega) && i < kMostJumps; ++i) {
       const bool front = (piece->waves.front().omega > piece->waves.back().omega) == up;
       const ResponseWave& end = front ? piece->waves.front() : piece->waves.back();
@@ -213,13 +215,13 @@ FrequencySweep FrequencyResponse::sweep(std::span<const double> frequencies) con
 }
 
 std::optional<double> FrequencyResponse::pull_out_below(const ResponsePoint& point) const {
-  for (const Content::Place& place : content_->places_at(kFullTurn * point.frequency)) {
+  for (const Content::Place& place : content_->places_at(kTurnOfResponse * point.frequency)) {
     if (std::fabs(place.wave.amplitude - point.point.amplitude) > 1e-6 * point.point.amplitude)
       continue;
     const PathPiece& piece = *place.piece;
     const bool front = piece.waves.front().omega < piece.waves.back().omega;
     if ((front ? piece.first_end : piece.last_end) == BranchEndKind::open) return {};
-    return piece.lowest() / kFullTurn;
+    return piece.lowest() / kTurnOfResponse;
   }
   return {};
 }

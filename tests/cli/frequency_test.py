@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: Apache-2.0
+"""frequency: sweeps, branches, jumps and the margin to the pull-out."""
+import csv
+import io
+import json
+import math
+
+import program
+from program import DRIVE, RING
+
+
+class Frequency(program.Case):
+    def answer(self, *arguments):
+        return json.loads(self.ok("frequency", DRIVE, *arguments, "--format", "json"))
+
+    def metric(self, name, *arguments):
+        designs = self.write("one.csv", "preload [N]\n170\n")
+        rows = list(csv.DictReader(io.StringIO(
+            self.ok("evaluate", DRIVE, *arguments, "--designs", designs, "--metrics", name))))
+        return float(next(value for column, value in rows[0].items() if column.startswith(name)))
+
+    def test_at_rest_it_jumps_where_the_metrics_say(self):
+        low = ("--set", "voltage=65 V")
+        answer = self.answer(*low, "--speed", "0 rpm", "--points", 11)
+        up, down = (answer["sweeps"][way]["jumps"] for way in ("up", "down"))
+        self.assertEqual((len(up), len(down)), (1, 1))
+        # Two searches for the same fold, each to 1e-12 of the frequency.
+        self.assertAlmostEqual(up[0]["from"]["frequency"] / self.metric("start_frequency", *low), 1, delta=1e-10)
+        pull_out = self.metric("pull_out_frequency", *low)
+        self.assertAlmostEqual(down[0]["from"]["frequency"] / pull_out, 1, delta=1e-10)
+        self.assertAlmostEqual(answer["pull_out_below"] / pull_out, 1, delta=1e-10)
+        self.assertLess(up[0]["from"]["amplitude"], up[0]["to"]["amplitude"])
+        self.assertGreater(down[0]["from"]["amplitude"], down[0]["to"]["amplitude"])
+
+    def test_points_are_motors_of_their_frequency(self):
+        answer = self.answer("--torque", "0.5 N.m", "--from", "40 kHz", "--to", "42 kHz", "--points", 5,
+                             "--direction", "down")
+        self.assertEqual(list(answer["sweeps"]), ["down"])
+        points = answer["sweeps"]["down"]["points"]
+        self.assertEqual([p["frequency"] for p in points], [42e3, 41.5e3, 41e3, 40.5e3, 40e3])
+        for point in points:
+            self.assertTrue(point["steady"])
+            self.assertAlmostEqual(point["output_power"], point["torque"] * point["speed"], delta=1e-12)
+            setting = f"frequency={point['frequency']} Hz"
+            # The same wave by the motor's own curve, whose searches end at 1e-12.
+            speed = self.metric("speed_at(0.5 N.m)", "--set", setting)
+            self.assertAlmostEqual(point["speed"] / speed, 1, delta=1e-8)
+
+    def test_formats_say_the_same(self):
+        arguments = ("--points", 7, "--set", "voltage=80 V")
+        answer = self.answer(*arguments)
+        rows = list(csv.DictReader(io.StringIO(self.ok("frequency", DRIVE, *arguments, "--format", "csv"))))
+        self.assertEqual(len(rows), 14)
+        points = answer["sweeps"]["up"]["points"] + answer["sweeps"]["down"]["points"]
+        for row, point in zip(rows, points):
+            self.assertEqual(row["status"], "ok" if point["steady"] else "no-steady-wave")
+            for column, cell in row.items():
+                name = column.split(" [")[0]
+                if name in point and cell:
+                    self.assertEqual(float(cell), point[name])
+        table = self.ok("frequency", DRIVE, *arguments)
+        for words in ("pulls out below", "margin", "jump of the sweep up", "jump of the sweep down"):
+            self.assertIn(words, table)
+        for branch in answer["branches"]:
+            rising = [a["frequency"] < b["frequency"] for a, b in zip(branch["points"], branch["points"][1:])]
+            self.assertIn(len(set(rising)), (0, 1))
+
+    def test_the_picture_is_the_same_every_time(self):
+        for name in ("a.svg", "b.svg"):
+            self.ok("frequency", DRIVE, "--plot", self.folder / name)
+        picture = (self.folder / "a.svg").read_bytes()
+        self.assertEqual(picture, (self.folder / "b.svg").read_bytes())
+        for words in (b"frequency [kHz]", b"amplitude", b"pulls out below", b"phase current"):
+            self.assertIn(words, picture)
+
+    def test_what_cannot_be_swept_is_refused(self):
+        self.assertIn("voltage", self.refused("frequency", RING))
+        self.assertIn("below --to", self.refused("frequency", DRIVE, "--from", "42 kHz", "--to", "40 kHz"))
+        self.assertIn("40 kHz", self.refused("frequency", DRIVE, "--from", "42 mm"))
+        self.assertIn("whole number", self.refused("frequency", DRIVE, "--points", "1"))
+        self.refused("frequency", DRIVE, "--direction", "sideways")
+        self.refused("frequency", DRIVE, "--speed", "1 rpm", "--torque", "1 N.m")
+
+    def test_a_load_that_is_too_large_has_no_answer(self):
+        done = program.twum("frequency", DRIVE, "--torque", "5 N.m")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("no steady wave", done.stderr)
+        self.assertTrue(math.isclose(json.loads(program.twum(
+            "frequency", DRIVE, "--torque", "5 N.m", "--format", "json").stdout)["load"]["torque"], 5))
+
+
+if __name__ == "__main__":
+    program.main()
