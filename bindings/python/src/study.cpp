@@ -3,6 +3,7 @@
 #include "conversions.hpp"
 #include "interruptible.hpp"
 #include "parts.hpp"
+#include "results/answers.hpp"
 
 #include <twum/studies/motor/settings.hpp>
 #include <twum/studies/results/study_result.hpp>
@@ -38,6 +39,32 @@ class Mailbox {
   std::optional<Progress> latest_;
 };
 
+// Names of files may be of any bytes.
+py::str text_of(const std::string& text) {
+  return py::reinterpret_steal<py::str>(
+      PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace"));
+}
+
+// A number without a value is None.
+py::object to_python(const studies::Json& value) {
+  if (value.is_object()) {
+    py::dict entries;
+    for (const auto& [name, entry] : value.items()) entries[text_of(name)] = to_python(entry);
+    return std::move(entries);
+  }
+  if (value.is_array()) {
+    py::list items;
+    for (const auto& item : value) items.append(to_python(item));
+    return std::move(items);
+  }
+  if (value.is_string()) return text_of(value.get_ref<const std::string&>());
+  if (value.is_boolean()) return py::bool_(value.get<bool>());
+  if (value.is_number_unsigned()) return py::int_(value.get<std::uint64_t>());
+  if (value.is_number_integer()) return py::int_(value.get<std::int64_t>());
+  if (value.is_number()) return py::float_(value.get<double>());
+  return py::none();
+}
+
 py::tuple run_file(const std::string& path, const std::string& directory,
                    const std::vector<std::string>& settings, unsigned jobs, bool fresh,
                    const py::object& progress) {
@@ -58,7 +85,7 @@ py::tuple run_file(const std::string& path, const std::string& directory,
         const auto now = mailbox.take();
         if (now && !progress.is_none()) progress(now->done, now->total, now->best);
       });
-  return py::make_tuple(studies::summary_json(result), studies::summary_text(result));
+  return py::make_tuple(to_python(studies::summary_value(result)), studies::summary_text(result));
 }
 
 }  // namespace
@@ -68,7 +95,7 @@ void add_study(py::module_& module) {
              py::arg("jobs"), py::arg("fresh"), py::arg("progress"),
              "run_file(path, directory, settings, jobs, fresh, progress)\n--\n\nRuns a study file "
              "and keeps its "
-             "results in a directory; summary.json and the words for it.");
+             "results in a directory; the content of summary.json and the words for it.");
 }
 
 }  // namespace twum::python

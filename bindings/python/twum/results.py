@@ -193,4 +193,4 @@ def run(
         folder = os.fspath(directory) if directory is not None else os.path.join(scratch, "result")
         summary, text = _twum.run_file(os.fspath(path), folder, _settings(set or {}), jobs, fresh, progress)
         rows = _rows(os.path.join(folder, "results.csv"))
-    return StudyResult(json.loads(summary), rows, text, None if directory is None else folder)
+    return StudyResult(summary, rows, text, None if directory is None else folder)
