@@ -89,10 +89,10 @@ function designTable(names, columns, choice = {}) {
   const range = (n) => (Object.hasOwn(data.ranges || {}, n) ? data.ranges[n] : null);
   const ends = (n) => { const r = range(n); return r === null ? words('') : words(between(r.min, r.max, unitOf(n))); };
   const chosen = Object.entries(choice);
-  const lines = [...chosen.map(([n, set]) => [named(n), ...columns.map((c) => words(c.name === 'before' ? '' : set)), words('chosen')]),
-    ...names.map((n) => [named(n), ...columns.map((c) => quantity(c.values[n], unitOf(n))), ends(n)])];
+  const lines = [...names.map((n) => [named(n), ...columns.map((c) => quantity(c.values[n], unitOf(n))), ends(n)]),
+    ...chosen.map(([n, set]) => [named(n), ...columns.map((c) => words(c.name === 'before' ? '' : set)), words('chosen')])];
   const node = table('design', ['parameter', ...columns.map((c) => c.name), 'range'], lines);
-  node.lastChild.replaceWith(saveButton('design', () => csvText(['parameter', 'SI unit', ...columns.map((c) => c.name), 'smallest', 'largest'], [...chosen.map(([n, set]) => [n, '', ...columns.map((c) => (c.name === 'before' ? '' : set)), '', '']), ...names.map((n) => [n, unitOf(n), ...columns.map((c) => c.values[n]), range(n)?.min, range(n)?.max])])));
+  node.lastChild.replaceWith(saveButton('design', () => csvText(['parameter', 'SI unit', ...columns.map((c) => c.name), 'smallest', 'largest'], [...names.map((n) => [n, unitOf(n), ...columns.map((c) => c.values[n]), range(n)?.min, range(n)?.max]), ...chosen.map(([n, set]) => [n, '', ...columns.map((c) => (c.name === 'before' ? '' : set)), '', ''])])));
   return node;
 }
 
