@@ -13,7 +13,7 @@ namespace {
 std::size_t number_of_set(double value) { return static_cast<std::size_t>(std::lround(value)) - 1; }
 
 // Set by set, as the odometer of choices stands.
-MotorDesign motor_with(const DesignProblem& problem, std::size_t combination) {
+MotorDesign motor_with_sets(const DesignProblem& problem, std::size_t combination) {
   MotorDesign motor = problem.motor;
   for (const DesignChoice& choice : problem.choices) {
     motor = with(motor, choice.sets[combination % choice.sets.size()].values);
@@ -35,7 +35,7 @@ std::vector<DesignProblem> combinations(const DesignProblem& problem) {
   std::vector<DesignProblem> list;
   for (std::size_t i = 0; i < count; ++i) {
     list.push_back(problem);
-    list.back().motor = motor_with(problem, i);
+    list.back().motor = motor_with_sets(problem, i);
     list.back().choices.clear();
   }
   return list;

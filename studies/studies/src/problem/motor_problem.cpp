@@ -121,9 +121,9 @@ optim::Problem motor_problem(const DesignProblem& problem) {
                                                             ? optim::Sense::maximize
                                                             : optim::Sense::minimize});
   for (const Constraint& limit : problem.limits) result.constraints.push_back(limit_of(limit));
-  for (const ImpliedLimit& limit : implied_limits(problem))
-    result.constraints.push_back({limit.name, limit.load.value_or(0)});
   const auto responses = std::make_shared<const MotorResponses>(problem);
+  for (const ImpliedLimit& limit : responses->implied())
+    result.constraints.push_back({limit.name, limit.load.value_or(0)});
   result.evaluate = [responses](std::span<const double> design, bool gradient) {
     return responses->evaluate(design, gradient);
   };

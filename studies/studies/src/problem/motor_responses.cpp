@@ -190,10 +190,10 @@ void CombinationResponses::add_kink(std::size_t response, std::size_t variable,
   evaluation.kinks.push_back({response, variable, optim::Slope::one_sided, left, right});
 }
 
-MotorResponses::MotorResponses(DesignProblem problem) : problem_(std::move(problem)) {
-  const std::vector<ImpliedLimit> implied = implied_limits(problem_);
+MotorResponses::MotorResponses(DesignProblem problem)
+    : problem_(std::move(problem)), implied_(implied_limits(problem_)) {
   for (DesignProblem& one : combinations(problem_))
-    combinations_.emplace_back(std::move(one), implied);
+    combinations_.emplace_back(std::move(one), implied_);
 }
 
 optim::Evaluation MotorResponses::evaluate(std::span<const double> design, bool gradient) const {

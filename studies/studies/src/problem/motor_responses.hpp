@@ -55,8 +55,11 @@ class MotorResponses {
 
   optim::Evaluation evaluate(std::span<const double> design, bool gradient) const;
 
+  const std::vector<ImpliedLimit>& implied() const noexcept { return implied_; }
+
  private:
   DesignProblem problem_;
+  std::vector<ImpliedLimit> implied_;
   std::vector<CombinationResponses> combinations_;
 };
 

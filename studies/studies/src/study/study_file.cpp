@@ -175,7 +175,7 @@ std::pair<SourceMark, std::string> place_of(const ChoiceComplaint& complaint, Ya
 }
 
 // The entry of a parameter in a list of a study that has it.
-const YamlEntry& entry_of(const YamlNode& study, const char* list, Parameter parameter) {
+const YamlEntry& parameter_entry(const YamlNode& study, const char* list, Parameter parameter) {
   const std::vector<YamlEntry>& entries = study.find(list)->entries;
   return *std::find_if(entries.begin(), entries.end(), [=](const YamlEntry& entry) {
     return find_parameter(entry.key) == parameter;
@@ -183,8 +183,8 @@ const YamlEntry& entry_of(const YamlNode& study, const char* list, Parameter par
 }
 
 // Whether the choices of a search, and the friction that it varies, go together with the rest.
-void check_search(const Study& study, const MotorDesign& motor, YamlNode& root,
-                  Diagnostics& diagnostics) {
+void check_choices(const Study& study, const MotorDesign& motor, YamlNode& root,
+                   Diagnostics& diagnostics) {
   const auto check = [&](const auto& asked) {
     if constexpr (requires { asked.choose; }) {
       const DesignProblem problem{motor, asked.variables, {}, {}, asked.derived, asked.choose};
@@ -199,8 +199,8 @@ void check_search(const Study& study, const MotorDesign& motor, YamlNode& root,
       try {
         require_ordered_friction(problem);
       } catch (const ValueError& error) {
-        const YamlEntry& derived = entry_of(node, "derived", Parameter::kinetic_friction);
-        const YamlEntry& varied = entry_of(node, "variables", Parameter::static_friction);
+        const YamlEntry& derived = parameter_entry(node, "derived", Parameter::kinetic_friction);
+        const YamlEntry& varied = parameter_entry(node, "variables", Parameter::static_friction);
         diagnostics.add({derived.key_mark, "study.derived." + derived.key, error.found(),
                          error.expected(), varied.key_mark, "varied here"});
       }
@@ -251,7 +251,7 @@ StudyFile read_study(const Source& source, const std::string& folder,
     check_with_motor(text, motor->design, root, diagnostics);
     if (diagnostics.empty()) check_derived(text.study, motor->design, root, diagnostics);
     if (diagnostics.empty() && files.empty())
-      check_search(text.study, motor->design, root, diagnostics);
+      check_choices(text.study, motor->design, root, diagnostics);
   }
   throw_all(diagnostics, files);
   TWUM_ASSERT(motor.has_value());
