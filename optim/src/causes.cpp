@@ -147,7 +147,8 @@ class Investigation {
                      side == Side::lower ? c.lower : c.upper,
                      value,
                      result.outcome == Outcome::optimal,
-                     {}};
+                     {},
+                     result.design};
     for (const RangeEnd& end : ends_of(result)) found.ends.push_back(add_range(end));
     told().impossible.push_back(std::move(found));
     return true;

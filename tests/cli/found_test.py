@@ -147,6 +147,30 @@ class Notes(Found):
         note, = [note for note in self.summary("closed")["model_notes"] if "all round" in note]
         self.assertTrue(note.endswith("a real wave; 2 others likewise"), note)
 
+    def test_a_search_from_a_thick_layer_names_the_limit_to_add(self):
+        # 1 mm is 27 % of the contact length; the notes on what is found are about other motors.
+        thick = OPTIMIZE.replace("study:", "set: {thickness: 1 mm}\nstudy:")
+        size = (thick.replace("optimize", "size").replace("  maximize: peak_power\n", "  duty: [{torque: 0.1 N.m, speed: 20 rpm}]\n")
+                .replace("constraints", "limits"))
+        for name, text, entry in (("optimize", thick, "constraints"), ("size", size, "limits")):
+            study = self.write(f"{name}.yaml", text)
+            checked = program.twum("check", study).stderr
+            self.assertEqual(checked.count("of the contact length"), 1)
+            self.assertIn(f"no limit keeps the search from such layers: add 'layer_aspect <= 0.1' to '{entry}'", checked)
+            done = self.run_study(name, text)
+            self.assertIn("add 'layer_aspect <= 0.1'", done.stderr)
+            self.assertFalse(any("layer_aspect <= 0.1" in note for note in self.summary(name)["model_notes"]))
+        for kept in ("layer_aspect <= 0.1", "thickness <= 0.1 * 2 * contact_half_length"):
+            study = self.write("kept.yaml", thick.replace("max_pressure <= 3 MPa", kept))
+            self.assertNotIn("no limit keeps", program.twum("check", study).stderr)
+
+    def test_a_note_stands_once_on_the_terminal(self):
+        text = OPTIMIZE.replace("{preload:", "{wavelengths: {min: 8, max: 9}, preload:")
+        done = self.run_study("waves", text)
+        terminal = done.stderr + done.stdout.decode()
+        self.assertEqual(terminal.count("a real ring has one frequency"), 1)
+        self.assertTrue(any("a real ring has one frequency" in note for note in self.summary("waves")["model_notes"]))
+
     def test_a_usual_motor_has_none(self):
         self.run_study("usual", f"twum: 1\nmotor: {RING}\nset: {{contact_width: 1 mm}}\nstudy: {{kind: curve, points: 3}}\n")
         self.assertEqual(self.summary("usual")["model_notes"], [])

@@ -110,6 +110,15 @@ TEST_CASE("lists say how long they may be", "[studies][schema]") {
   CHECK(published(list)["maxItems"] == 3);
 }
 
+TEST_CASE("entries with names of one's own have one shape", "[studies][schema]") {
+  Schema named = of_kind(ValueKind::named);
+  named.items = {of_kind(ValueKind::count)};
+  const Json json = published(named);
+  CHECK(json["type"] == "object");
+  CHECK(json["minProperties"] == 1);
+  CHECK(json["additionalProperties"] == published(named.items.front()));
+}
+
 TEST_CASE("entries that exclude each other are a rule, said once", "[studies][schema]") {
   const auto pair = [](bool required, bool alias) {
     SchemaEntry a = entry("a", of_kind(ValueKind::text), required);
@@ -204,6 +213,9 @@ TEST_CASE("the table says what kinds of values may stand there", "[studies][sche
   Schema list = of_kind(ValueKind::list);
   list.items = {word};
   CHECK(value_cell(list) == "list: `lhs`, `sobol`");
+  Schema named = of_kind(ValueKind::named);
+  named.items = {list};
+  CHECK(value_cell(named) == "by name: list: `lhs`, `sobol`");
   Schema variant = of_kind(ValueKind::variant);
   variant.selector = "kind";
   CHECK(value_cell(variant) == "mapping, by `kind`");

@@ -5,6 +5,7 @@
 #include <twum/studies/metrics/constraint.hpp>
 #include <twum/studies/metrics/expression.hpp>
 #include <twum/studies/text/value_error.hpp>
+#include <twum/studies/text/words.hpp>
 #include <twum/studies/units/units.hpp>
 
 #include <cmath>
@@ -41,6 +42,33 @@ void expect_same(const MetricExpression& metric) {
     throw BrokenLaw("another metric: " + metric.text);
 }
 
+bool names(const ValueError& error, const MetricExpression& side) {
+  return error.found().find(quoted(side.formula.text())) != std::string::npos;
+}
+
+// Two sides that can be read, but not compared: the refusal names both.
+void expect_refusal(std::string_view text, const MetricExpression& left,
+                    const MetricExpression& right) {
+  try {
+    parse_constraint(text);
+  } catch (const ValueError& error) {
+    if (names(error, left) && names(error, right)) return;
+    throw BrokenLaw("a refusal that does not name both sides: " + std::string(error.what()));
+  }
+  throw BrokenLaw("a limit between two dimensions: " + std::string(text));
+}
+
+void expect_same_dimension(std::string_view text) {
+  const std::size_t sign = text.find_first_of("<>");
+  if (sign == std::string_view::npos || text.find('=', sign) != sign + 1) return;
+  const std::string_view rest = text.substr(sign + 2);
+  if (rest.find_first_of("<>=") != std::string_view::npos) return;
+  const auto left = accepted([&] { return parse_side(text.substr(0, sign)); });
+  const auto right = accepted([&] { return parse_side(rest); });
+  if (left && right && !(left->formula.dimension() == right->formula.dimension()))
+    expect_refusal(text, *left, *right);
+}
+
 }  // namespace
 
 void feed_units(std::string_view text) {
@@ -64,6 +92,7 @@ void feed_metrics(std::string_view text) {
   if (const auto list = accepted([&] { return parse_metric_list(text); })) {
     for (const MetricExpression& metric : *list) expect_same(metric);
   }
+  expect_same_dimension(text);
   const auto limit = accepted([&] { return parse_constraint(text); });
   if (!limit) return;
   expect_same(limit->metric);

@@ -74,6 +74,30 @@ class Search(unittest.TestCase):
         order = sorted(range(len(front)), key=torque.__getitem__)
         self.assertEqual(order, sorted(range(len(front)), key=speed.__getitem__, reverse=True))
 
+    def test_what_is_derived_moves_along(self):
+        problem = twum.DesignProblem(twum.Motor()).vary("contact_radius", "20 mm", "30 mm").maximize("contact_radius")
+        best = problem.derive("contact_width", "0.1 * contact_radius").solve()
+        self.assertEqual(best.motor.contact_width, 0.1 * best.design["contact_radius"])
+        self.assertEqual(best.choice, {})
+
+    def test_the_best_of_a_choice_is_that_of_the_closed_form(self):
+        # mu_0 F_N r at most: the largest friction and the largest radius.
+        linings = {"low": {"mu": 0.1, "mu_0": 0.1}, "high": {"kinetic_friction": 0.3, "static_friction": "0.3"}}
+        problem = twum.DesignProblem(twum.Motor()).vary("preload", 60, 300).maximize("holding_torque")
+        best = problem.choose("lining", linings).choose("ring", {"a": {"contact_radius": "20 mm"}, "b": {"contact_radius": 0.03}}).solve()
+        self.assertEqual(best.choice, {"lining": "high", "ring": "b"})
+        self.assertEqual(list(best.design), ["preload"])
+        # The preload is at its bound, up to the rounding of the search's scale.
+        self.assertAlmostEqual(best.objective["holding_torque"], 0.3 * 300 * 0.03, delta=1e-9)
+        self.assertEqual((best.motor.kinetic_friction, best.motor.contact_radius), (0.3, 0.03))
+
+    def test_sets_come_from_files(self):
+        folder = RING.parents[1] / "studies/linings"
+        problem = twum.DesignProblem(twum.Motor(RING)).vary("preload", 60, 300).maximize("holding_torque")
+        best = problem.choose("lining", [folder / "peek.yaml", str(folder / "ptfe-peek.yaml")]).solve()
+        self.assertEqual(best.choice, {"lining": str(folder / "peek.yaml")})
+        self.assertEqual(best.motor.youngs_modulus, 3.6e9)
+
     def test_wrong_questions_are_refused(self):
         problem = twum.DesignProblem(twum.Motor())
         for call, words in ((lambda: problem.vary("pre", 1, 2), "unknown parameter 'pre'"),
@@ -82,6 +106,11 @@ class Search(unittest.TestCase):
                             (lambda: problem.limit("max_presure <= 1 MPa"), "max_pressure"),
                             (lambda: problem.maximize("peak"), "unknown metric"),
                             (lambda: problem.solve(), "variable"),
+                            (lambda: problem.derive("contact_width", "2 N"), "force"),
+                            (lambda: problem.choose("lining", {"a": {"preload": "1 mm"}}), "length"),
+                            (lambda: problem.choose("lining", ["absent.yaml"]), "absent.yaml: cannot be read"),
+                            (lambda: question(twum.Motor()).maximize("peak_power").choose("lining", {"a": {"preload": 1}}).solve(),
+                             "preload is varied, and 'a' of 'lining' gives it too"),
                             (lambda: question(twum.Motor()).solve(), "objective"),
                             (lambda: question(twum.Motor()).size([]), "duty"),
                             (lambda: question(twum.Motor()).size((1, "2 mm")), "duty: speed.*length"),

@@ -37,7 +37,7 @@ void add_region(StudyResult& result, const std::string& reason, std::uint64_t co
 
 std::string rows_text(const ResultStore& store, std::size_t variables, std::size_t& pieces) {
   std::string text;
-  write_rows(store, variables, [&](std::string_view piece) {
+  write_rows(store, store.columns(), variables, [&](std::string_view piece) {
     ++pieces;
     text += piece;
   });

@@ -4,13 +4,18 @@
 #include <twum/studies/metrics/reasons.hpp>
 #include <twum/studies/motor/model_notes.hpp>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace twum::cli {
 
-void print_model_notes(const MotorDesign& design) {
-  for (const studies::ModelNote& note : studies::model_notes_at_length(design))
-    std::fprintf(stderr, "note: %s\n", note.text.c_str());
+void print_model_notes(const MotorDesign& design, std::span<const std::string> said) {
+  for (const studies::ModelNote& note : studies::model_notes_at_length(design)) {
+    const bool known = std::any_of(said.begin(), said.end(), [&](const std::string& one) {
+      return one.starts_with(note.text);
+    });
+    if (!known) std::fprintf(stderr, "note: %s\n", note.text.c_str());
+  }
 }
 
 void explain_reasons(const std::set<std::string>& reasons) {

@@ -6,6 +6,7 @@
 #include "py_motor.hpp"
 
 #include <twum/base/error.hpp>
+#include <twum/studies/motor/parameter_set.hpp>
 #include <twum/studies/motor/settings.hpp>
 #include <twum/studies/problem/sizing.hpp>
 #include <twum/studies/text/words.hpp>
@@ -41,6 +42,34 @@ PyProblem& vary(PyProblem& self, const std::string& name, const py::object& min,
   variable.log = scale == "log";
   if (!start.is_none()) variable.start = to_parameter_value(parameter, start);
   self.problem.variables.push_back(variable);
+  return self;
+}
+
+PyProblem& derive(PyProblem& self, const std::string& name, const std::string& expression) {
+  self.problem.derive(studies::parse_parameter(name), expression);
+  return self;
+}
+
+// A set as a file, or as the parameters themselves.
+studies::ParameterSet to_set(const std::string& name, const py::handle& given) {
+  if (py::isinstance<py::dict>(given))
+    return {name, {}, to_parameter_values(py::cast<py::dict>(given))};
+  const auto path = py::cast<std::string>(py::str(given));
+  return {name, path, studies::read_parameter_set(studies::read_source(path))};
+}
+
+PyProblem& choose(PyProblem& self, const std::string& name, const py::object& sets) {
+  std::vector<studies::ParameterSet> list;
+  if (py::isinstance<py::dict>(sets)) {
+    for (const auto& [set, given] : py::cast<py::dict>(sets))
+      list.push_back(to_set(py::cast<std::string>(set), given));
+  } else if (py::isinstance<py::str>(sets)) {
+    throw py::type_error(
+        "sets: expected a list of paths, or a dict from names to paths or parameters");
+  } else {
+    for (const py::handle& path : sets) list.push_back(to_set(py::str(path), path));
+  }
+  self.problem.choose(name, std::move(list));
   return self;
 }
 
@@ -80,9 +109,18 @@ optim::SolveOptions solve_options(py::dict from) {
 
 py::dict named_values(const DesignProblem& problem, std::span<const double> design) {
   py::dict values;
-  for (std::size_t j = 0; j < design.size(); ++j)
+  for (std::size_t j = 0; j < problem.variables.size() && j < design.size(); ++j)
     values[to_py(info(problem.variables[j].parameter).name)] = design[j];
   return values;
+}
+
+py::dict chosen_names(const DesignProblem& problem, std::span<const double> design) {
+  py::dict names;
+  if (design.empty()) return names;
+  const auto sets = chosen_sets(problem, design);
+  for (std::size_t i = 0; i < sets.size(); ++i)
+    names[py::str(problem.choices[i].name)] = sets[i]->name;
+  return names;
 }
 
 py::dict certificate_dict(const optim::Certificate& certificate) {
@@ -139,6 +177,7 @@ py::object optimum(const PyProblem& self, const DesignAnswer& answer) {
   return attribute_of_results("Optimum")(
       "outcome"_a = to_string(search.outcome), "motor"_a = PyMotor{self.name, Motor(answer.motor)},
       "design"_a = named_values(self.problem, search.design),
+      "choice"_a = chosen_names(self.problem, search.design),
       "objective"_a = objective_dict(self.problem, search.evaluation),
       "limits"_a = limits_list(search.certificate),
       "certificate"_a = certificate_dict(search.certificate),
@@ -156,6 +195,7 @@ py::object optimum(const PyProblem& self, const MotorDesign& motor,
       "outcome"_a = certificate.passed ? "optimal" : "feasible",
       "motor"_a = PyMotor{self.name, Motor(motor)},
       "design"_a = named_values(self.problem, point.design),
+      "choice"_a = chosen_names(self.problem, point.design),
       "objective"_a = objective_dict(self.problem, point.evaluation),
       "limits"_a = limits_list(certificate), "certificate"_a = certificate_dict(certificate),
       "relaxation"_a = py::list(), "impossible"_a = py::list(), "ranges"_a = py::list(),
@@ -257,6 +297,14 @@ void add_problem(py::module_& module) {
               "vary(self, parameter, min, max, *, scale='linear', start=None)\n--\n\nLets a "
               "parameter change "
               "within bounds, SI or with units; scale 'log' spreads it by ratio.");
+  problem.def("derive", &derive, py::arg("parameter"), py::arg("expression"),
+              "derive(self, parameter, expression)\n--\n\nTies a parameter to others: "
+              "derive('contact_width', '0.15 * contact_radius').");
+  problem.def(
+      "choose", &choose, py::arg("name"), py::arg("sets"),
+      "choose(self, name, sets)\n--\n\nLets the design have one of several sets of parameters that "
+      "belong together: a list of files,\nor a dict from names to files or to dicts of parameters. "
+      "Every combination of several choices is solved.");
   problem.def(
       "maximize",
       [](PyProblem& self, const std::string& metric) -> PyProblem& {

@@ -89,6 +89,7 @@ class Optimum:
     outcome: str
     motor: Any = field(repr=False)
     design: dict  # the variables, SI
+    choice: dict  # the set that the design has of each choice, by name
     objective: dict
     limits: list = field(repr=False)  # dictionaries: text, value, limit, violation, active, multiplier
     certificate: dict = field(repr=False)

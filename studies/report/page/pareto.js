@@ -72,7 +72,7 @@ const front = { chosen: null };
 function chosenMotor(node, i) {
   const point = summary.front[i];
   const goals = summary.objectives.map((o) => plain(o.metric) + ' ' + engineering(goalValue(point, o), unitOf(o.metric))).join(', ');
-  node.replaceChildren(el('h2', {}, 'Point ' + (i + 1) + (frontRole(i) ? ': ' + frontRole(i) : '')), el('p', {}, goals + '. ' + certificateText(point.certificate)));
+  node.replaceChildren(el('h2', {}, 'Point ' + (i + 1) + (frontRole(i) ? ': ' + frontRole(i) : '')), el('p', {}, choiceWords(point) + goals + '. ' + certificateText(point.certificate)));
   const left = el('div', {});
   const right = el('div', {});
   node.append(el('div', { class: 'pair' }, left, right));
@@ -99,12 +99,13 @@ function paretoPage() {
     plots.push(frontChart(node, k, l, choose));
   }
   card(null, null, 'wide').id = 'chosen';
-  const designNames = Object.keys(summary.front[0].design);
+  const designNames = [...new Set(summary.front.flatMap((point) => Object.keys(point.design)))];
+  const choices = Object.keys(summary.front[0].choice || {});
   const names = [...summary.objectives.map((o) => o.metric), ...designNames.filter((n) => !summary.objectives.some((o) => o.metric === n))];
   const columns = names.map((name) => ({ name, unit: unitOf(name), values: Float64Array.from(summary.front.map((_, i) => frontValue(i, name) ?? NaN)) }));
   const node = card('Along the front', 'One line for each point: goals, then what the design is made of. Drag along an axis to keep some points only; Escape shows all.', 'wide');
   const along = parallelChart(node, columns, new Filter(columns, summary.front.length), choose);
-  const lines = summary.front.map((_, i) => [words(String(i + 1) + (frontRole(i) ? ' (' + frontRole(i) + ')' : '')), ...columns.map((c) => quantity(c.values[i], c.unit))]);
-  card('The front as a table', null, 'wide').append(table('front', ['point', ...names.map(plain)], lines, ['point', ...columns.map((c) => c.name + ' [' + c.unit + ']')]));
+  const lines = summary.front.map((point, i) => [words(String(i + 1) + (frontRole(i) ? ' (' + frontRole(i) + ')' : '')), ...choices.map((n) => words(point.choice[n])), ...columns.map((c) => quantity(c.values[i], c.unit))]);
+  card('The front as a table', null, 'wide').append(table('front', ['point', ...choices.map(shortName), ...names.map(plain)], lines, ['point', ...choices, ...columns.map((c) => c.name + ' [' + c.unit + ']')]));
   choose(summary.knee ?? 0);
 }

@@ -71,10 +71,10 @@ function startsText() {
   if (best === null || !runs.length) return '';
   const same = runs.filter((s) => s.feasible && Math.abs(s.objective - best) <= 1e-6 * Math.abs(best)).length;
   const wide = runs.filter((s) => globalSolver.test(s.solver)).length;
-  const whole = Object.keys(summary.best.design).filter((n) => (data.parameters[n] || {}).integer);
-  return 'It is a local optimum: ' + (runs.length === 1 ? 'the one run of a solver ended there' : same + ' of ' + runs.length + ' runs of solvers from different starts' + (whole.length ? ' and whole numbers' : '') + ' ended at this value, none within the limits at a better one')
+  const whole = [...Object.keys(summary.best.choice || {}), ...Object.keys(summary.best.design).filter((n) => (data.parameters[n] || {}).integer)];
+  return 'It is a local optimum: ' + (runs.length === 1 ? 'the one run of a solver ended there' : same + ' of ' + runs.length + ' runs of solvers from different starts' + (whole.length ? ' and ' + (summary.best.choice ? 'choices' : 'whole numbers') : '') + ' ended at this value, none within the limits at a better one')
     + (wide ? ', ' + (wide === 1 ? 'one' : wide) + ' of them a global search' : '') + '. A better design far from all of them cannot be ruled out.'
-    + (whole.length ? ' Whole numbers (' + whole.map(plain).join(', ') + ') are held in each run: the limits above are worth so much at the numbers found.' : '');
+    + (whole.length ? ' Held in each run: ' + whole.map(plain).join(', ') + '; the limits above are worth so much at what was found for ' + (whole.length > 1 ? 'them' : 'it') + '.' : '');
 }
 
 const efficiencyNote = 'Contact efficiency is the rotor\'s output over the power that the stator gives to the contact; efficiency counts the power lost in the vibrating stator as well, so it is the smaller one.';
@@ -84,13 +84,15 @@ function metricsNote(names) {
   return names.some((n) => n.startsWith('contact_efficiency')) && names.some((n) => /^(max_)?efficiency/.test(n)) ? efficiencyNote : null;
 }
 
-/** Before and after, and the range that the search had. */
-function designTable(names, columns) {
+/** Before and after, what was chosen, and the range that the search had. */
+function designTable(names, columns, choice = {}) {
   const range = (n) => (Object.hasOwn(data.ranges || {}, n) ? data.ranges[n] : null);
   const ends = (n) => { const r = range(n); return r === null ? words('') : words(between(r.min, r.max, unitOf(n))); };
-  const lines = names.map((n) => [named(n), ...columns.map((c) => quantity(c.values[n], unitOf(n))), ends(n)]);
+  const chosen = Object.entries(choice);
+  const lines = [...names.map((n) => [named(n), ...columns.map((c) => quantity(c.values[n], unitOf(n))), ends(n)]),
+    ...chosen.map(([n, set]) => [named(n), ...columns.map((c) => words(c.name === 'before' ? '' : set)), words('chosen')])];
   const node = table('design', ['parameter', ...columns.map((c) => c.name), 'range'], lines);
-  node.lastChild.replaceWith(saveButton('design', () => csvText(['parameter', 'SI unit', ...columns.map((c) => c.name), 'smallest', 'largest'], names.map((n) => [n, unitOf(n), ...columns.map((c) => c.values[n]), range(n)?.min, range(n)?.max]))));
+  node.lastChild.replaceWith(saveButton('design', () => csvText(['parameter', 'SI unit', ...columns.map((c) => c.name), 'smallest', 'largest'], [...names.map((n) => [n, unitOf(n), ...columns.map((c) => c.values[n]), range(n)?.min, range(n)?.max]), ...chosen.map(([n, set]) => [n, '', ...columns.map((c) => (c.name === 'before' ? '' : set)), '', ''])])));
   return node;
 }
 
@@ -102,7 +104,7 @@ function searchPage() {
   limits.append(limitsTable(summary.best, [summary.objective]));
   const design = card('The design', 'What the search was free to change.', 'half');
   const columns = [{ name: 'before', values: summary.before.design }, { name: 'best', values: summary.best.design }];
-  design.append(designTable(names, columns));
+  design.append(designTable(names, columns, summary.best.choice));
   const metricNames = Object.keys(summary.best.metrics);
   const metrics = card('Metrics', metricsNote(metricNames), 'half');
   metrics.append(valuesTable('metrics', 'metric', metricNames, [{ name: 'before', values: summary.before.metrics }, { name: 'best', values: summary.best.metrics }]));

@@ -14,7 +14,7 @@ function rangeWords(end, limit) { return plain(end.variable) + (end.side === 'up
 /** A limit that cannot be kept even alone, its best value, and the ends of ranges where that is. */
 function impossibleWords(limit) {
   const ends = limit.ends.map((i) => rangeWords(summary.relaxation.ranges[i], summary.relaxation.ranges[i].limit));
-  return limitWords(limit.text) + ' cannot be reached: the ' + (limit.sense === 'at least' ? 'most' : 'least') + ' found within the ranges is ' + engineering(limit.best, limit.unit) + (ends.length ? ', at ' + ends.join(' and ') : '') + '.';
+  return limitWords(limit.text) + ' cannot be reached: the ' + (limit.sense === 'at least' ? 'most' : 'least') + ' found within the ranges is ' + engineering(limit.best, limit.unit) + (ends.length ? ', at ' + ends.join(' and ') : '') + (limit.choice ? ', with ' + choiceWords(limit).slice(0, -2) : '') + '.';
 }
 
 /** What is at fault: limits impossible by themselves first, then those that exclude each other. */
@@ -38,7 +38,7 @@ function relaxationVerdict() {
   const least = [...limits, ...ranges];
   const cure = least.length === 0 ? 'Loosening a single limit is not enough; the table below says what would be.'
     : least.length === 1 ? 'It would be possible with this limit loosened: ' + least[0] + '.' : 'It would be possible with one of these limits loosened: ' + least.join('; or ') + '.';
-  return { look: 'bad', lines: [sentence(bold('No design keeps every limit.')), ...causeSentences(r), sentence(cure)] };
+  return { look: 'bad', lines: [sentence(bold('No design keeps every limit.')), ...causeSentences(r), ...(r.choice ? [sentence('No combination of the choices keeps all limits; ' + choiceWords(r).slice(0, -2) + ' comes nearest.')] : []), sentence(cure)] };
 }
 
 function changeWords(now, before) {
@@ -52,7 +52,7 @@ function searchVerdict() {
   if (summary.relaxation) return relaxationVerdict();
   const now = goalValue(summary.best, goal);
   const before = goalValue(summary.before, goal);
-  const lines = [sentence('The best design found has a ' + plain(goal.metric) + ' of ', bold(engineering(now, unit)), before === null ? '' : ', against ' + engineering(before, unit) + ' before' + changeWords(now, before), ': ' + designWords(summary.best.design) + '.')];
+  const lines = [sentence('The best design found has a ' + plain(goal.metric) + ' of ', bold(engineering(now, unit)), before === null ? '' : ', against ' + engineering(before, unit) + ' before' + changeWords(now, before), ': ' + choiceWords(summary.best) + designWords(summary.best.design) + '.')];
   const held = holders(summary.best, [goal]);
   if (held.length || wholeEnds(summary.best).length) lines.push(sentence(held.length === 1 ? 'What stops it:' : 'What stops it, the most valuable limit first:'), holderList(summary.best, [goal]));
   else lines.push(sentence('No limit stops it: it is the best there is within the ranges.'));

@@ -37,6 +37,9 @@ function signed(value, unit) {
 /** What a design has of a goal: a metric, or a parameter. */
 function goalValue(report, goal) { return report.metrics[goal.metric] ?? report.design[goal.metric] ?? null; }
 
+/** "lining peek.yaml, ": what was chosen for a design, before its numbers; empty where nothing was. */
+function choiceWords(report) { return Object.entries(report.choice || {}).map(([name, set]) => shortName(name) + ' ' + set + ', ').join(''); }
+
 /** Names with values, those of the contact layer together. */
 function designWords(design) {
   const say = (n) => engineering(design[n], unitOf(n), 3);

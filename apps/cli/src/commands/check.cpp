@@ -73,7 +73,7 @@ int run_check(const MotorOptions& options) {
   if (!found.missing.empty())
     std::fprintf(stderr, "note: %s: not there yet; 'twum run' needs it\n", found.missing.c_str());
   for (const std::string& note : found.notes) std::fprintf(stderr, "note: %s\n", note.c_str());
-  print_model_notes(found.motor);
+  print_model_notes(found.motor, found.notes);
   return kDone;
 }
 

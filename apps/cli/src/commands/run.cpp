@@ -13,6 +13,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace twum::cli {
 namespace {
@@ -95,15 +97,15 @@ int run_study(const StudyOptions& options) {
   run.fresh = options.fresh;
   const studies::StudyFile file = studies::read_study_file(options.path, options.settings);
   const std::string directory = directory_of(options);
-  for (const std::string& note : studies::study_notes(file))
-    std::fprintf(stderr, "note: %s\n", note.c_str());
+  const std::vector<std::string> notes = studies::study_notes(file);
+  for (const std::string& note : notes) std::fprintf(stderr, "note: %s\n", note.c_str());
   const studies::StudyResult result = run_with_progress(file, directory, run);
   if (result.was_complete) {
     std::fprintf(stderr, "twum: %s holds this result already; --fresh computes it anew\n",
                  directory.c_str());
   }
   Output output("");
-  output.write(studies::summary_text(result));
+  output.write(studies::summary_text(result, notes));
   output.finish();
   std::fprintf(stderr, "results: %s\n", directory.c_str());
   say_motor_files(result, directory);

@@ -64,6 +64,7 @@ struct Impossible {
   double best{0.0};               ///< value nearest to it within the ranges, user units
   bool certified{false};          ///< that value passed the certificate of a local optimum
   std::vector<std::size_t> ends;  ///< ends that prevent more, positions in Infeasibility::ranges
+  std::vector<double> design{};   ///< with that value, user units
 };
 
 /// Why a problem has no feasible design. An elastic solve finds the design with the smallest sum of the

@@ -123,6 +123,12 @@ class Converter {
     return json;
   }
 
+  Json named(const Schema& schema) {
+    return {{"type", "object"},
+            {"minProperties", 1},
+            {"additionalProperties", shared(schema.items.front())}};
+  }
+
   // Each alternative fixes the word of its selector, so at most one of them fits.
   Json variant(const Schema& schema) {
     Json choices = Json::array();
@@ -142,6 +148,7 @@ class Converter {
       case ValueKind::count: return bare_number(schema);
       case ValueKind::word: return one_of_words(schema);
       case ValueKind::mapping: return mapping(schema);
+      case ValueKind::named: return named(schema);
       case ValueKind::list: return list(schema);
       case ValueKind::variant: return variant(schema);
       case ValueKind::any_of: return any_of(schema);

@@ -101,6 +101,7 @@ class TableWriter {
       case ValueKind::count: return with_range("whole number", schema);
       case ValueKind::word: return words_text(schema);
       case ValueKind::mapping: return by_parameter(schema) ? "by parameter" : "mapping";
+      case ValueKind::named: return "by name: " + value(schema.items.front());
       case ValueKind::list: return "list: " + value(schema.items.front());
       case ValueKind::variant: return "mapping, by `" + schema.selector + "`";
       case ValueKind::any_of: return alternatives(schema);
@@ -132,6 +133,8 @@ class TableWriter {
       in_parameter_ = before;
     } else if (schema.kind == ValueKind::mapping) {
       entries(schema, path + ".", when);
+    } else if (schema.kind == ValueKind::named) {
+      inside(schema.items.front(), path + ".NAME", when);
     } else if (schema.kind == ValueKind::list) {
       inside(schema.items.front(), path + "[]", when);
     } else if (schema.kind == ValueKind::any_of) {

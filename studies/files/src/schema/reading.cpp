@@ -99,7 +99,8 @@ std::string plain_number(double value) {
 }
 
 bool fits(const YamlNode& node, const Schema& schema) {
-  if (schema.kind == ValueKind::mapping) return node.kind == YamlNode::Kind::mapping;
+  if (schema.kind == ValueKind::mapping || schema.kind == ValueKind::named)
+    return node.kind == YamlNode::Kind::mapping;
   if (schema.kind == ValueKind::list) return node.kind == YamlNode::Kind::list;
   return node.kind == YamlNode::Kind::scalar;
 }
@@ -264,9 +265,9 @@ Shape<std::uint64_t> count(std::string text, std::string example, double least, 
   schema.example = std::move(example);
   schema.min = least;
   schema.max = most;
-  Shape<std::uint64_t> shape =
-      as<std::uint64_t, double>(number(std::move(schema)),
-                                [](double value) { return static_cast<std::uint64_t>(value); }, {});
+  Shape<std::uint64_t> shape = shape_as<std::uint64_t, double>(
+      number(std::move(schema)), [](double value) { return static_cast<std::uint64_t>(value); },
+      {});
   shape.write = [](const std::uint64_t& value) { return scalar_node(std::to_string(value)); };
   return shape;
 }

@@ -105,6 +105,7 @@ std::string expectation(const Schema& schema) {
         text += (&entry == schema.entries.data() ? " " : ", ") + entry.name;
       }
       return text;
+    case ValueKind::named: return "expected a mapping such as '" + schema.example + "'";
     case ValueKind::list:
       return "expected a list, each item " +
              expectation(schema.items.front()).substr(std::string_view("expected ").size());

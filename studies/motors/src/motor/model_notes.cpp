@@ -71,9 +71,8 @@ void add_ratios(const MotorDesign& design, const Motor& motor, std::vector<Model
             "preload in parts of that of full contact", notes);
 }
 
-void add_contact(const MotorDesign& design, const Motor& motor, std::vector<ModelNote>& notes) {
+void add_thick_layer(const MotorDesign& design, const Motor& motor, std::vector<ModelNote>& notes) {
   constexpr double kThin = 0.1;
-  constexpr double kClosed = 0.5;
   const double length = 2 * motor.contact().half_length;
   const double thickness = get(design, Parameter::thickness);
   const double part = thickness / length;
@@ -83,6 +82,11 @@ void add_contact(const MotorDesign& design, const Motor& motor, std::vector<Mode
                          " % of the contact length " + engineering(length, "m") +
                          " (twice contact_half_length); beyond a tenth the layer is not the "
                          "foundation of the model"});
+}
+
+void add_contact(const MotorDesign& design, const Motor& motor, std::vector<ModelNote>& notes) {
+  constexpr double kClosed = 0.5;
+  add_thick_layer(design, motor, notes);
   if (get(design, Parameter::amplitude) > 0 && motor.contact().ratio >= kClosed)
     notes.push_back({"full contact", 0,
                      "the layer touches the stator all round (contact_ratio 0.5), which would "
@@ -105,6 +109,12 @@ std::vector<ModelNote> model_notes(const MotorDesign& design) {
   add_ratios(design, motor, notes);
   add_contact(design, motor, notes);
   return notes;
+}
+
+std::string thick_layer_note(const MotorDesign& design) {
+  std::vector<ModelNote> notes;
+  add_thick_layer(design, Motor(design), notes);
+  return notes.empty() ? std::string() : notes.front().text;
 }
 
 std::vector<ModelNote> model_notes_at_length(const MotorDesign& design) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/studies/motor/motor_file.hpp>
+#include <twum/studies/motor/parameter_set.hpp>
 
 #include "motor/circuit_shape.hpp"
 
@@ -43,7 +44,7 @@ Shape<double> slices(const ParameterInfo& row) {
   Schema schema = parameter_schema(row);
   schema.min = 1;
   const Shape<double> count = number(schema);
-  const Shape<double> automatic = as<double, std::size_t>(
+  const Shape<double> automatic = shape_as<double, std::size_t>(
       choice("as many as the torque needs", {"auto"}), [](std::size_t) { return kAutoSlices; },
       [](const double&) { return std::size_t{0}; });
   Shape<double> shape;
@@ -188,30 +189,48 @@ constexpr Section kSections[] = {
     {"friction", "Coulomb friction between stator and contact layer", check_friction},
     {"rotor", "the rotor's face", nullptr, false}};
 
+// What a file has to hold: a motor in full, or some of its parameters.
+enum class Extent : unsigned char { motor, part };
+
+Field<GivenMotor> left_out_freely(Field<GivenMotor> field) {
+  field.entry.required = false;
+  field.entry.fallback = "the motor's";
+  return field;
+}
+
 // The entries below a path, by the parameter table: parameters, and sections of them.
-std::vector<Field<GivenMotor>> fields_below(const std::string& path) {
+std::vector<Field<GivenMotor>> fields_below(const std::string& path,
+                                            Extent extent = Extent::motor) {
   std::vector<Field<GivenMotor>> fields;
   for (const ParameterInfo& row : parameter_table()) {
     if (!row.file_entry.starts_with(path)) continue;
     const std::string_view rest = row.file_entry.substr(path.size());
     const std::string name(first_step(rest));
     if (name == rest) {
-      fields.push_back(field_of(row));
+      fields.push_back(extent == Extent::motor ? field_of(row) : left_out_freely(field_of(row)));
     } else if (fields.empty() || fields.back().entry.name != name) {
       const auto* known = std::find_if(std::begin(kSections), std::end(kSections),
                                        [&](const Section& one) { return one.path == path + name; });
       TWUM_ASSERT(known != std::end(kSections));
-      fields.push_back(section(name, std::string(known->text), fields_below(path + name + "."),
+      fields.push_back(section(name, std::string(known->text),
+                               fields_below(path + name + ".", extent),
                                Check<GivenMotor>(known->check)));
       fields.back().entry.shown = known->shown;
     }
   }
+  if (path == "stator.") fields.push_back(circuit_field());
+  if (extent == Extent::part) return fields;  // without what is no parameter
   if (path == "stator.radial_shape.") fields.push_back(shape_table());
-  if (path == "stator.") {
-    fields.push_back(circuit_field());
-    fields.push_back(branch_field());
-  }
+  if (path == "stator.") fields.push_back(branch_field());
   return fields;
+}
+
+// Those of the file, and those that follow from an equivalent circuit.
+std::vector<ParameterValue> all_values(const GivenMotor& given) {
+  std::vector<ParameterValue> values = given.values;
+  if (given.circuit)
+    for (const ParameterValue& one : modal_data(*given.circuit)) values.push_back(one);
+  return values;
 }
 
 MotorFile motor_of(const GivenMotor& given) {
@@ -222,10 +241,7 @@ MotorFile motor_of(const GivenMotor& given) {
   // Exponent and root, which a design has as well, would replace a table.
   blank.stator.radial_shape.table = given.shape_table;
   blank.stator.branch = given.branch.value_or(Branch::running);
-  std::vector<ParameterValue> values = given.values;
-  if (given.circuit)
-    for (const ParameterValue& one : modal_data(*given.circuit)) values.push_back(one);
-  return {given.name, with(blank, values)};
+  return {given.name, with(blank, all_values(given))};
 }
 
 // "NAME must ..., but ..." of a design whose entries are right one by one, said at the entry of that name.
@@ -264,6 +280,13 @@ GivenMotor given_by(const MotorFile& motor) {
   return given;
 }
 
+bool needs_parameter(GivenMotor& part, const Given& given, Diagnostics& diagnostics) {
+  if (!part.values.empty() || part.circuit || !diagnostics.empty()) return true;
+  diagnostics.add(given.node().mark, given.path(), "no parameter of a motor",
+                  "expected at least one, such as 'contact_layer: {youngs_modulus: 3 GPa}'");
+  return false;
+}
+
 }  // namespace
 
 Schema parameter_schema(const ParameterInfo& parameter) {
@@ -284,8 +307,28 @@ const Shape<MotorFile>& motor_shape() {
     fields.insert(fields.begin(),
                   optional<GivenMotor>("name", path("what the motor is called", "ring-60"),
                                        &GivenMotor::name, "no name"));
-    return as<MotorFile, GivenMotor>(
+    return shape_as<MotorFile, GivenMotor>(
         mapping<GivenMotor>("one motor", std::move(fields), check_motor), motor_of, given_by);
+  }();
+  return shape;
+}
+
+const Shape<std::vector<ParameterValue>>& parameter_set_shape() {
+  using Values = std::vector<ParameterValue>;
+  static const Shape<Values> shape = [] {
+    std::vector<Field<GivenMotor>> fields = fields_below("", Extent::part);
+    fields.insert(fields.begin(), optional<GivenMotor>("name", path("what it is called", "PEEK"),
+                                                       &GivenMotor::name, "no name"));
+    Field<GivenMotor> version = version_field<GivenMotor>();
+    version.entry.required = false;
+    fields.insert(fields.begin(), std::move(version));
+    return shape_as<Values, GivenMotor>(
+        mapping<GivenMotor>("parameters of a motor that belong together", std::move(fields),
+                            needs_parameter),
+        [](const GivenMotor& part) { return all_values(part); },
+        [](const Values& values) {
+          return GivenMotor{{}, values, {}, {}, {}};
+        });
   }();
   return shape;
 }

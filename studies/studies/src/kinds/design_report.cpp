@@ -65,6 +65,11 @@ DesignReporter::DesignReporter(const DesignProblem& problem, std::vector<Paramet
       besides_(std::move(besides)),
       metrics_(plain_metrics()),
       limits_(all_limits(problem)) {
+  for (const DesignChoice& choice : problem.choices)
+    for (const ParameterSet& set : choice.sets)
+      for (const auto& [parameter, ignored] : set.values)
+        if (std::find(chosen_.begin(), chosen_.end(), parameter) == chosen_.end())
+          chosen_.push_back(parameter);
   const auto add = [this](const MetricExpression& metric) {
     const bool known = std::any_of(metrics_.begin(), metrics_.end(),
                                    [&](const auto& m) { return m.text == metric.text; });
@@ -88,6 +93,8 @@ std::vector<NamedValue> DesignReporter::design_of(const MotorDesign& motor) cons
     values.push_back(named(motor, variable.parameter));
   for (const DerivedParameter& rule : problem_.derived)
     values.push_back(named(motor, rule.parameter));
+  for (const Parameter parameter : chosen_)
+    if (in_use(motor, parameter)) values.push_back(named(motor, parameter));
   for (const Parameter parameter : besides_) values.push_back(named(motor, parameter));
   return values;
 }
@@ -147,7 +154,7 @@ std::vector<BoundState> DesignReporter::bounds(const optim::Certificate& certifi
 
 std::vector<BoundState> DesignReporter::whole_ends(std::span<const double> design) const {
   std::vector<BoundState> ends;
-  for (std::size_t j = 0; j < design.size(); ++j) {
+  for (std::size_t j = 0; j < problem_.variables.size(); ++j) {
     const DesignVariable& variable = problem_.variables[j];
     const ParameterInfo& row = info(variable.parameter);
     const double low = std::ceil(variable.min);
@@ -161,8 +168,17 @@ std::vector<BoundState> DesignReporter::whole_ends(std::span<const double> desig
 DesignReport DesignReporter::report(std::span<const double> design,
                                     const optim::Certificate& certificate) const {
   const MotorDesign motor = motor_of(problem_, design);
-  return {design_of(motor), metrics_of(motor), limits(motor, certificate), bounds(certificate),
-          certificate};
+  return {design_of(motor),    metrics_of(motor), limits(motor, certificate),
+          bounds(certificate), certificate,       choice_of(design)};
+}
+
+std::vector<ChosenSet> DesignReporter::choice_of(std::span<const double> design) const {
+  std::vector<ChosenSet> choice;
+  if (design.empty()) return choice;
+  const std::vector<const ParameterSet*> sets = chosen_sets(problem_, design);
+  for (std::size_t i = 0; i < sets.size(); ++i)
+    choice.push_back({problem_.choices[i].name, sets[i]->name});
+  return choice;
 }
 
 const Constraint* DesignReporter::limit_named(const std::string& text) const {
@@ -174,6 +190,7 @@ const Constraint* DesignReporter::limit_named(const std::string& text) const {
 Explanation DesignReporter::explanation(const optim::Infeasibility& infeasibility) const {
   Explanation told;
   told.conflict = infeasibility.conflict;
+  told.choice = choice_of(infeasibility.design);
   for (const optim::Relaxation& r : infeasibility.relaxations) {
     if (const Constraint* limit = limit_named(r.name))
       told.limits.push_back({limit->text, limit->metric.text, limit->metric.unit(),
@@ -182,7 +199,7 @@ Explanation DesignReporter::explanation(const optim::Infeasibility& infeasibilit
   for (const optim::Impossible& i : infeasibility.impossible) {
     if (const Constraint* limit = limit_named(i.name))
       told.impossible.push_back({limit->text, limit->metric.unit(), i.side == optim::Side::lower,
-                                 i.limit, i.best, i.certified, i.ends});
+                                 i.limit, i.best, i.certified, i.ends, choice_of(i.design)});
   }
   for (const optim::RangeEnd& end : infeasibility.ranges) {
     const auto parameter = find_parameter(end.variable);
@@ -198,6 +215,7 @@ Explanation DesignReporter::explanation(const optim::Infeasibility& infeasibilit
 std::vector<std::string> DesignReporter::idle(const optim::Evaluation& evaluation,
                                               const DesignReport& report) const {
   const std::size_t n = problem_.variables.size();
+  const std::size_t width = n + problem_.choices.size();  // of a row of the Jacobian
   if (evaluation.jacobian.empty()) return {};
   std::vector<std::size_t> rows;
   for (std::size_t k = 0; k < problem_.objectives.size(); ++k) rows.push_back(k);
@@ -211,7 +229,7 @@ std::vector<std::string> DesignReporter::idle(const optim::Evaluation& evaluatio
   for (const std::size_t row : rows) {
     std::vector<double> change;
     for (std::size_t j = 0; j < n; ++j)
-      change.push_back(std::fabs(evaluation.jacobian[row * n + j]) *
+      change.push_back(std::fabs(evaluation.jacobian[row * width + j]) *
                        (problem_.variables[j].max - problem_.variables[j].min));
     const double largest = *std::max_element(change.begin(), change.end());
     for (std::size_t j = 0; j < n; ++j)

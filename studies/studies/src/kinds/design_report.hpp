@@ -37,9 +37,11 @@ class DesignReporter {
                                  const optim::Certificate& certificate) const;
   std::vector<BoundState> bounds(const optim::Certificate& certificate) const;
   const Constraint* limit_named(const std::string& text) const;
+  std::vector<ChosenSet> choice_of(std::span<const double> design) const;
 
   const DesignProblem& problem_;
   std::vector<Parameter> besides_;
+  std::vector<Parameter> chosen_;  // what the sets give, each once
   std::vector<MetricExpression> metrics_;
   std::vector<Constraint> limits_;  // those of the question, then those that follow
 };

@@ -8,7 +8,13 @@ namespace {
 class OptimizeRun : public OptimumRun {
  public:
   OptimizeRun(const OptimizeStudy& asked, const StudyFile& file)
-      : OptimumRun(file, {{}, asked.variables, {asked.objective}, asked.constraints, asked.derived},
+      : OptimumRun(file,
+                   {{},
+                    asked.variables,
+                    {asked.objective},
+                    asked.constraints,
+                    asked.derived,
+                    asked.choose},
                    asked.solver, asked.start) {}
 };
 

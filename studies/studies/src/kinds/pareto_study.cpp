@@ -51,8 +51,10 @@ std::size_t knee_of(const ParetoResult& result) {
 class ParetoRun : public SearchRun {
  public:
   ParetoRun(const ParetoStudy& asked, const StudyFile& file)
-      : SearchRun(file, {{}, asked.variables, asked.objectives, asked.constraints, asked.derived},
-                  asked.solver, asked.start),
+      : SearchRun(
+            file,
+            {{}, asked.variables, asked.objectives, asked.constraints, asked.derived, asked.choose},
+            asked.solver, asked.start),
         points_(asked.points) {}
 
   KindAnswer run(RunContext& context) override {

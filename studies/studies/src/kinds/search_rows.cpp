@@ -79,10 +79,19 @@ std::string detail(const optim::Evaluation& evaluation, std::size_t variables, b
 }  // namespace
 
 SearchRows::SearchRows(const DesignProblem& problem)
-    : variables_(problem.variables.size()), problem_(problem), varied_(varied_parameters(problem)) {
+    : variables_(problem.variables.size() + problem.choices.size()), problem_(problem) {
+  if (!problem.derived.empty())
+    for (DesignProblem& one : combinations(problem)) {
+      VariedParameters varied = varied_parameters(one);
+      combinations_.push_back({std::move(one), std::move(varied)});
+    }
   for (const DesignVariable& variable : problem.variables) {
     const ParameterInfo& row = info(variable.parameter);
     columns_.push_back({std::string(row.name), std::string(row.unit)});
+  }
+  for (const DesignChoice& choice : problem.choices) {
+    columns_.push_back({choice.name, "1"});
+    for (const ParameterSet& set : choice.sets) columns_.back().words.push_back(set.name);
   }
   for (const DerivedParameter& rule : problem.derived) {
     const ParameterInfo& row = info(rule.parameter);
@@ -131,7 +140,8 @@ void SearchRows::append_derived(std::span<const double> design, Row& row) const 
   if (problem_.derived.empty()) return;
   std::optional<MotorDesign> motor;
   try {
-    motor = motor_of(problem_, varied_, design);
+    const Combination& one = combinations_[combination_of(problem_, design)];
+    motor = motor_of_combination(one.problem, one.varied, design.first(problem_.variables.size()));
   } catch (const Error&) {  // the evaluation says why there is no such motor
   }
   for (const DerivedParameter& rule : problem_.derived)
@@ -177,7 +187,7 @@ SearchLog::SearchLog(const DesignProblem& problem, RunContext& context)
       rows_(problem),
       answering_(motor_problem(problem)),
       best_(kNoValue) {
-  const std::size_t variables = problem.variables.size();
+  const std::size_t variables = answering_.variables.size();
   context.store.read([&](const Row& row) {
     const std::span design(row.values.data(), variables);
     stored_.emplace(SearchRows::key(design, rows_.asked_gradient(row)), rows_.evaluation(row));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kinds/study_kind.hpp"
+#include "problem/combinations.hpp"
 #include "problem/motor_responses.hpp"
 
 #include <memory>
@@ -12,7 +13,7 @@
 
 namespace twum::studies {
 
-/// How the evaluations of a search stand in the store: one row each, its variables, then every
+/// How the evaluations of a search stand in the store: one row each, its variables, the numbers of its sets, then every
 /// distinct metric of the question. A metric at a load that the motor cannot carry has no value there,
 /// and the row is no failure: the design is infeasible. The bytes of `detail` hold
 /// what the solver saw (responses, Jacobian, kinks) and whether it asked for derivatives.
@@ -43,9 +44,15 @@ class SearchRows {
     std::vector<Load> loads;
   };
 
-  std::size_t variables_;
+  // One combination of the choices.
+  struct Combination {
+    DesignProblem problem;
+    VariedParameters varied;
+  };
+
+  std::size_t variables_;  // choices among them
   DesignProblem problem_;
-  VariedParameters varied_;
+  std::vector<Combination> combinations_;  // for derived parameters
   std::vector<Column> columns_;
   std::vector<MetricColumn> metrics_;
 };

@@ -4,6 +4,7 @@
 #include "kinds/earlier_result.hpp"
 
 #include <twum/optim/certificate.hpp>
+#include <twum/studies/motor/model_notes.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,11 +18,29 @@ bool finite(const optim::Evaluation& evaluation) {
                      [](double v) { return std::isfinite(v); });
 }
 
+// Whether an expression depends on the thickness in parts of the contact length.
+bool asks_layer_aspect(const MetricExpression& metric) {
+  const auto has = [&](const Term& wanted) {
+    return std::any_of(metric.terms.begin(), metric.terms.end(), [&](const Term& term) {
+      const auto* request = std::get_if<MetricRequest>(&term);
+      const auto* asked = std::get_if<MetricRequest>(&wanted);
+      if (request != nullptr && asked != nullptr) return request->metric == asked->metric;
+      return request == nullptr && asked == nullptr &&
+             std::get<Parameter>(term) == std::get<Parameter>(wanted);
+    });
+  };
+  return has(MetricRequest{Metric::layer_aspect}) ||
+         (has(Parameter::thickness) && has(MetricRequest{Metric::contact_half_length}));
+}
+
 }  // namespace
 
 SearchRun::SearchRun(const StudyFile& file, DesignProblem asked, optim::SolveOptions options,
                      const std::string& start)
-    : problem_(std::move(asked)), before_(file.motor.design), options_(std::move(options)) {
+    : problem_(std::move(asked)),
+      before_(file.motor.design),
+      limits_entry_(file.kind() == StudyKind::size ? "limits" : "constraints"),
+      options_(std::move(options)) {
   problem_.motor = before_;
   if (!start.empty()) start_from((std::filesystem::path(file.folder) / start).string());
 }
@@ -37,11 +56,20 @@ void SearchRun::start_from(const std::string& folder) {
                      [p = parameter](const DesignVariable& v) { return v.parameter == p; });
     const auto derived = parameters_of(problem_.derived);
     if (std::find(derived.begin(), derived.end(), parameter) != derived.end()) continue;
+    if (is_chosen(parameter)) continue;
     if (variable == problem_.variables.end())
       besides_.push_back(parameter);
     else if (std::isnan(variable->start))
       variable->start = value;
   }
+}
+
+// Whether a set gives it, whatever the earlier design has.
+bool SearchRun::is_chosen(Parameter parameter) const {
+  for (const DesignChoice& choice : problem_.choices)
+    for (const ParameterSet& set : choice.sets)
+      if (set.gives(parameter)) return true;
+  return false;
 }
 
 optim::SolveOptions SearchRun::options(SearchLog& log, const RunContext& context) const {
@@ -66,6 +94,16 @@ std::vector<std::string> SearchRun::notes() const {
       "of waves; check the answer against the modes of the ring, or hold both"};
 }
 
+// A search goes where the layer is thick if nothing keeps it from there.
+std::vector<std::string> SearchRun::notes_before() const {
+  const auto kept = [](const Constraint& limit) { return asks_layer_aspect(limit.metric); };
+  if (std::any_of(problem_.limits.begin(), problem_.limits.end(), kept)) return {};
+  std::string note = thick_layer_note(problem_.motor);
+  if (note.empty()) return {};
+  return {note + "; no limit keeps the search from such layers: add 'layer_aspect <= 0.1' to '" +
+          limits_entry_ + "'"};
+}
+
 // A search that was asked to stop may still hold a certified design; it is not the one that the whole
 // search would have ended with.
 std::string SearchRun::outcome(optim::Outcome outcome, const RunContext& context) {
@@ -74,7 +112,7 @@ std::string SearchRun::outcome(optim::Outcome outcome, const RunContext& context
 
 std::optional<Row> SearchRun::recompute(const Row& stored) const {
   const SearchRows rows(problem_);
-  const std::span design(stored.values.data(), problem_.variables.size());
+  const std::span design(stored.values.data(), variables());
   const bool gradient = rows.asked_gradient(stored);
   optim::Evaluation evaluation = MotorResponses(problem_).evaluate(design, gradient);
   if (evaluation.ok() && !finite(evaluation)) evaluation.failure = "not-finite";
@@ -87,13 +125,13 @@ std::optional<optim::Certificate> SearchRun::certify(std::span<const double> var
 
 optim::Certificate SearchRun::certificate(const DesignProblem& asked,
                                           std::span<const double> design) const {
-  DesignProblem held =
-      asked;  // whole numbers have no slope: the rest is certified with them as they are
+  optim::Problem held = motor_problem(asked);
   for (std::size_t j = 0; j < design.size(); ++j) {
-    DesignVariable& variable = held.variables[j];
-    if (info(variable.parameter).integer) variable.min = variable.max = design[j];
+    optim::Variable& variable = held.variables[j];
+    // Whole numbers have no slope: the rest is certified with them as they are.
+    if (variable.integer) variable.lower = variable.upper = design[j];
   }
-  return optim::certify(motor_problem(held), design, options_);
+  return optim::certify(held, design, options_);
 }
 
 }  // namespace twum::studies

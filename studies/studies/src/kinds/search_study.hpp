@@ -15,9 +15,12 @@ namespace twum::studies {
 class SearchRun : public StudyKindRun {
  public:
   std::vector<Column> columns() const override { return SearchRows(problem_).columns(); }
-  std::size_t variables() const override { return problem_.variables.size(); }
+  std::size_t variables() const override {
+    return problem_.variables.size() + problem_.choices.size();
+  }
   std::uint64_t seed() const override { return options_.seed; }
   std::vector<std::string> notes() const override;
+  std::vector<std::string> notes_before() const override;
   std::optional<Row> recompute(const Row& stored) const override;
   std::optional<optim::Certificate> certify(std::span<const double> variables) const override;
 
@@ -39,9 +42,11 @@ class SearchRun : public StudyKindRun {
 
  private:
   void start_from(const std::string& folder);
+  bool is_chosen(Parameter parameter) const;
 
   DesignProblem problem_;
   MotorDesign before_;              // the motor of the file
+  std::string limits_entry_;        // where a study of this kind has its limits
   std::vector<Parameter> besides_;  // changed by the start, and not a variable here
   optim::SolveOptions options_;
 };

@@ -16,7 +16,12 @@ class SizeRun : public OptimumRun {
  public:
   SizeRun(const SizeStudy& asked, const StudyFile& file)
       : OptimumRun(file,
-                   {{}, asked.variables, {{asked.prefer, false}}, limits_of(asked), asked.derived},
+                   {{},
+                    asked.variables,
+                    {{asked.prefer, false}},
+                    limits_of(asked),
+                    asked.derived,
+                    asked.choose},
                    asked.solver, asked.start) {}
 };
 

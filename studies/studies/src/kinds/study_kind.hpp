@@ -53,6 +53,8 @@ class StudyKindRun {
   virtual std::uint64_t seed() const { return 0; }
   /// What to know before one believes the answer, a sentence each without a full stop.
   virtual std::vector<std::string> notes() const { return {}; }
+  /// What to know before it runs, likewise; afterwards the answer speaks for itself.
+  virtual std::vector<std::string> notes_before() const { return {}; }
   /// @throws StoreError
   virtual KindAnswer run(RunContext& context) = 0;
 

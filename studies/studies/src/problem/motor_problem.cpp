@@ -4,6 +4,7 @@
 #include "problem/motor_responses.hpp"
 
 #include <twum/base/error.hpp>
+#include <twum/studies/text/value_error.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -47,17 +48,18 @@ void refuse_twins(const DesignProblem& problem) {
   }
 }
 
-// The friction that varies may not fall below one that follows from something else.
-void refuse_derived_kinetic_friction(const DesignProblem& problem) {
-  const auto varied = parameters_of(problem.variables);
-  const auto derived = parameters_of(problem.derived);
-  const auto has = [](const std::vector<Parameter>& list, Parameter parameter) {
-    return std::find(list.begin(), list.end(), parameter) != list.end();
-  };
-  if (has(varied, Parameter::static_friction) && has(derived, Parameter::kinetic_friction))
-    throw InputError(
-        "static_friction is varied and kinetic_friction derived; vary kinetic_friction and derive "
-        "static_friction");
+optim::Variable variable_of(const DesignChoice& choice) {
+  optim::Variable v;
+  v.name = choice.name;
+  v.lower = v.start = 1;
+  v.upper = static_cast<double>(choice.sets.size());
+  v.integer = true;
+  return v;
+}
+
+void refuse_wrong_choices(const DesignProblem& problem) {
+  const std::vector<ChoiceComplaint> wrong = choice_complaints(problem);
+  if (!wrong.empty()) throw InputError(wrong.front().found + "; " + wrong.front().expected);
 }
 
 optim::Constraint limit_of(const Constraint& limit) {
@@ -94,41 +96,32 @@ DesignProblem& DesignProblem::derive(Parameter parameter, std::string_view text)
   return *this;
 }
 
-VariedParameters varied_parameters(const DesignProblem& problem) {
-  return {problem.motor, parameters_of(problem.variables), problem.derived};
-}
-
-MotorDesign motor_of(const DesignProblem& problem, std::span<const double> values) {
-  return motor_of(problem, varied_parameters(problem), values);
-}
-
-MotorDesign motor_of(const DesignProblem& problem, const VariedParameters& varied,
-                     std::span<const double> values) {
-  TWUM_ASSERT(values.size() == problem.variables.size());
-  std::vector<double> list(values.begin(), values.end());
-  double kinetic = problem.motor.friction.kinetic;
-  for (std::size_t j = 0; j < values.size(); ++j) {
-    if (problem.variables[j].parameter == Parameter::kinetic_friction) kinetic = values[j];
-  }
-  for (std::size_t j = 0; j < values.size(); ++j) {
-    if (problem.variables[j].parameter == Parameter::static_friction)
-      list[j] = std::max(list[j], kinetic);
-  }
-  return varied.motor(list);
+void require_ordered_friction(const DesignProblem& problem) {
+  const auto varied = parameters_of(problem.variables);
+  const auto derived = parameters_of(problem.derived);
+  const auto has = [](const std::vector<Parameter>& list, Parameter parameter) {
+    return std::find(list.begin(), list.end(), parameter) != list.end();
+  };
+  if (has(varied, Parameter::static_friction) && has(derived, Parameter::kinetic_friction))
+    throw ValueError("static_friction is varied and kinetic_friction derived",
+                     "vary kinetic_friction and derive static_friction");
 }
 
 optim::Problem motor_problem(const DesignProblem& problem) {
   refuse_twins(problem);
-  refuse_derived_kinetic_friction(problem);
+  require_ordered_friction(problem);
+  refuse_wrong_choices(problem);
   optim::Problem result;
   for (const DesignVariable& variable : problem.variables)
     result.variables.push_back(variable_of(problem, variable));
+  for (const DesignChoice& choice : problem.choices)
+    result.variables.push_back(variable_of(choice));
   for (const DesignObjective& objective : problem.objectives)
     result.objectives.push_back({objective.metric.text, objective.maximize
                                                             ? optim::Sense::maximize
                                                             : optim::Sense::minimize});
   for (const Constraint& limit : problem.limits) result.constraints.push_back(limit_of(limit));
-  auto responses = std::make_shared<const MotorResponses>(problem);
+  const auto responses = std::make_shared<const MotorResponses>(problem);
   for (const ImpliedLimit& limit : responses->implied())
     result.constraints.push_back({limit.name, limit.load.value_or(0)});
   result.evaluate = [responses](std::span<const double> design, bool gradient) {

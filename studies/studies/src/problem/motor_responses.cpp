@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "problem/motor_responses.hpp"
 
+#include "problem/combinations.hpp"
+
 #include <twum/base/error.hpp>
 #include <twum/studies/text/number.hpp>
 
@@ -29,8 +31,12 @@ const DesignVariable* variable_of(const DesignProblem& problem, Parameter parame
 bool orders_friction(const DesignProblem& problem) {
   const DesignVariable* static_ = variable_of(problem, Parameter::static_friction);
   if (static_ == nullptr) return false;
-  const DesignVariable* kinetic = variable_of(problem, Parameter::kinetic_friction);
-  return static_->min < (kinetic != nullptr ? kinetic->max : problem.motor.friction.kinetic);
+  if (const DesignVariable* kinetic = variable_of(problem, Parameter::kinetic_friction))
+    return static_->min < kinetic->max;
+  const std::vector<DesignProblem> all = combinations(problem);
+  return std::any_of(all.begin(), all.end(), [&](const DesignProblem& one) {
+    return static_->min < one.motor.friction.kinetic;
+  });
 }
 
 std::vector<MetricExpression> asked(const DesignProblem& problem) {
@@ -69,10 +75,10 @@ std::vector<ImpliedLimit> implied_limits(const DesignProblem& problem) {
   return limits;
 }
 
-MotorResponses::MotorResponses(DesignProblem problem)
+CombinationResponses::CombinationResponses(DesignProblem problem, std::vector<ImpliedLimit> implied)
     : problem_(std::move(problem)),
       varied_(varied_parameters(problem_)),
-      implied_(implied_limits(problem_)),
+      implied_(std::move(implied)),
       responses_(asked(problem_)) {
   for (const ImpliedLimit& limit : implied_) {
     if (limit.load) responses_.push_back(parse_metric("max_torque"));
@@ -80,7 +86,8 @@ MotorResponses::MotorResponses(DesignProblem problem)
   evaluator_ = ExpressionEvaluator(responses_);
 }
 
-optim::Evaluation MotorResponses::evaluate(std::span<const double> design, bool gradient) const {
+optim::Evaluation CombinationResponses::evaluate(std::span<const double> design,
+                                                 bool gradient) const {
   try {
     return evaluate_motor(design, gradient);
   } catch (const EvaluationError& error) {
@@ -94,7 +101,8 @@ optim::Evaluation MotorResponses::evaluate(std::span<const double> design, bool 
   }
 }
 
-MotorResponses::Numbers MotorResponses::numbers(const MotorDesign& motor, bool gradient) const {
+CombinationResponses::Numbers CombinationResponses::numbers(const MotorDesign& motor,
+                                                            bool gradient) const {
   Numbers numbers =
       metric_values(Motor(motor), evaluator_, gradient, varied_.fixed_static_friction());
   for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -105,9 +113,9 @@ MotorResponses::Numbers MotorResponses::numbers(const MotorDesign& motor, bool g
   return numbers;
 }
 
-optim::Evaluation MotorResponses::evaluate_motor(std::span<const double> design,
-                                                 bool gradient) const {
-  const MotorDesign motor = motor_of(problem_, varied_, design);
+optim::Evaluation CombinationResponses::evaluate_motor(std::span<const double> design,
+                                                       bool gradient) const {
+  const MotorDesign motor = motor_of_combination(problem_, varied_, design);
   Numbers responses = numbers(motor, gradient);
   add_friction_order(design, responses);
   const auto slopes = gradient ? varied_.slopes(motor) : VariedParameters::Slopes{};
@@ -123,7 +131,8 @@ optim::Evaluation MotorResponses::evaluate_motor(std::span<const double> design,
 }
 
 // mu_0 - mu of the values asked for. Where it is negative the motor has mu_0 = mu, whatever mu_0 is.
-void MotorResponses::add_friction_order(std::span<const double> design, Numbers& numbers) const {
+void CombinationResponses::add_friction_order(std::span<const double> design,
+                                              Numbers& numbers) const {
   if (implied_.empty() || implied_.back().load) return;
   double kinetic = problem_.motor.friction.kinetic;
   double static_ = 0;
@@ -146,8 +155,8 @@ void MotorResponses::add_friction_order(std::span<const double> design, Numbers&
   numbers.push_back(order);
 }
 
-void MotorResponses::add_kinks(std::span<const double> design, const Numbers& numbers,
-                               optim::Evaluation& evaluation) const {
+void CombinationResponses::add_kinks(std::span<const double> design, const Numbers& numbers,
+                                     optim::Evaluation& evaluation) const {
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (numbers[i].smoothness != Smoothness::one_sided) continue;
     for (std::size_t j = 0; j < design.size(); ++j) add_kink(i, j, design, evaluation);
@@ -156,13 +165,14 @@ void MotorResponses::add_kinks(std::span<const double> design, const Numbers& nu
 
 // The metrics know the derivative of the branch they are on; the other one is that of a design next
 // to this one.
-void MotorResponses::add_kink(std::size_t response, std::size_t variable,
-                              std::span<const double> design, optim::Evaluation& evaluation) const {
+void CombinationResponses::add_kink(std::size_t response, std::size_t variable,
+                                    std::span<const double> design,
+                                    optim::Evaluation& evaluation) const {
   const auto slope_aside = [&](double step) {
     std::vector<double> next(design.begin(), design.end());
     next[variable] *= 1 + step;
     try {
-      const MotorDesign motor = motor_of(problem_, varied_, next);
+      const MotorDesign motor = motor_of_combination(problem_, varied_, next);
       const Numbers aside = metric_values(Motor(motor), std::span(&responses_[response], 1), true,
                                           varied_.fixed_static_friction());
       return varied_.derivatives(aside[0].gradient, varied_.slopes(motor))[variable];
@@ -178,6 +188,27 @@ void MotorResponses::add_kink(std::size_t response, std::size_t variable,
   const double size = std::max(std::fabs(left), std::fabs(right));
   if (!(std::fabs(left - right) > kSameSlope * size)) return;
   evaluation.kinks.push_back({response, variable, optim::Slope::one_sided, left, right});
+}
+
+MotorResponses::MotorResponses(DesignProblem problem)
+    : problem_(std::move(problem)), implied_(implied_limits(problem_)) {
+  for (DesignProblem& one : combinations(problem_))
+    combinations_.emplace_back(std::move(one), implied_);
+}
+
+optim::Evaluation MotorResponses::evaluate(std::span<const double> design, bool gradient) const {
+  const CombinationResponses& one = combinations_[combination_of(problem_, design)];
+  const std::size_t variables = problem_.variables.size();
+  optim::Evaluation evaluation = one.evaluate(design.first(variables), gradient);
+  if (problem_.choices.empty() || evaluation.jacobian.empty()) return evaluation;
+  std::vector<double> wide;  // with a column of zeros for each choice
+  for (std::size_t i = 0; i < evaluation.values.size(); ++i) {
+    const auto row = evaluation.jacobian.begin() + static_cast<std::ptrdiff_t>(i * variables);
+    wide.insert(wide.end(), row, row + static_cast<std::ptrdiff_t>(variables));
+    wide.resize(wide.size() + problem_.choices.size(), 0);
+  }
+  evaluation.jacobian = std::move(wide);
+  return evaluation;
 }
 
 }  // namespace twum::studies

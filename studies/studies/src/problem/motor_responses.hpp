@@ -21,15 +21,14 @@ std::vector<double> loads_of(const MetricExpression& metric);
 
 std::vector<ImpliedLimit> implied_limits(const DesignProblem& problem);
 
-/// The evaluator of motor_problem(): responses of one motor and their Jacobian.
-class MotorResponses {
+/// Responses of one motor and their Jacobian, where nothing is left to choose.
+class CombinationResponses {
  public:
-  explicit MotorResponses(DesignProblem problem);
+  /// @param implied  those of the whole question: the same for each combination
+  CombinationResponses(DesignProblem problem, std::vector<ImpliedLimit> implied);
 
+  /// @param design  values of the variables
   optim::Evaluation evaluate(std::span<const double> design, bool gradient) const;
-
-  const DesignProblem& problem() const noexcept { return problem_; }
-  const std::vector<ImpliedLimit>& implied() const noexcept { return implied_; }
 
  private:
   using Numbers = std::vector<MetricDerivative>;  // one for each response
@@ -47,6 +46,21 @@ class MotorResponses {
   std::vector<ImpliedLimit> implied_;
   std::vector<MetricExpression> responses_;  // all but the friction order, which comes last
   ExpressionEvaluator evaluator_;            // of these
+};
+
+/// The evaluator of motor_problem(): responses of the combination that a design names.
+class MotorResponses {
+ public:
+  explicit MotorResponses(DesignProblem problem);
+
+  optim::Evaluation evaluate(std::span<const double> design, bool gradient) const;
+
+  const std::vector<ImpliedLimit>& implied() const noexcept { return implied_; }
+
+ private:
+  DesignProblem problem_;
+  std::vector<ImpliedLimit> implied_;
+  std::vector<CombinationResponses> combinations_;
 };
 
 }  // namespace twum::studies

@@ -110,6 +110,8 @@ class Comparer {
   void best(const Json& summary) {
     const Json& one = below(summary, "best");
     if (!one.is_object() || one.empty()) return;
+    for (const auto& [name, set] : below(one, "choice").items())
+      text("best design", name, set.is_string() ? set.get<std::string>() : set.dump());
     named("best design", below(one, "design"));
     named("metrics there", below(one, "metrics"));
     const Json& certificate = below(one, "certificate");

@@ -4,6 +4,7 @@
 #include <twum/core/design/parameters.hpp>
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/text/text_table.hpp>
+#include <twum/studies/text/words.hpp>
 #include <twum/studies/units/engineering.hpp>
 
 #include <cmath>
@@ -49,6 +50,8 @@ std::string bound_words(const OptimizeResult& result, const std::string& name) {
 
 std::string design_table(const OptimizeResult& result) {
   TextTable table{{{"design", "start", "best", ""}}};
+  for (const ChosenSet& one : result.best.choice)
+    table.rows.push_back({one.choice, "-", printable(one.set), "chosen"});
   for (const NamedValue& value : result.best.design)
     table.rows.push_back({value.name, cell(value_of(result.before_design, value.name), value.unit),
                           cell(value.value, value.unit), bound_words(result, value.name)});
@@ -93,9 +96,10 @@ std::string solver_words(const OptimizeResult& result) {
   return text.empty() ? text : "Solver runs: " + text + ".\n";
 }
 
-// What a certificate holds as it is: "wavelengths".
+// What a certificate holds as it is: "lining, wavelengths".
 std::string whole_numbers(const OptimizeResult& result) {
   std::string names;
+  for (const ChosenSet& one : result.best.choice) names += (names.empty() ? "" : ", ") + one.choice;
   for (const NamedValue& value : result.best.design)
     if (const auto p = find_parameter(value.name); p && info(*p).integer)
       names += (names.empty() ? "" : ", ") + value.name;

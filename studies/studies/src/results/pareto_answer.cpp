@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace twum::studies {
 namespace {
@@ -42,12 +43,18 @@ std::string front_table(const ParetoResult& result) {
     for (const Shown& column : columns)
       table.rows.back().push_back(engineering(column.point->goals[k], result.goals[k].unit));
   }
-  const auto& variables = columns.front().point->report.design;
-  for (std::size_t j = 0; j < variables.size(); ++j) {
-    table.rows.push_back({variables[j].name});
+  const DesignReport& first = columns.front().point->report;
+  for (std::size_t i = 0; i < first.choice.size(); ++i) {
+    table.rows.push_back({first.choice[i].choice});
     for (const Shown& column : columns)
-      table.rows.back().push_back(
-          engineering(column.point->report.design[j].value, variables[j].unit));
+      table.rows.back().push_back(printable(column.point->report.choice[i].set));
+  }
+  for (const NamedValue& variable : first.design) {
+    table.rows.push_back({variable.name});
+    for (const Shown& column : columns) {
+      const double value = value_of(column.point->report.design, variable.name);
+      table.rows.back().push_back(std::isnan(value) ? "-" : engineering(value, variable.unit));
+    }
   }
   return aligned(table);
 }
@@ -106,6 +113,19 @@ std::string worth_text(const ParetoResult& result) {
   return text;
 }
 
+// Along how much of the front each set is the best.
+std::string choice_counts(const ParetoResult& result) {
+  std::map<std::string, std::size_t> counts;
+  for (const ParetoResult::Point& point : result.front)
+    for (const ChosenSet& one : point.report.choice)
+      ++counts[one.choice + " is " + printable(one.set)];
+  std::string text;
+  for (const auto& [words, count] : counts)
+    text += words + " at " + std::to_string(count) + " of " +
+            counted(result.front.size(), "point") + ".\n";
+  return text;
+}
+
 // Limits that bind somewhere, and along how much of the front.
 std::string binding_words(const ParetoResult& result) {
   std::string text;
@@ -156,8 +176,8 @@ std::string answer_text(const ParetoResult& result) {
   if (!result.explanation.empty()) return relaxation_words(result.explanation);
   if (result.front.empty()) return "No point of the front was found.\n";
   return counted(result.front.size(), "point") + ", " + std::to_string(certified(result)) +
-         " of them certified\n\n" + front_table(result) + "\n" + binding_words(result) +
-         worth_text(result);
+         " of them certified\n\n" + front_table(result) + "\n" + choice_counts(result) +
+         binding_words(result) + worth_text(result);
 }
 
 }  // namespace twum::studies

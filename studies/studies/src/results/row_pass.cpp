@@ -13,19 +13,23 @@ namespace {
 
 constexpr std::size_t kPiece = std::size_t{1} << 16U;  // bytes written at a time
 
-std::string header(const ResultStore& store, bool stages) {
+std::string header(const std::vector<Column>& columns, bool stages) {
   std::string line = stages ? "stage," : "";
-  for (const Column& column : store.columns()) {
-    append_cell(line, column.name + " [" + column.unit + "]");
+  for (const Column& column : columns) {
+    append_cell(line, column.words.empty() ? column.name + " [" + column.unit + "]" : column.name);
     line += ',';
   }
   return line + "status\n";
 }
 
-void append_line(const Row& row, bool stages, std::string& out) {
+void append_line(const Row& row, const std::vector<Column>& columns, bool stages,
+                 std::string& out) {
   if (stages) out += std::to_string(row.stage) + ",";
-  for (const double value : row.values) {
-    append_number(out, value);
+  for (std::size_t i = 0; i < row.values.size(); ++i) {
+    if (const std::string* word = columns[i].word(row.values[i]))
+      append_cell(out, *word);
+    else
+      append_number(out, row.values[i]);
     out += ',';
   }
   append_cell(out, row.status);
@@ -57,16 +61,15 @@ std::vector<FailureRegion> FailureCount::regions() const {
   return regions;
 }
 
-FailureCount write_rows(const ResultStore& store, std::size_t variables,
-                        const std::function<void(std::string_view)>& put) {
-  const std::vector<Column>& columns = store.columns();
+FailureCount write_rows(const ResultStore& store, const std::vector<Column>& columns,
+                        std::size_t variables, const std::function<void(std::string_view)>& put) {
   FailureCount failures(
       {columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(variables)});
   const bool stages = store.stages().size() > 1;
-  std::string piece = header(store, stages);
+  std::string piece = header(columns, stages);
   store.read([&](const Row& row) {
     failures.see(row);
-    append_line(row, stages, piece);
+    append_line(row, columns, stages, piece);
     if (piece.size() < kPiece) return;
     put(piece);
     piece.clear();

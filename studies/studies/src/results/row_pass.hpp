@@ -28,9 +28,12 @@ class FailureCount {
 };
 
 /// The rows of a store as the text of a CSV table, and the failures among them, in one pass.
-/// Columns are "name [unit]" in SI, a stage where there is more than one, and the status.
+/// Columns are "name [unit]" in SI, or "name" where words stand for the values, a stage where there is more than one, and the
+/// status.
+/// @param columns    those of the store, with their words
+/// @param variables  how many of them are variables
 /// @param put  takes the text piece by piece
-FailureCount write_rows(const ResultStore& store, std::size_t variables,
-                        const std::function<void(std::string_view)>& put);
+FailureCount write_rows(const ResultStore& store, const std::vector<Column>& columns,
+                        std::size_t variables, const std::function<void(std::string_view)>& put);
 
 }  // namespace twum::studies

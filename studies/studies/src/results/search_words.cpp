@@ -2,6 +2,7 @@
 #include "results/search_words.hpp"
 
 #include <twum/studies/text/text_table.hpp>
+#include <twum/studies/text/words.hpp>
 #include <twum/studies/units/engineering.hpp>
 
 #include <algorithm>
@@ -83,6 +84,7 @@ std::string impossible_words(const ImpossibleState& limit, const std::vector<Ran
   std::vector<std::string> ends;
   for (const std::size_t at : limit.ends) ends.push_back(range_words(ranges[at], ranges[at].limit));
   if (!ends.empty()) text += ", at " + enumeration(ends);
+  if (!limit.choice.empty()) text += ", with " + choice_words(limit.choice);
   return text + ".\n";
 }
 
@@ -135,6 +137,18 @@ void add_units(Json& units, const std::vector<NamedValue>& values) {
   for (const NamedValue& value : values) units[value.name] = value.unit;
 }
 
+Json choice_json(const std::vector<ChosenSet>& choice) {
+  Json json = Json::object();
+  for (const ChosenSet& one : choice) json[one.choice] = one.set;
+  return json;
+}
+
+std::string choice_words(const std::vector<ChosenSet>& choice) {
+  std::vector<std::string> words;
+  for (const ChosenSet& one : choice) words.push_back(one.choice + " " + printable(one.set));
+  return enumeration(words);
+}
+
 Json goal_json(const Goal& goal) {
   return {{"metric", goal.metric}, {"sense", goal.maximize ? "maximize" : "minimize"}};
 }
@@ -173,7 +187,10 @@ Json limits_json(const DesignReport& report) {
 }
 
 Json report_json(const DesignReport& report) {
-  Json json{{"design", values_json(report.design)}, {"metrics", values_json(report.metrics)}};
+  Json json = Json::object();
+  if (!report.choice.empty()) json["choice"] = choice_json(report.choice);
+  json["design"] = values_json(report.design);
+  json["metrics"] = values_json(report.metrics);
   json.update(limits_json(report));
   return json;
 }
@@ -204,6 +221,10 @@ Json relaxation_json(const Explanation& explanation) {
                               {"side", end.upper ? "upper" : "lower"},
                               {"limit", number_json(end.limit)},
                               {"alone", number_json(end.alone)}});
+  if (!explanation.choice.empty()) json["choice"] = choice_json(explanation.choice);
+  for (std::size_t i = 0; i < explanation.impossible.size(); ++i)
+    if (!explanation.impossible[i].choice.empty())
+      json["impossible"][i]["choice"] = choice_json(explanation.impossible[i].choice);
   return json;
 }
 
@@ -230,7 +251,11 @@ std::string enumeration(const std::vector<std::string>& names) {
 }
 
 std::string relaxation_words(const Explanation& explanation) {
-  return cause_words(explanation) + relaxation_table(explanation.limits) +
+  const std::string nearest = explanation.choice.empty()
+                                  ? ""
+                                  : "No combination of the choices keeps all limits; " +
+                                        choice_words(explanation.choice) + " comes nearest.\n";
+  return cause_words(explanation) + nearest + relaxation_table(explanation.limits) +
          range_table(explanation.ranges);
 }
 

@@ -15,14 +15,18 @@ Json values_json(const std::vector<NamedValue>& values);
 /// Units of everything that values_json() was given.
 void add_units(Json& units, const std::vector<NamedValue>& values);
 Json goal_json(const Goal& goal);
+/// {lining: "peek.yaml"}
+Json choice_json(const std::vector<ChosenSet>& choice);
 /// {constraints, bounds, certificate}
 Json limits_json(const DesignReport& report);
-/// {design, metrics, constraints, bounds, certificate}
+/// {choice, design, metrics, constraints, bounds, certificate}; `choice` only where there is one
 Json report_json(const DesignReport& report);
 /// {conflict, limits: [{text, limit, amount, alone}], impossible: [{text, limit, best, certified, ends}],
 /// ranges: [{variable, side, limit, alone}]}; `ends` are positions in `ranges`.
 Json relaxation_json(const Explanation& explanation);
 
+/// "lining peek.yaml and rotor light.yaml"
+std::string choice_words(const std::vector<ChosenSet>& choice);
 /// "largest peak_power", "smallest max_pressure"
 std::string goal_words(const Goal& goal);
 /// "+1.2 W"; "nothing" where the change is none.

@@ -16,13 +16,24 @@ namespace {
 // More than these are in the file.
 constexpr std::size_t kReasonsShown = 5;
 
+// A number, or the set that it stands for.
+Json end_json(const Column& variable, double value) {
+  const std::string* word = variable.word(value);
+  return word == nullptr ? number_json(value) : Json(*word);
+}
+
+std::string end_text(const Column& variable, double value) {
+  const std::string* word = variable.word(value);
+  return word == nullptr ? engineering(value, variable.unit) : printable(*word);
+}
+
 Json regions_json(const std::vector<FailureRegion>& regions) {
   Json list = Json::array();
   for (const FailureRegion& region : regions) {
     Json where = Json::object();
     for (const FailureRegion::Range& range : region.where) {
-      where[range.variable.name] = {{"low", number_json(range.low)},
-                                    {"high", number_json(range.high)}};
+      where[range.variable.name] = {{"low", end_json(range.variable, range.low)},
+                                    {"high", end_json(range.variable, range.high)}};
     }
     list.push_back({{"reason", region.reason}, {"count", region.count}, {"where", where}});
   }
@@ -35,8 +46,8 @@ std::string where_text(const FailureRegion& region) {
   for (const FailureRegion::Range& range : region.where) {
     if (!std::isfinite(range.low)) continue;
     text += (text.empty() ? "" : ", ") + range.variable.name + " " +
-            engineering(range.low, range.variable.unit);
-    if (range.high > range.low) text += " to " + engineering(range.high, range.variable.unit);
+            end_text(range.variable, range.low);
+    if (range.high > range.low) text += " to " + end_text(range.variable, range.high);
   }
   return text;
 }
@@ -97,15 +108,17 @@ std::string summary_json(const StudyResult& result) {
   return summary_value(result).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string summary_text(const StudyResult& result) {
+std::string summary_text(const StudyResult& result, std::span<const std::string> said) {
   const std::string answer =
       std::visit([](const auto& one) { return answer_text(one); }, result.answer);
   std::string text = heading(result);
   if (result.outcome == "interrupted")
     text += "\nInterrupted: this is what there was by then, and not the answer.\n";
   if (!answer.empty()) text += "\n" + answer;
-  if (!result.model_notes.empty()) text += "\n";
-  for (const std::string& note : result.model_notes) text += "note: " + note + "\n";
+  std::string notes;
+  for (const std::string& note : result.model_notes)
+    if (std::find(said.begin(), said.end(), note) == said.end()) notes += "note: " + note + "\n";
+  if (!notes.empty()) text += "\n" + notes;
   return text + "\n" + count_text(result) + failures_text(result);
 }
 

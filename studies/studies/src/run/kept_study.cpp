@@ -162,7 +162,7 @@ class KeptRun {
 
   void write_results(StudyResult& result) {
     folder_.write(ResultFolder::kTable, [&](const std::function<void(std::string_view)>& put) {
-      set_failures(result, write_rows(*store_, kind_->variables(), put));
+      set_failures(result, write_rows(*store_, kind_->columns(), kind_->variables(), put));
     });
     folder_.write(ResultFolder::kSummary, summary_json(result));
     for (const FoundMotor& found : found_motors(file_, result)) {
@@ -203,7 +203,12 @@ std::unique_ptr<StudyKindRun> make_kind(const StudyFile& file) {
   return std::visit([&](const auto& asked) { return asked.run(file); }, file.asked);
 }
 
-std::vector<std::string> study_notes(const StudyFile& file) { return make_kind(file)->notes(); }
+std::vector<std::string> study_notes(const StudyFile& file) {
+  const std::unique_ptr<StudyKindRun> kind = make_kind(file);
+  std::vector<std::string> notes = kind->notes();
+  for (std::string& note : kind->notes_before()) notes.push_back(std::move(note));
+  return notes;
+}
 
 StudyResult result_of(const StudyFile& file, const StudyKindRun& kind, const ResultStore& store,
                       KindAnswer answer) {

@@ -48,8 +48,8 @@ void verify_study_hash(const StudyFile& file, const nlohmann::ordered_json& summ
 
 /// results.csv, against the stored rows.
 /// @return the failures among the rows
-FailureCount verify_table(const ResultStore& store, std::size_t variables, const std::string& path,
-                          Verification& found);
+FailureCount verify_table(const StudyKindRun& kind, const ResultStore& store,
+                          const std::string& path, Verification& found);
 
 /// The motor files, against the answer.
 void verify_motor_files(const StudyFile& file, const StudyResult& result,

@@ -48,11 +48,11 @@ void compare_motor(const MotorDesign& there, const FoundMotor& now, Verification
 
 }  // namespace
 
-FailureCount verify_table(const ResultStore& store, std::size_t variables, const std::string& path,
-                          Verification& found) {
+FailureCount verify_table(const StudyKindRun& kind, const ResultStore& store,
+                          const std::string& path, Verification& found) {
   TextComparison table(path);
-  FailureCount failures =
-      write_rows(store, variables, [&](std::string_view piece) { table.see(piece); });
+  FailureCount failures = write_rows(store, kind.columns(), kind.variables(),
+                                     [&](std::string_view piece) { table.see(piece); });
   if (!table.same()) complain(found, "results.csv: is not what results.db holds");
   return failures;
 }

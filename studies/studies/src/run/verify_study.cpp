@@ -24,8 +24,7 @@ Verification verify_study(const std::string& directory, const VerifyOptions& opt
     verify_interrupted(store, summary, found);
     return found;
   }
-  const FailureCount failures =
-      verify_table(store, kind.variables(), folder.file(ResultFolder::kTable), found);
+  const FailureCount failures = verify_table(kind, store, folder.file(ResultFolder::kTable), found);
   StudyResult result = result_of(file, kind, store, verify_answer(kind, store, summary, found));
   result.study = found.study;
   set_failures(result, failures);

@@ -6,7 +6,9 @@
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/text/value_error.hpp>
 
+#include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace twum::studies {
 namespace {
@@ -31,7 +33,7 @@ class DesignCheck {
     if (!json.is_object()) return;
     if (json.contains("design") && json.contains("metrics")) {
       check(json["design"], json["metrics"], path);
-      if (json.contains("certificate")) certify(json["design"], json["certificate"], path);
+      if (json.contains("certificate")) certify(json, path);
       return;
     }
     for (const auto& [key, value] : json.items())
@@ -87,14 +89,29 @@ class DesignCheck {
     return values;
   }
 
-  void certify(const Json& design, const Json& there, const std::string& path) {
+  // The value of a variable of a report, or the number of the set that it names; nothing if it has none.
+  static std::optional<double> variable_of(const Json& report, const Column& column) {
+    if (column.words.empty()) {
+      if (!report["design"].contains(column.name)) return {};
+      return number_of(report["design"][column.name]);
+    }
+    const Json choice = report.value("choice", Json::object());
+    const auto word =
+        std::find(column.words.begin(), column.words.end(), choice.value(column.name, ""));
+    if (word == column.words.end()) return {};
+    return static_cast<double>(word - column.words.begin()) + 1;
+  }
+
+  void certify(const Json& report, const std::string& path) {
+    const Json& there = report["certificate"];
     const bool passed = there.is_object() && there.value("passed", false);
     if (!passed) return;  // nothing is claimed
     std::vector<double> variables;
     const std::vector<Column> columns = kind_.columns();
     for (std::size_t i = 0; i < kind_.variables(); ++i) {
-      if (!design.contains(columns[i].name)) return;
-      variables.push_back(number_of(design[columns[i].name]));
+      const std::optional<double> value = variable_of(report, columns[i]);
+      if (!value) return;
+      variables.push_back(*value);
     }
     const std::optional<optim::Certificate> now = kind_.certify(variables);
     if (!now) return;

@@ -119,7 +119,7 @@ Shape<std::vector<DerivedParameter>> derived() {
 Shape<std::vector<Override>> overrides() {
   return by_parameter<Override>(
       [](const ParameterInfo& row) {
-        return as<Override, double>(
+        return shape_as<Override, double>(
             value_of(row),
             [](double value) {
               return Override{{}, value};

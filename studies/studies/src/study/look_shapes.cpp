@@ -34,7 +34,7 @@ Shape<CurveStudy::Family> family_shape() {
   using Family = CurveStudy::Family;
   const auto values = by_parameter<Family>(
       [](const ParameterInfo& row) {
-        return as<Family, std::vector<double>>(
+        return shape_as<Family, std::vector<double>>(
             list("values", value_of(row)),
             [](std::vector<double> list) {
               return Family{{}, std::move(list)};
@@ -42,7 +42,7 @@ Shape<CurveStudy::Family> family_shape() {
             [](const Family& family) { return family.values; });
       },
       "one parameter and its values", "amplitude: [1.0 um, 1.5 um, 2.0 um]", check_family);
-  return as<Family, std::vector<Family>>(
+  return shape_as<Family, std::vector<Family>>(
       values, [](std::vector<Family> list) { return std::move(list.front()); },
       [](const Family& family) { return std::vector<Family>{family}; });
 }
@@ -65,7 +65,7 @@ Shape<Variable> sweep_variable(const ParameterInfo& row) {
         check_log(given, range.min, diagnostics);
         return true;
       });
-  const auto listed = as<Variable, std::vector<double>>(
+  const auto listed = shape_as<Variable, std::vector<double>>(
       list("values", value),
       [](std::vector<double> values) { return Variable{.values = std::move(values)}; },
       [](const Variable& variable) { return variable.values; });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/resolved_study.hpp"
 
+#include "study/choice_shape.hpp"
 #include "study/study_kinds.hpp"
 #include "text/checksum.hpp"
 #include "yaml/yaml_text.hpp"
@@ -130,6 +131,23 @@ std::string without_times(const std::string& summary) {
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
+// Puts another path for a file that the study names. A set keeps the name that results know it by.
+void set_path(YamlNode& study, const std::string& entry, const std::string& path) {
+  for (YamlEntry& one : study.entries)
+    if (one.key == entry) one.value.scalar = path;
+  for (const shapes::SetFile& file : shapes::set_files(study)) {
+    if (file.entry != entry) continue;
+    if (file.item != file.path) {
+      file.path->scalar = path;
+      continue;
+    }
+    const YamlNode name = *file.item;
+    *file.item = YamlNode{};
+    file.item->kind = YamlNode::Kind::mapping;
+    file.item->entries = {{"file", {}, scalar_node(path)}, {"name", {}, name}};
+  }
+}
+
 // "study.variables.preload.min" -> "60 N"
 void flatten(const YamlNode& node, const std::string& path,
              std::map<std::string, std::string>& values) {
@@ -155,6 +173,10 @@ ResolvedStudy resolve(const StudyFile& file) {
   ResolvedStudy result{file.motor, {}, shape.write(file.asked), {}};
   const bool typed = file.study.kind == YamlNode::Kind::mapping;
   result.study = complete(typed ? file.study : result.meaning, shape.schema, {});
+  for (const shapes::SetFile& file_of_set : shapes::set_files(result.study)) {
+    const std::string path = (fs::path(file.folder) / file_of_set.path->scalar).string();
+    result.files.push_back({file_of_set.entry, path, hex(checksum(content_of(path)))});
+  }
   constexpr std::array<std::string_view, 2> kPaths{"data", "start"};
   for (const std::string_view entry : kPaths) {
     const YamlNode* node = result.study.find(entry);
@@ -171,13 +193,12 @@ ResolvedStudy resolve(const StudyFile& file) {
 std::string ResolvedStudy::text(const std::string& folder) const {
   YamlNode shown = study;
   for (const NamedFile& file : files) {
-    for (YamlEntry& entry : shown.entries) {
-      if (folder.empty() || entry.key != file.entry) continue;
-      entry.value.scalar = fs::absolute(file.path)
-                               .lexically_normal()
-                               .lexically_relative(fs::absolute(folder).lexically_normal())
-                               .string();
-    }
+    if (folder.empty()) continue;
+    set_path(shown, file.entry,
+             fs::absolute(file.path)
+                 .lexically_normal()
+                 .lexically_relative(fs::absolute(folder).lexically_normal())
+                 .string());
   }
   return motor_text(motor) + "study:\n" + yaml_text(shown, 1);
 }
@@ -185,11 +206,7 @@ std::string ResolvedStudy::text(const std::string& folder) const {
 std::string ResolvedStudy::hash() const {
   // What a file holds counts, not where it stands.
   YamlNode by_content = meaning;
-  for (YamlEntry& entry : by_content.entries) {
-    for (const NamedFile& file : files) {
-      if (entry.key == file.entry) entry.value.scalar = file.hash;
-    }
-  }
+  for (const NamedFile& file : files) set_path(by_content, file.entry, file.hash);
   return hex(checksum(motor_text(motor) + "study:\n" + yaml_text(by_content, 1)));
 }
 

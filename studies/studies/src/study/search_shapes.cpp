@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Studies that search: optimum, front, sizing, calibration.
+#include "study/choice_shape.hpp"
 #include "study/entry_shapes.hpp"
 #include "study/repeats.hpp"
 #include "study/solver_entry.hpp"
@@ -68,7 +69,7 @@ struct Objective {
 };
 
 Shape<DesignObjective> objective() {
-  return as<DesignObjective, Objective>(
+  return shape_as<DesignObjective, Objective>(
       mapping<Objective>("one objective", goal(&Objective::goal)),
       [](Objective one) { return std::move(one.goal); },
       [](const DesignObjective& goal) { return Objective{goal}; });
@@ -94,7 +95,7 @@ Shape<Constraint> duty_point() {
           duty.text = "torque_at(" + speed->scalar + ") >= " + torque->scalar;
         return true;
       });
-  return as<Constraint, Duty>(
+  return shape_as<Constraint, Duty>(
       point, [](const Duty& duty) { return parse_constraint(duty.text); },
       [](const Constraint& limit) {
         return Duty{limit.lower, limit.metric.request()->at, {}};
@@ -130,7 +131,7 @@ bool check_fit(CalibrateStudy& study, const Given& given, Diagnostics& diagnosti
 Shape<OptimizeStudy> OptimizeStudy::shape() {
   using S = OptimizeStudy;
   std::vector<Field<S>> fields{kind_field<S>(), variables_field<S>("what may be changed"),
-                               derived_field<S>()};
+                               derived_field<S>(), choose_field<S>()};
   for (Field<S>& field : goal(&S::objective)) fields.push_back(std::move(field));
   fields.push_back(constraints_field("constraints", &S::constraints));
   fields.push_back(solver_field<S>());
@@ -144,7 +145,7 @@ Shape<ParetoStudy> ParetoStudy::shape() {
   objectives.schema.sample = "- maximize: stall_torque\n- maximize: no_load_speed";
   return mapping<S>("trade-off front of two or three metrics",
                     {kind_field<S>(), variables_field<S>("what may be changed"), derived_field<S>(),
-                     needed<S>("objectives", objectives, &S::objectives),
+                     choose_field<S>(), needed<S>("objectives", objectives, &S::objectives),
                      constraints_field("constraints", &S::constraints),
                      standard<S>("points", count("points of the front", "50", 2, 1e5), &S::points),
                      solver_field<S>(), start_field<S>()},
@@ -158,7 +159,8 @@ Shape<SizeStudy> SizeStudy::shape() {
   return mapping<S>(
       "a motor for a duty",
       {kind_field<S>(), variables_field<S>("what may be changed"), derived_field<S>(),
-       needed<S>("duty", duty, &S::duty), constraints_field("limits", &S::limits),
+       choose_field<S>(), needed<S>("duty", duty, &S::duty),
+       constraints_field("limits", &S::limits),
        standard<S>("prefer",
                    metric("what is minimized among the motors that will do", "max_pressure"),
                    &S::prefer),

@@ -21,7 +21,7 @@ namespace {
 Shape<std::string> option_shape(const optim::SolverOption& option) {
   if (option.type == "text") {
     const std::vector<std::string>& words = option.words;
-    return as<std::string, std::size_t>(
+    return shape_as<std::string, std::size_t>(
         choice(option.text + " (" + option.solver + ")", words),
         [words](std::size_t number) { return words[number]; },
         [words](const std::string& text) {
@@ -34,7 +34,7 @@ Shape<std::string> option_shape(const optim::SolverOption& option) {
   if (option.type == "integer") value.kind = ValueKind::count;
   value.min = option.least;
   value.max = option.most;
-  auto shape = as<std::string, double>(number(value), number_text, {});
+  auto shape = shape_as<std::string, double>(number(value), number_text, {});
   shape.write = [](const std::string& typed) { return scalar_node(typed); };
   return shape;
 }
@@ -204,7 +204,7 @@ Shape<optim::SolveOptions> solver_shape(const optim::SolveOptions& fresh) {
        standard<O>("seed", shapes::seed(), &O::seed),
        hidden(optional<O>("options", options_shape(), &O::solver_options, "the solver's own"))},
       {}, fresh);
-  const auto plain = as<O, std::string>(
+  const auto plain = shape_as<O, std::string>(
       name,
       [fresh](std::string typed) {
         O named = fresh;

@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/studies/study/study_file.hpp>
 
+#include "study/choice_shape.hpp"
 #include "study/study_kinds.hpp"
 #include "study/tolerance_shape.hpp"
 
 #include <twum/studies/metrics/varied_parameters.hpp>
+#include <twum/studies/motor/parameter_set.hpp>
 #include <twum/studies/motor/settings.hpp>
+#include <twum/studies/problem/motor_problem.hpp>
 #include <twum/studies/text/value_error.hpp>
 #include <twum/studies/text/words.hpp>
 #include <twum/studies/yaml/loader.hpp>
 
+#include <algorithm>
 #include <filesystem>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace twum::studies {
 namespace {
@@ -97,14 +104,122 @@ void check_derived(const Study& study, const MotorDesign& motor, const YamlNode&
   std::visit(check, study);
 }
 
-// Both the study's errors and those of the motor file it names.
-[[noreturn]] void throw_both(const Diagnostics& diagnostics, const FileError& motor) {
+// The values of the sets that `choose` names, and what is wrong in their files.
+class SetReader {
+ public:
+  SetReader(const std::string& folder, Diagnostics& diagnostics)
+      : folder_(folder), diagnostics_(diagnostics) {}
+
+  // Of a study that has been read without an error; otherwise files are looked at, and nothing is kept.
+  void read(StudyText& text, YamlNode& root) {
+    const auto study = std::find_if(root.entries.begin(), root.entries.end(),
+                                    [](const YamlEntry& entry) { return entry.key == "study"; });
+    if (study == root.entries.end()) return;
+    std::vector<DesignChoice>* choices = choices_of(text.study);
+    const bool right = diagnostics_.empty();
+    for (const shapes::SetFile& file : shapes::set_files(study->value)) {
+      std::vector<ParameterValue> values = values_of(file);
+      if (right && choices != nullptr)
+        choices->at(file.choice).sets.at(file.set).values = std::move(values);
+    }
+  }
+
+  const std::optional<FileError>& errors() const noexcept { return errors_; }
+
+ private:
+  static std::vector<DesignChoice>* choices_of(Study& study) {
+    return std::visit(
+        [](auto& asked) -> std::vector<DesignChoice>* {
+          if constexpr (requires { asked.choose; })
+            return &asked.choose;
+          else
+            return nullptr;
+        },
+        study);
+  }
+
+  std::vector<ParameterValue> values_of(const shapes::SetFile& file) {
+    const std::string path = (fs::path(folder_) / file.path->scalar).string();
+    try {
+      return read_parameter_set(read_source(path));
+    } catch (const FileError& error) {
+      errors_ = errors_ ? FileError(*errors_, error) : error;
+    } catch (const InputError& error) {
+      diagnostics_.add(file.path->mark, "study." + file.entry, error.what(),
+                       "expected the path of a file, from the folder of this file");
+    }
+    return {};
+  }
+
+  const std::string& folder_;
+  Diagnostics& diagnostics_;
+  std::optional<FileError> errors_;
+};
+
+// Where in a study something stands that is wrong with a choice.
+std::pair<SourceMark, std::string> place_of(const ChoiceComplaint& complaint, YamlNode& study) {
+  for (const char* list : {"variables", "derived"}) {
+    const YamlNode* entries = study.find(list);
+    for (std::size_t i = 0; complaint.other && entries != nullptr && i < entries->entries.size();
+         ++i) {
+      const YamlEntry& entry = entries->entries[i];
+      if (find_parameter(entry.key) == complaint.other)
+        return {entry.key_mark, std::string("study.") + list + "." + entry.key};
+    }
+  }
+  for (const shapes::SetFile& file : shapes::set_files(study))
+    if (file.choice == complaint.choice && file.set == complaint.set)
+      return {file.item->mark, "study." + file.entry};
+  const YamlEntry& choice = study.find("choose")->entries.at(complaint.choice);
+  return {choice.key_mark, "study.choose." + choice.key};
+}
+
+// The entry of a parameter in a list of a study that has it.
+const YamlEntry& parameter_entry(const YamlNode& study, const char* list, Parameter parameter) {
+  const std::vector<YamlEntry>& entries = study.find(list)->entries;
+  return *std::find_if(entries.begin(), entries.end(), [=](const YamlEntry& entry) {
+    return find_parameter(entry.key) == parameter;
+  });
+}
+
+// Whether the choices of a search, and the friction that it varies, go together with the rest.
+void check_choices(const Study& study, const MotorDesign& motor, YamlNode& root,
+                   Diagnostics& diagnostics) {
+  const auto check = [&](const auto& asked) {
+    if constexpr (requires { asked.choose; }) {
+      const DesignProblem problem{motor, asked.variables, {}, {}, asked.derived, asked.choose};
+      YamlNode& node =
+          std::find_if(root.entries.begin(), root.entries.end(), [](const auto& entry) {
+            return entry.key == "study";
+          })->value;
+      for (const ChoiceComplaint& complaint : choice_complaints(problem)) {
+        const auto [mark, path] = place_of(complaint, node);
+        diagnostics.add(mark, path, complaint.found, complaint.expected);
+      }
+      try {
+        require_ordered_friction(problem);
+      } catch (const ValueError& error) {
+        const YamlEntry& derived = parameter_entry(node, "derived", Parameter::kinetic_friction);
+        const YamlEntry& varied = parameter_entry(node, "variables", Parameter::static_friction);
+        diagnostics.add({derived.key_mark, "study.derived." + derived.key, error.found(),
+                         error.expected(), varied.key_mark, "varied here"});
+      }
+    }
+  };
+  std::visit(check, study);
+}
+
+// The study's errors, then those of the files that it names.
+void throw_all(const Diagnostics& diagnostics, const std::vector<FileError>& files) {
+  std::optional<FileError> all;
+  const auto add = [&](const FileError& one) { all = all ? FileError(*all, one) : one; };
   try {
     diagnostics.throw_if_any();
   } catch (const FileError& study) {
-    throw FileError(study, motor);
+    add(study);
   }
-  throw motor;
+  for (const FileError& file : files) add(file);
+  if (all) throw FileError(*all);
 }
 
 }  // namespace
@@ -121,18 +236,24 @@ StudyFile read_study(const Source& source, const std::string& folder,
   StudyText text;
   if (!refuse_motor(root, diagnostics))
     study_file_shape().read(text, root, {{}, {1, 1}}, diagnostics);
+  std::vector<FileError> files;
+  SetReader sets(folder, diagnostics);
+  sets.read(text, root);
   std::optional<MotorFile> motor;
   try {
     motor = motor_of(root, folder, text, diagnostics);
   } catch (const FileError& error) {
-    throw_both(diagnostics, error);
+    files.push_back(error);
   }
+  if (sets.errors()) files.push_back(*sets.errors());
   if (motor) {
     motor->design = with_settings(motor->design, settings);
     check_with_motor(text, motor->design, root, diagnostics);
     if (diagnostics.empty()) check_derived(text.study, motor->design, root, diagnostics);
+    if (diagnostics.empty() && files.empty())
+      check_choices(text.study, motor->design, root, diagnostics);
   }
-  diagnostics.throw_if_any();
+  throw_all(diagnostics, files);
   TWUM_ASSERT(motor.has_value());
   return {std::move(*motor), std::move(text.study), *root.find("study"), folder, source.name()};
 }

@@ -10,7 +10,7 @@ namespace {
 
 template <typename S>
 Shape<Study> any(const Shape<S>& shape) {
-  return as<Study, S>(
+  return shape_as<Study, S>(
       shape, [](S study) { return Study{std::move(study)}; },
       [](const Study& study) { return std::get<S>(study); });
 }
@@ -41,7 +41,7 @@ using MotorEntry = std::variant<std::string, MotorFile>;
 
 template <typename T>
 Shape<MotorEntry> motor_as(const Shape<T>& shape) {
-  return as<MotorEntry, T>(
+  return shape_as<MotorEntry, T>(
       shape, [](T given) { return MotorEntry{std::move(given)}; },
       [](const MotorEntry& entry) { return std::get<T>(entry); });
 }

@@ -161,7 +161,7 @@ Shape<Tolerance> spelled_out(const ParameterInfo& row) {
 }
 
 Shape<Tolerance> tolerance(const ParameterInfo& row) {
-  const Shape<Tolerance> normal = as<Tolerance, Spread>(
+  const Shape<Tolerance> normal = shape_as<Tolerance, Spread>(
       spread(row, "a standard deviation"),
       [parameter = row.parameter](Spread sd) {
         Tolerance value;

@@ -18,6 +18,7 @@ enum class ValueKind : unsigned char {
   text,      ///< any words
   word,      ///< one of a few words
   mapping,   ///< entries with fixed names
+  named,     ///< entries with names of the user's own, any number of the same
   list,      ///< any number of the same
   any_of,    ///< one of several, told apart by their kind
   variant    ///< one of several mappings, told apart by the word in one of their entries
@@ -39,7 +40,7 @@ struct Schema {
   ValueKind kind{ValueKind::text};  ///< what may stand there
   std::string text;                 ///< what it is, in one line
   std::string example;              ///< a valid value, as one would type it
-  std::string sample;  ///< mapping or list: lines of YAML to show in a file to start from
+  std::string sample;  ///< mapping, named or list: lines of YAML to show in a file to start from
 
   std::string unit{"1"};  ///< quantity: SI unit, "1" if dimensionless
   double min{-std::numeric_limits<double>::infinity()};  ///< quantity, count: in SI
@@ -49,7 +50,7 @@ struct Schema {
 
   std::vector<std::string> words;    ///< word: the choices
   std::vector<SchemaEntry> entries;  ///< mapping
-  std::vector<Schema> items;         ///< list: one element, what the items are
+  std::vector<Schema> items;         ///< list, named: one element, what the items are
   std::size_t min_items{1};          ///< list
   std::size_t max_items{std::numeric_limits<std::size_t>::max()};  ///< list
   std::vector<Schema> alternatives;  ///< any_of; variant: one mapping for each of the words

@@ -107,7 +107,7 @@ Shape<T> text_of(std::string text, std::string example, T (*parse)(std::string_v
 
 /// The same shape for a value of another type.
 template <typename T, typename U>
-Shape<T> as(const Shape<U>& shape, std::function<T(U)> to, std::function<U(const T&)> from) {
+Shape<T> shape_as(const Shape<U>& shape, std::function<T(U)> to, std::function<U(const T&)> from) {
   Shape<T> other;
   other.schema = shape.schema;
   other.read = [read = shape.read, to](T& into, const YamlNode& node, const Spot& spot,
@@ -124,7 +124,7 @@ Shape<T> as(const Shape<U>& shape, std::function<T(U)> to, std::function<U(const
 /// One of some words that stand for the values of an enumeration, in its order.
 template <typename E>
 Shape<E> word(std::string text, std::vector<std::string> words) {
-  return as<E, std::size_t>(
+  return shape_as<E, std::size_t>(
       choice(std::move(text), std::move(words)),
       [](std::size_t number) { return static_cast<E>(number); },
       [](const E& value) { return static_cast<std::size_t>(value); });

@@ -42,13 +42,21 @@ struct BoundState {
   double one_percent_buys{0};  ///< change of the goal when it gives way by 1 %, first order
 };
 
+/// What a design has of a choice.
+struct ChosenSet {
+  std::string choice;  ///< its name, such as "lining"
+  std::string set;     ///< name of the set, such as the path of its file
+};
+
 /// A design as a search reports it.
 struct DesignReport {
-  std::vector<NamedValue> design;       ///< the variables, then what a `start:` changed besides
+  std::vector<NamedValue>
+      design;  ///< the variables, what follows, what sets give, what a `start:` changed
   std::vector<NamedValue> metrics;      ///< every metric without argument, then those asked for
   std::vector<LimitState> constraints;  ///< every limit of the study
   std::vector<BoundState> bounds;       ///< only those that hold the design back
   optim::Certificate certificate;       ///< the evidence
+  std::vector<ChosenSet> choice{};      ///< of each choice of the study
 };
 
 /// Whether a limit of this design is broken by more than an active limit may be: by a millionth of itself,
@@ -76,13 +84,14 @@ struct RelaxationState {
 
 /// A limit that no design within the ranges was found to keep, even without every other limit. SI.
 struct ImpossibleState {
-  std::string text;               ///< as typed
-  std::string unit;               ///< SI
-  bool at_least{false};           ///< a lower limit
-  double limit{0};                ///< as asked, SI
-  double best{0};                 ///< value nearest to it within the ranges, SI
-  bool certified{false};          ///< the best value is a certified local optimum
-  std::vector<std::size_t> ends;  ///< ends that prevent more, positions in Explanation::ranges
+  std::string text;                 ///< as typed
+  std::string unit;                 ///< SI
+  bool at_least{false};             ///< a lower limit
+  double limit{0};                  ///< as asked, SI
+  double best{0};                   ///< value nearest to it within the ranges, SI
+  bool certified{false};            ///< the best value is a certified local optimum
+  std::vector<std::size_t> ends;    ///< ends that prevent more, positions in Explanation::ranges
+  std::vector<ChosenSet> choice{};  ///< of the design with the best value
 };
 
 /// An end of a variable's range with a part in what no design keeps. SI.
@@ -100,6 +109,7 @@ struct Explanation {
   std::vector<ImpossibleState> impossible;  ///< limits that cannot be kept even alone
   std::vector<RangeState> ranges;           ///< ends of ranges with a part in it
   std::vector<RelaxationState> limits;      ///< limits that must give way, or would help alone
+  std::vector<ChosenSet> choice{};  ///< of the least infeasible design, to which `limits` refer
 
   /// Nothing to explain.
   bool empty() const { return conflict.empty() && limits.empty(); }

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -61,6 +62,7 @@ struct StudyResult {
 std::string summary_json(const StudyResult& result);
 
 /// What a terminal shows at the end: engineering units and sentences, no colour.
-std::string summary_text(const StudyResult& result);
+/// @param said  notes that were shown before, which are left out
+std::string summary_text(const StudyResult& result, std::span<const std::string> said = {});
 
 }  // namespace twum::studies

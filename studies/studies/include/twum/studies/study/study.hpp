@@ -104,6 +104,7 @@ struct OptimizeStudy {
 
   std::vector<DesignVariable> variables;  ///< what may be changed
   std::vector<DerivedParameter> derived;  ///< what follows from the variables
+  std::vector<DesignChoice> choose;       ///< sets of parameters of which a design has one
   DesignObjective objective;              ///< what is to be large or small
   std::vector<Constraint> constraints;    ///< what must hold
   optim::SolveOptions solver;             ///< observer, threads and stop are the run's
@@ -125,6 +126,7 @@ struct ParetoStudy {
   }
   std::vector<DesignVariable> variables;          ///< what may be changed
   std::vector<DerivedParameter> derived;          ///< what follows from the variables
+  std::vector<DesignChoice> choose;               ///< sets of parameters of which a design has one
   std::vector<DesignObjective> objectives;        ///< two or three
   std::vector<Constraint> constraints;            ///< what must hold
   std::uint64_t points{50};                       ///< of the front
@@ -141,6 +143,7 @@ struct SizeStudy {
 
   std::vector<DesignVariable> variables;  ///< what may be changed
   std::vector<DerivedParameter> derived;  ///< what follows from the variables
+  std::vector<DesignChoice> choose;       ///< sets of parameters of which a design has one
   std::vector<Constraint> duty;           ///< torque_at(SPEED) >= LOAD of each point
   std::vector<Constraint> limits;         ///< what else must hold
   MetricExpression prefer{parse_metric("max_pressure")};  ///< minimized among motors that will do
