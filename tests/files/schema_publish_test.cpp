@@ -116,7 +116,7 @@ TEST_CASE("entries with names of one's own have one shape", "[studies][schema]")
   const Json json = published(named);
   CHECK(json["type"] == "object");
   CHECK(json["minProperties"] == 1);
-  CHECK(json["additionalProperties"] == published(named.items.front()));
+  CHECK(json["additionalProperties"]["anyOf"][0]["type"] == "integer");
 }
 
 TEST_CASE("entries that exclude each other are a rule, said once", "[studies][schema]") {
