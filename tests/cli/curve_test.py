@@ -6,7 +6,7 @@ import json
 import math
 
 import program
-from program import RING
+from program import DRIVE, RING
 
 POINT = ["speed", "torque", "output_power", "stator_power", "friction_power", "layer_loss", "contact_efficiency",
          "wear_intensity", "stick_fraction", "zones"]
@@ -14,6 +14,70 @@ METRICS = ["stall_torque", "max_torque", "holding_torque", "no_load_speed", "pla
            "speed_at_peak_power", "torque_at_peak_power", "contact_efficiency_at_peak_power", "max_efficiency",
            "speed_at_max_efficiency", "contact_half_length", "contact_ratio", "max_pressure", "layer_aspect",
            "pressure_nonuniformity"]
+
+TERMINALS = ["amplitude", "phase_lag", "voltage", "phase_current", "power_factor", "electrical_power",
+             "overall_efficiency", "dielectric_loss", "stator_loss"]
+OF_MODES = ["max_overall_efficiency", "speed_at_max_overall_efficiency", "pull_out_torque", "start_voltage", "hold_voltage",
+            "start_frequency", "pull_out_frequency", "loaded_resonance", "coupling_factor", "capacitance_ratio"]
+
+
+class Driven(program.Case):
+    def curve(self, *arguments):
+        return json.loads(self.ok("curve", DRIVE, *arguments, "--format", "json"))
+
+    def test_columns_and_metrics_of_the_terminals_come_last(self):
+        result = self.curve("--points", 5)
+        self.assertEqual(list(result["metrics"]), METRICS + OF_MODES)
+        self.assertEqual(list(result["curve"][0]), POINT[:-1] + TERMINALS + ["zones"])
+        self.assertEqual(result["units"]["phase_current"], "A")
+
+    def test_output_and_losses_make_up_the_electrical_power(self):
+        for setting in ("voltage=120 V", "voltage=50 V", "amplitude=1.7 um", "frequency=41.5 kHz"):
+            points = [p for p in self.curve("--set", setting)["curve"] if "status" not in p]
+            self.assertGreater(len(points), 20)
+            for p in points:
+                parts = sum(p[name] for name in ("output_power", "friction_power", "layer_loss", "stator_loss",
+                                                 "dielectric_loss"))
+                # The contact's powers balance to 1e-12 of some ten watts.
+                self.assertAlmostEqual(p["electrical_power"], parts, delta=1e-10 * max(10, abs(parts)))
+                apparent = 2 * p["voltage"] * p["phase_current"]
+                self.assertAlmostEqual(p["electrical_power"], apparent * p["power_factor"], delta=1e-10 * apparent)
+
+    def test_the_voltage_is_that_of_the_file_or_the_one_that_an_amplitude_takes(self):
+        driven = self.curve("--points", 21)["curve"]
+        for point in driven:
+            self.assertAlmostEqual(point["voltage"], 120, delta=1e-9)
+        rest = driven[0]
+        given = self.curve("--points", 3, "--set", f"amplitude={rest['amplitude']!r} m")
+        self.assertAlmostEqual(given["curve"][0]["voltage"], 120, delta=1e-9)
+        # At constant amplitude the voltage follows the load.
+        self.assertNotAlmostEqual(given["curve"][1]["voltage"], 120, delta=1)
+        for name in ("pull_out_torque", "start_frequency", "pull_out_frequency"):
+            self.assertNotIn(name, given["metrics"])
+
+    def test_below_pull_out_there_is_no_point(self):
+        result = self.curve("--set", "voltage=50 V")
+        lost = [p for p in result["curve"] if p.get("status") == "pulled-out"]
+        self.assertEqual(result["curve"][:len(lost)], lost)
+        self.assertIsNone(result["metrics"]["stall_torque"])
+        pull_out = result["metrics"]["pull_out_torque"]
+        found = [p["torque"] for p in result["curve"][len(lost):]]
+        # The torque leaves the fold like a root, upwards by some per cent here, and falls from then on.
+        self.assertAlmostEqual(max(found) / pull_out, 1, delta=0.1)
+        self.assertTrue(all(p["torque"] is None for p in lost))
+
+    def test_table_has_the_terminals_below_the_contact(self):
+        done = program.twum("curve", DRIVE, "--points", 5)
+        blocks = done.stdout.decode().split("\n\n")
+        self.assertEqual(len(blocks), 4)
+        self.assertTrue(blocks[3].split()[:3] == ["speed", "torque", "amplitude"])
+        self.assertIn("pull_out_torque                   - (does-not-pull-out)", blocks[1])
+        self.assertNotIn("does-not-pull-out", done.stderr)
+
+    def test_evaluate_asks_what_a_healthy_motor_has(self):
+        table = list(csv.DictReader(io.StringIO(self.ok("evaluate", DRIVE))))
+        self.assertEqual(table[0]["status"], "ok")
+        self.assertIn("start_voltage [V]", table[0])
 
 
 class Curve(program.Case):

@@ -8,7 +8,7 @@ import struct
 import xml.etree.ElementTree as ElementTree
 
 import program
-from program import RING, ROOT
+from program import DRIVE, RING, ROOT
 
 SVG = "{http://www.w3.org/2000/svg}"
 RPM = math.pi / 30
@@ -91,6 +91,35 @@ class Curve(program.Case):
                                (r"W at ([\d.]+) rpm", metrics["speed_at_peak_power"] / RPM)):
             # Labels have three digits: half a unit of the third is at most 1 / 200 of the value.
             self.assertAlmostEqual(float(re.search(pattern, words)[1]) / value, 1, delta=1 / 200)
+
+    def test_what_becomes_of_the_electrical_power_is_stacked(self):
+        path = self.folder / "drive.svg"
+        point = json.loads(self.ok("curve", DRIVE, "--speeds", "0 rpm, 100 rpm", "--plot", path, "--format", "json"))["curve"][0]
+        picture = Picture(path)
+        self.assertTrue({"output", "friction", "layer", "stator", "ceramic", "electrical power [W]"} < set(picture.words()))
+        fills = []
+        for element in ElementTree.parse(path).getroot().iter(SVG + "polygon"):
+            places = [tuple(map(float, p)) for p in re.findall(r"(-?[\d.]+),(-?[\d.]+)", element.get("points"))]
+            if len(places) > 500:
+                fills.append(places)
+        self.assertEqual(len(fills), 5)
+        # At rest, on the left: each share is as high as its loss in parts of the friction's.
+        left = min(x for places in fills for x, _ in places)
+        heights = []
+        for places in fills:
+            edge = [y for x, y in places if x < left + 0.3]
+            heights.append(max(edge) - min(edge))
+        losses = [point["output_power"], point["friction_power"], point["layer_loss"], point["stator_loss"], point["dielectric_loss"]]
+        # Coordinates have two decimals.
+        for height, loss in zip(heights, losses):
+            self.assertAlmostEqual(height / heights[1], loss / losses[1], delta=0.03 / heights[1])
+
+    def test_where_the_running_wave_ends_is_marked(self):
+        words = " | ".join(self.picture(DRIVE, "--set", "voltage=50 V").words())
+        metrics = json.loads(self.ok("curve", DRIVE, "--set", "voltage=50 V", "--format", "json"))["metrics"]
+        torque = float(re.search(r"pull-out ([\d.]+) mN.m at", words)[1])
+        self.assertAlmostEqual(torque / metrics["pull_out_torque"] / 1e3, 1, delta=1 / 200)
+        self.assertNotIn("stall", words)
 
     def test_png_has_its_size(self):
         path = self.folder / "curve.png"

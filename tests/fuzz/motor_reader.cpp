@@ -26,7 +26,7 @@ void expect_same(const MotorFile& motor) {
 }
 
 void expect_metrics(const MotorFile& file) {
-  const auto metrics = plain_metrics();
+  const auto metrics = plain_metrics(file.design);
   std::vector<MetricValue> values(metrics.size());
   ExpressionEvaluator(metrics).evaluate(Motor(file.design), values);
   for (std::size_t i = 0; i < metrics.size(); ++i) {

@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <set>
 
 using namespace twum;
 using namespace twum::studies;
@@ -71,9 +72,36 @@ TEST_CASE("a motor alone is a family of one", "[studies][curve]") {
   const Curves curves("ring-60.yaml", "  points: 3\n");
   CHECK(curves.rows.size() == 3);
   CHECK_FALSE(curves.answer().family);
-  CHECK(curves.rows[0].values.size() == curve_columns().size());
+  CHECK(curves.rows[0].values.size() == contact_columns().size());
   CHECK(curves.rows[0].values[0] == 0);
   CHECK(curves.rows[2].values[1] < 0);  // beyond no-load the torque brakes
+}
+
+TEST_CASE("a driven motor's rows balance at the terminals", "[studies][curve]") {
+  const Curves curves("drive-60.yaml", "  family: {voltage: [50 V, 120 V]}\n  points: 15\n");
+  const ResultStore store(curves.folder.path("out/results.db"));
+  const auto at = [&](const Row& row, const std::string& name) {
+    for (std::size_t i = 0; i < store.columns().size(); ++i)
+      if (store.columns()[i].name == name) return row.values[i];
+    FAIL("no column " << name);
+    return 0.0;
+  };
+  std::size_t answers = 0;
+  for (const Row& row : curves.rows) {
+    if (row.status != "ok") continue;
+    ++answers;
+    const double parts = at(row, "output_power") + at(row, "friction_power") +
+                         at(row, "layer_loss") + at(row, "stator_loss") +
+                         at(row, "dielectric_loss");
+    // The contact's powers balance to 1e-12 of some ten watts (T7.10).
+    CHECK(at(row, "electrical_power") == Approx(parts).epsilon(1e-10).margin(1e-10));
+    CHECK(at(row, "voltage") == (row.stage == 0 ? 50 : 120));
+  }
+  CHECK(answers > 15);
+  std::set<std::string> names;
+  for (const Column& column : store.columns()) CHECK(names.insert(column.name).second);
+  CHECK(curves.rows[0].status == "pulled-out");
+  CHECK(curves.metric(1, "start_voltage") > curves.metric(1, "hold_voltage"));
 }
 
 TEST_CASE("amplitude raises the speed and leaves the stall torque of an elastic layer alone",

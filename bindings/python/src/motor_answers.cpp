@@ -27,8 +27,8 @@ std::string metric_doc(const MetricInfo& row) {
 
 // --- metrics by expression
 
-std::vector<studies::MetricExpression> asked(const py::args& metrics) {
-  if (metrics.empty()) return studies::plain_metrics();
+std::vector<studies::MetricExpression> asked(const PyMotor& self, const py::args& metrics) {
+  if (metrics.empty()) return studies::plain_metrics(self.motor.design());
   return metrics.size() == 1 ? to_metrics(metrics[0]) : to_metrics(metrics);
 }
 
@@ -41,7 +41,7 @@ std::vector<MetricValue> values_of(const PyMotor& self,
 }
 
 py::dict metrics_of(const PyMotor& self, const py::args& names) {
-  const auto metrics = asked(names);
+  const auto metrics = asked(self, names);
   const std::vector<MetricValue> values = values_of(self, metrics);
   py::dict answer;
   for (std::size_t i = 0; i < metrics.size(); ++i)
@@ -50,7 +50,7 @@ py::dict metrics_of(const PyMotor& self, const py::args& names) {
 }
 
 py::dict statuses_of(const PyMotor& self, const py::args& names) {
-  const auto metrics = asked(names);
+  const auto metrics = asked(self, names);
   const std::vector<MetricValue> values = values_of(self, metrics);
   py::dict answer;
   for (std::size_t i = 0; i < metrics.size(); ++i)
@@ -59,7 +59,7 @@ py::dict statuses_of(const PyMotor& self, const py::args& names) {
 }
 
 py::dict gradients_of(const PyMotor& self, const py::args& names, bool fixed_static_friction) {
-  const auto metrics = asked(names);
+  const auto metrics = asked(self, names);
   std::vector<MetricDerivative> derivatives;
   {
     const py::gil_scoped_release release;
@@ -172,7 +172,7 @@ py::object curve_of(const py::object& self, const py::object& speeds, std::size_
     curve = torque_speed_curve(motor, at);
   }
   py::dict columns;
-  for (const studies::CurveColumn& column : studies::curve_columns()) {
+  for (const studies::CurveColumn& column : studies::curve_columns(motor.design())) {
     std::vector<double> values;
     for (const OperatingPoint& point : curve) values.push_back(column.value(point));
     columns[column.name] = to_array(values);
@@ -240,6 +240,22 @@ void add_answer_classes(py::module_& module) {
                      "Friction power per area of the contact track [W/m^2].");
   point.def_readonly("stick_fraction", &OperatingPoint::stick_fraction,
                      "Share of the contact length that sticks.");
+  point.def_readonly("amplitude", &OperatingPoint::amplitude, "Amplitude of the wave [m].");
+  point.def_readonly(
+      "phase_lag", &OperatingPoint::phase_lag,
+      "Lag of the wave behind the voltage [rad]; NaN, as what follows, without modal data.");
+  point.def_readonly("voltage", &OperatingPoint::voltage,
+                     "Voltage of a phase that holds the wave, rms [V].");
+  point.def_readonly("phase_current", &OperatingPoint::phase_current,
+                     "Current of a phase, rms [A].");
+  point.def_readonly("power_factor", &OperatingPoint::power_factor,
+                     "Electrical over apparent power of a phase.");
+  point.def_readonly("electrical_power", &OperatingPoint::electrical_power,
+                     "Power at the terminals, both phases together [W].");
+  point.def_readonly("dielectric_loss", &OperatingPoint::dielectric_loss,
+                     "Loss in the blocked capacitances [W].");
+  point.def_property_readonly("overall_efficiency", &OperatingPoint::overall_efficiency,
+                              "Output over electrical power, 0 where the output is negative.");
   point.def_property_readonly("contact_efficiency", &OperatingPoint::contact_efficiency,
                               "Output over stator power; NaN where none goes in.");
   point.def_property_readonly("efficiency", &OperatingPoint::efficiency,

@@ -32,6 +32,16 @@ class Curve:
     wear_intensity: np.ndarray  # [W/m^2]
     stick_fraction: np.ndarray
     status: list
+    # What a motor with modal data has besides.
+    amplitude: np.ndarray | None = None  # [m]
+    phase_lag: np.ndarray | None = None  # [rad]
+    voltage: np.ndarray | None = None  # [V], rms
+    phase_current: np.ndarray | None = None  # [A], rms
+    power_factor: np.ndarray | None = None
+    electrical_power: np.ndarray | None = None  # [W]
+    overall_efficiency: np.ndarray | None = None
+    dielectric_loss: np.ndarray | None = None  # [W]
+    stator_loss: np.ndarray | None = None  # [W]
 
     def plot(self, axes=None):
         """Torque and output power over speed, with matplotlib; returns its axes."""

@@ -94,6 +94,8 @@ std::vector<double> Motor::slice_radii() const {
 
 const NormalContact<double>& Motor::contact() const noexcept { return model_->contact; }
 
+double Motor::first_speed() const { return drive_ ? drive_->begin() : 0; }
+
 double Motor::crest_speed() const noexcept { return model_->crest_velocity / model_->r; }
 
 double Motor::wave_speed() const noexcept { return model_->omega / model_->kappa / model_->r; }

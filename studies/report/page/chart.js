@@ -62,7 +62,7 @@ function drawMarks(u, marks) {
 
 /**
  * Draws a chart into a node.
- * series: [{name, y, colour, dash, points, fillTo}] over a common x; NaN leaves a gap.
+ * series: [{name, y, colour, dash, points, area}] over a common x; an area reaches down to 0; NaN leaves a gap.
  * options: {x: {label, range}, y: {label, range}, height, marks, ground(u), front(u), onMove(index), onSelect, name}
  */
 function chart(node, x, series, options) {
@@ -82,7 +82,7 @@ function chart(node, x, series, options) {
       label: s.name, stroke: s.hidden ? 'transparent' : () => colour(s.colour), width: s.hidden || s.scatter ? 0 : 2, dash: s.dash, spanGaps: false, pxAlign: 0,
       points: { show: Boolean(s.scatter), size: 7, fill: () => colour(s.colour), stroke: () => colour(s.colour) },
       paths: s.bars ? uPlot.paths.bars({ size: [1, 100], align: 1 }) : s.steps ? uPlot.paths.stepped({ align: 1 }) : undefined,
-      fill: s.bars ? () => colour(s.colour) + '99' : undefined,
+      fill: s.area ? () => colour(s.colour) + 'aa' : s.bars ? () => colour(s.colour) + '99' : undefined,
     }))],
     bands: options.bands || [],
     hooks: {

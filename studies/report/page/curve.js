@@ -31,6 +31,8 @@ function curveMarks(curve, name, speedUnit, unit, full) {
   };
   if (name === 'torque') {
     at(0, m.stall_torque, 'stall ' + engineering(m.stall_torque, 'N.m', 3));
+    const begin = curve.torque.findIndex(Number.isFinite);
+    if (begin > 0 && m.pull_out_torque) at(curve.speed[begin], curve.torque[begin], 'pull-out ' + engineering(m.pull_out_torque, 'N.m', 3));
     if (m.plateau_speed > 0) at(m.plateau_speed, resampled(curve, 'torque', [m.plateau_speed])[0], 'plateau to ' + engineering(m.plateau_speed, 'rad/s', 3));
     if (m.peak_power > 0) at(m.speed_at_peak_power, m.torque_at_peak_power, full ? 'peak power' : '');
     if (m.no_load_speed > 0) at(m.no_load_speed, 0, 'no load ' + engineering(m.no_load_speed, 'rad/s', 3));
@@ -65,7 +67,7 @@ function curvesChart(node, list, names, name, label, options = {}) {
 }
 
 function unitOfCurve(name) {
-  return { torque: 'N.m', wear_intensity: 'W/m^2', contact_efficiency: '1', efficiency: '1', stick_fraction: '1', speed: 'rad/s' }[name] || 'W';
+  return { torque: 'N.m', amplitude: 'm', phase_lag: 'rad', voltage: 'V', phase_current: 'A', power_factor: '1', overall_efficiency: '1', wear_intensity: 'W/m^2', contact_efficiency: '1', efficiency: '1', stick_fraction: '1', speed: 'rad/s' }[name] || 'W';
 }
 
 const percentUnit = { text: '%', divisor: 0.01 };
@@ -92,7 +94,32 @@ function powerChart(node, curve, onSpeed) {
   node.append(read);
 }
 
+/** Where the electrical power of one curve goes: output and losses stacked, up to no-load. */
+function terminalsChart(node, curve, onSpeed) {
+  const parts = [['output_power', 'output', 'c0'], ['friction_power', 'friction', 'c1'], ['layer_loss', 'layer', 'c2'], ['stator_loss', 'stator', 'c3'], ['dielectric_loss', 'ceramic', 'c6']];
+  const unit = displayUnit(largest([curve.electrical_power]), 'W');
+  const sums = new Float64Array(curve.speed.length);
+  const series = parts.map(([name, label, c], k) => {
+    for (let i = 0; i < sums.length; ++i) sums[i] += curve.output_power[i] >= 0 ? curve[name][i] : NaN;
+    return { name: label, y: scaled(sums, unit.divisor), colour: c, area: k === 0, part: curve[name] };
+  });
+  const bands = series.slice(1).map((s, k) => ({ series: [k + 2, k + 1], fill: () => colour(s.colour) + 'aa' }));
+  const speeds = scaled(curve.speed, Math.PI / 30);
+  const read = el('div', { class: 'read', 'aria-live': 'polite' });
+  node.append(legend(series.map((s) => ({ name: s.name, colour: s.colour, kind: 'area' }))));
+  chart(node, speeds, series, {
+    name: 'electrical power', x: { label: 'speed [rpm]', range: [0, speeds[speeds.length - 1]] }, y: { label: axisLabel('electrical power', unit), range: paddedRange(series.map((s) => s.y), true) }, bands, height: 300,
+    onMove: (i) => {
+      if (i === null) { read.replaceChildren(); return; }
+      readout(read, [['at', rounded(speeds[i]) + ' rpm'], ...series.map((s) => [s.name, engineering(s.part[i], 'W')])]);
+      if (onSpeed) onSpeed(curve.speed[i]);
+    },
+  });
+  node.append(read);
+}
+
 function efficiencyChart(node, list, names, onSpeed) {
+  if (list.every(atTerminals)) { curvesChart(node, list, names, 'overall_efficiency', 'overall efficiency', { unit: percentUnit, range: [0, 100], onSpeed }); return; }
   const damped = list.some((c) => largest([c.stator_loss]) > 0);
   curvesChart(node, list, names, damped ? 'efficiency' : 'contact_efficiency', damped ? 'efficiency' : 'contact efficiency', { unit: percentUnit, range: [0, 100], onSpeed });
 }
@@ -105,14 +132,17 @@ function curveSection(list, names, title, note) {
   const onSpeed = (speed) => viewer && viewer.show(speed);
   if (list.length > 1) torque.append(legend(names.map(seriesEntry)));
   curvesChart(torque, list, names, 'torque', 'torque', { onSpeed });
-  if (list.length === 1) powerChart(card('Power and losses', 'What the contact gives to the rotor, and where the rest goes.', 'half'), list[0], onSpeed);
+  const terminals = list.every(atTerminals);
+  if (list.length === 1 && terminals) terminalsChart(card('Electrical power', 'What the terminals take and where it goes, between the beginning of the curve and no-load.', 'half'), list[0], onSpeed);
+  else if (list.length === 1) powerChart(card('Power and losses', 'What the contact gives to the rotor, and where the rest goes.', 'half'), list[0], onSpeed);
   else {
     const power = card('Output power', 'Peak power is marked.', 'half');
     power.append(legend(names.map(seriesEntry)));
     curvesChart(power, list, names, 'output_power', 'output power', { onSpeed });
   }
   const damped = list.some((c) => largest([c.stator_loss]) > 0);
-  const efficiency = card(damped ? 'Efficiency' : 'Contact efficiency', damped ? 'Of the whole motor: power lost in the vibrating stator is counted.' : 'Of the contact alone: the motor names no modal damping, so that the stator loses nothing.', 'half');
+  const efficiency = terminals ? card('Overall efficiency', 'Output over electrical power, every loss counted but that of the driver.', 'half')
+    : card(damped ? 'Efficiency' : 'Contact efficiency', damped ? 'Of the whole motor: power lost in the vibrating stator is counted.' : 'Of the contact alone: the motor names no modal damping, so that the stator loses nothing.', 'half');
   if (list.length > 1) efficiency.append(legend(names.map(seriesEntry)));
   efficiencyChart(efficiency, list, names, onSpeed);
   if (list.length > 1) {
@@ -123,12 +153,23 @@ function curveSection(list, names, title, note) {
     const wear = card('Wear intensity', 'Friction power for each area of the track.', 'half');
     curvesChart(wear, list, names, 'wear_intensity', 'wear intensity', { onSpeed });
   }
+  if (terminals) terminalCards(list, names, onSpeed);
   viewer = fieldsSection(list, names, shown);
   card('Points of the curves', null, 'wide').append(el('details', {}, el('summary', {}, 'All ' + list.length * list[0].speed.length + ' points'), pointsTable(list, names)));
 }
 
+/** The wave and the current, which follow from voltage and load. */
+function terminalCards(list, names, onSpeed) {
+  for (const [name, title, note] of [['amplitude', 'Wave amplitude', 'At the contact radius.'], ['phase_current', 'Current of a phase', 'Root mean square.'], ['phase_lag', 'Phase lag', 'Of the wave behind the voltage.'], ['power_factor', 'Power factor', 'Electrical over apparent power of a phase.']]) {
+    const node = card(title, note, 'half');
+    if (list.length > 1) node.append(legend(names.map(seriesEntry)));
+    curvesChart(node, list, names, name, title.toLowerCase(), { onSpeed });
+  }
+}
+
 function pointsTable(list, names) {
-  const shown = ['speed', 'torque', 'output_power', 'friction_power', 'layer_loss', 'stator_loss', 'contact_efficiency', 'wear_intensity', 'stick_fraction'];
+  const own = ['speed', 'torque', 'output_power', 'friction_power', 'layer_loss', 'stator_loss', 'contact_efficiency', 'wear_intensity', 'stick_fraction'];
+  const shown = list.every(atTerminals) ? [...own, ...terminalColumns] : own;
   const lines = [];
   list.forEach((c, k) => c.speed.forEach((_, i) => lines.push([words(names[k]), ...shown.map((n) => quantity(c[n][i], unitOfCurve(n)))])));
   return table('curve', ['curve', ...shown.map(plain)], lines, ['curve', ...shown.map((n) => n + ' [' + unitOfCurve(n) + ']')]);

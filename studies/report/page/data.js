@@ -30,10 +30,16 @@ function rowNumber(i) { return i * rows.every + (rows.offsets ? rows.offsets[i] 
 const curveColumns = ['speed', 'torque', 'output_power', 'stator_power', 'friction_power', 'layer_loss',
   'contact_efficiency', 'wear_intensity', 'stick_fraction', 'efficiency', 'stator_loss'];
 
+/** What motors with modal data have besides. */
+const terminalColumns = ['amplitude', 'phase_lag', 'voltage', 'phase_current', 'power_factor', 'electrical_power', 'overall_efficiency', 'dielectric_loss'];
+
+function atTerminals(curve) { return Boolean(curve.electrical_power); }
+
 const curves = data.curves.map((c) => {
   if (!c) return null;
   const curve = { ...c };
   for (const name of curveColumns) curve[name] = numbers(c[name], Float64Array);
+  if (c.electrical_power) for (const name of terminalColumns) curve[name] = numbers(c[name], Float64Array);
   return curve;
 });
 

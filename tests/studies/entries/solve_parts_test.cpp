@@ -263,7 +263,7 @@ TEST_CASE("limits that would have to give way are named as they were typed",
     }
     // Each metric once, whether it was asked for or not.
     CHECK(reporter.metrics_of(problem.motor).size() ==
-          plain_metrics().size() + (count == texts.size() ? 1 : 0));
+          plain_metrics(problem.motor).size() + (count == texts.size() ? 1 : 0));
   }
 }
 

@@ -20,14 +20,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 
 namespace twum::cli {
 namespace {
 
-using studies::curve_columns;
 using studies::CurveColumn;
 using studies::MotorFile;
 
@@ -48,6 +49,7 @@ struct CurveOptions {
 
 struct Curve {
   MotorFile file;
+  std::vector<CurveColumn> columns;
   std::vector<studies::MetricExpression> metrics;
   std::vector<MetricValue> values;
   std::vector<OperatingPoint> points;
@@ -73,7 +75,8 @@ Curve compute(const CurveOptions& options) {
   curve.file = load_motor(options.motor);
   const Motor motor(curve.file.design);
   const std::vector<double> speeds = speeds_of(options, motor);
-  curve.metrics = studies::plain_metrics();
+  curve.columns = studies::curve_columns(curve.file.design);
+  curve.metrics = studies::plain_metrics(curve.file.design);
   curve.values.resize(curve.metrics.size());
   studies::ExpressionEvaluator(curve.metrics).evaluate(motor, curve.values);
   for (const double speed : speeds) {
@@ -84,11 +87,12 @@ Curve compute(const CurveOptions& options) {
   return curve;
 }
 
-Json point_json(const OperatingPoint& point, const std::vector<Zone>& zones) {
+Json point_json(const Curve& curve, std::size_t i) {
+  const OperatingPoint& point = curve.points[i];
   Json json;
-  for (const CurveColumn& column : curve_columns())
+  for (const CurveColumn& column : curve.columns)
     json[column.name] = number_json(column.value(point));
-  json["zones"] = zones_json(zones);
+  json["zones"] = zones_json(curve.zones[i]);
   if (point.status != PointStatus::ok) json["status"] = to_string(point.status);
   return json;
 }
@@ -101,24 +105,23 @@ std::string as_json(const Curve& curve) {
     json["metrics"][curve.metrics[i].text] = number_json(curve.values[i].value);
     json["units"][curve.metrics[i].text] = curve.metrics[i].unit();
   }
-  for (const CurveColumn& column : curve_columns()) json["units"][column.name] = column.unit;
+  for (const CurveColumn& column : curve.columns) json["units"][column.name] = column.unit;
   json["units"]["from"] = json["units"]["to"] = "rad";
   json["curve"] = Json::array();
-  for (std::size_t i = 0; i < curve.points.size(); ++i) {
-    json["curve"].push_back(point_json(curve.points[i], curve.zones[i]));
-  }
+  for (std::size_t i = 0; i < curve.points.size(); ++i)
+    json["curve"].push_back(point_json(curve, i));
   return json_text(json);
 }
 
 std::string as_csv(const Curve& curve) {
   std::vector<std::string> cells;
-  for (const CurveColumn& column : curve_columns())
+  for (const CurveColumn& column : curve.columns)
     cells.push_back(std::string(column.name) + " [" + column.unit + "]");
   cells.emplace_back("status");
   std::string text = csv_line(cells);
   for (const OperatingPoint& point : curve.points) {
     cells.clear();
-    for (const CurveColumn& column : curve_columns()) cells.push_back(cell_of(column.value(point)));
+    for (const CurveColumn& column : curve.columns) cells.push_back(cell_of(column.value(point)));
     cells.emplace_back(to_string(point.status));
     text += csv_line(cells);
   }
@@ -155,29 +158,46 @@ ColumnScale scale_of(const CurveColumn& column, const std::vector<OperatingPoint
   return {studies::display_unit(largest, column.unit), largest};
 }
 
-std::string points_table(const Curve& curve) {
+// Columns of all points, and what `last` says of each point under a heading of its own.
+using PointWords = std::function<std::string(std::size_t)>;
+std::string points_table(const Curve& curve, std::span<const CurveColumn> columns,
+                         const std::string& heading, const PointWords& last) {
   TextTable table{{{}, {}}, true};
   std::vector<ColumnScale> scales;
-  for (const CurveColumn& column : curve_columns()) {
+  for (const CurveColumn& column : columns) {
     scales.push_back(scale_of(column, curve.points));
     table.rows[0].emplace_back(column.name);
     const std::string& unit = scales.back().unit.text;
     table.rows[1].push_back(unit.empty() ? "" : "[" + unit + "]");
   }
-  table.rows[0].emplace_back("zones");
+  table.rows[0].push_back(heading);
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
     std::vector<std::string> row;
     for (std::size_t c = 0; c < scales.size(); ++c)
-      row.push_back(rounded_cell(curve_columns()[c].value(curve.points[i]), scales[c]));
-    row.push_back(zones_text(curve.points[i], curve.zones[i]));
+      row.push_back(rounded_cell(columns[c].value(curve.points[i]), scales[c]));
+    row.push_back(last(i));
     table.rows.push_back(std::move(row));
   }
   return aligned(table);
 }
 
+// Speed and torque again, what the terminals see, and the losses that the other table does not have.
+std::string terminals_table(const Curve& curve) {
+  const std::span<const CurveColumn> contact = studies::contact_columns();
+  std::vector<CurveColumn> columns(contact.begin(), contact.begin() + 2);
+  const std::span<const CurveColumn> terminals = studies::terminal_columns();
+  columns.insert(columns.end(), terminals.begin(), terminals.end());
+  return points_table(curve, columns, "status",
+                      [&](std::size_t i) { return to_string(curve.points[i].status); });
+}
+
 std::string as_table(const Curve& curve) {
   const std::string name = curve.file.name.empty() ? "motor" : studies::printable(curve.file.name);
-  return name + "\n\n" + metrics_table(curve) + "\n" + points_table(curve);
+  const std::string contact =
+      points_table(curve, studies::contact_columns(), "zones",
+                   [&](std::size_t i) { return zones_text(curve.points[i], curve.zones[i]); });
+  const std::string text = name + "\n\n" + metrics_table(curve) + "\n" + contact;
+  return has_modal_data(curve.file.design) ? text + "\n" + terminals_table(curve) : text;
 }
 
 // The whole range of the curve's speeds; of a single speed, what the curve covers by itself.
@@ -189,10 +209,12 @@ std::string plot_script(const Curve& curve) {
   return curve_plot(curve.file, 0, studies::last_curve_speed(Motor(curve.file.design)));
 }
 
+// What a healthy motor says, that its running wave exists down to rest, is no reason for a note.
 std::set<std::string> reasons_in(const Curve& curve) {
   std::set<std::string> reasons;
   for (const MetricValue& value : curve.values) reasons.insert(to_string(value.status));
   for (const OperatingPoint& point : curve.points) reasons.insert(to_string(point.status));
+  reasons.erase(to_string(MetricStatus::does_not_pull_out));
   return reasons;
 }
 

@@ -72,17 +72,19 @@ std::vector<studies::MetricExpression> metrics_of(const EvaluateOptions& options
   }
 }
 
-bool needs_stator_loss(const studies::MetricExpression& metric) {
-  const Metric asked = metric.request()->metric;
-  return asked == Metric::max_efficiency || asked == Metric::speed_at_max_efficiency;
+bool needs_stator_loss(Metric metric) {
+  return metric == Metric::max_efficiency || metric == Metric::speed_at_max_efficiency;
 }
 
-// All plain metrics that have a meaning for these designs: efficiency needs a modal damping.
+// All plain metrics that have a value for usual designs: efficiency needs a modal damping, and few motors pull out above rest.
 std::vector<studies::MetricExpression> usual_metrics(const MotorDesign& base,
                                                      const std::string& header) {
-  std::vector<studies::MetricExpression> metrics = studies::plain_metrics();
+  std::vector<studies::MetricExpression> metrics = studies::plain_metrics(base);
   const bool damped = modal_damping(base) > 0 || header.find("modal_damping") != std::string::npos;
-  if (!damped) std::erase_if(metrics, needs_stator_loss);
+  std::erase_if(metrics, [&](const studies::MetricExpression& one) {
+    const Metric metric = one.request()->metric;
+    return metric == Metric::pull_out_torque || (!damped && needs_stator_loss(metric));
+  });
   return metrics;
 }
 

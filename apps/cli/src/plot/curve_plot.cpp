@@ -28,7 +28,14 @@ enum Column : int {
   kLayer,
   kStator,
   kContactEfficiency,
-  kEfficiency
+  kEfficiency,
+  kOverallEfficiency,
+  // electrical power from below: output, and each loss on top of what is below it
+  kUpToOutput,
+  kUpToFriction,
+  kUpToLayer,
+  kUpToStator,
+  kUpToCeramic
 };
 
 struct Mark {
@@ -48,8 +55,19 @@ struct Picture {
   studies::DisplayUnit power;
   double first;
   double last;
-  bool damped;  // the stator takes a share, so there is an efficiency of the whole
+  bool damped;     // the stator takes a share, so there is an efficiency of the whole
+  bool terminals;  // modal data say what the terminals see
 };
+
+// What becomes of the electrical power (D4.2), stacked; nothing where the rotor is driven from outside.
+std::vector<double> stacked(const OperatingPoint& p) {
+  double sum = p.output_power < 0 ? std::nan("") : 0;
+  std::vector<double> stack;
+  for (const double part :
+       {p.output_power, p.friction_power, p.layer_loss, p.stator_loss, p.dielectric_loss})
+    stack.push_back(sum += part);
+  return stack;
+}
 
 std::vector<std::vector<double>> rows_of(const Motor& motor, double first, double last) {
   std::vector<std::vector<double>> rows;
@@ -57,7 +75,9 @@ std::vector<std::vector<double>> rows_of(const Motor& motor, double first, doubl
     const double speed = first + (last - first) * i / (kPoints - 1);
     const OperatingPoint p = motor.operating_point(speed);
     rows.push_back({speed, p.torque, p.output_power, p.friction_power, p.layer_loss, p.stator_loss,
-                    p.contact_efficiency(), p.efficiency()});
+                    p.contact_efficiency(), p.efficiency(), p.overall_efficiency()});
+    const std::vector<double> stack = stacked(p);
+    rows.back().insert(rows.back().end(), stack.begin(), stack.end());
   }
   return rows;
 }
@@ -75,10 +95,11 @@ double largest(const std::vector<std::vector<double>>& rows, Column from, Column
 
 std::vector<Mark> marks_of(const Motor& motor, double first, double last) {
   const auto request = [](Metric metric) { return MetricRequest{metric, Argument::none, 0}; };
-  const std::array<MetricRequest, 6> requests = {
+  const std::array<MetricRequest, 7> requests = {
       request(Metric::stall_torque),        request(Metric::plateau_speed),
       request(Metric::speed_at_peak_power), request(Metric::torque_at_peak_power),
-      request(Metric::peak_power),          request(Metric::no_load_speed)};
+      request(Metric::peak_power),          request(Metric::no_load_speed),
+      request(Metric::pull_out_torque)};
   const std::vector<MetricValue> values = evaluate(motor, requests);
   const auto has = [&](std::size_t i) { return values[i].status == MetricStatus::ok; };
   const auto text = [&](std::size_t i, const char* unit) {
@@ -92,8 +113,11 @@ std::vector<Mark> marks_of(const Motor& motor, double first, double last) {
   }
   if (has(1) && values[1].value > 0) {
     const double torque = motor.operating_point(values[1].value).torque;
+    // Beside the label of the stall torque there is room from the middle on; before, the line below it is free.
+    const bool beside = values[1].value > 0.45 * last;
     marks.push_back({"plateau", values[1].value, torque, none, "plateau to " + text(1, "rad/s"),
-                     "right offset character -0.6, character -1"});
+                     beside ? "right offset character -0.6, character -1"
+                            : "left offset character 0.6, character -2"});
   }
   if (has(4) && values[4].value > 0) {
     marks.push_back({"peak power", values[2].value, values[3].value, values[4].value,
@@ -103,6 +127,13 @@ std::vector<Mark> marks_of(const Motor& motor, double first, double last) {
   if (has(5) && values[5].value > 0) {
     marks.push_back({"no load", values[5].value, 0, none, "no load " + text(5, "rad/s"),
                      "right offset character -2, character 0.7"});
+  }
+  if (has(6)) {
+    const double speed = motor.first_speed();
+    marks.push_back(
+        {"pull-out", speed, values[6].value, none,
+         "pull-out " + text(6, "N.m") + " at " + studies::engineering(speed, "rad/s", 3),
+         "right offset character -0.6, character -1"});
   }
   std::erase_if(marks, [&](const Mark& m) { return m.speed < first || m.speed > last; });
   return marks;
@@ -162,6 +193,32 @@ std::string power_panel(const Picture& picture) {
   return script + kEndOfPanel;
 }
 
+struct Share {
+  Column below, above;
+  const char* name;
+  const char* colour;
+};
+
+std::string terminal_panel(const Picture& picture) {
+  constexpr Share kShares[] = {{kUpToOutput, kUpToOutput, "output", colour::kBlue},
+                               {kUpToOutput, kUpToFriction, "friction", colour::kVermilion},
+                               {kUpToFriction, kUpToLayer, "layer", colour::kGreen},
+                               {kUpToLayer, kUpToStator, "stator", colour::kOrange},
+                               {kUpToStator, kUpToCeramic, "ceramic", colour::kGrey}};
+  std::string script = panel_place(0.58, 0.33, false) + "set offsets 0, 0, graph 0.1, 0\n" +
+                       vertical_label("electrical power", picture.power) + "plot ";
+  for (const Share& share : kShares) {
+    // The first stands on the axis: nothing of itself, which is not a number where it is none.
+    const bool first = share.below == share.above;
+    script += std::string(first ? "" : ", ") + "$curve using " + in_unit(kSpeed, picture.speed) +
+              ":" + (first ? "(0)*" : "") + in_unit(share.below, picture.power) + ":" +
+              in_unit(share.above, picture.power) +
+              " with filledcurves fillstyle solid 0.75 noborder linecolor rgb '" + share.colour +
+              "' title " + plot_text(share.name);
+  }
+  return script + kEndOfPanel;
+}
+
 std::string efficiency_panel(const Picture& picture) {
   const studies::DisplayUnit percent{"%", 0.01};
   std::string script =
@@ -169,7 +226,10 @@ std::string efficiency_panel(const Picture& picture) {
       horizontal_label("speed", picture.speed) + vertical_label("efficiency", percent) +
       "\nset yrange [0:100]\nplot " +
       series(picture, kContactEfficiency, percent, "of the contact", colour::kBlue, "1");
-  if (picture.damped) {
+  if (picture.terminals) {
+    script += ", " + series(picture, kOverallEfficiency, percent, "of the motor at its terminals",
+                            colour::kOrange, "5");
+  } else if (picture.damped) {
     script += ", " +
               series(picture, kEfficiency, percent, "with the stator's loss", colour::kOrange, "5");
   }
@@ -185,14 +245,19 @@ std::string curve_plot(const studies::MotorFile& file, double first, double last
   picture.marks = marks_of(motor, first, last);
   picture.first = first;
   picture.last = last;
-  picture.damped = file.design.stator.modal_damping > 0;
+  picture.damped = modal_damping(file.design) > 0;
+  picture.terminals = has_modal_data(file.design);
   picture.speed = studies::display_unit(last, "rad/s");
   picture.torque = studies::display_unit(largest(picture.rows, kTorque, kTorque), "N.m");
-  picture.power = studies::display_unit(largest(picture.rows, kOutput, kStator), "W");
+  picture.power =
+      studies::display_unit(picture.terminals ? largest(picture.rows, kUpToOutput, kUpToCeramic)
+                                              : largest(picture.rows, kOutput, kStator),
+                            "W");
   return plot_data("curve", picture.rows) + plot_style(plot_text(motor_title(file))) +
          "set multiplot\n" + "set xrange [" + plot_number(first / picture.speed.divisor) + ":" +
          plot_number(last / picture.speed.divisor) + "]\n" + torque_panel(picture) +
-         power_panel(picture) + efficiency_panel(picture) + "unset multiplot\n";
+         (picture.terminals ? terminal_panel(picture) : power_panel(picture)) +
+         efficiency_panel(picture) + "unset multiplot\n";
 }
 
 }  // namespace twum::cli

@@ -263,10 +263,22 @@ std::vector<MetricExpression> parse_metric_list(std::string_view text) {
   return list;
 }
 
-std::vector<MetricExpression> plain_metrics() {
+namespace {
+
+// Says at which torque or frequency the given voltage stops to hold the wave.
+bool needs_voltage(Metric metric) {
+  return metric == Metric::pull_out_torque || metric == Metric::start_frequency ||
+         metric == Metric::pull_out_frequency;
+}
+
+}  // namespace
+
+std::vector<MetricExpression> plain_metrics(const MotorDesign& design) {
   std::vector<MetricExpression> list;
   for (const MetricInfo& row : metric_table()) {
-    if (row.argument == Argument::none && !row.needs_modes) list.push_back(parse_metric(row.name));
+    const bool meant = (!row.needs_modes || has_modal_data(design)) &&
+                       (!needs_voltage(row.metric) || design.stator.voltage);
+    if (row.argument == Argument::none && meant) list.push_back(parse_metric(row.name));
   }
   return list;
 }

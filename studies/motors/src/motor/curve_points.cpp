@@ -3,10 +3,12 @@
 
 #include <twum/core/performance/metrics.hpp>
 
+#include <iterator>
+
 namespace twum::studies {
 namespace {
 
-constexpr CurveColumn kColumns[] = {
+constexpr CurveColumn kContact[] = {
     {"speed", "rad/s", [](const OperatingPoint& p) { return p.speed; }},
     {"torque", "N.m", [](const OperatingPoint& p) { return p.torque; }},
     {"output_power", "W", [](const OperatingPoint& p) { return p.output_power; }},
@@ -18,9 +20,30 @@ constexpr CurveColumn kColumns[] = {
     {"stick_fraction", "1", [](const OperatingPoint& p) { return p.stick_fraction; }},
 };
 
+constexpr CurveColumn kTerminals[] = {
+    {"amplitude", "m", [](const OperatingPoint& p) { return p.amplitude; }},
+    {"phase_lag", "rad", [](const OperatingPoint& p) { return p.phase_lag; }},
+    {"voltage", "V", [](const OperatingPoint& p) { return p.voltage; }},
+    {"phase_current", "A", [](const OperatingPoint& p) { return p.phase_current; }},
+    {"power_factor", "1", [](const OperatingPoint& p) { return p.power_factor; }},
+    {"electrical_power", "W", [](const OperatingPoint& p) { return p.electrical_power; }},
+    {"overall_efficiency", "1", [](const OperatingPoint& p) { return p.overall_efficiency(); }},
+    {"dielectric_loss", "W", [](const OperatingPoint& p) { return p.dielectric_loss; }},
+    {"stator_loss", "W", [](const OperatingPoint& p) { return p.stator_loss; }},
+};
+
 }  // namespace
 
-std::span<const CurveColumn> curve_columns() { return kColumns; }
+std::span<const CurveColumn> contact_columns() { return kContact; }
+
+std::span<const CurveColumn> terminal_columns() { return kTerminals; }
+
+std::vector<CurveColumn> curve_columns(const MotorDesign& design) {
+  std::vector<CurveColumn> columns(std::begin(kContact), std::end(kContact));
+  if (has_modal_data(design))
+    columns.insert(columns.end(), std::begin(kTerminals), std::end(kTerminals));
+  return columns;
+}
 
 double last_curve_speed(const Motor& motor) {
   const MetricValue no_load =

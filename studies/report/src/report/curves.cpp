@@ -97,7 +97,7 @@ Json fields_json(const Motor& motor) {
 }
 
 Json metrics_json(const Motor& motor) {
-  const std::vector<MetricExpression> metrics = plain_metrics();
+  const std::vector<MetricExpression> metrics = plain_metrics(motor.design());
   std::vector<MetricValue> values(metrics.size());
   ExpressionEvaluator(metrics).evaluate(motor, values);
   Json json = Json::object();
@@ -133,7 +133,7 @@ Json curve_json(const MotorDesign& base, const DesignValues& values, const std::
     for (const OperatingPoint& point : points) numbers.push_back(value(point));
     json[name] = base64(numbers);
   };
-  for (const CurveColumn& one : curve_columns()) add(one.name, one.value);
+  for (const CurveColumn& one : curve_columns(motor->design())) add(one.name, one.value);
   add("efficiency", [](const OperatingPoint& p) { return p.efficiency(); });
   add("stator_loss", [](const OperatingPoint& p) { return p.stator_loss; });
   json["fields"] = detail == Detail::fields ? fields_json(*motor) : Json(nullptr);

@@ -42,12 +42,15 @@ class CurveRun : public StudyKindRun {
     family_ = asked.family->parameter;
     for (const double value : asked.family->values)
       add_member(value, member_motor(motor, *family_, value));
+    // Of a family over voltage or amplitude the value stands in its own column already.
+    std::erase_if(columns_,
+                  [&](const CurveColumn& one) { return one.name == info(*family_).name; });
   }
 
   std::vector<Column> columns() const override {
     std::vector<Column> columns;
     if (family_) columns.push_back(family_column());
-    for (const CurveColumn& column : curve_columns()) columns.push_back({column.name, column.unit});
+    for (const CurveColumn& column : columns_) columns.push_back({column.name, column.unit});
     return columns;
   }
 
@@ -74,7 +77,10 @@ class CurveRun : public StudyKindRun {
   }
 
  private:
+  // The columns are those of the member that has the most.
   void add_member(double value, Motor motor) {
+    std::vector<CurveColumn> columns = curve_columns(motor.design());
+    if (columns.size() > columns_.size()) columns_ = std::move(columns);
     const double last_speed = last_curve_speed(motor);
     members_.push_back({value, std::move(motor), last_speed});
   }
@@ -90,7 +96,7 @@ class CurveRun : public StudyKindRun {
         member.motor.operating_point(curve_speed(member.last_speed, row.index, points_));
     row.values.clear();
     if (family_) row.values.push_back(member.value);
-    for (const CurveColumn& column : curve_columns()) row.values.push_back(column.value(point));
+    for (const CurveColumn& column : columns_) row.values.push_back(column.value(point));
     row.status = to_string(point.status);
   }
 
@@ -114,7 +120,7 @@ class CurveRun : public StudyKindRun {
       ++answer.points;
       answer.failed += row.status == "ok" ? 0 : 1;
     });
-    const std::vector<MetricExpression> metrics = plain_metrics();
+    const std::vector<MetricExpression> metrics = plain_metrics(member.motor.design());
     std::vector<MetricValue> values(metrics.size());
     ExpressionEvaluator(metrics).evaluate(member.motor, values);
     for (std::size_t i = 0; i < metrics.size(); ++i) {
@@ -127,6 +133,7 @@ class CurveRun : public StudyKindRun {
 
   std::optional<Parameter> family_;
   std::uint64_t points_;
+  std::vector<CurveColumn> columns_;
   std::vector<CurveMember> members_;
 };
 

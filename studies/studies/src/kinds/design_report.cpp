@@ -63,7 +63,7 @@ void show_sides(LimitState& state, double left, double right, bool maximize) {
 DesignReporter::DesignReporter(const DesignProblem& problem, std::vector<Parameter> besides)
     : problem_(problem),
       besides_(std::move(besides)),
-      metrics_(plain_metrics()),
+      metrics_(plain_metrics(problem.motor)),
       limits_(all_limits(problem)) {
   for (const DesignChoice& choice : problem.choices)
     for (const ParameterSet& set : choice.sets)

@@ -131,6 +131,9 @@ class Motor {
   /// Radii of the slices that touch, in rising order [m]; the contact radius alone if there is one slice.
   std::vector<double> slice_radii() const;
 
+  /// Smallest rotor speed of the curve: 0, or where the running wave of a motor under a voltage begins [rad/s].
+  double first_speed() const;
+
   /// V0 / r, rotor speed that matches the crest velocity of the stator surface [rad/s].
   double crest_speed() const noexcept;
   /// v_w / r; rotor speeds must exceed its negative [rad/s].

@@ -47,8 +47,9 @@ MetricExpression parse_side(std::string_view text);
 /// @throws ValueError also if one is there twice or the list is empty.
 std::vector<MetricExpression> parse_metric_list(std::string_view text);
 
-/// Metrics without argument, in the order of the metric table.
-std::vector<MetricExpression> plain_metrics();
+/// Metrics without argument that have a meaning for a design, in the order of the metric table: those of the stator's modes
+/// for one with modal data, and those that say where a given voltage stops to hold the wave for one with a voltage.
+std::vector<MetricExpression> plain_metrics(const MotorDesign& design);
 
 /// A parameter's value as a function of those in use, such as G = E / (2 (1 + nu)).
 MetricDerivative parameter_value(const MotorDesign& design, Parameter parameter,

@@ -19,7 +19,14 @@ struct CurveColumn {
 };
 
 /// speed, torque, powers, efficiency, wear and stick, in the order of tables and files; lives for ever.
-std::span<const CurveColumn> curve_columns();
+std::span<const CurveColumn> contact_columns();
+
+/// What the terminals of a motor with modal data see: the wave, powers and current, and the losses which with friction_power,
+/// layer_loss and output_power make up the electrical power (D4.2); lives for ever.
+std::span<const CurveColumn> terminal_columns();
+
+/// All columns that a design has: those of the contact, and those of the terminals if it has modal data.
+std::vector<CurveColumn> curve_columns(const MotorDesign& design);
 
 /// Where a curve ends if nobody says: a little beyond no-load, or what comes nearest to that [rad/s].
 /// Costs one no-load speed; never throws.
