@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import math
+import re
 
 import program
 from program import DRIVE, RING
@@ -78,6 +79,69 @@ class Driven(program.Case):
         table = list(csv.DictReader(io.StringIO(self.ok("evaluate", DRIVE))))
         self.assertEqual(table[0]["status"], "ok")
         self.assertIn("start_voltage [V]", table[0])
+
+
+class Branches(program.Case):
+    """What a voltage holds: the running wave, the dead one, or what it would take."""
+
+    def notes(self, *arguments):
+        return program.twum("curve", DRIVE, "--points", 3, *arguments).stderr
+
+    def threshold(self, note, name):
+        return re.search(rf"([\d.]+ k?(?:V|Hz)) \({name}\)", note)[1]
+
+    def test_a_voltage_that_holds_and_does_not_start_says_what_starts(self):
+        note = self.notes("--set", "voltage=100 V")
+        self.assertIn("at 100 V and 40.8 kHz the motor runs but does not start by itself; to start it takes more than", note)
+        volts, hertz = self.threshold(note, "start_voltage"), self.threshold(note, "start_frequency")
+        # Four digits are printed, so a thousandth more starts it and a thousandth less does not.
+        for setting, starts in ((f"voltage={float(volts.split()[0]) * 1.001} V", True),
+                                (f"voltage={float(volts.split()[0]) * 0.999} V", False),
+                                (f"frequency={float(hertz.split()[0]) * 1.001} kHz", True),
+                                (f"frequency={float(hertz.split()[0]) * 0.999} kHz", False)):
+            first = () if "voltage" in setting else ("--set", "voltage=100 V")
+            self.assertEqual("does not start" in self.notes(*first, "--set", setting), not starts, setting)
+
+    def test_a_voltage_that_does_not_hold_says_what_would(self):
+        note = self.notes("--set", "voltage=50 V")
+        self.assertIn("at 50 V and 40.8 kHz only the dead wave exists at rest, which the rotor clamps; a running wave takes", note)
+        volts, hertz = self.threshold(note, "hold_voltage"), self.threshold(note, "pull_out_frequency")
+        for setting, holds in ((f"voltage={float(volts.split()[0]) * 1.001} V", True),
+                               (f"voltage={float(volts.split()[0]) * 0.999} V", False),
+                               (f"frequency={float(hertz.split()[0]) * 1.001} kHz", True),
+                               (f"frequency={float(hertz.split()[0]) * 0.999} kHz", False)):
+            first = () if "voltage" in setting else ("--set", "voltage=50 V")
+            self.assertEqual("only the dead wave" in self.notes(*first, "--set", setting), not holds, setting)
+
+    def test_a_frequency_below_the_resonance_says_so(self):
+        done = program.twum("curve", DRIVE, "--points", 3, "--set", "frequency=38.5 kHz")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("drive it above the resonance of its stator, 39 kHz", done.stderr)
+        self.assertIn("no point of the curve has an answer: no-running-branch", done.stderr)
+
+    def test_the_dead_wave_is_asked_for(self):
+        held = ("--set", "voltage=100 V", "--branch", "dead")
+        rest = json.loads(self.ok("curve", DRIVE, *held, "--format", "json"))["curve"][0]
+        running = json.loads(self.ok("curve", DRIVE, *held[:2], "--format", "json"))["curve"][0]
+        # The rotor clamps it: a small wave nearly in phase with the voltage; the running one lags by more than a quarter turn.
+        self.assertLess(rest["amplitude"], 0.2 * running["amplitude"])
+        self.assertLess(rest["phase_lag"], math.pi / 4)
+        self.assertGreater(running["phase_lag"], math.pi / 2)
+        table = list(csv.DictReader(io.StringIO(self.ok("evaluate", DRIVE, *held, "--metrics", "amplitude_at(0 rpm)"))))
+        self.assertEqual(float(table[0]["amplitude_at(0 rpm) [m]"]), rest["amplitude"])
+        fields = json.loads(self.ok("fields", DRIVE, *held, "--speed", "0 rpm", "--format", "json"))
+        self.assertEqual(fields["torque"], rest["torque"])
+
+    def test_no_dead_wave_says_what_has_one(self):
+        done = program.twum("curve", DRIVE, "--points", 3, "--branch", "dead")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("starts by itself and has no dead wave; a dead wave takes less than", done.stderr)
+        volts = float(self.threshold(done.stderr, "start_voltage").split()[0])
+        self.ok("curve", DRIVE, "--points", 3, "--branch", "dead", "--set", f"voltage={0.999 * volts} V")
+
+    def test_a_branch_of_a_given_amplitude_is_refused(self):
+        self.assertIn("--branch: the amplitude of this motor is given", self.refused("curve", RING, "--branch", "dead"))
+        self.assertIn("--branch", self.refused("curve", DRIVE, "--branch", "sleeping"))
 
 
 class Curve(program.Case):

@@ -134,6 +134,13 @@ class Init(program.Case):
         self.assertIn("exists already", self.refused("init", "motor", "-o", path))
         self.assertEqual(self.ok("init", "motor"), path.read_text())
 
+    def test_a_driven_motor_to_start_from_is_the_example(self):
+        self.assertEqual(self.ok("init", "motor", "--driven"), (ROOT / "examples/motors/drive-60.yaml").read_text())
+        path = self.folder / "driven.yaml"
+        self.ok("init", "motor", "--driven", "-o", path)
+        self.assertIn("a valid motor file", self.ok("check", path))
+        self.assertIn("--driven is for a motor file", self.refused("init", "optimize", "--driven"))
+
 
 class Schema(program.Case):
     def setUp(self):

@@ -37,11 +37,24 @@ void add_motor_options(CLI::App& command, MotorOptions& options) {
       ->required()
       ->type_name("FILE");
   add_set_option(command, options.settings);
+  command
+      .add_option(
+          "--branch", options.branch,
+          "Which stable wave of a motor under a voltage: the large one of a running motor, or "
+          "the small one that the rotor clamps")
+      ->check(CLI::IsMember(std::vector<std::string>{"running", "dead"}))
+      ->type_name("running|dead");
 }
 
 studies::MotorFile load_motor(const MotorOptions& options) {
   studies::MotorFile motor = studies::read_motor_file(options.path);
   motor.design = studies::with_settings(motor.design, options.settings);
+  if (options.branch.empty()) return motor;
+  if (!motor.design.stator.voltage)
+    throw InputError(
+        "--branch: the amplitude of this motor is given; only a voltage leaves a choice "
+        "of waves");
+  motor.design.stator.branch = options.branch == "dead" ? Branch::dead : Branch::running;
   return motor;
 }
 

@@ -12,16 +12,18 @@ class App;
 
 namespace twum::cli {
 
-/// MOTOR and --set, which many commands have.
+/// MOTOR, --set and --branch, which many commands have.
 struct MotorOptions {
   std::string path;
   std::vector<std::string> settings;
+  std::string branch;  // empty: that of the file
 };
 
 void add_motor_options(CLI::App& command, MotorOptions& options);
 void add_set_option(CLI::App& command, std::vector<std::string>& settings);
 
-/// The motor file with the settings applied.
+/// The motor file with the settings and the branch applied.
+/// @throws InputError also for a branch of a motor without a voltage
 studies::MotorFile load_motor(const MotorOptions& options);
 
 /// A whole number given to an option.

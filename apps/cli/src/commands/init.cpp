@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command.hpp"
+#include "driven_motor.hpp"
 #include "exit_status.hpp"
 #include "output.hpp"
 
@@ -17,6 +18,7 @@ namespace {
 
 constexpr const char* kInitExamples = R"text(Examples:
   twum init motor                    prints the file
+  twum init motor --driven           a motor under a voltage, its amplitude follows from the load
   twum init optimize -o study.yaml   a study: curve, sweep, sensitivity, optimize, pareto,
                                      size, uncertainty or calibrate
   twum init size --motor my-motor.yaml -o size.yaml
@@ -28,6 +30,7 @@ constexpr const char* kMotorHeading =
 
 struct InitOptions {
   std::string kind;
+  bool driven{false};
   std::string motor;
   std::string path;
 };
@@ -39,6 +42,11 @@ std::vector<std::string> kinds() {
 }
 
 std::string template_of(const InitOptions& options) {
+  if (options.driven) {
+    if (options.kind != "motor" || !options.motor.empty())
+      throw InputError("init: --driven is for a motor file, as in 'twum init motor --driven'");
+    return driven_motor_text();
+  }
   if (const auto study = studies::find_study_kind(options.kind))
     return studies::study_template(*study, options.motor);
   if (!options.motor.empty())
@@ -72,6 +80,8 @@ void add_init(CLI::App& app, Action& action) {
           "Of a study: the motor file that it names, from its own folder (default: a motor "
           "written into the study)")
       ->type_name("FILE");
+  command->add_flag("--driven", options->driven,
+                    "Of a motor: one whose wave follows from voltage, frequency and load");
   command->add_option("-o,--output", options->path, "Write the result to this new file")
       ->type_name("FILE");
   command->footer(kInitExamples);

@@ -20,11 +20,12 @@ std::span<const Reason> reasons() {
        "rounding spoils the answer, far from any motor; bring the parameters nearer to one"},
       {MetricStatus::out_of_range, "a speed at or below the negative one of the wave"},
       {MetricStatus::pulled_out,
-       "the voltage keeps no running wave at the speed that is needed; raise the voltage or lower "
-       "the frequency"},
+       "the voltage keeps no running wave at the speed that is needed; raise the voltage or the "
+       "frequency"},
       {MetricStatus::no_running_branch,
-       "the voltage keeps no running wave at any speed; raise the voltage or lower the frequency"},
-      {MetricStatus::no_dead_branch, "the motor starts by itself and has no dead wave"},
+       "the voltage keeps no running wave at any speed; raise the voltage or the frequency"},
+      {MetricStatus::no_dead_branch,
+       "the motor starts by itself and has no dead wave; lower the voltage or the frequency"},
       {MetricStatus::unstable_amplitude,
        "the wave that is asked for is unstable: a small disturbance of it grows"},
       {MetricStatus::does_not_pull_out, "the running wave exists down to rest"}};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/studies/motor/model_notes.hpp>
 
+#include "motor/drive_notes.hpp"
+
 #include <twum/core/design/parameters.hpp>
 #include <twum/core/performance/metrics.hpp>
 #include <twum/studies/text/number.hpp>
@@ -87,7 +89,7 @@ void add_thick_layer(const MotorDesign& design, const Motor& motor, std::vector<
 void add_contact(const MotorDesign& design, const Motor& motor, std::vector<ModelNote>& notes) {
   constexpr double kClosed = 0.5;
   add_thick_layer(design, motor, notes);
-  if (get(design, Parameter::amplitude) > 0 && motor.contact().ratio >= kClosed)
+  if (motor.crest_speed() > 0 && motor.contact().ratio >= kClosed)
     notes.push_back({"full contact", 0,
                      "the layer touches the stator all round (contact_ratio 0.5), which would "
                      "hinder a real wave"});
@@ -119,6 +121,7 @@ std::string thick_layer_note(const MotorDesign& design) {
 
 std::vector<ModelNote> model_notes_at_length(const MotorDesign& design) {
   std::vector<ModelNote> notes = model_notes(design);
+  if (const auto drive = drive_note(Motor(design))) notes.push_back(*drive);
   constexpr double kMatters = 0.02;
   constexpr int kSlices = 8;
   MotorDesign wide = design;

@@ -24,7 +24,8 @@ std::vector<ModelNote> model_notes(const MotorDesign& design);
 std::string thick_layer_note(const MotorDesign& design);
 
 /// The same, and whether the width of the contact changes stall torque, no-load speed or peak power of a motor with one slice
-/// by more than 2 %, measured with eight slices. A millisecond.
+/// by more than 2 %, measured with eight slices; of one under a voltage whether it runs at rest and starts by itself, with the
+/// voltage and the frequency that it takes. Some milliseconds.
 std::vector<ModelNote> model_notes_at_length(const MotorDesign& design);
 
 }  // namespace twum::studies

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "motor/drive_notes.hpp"
+
+#include <twum/core/performance/metrics.hpp>
+#include <twum/studies/units/engineering.hpp>
+
+namespace twum::studies {
+namespace {
+
+std::string drive_of(const MotorDesign& design) {
+  return "at " + engineering(*design.stator.voltage, "V") + " and " +
+         engineering(drive_frequency(design), "Hz");
+}
+
+// "more than 117.7 V (start_voltage) at this frequency", or at which frequency at this voltage; what has no value is left out.
+std::string threshold(const Motor& motor, Metric voltage, Metric frequency, const char* side) {
+  const auto said = [&](Metric metric, const char* unit, const char* held) {
+    const MetricValue found = evaluate(motor, {metric});
+    if (found.status != MetricStatus::ok || !(found.value > 0)) return std::string();
+    return std::string(side) + engineering(found.value, unit) + " (" +
+           std::string(info(metric).name) + ") at this " + held;
+  };
+  const std::string volts = said(voltage, "V", "frequency");
+  const std::string hertz = said(frequency, "Hz", "voltage");
+  return volts + (volts.empty() || hertz.empty() ? "" : ", or ") + hertz;
+}
+
+ModelNote note(const Motor& motor, const std::string& what, const std::string& remedy) {
+  return {"drive", 0, drive_of(motor.design()) + " " + what + "; " + remedy};
+}
+
+}  // namespace
+
+std::optional<ModelNote> drive_note(const Motor& motor) {
+  const Stator& stator = motor.design().stator;
+  if (!stator.voltage) return {};
+  const PointStatus rest = motor.operating_point(0).status;
+  const auto start = [&](const char* side) {
+    return threshold(motor, Metric::start_voltage, Metric::start_frequency, side);
+  };
+  if (rest == PointStatus::no_dead_branch)
+    return note(motor, "the motor starts by itself and has no dead wave",
+                "a dead wave takes " + start("less than "));
+  if (stator.branch == Branch::dead) return {};
+  if (rest == PointStatus::pulled_out || rest == PointStatus::no_running_branch) {
+    const std::string hold =
+        threshold(motor, Metric::hold_voltage, Metric::pull_out_frequency, "at least ");
+    return note(motor, "only the dead wave exists at rest, which the rotor clamps",
+                hold.empty() ? "drive it above the resonance of its stator, " +
+                                   engineering(*stator.resonance_frequency, "Hz")
+                             : "a running wave takes " + hold);
+  }
+  const MetricValue starts = evaluate(motor, {Metric::start_voltage});
+  if (starts.status != MetricStatus::ok || *stator.voltage >= starts.value) return {};
+  return note(motor, "the motor runs but does not start by itself",
+              "to start it takes " + start("more than "));
+}
+
+}  // namespace twum::studies
