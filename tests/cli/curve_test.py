@@ -201,6 +201,18 @@ class Curve(program.Case):
         self.assertIn("note: undefined: no meaning for this motor", done.stderr)
         self.assertEqual(program.twum("curve", RING, "--set", "contact_width=1 mm").stderr, "")
 
+    def test_slices_are_compared_when_asked(self):
+        asked = json.loads(self.ok("curve", RING, "--compare-slices", "--format", "json", "--points", 3))["slices"]
+        for setting, block in (("radial_slices=1", "one_slice"), ("radial_slices=auto", "track")):
+            alone = json.loads(self.ok("curve", RING, "--set", setting, "--format", "json", "--points", 3))["metrics"]
+            self.assertEqual(asked[block], alone)
+        text = self.ok("curve", RING, "--compare-slices", "--points", 3)
+        change = 100 * (asked["track"]["peak_power"] / asked["one_slice"]["peak_power"] - 1)
+        # Two digits are printed.
+        shown = float(re.search(r"peak_power .* ([-\d.]+) %", text)[1])
+        self.assertAlmostEqual(shown / change, 1, delta=0.05)
+        self.assertIn("--compare-slices compares metrics", self.refused("curve", RING, "--compare-slices", "--format", "csv"))
+
     def test_settings_change_the_motor_and_replace_twins(self):
         motor = json.loads(self.ok("curve", RING, "--set", "preload=140 N", "--set", "G=1 GPa", "--format", "json"))["motor"]
         self.assertEqual(motor["preload"], 140)

@@ -61,6 +61,19 @@ class Answers(unittest.TestCase):
         self.assertLess(np.abs(lost).max(), 1e-12 * 12)
         np.testing.assert_allclose(curve.output_power, curve.torque * curve.speed, rtol=1e-15, atol=1e-15)
 
+    def test_a_driven_motor_has_what_its_terminals_see(self):
+        motor = twum.Motor(ROOT / "examples/motors/drive-60.yaml")
+        curve = motor.curve(points=31)
+        parts = curve.output_power + curve.friction_power + curve.layer_loss + curve.stator_loss + curve.dielectric_loss
+        # The contact's powers balance to 1e-12 of some ten watts.
+        np.testing.assert_allclose(curve.electrical_power, parts, rtol=1e-10, atol=1e-10)
+        np.testing.assert_allclose(curve.electrical_power, 2 * curve.voltage * curve.phase_current * curve.power_factor, rtol=1e-12)
+        self.assertGreater(motor.metrics()["start_voltage"], motor.metrics()["hold_voltage"])
+        point = motor.point(curve.speed[7])
+        self.assertEqual((point.amplitude, point.phase_lag), (curve.amplitude[7], curve.phase_lag[7]))
+        self.assertIsNone(twum.Motor(RING).curve(points=3).voltage)
+        self.assertTrue(math.isnan(twum.Motor(RING).point(1.0).voltage))
+
     def test_one_torque_three_ways(self):
         motor = twum.Motor(RING)
         speed = 110 * math.pi / 30

@@ -8,6 +8,7 @@
 #include "options.hpp"
 #include "output.hpp"
 #include "plot/curve_plot.hpp"
+#include "slice_comparison.hpp"
 #include "text_table.hpp"
 
 #include <twum/studies/metrics/expression.hpp>
@@ -37,13 +38,15 @@ constexpr const char* kCurveExamples = R"text(Examples:
   twum curve ring-60.yaml --points 200 --format csv -o curve.csv
   twum curve ring-60.yaml --speeds "0 rpm, 50 rpm, 10 rad/s" --format json
   twum curve ring-60.yaml --set "amplitude=2 um" --set "preload=140 N"
-  twum curve ring-60.yaml --plot curve.svg)text";
+  twum curve ring-60.yaml --plot curve.svg
+  twum curve ring-60.yaml --compare-slices)text";
 
 struct CurveOptions {
   MotorOptions motor;
   std::string points;
   std::string speeds;
   std::string plot;
+  bool compare_slices{false};
   OutputOptions output;
 };
 
@@ -54,6 +57,7 @@ struct Curve {
   std::vector<MetricValue> values;
   std::vector<OperatingPoint> points;
   std::vector<std::vector<Zone>> zones;
+  std::optional<SliceComparison> slices;  // if it was asked for
 };
 
 std::vector<double> speeds_of(const CurveOptions& options, const Motor& motor) {
@@ -84,6 +88,7 @@ Curve compute(const CurveOptions& options) {
     curve.points.push_back(motor.operating_point(speed));
     curve.zones.push_back(motor.zones(speed));
   }
+  if (options.compare_slices) curve.slices = compare_slices(curve.file.design);
   return curve;
 }
 
@@ -107,6 +112,7 @@ std::string as_json(const Curve& curve) {
   }
   for (const CurveColumn& column : curve.columns) json["units"][column.name] = column.unit;
   json["units"]["from"] = json["units"]["to"] = "rad";
+  if (curve.slices) json["slices"] = comparison_json(*curve.slices);
   json["curve"] = Json::array();
   for (std::size_t i = 0; i < curve.points.size(); ++i)
     json["curve"].push_back(point_json(curve, i));
@@ -196,7 +202,8 @@ std::string as_table(const Curve& curve) {
   const std::string contact =
       points_table(curve, studies::contact_columns(), "zones",
                    [&](std::size_t i) { return zones_text(curve.points[i], curve.zones[i]); });
-  const std::string text = name + "\n\n" + metrics_table(curve) + "\n" + contact;
+  const std::string metrics = curve.slices ? comparison_text(*curve.slices) : metrics_table(curve);
+  const std::string text = name + "\n\n" + metrics + "\n" + contact;
   return has_modal_data(curve.file.design) ? text + "\n" + terminals_table(curve) : text;
 }
 
@@ -219,6 +226,9 @@ std::set<std::string> reasons_in(const Curve& curve) {
 }
 
 int run_curve(const CurveOptions& options) {
+  if (options.compare_slices && options.output.format == "csv")
+    throw InputError(
+        "--compare-slices compares metrics, which CSV does not hold; use --format json");
   Output output(options.output.path, {options.motor.path});
   const std::optional<PlotFile> plot =
       plot_file(options.plot, {options.motor.path, options.output.path});
@@ -251,6 +261,8 @@ void add_curve(CLI::App& app, Action& action) {
                       "Rotor speeds between commas, instead of --points");
   add_output_options(*command, options->output, {"table", "csv", "json"});
   add_plot_option(*command, options->plot);
+  command->add_flag("--compare-slices", options->compare_slices,
+                    "Show what the width of the contact track changes in each metric");
   command->footer(kCurveExamples);
   command->callback([options, &action] { action = [options] { return run_curve(*options); }; });
 }

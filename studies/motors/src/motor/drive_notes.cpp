@@ -51,7 +51,9 @@ std::optional<ModelNote> drive_note(const Motor& motor) {
                              : "a running wave takes " + hold);
   }
   const MetricValue starts = evaluate(motor, {Metric::start_voltage});
-  if (starts.status != MetricStatus::ok || *stator.voltage >= starts.value) return {};
+  // A search for `start_voltage <= voltage` ends on the limit, which it keeps to a millionth.
+  constexpr double kMet = 1e-6;
+  if (starts.status != MetricStatus::ok || *stator.voltage >= starts.value * (1 - kMet)) return {};
   return note(motor, "the motor runs but does not start by itself",
               "to start it takes " + start("more than "));
 }

@@ -5,6 +5,7 @@
 #include "motor/circuit_shape.hpp"
 
 #include <twum/base/error.hpp>
+#include <twum/studies/motor/settings.hpp>
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/text/words.hpp>
 
@@ -58,6 +59,7 @@ Shape<double> slices(const ParameterInfo& row) {
         !node.scalar.empty() && std::isalpha(static_cast<unsigned char>(node.scalar.front())) == 0;
     return (number ? count : automatic).read(into, node, spot, diagnostics);
   };
+  shape.write = [&row](const double& value) { return scalar_node(value_text(value, row)); };
   return shape;
 }
 
@@ -72,7 +74,7 @@ bool is_of_the_drive(Parameter parameter) {
 // The entry of a parameter.
 Field<GivenMotor> field_of(const ParameterInfo& row) {
   const bool sliced = row.parameter == Parameter::radial_slices;
-  const Shape<double> value = sliced ? slices(row) : number(parameter_schema(row));
+  const Shape<double> value = parameter_shape(row);
   Field<GivenMotor> field;
   field.entry.name = last_step(row.file_entry);
   field.entry.schema = value.schema;
@@ -299,6 +301,11 @@ Schema parameter_schema(const ParameterInfo& parameter) {
   schema.max = parameter.max;
   schema.whole = parameter.integer;
   return schema;
+}
+
+Shape<double> parameter_shape(const ParameterInfo& parameter) {
+  return parameter.parameter == Parameter::radial_slices ? slices(parameter)
+                                                         : number(parameter_schema(parameter));
 }
 
 const Shape<MotorFile>& motor_shape() {

@@ -30,8 +30,9 @@ ParameterValue parse_setting(std::string_view text) {
     throw ValueError(quoted(text) + " has no '='", "expected NAME=VALUE such as 'preload=140 N'");
   }
   const Parameter parameter = parse_parameter(text.substr(0, equals));
-  return {parameter,
-          read_number(trimmed(text.substr(equals + 1)), parameter_schema(info(parameter)))};
+  const std::string_view value = trimmed(text.substr(equals + 1));
+  if (parameter == Parameter::radial_slices && value == "auto") return {parameter, kAutoSlices};
+  return {parameter, read_number(value, parameter_schema(info(parameter)))};
 }
 
 MotorDesign with_settings(const MotorDesign& design, std::span<const std::string> settings) {

@@ -80,11 +80,14 @@ optim::SolveOptions SearchRun::options(SearchLog& log, const RunContext& context
   return options;
 }
 
-// Number of waves and frequency belong together in a real ring: its plate decides.
+// Number of waves and resonance belong together in a real ring: its plate decides. Where the resonance is given, the drive
+// frequency is the driver's to choose.
 std::vector<std::string> SearchRun::notes() const {
+  const bool known = problem_.motor.stator.resonance_frequency.has_value();
+  const Parameter of_ring = known ? Parameter::resonance_frequency : Parameter::frequency;
   std::string varied;
   for (const DesignVariable& v : problem_.variables)
-    if (v.parameter == Parameter::wavelengths || v.parameter == Parameter::frequency)
+    if (v.parameter == Parameter::wavelengths || v.parameter == of_ring)
       varied += (varied.empty() ? "" : " and ") + std::string(info(v.parameter).name);
   if (varied.empty()) return {};
   return {

@@ -4,6 +4,7 @@
 #include "study/repeats.hpp"
 
 #include <twum/studies/motor/motor_file.hpp>
+#include <twum/studies/motor/settings.hpp>
 #include <twum/studies/text/words.hpp>
 
 #include <cmath>
@@ -120,7 +121,7 @@ Shape<std::vector<Override>> overrides() {
   return by_parameter<Override>(
       [](const ParameterInfo& row) {
         return shape_as<Override, double>(
-            value_of(row),
+            parameter_shape(row),
             [](double value) {
               return Override{{}, value};
             },

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <twum/core/design/parameters.hpp>
+#include <twum/studies/schema/shape.hpp>
 
 #include <span>
 #include <string>
@@ -12,6 +13,9 @@ namespace twum::studies {
 /// The parameter of a name or symbol.
 /// @throws ValueError with the nearest names if there is none.
 Parameter parse_parameter(std::string_view name);
+
+/// How a value of a parameter stands in a file: a number with its unit, or `auto` for radial_slices.
+Shape<double> parameter_shape(const ParameterInfo& parameter);
 
 /// Reads "thickness=0.3 mm": a name or symbol, and a value with its unit.
 /// @throws ValueError if the name is unknown, or the value has a wrong unit or is out of range.
