@@ -37,6 +37,9 @@ void add_motor_options(CLI::App& command, MotorOptions& options) {
       ->required()
       ->type_name("FILE");
   add_set_option(command, options.settings);
+}
+
+void add_branch_option(CLI::App& command, MotorOptions& options) {
   command
       .add_option(
           "--branch", options.branch,

@@ -12,7 +12,7 @@ class App;
 
 namespace twum::cli {
 
-/// MOTOR, --set and --branch, which many commands have.
+/// MOTOR and --set, which many commands have; --branch, which those have that look at one wave.
 struct MotorOptions {
   std::string path;
   std::vector<std::string> settings;
@@ -20,6 +20,7 @@ struct MotorOptions {
 };
 
 void add_motor_options(CLI::App& command, MotorOptions& options);
+void add_branch_option(CLI::App& command, MotorOptions& options);
 void add_set_option(CLI::App& command, std::vector<std::string>& settings);
 
 /// The motor file with the settings and the branch applied.

@@ -255,6 +255,7 @@ void add_curve(CLI::App& app, Action& action) {
   const auto options = std::make_shared<CurveOptions>();
   CLI::App* command = app.add_subcommand("curve", "Torque-speed curve and metrics of a motor");
   add_motor_options(*command, options->motor);
+  add_branch_option(*command, options->motor);
   command->add_option("--points", options->points,
                       "Number of points from rest to a little beyond no-load (default: 51)");
   command->add_option("--speeds", options->speeds,

@@ -170,6 +170,7 @@ void add_evaluate(CLI::App& app, Action& action) {
   const auto options = std::make_shared<EvaluateOptions>();
   CLI::App* command = app.add_subcommand("evaluate", "Metrics of every design in a CSV table");
   add_motor_options(*command, options->motor);
+  add_branch_option(*command, options->motor);
   command
       ->add_option(
           "--designs", options->designs,

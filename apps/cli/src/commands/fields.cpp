@@ -200,6 +200,7 @@ void add_fields(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("fields", "Pressure, traction, velocities and zones along one wave");
   add_motor_options(*command, options->motor);
+  add_branch_option(*command, options->motor);
   add_load_options(*command, options->load, 1);
   command->add_option("--samples", options->samples,
                       "Number of phases along the wave (default: 181)");

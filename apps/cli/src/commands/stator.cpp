@@ -199,6 +199,7 @@ void add_stator(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(
       "stator", "Modal data and equivalent circuit of the stator, free and under load");
   add_motor_options(*command, options->motor);
+  add_branch_option(*command, options->motor);
   add_load_options(*command, options->load, 0);
   add_output_options(*command, options->output, {"table", "json"});
   command->footer(kStatorExamples);
