@@ -75,6 +75,26 @@ class Numbers(Page):
         # Half the axis, to the nearest of 301 points.
         self.assertAlmostEqual(speed, last / 2, delta=last / 300)
 
+    def test_the_electrical_power_is_stacked_up_to_the_terminals(self):
+        folder = self.folder / "driven"
+        folder.mkdir()
+        (folder / "alone.yaml").write_text(f"twum: 1\nmotor: {ROOT}/examples/motors/drive-60.yaml\nstudy: {{kind: curve}}\n")
+        twum("run", folder / "alone.yaml", "-o", folder / "out")
+        self.open(folder / "out")
+        self.clean(folder / "out")
+        sums = self.browser.value("document.querySelector('[data-chart=\"electrical power\"]').plot.data.slice(1).map(a => [...a])")
+        power = self.browser.value("[...curves[0].electrical_power]")
+        unit = self.browser.value("displayUnit(largest([curves[0].electrical_power]), 'W').divisor")
+        output = self.browser.value("[...curves[0].output_power]")
+        self.assertEqual(len(sums), 5)
+        shown = [i for i, p in enumerate(output) if p >= 0]
+        self.assertGreater(len(shown), 100)
+        for i in shown:
+            # Each loss stands on the last; together they are what the terminals take, to rounding of the page's numbers [W].
+            self.assertEqual([s[i] for s in sums], sorted(s[i] for s in sums))
+            self.assertAlmostEqual(sums[-1][i] * unit, power[i], delta=1e-9 * power[0])
+        self.assertTrue(all(s[i] is None for s in sums for i in range(len(output)) if i not in shown))
+
     def test_fields_follow_the_cursor_and_the_keys(self):
         self.open(self.result("paper-figure-4"))
         left, above, width, height = self.box("torque")

@@ -50,12 +50,12 @@ py::object to_python(const studies::Json& value) {
   if (value.is_object()) {
     py::dict entries;
     for (const auto& [name, entry] : value.items()) entries[text_of(name)] = to_python(entry);
-    return std::move(entries);
+    return entries;
   }
   if (value.is_array()) {
     py::list items;
     for (const auto& item : value) items.append(to_python(item));
-    return std::move(items);
+    return items;
   }
   if (value.is_string()) return text_of(value.get_ref<const std::string&>());
   if (value.is_boolean()) return py::bool_(value.get<bool>());
