@@ -23,7 +23,8 @@ std::vector<ModelNote> model_notes(const MotorDesign& design);
 /// The note on a layer too thick for a foundation; empty if it is thin, or does not touch.
 std::string thick_layer_note(const MotorDesign& design);
 
-/// The same, and whether the width of the contact changes stall torque, no-load speed or peak power of a motor with one slice
+/// The same, whether a backward wave grows (D6.7) where the modal data of the stator are known, and whether the width of the
+/// contact changes stall torque, no-load speed or peak power of a motor with one slice
 /// by more than 2 %, measured with eight slices. A millisecond.
 std::vector<ModelNote> model_notes_at_length(const MotorDesign& design);
 
