@@ -115,7 +115,7 @@ void add_squeal(const Motor& motor, std::vector<ModelNote>& notes) {
   if (fastest >= 0)
     notes.push_back({"squeal", largest,
                      "a backward wave grows at speeds up to " + engineering(fastest, "rad/s", 2) +
-                         ", by up to " + rounded_text(largest, 2) +
+                         ", by up to " + rounded_text(largest, 4) +
                          " 1/s (squeal_rate_at): the motor squeals there under load, and a heavy "
                          "rotor then loses up to half of the torque, which is not computed"});
 }
