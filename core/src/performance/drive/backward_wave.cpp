@@ -13,7 +13,7 @@ namespace {
 using contact::ContactNumbers;
 using contact::LayerMotion;
 
-double sign_of(ZoneState state) { return static_cast<double>(state); }
+double slip_sign(ZoneState state) { return static_cast<double>(state); }
 
 // A layer without memory: what a small disturbance does to its traction follows in closed form (D6.3).
 bool is_elastic(const DrivenMotor<double>& m) {
@@ -29,14 +29,14 @@ std::vector<DisturbedZone<double>> zones_of(const DrivenMotor<double>& m, const 
   const contact::PeriodicState state = contact::find_periodic_state(n, layer);
   if (state.status != contact::PeriodicStatus::ok) return {};
   if (state.lap.one_slip)
-    return {{state.lap.first, false, sign_of(state.lap.first), -n.half_angle, n.half_angle}};
+    return {{state.lap.first, false, slip_sign(state.lap.first), -n.half_angle, n.half_angle}};
   if (!is_elastic(m) || n.full) return {};
   std::vector<contact::ZoneTrace> trace;
   contact::run_lap(n, layer, state.entry, &state.lap.script, &trace);
   std::vector<DisturbedZone<double>> zones;
   double before = 0;
   for (const contact::ZoneTrace& z : trace) {
-    const double own = sign_of(z.zone.state);
+    const double own = slip_sign(z.zone.state);
     const bool sticks = z.zone.state == ZoneState::stick;
     zones.push_back({z.zone.state, before != 0, sticks ? before : own, z.zone.from, z.zone.to});
     before = own;
@@ -59,7 +59,7 @@ std::vector<DisturbedZone<S>> moved_zones(const ContactNumbers<S>& n,
     S to = n.half_angle;
     if (i + 1 < zones.size()) {
       const double place = z.to, c = std::cos(place), v = std::sin(place);
-      const double side = sticks ? sign_of(zones[i + 1].state) : z.sign;
+      const double side = sticks ? slip_sign(zones[i + 1].state) : z.sign;
       S excess, slope;
       if (sticks) {  // the traction reaches its limit
         const S pressure = n.peak - (1 - c);

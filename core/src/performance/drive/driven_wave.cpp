@@ -22,7 +22,7 @@ ModelArray<SpeedDual> constants(const ModelArray<double>& values) {
 }
 
 // Any amplitude that makes a wave will do for the model.
-ModelArray<double> values_of(const MotorDesign& design) {
+ModelArray<double> wave_values(const MotorDesign& design) {
   ModelArray<double> values = model_values(design);
   values[model_index(Parameter::amplitude)] = 1e-6;
   return values;
@@ -62,8 +62,8 @@ double reach_of(const MotorModel<double>& m) {
 }  // namespace
 
 DrivenWaves::DrivenWaves(const MotorDesign& design, const TrackRule& track)
-    : model_(motor_model(values_of(design), track)),
-      dual_model_(motor_model(constants(values_of(design)), track)),
+    : model_(motor_model(wave_values(design), track)),
+      dual_model_(motor_model(constants(wave_values(design)), track)),
       modes_(modes_of(design)),
       drive_(drive_force(design)),
       omega_(2 * std::numbers::pi * drive_frequency(design)),
