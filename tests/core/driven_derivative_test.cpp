@@ -71,7 +71,7 @@ void compare(const MotorDesign& design) {
 
 }  // namespace
 
-TEST_CASE("gradients of a driven motor are the limits of differences (D2.9, D3.3)",
+TEST_CASE("gradients of a driven motor are the limits of differences (D2.9, D3.3, D6.3)",
           "[core][driven][derivative]") {
   SECTION("with an elastic layer") { compare(driven_motor()); }
   SECTION("with inertia and viscosity, where the viscosity follows the frequency") {
@@ -87,6 +87,15 @@ TEST_CASE("gradients of a driven motor are the limits of differences (D2.9, D3.3
     design.stator.radial_slices = 8;
     design.stator.radial_shape = {1.5, 13e-3, {}};
     design.rotor.taper = 5e-5;
+    compare(design);
+  }
+  SECTION("with unequal phases and modes, a rotor's mass and a sensor") {
+    compare(unequal_motor());
+  }
+  SECTION("the same over a track with width") {
+    MotorDesign design = unequal_motor();
+    design.stator.radial_slices = 5;
+    design.stator.radial_shape = {1.5, 13e-3, {}};
     compare(design);
   }
   SECTION("with an amplitude") {

@@ -329,7 +329,7 @@ TEST_CASE("ends of ranges of a driven stator keep its power balance or have a st
   for (const ParameterInfo& row : parameter_table()) {
     if (!of_driven_stator(row.parameter)) continue;
     for (const double value : {row.min, row.max}) {
-      const Motor motor(with(driven_motor(), row.parameter, value));
+      const Motor motor(with(unequal_motor(), row.parameter, value));
       for (const double speed : {0.0, 6.0, 13.0}) {
         CAPTURE(row.name, value, speed);
         const OperatingPoint p = motor.operating_point(speed);

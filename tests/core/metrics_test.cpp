@@ -79,7 +79,8 @@ TEST_CASE("each status has a word of its own", "[core][metrics]") {
         MetricStatus::no_periodic_state, MetricStatus::not_converged, MetricStatus::resonance,
         MetricStatus::unresolved, MetricStatus::inaccurate, MetricStatus::out_of_range,
         MetricStatus::pulled_out, MetricStatus::no_running_branch, MetricStatus::no_dead_branch,
-        MetricStatus::unstable_amplitude, MetricStatus::does_not_pull_out})
+        MetricStatus::unstable_amplitude, MetricStatus::backward_wave_unknown,
+        MetricStatus::does_not_pull_out})
     CHECK(words.insert(to_string(status)).second);
   // A point without an answer and a metric that needs it give the same reason.
   for (const auto status :

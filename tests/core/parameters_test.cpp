@@ -51,7 +51,7 @@ TEST_CASE("every parameter of the ring motor can be set and read back",
     CAPTURE(row.name);
     // what shapes the track is in use where it has more than one slice
     const MotorDesign design =
-        of_driven_stator(row.parameter) ? driven_motor() : with(ring(), P::radial_slices, 8);
+        of_driven_stator(row.parameter) ? unequal_motor() : with(ring(), P::radial_slices, 8);
     const double now = get(design, row.parameter);
     const double value = row.integer                           ? now + 1
                          : row.parameter == P::static_friction ? 0.3
@@ -128,7 +128,7 @@ TEST_CASE("values outside their range are refused for every parameter", "[core][
       CHECK_FALSE(complaint(row.parameter, value).empty());
       CHECK_THROWS_AS(with(ring(), row.parameter, value), InputError);
     }
-    const MotorDesign design = of_driven_stator(row.parameter) ? driven_motor() : ring();
+    const MotorDesign design = of_driven_stator(row.parameter) ? unequal_motor() : ring();
     CHECK(complaint(row.parameter, get(design, row.parameter)).empty());
   }
   CHECK_FALSE(complaint(P::wavelengths, 8.5).empty());

@@ -67,7 +67,7 @@ class Odd(Study):
         # What a reason means is said with the words that the program has for it, names as one reads them.
         meanings = self.browser.value("data.reasons")
         self.assertEqual(set(meanings), {"undefined", "unreachable", "no-periodic-state", "not-converged", "resonance", "unresolved", "inaccurate", "out-of-range",
-                                        "pulled-out", "no-running-branch", "no-dead-branch", "unstable-amplitude", "does-not-pull-out"})
+                                        "pulled-out", "no-running-branch", "no-dead-branch", "unstable-amplitude", "backward-wave-unknown", "does-not-pull-out"})
         self.assertEqual(self.lines("[data-table=failures] td")[:2], ["no-periodic-state", meanings["no-periodic-state"]])
         self.assertEqual(self.browser.value("failureText('stall_torque: unreachable; max_efficiency: undefined')"),
                          meanings["unreachable"] + "; " + meanings["undefined"].replace("max_efficiency", "max efficiency").replace("modal_damping", "modal damping"))

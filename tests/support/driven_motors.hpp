@@ -41,6 +41,14 @@ inline MotorDesign driven_motor_with_layer(double voltage = 120, double frequenc
   return design;
 }
 
+/// The same with unequal phases and modes, a heavy rotor and a sensor.
+inline MotorDesign unequal_motor(MotorDesign design = driven_motor()) {
+  design.stator.imbalance = Imbalance{1.04, -0.03, 4e-4};
+  design.stator.sensor = Sensor{0.03, 0.5e-9, 0.2e-9, 50e3, 1.2};
+  design.rotor.mass = 0.1;
+  return design;
+}
+
 /// True for parameters that say nothing of a motor whose wave is given.
 inline bool of_driven_stator(Parameter parameter) {
   using P = Parameter;
@@ -52,7 +60,16 @@ inline bool of_driven_stator(Parameter parameter) {
     case P::modal_mass:
     case P::force_factor:
     case P::blocked_capacitance:
-    case P::loss_tangent: return true;
+    case P::loss_tangent:
+    case P::voltage_ratio:
+    case P::phase_error:
+    case P::mode_splitting:
+    case P::sensor_force_factor:
+    case P::sensor_capacitance:
+    case P::sensor_load_capacitance:
+    case P::sensor_load_resistance:
+    case P::sensor_position:
+    case P::rotor_mass: return true;
     default: return false;
   }
 }

@@ -30,7 +30,11 @@ TwoModes::TwoModes(const MotorDesign& design, double speed)
       pressure_(kPlaces),
       traction_(kPlaces) {
   const double free = 2 * kPi * *design.stator.resonance_frequency;
-  own_ = std::sqrt(free * free - decay_ * decay_);
+  const Imbalance unequal = design.stator.imbalance.value_or(Imbalance{});
+  voltage_ratio_ = unequal.voltage_ratio, phase_error_ = unequal.phase_error;
+  own_[0] = std::sqrt(free * free * (1 + unequal.mode_splitting) - decay_ * decay_);
+  own_[1] = std::sqrt(free * free * (1 - unequal.mode_splitting) - decay_ * decay_);
+  rotor_mass_ = design.rotor.mass.value_or(0);
   tilt_ = design.stator.neutral_plane_distance * wave_number_;
   set_voltage(*design.stator.voltage);
   place_rotor();
@@ -46,28 +50,49 @@ void TwoModes::set_wave(double amplitude, double phase_lag) {
   place_ = std::polar(amplitude, phase_ - phase_lag);
   velocity_ = Complex(0, omega_) * place_;
   std::fill(traction_.begin(), traction_.end(), 0.0);
+  height_ = height_that_carries();
+  lift_ = 0;
   press();
 }
 
+void TwoModes::add_backward_wave(double amplitude) {
+  const Complex z = std::polar(amplitude, -phase_);
+  place_ += z;
+  velocity_ -= Complex(0, omega_) * z;
+}
+
 void TwoModes::run(int periods) {
-  wave_ = 0, torque_ = 0, stator_power_ = 0;
+  wave_ = 0, torque_ = 0, stator_power_ = 0, backward_ = 0, any_backward_ = 0;
+  rate_[0] = rate_[1] = 0;
   const double share = 1.0 / (kSteps * periods);
   for (int i = 0; i < kSteps * periods; ++i) {
     step();
     wave_ += place_ * std::polar(share, -phase_);
+    backward_ += place_ * std::polar(share, phase_);
+    any_backward_ += std::norm(backward_velocity() / omega_) * share;
+    rate_[0] += velocity_.real() * velocity_.real() * share;
+    rate_[1] += velocity_.imag() * velocity_.imag() * share;
     torque_ += torque_now_ * share;
     stator_power_ += power_now_ * share;
   }
+  any_backward_ = std::sqrt(any_backward_);
+  for (double& rate : rate_) rate = std::sqrt(rate);
 }
 
 void TwoModes::step() {
   kick(0.5 * step_);
-  // w'' + 2 decay w' + (own^2 + decay^2) w = 0
-  const double envelope = std::exp(-decay_ * step_), c = std::cos(own_ * step_),
-               s = std::sin(own_ * step_);
-  const Complex glide = (velocity_ + decay_ * place_) / own_;
-  const Complex next = envelope * (c * place_ + s * glide);
-  velocity_ = own_ * envelope * (c * glide - s * place_) - decay_ * next;
+  // w'' + 2 decay w' + (own^2 + decay^2) w = 0, for each mode
+  const double envelope = std::exp(-decay_ * step_);
+  const auto glided = [&](int mode, double w, double rate) {
+    const double own = own_[mode], c = std::cos(own * step_), s = std::sin(own * step_);
+    const double glide = (rate + decay_ * w) / own, next = envelope * (c * w + s * glide);
+    return Complex(next, own * envelope * (c * glide - s * w) - decay_ * next);
+  };
+  const Complex cosine = glided(0, place_.real(), velocity_.real()),
+                sine = glided(1, place_.imag(), velocity_.imag());
+  const Complex next(cosine.real(), sine.real());
+  velocity_ = {cosine.imag(), sine.imag()};
+  height_ += lift_ * step_;
   const double turn = radius_ * speed_ * step_ * wave_number_;
   rotor_ = std::fmod(rotor_ + 0.5 * turn, 2 * kPi);
   place_rotor();
@@ -81,10 +106,15 @@ void TwoModes::step() {
 }
 
 // Z' - i omega Z vanishes on a steady forward wave and is twice the velocity of a backward one.
+TwoModes::Complex TwoModes::backward_velocity() const {
+  return 0.5 * (velocity_ - Complex(0, omega_) * place_);
+}
+
 void TwoModes::kick(double duration) {
-  const Complex backward = 0.5 * (velocity_ - Complex(0, omega_) * place_);
-  const Complex drive = drive_ * std::polar(1.0, phase_);
-  velocity_ += duration / mass_ * (drive + force_ - backward_damping_ * backward);
+  const Complex drive(drive_ * std::cos(phase_),
+                      voltage_ratio_ * drive_ * std::sin(phase_ + phase_error_));
+  velocity_ += duration / mass_ * (drive + force_ - backward_damping_ * backward_velocity());
+  if (rotor_mass_ > 0) lift_ += duration / rotor_mass_ * (pressed_ - preload_);
 }
 
 // The rotor moves in the drive direction, against the wave.
@@ -121,9 +151,9 @@ double TwoModes::height_that_carries() const {
 }
 
 void TwoModes::press() {
-  height_ = height_that_carries();
+  if (rotor_mass_ == 0) height_ = height_that_carries();
   Complex q = 0;
-  double torque = 0, power = 0;
+  double torque = 0, power = 0, pressed = 0;
   for (int j = 0; j < kPlaces; ++j) {
     const auto k = static_cast<std::size_t>(j);
     const Complex e = turn_[k];
@@ -133,8 +163,10 @@ void TwoModes::press() {
     traction_[k] = t;
     q -= (p + Complex(0, tilt_ * t)) * e;
     torque += t;
+    pressed += p;
     power += t * tilt_ * (velocity_.imag() * e.real() - velocity_.real() * e.imag());
   }
+  pressed_ = pressed * area_ / kPlaces;
   force_ = q * (area_ / kPlaces);
   torque_now_ = torque * area_ * radius_ / kPlaces;
   power_now_ = power * area_ / kPlaces;

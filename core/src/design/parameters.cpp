@@ -66,6 +66,31 @@ constexpr std::array<ParameterInfo, kParameterCount> kTable{{
     {P::loss_tangent, "loss_tangent", "", "1", "stator.loss_tangent", 0, 10, false, false, kNone,
      "0.01", "loss tangent of the blocked capacitance",
      "0 is a ceramic without dielectric loss; soft ceramics in strong fields reach 0.1"},
+    {P::voltage_ratio, "voltage_ratio", "", "1", "stator.imbalance.voltage_ratio", 0.1, 10, false,
+     false, kNone, "1.05", "voltage of the second phase over that of the first",
+     "beyond a decade the second phase hardly counts: the wave stands"},
+    {P::phase_error, "phase_error", "", "rad", "stator.imbalance.phase_error", -1.5, 1.5, false,
+     false, kNone, "0.05 rad", "lead of the second phase beyond a quarter of a turn",
+     "a quarter of a turn off, 1.57 rad, the phases are one and the wave stands"},
+    {P::mode_splitting, "mode_splitting", "", "1", "stator.imbalance.mode_splitting", -0.1, 0.1,
+     false, false, kNone, "0.001", "half the relative difference of the two modes' stiffnesses",
+     "at 0.1 the resonances of the two modes are a tenth apart: no travelling wave"},
+    {P::sensor_force_factor, "sensor_force_factor", "", "N/V", "stator.sensor.force_factor", -1e6,
+     1e6, false, false, kNone, "0.03 N/V",
+     "charge of the sensor electrode per amplitude of the wave", "as force_factor, of either sign"},
+    {P::sensor_capacitance, "sensor_capacitance", "", "F", "stator.sensor.capacitance", 0, 1, false,
+     false, kNone, "0.5 nF", "capacitance of the sensor electrode",
+     "0 is an electrode that only its load holds; 1 F is beyond any ceramic"},
+    {P::sensor_load_capacitance, "sensor_load_capacitance", "", "F",
+     "stator.sensor.load_capacitance", 0, 1, false, false, kNone, "0.1 nF",
+     "capacitance of the cable and the amplifier on the sensor", "0 is an electrode without cable"},
+    {P::sensor_load_resistance, "sensor_load_resistance", "", "ohm",
+     "stator.sensor.load_resistance", 1e-3, 1e15, false, false, kNone, "1 Mohm",
+     "resistance of the amplifier on the sensor", "a short circuit; the best insulators"},
+    {P::sensor_position, "sensor_position", "", "rad", "stator.sensor.position", -7, 7, false,
+     false, kNone, "1.57 rad",
+     "phase of the wave by which the sensor stands behind the first phase",
+     "a whole turn of the wave either way"},
     {P::radial_slices, "radial_slices", "", "1", "stator.radial_slices", kAutoSlices, 256, true,
      false, kNone, "8",
      "slices of each smooth piece of the contact track; 1 takes all at the contact radius, 0 "
@@ -119,6 +144,9 @@ constexpr std::array<ParameterInfo, kParameterCount> kTable{{
      "20 urad",
      "cone angle of the rotor's face, positive if the face falls away towards the outer edge",
      "1 mrad over 4 mm is 4 um, more than a usual amplitude; beyond 0.1 rad only an edge touches"},
+    {P::rotor_mass, "rotor_mass", "", "kg", "rotor.mass", 0, 1e6, false, false, kNone, "100 g",
+     "mass that moves along the axis with the rotor's face; counts for backward waves",
+     "0 follows the wave at once, as without a mass; 1000 t stands still"},
     {P::preload, "preload", "F_N", "N", "preload", 0, 1e11, false, true, kNone, "160 N",
      "total axial force that presses rotor and stator together",
      "0 is no contact; 100 GN is ten times what full contact takes of the stiffest tested motor"},
@@ -151,6 +179,16 @@ double friction_ratio(const Friction& friction) {
   return friction.kinetic > 0 ? friction.static_ / friction.kinetic : 1;
 }
 
+// Makes the block of a parameter if the design has none.
+Imbalance& imbalance_of(Stator& stator) {
+  if (!stator.imbalance) stator.imbalance.emplace();
+  return *stator.imbalance;
+}
+Sensor& sensor_of(Stator& stator) {
+  if (!stator.sensor) stator.sensor.emplace();
+  return *stator.sensor;
+}
+
 // Sets one parameter, its twin gives way. mu_0 follows mu; an own value for mu_0 is set after it.
 void set(MotorDesign& design, Parameter parameter, double value) {
   Stator& stator = design.stator;
@@ -173,6 +211,14 @@ void set(MotorDesign& design, Parameter parameter, double value) {
     case P::force_factor: stator.force_factor = value; break;
     case P::blocked_capacitance: stator.blocked_capacitance = value; break;
     case P::loss_tangent: stator.loss_tangent = value; break;
+    case P::voltage_ratio: imbalance_of(stator).voltage_ratio = value; break;
+    case P::phase_error: imbalance_of(stator).phase_error = value; break;
+    case P::mode_splitting: imbalance_of(stator).mode_splitting = value; break;
+    case P::sensor_force_factor: sensor_of(stator).force_factor = value; break;
+    case P::sensor_capacitance: sensor_of(stator).capacitance = value; break;
+    case P::sensor_load_capacitance: sensor_of(stator).load_capacitance = value; break;
+    case P::sensor_load_resistance: sensor_of(stator).load_resistance = value; break;
+    case P::sensor_position: sensor_of(stator).position = value; break;
     case P::radial_slices: stator.radial_slices = static_cast<int>(value); break;
     case P::shape_exponent: shape.exponent = value, shape.table.clear(); break;
     case P::shape_root: shape.root = value, shape.table.clear(); break;
@@ -190,6 +236,7 @@ void set(MotorDesign& design, Parameter parameter, double value) {
       break;
     case P::static_friction: friction.static_ = value; break;
     case P::rotor_taper: design.rotor.taper = value; break;
+    case P::rotor_mass: design.rotor.mass = value; break;
     case P::preload: design.preload = value; break;
   }
 }
@@ -207,6 +254,9 @@ std::string contradiction(const MotorDesign& design) {
     return "quality_factor needs resonance_frequency and modal_mass; give them, or modal_damping "
            "in "
            "place of quality_factor";
+  if (stator.sensor && !(stator.sensor->capacitance + stator.sensor->load_capacitance > 0 ||
+                         stator.sensor->load_resistance))
+    return "sensor_capacitance must be more than 0 F, or a load on the sensor be given, but is 0 F";
   if (!stator.voltage || has_modal_data(design)) return {};
   std::string missing;
   const auto need = [&missing](bool given, const char* name) {
@@ -276,6 +326,14 @@ double get(const MotorDesign& design, Parameter parameter) {
     case P::force_factor: return or_nan(stator.force_factor);
     case P::blocked_capacitance: return stator.blocked_capacitance;
     case P::loss_tangent: return stator.loss_tangent;
+    case P::voltage_ratio: return stator.imbalance.value_or(Imbalance{}).voltage_ratio;
+    case P::phase_error: return stator.imbalance.value_or(Imbalance{}).phase_error;
+    case P::mode_splitting: return stator.imbalance.value_or(Imbalance{}).mode_splitting;
+    case P::sensor_force_factor: return used ? stator.sensor->force_factor : kNaN;
+    case P::sensor_capacitance: return used ? stator.sensor->capacitance : kNaN;
+    case P::sensor_load_capacitance: return used ? stator.sensor->load_capacitance : kNaN;
+    case P::sensor_load_resistance: return used ? *stator.sensor->load_resistance : kNaN;
+    case P::sensor_position: return used ? stator.sensor->position : kNaN;
     case P::radial_slices: return stator.radial_slices;
     case P::shape_exponent: return stator.radial_shape.exponent;
     case P::shape_root: return stator.radial_shape.root;
@@ -295,6 +353,7 @@ double get(const MotorDesign& design, Parameter parameter) {
     case P::kinetic_friction: return design.friction.kinetic;
     case P::static_friction: return design.friction.static_;
     case P::rotor_taper: return design.rotor.taper;
+    case P::rotor_mass: return or_nan(design.rotor.mass);
     case P::preload: return design.preload;
   }
   TWUM_ASSERT(false);
@@ -321,6 +380,16 @@ bool in_use(const MotorDesign& design, Parameter parameter) {
     case P::force_factor:
     case P::blocked_capacitance:
     case P::loss_tangent: return stator.force_factor.has_value();
+    case P::voltage_ratio:
+    case P::phase_error:
+    case P::mode_splitting: return stator.imbalance.has_value();
+    case P::sensor_force_factor:
+    case P::sensor_capacitance:
+    case P::sensor_load_capacitance:
+    case P::sensor_position: return stator.sensor.has_value();
+    case P::sensor_load_resistance:
+      return stator.sensor.has_value() && stator.sensor->load_resistance.has_value();
+    case P::rotor_mass: return design.rotor.mass.has_value();
     case P::poisson_ratio: return !layer.given_shear_modulus;
     case P::shear_modulus: return layer.given_shear_modulus.has_value();
     case P::loss_factor: return !layer.given_shear_viscosity;

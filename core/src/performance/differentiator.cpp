@@ -183,14 +183,25 @@ DesignDual Differentiator::held(const ModelDual& dual, double speed) {
   return moving(speed).wave->of(widened(dual));
 }
 
+DesignDual Differentiator::wave_metric_at(Metric metric, const Moving& p) {
+  const ModelDual variable = speed_variable<ModelDual>(p.speed);
+  const auto modes = moving_modes(values_.modes(), p.motor->stator_damping);
+  WavePoint<DesignDual> point = wave_point(*p.motor, p.numbers, variable);
+  if (needs_backward_wave(metric, modes)) {
+    const auto contact = values_.disturbed_contact_at(p.speed);
+    point = with_backward_wave(metric, point, modes,
+                               widened(moved_contact(*p.motor, variable, contact)));
+  }
+  return wave_metric(metric, modes, point);
+}
+
 Derived Differentiator::at(Metric metric, const Derived& speed) {
   const double omega = value_of(speed.dual);
   if (metric == M::speed_at) return speed;
   const Moving& p = moving(omega);
   const ModelDual variable = speed_variable<ModelDual>(omega);
   DesignDual f = is_wave_metric(metric)
-                     ? wave_metric(metric, moving_modes(values_.modes(), p.motor->stator_damping),
-                                   wave_point(*p.motor, p.numbers, variable))
+                     ? wave_metric_at(metric, p)
                      : widened(point_metric(metric, p.numbers, variable, *p.motor));
   if (p.wave) f = p.wave->of(f);
   Smoothness smoothness = worse(speed.smoothness, of_point(omega));
@@ -356,7 +367,9 @@ Derived Differentiator::threshold(Metric metric) {
       force_of<double>(modes, wave_point(motor, point.differentiated(motor, rest), rest));
   force.d[kSpeedDirection] = force.d[model_index(P::amplitude)] = 0;
   if (is_voltage)
-    return {with_value(force / modes.force_factor * std::sqrt(0.5), t.value), smoothness};
+    return {
+        with_value(force / (modes.force_factor * modes.unequal.share()) * std::sqrt(0.5), t.value),
+        smoothness};
   return {frequency_of(force - moving_drive(modes, *design_.stator.voltage), design, t.value),
           smoothness};
 }

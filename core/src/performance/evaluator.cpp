@@ -78,9 +78,17 @@ double Evaluator::at(Metric metric, double speed) {
   const PointNumbers<double>& n = point(speed).numbers;
   const DrivenMotor<double>& m = motor_at(speed);
   if (!is_wave_metric(metric)) return point_metric(metric, n, speed, m);
-  return wave_metric(
-      metric, modes(),
-      WavePoint<double>{m.amplitude, m.omega, n.reactive_force, n.stator_power, n.torque * speed});
+  if (needs_sensor(metric) && !modes().sensor) throw SearchFailure{MetricStatus::undefined};
+  WavePoint<double> p{m.amplitude, m.omega, n.reactive_force, n.stator_power, n.torque * speed};
+  if (needs_backward_wave(metric, modes()))
+    p = with_backward_wave(metric, p, modes(), disturbed_contact_at(speed));
+  return wave_metric(metric, modes(), p);
+}
+
+DisturbedContact<double> Evaluator::disturbed_contact_at(double speed) {
+  auto contact = disturbed_contact(motor_at(speed), speed);
+  if (!contact) throw SearchFailure{MetricStatus::backward_wave_unknown};
+  return *contact;
 }
 
 double Evaluator::at_peak(Metric metric, const Peak& peak) {

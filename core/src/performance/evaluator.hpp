@@ -60,6 +60,8 @@ class Evaluator {
   const SolvedPoint& point(double speed) { return known(speed).solved; }
   /// The motor under the wave at a speed.
   const DrivenMotor<double>& motor_at(double speed) { return *known(speed).motor; }
+  /// The contact there as a backward wave feels it. @throws SearchFailure if that is not known
+  DisturbedContact<double> disturbed_contact_at(double speed);
   /// Smallest speed of the curve [rad/s].
   double begin() const { return curve_->begin(); }
   /// @throws SearchFailure without modal data

@@ -4,6 +4,7 @@
 #include "performance/curve/search.hpp"
 #include "performance/track.hpp"
 
+#include "performance/drive/backward_wave.hpp"
 #include "performance/drive/stator_modes.hpp"
 
 #include <twum/core/performance/metrics.hpp>
@@ -33,6 +34,10 @@ S point_metric(Metric metric, const PointNumbers<S>& n, const S& speed, const Dr
     case M::overall_efficiency_at:
     case M::phase_current_at:
     case M::power_factor_at:
+    case M::backward_ratio_at:
+    case M::squeal_rate_at:
+    case M::sensor_voltage_at:
+    case M::sensor_phase_at:
     case M::loaded_resonance:
     // numbers of the motor, see metric_row()
     case M::max_overall_efficiency:
@@ -71,19 +76,50 @@ S layer_aspect(const DrivenMotor<S>& m) {
   return m.thickness / (2.0 * m.contact.half_length);
 }
 
+/// True for the signals of a sensor electrode.
+constexpr bool needs_sensor(Metric metric) {
+  return metric == Metric::sensor_voltage_at || metric == Metric::sensor_phase_at;
+}
+
 /// True for the point metrics that wave_metric() knows.
 constexpr bool is_wave_metric(Metric metric) {
   using M = Metric;
   return metric == M::phase_lag_at || metric == M::electrical_power_at ||
          metric == M::overall_efficiency_at || metric == M::phase_current_at ||
-         metric == M::power_factor_at || metric == M::loaded_resonance;
+         metric == M::power_factor_at || metric == M::loaded_resonance ||
+         metric == M::backward_ratio_at || metric == M::squeal_rate_at || needs_sensor(metric);
+}
+
+/// True if the metric is made of the backward wave (D6.5, D6.7). Equal phases and modes drive none.
+template <typename S>
+bool needs_backward_wave(Metric metric, const StatorModes<S>& modes) {
+  using M = Metric;
+  if (metric == M::squeal_rate_at) return true;
+  return !modes.unequal.none() && (metric == M::backward_ratio_at ||
+                                   metric == M::phase_current_at || metric == M::power_factor_at);
 }
 
 /// What a metric of the stator's modes is made of at a point.
 template <typename S>
 struct WavePoint {
   S amplitude, omega, reactive_force, stator_power, output_power;
+  Phasor<S> backward{S(0.0), S(0.0)};  ///< z of (D6.5)
+  S squeal_rate = S(0.0);              ///< of (D6.7)
 };
+
+/// The point with what a contact does to a backward wave.
+template <typename S>
+WavePoint<S> with_backward_wave(Metric metric, WavePoint<S> p, const StatorModes<S>& modes,
+                                const DisturbedContact<S>& contact) {
+  if (metric == Metric::squeal_rate_at) {
+    p.squeal_rate = free_backward_wave(contact, modes, modes.rotor_mass).rate;
+    return p;
+  }
+  const WaveBalance<S> w =
+      wave_balance(modes, p.amplitude, p.omega, p.reactive_force, p.stator_power);
+  p.backward = forced_backward_wave(contact, modes, w, p.amplitude);
+  return p;
+}
 
 /// A point metric of the stator's modes; S is double or carries derivatives.
 template <typename S>
@@ -97,7 +133,13 @@ S wave_metric(Metric metric, const StatorModes<S>& modes, const WavePoint<S>& p)
   if (metric == M::loaded_resonance)                                    // (D3.1)
     return sqrt(modes.resonance * modes.resonance + p.reactive_force / (p.amplitude * modes.mass)) /
            kTurn;
-  const Terminals<S> t = terminals(modes, w, p.amplitude, p.omega);
+  if (metric == M::backward_ratio_at) return sqrt(p.backward.squared()) / p.amplitude;
+  if (metric == M::squeal_rate_at) return p.squeal_rate;
+  if (needs_sensor(metric)) {
+    const SensorSignal<S> signal = sensor_signal(modes, w, p.amplitude, p.omega);
+    return metric == M::sensor_voltage_at ? signal.voltage : signal.phase;
+  }
+  const Terminals<S> t = terminals(modes, w, p.amplitude, p.omega, p.backward);
   if (metric == M::electrical_power_at) return t.power;
   if (metric == M::phase_current_at) return t.current;
   if (metric == M::power_factor_at) return t.power_factor;
@@ -176,7 +218,11 @@ typename Answers::Number metric_row(Answers& to, const MetricRequest& request) {
     case M::electrical_power_at:
     case M::overall_efficiency_at:
     case M::phase_current_at:
-    case M::power_factor_at: break;
+    case M::power_factor_at:
+    case M::backward_ratio_at:
+    case M::squeal_rate_at:
+    case M::sensor_voltage_at:
+    case M::sensor_phase_at: break;
   }
   return request.argument == Argument::torque
              ? to.at(request.metric, to.crossing(search.speed_at(request.at), to.fixed(request.at)))

@@ -89,7 +89,16 @@ constexpr std::array<MetricInfo, kMetricCount> kMetricTable{{
     {M::phase_current_at, "phase_current_at", "A", A::speed_or_torque, "current of a phase, rms",
      kModes},
     {M::power_factor_at, "power_factor_at", "1", A::speed_or_torque,
-     "electrical over apparent power of a phase", kModes},
+     "electrical over apparent power of both phases", kModes},
+    {M::backward_ratio_at, "backward_ratio_at", "1", A::speed_or_torque,
+     "amplitude of the backward wave of unequal phases and modes over that of the forward one",
+     kModes},
+    {M::squeal_rate_at, "squeal_rate_at", "1/s", A::speed_or_torque,
+     "rate at which a free backward wave grows; the motor squeals where it is positive", kModes},
+    {M::sensor_voltage_at, "sensor_voltage_at", "V", A::speed_or_torque,
+     "voltage of the sensor electrode, rms; needs a sensor", kModes},
+    {M::sensor_phase_at, "sensor_phase_at", "rad", A::speed_or_torque,
+     "lag of the sensor's voltage behind that of the first phase; needs a sensor", kModes},
 }};
 
 constexpr bool every_metric_in_its_place() {
@@ -128,6 +137,7 @@ const char* to_string(MetricStatus status) noexcept {
     case MetricStatus::no_running_branch: return "no-running-branch";
     case MetricStatus::no_dead_branch: return "no-dead-branch";
     case MetricStatus::unstable_amplitude: return "unstable-amplitude";
+    case MetricStatus::backward_wave_unknown: return "backward-wave-unknown";
     case MetricStatus::does_not_pull_out: return "does-not-pull-out";
   }
   return "unresolved";

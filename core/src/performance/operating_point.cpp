@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "performance/operating_point.hpp"
 
+#include "performance/drive/backward_wave.hpp"
+
 #include <cmath>
 #include <limits>
 
@@ -26,7 +28,13 @@ void add_terminals(OperatingPoint& point, const DrivenMotor<double>& m,
                    const StatorModes<double>& modes) {
   const WaveBalance<double> wave =
       wave_balance(modes, m.amplitude, m.omega, point.reactive_force, point.stator_power);
-  const Terminals<double> t = terminals(modes, wave, m.amplitude, m.omega);
+  Phasor<double> backward{0, 0};
+  if (!modes.unequal.none()) {
+    backward = {kNoNumber, kNoNumber};
+    if (const auto contact = disturbed_contact(m, point.speed))
+      backward = forced_backward_wave(*contact, modes, wave, m.amplitude);
+  }
+  const Terminals<double> t = terminals(modes, wave, m.amplitude, m.omega, backward);
   point.phase_lag = std::atan2(wave.imaginary, wave.real);  // (D2.4)
   point.voltage = t.voltage;
   point.phase_current = t.current;

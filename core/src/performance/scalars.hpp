@@ -36,9 +36,21 @@ using ModelDual2 = Dual<contact::SpeedDual, kDirections>;  ///< and theirs along
 
 /// What the stator's modes and the drive take of a design beside kModelParameters: the contact does not know of them, so that
 /// they are directions of what is made of its answers alone.
-inline constexpr std::array kDriveParameters{
-    Parameter::resonance_frequency, Parameter::modal_mass,   Parameter::force_factor,
-    Parameter::blocked_capacitance, Parameter::loss_tangent, Parameter::voltage};
+inline constexpr std::array kDriveParameters{Parameter::resonance_frequency,
+                                             Parameter::modal_mass,
+                                             Parameter::force_factor,
+                                             Parameter::blocked_capacitance,
+                                             Parameter::loss_tangent,
+                                             Parameter::voltage,
+                                             Parameter::voltage_ratio,
+                                             Parameter::phase_error,
+                                             Parameter::mode_splitting,
+                                             Parameter::rotor_mass,
+                                             Parameter::sensor_force_factor,
+                                             Parameter::sensor_capacitance,
+                                             Parameter::sensor_load_capacitance,
+                                             Parameter::sensor_load_resistance,
+                                             Parameter::sensor_position};
 
 /// Direction of a parameter in kDriveParameters.
 constexpr int drive_direction(Parameter parameter) {

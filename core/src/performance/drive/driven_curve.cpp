@@ -9,11 +9,6 @@ namespace {
 using contact::SpeedDual;
 
 template <typename S>
-StatorModes<S> constants(const StatorModes<double>& m) {
-  return {m.mass, m.resonance, m.damping, m.force_factor, m.capacitance, m.loss_tangent};
-}
-
-template <typename S>
 S input_power(Input input, const StatorModes<S>& modes, const PointNumbers<S>& n,
               const S& amplitude, const S& omega) {
   const S velocity = omega * amplitude;
@@ -62,7 +57,7 @@ CurveSlope TerminalCurve::slope(double speed, const WarmStart* guess) const {
   const SolvedPoint solved = solve_point(motor(), speed, guess);
   if (solved.status != PointStatus::ok) throw SearchFailure{metric_status(solved.status)};
   const PointNumbers<SpeedDual> n = solved.differentiated(motor(), SpeedDual::variable(speed, 0));
-  const SpeedDual input = input_power(Input::electrical, constants<SpeedDual>(modes_), n,
+  const SpeedDual input = input_power(Input::electrical, constant_modes<SpeedDual>(modes_), n,
                                       SpeedDual(motor().amplitude), SpeedDual(motor().omega));
   return {speed, {n.torque.v, n.torque.d[0]}, {input.v, input.d[0]}, solved.start()};
 }
@@ -75,7 +70,7 @@ CurveSlope DrivenCurve::slope(double speed, const WarmStart*) const {
   const double a = at.motor.amplitude;
   const PointNumbers<SpeedDual> in_speed = waves.along(at.solved, a, speed, 0, 1),
                                 in_amplitude = waves.along(at.solved, a, speed, 1, 0);
-  const StatorModes<SpeedDual> modes = constants<SpeedDual>(waves.modes());
+  const StatorModes<SpeedDual> modes = constant_modes<SpeedDual>(waves.modes());
   const SpeedDual omega(at.motor.omega), fixed(a), moving = SpeedDual::variable(a, 0);
   const auto force_slope = [&](const PointNumbers<SpeedDual>& n, const SpeedDual& amplitude) {
     return wave_balance(modes, amplitude, omega, n.reactive_force, n.stator_power).force().d[0];

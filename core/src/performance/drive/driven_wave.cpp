@@ -21,12 +21,8 @@ ModelArray<SpeedDual> constants(const ModelArray<double>& values) {
   return p;
 }
 
-StatorModes<SpeedDual> constants(const StatorModes<double>& m) {
-  return {m.mass, m.resonance, m.damping, m.force_factor, m.capacitance, m.loss_tangent};
-}
-
 // Any amplitude that makes a wave will do for the model.
-ModelArray<double> values_of(const MotorDesign& design) {
+ModelArray<double> wave_values(const MotorDesign& design) {
   ModelArray<double> values = model_values(design);
   values[model_index(Parameter::amplitude)] = 1e-6;
   return values;
@@ -38,10 +34,11 @@ StatorModes<double> modes_of(const MotorDesign& design) {
   return *modes;
 }
 
-// Theta u_0 [N]; zero without a voltage.
+// Theta u_f (D6.1) [N]; zero without a voltage.
 double drive_force(const MotorDesign& design) {
-  return std::numbers::sqrt2 * design.stator.voltage.value_or(0) *
-         design.stator.force_factor.value_or(0);
+  const StatorModes<double> modes = modes_of(design);
+  return std::numbers::sqrt2 * design.stator.voltage.value_or(0) * modes.force_factor *
+         modes.unequal.share();
 }
 
 SpeedDual moving(double value, double seed) {
@@ -65,8 +62,8 @@ double reach_of(const MotorModel<double>& m) {
 }  // namespace
 
 DrivenWaves::DrivenWaves(const MotorDesign& design, const TrackRule& track)
-    : model_(motor_model(values_of(design), track)),
-      dual_model_(motor_model(constants(values_of(design)), track)),
+    : model_(motor_model(wave_values(design), track)),
+      dual_model_(motor_model(constants(wave_values(design)), track)),
       modes_(modes_of(design)),
       drive_(drive_force(design)),
       omega_(2 * std::numbers::pi * drive_frequency(design)),
@@ -116,8 +113,8 @@ SlopedWave DrivenWaves::sloped(const SolvedPoint& point, double amplitude, doubl
   if (point.status != PointStatus::ok) return result;
   const PointNumbers<SpeedDual> n = along(point, amplitude, speed, amplitude_seed, speed_seed);
   const WaveBalance<SpeedDual> b =
-      wave_balance(constants(modes_), moving(amplitude, amplitude_seed), SpeedDual(omega_),
-                   n.reactive_force, n.stator_power);
+      wave_balance(constant_modes<SpeedDual>(modes_), moving(amplitude, amplitude_seed),
+                   SpeedDual(omega_), n.reactive_force, n.stator_power);
   result.wave.balance = {b.real.v, b.imaginary.v};
   result.slope = {b.real.d[0], b.imaginary.d[0]};
   result.torque_slope = n.torque.d[0];

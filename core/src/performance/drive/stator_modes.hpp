@@ -1,13 +1,53 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "performance/drive/phasor.hpp"
+
+#include <twum/base/dual.hpp>
 #include <twum/core/design/motor_design.hpp>
+#include <twum/core/design/parameters.hpp>
 
 #include <cmath>
 #include <numbers>
 #include <optional>
 
 namespace twum::performance {
+
+/// What is unequal between the phases and between the modes (D6.1, D6.5).
+template <typename S>
+struct UnequalPhases {
+  S voltage_ratio = S(1.0), phase_error = S(0.0), mode_splitting = S(0.0);
+
+  bool none() const {
+    return value_of(voltage_ratio) == 1 && value_of(phase_error) == 0 &&
+           value_of(mode_splitting) == 0;
+  }
+  /// (1 + rho e^(i eps)) / 2: what of the voltage drives the forward wave (D6.1).
+  Phasor<S> forward() const {
+    using std::sin, std::cos;
+    return {0.5 * (1.0 + voltage_ratio * cos(phase_error)),
+            0.5 * (voltage_ratio * sin(phase_error))};
+  }
+  /// (1 - rho e^(-i eps)) / 2: what drives the backward one (D6.5).
+  Phasor<S> backward() const {
+    using std::sin, std::cos;
+    return {0.5 * (1.0 - voltage_ratio * cos(phase_error)),
+            0.5 * (voltage_ratio * sin(phase_error))};
+  }
+  /// u_f / u_0
+  S share() const {
+    using std::sqrt;
+    return sqrt(forward().squared());
+  }
+};
+
+/// A sensor electrode and its load (D7.1).
+template <typename S>
+struct SensorCircuit {
+  S force_factor, capacitance, load_capacitance;
+  std::optional<S> load_resistance;
+  S position;
+};
 
 /// The two modes of the stator that make up the wave, with their phases (D2.1).
 template <typename S>
@@ -18,15 +58,61 @@ struct StatorModes {
   S force_factor;  ///< Theta of a phase [N/V]
   S capacitance;   ///< C_0 of a phase [F]
   S loss_tangent;  ///< tan delta of C_0 [1]
+  UnequalPhases<S> unequal{};
+  std::optional<S> rotor_mass{};  ///< [kg]
+  std::optional<SensorCircuit<S>> sensor{};
 };
 
 /// The modes of a design; nothing if it does not say enough of them.
 inline std::optional<StatorModes<double>> stator_modes(const MotorDesign& design) {
   if (!has_modal_data(design)) return {};
   const Stator& s = design.stator;
-  return StatorModes<double>{*s.modal_mass,         2 * std::numbers::pi * *s.resonance_frequency,
-                             modal_damping(design), *s.force_factor,
-                             s.blocked_capacitance, s.loss_tangent};
+  StatorModes<double> modes{*s.modal_mass,         2 * std::numbers::pi * *s.resonance_frequency,
+                            modal_damping(design), *s.force_factor,
+                            s.blocked_capacitance, s.loss_tangent};
+  if (s.imbalance)
+    modes.unequal = {s.imbalance->voltage_ratio, s.imbalance->phase_error,
+                     s.imbalance->mode_splitting};
+  if (design.rotor.mass) modes.rotor_mass = *design.rotor.mass;
+  if (s.sensor)
+    modes.sensor = SensorCircuit<double>{s.sensor->force_factor, s.sensor->capacitance,
+                                         s.sensor->load_capacitance, s.sensor->load_resistance,
+                                         s.sensor->position};
+  return modes;
+}
+
+/// The modes with each number as `to` makes it of the parameter's value.
+template <typename S, typename To>
+StatorModes<S> converted(const StatorModes<double>& m, To to) {
+  using P = Parameter;
+  constexpr double kTurn = 2 * std::numbers::pi;
+  StatorModes<S> modes{to(P::modal_mass, m.mass),
+                       kTurn * to(P::resonance_frequency, m.resonance / kTurn),
+                       to(P::modal_damping, m.damping),
+                       to(P::force_factor, m.force_factor),
+                       to(P::blocked_capacitance, m.capacitance),
+                       to(P::loss_tangent, m.loss_tangent)};
+  modes.unequal = {to(P::voltage_ratio, m.unequal.voltage_ratio),
+                   to(P::phase_error, m.unequal.phase_error),
+                   to(P::mode_splitting, m.unequal.mode_splitting)};
+  if (m.rotor_mass) modes.rotor_mass = to(P::rotor_mass, *m.rotor_mass);
+  if (!m.sensor) return modes;
+  modes.sensor = SensorCircuit<S>{to(P::sensor_force_factor, m.sensor->force_factor),
+                                  to(P::sensor_capacitance, m.sensor->capacitance),
+                                  to(P::sensor_load_capacitance, m.sensor->load_capacitance),
+                                  {},
+                                  to(P::sensor_position, m.sensor->position)};
+  if (m.sensor->load_resistance)
+    modes.sensor->load_resistance = to(P::sensor_load_resistance, *m.sensor->load_resistance);
+  return modes;
+}
+
+/// The modes as constants.
+template <typename S>
+StatorModes<S> constant_modes(const StatorModes<double>& m) {
+  auto modes = converted<S>(m, [](Parameter, double x) { return S(x); });
+  modes.resonance = S(m.resonance);
+  return modes;
 }
 
 /// k_s - omega^2 m_s, without the cancellation of its two terms [N/m].
@@ -66,19 +152,71 @@ struct Terminals {
   S power_factor;     ///< (D4.3) [1]
 };
 
+/// Currents of the two phases, peak (D4.1, D6.6) [A].
+template <typename S>
+struct PhaseCurrents {
+  S first, second;
+};
+template <typename S>
+PhaseCurrents<S> phase_currents(const StatorModes<S>& m, const WaveBalance<S>& w,
+                                const S& amplitude, const S& omega, const S& voltage,
+                                const Phasor<S>& backward) {
+  using std::sqrt, std::sin, std::cos;
+  const S force = w.force(), motional = omega * m.force_factor;
+  const Phasor<S> lead = (1.0 / m.unequal.share()) * m.unequal.forward();
+  const Phasor<S> wave = (amplitude / force) * (Phasor<S>{w.real, -w.imaginary} * lead);
+  const Phasor<S> blocked = S(omega * m.capacitance * voltage) * Phasor<S>{S(1.0), -m.loss_tangent};
+  const S& rho = m.unequal.voltage_ratio;
+  const Phasor<S> second{rho * cos(m.unequal.phase_error), rho * sin(m.unequal.phase_error)};
+  const Phasor<S> one = blocked + motional * (wave + backward.conjugate());
+  const Phasor<S> two = blocked * second + motional * (wave - backward.conjugate());
+  return {sqrt(one.squared()), sqrt(two.squared())};
+}
+
+/// @param backward  z of (D6.5), of which powers are independent in the first order [m]
 template <typename S>
 Terminals<S> terminals(const StatorModes<S>& m, const WaveBalance<S>& w, const S& amplitude,
-                       const S& omega) {
+                       const S& omega, const Phasor<S>& backward = {S(0.0), S(0.0)}) {
   using std::sqrt;
-  const S velocity = omega * amplitude, force = w.force(), voltage = force / m.force_factor;
-  const S susceptance = omega * m.capacitance;
-  const S motional = m.force_factor * velocity / force;  // current per R + i I
-  const S active = susceptance * m.loss_tangent * voltage + motional * w.imaginary;
-  const S reactive = susceptance * voltage + motional * w.real;
-  const S current = sqrt(active * active + reactive * reactive), rms(std::sqrt(0.5));
+  const S velocity = omega * amplitude, force = w.force();
+  const S voltage = force / m.force_factor / m.unequal.share();
+  const S susceptance = omega * m.capacitance, rms(std::sqrt(0.5));
   const S dielectric = susceptance * m.loss_tangent * voltage * voltage;
-  return {rms * voltage, rms * current, dielectric, dielectric + velocity * w.imaginary,
-          active / current};
+  if (m.unequal.none()) {
+    const S motional = m.force_factor * velocity / force;  // current per R + i I
+    const S active = susceptance * m.loss_tangent * voltage + motional * w.imaginary;
+    const S reactive = susceptance * voltage + motional * w.real;
+    const S current = sqrt(active * active + reactive * reactive);
+    return {rms * voltage, rms * current, dielectric, dielectric + velocity * w.imaginary,
+            active / current};
+  }
+  const S& rho = m.unequal.voltage_ratio;
+  const S loss = 0.5 * (1.0 + rho * rho) * dielectric, power = loss + velocity * w.imaginary;
+  const PhaseCurrents<S> i = phase_currents(m, w, amplitude, omega, voltage, backward);
+  const S larger = value_of(i.first) < value_of(i.second) ? i.second : i.first;
+  return {rms * voltage, rms * larger, loss, power,
+          2.0 * power / (voltage * (i.first + rho * i.second))};
+}
+
+/// Voltage of the sensor, rms [V], and its lag behind the voltage of the first phase [rad] (D7.1).
+template <typename S>
+struct SensorSignal {
+  S voltage, phase;
+};
+template <typename S>
+SensorSignal<S> sensor_signal(const StatorModes<S>& m, const WaveBalance<S>& w, const S& amplitude,
+                              const S& omega) {
+  using std::sqrt, std::sin, std::cos;
+  const SensorCircuit<S>& e = *m.sensor;
+  const S conductance = e.load_resistance ? S(1.0 / *e.load_resistance) : S(0.0);
+  const Phasor<S> admittance{conductance, omega * (e.capacitance + e.load_capacitance)};
+  const Phasor<S> place{cos(e.position), sin(e.position)};
+  // The inverse of the phasor: its angle is the lag.
+  const Phasor<S> inverse =
+      Phasor<S>{-w.imaginary, w.real} * m.unequal.forward().conjugate() * place * admittance;
+  const S sign(value_of(e.force_factor) < 0 ? -1.0 : 1.0);
+  return {std::sqrt(0.5) * (sign * e.force_factor * omega * amplitude) / sqrt(admittance.squared()),
+          argument(S(sign * inverse.real), S(sign * inverse.imaginary))};
 }
 
 }  // namespace twum::performance

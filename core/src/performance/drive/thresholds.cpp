@@ -76,7 +76,9 @@ std::optional<ForceExtremum> Thresholds::own_extremum(bool start) {
 Threshold Thresholds::voltage(bool start) {
   const std::optional<ForceExtremum> e = own_extremum(start);
   if (!e) return {0, 0, frequency_};
-  return {e->force / (std::numbers::sqrt2 * waves_.modes().force_factor), e->amplitude, frequency_};
+  const StatorModes<double>& m = waves_.modes();
+  const double force_per_volt = std::numbers::sqrt2 * m.force_factor * m.unequal.share();
+  return {e->force / force_per_volt, e->amplitude, frequency_};
 }
 
 // The extremum falls with the frequency, from the free resonance on until it vanishes. Secants from the design's own frequency

@@ -24,25 +24,20 @@ StatorModes<Dual<T, kDesignDirections>> moving_modes(const StatorModes<double>& 
                                                      const Dual<T, kDirections>& damping) {
   using W = Dual<T, kDesignDirections>;
   using P = Parameter;
-  const auto variable = [](P parameter, double value) {
-    return W::variable(T(value), drive_direction(parameter));
-  };
-  constexpr double kTurn = 2 * std::numbers::pi;
-  return {variable(P::modal_mass, m.mass),
-          kTurn * variable(P::resonance_frequency, m.resonance / kTurn),
-          widened(damping),
-          variable(P::force_factor, m.force_factor),
-          variable(P::blocked_capacitance, m.capacitance),
-          variable(P::loss_tangent, m.loss_tangent)};
+  return converted<W>(m, [&](P parameter, double value) {
+    return parameter == P::modal_damping ? widened(damping)
+                                         : W::variable(T(value), drive_direction(parameter));
+  });
 }
 
-/// The force of a voltage's peak, Theta u_0 [N].
+/// The force of a voltage's peak on the forward wave, Theta u_f (D6.1) [N].
 template <typename T>
 Dual<T, kDesignDirections> moving_drive(const StatorModes<Dual<T, kDesignDirections>>& modes,
                                         double voltage) {
   using W = Dual<T, kDesignDirections>;
   return std::numbers::sqrt2 *
-         (modes.force_factor * W::variable(T(voltage), drive_direction(Parameter::voltage)));
+         (modes.force_factor * W::variable(T(voltage), drive_direction(Parameter::voltage)) *
+          modes.unequal.share());
 }
 
 /// How the amplitude moves where a drive holds it: H(A) = Theta u_0 stays (D2.9).
@@ -72,6 +67,25 @@ class WaveMotion {
   static constexpr int kAmplitude = static_cast<int>(model_index(Parameter::amplitude));
   T motion_[kDesignDirections];
 };
+
+/// The contact as a backward wave feels it, with the directions of kDriveParameters.
+inline DisturbedContact<DesignDual> widened(const DisturbedContact<ModelDual>& contact) {
+  DisturbedContact<DesignDual> wide{widened(contact.wave_rate), widened(contact.omega), {}};
+  for (const DisturbedSlice<ModelDual>& s : contact.slices) {
+    wide.slices.push_back({widened(s.stiffness),
+                           widened(s.shape),
+                           widened(s.half_angle),
+                           widened(s.tilt),
+                           widened(s.kinetic),
+                           widened(s.shear),
+                           widened(s.entry_rate),
+                           {}});
+    for (const DisturbedZone<ModelDual>& z : s.zones)
+      wide.slices.back().zones.push_back(
+          {z.state, z.after_slip, z.sign, widened(z.from), widened(z.to)});
+  }
+  return wide;
+}
 
 /// What wave_metric() takes, from the numbers of a point.
 template <typename T>

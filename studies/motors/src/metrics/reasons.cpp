@@ -28,6 +28,9 @@ std::span<const Reason> reasons() {
        "the motor starts by itself and has no dead wave; lower the voltage or the frequency"},
       {MetricStatus::unstable_amplitude,
        "the wave that is asked for is unstable: a small disturbance of it grows"},
+      {MetricStatus::backward_wave_unknown,
+       "the backward wave is known for contacts that slip all one way, and for layers without "
+       "damping and inertia (loss_factor 0, density 0) with equal frictions"},
       {MetricStatus::does_not_pull_out, "the running wave exists down to rest"}};
   return kReasons;
 }

@@ -102,6 +102,26 @@ double change(const Motor& one, const Motor& track, Metric metric) {
   return known && before.value != 0 ? after.value / before.value - 1 : 0;
 }
 
+// Speeds up to no-load at which a free backward wave grows, where that is known.
+void add_squeal(const Motor& motor, std::vector<ModelNote>& notes) {
+  constexpr int kLooks = 24;
+  const MetricValue no_load = evaluate(motor, {Metric::no_load_speed});
+  if (no_load.status != MetricStatus::ok || !has_modal_data(motor.design())) return;
+  double fastest = -1, largest = 0;
+  for (int i = 0; i < kLooks; ++i) {
+    const double speed = no_load.value * i / kLooks;
+    const MetricValue rate = evaluate(motor, {Metric::squeal_rate_at, Argument::speed, speed});
+    if (rate.status != MetricStatus::ok || !(rate.value > 0)) continue;
+    fastest = speed, largest = std::max(largest, rate.value);
+  }
+  if (fastest >= 0)
+    notes.push_back({"squeal", largest,
+                     "a backward wave grows at speeds up to " + engineering(fastest, "rad/s", 2) +
+                         ", by up to " + rounded_text(largest, 4) +
+                         " 1/s (squeal_rate_at): the motor squeals there under load, and a heavy "
+                         "rotor then loses up to half of the torque, which is not computed"});
+}
+
 }  // namespace
 
 std::vector<ModelNote> model_notes(const MotorDesign& design) {
@@ -121,7 +141,9 @@ std::string thick_layer_note(const MotorDesign& design) {
 
 std::vector<ModelNote> model_notes_at_length(const MotorDesign& design) {
   std::vector<ModelNote> notes = model_notes(design);
-  if (const auto drive = drive_note(Motor(design))) notes.push_back(*drive);
+  const Motor motor(design);
+  if (const auto drive = drive_note(motor)) notes.push_back(*drive);
+  add_squeal(motor, notes);
   constexpr double kMatters = 0.02;
   constexpr int kSlices = 8;
   MotorDesign wide = design;

@@ -87,6 +87,11 @@ Field<GivenMotor> field_of(const ParameterInfo& row) {
   if (is_of_the_drive(row.parameter)) field.entry.shown = false;
   if (is_of_the_drive(row.parameter) && row.min > 0)
     field.entry.fallback = "none; a voltage needs it";
+  if (row.parameter == Parameter::voltage_ratio) field.entry.fallback = "1";
+  if (row.parameter == Parameter::rotor_mass)
+    field.entry.fallback = "none: the rotor follows the wave at once";
+  if (row.parameter == Parameter::sensor_load_resistance)
+    field.entry.fallback = "none: the electrode is open";
   if (!row.required && field.entry.fallback.empty() && !row.twin)
     field.entry.fallback = row.unit == "1" ? "0" : "0 " + std::string(row.unit);
   field.read = [&row, read = value.read](GivenMotor& into, const YamlNode& node, const Spot& spot,
@@ -188,6 +193,9 @@ constexpr Section kSections[] = {
     {"contact_layer", "the layer between stator and rotor"},
     {"stator.radial_shape", "amplitude of the wave across the track, 1 at the contact radius",
      check_shape, false},
+    {"stator.imbalance", "what is unequal between the two phases and the two modes", nullptr,
+     false},
+    {"stator.sensor", "an electrode that senses the wave", nullptr, false},
     {"friction", "Coulomb friction between stator and contact layer", check_friction},
     {"rotor", "the rotor's face", nullptr, false}};
 

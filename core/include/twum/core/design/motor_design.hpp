@@ -21,6 +21,24 @@ struct RadialShape {
 /// Value of Stator::radial_slices that stands for as many slices as the numbers need.
 inline constexpr int kAutoSlices = 0;
 
+/// What is unequal between the two phases and the two modes of a stator (D6.1, D6.5): it drives a backward wave.
+struct Imbalance {
+  double voltage_ratio{1};  ///< rho, voltage of the second phase over that of the first [1]
+  double phase_error{0};    ///< eps, lead of the second phase beyond a quarter of a turn [rad]
+  double mode_splitting{
+      0};  ///< delta: the modes have the stiffness k_s (1 + delta) and k_s (1 - delta) [1]
+};
+
+/// An electrode that senses the wave (D7.1).
+struct Sensor {
+  double force_factor{0};      ///< charge per amplitude of the wave at the contact radius [N/V]
+  double capacitance{0};       ///< of the electrode [F]
+  double load_capacitance{0};  ///< of cable and amplifier [F]
+  std::optional<double>
+      load_resistance;  ///< of the amplifier [ohm]; without it the electrode is open
+  double position{0};   ///< phase of the wave by which it stands behind the first phase [rad]
+};
+
 /// Which of two stable waves a driven stator is asked for.
 enum class Branch : unsigned char {
   running,  ///< the large one, that of a running motor
@@ -48,6 +66,8 @@ struct Stator {
   std::optional<double> force_factor;         ///< Theta of a phase [N/V]
   double blocked_capacitance{0};              ///< C_0 of a phase [F]
   double loss_tangent{0};                     ///< tan delta of C_0 [1]
+  std::optional<Imbalance> imbalance;         ///< none: phases and modes are equal
+  std::optional<Sensor> sensor;               ///< none: no such electrode
   Branch branch{Branch::running};             ///< asked for under a voltage
   /// Nodes of the Gauss rule on each smooth piece of the track. 1: all at the contact radius, as in the paper.
   int radial_slices{1};
@@ -80,6 +100,8 @@ struct Rotor {
   /// Cone angle: the face stands (rho - r) tan(taper) higher at radius rho, away from the stator at the outer edge if
   /// positive [rad]. Acts where the track has more than one slice.
   double taper{0};
+  std::optional<double>
+      mass;  ///< [kg]; none: it follows the wave at once. For backward waves (D6.2)
 };
 
 /// One motor: everything the contact model needs, in SI units. A plain value.

@@ -31,6 +31,14 @@ enum class Parameter : unsigned char {
   force_factor,
   blocked_capacitance,
   loss_tangent,
+  voltage_ratio,
+  phase_error,
+  mode_splitting,
+  sensor_force_factor,
+  sensor_capacitance,
+  sensor_load_capacitance,
+  sensor_load_resistance,
+  sensor_position,
   radial_slices,
   shape_exponent,
   shape_root,
@@ -45,11 +53,12 @@ enum class Parameter : unsigned char {
   kinetic_friction,
   static_friction,
   rotor_taper,
+  rotor_mass,
   preload
 };
 
 /// Rows of the parameter table.
-inline constexpr std::size_t kParameterCount = 30;
+inline constexpr std::size_t kParameterCount = 39;
 
 /// Position of a parameter in arrays over the parameter table.
 constexpr std::size_t index_of(Parameter parameter) { return static_cast<std::size_t>(parameter); }

@@ -55,11 +55,15 @@ enum class Metric : unsigned char {
   electrical_power_at,
   overall_efficiency_at,
   phase_current_at,
-  power_factor_at
+  power_factor_at,
+  backward_ratio_at,
+  squeal_rate_at,
+  sensor_voltage_at,
+  sensor_phase_at
 };
 
 /// Rows of the metric table.
-inline constexpr std::size_t kMetricCount = 42;
+inline constexpr std::size_t kMetricCount = 46;
 
 /// What a metric is asked at.
 enum class Argument : unsigned char {
@@ -112,7 +116,8 @@ enum class MetricStatus : unsigned char {
   no_running_branch,   ///< under the voltage there is no running wave at any speed
   no_dead_branch,      ///< the motor starts by itself
   unstable_amplitude,  ///< needs a wave that grows or decays away from its balance
-  does_not_pull_out    ///< the running wave exists down to rest
+  backward_wave_unknown,  ///< the layer sticks and has damping or inertia, or mu_0 > mu: no theory of the backward wave
+  does_not_pull_out  ///< the running wave exists down to rest
 };
 
 /// Short machine-readable word, such as "unreachable"; "ok" for ok. A text that lives for ever.

@@ -62,9 +62,11 @@ struct OperatingPoint {
   double amplitude{0};       ///< A of the wave [m]
   /// What the terminals see, NaN without modal data; powers of both phases together, voltage and current of one, rms.
   /// @{
-  double phase_lag{0};         ///< phi of the wave behind the voltage (D2.4) [rad]
-  double voltage{0};           ///< that holds the wave [V]
-  double phase_current{0};     ///< (D4.1) [A]
+  double phase_lag{0};  ///< phi of the wave behind the voltage (D2.4) [rad]
+  double voltage{0};    ///< that holds the wave [V]
+  /// The larger of the two phases (D4.1, D6.6) [A]. This and the power factor are NaN where phases or modes are unequal and
+  /// the backward wave is not known.
+  double phase_current{0};
   double dielectric_loss{0};   ///< in the blocked capacitances [W]
   double electrical_power{0};  ///< P_el = P_diel + P_stator + P_in (D4.2) [W]
   double power_factor{0};      ///< (D4.3) [1]

@@ -23,9 +23,10 @@ std::vector<ModelNote> model_notes(const MotorDesign& design);
 /// The note on a layer too thick for a foundation; empty if it is thin, or does not touch.
 std::string thick_layer_note(const MotorDesign& design);
 
-/// The same, and whether the width of the contact changes stall torque, no-load speed or peak power of a motor with one slice
-/// by more than 2 %, measured with eight slices; of one under a voltage whether it runs at rest and starts by itself, with the
-/// voltage and the frequency that it takes. Some milliseconds.
+/// The same; whether the width of the contact changes stall torque, no-load speed or peak power of a motor with one slice
+/// by more than 2 %, measured with eight slices; of a motor under a voltage whether it runs at rest and starts by itself, with
+/// the voltage and the frequency that it takes; and, where the modal data of the stator are known, whether a backward wave
+/// grows (D6.7). Some milliseconds.
 std::vector<ModelNote> model_notes_at_length(const MotorDesign& design);
 
 }  // namespace twum::studies
