@@ -44,6 +44,7 @@ class Explained {
       for (const double a : points_[j].direction) share.importance.push_back(a * a);
       share.multiplier = multiplier(j);
       share.converged = points_[j].converged;
+      share.delta = round_.correction().delta[j];
       if (!verified.yields.empty()) {
         const YieldEstimate& yield = verified.yields[share.target];
         const auto failed = static_cast<double>(verified.term_failures[j]);
@@ -245,6 +246,14 @@ void validate_robust(const RobustProblem& problem) {
 RobustResult solve_robust(const RobustProblem& problem, const RobustOptions& options) {
   validate_robust(problem);
   return RobustSolve(problem, options).run();
+}
+
+Verification verify_design(const RobustProblem& problem, std::span<const double> design,
+                           std::uint64_t products, const RobustOptions& options,
+                           std::uint64_t stream) {
+  validate_robust(problem);
+  const RobustSearch search(problem, options);
+  return verify_products(problem, search.terms(), design, search.plan(products, 0), stream);
 }
 
 RobustResult solve_form(const RobustProblem& problem, const RobustOptions& options) {
