@@ -166,7 +166,9 @@ class RobustSolve {
       if (!risks.empty()) result_.aimed.push_back(1.0 - risks.front());
       const double rarest =
           wanted_.empty() ? 0.01 : *std::min_element(wanted_.begin(), wanted_.end());
-      const double risk = problem_.goal == RobustGoal::yield ? search_.last_risk().any : rarest;
+      // A largest yield is verified as what it is, not as what was wanted.
+      const bool largest = solved.round->goal() == RobustGoal::yield;
+      const double risk = largest ? search_.last_risk().any : rarest;
       result_.verification = verify_products(problem_, search_.terms(), search_.design(solved),
                                              search_.plan(products_for(std::max(risk, 1e-6)), 0),
                                              static_cast<std::uint64_t>(attempt));

@@ -201,7 +201,8 @@ Evaluation RobustRound::evaluate(std::span<const double> y, bool gradient) const
     if (!line.failure.empty()) return {{}, {}, {}, line.failure};
     append_line(answer, line);
   }
-  for (std::size_t i = objectives; i < design.values.size(); ++i) append_line(answer, design_line(i));
+  for (std::size_t i = objectives; i < design.values.size(); ++i)
+    append_line(answer, design_line(i));
   for (std::size_t j = 0; j < worst.size(); ++j)
     if (terms_.terms[j].target) append_line(answer, margin_line(j));
   for (std::size_t s = 0; s < terms_.of_target.size(); ++s)

@@ -34,10 +34,8 @@ TEST_CASE("mean and spread over the fixed sample are those of the law (U2.1, U2.
   CHECK(moment_of(torque, Statistic::sd, 160).value == Approx(spread).margin(5 * spread / 16));
 
   auto curved = response_problem(2, Law::normal, [](std::span<const double> z) {
-    return Evaluation{{1 + 2 * z[0] + 0.5 * z[1] * z[1] + z[0] * z[1]},
-                      {2 + z[1], z[1] + z[0]},
-                      {},
-                      {}};
+    return Evaluation{
+        {1 + 2 * z[0] + 0.5 * z[1] * z[1] + z[0] * z[1]}, {2 + z[1], z[1] + z[0]}, {}, {}};
   });
   curved.limits = {{"X"}};
   const double sd = robust_case("C13", "sd");
@@ -50,7 +48,8 @@ TEST_CASE("gradients of mean and spread agree with differences (U2.1, U2.2)", "[
   const auto torque = torque_problem(Law::lognormal);
   for (const Statistic kind : {Statistic::mean, Statistic::sd}) {
     const double h = 1e-3;
-    const double slope = (moment_of(torque, kind, 160 + h).value - moment_of(torque, kind, 160 - h).value) / (2 * h);
+    const double slope =
+        (moment_of(torque, kind, 160 + h).value - moment_of(torque, kind, 160 - h).value) / (2 * h);
     // The torque is proportional to the preload: no third derivative, rounding eps / h = 1e-13 of 1e-3.
     CHECK(moment_of(torque, kind, 160).by_design[0] == Approx(slope).epsilon(1e-7));
   }
@@ -58,8 +57,8 @@ TEST_CASE("gradients of mean and spread agree with differences (U2.1, U2.2)", "[
 
 TEST_CASE("a mean over too many products without an answer is refused", "[optim][robust]") {
   auto problem = torque_problem(Law::lognormal);
-  problem.built = [built = problem.built](std::span<const double> p, std::optional<std::size_t> only,
-                                          bool gradient) {
+  problem.built = [built = problem.built](std::span<const double> p,
+                                          std::optional<std::size_t> only, bool gradient) {
     if (p[1] > 0.23) return Evaluation{{}, {}, {}, "no-answer"};  // about one in fourteen
     return built(p, only, gradient);
   };

@@ -33,6 +33,18 @@ OptimizeResult OptimumRun::answer(const optim::Result& found) const {
   return result;
 }
 
+// The question with whole numbers and sets as a design has them.
+DesignProblem OptimumRun::held(std::span<const double> design) const {
+  DesignProblem question = problem();
+  question.motor = motor_of(question, design);
+  question.choices.clear();
+  for (std::size_t j = 0; j < question.variables.size(); ++j) {
+    DesignVariable& variable = question.variables[j];
+    if (info(variable.parameter).integer) variable.min = variable.max = design[j];
+  }
+  return question;
+}
+
 // Under tolerances the optimum without them comes first: it is where the robust search starts, and what its answer is
 // compared with. Where not even one motor keeps the limits, there is nothing to build.
 KindAnswer OptimumRun::run(RunContext& context) {
@@ -43,8 +55,8 @@ KindAnswer OptimumRun::run(RunContext& context) {
   const bool feasible =
       found.outcome == optim::Outcome::optimal || found.outcome == optim::Outcome::feasible;
   if (built_.tolerances.empty() || !feasible || context.stop.stop_requested()) return plain;
-  const RobustQuestion question{problem(), built_.tolerances, built_.statistics};
-  return robust_optimum({question, reporter(), options(log, context), found},
+  const RobustQuestion question{held(found.design), built_.tolerances, built_.statistics};
+  return robust_optimum({question, problem(), reporter(), options(log, context), found},
                         std::get<OptimizeResult>(std::move(plain.answer)), context);
 }
 

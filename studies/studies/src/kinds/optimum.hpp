@@ -26,6 +26,7 @@ class OptimumRun : public SearchRun {
 
  private:
   OptimizeResult answer(const optim::Result& found) const;
+  DesignProblem held(std::span<const double> design) const;
 
   BuiltMotorsAsked built_;
 };

@@ -5,9 +5,10 @@
 
 namespace twum::studies {
 
-RobustLog::RobustLog(const DesignProblem& problem, RunContext& context)
+RobustLog::RobustLog(const DesignProblem& problem, std::vector<double> chosen, RunContext& context)
     : context_(context),
       variables_(problem.variables.size()),
+      chosen_(std::move(chosen)),
       rows_(problem),
       motors_(problem),
       done_(context.store.rows()) {
@@ -38,7 +39,9 @@ optim::Evaluation RobustLog::recall(std::uint64_t round, std::span<const double>
 }
 
 void RobustLog::observe(std::uint64_t round, const optim::Observation& observation) {
-  const auto design = observation.design.first(variables_);
+  const auto x = observation.design.first(variables_);
+  std::vector<double> design(x.begin(), x.end());
+  design.insert(design.end(), chosen_.begin(), chosen_.end());
   Row row = rows_.row(observation.stage, observation.index, design, false,
                       motors_.evaluate(design, false));
   row.status = observation.evaluation.ok() ? "ok" : observation.evaluation.failure;

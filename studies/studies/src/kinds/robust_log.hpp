@@ -12,7 +12,8 @@ namespace twum::studies {
 class RobustLog {
  public:
   /// Keeps references to both.
-  RobustLog(const DesignProblem& problem, RunContext& context);
+  /// @param chosen  numbers of the sets that the search holds, which follow the variables in a row
+  RobustLog(const DesignProblem& problem, std::vector<double> chosen, RunContext& context);
 
   /// For RobustOptions::recall: answers from the store where it can.
   optim::Evaluation recall(std::uint64_t round, std::span<const double> y, bool gradient,
@@ -25,6 +26,7 @@ class RobustLog {
 
   RunContext& context_;
   std::size_t variables_;
+  std::vector<double> chosen_;
   SearchRows rows_;
   MotorResponses motors_;
   std::unordered_map<std::string, optim::Evaluation> stored_;

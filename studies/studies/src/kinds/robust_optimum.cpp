@@ -60,7 +60,9 @@ std::vector<RobustTolerance> tolerances_of(const RobustQuestion& question,
     RobustTolerance tolerance{input.name, input.relative ? "%" : unit,
                               input.relative ? 100 * input.spread : input.spread};
     if (k < found.prices.size()) {
-      tolerance.gain = found.prices[k].gain_per_percent_tighter;
+      // Of a largest yield the prices speak of the yield, not of the goal.
+      const bool largest = std::isfinite(found.largest_yield);
+      tolerance.gain = largest ? kNoValue : found.prices[k].gain_per_percent_tighter;
       tolerance.yield_gain = found.prices[k].yield_per_percent_tighter;
     }
     list.push_back(std::move(tolerance));
@@ -146,7 +148,8 @@ optim::RobustOptions options_of(const RobustBeginning& beginning, RobustLog& log
   options.solve = beginning.options;
   options.solve.observer = {};
   options.solve.first_stage = kRobustStages;
-  options.starts = {beginning.nominal.design};
+  const auto x = std::span(beginning.nominal.design).first(beginning.question.design.variables.size());
+  options.starts = {{x.begin(), x.end()}};
   options.recall = [&log](std::uint64_t round, std::span<const double> y, bool gradient,
                           const optim::Evaluator& evaluate) {
     return log.recall(round, y, gradient, evaluate);
@@ -163,12 +166,16 @@ KindAnswer robust_optimum(const RobustBeginning& beginning, OptimizeResult plain
                           RunContext& context) {
   const RobustQuestion& question = beginning.question;
   const optim::RobustProblem posed = robust_problem(question);
-  RobustLog log(question.design, context);
+  // Whole numbers and sets are those of the optimum without tolerances.
+  const auto free = static_cast<std::ptrdiff_t>(question.design.variables.size());
+  const std::vector<double>& start = beginning.nominal.design;
+  const std::vector<double> chosen(start.begin() + free, start.end());
+  RobustLog log(beginning.asked, chosen, context);
   const optim::RobustOptions options = options_of(beginning, log);
   const optim::RobustResult found = optim::solve_robust(posed, options);
   context.store.flush();
   const optim::Verification nominal = optim::verify_design(
-      posed, beginning.nominal.design, kNominalProducts, options, kNominalStream);
+      posed, std::span(start).first(question.design.variables.size()), kNominalProducts, options, kNominalStream);
   if (context.stop.stop_requested()) return {"interrupted", std::move(plain)};
 
   RobustReport report;
@@ -190,12 +197,14 @@ KindAnswer robust_optimum(const RobustBeginning& beginning, OptimizeResult plain
   plain.found = !found.design.empty();
   if (plain.found) {
     const bool maximize = question.design.objectives.front().maximize;
-    plain.best = beginning.reports.report(found.design, design_certificate(found, maximize, posed));
+    std::vector<double> design = found.design;
+    design.insert(design.end(), chosen.begin(), chosen.end());
+    plain.best = beginning.reports.report(design, design_certificate(found, maximize, posed));
     const auto value =
         std::find_if(plain.best.metrics.begin(), plain.best.metrics.end(),
                      [&](const NamedValue& m) { return m.name == plain.goal.metric; });
     report.objective = value == plain.best.metrics.end() ? kNoValue : value->value;
-    plain.whole_ends = beginning.reports.whole_ends(found.design);
+    plain.whole_ends = beginning.reports.whole_ends(design);
   }
   plain.robust = std::move(report);
   return {optim::to_string(found.outcome), std::move(plain)};

@@ -11,7 +11,8 @@ namespace twum::studies {
 
 /// What a robust search begins with.
 struct RobustBeginning {
-  const RobustQuestion& question;
+  const RobustQuestion& question;  ///< whole numbers and sets held
+  const DesignProblem& asked;      ///< nothing held
   DesignReporter reports;
   optim::SolveOptions options;   ///< of the plain search
   const optim::Result& nominal;  ///< the optimum without tolerances

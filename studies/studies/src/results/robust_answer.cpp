@@ -17,7 +17,7 @@ constexpr double kWorthTelling =
 
 // Enough digits to tell 99.9 % from 99.95 %.
 std::string percent_words(double share, int digits = 4) {
-  return rounded_text(100 * share, digits) + " %";
+  return rounded_text(100 * share, share > 0.9 ? std::max(digits, 3) : digits) + " %";
 }
 
 Json robust_yield_json(const RobustYield& yield) {
@@ -64,10 +64,10 @@ const RobustTolerance* dearest(const RobustReport& report) {
                                      [](const RobustTolerance& a, const RobustTolerance& b) {
                                        return std::fabs(a.gain) < std::fabs(b.gain);
                                      });
-  return most == report.tolerances.end() || most->gain == 0 ? nullptr : &*most;
+  return most == report.tolerances.end() || !(most->gain != 0) ? nullptr : &*most;
 }
 
-// "wear_intensity_at(80 rpm) <= 5 kW/m^2 in 52 %, no_load_speed >= 100 rpm in 46 %"
+// "52 % break wear_intensity_at(80 rpm) <= 5 kW/m^2, 46 % break no_load_speed >= 100 rpm"
 std::string failing_words(const RobustReport& report) {
   std::vector<const RobustLimit*> list;
   for (const RobustLimit& limit : report.limits)
@@ -76,7 +76,7 @@ std::string failing_words(const RobustReport& report) {
                    [](const auto* a, const auto* b) { return a->share > b->share; });
   std::string text;
   for (const RobustLimit* limit : list)
-    text += (text.empty() ? "" : ", ") + limit->text + " in " + percent_words(limit->share, 2);
+    text += (text.empty() ? "" : ", ") + percent_words(limit->share, 2) + " break " + limit->text;
   return text;
 }
 
@@ -108,9 +108,10 @@ std::string risk_table(const RobustReport& report) {
 std::string tolerance_table(const RobustReport& report, const Goal& goal) {
   TextTable table{{{"tolerance", "spread", "1 % tighter gains", "yield gains, same design"}}};
   for (const RobustTolerance& one : report.tolerances)
-    table.rows.push_back({one.name, spread_words(one),
-                          change_words(one.gain * (goal.maximize ? 1 : -1), goal.unit),
-                          percent_words(one.yield_gain, 2)});
+    table.rows.push_back(
+        {one.name, spread_words(one),
+         std::isnan(one.gain) ? "-" : change_words(one.gain * (goal.maximize ? 1 : -1), goal.unit),
+         percent_words(one.yield_gain, 2)});
   return "\n" + aligned(table);
 }
 
@@ -167,15 +168,15 @@ std::string robust_words(const RobustReport& report, const Goal& goal) {
             ". The design that has it follows; tighten a tolerance or loosen a limit.\n";
   for (const RobustYield& yield : report.yields) text += yield_words(yield);
   text += "Without tolerances the optimum is " + engineering(report.nominal_objective, goal.unit) +
-          ", of which " + percent_words(report.nominal_yield.value, 3) +
-          " of the motors would pass: the tolerances cost " +
+          ", and " + percent_words(report.nominal_yield.value, 3) +
+          " of its motors would pass: the tolerances cost " +
           engineering(std::fabs(report.nominal_objective - report.objective), goal.unit, 3) + ".\n";
   const std::string failing = failing_words(report);
-  if (!failing.empty()) text += "Failing motors break " + failing + ".\n";
+  if (!failing.empty()) text += "Of the failing motors " + failing + ".\n";
   if (const RobustTolerance* most = dearest(report);
       most != nullptr && !std::isfinite(report.largest_yield))
-    text += "The dearest tolerance is that of " + most->name + ", " + spread_words(*most) +
-            "; to find what another one is worth, change it and solve again.\n";
+    text += "The tolerance of " + most->name + " (" + spread_words(*most) +
+            ") costs most; solve again with a tighter one to see what it is worth.\n";
   if (report.price_of_yield > 0)
     text += "0.1 % more yield costs " + engineering(0.001 * report.price_of_yield, goal.unit, 3) +
             ".\n";

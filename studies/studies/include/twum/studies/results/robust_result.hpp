@@ -23,15 +23,15 @@ struct RobustYield {
 
 /// What one limit has to do with the risk.
 struct RobustLimit {
-  std::string text;                    ///< as typed
-  bool at_least{true};                 ///< its lower end
-  std::string target;                  ///< the yield or probability that it counts in
-  double beta{0};                      ///< reliability index
-  double delta{0};                     ///< correction of its margin in the last round, SI
-  double probability{0};               ///< share of the fresh motors that break it
-  double share{0};                     ///< of those that break any limit of the target
+  std::string text;                      ///< as typed
+  bool at_least{true};                   ///< its lower end
+  std::string target;                    ///< the yield or probability that it counts in
+  double beta{0};                        ///< reliability index
+  double delta{0};                       ///< correction of its margin in the last round, SI
+  double probability{0};                 ///< share of the fresh motors that break it
+  double share{0};                       ///< of those that break any limit of the target
   std::vector<NamedValue> importance{};  ///< share of each tolerance in its failures, sum 1
-  bool converged{true};                ///< its worst point was found exactly
+  bool converged{true};                  ///< its worst point was found exactly
 };
 
 /// What one tolerance costs.
@@ -39,18 +39,18 @@ struct RobustTolerance {
   std::string name;      ///< of the parameter
   std::string unit;      ///< of the spread: "%" of the design's value, or SI
   double spread{0};      ///< in that unit: standard deviation, half range, or width below the mode
-  double gain{0};        ///< of the goal if it is 1 % tighter, first order
+  double gain{0};        ///< of the goal if it is 1 % tighter, first order; NaN: not reached
   double yield_gain{0};  ///< of the yield then, at the same design
 };
 
 /// How a metric with a limit scatters.
 struct RobustDensity {
-  std::string metric;           ///< as typed
-  std::string unit;             ///< SI
-  double lower{0};              ///< ends of its limit, SI; infinite: none
-  double upper{0};              ///< likewise
-  double first{0};              ///< left end of the first bin, SI
-  double width{0};              ///< of a bin, SI
+  std::string metric;             ///< as typed
+  std::string unit;               ///< SI
+  double lower{0};                ///< ends of its limit, SI; infinite: none
+  double upper{0};                ///< likewise
+  double first{0};                ///< left end of the first bin, SI
+  double width{0};                ///< of a bin, SI
   std::vector<double> motors{};   ///< share of the motors in each bin
   std::vector<double> nominal{};  ///< the same of the optimum without tolerances
 };
