@@ -110,3 +110,18 @@ TEST_CASE("a size study takes tolerances, and its duty counts in the yield", "[s
   CHECK(robust.nominal_yield.value < 0.65);
   CHECK(robust.objective > robust.nominal_objective);  // more pressure
 }
+
+TEST_CASE("a limit on a quantile, and its value by fresh motors", "[studies][robust]") {
+  // 99 % of the motors below 1 N.m is a 99 % quantile of at most 1 N.m: C8.
+  const Search s(largest_preload("quantile(holding_torque, 99 %) <= 1 N.m"));
+  CHECK(s.answer.outcome == "optimal");
+  // Corrected by 16,384 products about the quantile: 2 % of an index, of spread 0.104.
+  CHECK(value(s.optimum().best.design, "preload") == Approx(kExact).epsilon(0.02 * 0.104));
+  const RobustReport& robust = *s.optimum().robust;
+  CHECK(robust.yields.empty());
+  REQUIRE(robust.statistics.size() == 1);
+  CHECK(robust.statistics[0].text == "quantile(holding_torque, 99 %)");
+  CHECK(robust.statistics[0].unit == "N.m");
+  CHECK(robust.statistics[0].value.low < 1.0);
+  CHECK(robust.statistics[0].value.high > 0.99);
+}

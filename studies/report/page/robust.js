@@ -17,7 +17,7 @@ function robustSentences() {
   const lines = r.yields.map((y) => sentence(yieldWords(y)));
   if (r.largest_yield !== null) lines.unshift(sentence(bold('The wanted yield cannot be had'), '; the largest found is ' + percent(r.largest_yield, 4) + '. The design shown has it.'));
   const share = r.price / Math.abs(r.nominal.objective);
-  lines.push(sentence('Without tolerances the optimum has a ' + plain(goal.metric) + ' of ' + engineering(r.nominal.objective, unitOf(goal.metric)) + ', but only ' + percent(r.nominal.yield, 2) + ' of its motors would pass. The tolerances cost ' + engineering(r.price, unitOf(goal.metric), 3) + ' (' + percent(share, 2) + ').'));
+  lines.push(sentence('Without tolerances the optimum has a ' + plain(goal.metric) + ' of ' + engineering(r.nominal.objective, unitOf(goal.metric)) + (r.nominal.yield === null ? '' : ', but only ' + percent(r.nominal.yield, 2) + ' of its motors would pass') + '. The tolerances cost ' + engineering(r.price, unitOf(goal.metric), 3) + ' (' + percent(share, 2) + ').'));
   return lines;
 }
 

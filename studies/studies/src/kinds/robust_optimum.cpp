@@ -3,6 +3,9 @@
 
 #include "kinds/robust_log.hpp"
 
+#include <twum/studies/statistics/moments.hpp>
+#include <twum/studies/statistics/quantiles.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -29,6 +32,34 @@ std::vector<RobustYield> yields_of(const optim::RobustProblem& posed,
     const double wanted = posed.yields[s].at_least;
     list.push_back({target_name(posed, s), wanted, estimate_of(seen), seen.products,
                     optim::to_string(optim::verdict_on(seen, wanted))});
+  }
+  return list;
+}
+
+Estimate estimate_of(const optim::StatisticTarget& target, std::vector<double> values) {
+  constexpr double kConfidence = 0.95;
+  std::erase_if(values, [](double v) { return !std::isfinite(v); });
+  if (target.kind == optim::Statistic::quantile) {
+    std::sort(values.begin(), values.end());
+    return quantile_estimate(values, target.probability, kConfidence);
+  }
+  Moments moments;
+  for (const double v : values) moments.add(v);
+  return target.kind == optim::Statistic::mean ? moments.mean_estimate(kConfidence)
+                                               : moments.sd_estimate(kConfidence);
+}
+
+std::vector<RobustStatistic> limited_statistics(const RobustQuestion& question,
+                                                const optim::RobustProblem& posed,
+                                                const optim::RobustResult& found) {
+  std::vector<RobustStatistic> list;
+  if (found.verification.values.empty()) return list;
+  for (const optim::StatisticTarget& target : posed.statistics) {
+    const auto asked =
+        std::find_if(question.statistics.begin(), question.statistics.end(),
+                     [&](const StatisticLimit& s) { return s.statistic.text == target.name; });
+    list.push_back({target.name, asked->statistic.unit(), target.lower, target.upper,
+                    estimate_of(target, found.verification.values[target.response])});
   }
   return list;
 }
@@ -183,6 +214,7 @@ KindAnswer robust_optimum(const RobustBeginning& beginning, OptimizeResult plain
   report.nominal_objective = beginning.nominal.evaluation.values.front();
   report.nominal_design = plain.best.design;
   if (!nominal.yields.empty()) report.nominal_yield = estimate_of(nominal.yields.front());
+  report.statistics = limited_statistics(question, posed, found);
   report.limits = limits_of(posed, found);
   report.tolerances = tolerances_of(question, posed, found);
   report.price_of_yield = found.price_of_yield;

@@ -43,6 +43,16 @@ Json robust_limit_json(const RobustLimit& limit) {
           {"converged", limit.converged}};
 }
 
+Json statistic_json(const RobustStatistic& statistic) {
+  return {{"text", statistic.text},
+          {"unit", statistic.unit},
+          {"lower", number_json(statistic.lower)},
+          {"upper", number_json(statistic.upper)},
+          {"value", number_json(statistic.value.value)},
+          {"low", number_json(statistic.value.low)},
+          {"high", number_json(statistic.value.high)}};
+}
+
 Json density_json(const RobustDensity& density) {
   return {{"metric", density.metric},
           {"unit", density.unit},
@@ -90,6 +100,16 @@ std::string yield_words(const RobustYield& yield) {
   return text + ".\n";
 }
 
+std::string price_words(const RobustReport& report, const Goal& goal) {
+  std::string text =
+      "Without tolerances the optimum is " + engineering(report.nominal_objective, goal.unit);
+  if (std::isfinite(report.nominal_yield.value))
+    text += ", and " + percent_words(report.nominal_yield.value, 3) + " of its motors would pass";
+  const double price = std::fabs(report.nominal_objective - report.objective);
+  return text + ": the tolerances cost " + engineering(price, goal.unit, 3) + " (" +
+         percent_words(price / std::fabs(report.nominal_objective), 2) + ").\n";
+}
+
 std::string risk_table(const RobustReport& report) {
   TextTable table{{{"limit", "motors that break it", "of the failures", "index", "mostly by"}}};
   for (const RobustLimit& limit : report.limits) {
@@ -125,6 +145,9 @@ Json robust_json(const RobustReport& report) {
   }
   json["yields"] = Json::array();
   for (const RobustYield& yield : report.yields) json["yields"].push_back(robust_yield_json(yield));
+  json["statistics"] = Json::array();
+  for (const RobustStatistic& one : report.statistics)
+    json["statistics"].push_back(statistic_json(one));
   json["nominal"] = {{"design", values_json(report.nominal_design)},
                      {"objective", number_json(report.nominal_objective)},
                      {"yield", number_json(report.nominal_yield.value)}};
@@ -167,10 +190,11 @@ std::string robust_words(const RobustReport& report, const Goal& goal) {
             percent_words(report.largest_yield) +
             ". The design that has it follows; tighten a tolerance or loosen a limit.\n";
   for (const RobustYield& yield : report.yields) text += yield_words(yield);
-  text += "Without tolerances the optimum is " + engineering(report.nominal_objective, goal.unit) +
-          ", and " + percent_words(report.nominal_yield.value, 3) +
-          " of its motors would pass: the tolerances cost " +
-          engineering(std::fabs(report.nominal_objective - report.objective), goal.unit, 3) + ".\n";
+  for (const RobustStatistic& one : report.statistics)
+    text += one.text + " is " + engineering(one.value.value, one.unit) + " (" +
+            engineering(one.value.low, one.unit) + " to " + engineering(one.value.high, one.unit) +
+            " by fresh motors).\n";
+  text += price_words(report, goal);
   const std::string failing = failing_words(report);
   if (!failing.empty()) text += "Of the failing motors " + failing + ".\n";
   if (const RobustTolerance* most = dearest(report);

@@ -21,6 +21,15 @@ struct RobustYield {
   std::string verdict;       ///< "holds", "not-distinguishable" or "broken"
 };
 
+/// A statistic that was limited, as fresh motors have it.
+struct RobustStatistic {
+  std::string text;  ///< as typed, such as "mean(peak_power)"
+  std::string unit;  ///< SI
+  double lower{0};   ///< limits, SI; infinite: none
+  double upper{0};   ///< likewise
+  Estimate value{};  ///< of the motors with an answer, 95 % interval
+};
+
 /// What one limit has to do with the risk.
 struct RobustLimit {
   std::string text;                      ///< as typed
@@ -57,9 +66,11 @@ struct RobustDensity {
 
 /// What `optimize` and `size` say about built motors.
 struct RobustReport {
-  std::vector<RobustYield> yields;          ///< each that was asked for
-  double objective{0};                      ///< of the robust optimum, SI
-  double nominal_objective{0};              ///< of the optimum without tolerances, SI
+  std::vector<RobustYield> yields;  ///< each that was asked for
+  std::vector<RobustStatistic>
+      statistics;               ///< means, standard deviations and quantiles with a limit
+  double objective{0};          ///< of the robust optimum, SI
+  double nominal_objective{0};  ///< of the optimum without tolerances, SI
   std::vector<NamedValue> nominal_design;   ///< its variables
   Estimate nominal_yield;                   ///< share of its motors that would pass
   std::vector<RobustLimit> limits;          ///< where the risk goes
