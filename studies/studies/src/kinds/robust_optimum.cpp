@@ -179,7 +179,8 @@ optim::RobustOptions options_of(const RobustBeginning& beginning, RobustLog& log
   options.solve = beginning.options;
   options.solve.observer = {};
   options.solve.first_stage = kRobustStages;
-  const auto x = std::span(beginning.nominal.design).first(beginning.question.design.variables.size());
+  const auto x =
+      std::span(beginning.nominal.design).first(beginning.question.design.variables.size());
   options.starts = {{x.begin(), x.end()}};
   options.recall = [&log](std::uint64_t round, std::span<const double> y, bool gradient,
                           const optim::Evaluator& evaluate) {
@@ -205,8 +206,9 @@ KindAnswer robust_optimum(const RobustBeginning& beginning, OptimizeResult plain
   const optim::RobustOptions options = options_of(beginning, log);
   const optim::RobustResult found = optim::solve_robust(posed, options);
   context.store.flush();
-  const optim::Verification nominal = optim::verify_design(
-      posed, std::span(start).first(question.design.variables.size()), kNominalProducts, options, kNominalStream);
+  const optim::Verification nominal =
+      optim::verify_design(posed, std::span(start).first(question.design.variables.size()),
+                           kNominalProducts, options, kNominalStream);
   if (context.stop.stop_requested()) return {"interrupted", std::move(plain)};
 
   RobustReport report;

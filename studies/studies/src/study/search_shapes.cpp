@@ -168,8 +168,8 @@ Shape<SizeStudy> SizeStudy::shape() {
   return mapping<S>(
       "a motor for a duty",
       {kind_field<S>(), variables_field<S>("what may be changed"), derived_field<S>(),
-       choose_field<S>(), needed<S>("duty", duty, &S::duty),
-       limits_field("limits", &S::limits), tolerances_field<S>(),
+       choose_field<S>(), needed<S>("duty", duty, &S::duty), limits_field("limits", &S::limits),
+       tolerances_field<S>(),
        standard<S>("prefer",
                    metric("what is minimized among the motors that will do", "max_pressure"),
                    &S::prefer),
