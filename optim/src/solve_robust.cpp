@@ -44,6 +44,7 @@ class Explained {
       for (const double a : points_[j].direction) share.importance.push_back(a * a);
       share.multiplier = multiplier(j);
       share.converged = points_[j].converged;
+      share.delta = round_.correction().delta[j];
       if (!verified.yields.empty()) {
         const YieldEstimate& yield = verified.yields[share.target];
         const auto failed = static_cast<double>(verified.term_failures[j]);
@@ -165,7 +166,9 @@ class RobustSolve {
       if (!risks.empty()) result_.aimed.push_back(1.0 - risks.front());
       const double rarest =
           wanted_.empty() ? 0.01 : *std::min_element(wanted_.begin(), wanted_.end());
-      const double risk = problem_.goal == RobustGoal::yield ? search_.last_risk().any : rarest;
+      // A largest yield is verified as what it is, not as what was wanted.
+      const bool largest = solved.round->goal() == RobustGoal::yield;
+      const double risk = largest ? search_.last_risk().any : rarest;
       result_.verification = verify_products(problem_, search_.terms(), search_.design(solved),
                                              search_.plan(products_for(std::max(risk, 1e-6)), 0),
                                              static_cast<std::uint64_t>(attempt));
@@ -245,6 +248,14 @@ void validate_robust(const RobustProblem& problem) {
 RobustResult solve_robust(const RobustProblem& problem, const RobustOptions& options) {
   validate_robust(problem);
   return RobustSolve(problem, options).run();
+}
+
+Verification verify_design(const RobustProblem& problem, std::span<const double> design,
+                           std::uint64_t products, const RobustOptions& options,
+                           std::uint64_t stream) {
+  validate_robust(problem);
+  const RobustSearch search(problem, options);
+  return verify_products(problem, search.terms(), design, search.plan(products, 0), stream);
 }
 
 RobustResult solve_form(const RobustProblem& problem, const RobustOptions& options) {

@@ -97,8 +97,8 @@ bool RobustSearch::better(const Result& a, const Result& b) const {
 }
 
 SolvedRound RobustSearch::first_round(RobustGoal goal, const std::vector<double>& risks) {
-  const auto round =
-      std::make_shared<const RobustRound>(problem_, goal, risks, Correction::none(terms_));
+  const auto round = std::make_shared<const RobustRound>(
+      problem_, goal, risks, Correction::none(terms_), options_.solve.seed);
   const std::uint64_t number = next_round_++;
   const auto list = starts();
   const std::uint64_t first = next_stage_;
@@ -145,7 +145,8 @@ SolvedRound RobustSearch::solve(std::shared_ptr<const RobustRound> round,
 
 SolvedRound RobustSearch::solve_again(const SolvedRound& from, RobustGoal goal,
                                       const std::vector<double>& risks) {
-  return solve(std::make_shared<const RobustRound>(problem_, goal, risks, from.round->correction()),
+  return solve(std::make_shared<const RobustRound>(problem_, goal, risks, from.round->correction(),
+                                                   options_.solve.seed),
                from.result.design);
 }
 
@@ -196,7 +197,8 @@ SolvedRound RobustSearch::correct_once(const SolvedRound& solved, std::uint64_t 
   std::vector<double> risks;
   for (std::size_t s = 0; s < terms_.of_target.size(); ++s) risks.push_back(old.risk(s));
   const auto next = std::make_shared<const RobustRound>(
-      problem_, old.goal(), risks, correction(solved, plan(products, replicate)));
+      problem_, old.goal(), risks, correction(solved, plan(products, replicate)),
+      options_.solve.seed);
   if (stopped()) return solved;
   SolvedRound after = solve(next, solved.result.design);
   RobustRoundReport report{products, last_risk_.any, last_risk_.error, 0.0, 0.0};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/round.hpp"
 
+#include "robust/moments.hpp"
 #include "robust/normal.hpp"
 
 #include <algorithm>
@@ -15,13 +16,7 @@ constexpr double kMostBeta = 6.0;    // a risk of 1e-9
 // enough to be left with it.
 constexpr double kSmallShare = 1e-3;
 
-// A row of a constraint or objective over y.
-struct LineOf {
-  std::vector<double> slope;
-  double value{0.0};
-};
-
-void append(Evaluation& answer, const LineOf& line) {
+void append_line(Evaluation& answer, const LineOf& line) {
   answer.values.push_back(line.value);
   answer.jacobian.insert(answer.jacobian.end(), line.slope.begin(), line.slope.end());
 }
@@ -65,12 +60,16 @@ Correction Correction::none(const RobustTerms& terms) {
 }
 
 RobustRound::RobustRound(const RobustProblem& problem, RobustGoal goal, std::vector<double> risks,
-                         Correction correction)
+                         Correction correction, std::uint64_t seed)
     : problem_(problem),
       goal_(goal),
       terms_(problem),
       risks_(std::move(risks)),
-      correction_(std::move(correction)) {}
+      correction_(std::move(correction)) {
+  if (std::any_of(problem.statistics.begin(), problem.statistics.end(),
+                  [](const StatisticTarget& s) { return s.kind != Statistic::quantile; }))
+    sample_ = moment_sample(problem, seed);
+}
 
 std::string RobustRound::risk_line(std::size_t target) const {
   return "risk of " + problem_.yields[target].name;
@@ -140,6 +139,25 @@ double RobustRound::log_risk(std::span<const double> y, std::size_t target) cons
   return std::log(joint_risk(beta, correction_.overlaps[target]).risk);
 }
 
+// U2.1 to U2.3
+LineOf RobustRound::statistic_line(std::span<const double> y, std::size_t statistic,
+                                   const std::vector<InversePoint>& worst) const {
+  LineOf line{std::vector<double>(y.size(), 0.0)};
+  const auto put = [&](double value, const std::vector<double>& by_design) {
+    line.value = value;
+    std::copy(by_design.begin(), by_design.end(), line.slope.begin());
+  };
+  for (std::size_t j = 0; j < worst.size(); ++j)
+    if (terms_.terms[j].statistic == statistic)
+      put(worst[j].at.value + correction_.delta[j], worst[j].at.by_design);
+  const StatisticTarget& target = problem_.statistics[statistic];
+  if (target.kind == Statistic::quantile) return line;
+  const Moment found = moment(problem_, target, y.first(variables()), sample_);
+  if (found.failure.empty()) put(found.value, found.by_design);
+  line.failure = found.failure;
+  return line;
+}
+
 // Objective, constraints of the design, margins, risk lines, statistics.
 Evaluation RobustRound::evaluate(std::span<const double> y, bool gradient) const {
   const std::size_t n = variables(), all = y.size();
@@ -176,14 +194,27 @@ Evaluation RobustRound::evaluate(std::span<const double> y, bool gradient) const
   };
 
   const std::size_t objectives = problem_.design.objectives.size();
-  if (goal_ == RobustGoal::nominal) append(answer, design_line(0));
-  if (goal_ == RobustGoal::yield) append(answer, risk_of(0, 1.0, 0.0));
-  for (std::size_t i = objectives; i < design.values.size(); ++i) append(answer, design_line(i));
+  if (goal_ == RobustGoal::nominal) append_line(answer, design_line(0));
+  if (goal_ == RobustGoal::yield) append_line(answer, risk_of(0, 1.0, 0.0));
+  if (goal_ == RobustGoal::statistic) {
+    const LineOf line = statistic_line(y, 0, worst);
+    if (!line.failure.empty()) return {{}, {}, {}, line.failure};
+    append_line(answer, line);
+  }
+  for (std::size_t i = objectives; i < design.values.size(); ++i)
+    append_line(answer, design_line(i));
   for (std::size_t j = 0; j < worst.size(); ++j)
-    if (terms_.terms[j].target) append(answer, margin_line(j));
+    if (terms_.terms[j].target) append_line(answer, margin_line(j));
   for (std::size_t s = 0; s < terms_.of_target.size(); ++s)
     if (!is_goal(s))
-      append(answer, risk_of(s, -1.0, std::log(risks_[s] * (1.0 + correction_.kappa[s]))));
+      append_line(answer, risk_of(s, -1.0, std::log(risks_[s] * (1.0 + correction_.kappa[s]))));
+  for (std::size_t s = 0; s < problem_.statistics.size(); ++s) {
+    const StatisticTarget& target = problem_.statistics[s];
+    if (!(target.lower > -kInfinity || target.upper < kInfinity)) continue;
+    const LineOf line = statistic_line(y, s, worst);
+    if (!line.failure.empty()) return {{}, {}, {}, line.failure};
+    append_line(answer, line);
+  }
   if (!gradient) answer.jacobian.clear();
   return answer;
 }

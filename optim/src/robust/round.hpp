@@ -37,12 +37,20 @@ struct Correction {
   static Correction none(const RobustTerms& terms);
 };
 
+/// A row of an objective or constraint over y = (x, beta).
+struct LineOf {
+  std::vector<double> slope;
+  double value{0.0};
+  std::string failure{};
+};
+
 /// The problem of one round, U3.1, in the design and the reliability indices y = (x, beta).
 class RobustRound {
  public:
   /// @param risks  of each yield target the share of products that may fail; not used of the goal
+  /// @param seed   of the fixed sample of means and standard deviations
   RobustRound(const RobustProblem& problem, RobustGoal goal, std::vector<double> risks,
-              Correction correction);
+              Correction correction, std::uint64_t seed = 1);
 
   /// Its constraints: those of the design, G_j + delta_j >= 0 of each term of a target, the risk lines, the statistics.
   Problem problem() const;
@@ -64,6 +72,8 @@ class RobustRound {
  private:
   Evaluation evaluate(std::span<const double> y, bool gradient) const;
   std::size_t variables() const { return problem_.design.variables.size(); }
+  LineOf statistic_line(std::span<const double> y, std::size_t statistic,
+                        const std::vector<InversePoint>& worst) const;
   bool is_goal(std::size_t target) const { return goal_ == RobustGoal::yield && target == 0; }
 
   const RobustProblem& problem_;
@@ -71,6 +81,7 @@ class RobustRound {
   RobustTerms terms_;
   std::vector<double> risks_;
   Correction correction_;
+  std::vector<std::vector<double>> sample_;  // of means and standard deviations
 };
 
 }  // namespace twum::optim

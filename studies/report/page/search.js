@@ -102,6 +102,7 @@ function searchPage() {
   const names = Object.keys(summary.best.design);
   const limits = card('What stops it', 'A limit that binds holds the design back; loosened by 1 % it changes the ' + plain(summary.objective.metric) + ' as said, to first order, with everything else chosen anew. The others have room.', 'wide');
   limits.append(limitsTable(summary.best, [summary.objective]));
+  robustCards();
   const design = card('The design', 'What the search was free to change.', 'half');
   const columns = [{ name: 'before', values: summary.before.design }, { name: 'best', values: summary.best.design }];
   design.append(designTable(names, columns, summary.best.choice));

@@ -53,6 +53,7 @@ function searchVerdict() {
   const now = goalValue(summary.best, goal);
   const before = goalValue(summary.before, goal);
   const lines = [sentence('The best design found has a ' + plain(goal.metric) + ' of ', bold(engineering(now, unit)), before === null ? '' : ', against ' + engineering(before, unit) + ' before' + changeWords(now, before), ': ' + choiceWords(summary.best) + designWords(summary.best.design) + '.')];
+  if (summary.robust) lines.unshift(...robustSentences());
   const held = holders(summary.best, [goal]);
   if (held.length || wholeEnds(summary.best).length) lines.push(sentence(held.length === 1 ? 'What stops it:' : 'What stops it, the most valuable limit first:'), holderList(summary.best, [goal]));
   else lines.push(sentence('No limit stops it: it is the best there is within the ranges.'));

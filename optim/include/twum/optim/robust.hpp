@@ -30,6 +30,7 @@ struct RiskShare {
   double share{0.0};                 ///< of those products that break any limit of the target
   std::vector<double> importance{};  ///< alpha_k^2 of each input, sum 1: what makes it fail
   double multiplier{0.0};            ///< improvement of the goal per unit that this end is relaxed
+  double delta{0.0};                 ///< correction of its margin in the last round, user units
   bool converged{true};              ///< its worst point was found to 1e-8
 };
 
@@ -91,6 +92,12 @@ struct RobustOptions {
 /// options and seed, for any number of threads.
 /// @throws InputError for a problem that cannot be posed
 RobustResult solve_robust(const RobustProblem& problem, const RobustOptions& options = {});
+
+/// Fresh products of any design, with the threads, seed and stop of the options.
+/// @param stream  names their random numbers; 0 to 3 are those of solve_robust()
+Verification verify_design(const RobustProblem& problem, std::span<const double> design,
+                           std::uint64_t products, const RobustOptions& options,
+                           std::uint64_t stream);
 
 /// FORM alone, the first round of solve_robust(): no sample, no verdict. For tests and for fronts.
 RobustResult solve_form(const RobustProblem& problem, const RobustOptions& options = {});

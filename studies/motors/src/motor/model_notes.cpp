@@ -149,11 +149,11 @@ std::vector<ModelNote> model_notes_at_length(const MotorDesign& design) {
   MotorDesign wide = design;
   wide.stator.radial_slices = kSlices;
   if (design.stator.radial_slices != 1 || !complaints(wide).empty()) return notes;
-  const Motor narrow(design), track(wide);
+  const Motor track(wide);
   std::string text;
   double worst = 0;
   for (const Metric metric : {Metric::stall_torque, Metric::no_load_speed, Metric::peak_power}) {
-    const double by = change(narrow, track, metric);
+    const double by = change(motor, track, metric);
     if (std::fabs(by) < kMatters) continue;
     worst = std::max(worst, std::fabs(by));
     text += (text.empty() ? "" : ", ") + std::string(info(metric).name) + " by " +

@@ -30,7 +30,8 @@ struct Finder {
   const StudyResult& result;
 
   std::vector<FoundMotor> operator()(const OptimizeResult& answer) const {
-    if (!answer.found || !keeps_limits(answer.best)) return {};
+    const bool missed = answer.robust && result.outcome == "infeasible";
+    if (!answer.found || missed || !keeps_limits(answer.best)) return {};
     return {{"best.yaml", "best design",
              motor_with(file, answer.best.design, "best of " + result.study)}};
   }

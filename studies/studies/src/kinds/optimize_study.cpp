@@ -15,7 +15,7 @@ class OptimizeRun : public OptimumRun {
                     asked.constraints,
                     asked.derived,
                     asked.choose},
-                   asked.solver, asked.start) {}
+                   {asked.tolerances, asked.statistics}, asked.solver, asked.start) {}
 };
 
 }  // namespace

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/optimum.hpp"
 
+#include "kinds/robust_optimum.hpp"
 #include "problem/multi_start.hpp"
 
 namespace twum::studies {
 
-KindAnswer OptimumRun::run(RunContext& context) {
-  SearchLog log(problem(), context);
-  const optim::Result found = solve_from_starts(log.problem(), options(log, context));
-  context.store.flush();
+OptimumRun::OptimumRun(const StudyFile& file, DesignProblem asked, BuiltMotorsAsked built,
+                       optim::SolveOptions options, const std::string& start)
+    : SearchRun(file, std::move(asked), std::move(options), start), built_(std::move(built)) {}
+
+std::optional<optim::Certificate> OptimumRun::certify(std::span<const double> variables) const {
+  return built_.tolerances.empty() ? SearchRun::certify(variables) : std::nullopt;
+}
+
+OptimizeResult OptimumRun::answer(const optim::Result& found) const {
   const DesignReporter reports = reporter();
   OptimizeResult result;
   result.goal = reports.goals().front();
@@ -24,7 +30,34 @@ KindAnswer OptimumRun::run(RunContext& context) {
   }
   if (found.outcome == optim::Outcome::infeasible)
     result.explanation = reports.explanation(found.infeasibility);
-  return {outcome(found.outcome, context), std::move(result)};
+  return result;
+}
+
+// The question with whole numbers and sets as a design has them.
+DesignProblem OptimumRun::held(std::span<const double> design) const {
+  DesignProblem question = problem();
+  question.motor = motor_of(question, design);
+  question.choices.clear();
+  for (std::size_t j = 0; j < question.variables.size(); ++j) {
+    DesignVariable& variable = question.variables[j];
+    if (info(variable.parameter).integer) variable.min = variable.max = design[j];
+  }
+  return question;
+}
+
+// Under tolerances the optimum without them comes first: it is where the robust search starts, and what its answer is
+// compared with. Where not even one motor keeps the limits, there is nothing to build.
+KindAnswer OptimumRun::run(RunContext& context) {
+  SearchLog log(problem(), context);
+  const optim::Result found = solve_from_starts(log.problem(), options(log, context));
+  context.store.flush();
+  KindAnswer plain{outcome(found.outcome, context), answer(found)};
+  const bool feasible =
+      found.outcome == optim::Outcome::optimal || found.outcome == optim::Outcome::feasible;
+  if (built_.tolerances.empty() || !feasible || context.stop.stop_requested()) return plain;
+  const RobustQuestion question{held(found.design), built_.tolerances, built_.statistics};
+  return robust_optimum({question, problem(), reporter(), options(log, context), found},
+                        std::get<OptimizeResult>(std::move(plain.answer)), context);
 }
 
 }  // namespace twum::studies

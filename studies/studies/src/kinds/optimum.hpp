@@ -3,15 +3,32 @@
 
 #include "kinds/search_study.hpp"
 
+#include <twum/studies/problem/robust_question.hpp>
+
 namespace twum::studies {
+
+/// What a search asks of the motors that are built to its design; nothing without tolerances.
+struct BuiltMotorsAsked {
+  std::vector<Tolerance> tolerances;
+  std::vector<StatisticLimit> statistics;
+};
 
 /// A search for one best design: what optimize and size share.
 class OptimumRun : public SearchRun {
  public:
   KindAnswer run(RunContext& context) override;
+  /// Under tolerances the certificate is one of the last round, which follows from the rows before it.
+  std::optional<optim::Certificate> certify(std::span<const double> variables) const override;
 
  protected:
-  using SearchRun::SearchRun;
+  OptimumRun(const StudyFile& file, DesignProblem asked, BuiltMotorsAsked built,
+             optim::SolveOptions options, const std::string& start);
+
+ private:
+  OptimizeResult answer(const optim::Result& found) const;
+  DesignProblem held(std::span<const double> design) const;
+
+  BuiltMotorsAsked built_;
 };
 
 }  // namespace twum::studies

@@ -1,55 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/search_rows.hpp"
 
+#include "kinds/row_bytes.hpp"
+
 #include <twum/studies/units/engineering.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <optional>
 
 namespace twum::studies {
 namespace {
-
-template <typename T>
-void append(std::string& bytes, const T& value) {
-  const auto at = bytes.size();
-  bytes.resize(at + sizeof value);
-  std::memcpy(bytes.data() + at, &value, sizeof value);
-}
-
-// Reads back what append() wrote; a row that is too short was not written by this study.
-class Bytes {
- public:
-  explicit Bytes(const std::string& bytes) : bytes_(bytes) {}
-
-  template <typename T>
-  T take() {
-    T value{};
-    if (at_ + sizeof value > bytes_.size())
-      throw StoreError("the stored evaluations are damaged: a row is too short");
-    std::memcpy(&value, bytes_.data() + at_, sizeof value);
-    at_ += sizeof value;
-    return value;
-  }
-
-  std::vector<double> numbers() {
-    const auto count = take<std::uint32_t>();
-    std::vector<double> list;
-    for (std::uint32_t i = 0; i < count; ++i) list.push_back(take<double>());
-    return list;
-  }
-
- private:
-  const std::string& bytes_;
-  std::size_t at_{0};
-};
-
-void append_numbers(std::string& bytes, const std::vector<double>& list) {
-  append(bytes, static_cast<std::uint32_t>(list.size()));
-  for (const double value : list) append(bytes, value);
-}
 
 // Entries without a derivative are told by the Jacobian itself.
 bool told_by_jacobian(const optim::Evaluation& evaluation, std::size_t variables,
@@ -60,19 +22,19 @@ bool told_by_jacobian(const optim::Evaluation& evaluation, std::size_t variables
 
 std::string detail(const optim::Evaluation& evaluation, std::size_t variables, bool gradient) {
   std::string bytes;
-  append(bytes, static_cast<std::uint8_t>(gradient));
+  append_bytes(bytes, static_cast<std::uint8_t>(gradient));
   append_numbers(bytes, evaluation.values);
   append_numbers(bytes, evaluation.jacobian);
   for (const optim::KinkedEntry& kink : evaluation.kinks) {
     if (told_by_jacobian(evaluation, variables, kink)) continue;
-    append(bytes, static_cast<std::uint8_t>(1));
-    append(bytes, static_cast<std::uint32_t>(kink.response));
-    append(bytes, static_cast<std::uint32_t>(kink.variable));
-    append(bytes, static_cast<std::uint8_t>(kink.slope));
-    append(bytes, kink.left);
-    append(bytes, kink.right);
+    append_bytes(bytes, static_cast<std::uint8_t>(1));
+    append_bytes(bytes, static_cast<std::uint32_t>(kink.response));
+    append_bytes(bytes, static_cast<std::uint32_t>(kink.variable));
+    append_bytes(bytes, static_cast<std::uint8_t>(kink.slope));
+    append_bytes(bytes, kink.left);
+    append_bytes(bytes, kink.right);
   }
-  append(bytes, static_cast<std::uint8_t>(0));
+  append_bytes(bytes, static_cast<std::uint8_t>(0));
   return bytes;
 }
 
@@ -149,7 +111,7 @@ void SearchRows::append_derived(std::span<const double> design, Row& row) const 
 }
 
 bool SearchRows::asked_gradient(const Row& row) const {
-  return Bytes(row.detail).take<std::uint8_t>() != 0;
+  return RowBytes(row.detail).take<std::uint8_t>() != 0;
 }
 
 optim::Evaluation SearchRows::evaluation(const Row& row) const {
@@ -158,7 +120,7 @@ optim::Evaluation SearchRows::evaluation(const Row& row) const {
     evaluation.failure = row.status;
     return evaluation;
   }
-  Bytes bytes(row.detail);
+  RowBytes bytes(row.detail);
   bytes.take<std::uint8_t>();
   evaluation.values = bytes.numbers();
   evaluation.jacobian = bytes.numbers();
@@ -176,7 +138,7 @@ optim::Evaluation SearchRows::evaluation(const Row& row) const {
 
 std::string SearchRows::key(std::span<const double> design, bool gradient) {
   std::string bytes;
-  for (const double value : design) append(bytes, value);
+  for (const double value : design) append_bytes(bytes, value);
   bytes.push_back(gradient ? '1' : '0');
   return bytes;
 }
@@ -189,6 +151,7 @@ SearchLog::SearchLog(const DesignProblem& problem, RunContext& context)
       best_(kNoValue) {
   const std::size_t variables = answering_.variables.size();
   context.store.read([&](const Row& row) {
+    if (row.stage >= kRobustStages) return;
     const std::span design(row.values.data(), variables);
     stored_.emplace(SearchRows::key(design, rows_.asked_gradient(row)), rows_.evaluation(row));
   });

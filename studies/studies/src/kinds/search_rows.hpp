@@ -13,6 +13,9 @@
 
 namespace twum::studies {
 
+/// Stages from here on are those of a search under tolerances; see robust_log.hpp.
+inline constexpr std::uint64_t kRobustStages = 1'000'000;
+
 /// How the evaluations of a search stand in the store: one row each, its variables, the numbers of its sets, then every
 /// distinct metric of the question. A metric at a load that the motor cannot carry has no value there,
 /// and the row is no failure: the design is infeasible. The bytes of `detail` hold

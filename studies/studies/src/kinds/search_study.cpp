@@ -114,6 +114,7 @@ std::string SearchRun::outcome(optim::Outcome outcome, const RunContext& context
 }
 
 std::optional<Row> SearchRun::recompute(const Row& stored) const {
+  if (stored.stage >= kRobustStages) return {};  // its problem follows from the rows before it
   const SearchRows rows(problem_);
   const std::span design(stored.values.data(), variables());
   const bool gradient = rows.asked_gradient(stored);

@@ -22,7 +22,7 @@ class SizeRun : public OptimumRun {
                     limits_of(asked),
                     asked.derived,
                     asked.choose},
-                   asked.solver, asked.start) {}
+                   {asked.tolerances, asked.statistics}, asked.solver, asked.start) {}
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "results/robust_answer.hpp"
 #include "results/search_words.hpp"
 
 #include <twum/core/design/parameters.hpp>
@@ -130,6 +131,7 @@ Json answer_json(const OptimizeResult& result) {
   if (!result.explanation.empty()) json["relaxation"] = relaxation_json(result.explanation);
   json["before"] = {{"design", values_json(result.before_design)},
                     {"metrics", values_json(result.before_metrics)}};
+  if (result.robust) json["robust"] = robust_json(*result.robust);
   json["idle_variables"] = result.idle;
   json["solver"] = result.solver;
   json["stages"] = stages_json(result.stages);
@@ -150,6 +152,7 @@ std::string answer_text(const OptimizeResult& result) {
            cell(value_of(result.best.metrics, result.goal.metric), result.goal.unit) + " (was " +
            cell(value_of(result.before_metrics, result.goal.metric), result.goal.unit) + ")\n\n";
   text += design_table(result) + limit_table(result) + "\n" + metric_table_text(result) + "\n";
+  if (result.robust) text += robust_words(*result.robust, result.goal) + "\n";
   if (infeasible) return text + solver_words(result);
   text += verdict(result);
   if (!result.idle.empty()) text += "Without influence here: " + enumeration(result.idle) + ".\n";

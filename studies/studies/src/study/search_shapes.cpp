@@ -3,6 +3,7 @@
 #include "study/choice_shape.hpp"
 #include "study/entry_shapes.hpp"
 #include "study/repeats.hpp"
+#include "study/robust_shapes.hpp"
 #include "study/solver_entry.hpp"
 
 #include <twum/optim/least_squares.hpp>
@@ -48,6 +49,13 @@ template <typename T>
 bool check_search(T& /*study*/, const Given& given, Diagnostics& diagnostics) {
   check_repeats(given, diagnostics);
   check_solver(given, diagnostics);
+  return true;
+}
+
+template <typename T>
+bool check_robust_search(T& study, const Given& given, Diagnostics& diagnostics) {
+  check_search(study, given, diagnostics);
+  check_statistics(study.tolerances, study.statistics, given, diagnostics);
   return true;
 }
 
@@ -133,10 +141,11 @@ Shape<OptimizeStudy> OptimizeStudy::shape() {
   std::vector<Field<S>> fields{kind_field<S>(), variables_field<S>("what may be changed"),
                                derived_field<S>(), choose_field<S>()};
   for (Field<S>& field : goal(&S::objective)) fields.push_back(std::move(field));
-  fields.push_back(constraints_field("constraints", &S::constraints));
+  fields.push_back(limits_field("constraints", &S::constraints));
+  fields.push_back(tolerances_field<S>());
   fields.push_back(solver_field<S>());
   fields.push_back(start_field<S>());
-  return mapping<S>("best design under constraints", std::move(fields), check_search<S>);
+  return mapping<S>("best design under constraints", std::move(fields), check_robust_search<S>);
 }
 
 Shape<ParetoStudy> ParetoStudy::shape() {
@@ -159,13 +168,13 @@ Shape<SizeStudy> SizeStudy::shape() {
   return mapping<S>(
       "a motor for a duty",
       {kind_field<S>(), variables_field<S>("what may be changed"), derived_field<S>(),
-       choose_field<S>(), needed<S>("duty", duty, &S::duty),
-       constraints_field("limits", &S::limits),
+       choose_field<S>(), needed<S>("duty", duty, &S::duty), limits_field("limits", &S::limits),
+       tolerances_field<S>(),
        standard<S>("prefer",
                    metric("what is minimized among the motors that will do", "max_pressure"),
                    &S::prefer),
        solver_field<S>(), start_field<S>()},
-      check_search<S>);
+      check_robust_search<S>);
 }
 
 Shape<CalibrateStudy> CalibrateStudy::shape() {

@@ -80,11 +80,21 @@ std::optional<MotorFile> motor_of(const YamlNode& root, const std::string& folde
 // looked at when the study runs.
 void check_with_motor(const StudyText& text, const MotorDesign& design, const YamlNode& root,
                       Diagnostics& diagnostics) {
-  const auto* asked = std::get_if<UncertaintyStudy>(&text.study);
   const YamlNode* study = root.find("study");
-  if (asked == nullptr || !asked->start.empty() || study == nullptr) return;
-  if (const YamlNode* given = study->find("variables"))
-    shapes::check_tolerances(asked->variables, design, *given, "study.variables", diagnostics);
+  if (study == nullptr) return;
+  const auto check = [&](const auto& asked, const std::vector<Tolerance>& list, const char* entry) {
+    const YamlNode* given = study->find(entry);
+    if (given != nullptr && asked.start.empty())
+      shapes::check_tolerances(list, design, *given, std::string("study.") + entry, diagnostics);
+  };
+  std::visit(
+      [&](const auto& asked) {
+        if constexpr (requires { asked.quantiles; })
+          check(asked, asked.variables, "variables");
+        else if constexpr (requires { asked.tolerances; })
+          check(asked, asked.tolerances, "tolerances");
+      },
+      text.study);
 }
 
 // Whether what is derived goes together with what is varied, and with the motor.

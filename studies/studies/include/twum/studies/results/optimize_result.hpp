@@ -2,8 +2,10 @@
 #pragma once
 
 #include <twum/optim/result.hpp>
+#include <twum/studies/results/robust_result.hpp>
 #include <twum/studies/store/column.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -127,6 +129,7 @@ struct OptimizeResult {
   Explanation explanation;                 ///< why no design satisfies all limits
   std::string solver;                      ///< whose answer it is
   std::vector<optim::StageReport> stages;  ///< what each solver run said of itself
+  std::optional<RobustReport> robust;      ///< under tolerances; `best` is then the robust optimum
 };
 
 }  // namespace twum::studies

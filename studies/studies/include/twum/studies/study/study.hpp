@@ -2,6 +2,7 @@
 #pragma once
 
 #include <twum/optim/options.hpp>
+#include <twum/studies/metrics/statistic.hpp>
 #include <twum/studies/metrics/varied_parameters.hpp>
 #include <twum/studies/problem/motor_problem.hpp>
 #include <twum/studies/problem/tolerance.hpp>
@@ -102,13 +103,15 @@ struct OptimizeStudy {
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
-  std::vector<DesignVariable> variables;  ///< what may be changed
-  std::vector<DerivedParameter> derived;  ///< what follows from the variables
-  std::vector<DesignChoice> choose;       ///< sets of parameters of which a design has one
-  DesignObjective objective;              ///< what is to be large or small
-  std::vector<Constraint> constraints;    ///< what must hold
-  optim::SolveOptions solver;             ///< observer, threads and stop are the run's
-  std::string start;                      ///< result directory to start from; empty: the motor
+  std::vector<DesignVariable> variables;   ///< what may be changed
+  std::vector<DerivedParameter> derived;   ///< what follows from the variables
+  std::vector<DesignChoice> choose;        ///< sets of parameters of which a design has one
+  DesignObjective objective;               ///< what is to be large or small
+  std::vector<Constraint> constraints;     ///< what must hold
+  std::vector<Tolerance> tolerances;       ///< how motors differ from the design; none: they do not
+  std::vector<StatisticLimit> statistics;  ///< what must hold of the built motors
+  optim::SolveOptions solver;              ///< observer, threads and stop are the run's
+  std::string start;                       ///< result directory to start from; empty: the motor
 };
 
 /// The trade-off front of two or three metrics.
@@ -141,11 +144,13 @@ struct SizeStudy {
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
-  std::vector<DesignVariable> variables;  ///< what may be changed
-  std::vector<DerivedParameter> derived;  ///< what follows from the variables
-  std::vector<DesignChoice> choose;       ///< sets of parameters of which a design has one
-  std::vector<Constraint> duty;           ///< torque_at(SPEED) >= LOAD of each point
-  std::vector<Constraint> limits;         ///< what else must hold
+  std::vector<DesignVariable> variables;   ///< what may be changed
+  std::vector<DerivedParameter> derived;   ///< what follows from the variables
+  std::vector<DesignChoice> choose;        ///< sets of parameters of which a design has one
+  std::vector<Constraint> duty;            ///< torque_at(SPEED) >= LOAD of each point
+  std::vector<Constraint> limits;          ///< what else must hold
+  std::vector<Tolerance> tolerances;       ///< as in OptimizeStudy
+  std::vector<StatisticLimit> statistics;  ///< as in OptimizeStudy
   MetricExpression prefer{parse_metric("max_pressure")};  ///< minimized among motors that will do
   optim::SolveOptions solver;                             ///< as in OptimizeStudy
   std::string start;  ///< result directory to start from; empty: the motor

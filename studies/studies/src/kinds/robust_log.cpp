@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinds/robust_log.hpp"
+
+#include "kinds/row_bytes.hpp"
+
+namespace twum::studies {
+
+RobustLog::RobustLog(const DesignProblem& problem, std::vector<double> chosen, RunContext& context)
+    : context_(context),
+      variables_(problem.variables.size()),
+      chosen_(std::move(chosen)),
+      rows_(problem),
+      motors_(problem),
+      done_(context.store.rows()) {
+  context.store.read([&](const Row& row) {
+    if (row.stage < kRobustStages) return;
+    RowBytes bytes(row.detail);
+    const bool gradient = bytes.take<std::uint8_t>() != 0;
+    const auto round = bytes.take<std::uint64_t>();
+    const std::vector<double> y = bytes.numbers();
+    optim::Evaluation evaluation;
+    if (row.status != "ok") evaluation.failure = row.status;
+    evaluation.values = bytes.numbers();
+    evaluation.jacobian = bytes.numbers();
+    stored_.emplace(key(round, y, gradient), std::move(evaluation));
+  });
+}
+
+std::string RobustLog::key(std::uint64_t round, std::span<const double> y, bool gradient) {
+  std::string bytes = SearchRows::key(y, gradient);
+  append_bytes(bytes, round);
+  return bytes;
+}
+
+optim::Evaluation RobustLog::recall(std::uint64_t round, std::span<const double> y, bool gradient,
+                                    const optim::Evaluator& evaluate) const {
+  const auto found = stored_.find(key(round, y, gradient));
+  return found != stored_.end() ? found->second : evaluate(y, gradient);
+}
+
+void RobustLog::observe(std::uint64_t round, const optim::Observation& observation) {
+  const auto x = observation.design.first(variables_);
+  std::vector<double> design(x.begin(), x.end());
+  design.insert(design.end(), chosen_.begin(), chosen_.end());
+  Row row = rows_.row(observation.stage, observation.index, design, false,
+                      motors_.evaluate(design, false));
+  row.status = observation.evaluation.ok() ? "ok" : observation.evaluation.failure;
+  row.detail.clear();
+  append_bytes(row.detail, static_cast<std::uint8_t>(observation.gradient));
+  append_bytes(row.detail, round);
+  append_numbers(row.detail, {observation.design.begin(), observation.design.end()});
+  append_numbers(row.detail, observation.evaluation.values);
+  append_numbers(row.detail, observation.evaluation.jacobian);
+  context_.store.add(row);
+  ++done_;
+  if (context_.progress) context_.progress({done_, 0, "under tolerances"});
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/robust_shapes.hpp"
+
+#include <twum/studies/problem/robust_question.hpp>
+#include <twum/studies/text/words.hpp>
+
+#include <algorithm>
+
+namespace twum::studies::shapes {
+namespace {
+
+StudyLimit parse_study_limit(std::string_view text) {
+  if (is_statistic(text)) return {{}, parse_statistic_limit(text)};
+  return {parse_constraint(text), {}};
+}
+
+std::string study_limit_text(const StudyLimit& limit) {
+  return limit.plain ? limit.plain->text : limit.statistic->text;
+}
+
+// Where a limit on a statistic stands in the file.
+const YamlNode* first_statistic(const Given& given, std::string& path) {
+  for (const char* name : {"constraints", "limits"}) {
+    const YamlNode* list = given.find(name);
+    if (list == nullptr) continue;
+    for (std::size_t i = 0; i < list->items.size(); ++i) {
+      if (!is_statistic(list->items[i].scalar)) continue;
+      path = given.path(name) + "[" + std::to_string(i) + "]";
+      return &list->items[i];
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+Shape<std::vector<StudyLimit>> study_limits() {
+  auto shape =
+      list("limits that must hold", text_of<StudyLimit>("a limit", "stall_torque >= 0.8 N.m",
+                                                        parse_study_limit, study_limit_text));
+  shape.schema.sample = "- no_load_speed >= 100 rpm\n- max_pressure <= 10 MPa";
+  return shape;
+}
+
+void check_statistics(const std::vector<Tolerance>& tolerances,
+                      const std::vector<StatisticLimit>& statistics, const Given& given,
+                      Diagnostics& diagnostics) {
+  const YamlNode* spread = given.find("tolerances");
+  std::string path;
+  const YamlNode* limit = first_statistic(given, path);
+  if (limit != nullptr && spread == nullptr)
+    diagnostics.add(limit->mark, path, quoted(limit->scalar) + " without tolerances",
+                    "say how motors differ, such as 'tolerances: {preload: 3 %}'");
+  if (spread == nullptr) return;
+  if (limit == nullptr && statistics.empty())
+    diagnostics.add(spread->mark, given.path("tolerances"),
+                    "tolerances without a limit on a statistic",
+                    "add one to the limits, such as 'yield >= 99 %'");
+  for (const Tolerance& tolerance : tolerances) {
+    const auto wrong = search_complaint(tolerance);
+    if (!wrong) continue;
+    const auto entry = std::find_if(
+        spread->entries.begin(), spread->entries.end(),
+        [&](const YamlEntry& one) { return find_parameter(one.key) == tolerance.parameter; });
+    diagnostics.add(entry->value.mark, given.path("tolerances") + "." + entry->key, wrong->found(),
+                    wrong->expected());
+  }
+}
+
+}  // namespace twum::studies::shapes
