@@ -125,3 +125,21 @@ TEST_CASE("a limit on a quantile, and its value by fresh motors", "[studies][rob
   CHECK(robust.statistics[0].value.low < 1.0);
   CHECK(robust.statistics[0].value.high > 0.99);
 }
+
+TEST_CASE("whole numbers stay those of the optimum without tolerances", "[studies][robust]") {
+  const Search s(
+      study_of("ring-60", "",
+               "{kind: optimize, variables: {wavelengths: {min: 8, max: 9}, preload: {min: "
+               "60 N, max: 300 N}}, maximize: stall_torque, tolerances: {preload: 3 %}, "
+               "constraints: [max_pressure <= 2 MPa, yield >= 95 %]}"));
+  CHECK(s.answer.outcome == "optimal");
+  const RobustReport& robust = *s.optimum().robust;
+  CHECK(value(s.optimum().best.design, "wavelengths") ==
+        value(robust.nominal_design, "wavelengths"));
+  // Torque and pressure rise with the preload, so a lower one leaves room for the tolerance: 5 % are 1.64 deviations of
+  // 3 %, and as many more as fresh motors take to show it.
+  const double share =
+      value(s.optimum().best.design, "preload") / value(robust.nominal_design, "preload");
+  CHECK(share < 1 / (1 + 1.64 * 0.03));
+  CHECK(share > 1 / (1 + 1.85 * 0.03));
+}

@@ -44,6 +44,12 @@ TEST_CASE("FORM finds the optimum of one limit that is linear in the logarithm (
   CHECK(found.risks[0].beta == Approx(2.32634787404).epsilon(1e-7));
 }
 
+TEST_CASE("without tolerances the optimum sits on its limit", "[optim][robust]") {
+  // 1 N.m / (mu r), C8; the search ends where the scaled limit holds to 1e-8.
+  CHECK(solve(nominal_problem(largest_preload())).design[0] ==
+        Approx(robust_case("C8", "nominal")).epsilon(1e-7));
+}
+
 TEST_CASE("smallest preload of which 99 % and 99.9 % hold 0.8 N.m", "[optim][robust]") {
   RobustProblem problem = torque_problem(Law::lognormal);
   problem.limits[0].lower = 0.8;

@@ -16,7 +16,7 @@ constexpr std::uint64_t kNominalProducts = 20000;  // its yield within 0.7 %
 constexpr std::uint64_t kNominalStream = 100;      // apart from those that decide
 constexpr std::size_t kBins = 60;
 
-Estimate estimate_of(const optim::YieldEstimate& yield) {
+Estimate share_estimate(const optim::YieldEstimate& yield) {
   return {yield.value, yield.low, yield.high};
 }
 
@@ -30,13 +30,13 @@ std::vector<RobustYield> yields_of(const optim::RobustProblem& posed,
   for (std::size_t s = 0; s < found.verification.yields.size(); ++s) {
     const optim::YieldEstimate& seen = found.verification.yields[s];
     const double wanted = posed.yields[s].at_least;
-    list.push_back({target_name(posed, s), wanted, estimate_of(seen), seen.products,
+    list.push_back({target_name(posed, s), wanted, share_estimate(seen), seen.products,
                     optim::to_string(optim::verdict_on(seen, wanted))});
   }
   return list;
 }
 
-Estimate estimate_of(const optim::StatisticTarget& target, std::vector<double> values) {
+Estimate statistic_estimate(const optim::StatisticTarget& target, std::vector<double> values) {
   constexpr double kConfidence = 0.95;
   std::erase_if(values, [](double v) { return !std::isfinite(v); });
   if (target.kind == optim::Statistic::quantile) {
@@ -59,13 +59,13 @@ std::vector<RobustStatistic> limited_statistics(const RobustQuestion& question,
         std::find_if(question.statistics.begin(), question.statistics.end(),
                      [&](const StatisticLimit& s) { return s.statistic.text == target.name; });
     list.push_back({target.name, asked->statistic.unit(), target.lower, target.upper,
-                    estimate_of(target, found.verification.values[target.response])});
+                    statistic_estimate(target, found.verification.values[target.response])});
   }
   return list;
 }
 
-std::vector<RobustLimit> limits_of(const optim::RobustProblem& posed,
-                                   const optim::RobustResult& found) {
+std::vector<RobustLimit> risk_limits(const optim::RobustProblem& posed,
+                                     const optim::RobustResult& found) {
   std::vector<RobustLimit> list;
   for (const optim::RiskShare& risk : found.risks) {
     RobustLimit limit{risk.limit, risk.side == optim::Side::lower, target_name(posed, risk.target)};
@@ -215,9 +215,9 @@ KindAnswer robust_optimum(const RobustBeginning& beginning, OptimizeResult plain
   report.yields = yields_of(posed, found);
   report.nominal_objective = beginning.nominal.evaluation.values.front();
   report.nominal_design = plain.best.design;
-  if (!nominal.yields.empty()) report.nominal_yield = estimate_of(nominal.yields.front());
+  if (!nominal.yields.empty()) report.nominal_yield = share_estimate(nominal.yields.front());
   report.statistics = limited_statistics(question, posed, found);
-  report.limits = limits_of(posed, found);
+  report.limits = risk_limits(posed, found);
   report.tolerances = tolerances_of(question, posed, found);
   report.price_of_yield = found.price_of_yield;
   report.largest_yield = found.largest_yield;
@@ -228,6 +228,7 @@ KindAnswer robust_optimum(const RobustBeginning& beginning, OptimizeResult plain
     report.densities = densities_of(question, posed, found.verification, nominal);
 
   plain.solver = found.last.solver;
+  plain.stages = found.last.stages;
   plain.found = !found.design.empty();
   if (plain.found) {
     const bool maximize = question.design.objectives.front().maximize;

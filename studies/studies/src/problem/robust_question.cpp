@@ -245,6 +245,4 @@ optim::RobustProblem robust_problem(const RobustQuestion& question) {
   return RobustBuilder(question).build();
 }
 
-DesignProblem nominal_question(const RobustQuestion& question) { return question.design; }
-
 }  // namespace twum::studies

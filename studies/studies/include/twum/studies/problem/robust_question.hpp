@@ -37,7 +37,4 @@ std::optional<ValueError> search_complaint(const Tolerance& tolerance);
 /// @throws InputError if the question cannot be posed
 optim::RobustProblem robust_problem(const RobustQuestion& question);
 
-/// The question without tolerances: every limit holds for the design, and statistics are left out.
-DesignProblem nominal_question(const RobustQuestion& question);
-
 }  // namespace twum::studies
