@@ -41,7 +41,7 @@ StatorModes<double> modes_of(const MotorDesign& design) {
 // Theta u_0 [N]; zero without a voltage.
 double drive_force(const MotorDesign& design) {
   return std::numbers::sqrt2 * design.stator.voltage.value_or(0) *
-         design.stator.force_factor.value_or(0);
+         get(design, Parameter::force_factor);
 }
 
 SpeedDual moving(double value, double seed) {

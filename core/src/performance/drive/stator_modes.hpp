@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <twum/core/design/motor_design.hpp>
+#include <twum/core/design/parameters.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -23,10 +23,13 @@ struct StatorModes {
 /// The modes of a design; nothing if it does not say enough of them.
 inline std::optional<StatorModes<double>> stator_modes(const MotorDesign& design) {
   if (!has_modal_data(design)) return {};
-  const Stator& s = design.stator;
-  return StatorModes<double>{*s.modal_mass,         2 * std::numbers::pi * *s.resonance_frequency,
-                             modal_damping(design), *s.force_factor,
-                             s.blocked_capacitance, s.loss_tangent};
+  const auto value = [&](Parameter parameter) { return get(design, parameter); };
+  return StatorModes<double>{value(Parameter::modal_mass),
+                             2 * std::numbers::pi * value(Parameter::resonance_frequency),
+                             modal_damping(design),
+                             value(Parameter::force_factor),
+                             value(Parameter::blocked_capacitance),
+                             value(Parameter::loss_tangent)};
 }
 
 /// k_s - omega^2 m_s, without the cancellation of its two terms [N/m].

@@ -266,7 +266,8 @@ std::vector<MetricExpression> parse_metric_list(std::string_view text) {
 std::vector<MetricExpression> plain_metrics() {
   std::vector<MetricExpression> list;
   for (const MetricInfo& row : metric_table()) {
-    if (row.argument == Argument::none && !row.needs_modes) list.push_back(parse_metric(row.name));
+    if (row.argument == Argument::none && !row.needs_modes && !row.needs_geometry)
+      list.push_back(parse_metric(row.name));
   }
   return list;
 }
