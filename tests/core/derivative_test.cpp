@@ -232,7 +232,7 @@ namespace {
 std::size_t metrics_without_modes() {
   return static_cast<std::size_t>(
       std::count_if(metric_table().begin(), metric_table().end(),
-                    [](const MetricInfo& row) { return !row.needs_modes; }));
+                    [](const MetricInfo& row) { return !row.needs_modes && !row.needs_geometry; }));
 }
 
 // No derivative is wrong, and nearly every metric that needs no modal data was compared.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "support/driven_motors.hpp"
+#include "support/plate_motors.hpp"
 #include "support/test_motors.hpp"
 
 #include <catch2/catch.hpp>
@@ -50,11 +50,14 @@ TEST_CASE("every parameter of the ring motor can be set and read back",
   for (const ParameterInfo& row : parameter_table()) {
     CAPTURE(row.name);
     // what shapes the track is in use where it has more than one slice
-    const MotorDesign design =
-        of_driven_stator(row.parameter) ? unequal_motor() : with(ring(), P::radial_slices, 8);
+    const MotorDesign design = of_geometry(row.parameter) ? plate_motor()
+                               : of_driven_stator(row.parameter)
+                                   ? unequal_motor()
+                                   : with(ring(), P::radial_slices, 8);
     const double now = get(design, row.parameter);
     const double value = row.integer                           ? now + 1
                          : row.parameter == P::static_friction ? 0.3
+                         : of_geometry(row.parameter)          ? now * (1 + 1e-4)
                                                                : now * 0.9 + 1e-9;
     const MotorDesign changed = with(design, row.parameter, value);
     CHECK(get(changed, row.parameter) == Approx(value).epsilon(1e-15));
@@ -128,7 +131,9 @@ TEST_CASE("values outside their range are refused for every parameter", "[core][
       CHECK_FALSE(complaint(row.parameter, value).empty());
       CHECK_THROWS_AS(with(ring(), row.parameter, value), InputError);
     }
-    const MotorDesign design = of_driven_stator(row.parameter) ? unequal_motor() : ring();
+    const MotorDesign design = of_geometry(row.parameter)        ? plate_motor()
+                               : of_driven_stator(row.parameter) ? unequal_motor()
+                                                                 : ring();
     CHECK(complaint(row.parameter, get(design, row.parameter)).empty());
   }
   CHECK_FALSE(complaint(P::wavelengths, 8.5).empty());

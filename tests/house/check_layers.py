@@ -10,7 +10,7 @@ CORE = ["core/base", "core/design", "core/contact", "core/performance"]
 # Inside studies: four libraries, and the folders of each, in this order.
 STUDIES = {
     "files": ["text", "units", "formula", "diagnostics", "yaml", "schema", "statistics", "store", "tables"],
-    "motors": ["metrics", "motor", "tables"],
+    "motors": ["materials", "metrics", "motor", "tables"],
     "studies": ["problem", "study", "results", "kinds", "run"],
     "report": ["report", "run"],
 }
@@ -19,13 +19,13 @@ ALL_STUDIES = CORE + ["core/stator", "optim"] + FOLDERS + ["studies/report"]
 ALLOWED = {
     "core/base": CORE[:1],
     "core/stator": ["core/base", "core/stator"],
-    "core/design": CORE[:2],
-    "core/contact": CORE[:3],
-    "core/performance": CORE,
+    "core/design": ["core/stator"] + CORE[:2],
+    "core/contact": ["core/stator"] + CORE[:3],
+    "core/performance": ["core/stator"] + CORE,
     "optim": ["core/base", "optim"],
     "apps": ALL_STUDIES + ["apps"],
     "bindings": ALL_STUDIES + ["bindings"],
-    "tests/core": CORE + ["tests/core", "tests/support"],
+    "tests/core": ["core/stator"] + CORE + ["tests/core", "tests/support"],
     "tests/stator": ["core/base", "core/stator", "tests/stator", "tests/support"],
     "tests/optim": ["core/base", "optim", "tests/optim", "tests/support"],
     "tests/files": ["core/base", "optim", "tests/files", "tests/support"] +

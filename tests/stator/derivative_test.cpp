@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "stator/stators.hpp"
 #include "support/deviations.hpp"
 #include "support/expect_derivatives.hpp"
+#include "support/stators.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "stator/stators.hpp"
+#include "support/stators.hpp"
 
 #include <catch2/catch.hpp>
 

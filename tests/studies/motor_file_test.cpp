@@ -143,3 +143,18 @@ TEST_CASE("a file that cannot be read says why", "[studies][motor][error]") {
   CHECK_THROWS_WITH(read_motor_file("/dev/zero"),
                     "/dev/zero: cannot be read: it is larger than 4 MiB");
 }
+
+TEST_CASE("a motor from its geometry is written and read as the same motor", "[studies][motor]") {
+  MotorFile motor = read_motor_file(TWUM_SOURCE_DIR "/examples/motors/plate-60.yaml");
+  REQUIRE(motor.design.stator.geometry.has_value());
+  CHECK(motor.design.stator.geometry->ceramic.d31 == -125e-12);  // of the material apc-840
+  check_equal(read(motor_text(motor)), motor.design);
+  CHECK(*read(motor_text(motor)).stator.geometry == *motor.design.stator.geometry);
+  // Without what may be left out, and with electrodes of their own.
+  stator::StatorGeometry& g = *motor.design.stator.geometry;
+  g.web.reset(), g.teeth.reset(), g.glue.thickness = 0;
+  g.electrodes.inner_radius = 0.0225;
+  g.support = stator::InnerEdge::free;
+  check_equal(read(motor_text(motor)), motor.design);
+  CHECK(*read(motor_text(motor)).stator.geometry == g);
+}

@@ -195,9 +195,14 @@ void survey_with(const MotorDesign& base, std::span<const ParameterValue> values
   survey_design(design, found);
 }
 
+// All but those of a stator's geometry, which the surveyed motors do not have; they are the last of the table.
+std::span<const ParameterInfo> contact_parameters() {
+  return parameter_table().first(index_of(Parameter::substrate_inner_radius));
+}
+
 void survey_pairs(const MotorDesign& base, BoxSurvey& found) {
-  for (const ParameterInfo& a : parameter_table())
-    for (const ParameterInfo& b : parameter_table())
+  for (const ParameterInfo& a : contact_parameters())
+    for (const ParameterInfo& b : contact_parameters())
       for (const double at : {a.min, a.max})
         for (const double bt : {b.min, b.max})
           if (a.parameter < b.parameter)
@@ -210,7 +215,7 @@ void survey_pairs(const MotorDesign& base, BoxSurvey& found) {
 BoxSurvey survey_ranges(std::uint64_t seed, std::int64_t count) {
   BoxSurvey found;
   for (const MotorDesign& base : bases()) {
-    for (const ParameterInfo& row : parameter_table())
+    for (const ParameterInfo& row : contact_parameters())
       for (const double value : ends_of(row))
         survey_with(base, std::array<ParameterValue, 1>{{{row.parameter, value}}}, found);
     survey_pairs(base, found);
@@ -218,7 +223,7 @@ BoxSurvey survey_ranges(std::uint64_t seed, std::int64_t count) {
   Uniform random(seed);
   for (std::int64_t i = 0; i < count; ++i) {
     std::vector<ParameterValue> values;
-    for (const ParameterInfo& row : parameter_table()) {
+    for (const ParameterInfo& row : contact_parameters()) {
       const double value = inside(row, random);
       const bool second_of_twins = row.twin && *row.twin < row.parameter;
       if (second_of_twins && random.chance(0.5)) continue;

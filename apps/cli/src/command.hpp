@@ -25,6 +25,7 @@ void add_compare(CLI::App& app, Action& action);
 void add_verify(CLI::App& app, Action& action);
 void add_metrics(CLI::App& app, Action& action);
 void add_parameters(CLI::App& app, Action& action);
+void add_materials(CLI::App& app, Action& action);
 void add_solvers(CLI::App& app, Action& action);
 void add_schema(CLI::App& app, Action& action);
 void add_init(CLI::App& app, Action& action);

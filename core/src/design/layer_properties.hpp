@@ -41,9 +41,19 @@ S modal_damping_of(const S& quality_factor, const S& resonance, const S& modal_m
 }
 /// @}
 
+/// mu_0 / mu, which stays when mu moves; without friction the two move together.
+inline double friction_ratio(const Friction& friction) {
+  return friction.kinetic > 0 ? friction.static_ / friction.kinetic : 1;
+}
+
 /// Values in the order of the parameter table.
 template <typename S>
 using ParameterArray = std::array<S, kParameterCount>;
+
+/// True if the design says where the free stator resonates.
+inline bool has_resonance(const MotorDesign& design) {
+  return design.stator.geometry || design.stator.resonance_frequency;
+}
 
 /// Fills in the twins that follow from the parameters in use.
 /// @param given  says which are in use
@@ -53,11 +63,11 @@ ParameterArray<S> with_twins(const MotorDesign& given, ParameterArray<S> p) {
   const auto at = [&p](P parameter) -> S& { return p[index_of(parameter)]; };
   if (in_use(given, P::frequency_ratio)) {
     at(P::frequency) = at(P::frequency_ratio) * at(P::resonance_frequency);
-  } else if (in_use(given, P::resonance_frequency)) {
+  } else if (has_resonance(given)) {
     at(P::frequency_ratio) = at(P::frequency) / at(P::resonance_frequency);
   }
   const P damping = in_use(given, P::quality_factor) ? P::quality_factor : P::modal_damping;
-  if (in_use(given, P::resonance_frequency) && in_use(given, P::modal_mass)) {
+  if (has_resonance(given) && (given.stator.geometry || given.stator.modal_mass)) {
     const P twin = damping == P::modal_damping ? P::quality_factor : P::modal_damping;
     at(twin) = modal_damping_of(at(damping), at(P::resonance_frequency), at(P::modal_mass));
   }

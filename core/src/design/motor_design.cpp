@@ -3,31 +3,25 @@
 
 #include "design/layer_properties.hpp"
 
-#include <limits>
 #include <numbers>
 
 namespace twum {
-namespace {
-
-constexpr double kNotGiven = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
-
 double drive_frequency(const MotorDesign& design) {
   const Stator& stator = design.stator;
   if (!stator.frequency_ratio) return stator.frequency;
-  return *stator.frequency_ratio * stator.resonance_frequency.value_or(kNotGiven);
+  return *stator.frequency_ratio * get(design, Parameter::resonance_frequency);
 }
 
 double modal_damping(const MotorDesign& design) {
   const Stator& stator = design.stator;
   if (!stator.quality_factor) return stator.modal_damping;
-  return modal_damping_of(*stator.quality_factor, stator.resonance_frequency.value_or(kNotGiven),
-                          stator.modal_mass.value_or(kNotGiven));
+  return modal_damping_of(*stator.quality_factor, get(design, Parameter::resonance_frequency),
+                          get(design, Parameter::modal_mass));
 }
 
 bool has_modal_data(const MotorDesign& design) {
   const Stator& stator = design.stator;
+  if (stator.geometry) return stator.quality_factor || stator.modal_damping > 0;
   return stator.resonance_frequency && stator.modal_mass && stator.force_factor &&
          modal_damping(design) > 0;
 }

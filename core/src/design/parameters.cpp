@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/core/design/parameters.hpp>
 
+#include "design/geometry_rows.hpp"
 #include "design/layer_properties.hpp"
+#include "design/plate_numbers.hpp"
 #include "design/radial_shape.hpp"
 
 #include <twum/base/dual.hpp>
 #include <twum/base/error.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -20,7 +23,7 @@ constexpr std::optional<Parameter> kNone;
 
 // The ranges admit what a person could mean, limits of the model included; `reason` says why they end there. Within them
 // no number of the model overflows.
-constexpr std::array<ParameterInfo, kParameterCount> kTable{{
+constexpr std::array<ParameterInfo, kParameterCount - kGeometryRows.size()> kRows{{
     {P::wavelengths, "wavelengths", "n", "1", "stator.wavelengths", 1, 200, true, true, kNone, "9",
      "wavelengths round the circumference",
      "more would be shorter than a millimetre on a ring of 60 mm"},
@@ -152,6 +155,14 @@ constexpr std::array<ParameterInfo, kParameterCount> kTable{{
      "0 is no contact; 100 GN is ten times what full contact takes of the stiffest tested motor"},
 }};
 
+// Every row, those of the stator's geometry last.
+constexpr std::array<ParameterInfo, kParameterCount> kTable = [] {
+  std::array<ParameterInfo, kParameterCount> table{};
+  std::copy(kRows.begin(), kRows.end(), table.begin());
+  std::copy(kGeometryRows.begin(), kGeometryRows.end(), table.begin() + kRows.size());
+  return table;
+}();
+
 constexpr bool every_parameter_in_its_place() {
   for (std::size_t i = 0; i < kParameterCount; ++i)
     if (index_of(kTable[i].parameter) != i || kTable[i].reason.empty()) return false;
@@ -174,11 +185,6 @@ std::string with_unit(double value, const ParameterInfo& row) {
   return row.unit == "1" ? number(value) : number(value) + " " + std::string(row.unit);
 }
 
-// mu_0 / mu, which stays when mu moves; without friction the two move together.
-double friction_ratio(const Friction& friction) {
-  return friction.kinetic > 0 ? friction.static_ / friction.kinetic : 1;
-}
-
 // Makes the block of a parameter if the design has none.
 Imbalance& imbalance_of(Stator& stator) {
   if (!stator.imbalance) stator.imbalance.emplace();
@@ -191,6 +197,8 @@ Sensor& sensor_of(Stator& stator) {
 
 // Sets one parameter, its twin gives way. mu_0 follows mu; an own value for mu_0 is set after it.
 void set(MotorDesign& design, Parameter parameter, double value) {
+  if (std::string wrong = follows_from_geometry(design, parameter); !wrong.empty())
+    throw InputError(wrong);
   Stator& stator = design.stator;
   ContactLayer& layer = design.layer;
   Friction& friction = design.friction;
@@ -238,6 +246,7 @@ void set(MotorDesign& design, Parameter parameter, double value) {
     case P::rotor_taper: design.rotor.taper = value; break;
     case P::rotor_mass: design.rotor.mass = value; break;
     case P::preload: design.preload = value; break;
+    default: set_of_geometry(design, parameter, value);
   }
 }
 
@@ -247,6 +256,11 @@ std::string contradiction(const MotorDesign& design) {
   if (design.friction.static_ < design.friction.kinetic)
     return "static_friction must be at least kinetic_friction = " +
            number(design.friction.kinetic) + ", but is " + number(design.friction.static_);
+  if (stator.geometry) {
+    if (!stator.voltage || has_modal_data(design)) return {};
+    return "voltage needs quality_factor (or modal_damping, more than 0); give it, or amplitude in "
+           "place of voltage";
+  }
   if (stator.frequency_ratio && !stator.resonance_frequency)
     return "frequency_ratio needs resonance_frequency; give it, or frequency in place of "
            "frequency_ratio";
@@ -306,6 +320,8 @@ double get(const MotorDesign& design, Parameter parameter) {
   const Stator& stator = design.stator;
   const ContactLayer& layer = design.layer;
   const bool used = in_use(design, parameter);
+  const auto from_plate = plate_number_of(parameter);
+  if (from_plate && stator.geometry) return plate_numbers(design)[index_of(*from_plate)];
   switch (parameter) {
     case P::wavelengths: return stator.wavelengths;
     case P::contact_radius: return stator.contact_radius;
@@ -313,14 +329,15 @@ double get(const MotorDesign& design, Parameter parameter) {
     case P::neutral_plane_distance: return stator.neutral_plane_distance;
     case P::frequency: return drive_frequency(design);
     case P::frequency_ratio:
-      return used ? *stator.frequency_ratio : stator.frequency / or_nan(stator.resonance_frequency);
+      return used ? *stator.frequency_ratio
+                  : stator.frequency / get(design, P::resonance_frequency);
     case P::amplitude: return used ? stator.amplitude : kNaN;
     case P::voltage: return or_nan(stator.voltage);
     case P::modal_damping: return modal_damping(design);
     case P::quality_factor:
       return used ? *stator.quality_factor
-                  : modal_damping_of(stator.modal_damping, or_nan(stator.resonance_frequency),
-                                     or_nan(stator.modal_mass));
+                  : modal_damping_of(stator.modal_damping, get(design, P::resonance_frequency),
+                                     get(design, P::modal_mass));
     case P::resonance_frequency: return or_nan(stator.resonance_frequency);
     case P::modal_mass: return or_nan(stator.modal_mass);
     case P::force_factor: return or_nan(stator.force_factor);
@@ -355,20 +372,21 @@ double get(const MotorDesign& design, Parameter parameter) {
     case P::rotor_taper: return design.rotor.taper;
     case P::rotor_mass: return or_nan(design.rotor.mass);
     case P::preload: return design.preload;
+    default: return get_of_geometry(design, parameter);
   }
-  TWUM_ASSERT(false);
-  return kNaN;
 }
 
 bool in_use(const MotorDesign& design, Parameter parameter) {
   const Stator& stator = design.stator;
   const ContactLayer& layer = design.layer;
   const bool sliced = design.stator.radial_slices != 1;
+  if (is_of_geometry(parameter)) return in_use_of_geometry(design, parameter);
+  if (stator.geometry && plate_number_of(parameter)) return false;
   switch (parameter) {
     case P::radial_slices:
     case P::rotor_taper: return sliced;
     case P::shape_exponent:
-    case P::shape_root: return sliced && design.stator.radial_shape.table.empty();
+    case P::shape_root: return sliced && !stator.geometry && stator.radial_shape.table.empty();
     case P::frequency: return !stator.frequency_ratio;
     case P::frequency_ratio: return stator.frequency_ratio.has_value();
     case P::amplitude: return !stator.voltage;
@@ -378,8 +396,8 @@ bool in_use(const MotorDesign& design, Parameter parameter) {
     case P::resonance_frequency: return stator.resonance_frequency.has_value();
     case P::modal_mass: return stator.modal_mass.has_value();
     case P::force_factor:
-    case P::blocked_capacitance:
-    case P::loss_tangent: return stator.force_factor.has_value();
+    case P::blocked_capacitance: return stator.force_factor.has_value();
+    case P::loss_tangent: return stator.geometry || stator.force_factor;
     case P::voltage_ratio:
     case P::phase_error:
     case P::mode_splitting: return stator.imbalance.has_value();
@@ -398,24 +416,6 @@ bool in_use(const MotorDesign& design, Parameter parameter) {
     case P::inertia: return layer.given_inertia.has_value();
     default: return true;
   }
-}
-
-ParameterJacobian parameter_jacobian(const MotorDesign& design, bool fixed_static_friction) {
-  using Moving = Dual<double, 1>;
-  ParameterArray<Moving> still;
-  for (std::size_t i = 0; i < kParameterCount; ++i)
-    still[i] = Moving(get(design, static_cast<Parameter>(i)));
-  ParameterJacobian jacobian{};
-  for (std::size_t moved = 0; moved < kParameterCount; ++moved) {
-    if (!in_use(design, static_cast<Parameter>(moved))) continue;
-    ParameterArray<Moving> values = still;
-    values[moved].d[0] = 1;
-    if (moved == index_of(P::kinetic_friction) && !fixed_static_friction)
-      values[index_of(P::static_friction)].d[0] = friction_ratio(design.friction);
-    values = with_twins(design, values);
-    for (std::size_t i = 0; i < kParameterCount; ++i) jacobian[i][moved] = values[i].d[0];
-  }
-  return jacobian;
 }
 
 std::string complaint(Parameter parameter, double value) {
@@ -457,6 +457,8 @@ std::vector<std::string> complaints(const MotorDesign& design) {
   }
   if (std::string wrong = contradiction(design); !wrong.empty()) found.push_back(std::move(wrong));
   if (std::string wrong = track_complaint(design); !wrong.empty())
+    found.push_back(std::move(wrong));
+  if (std::string wrong = geometry_complaint(design); !wrong.empty())
     found.push_back(std::move(wrong));
   return found;
 }

@@ -98,7 +98,7 @@ std::string track_complaint(const MotorDesign& design) {
   if (!(inner > 0))
     return "contact_width must be less than twice the contact_radius = " +
            millimetres(stator.contact_radius) + ", but is " + millimetres(stator.contact_width);
-  if (stator.radial_slices == 1) return {};
+  if (stator.radial_slices == 1 || stator.geometry) return {};
   const RadialShape& shape = stator.radial_shape;
   if (!shape.table.empty()) {
     const std::string wrong = table_complaint(shape.table, inner, outer);

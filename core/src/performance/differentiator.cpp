@@ -78,19 +78,29 @@ Smoothness smoothness_of(const DrivenMotor<double>& m, const SolvedPoint& p, dou
 Differentiator::Differentiator(const Motor& motor, bool fixed_static_friction)
     : design_(motor.design()), values_(motor), m_(motor.model()), model_(moving_motor(motor)) {
   const ParameterJacobian jacobian = parameter_jacobian(design_, fixed_static_friction);
-  const auto add = [&](Parameter parameter, int direction) {
-    const auto& row = jacobian[index_of(parameter)];
+  const auto add = [&](const std::array<double, kParameterCount>& row, std::size_t direction) {
     for (std::size_t j = 0; j < kParameterCount; ++j)
-      if (row[j] != 0) slopes_.push_back({direction, j, row[j]});
+      if (row[j] != 0) slopes_.push_back({static_cast<int>(direction), j, row[j]});
   };
-  for (const Parameter p : kModelParameters) add(p, static_cast<int>(model_index(p)));
-  for (const Parameter p : kDriveParameters) add(p, drive_direction(p));
+  for (const Parameter p : kModelParameters)
+    if (!(design_.stator.geometry && model_index(p) >= kShapeIndex))
+      add(jacobian[index_of(p)], model_index(p));
+  for (const Parameter p : kDriveParameters)
+    add(jacobian[index_of(p)], static_cast<std::size_t>(drive_direction(p)));
+  if (!design_.stator.geometry) return;
+  const auto plate = plate_jacobian(design_);
+  for (std::size_t i = 0; i < kShapeNumbers; ++i)
+    add(plate[index_of(PlateNumber::shape) + i], kShapeIndex + i);
+  for (const PlateNumber number : kPlateMetrics)
+    add(plate[index_of(number)], static_cast<std::size_t>(plate_direction(number)));
 }
 
 std::array<double, kParameterCount> Differentiator::in_parameters(const DesignDual& dual) const {
   std::array<double, kParameterCount> gradient{};
-  for (const Slope& slope : slopes_)
-    gradient[slope.parameter] += dual.d[slope.direction] * slope.value;
+  for (const Slope& slope :
+       slopes_)  // one without a value does not count where nothing follows from it
+    if (dual.d[slope.direction] != 0)
+      gradient[slope.parameter] += dual.d[slope.direction] * slope.value;
   return gradient;
 }
 

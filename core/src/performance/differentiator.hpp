@@ -63,6 +63,12 @@ class Differentiator {
   Derived of_modes(F f) {
     return {f(moving_modes(values_.modes(), model_.stator_damping))};
   }
+  Derived of_plate(PlateNumber number) const {
+    return {DesignDual::variable(values_.of_plate(number), plate_direction(number))};
+  }
+  Derived product(const Derived& a, const Derived& b) const {
+    return {a.dual * b.dual, worse(a.smoothness, b.smoothness)};
+  }
   CurveSearch& search() { return values_.search(); }
   CurveSearch& electrical_search() { return values_.electrical_search(); }
 

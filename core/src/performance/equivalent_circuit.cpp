@@ -35,8 +35,7 @@ std::array<ParameterValue, 5> modal_data(const EquivalentCircuit& c) {
 
 ContactCircuit contact_circuit(const Motor& motor, const OperatingPoint& point) {
   const MotorDesign& design = motor.design();
-  TWUM_ASSERT(design.stator.force_factor.has_value());
-  const double force_factor = *design.stator.force_factor;
+  const double force_factor = get(design, Parameter::force_factor);
   const double current = kFullTurn * drive_frequency(design) * point.amplitude * force_factor;
   return {point.stator_power / (current * current),
           force_factor * force_factor * point.amplitude / point.reactive_force};

@@ -54,6 +54,11 @@ double Evaluator::pull_out_speed() const {
   return branch.lower().speed;
 }
 
+double Evaluator::of_plate(PlateNumber number) const {
+  if (!motor_.design().stator.geometry) throw SearchFailure{MetricStatus::undefined};
+  return plate_numbers(motor_.design())[index_of(number)];
+}
+
 MetricValue Evaluator::evaluate(const MetricRequest& request) {
   if (!modes_ && info(request.metric).needs_modes) return {kNaN, MetricStatus::undefined};
   try {

@@ -51,6 +51,9 @@ class Evaluator {
   double of_contact(F f) const {
     return f(m_);
   }
+  /// @throws SearchFailure without a geometry
+  double of_plate(PlateNumber number) const;
+  double product(double a, double b) const { return a * b; }
   CurveSearch& search() { return search_; }
   /// With the power at the terminals as input. @throws SearchFailure without modal data
   CurveSearch& electrical_search();

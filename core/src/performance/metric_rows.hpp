@@ -49,6 +49,8 @@ S point_metric(Metric metric, const PointNumbers<S>& n, const S& speed, const Dr
     case M::pull_out_frequency:
     case M::coupling_factor:
     case M::capacitance_ratio:
+    case M::mode_separation:
+    case M::ceramic_stress:
     case M::stall_torque:
     case M::max_torque:
     case M::holding_torque:
@@ -203,6 +205,10 @@ typename Answers::Number metric_row(Answers& to, const MetricRequest& request) {
     case M::coupling_factor: return to.of_modes([](const auto& m) { return coupling_factor(m); });
     case M::capacitance_ratio:
       return to.of_modes([](const auto& m) { return capacitance_ratio(m); });
+    case M::mode_separation: return to.of_plate(PlateNumber::mode_separation);
+    case M::ceramic_stress:
+      return to.product(to.of_plate(PlateNumber::ceramic_stress),
+                        to.at(M::amplitude_at, to.crossing(search.no_load(), to.fixed(0))));
     case M::speed_at: return to.crossing(search.speed_at(request.at), to.fixed(request.at));
     case M::torque_at:
     case M::output_power_at:

@@ -7,7 +7,7 @@ namespace {
 using M = Metric;
 using A = Argument;
 
-constexpr bool kModes = true;
+constexpr bool kModes = true, kGeometry = true;
 
 constexpr std::array<MetricInfo, kMetricCount> kMetricTable{{
     {M::stall_torque, "stall_torque", "N.m", A::none, "torque as the rotor begins to turn"},
@@ -60,6 +60,10 @@ constexpr std::array<MetricInfo, kMetricCount> kMetricTable{{
      "effective coupling factor of a phase, sqrt(C_m / (C_0 + C_m))", kModes},
     {M::capacitance_ratio, "capacitance_ratio", "1", A::none,
      "motional over blocked capacitance of a phase", kModes},
+    {M::mode_separation, "mode_separation", "Hz", A::none,
+     "distance to the nearest other mode of n - 2 to n + 2 wavelengths", !kModes, kGeometry},
+    {M::ceramic_stress, "ceramic_stress", "Pa", A::none,
+     "largest bending stress of the ceramic at the amplitude at no-load", !kModes, kGeometry},
     {M::torque_at, "torque_at", "N.m", A::speed, "torque at a speed"},
     {M::speed_at, "speed_at", "rad/s", A::torque,
      "largest speed up to no-load at which the motor carries a torque"},

@@ -19,14 +19,15 @@
 
 namespace twum::performance {
 
-/// A value for each of kModelParameters, in their order.
+/// A value for each of kModelParameters, in their order, and for what more there is of a shape.
 template <typename S>
-using ModelArray = std::array<S, kModelParameters.size()>;
+using ModelArray = std::array<S, kModelNumbers>;
 
 /// Radial slices of a track and their shape: what a design says of them without a derivative.
 struct TrackRule {
-  int nodes{1};                              ///< of each smooth piece; 1: all at the contact radius
-  std::shared_ptr<const ShapeSpline> table;  ///< of the radial shape; null: exponent and root
+  int nodes{1};  ///< of each smooth piece; 1: all at the contact radius
+  std::shared_ptr<const ShapeSpline> table{};  ///< of the radial shape; null: exponent and root
+  bool mode{false};                            ///< the shape is a mode of the plate
 };
 
 /// What a design says to the contact model, whatever wave drives it (theory sections 1 and 2).
@@ -36,9 +37,9 @@ struct MotorModel {
   S tilt;  ///< kappa a, slope of the surface per amplitude of the wave
   S youngs, thickness, shear, viscosity, inertia;
   S kinetic, static_, preload, stator_damping;
-  S exponent, root;  ///< of the radial shape (W1.3)
-  S slope;           ///< tan(taper) of the rotor's face
-  S compliance;      ///< 1 / G
+  std::array<S, kShapeNumbers> shape_numbers;  ///< exponent and root (W1.3), or R of a mode (P8.1)
+  S slope;                                     ///< tan(taper) of the rotor's face
+  S compliance;                                ///< 1 / G
   TrackRule track;
 };
 
@@ -145,7 +146,8 @@ MotorModel<S> motor_model(const ModelArray<S>& p, const TrackRule& track = {}) {
   m.compliance = 1.0 / m.shear;
   using std::cos, std::sin;
   const S taper = at(P::rotor_taper);
-  m.exponent = at(P::shape_exponent), m.root = at(P::shape_root), m.slope = sin(taper) / cos(taper);
+  m.slope = sin(taper) / cos(taper);
+  for (std::size_t i = 0; i < kShapeNumbers; ++i) m.shape_numbers[i] = p[kShapeIndex + i];
   m.track = track;
   return m;
 }
@@ -213,10 +215,15 @@ DrivenMotor<S> driven(const MotorModel<S>& model, const Wave<S>& wave) {
 /// scales (W4.2), which takes some milliseconds.
 TrackRule track_rule(const MotorDesign& design);
 
-/// Values of kModelParameters for a design.
+/// The model's numbers of a design.
 inline ModelArray<double> model_values(const MotorDesign& design) {
-  ModelArray<double> values;
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = get(design, kModelParameters[i]);
+  ModelArray<double> values{};
+  for (std::size_t i = 0; i < kModelParameters.size(); ++i)
+    values[i] = get(design, kModelParameters[i]);
+  if (!design.stator.geometry) return values;
+  const auto plate = plate_numbers(design);
+  for (std::size_t i = 0; i < kShapeNumbers; ++i)
+    values[kShapeIndex + i] = plate[index_of(PlateNumber::shape) + i];
   return values;
 }
 

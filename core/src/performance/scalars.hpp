@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/scalars.hpp"
+#include "design/plate_numbers.hpp"
 
 #include <twum/core/design/parameters.hpp>
 
@@ -10,14 +11,15 @@
 namespace twum::performance {
 
 /// What the contact model takes of a design: each is a direction of its derivatives, and the speed is the last one. All
-/// other parameters act through these, by parameter_jacobian(): they add no direction.
+/// other parameters act through these, by parameter_jacobian(): they add no direction. The mode of a plate has more numbers
+/// of its shape than exponent and root, in whose place they stand.
 inline constexpr std::array kModelParameters{
-    Parameter::wavelengths,    Parameter::contact_radius,   Parameter::contact_width,
-    Parameter::frequency,      Parameter::amplitude,        Parameter::neutral_plane_distance,
-    Parameter::modal_damping,  Parameter::thickness,        Parameter::youngs_modulus,
-    Parameter::shear_modulus,  Parameter::shear_viscosity,  Parameter::inertia,
-    Parameter::preload,        Parameter::kinetic_friction, Parameter::static_friction,
-    Parameter::shape_exponent, Parameter::shape_root,       Parameter::rotor_taper};
+    Parameter::wavelengths,   Parameter::contact_radius,   Parameter::contact_width,
+    Parameter::frequency,     Parameter::amplitude,        Parameter::neutral_plane_distance,
+    Parameter::modal_damping, Parameter::thickness,        Parameter::youngs_modulus,
+    Parameter::shear_modulus, Parameter::shear_viscosity,  Parameter::inertia,
+    Parameter::preload,       Parameter::kinetic_friction, Parameter::static_friction,
+    Parameter::rotor_taper,   Parameter::shape_exponent,   Parameter::shape_root};
 
 /// Position of a parameter in kModelParameters.
 constexpr std::size_t model_index(Parameter parameter) {
@@ -27,7 +29,14 @@ constexpr std::size_t model_index(Parameter parameter) {
   return i;
 }
 
-inline constexpr int kSpeedDirection = static_cast<int>(kModelParameters.size());
+/// Numbers of the radial shape: exponent and root, or R of a mode at kShapePoints of the track.
+inline constexpr std::size_t kShapeNumbers = kShapePoints.size();
+inline constexpr std::size_t kModelNumbers = kModelParameters.size() + kShapeNumbers - 2;
+/// Position of the first of them among the model's numbers; they are the last.
+inline constexpr std::size_t kShapeIndex = model_index(Parameter::shape_exponent);
+static_assert(kShapeIndex + 2 == kModelParameters.size());
+
+inline constexpr int kSpeedDirection = static_cast<int>(kModelNumbers);
 /// Rounded up to an even number, of which vector instructions make pairs: one more that is always zero costs less than none.
 inline constexpr int kDirections = (kSpeedDirection + 2) / 2 * 2;
 
@@ -59,7 +68,17 @@ constexpr int drive_direction(Parameter parameter) {
   return kDirections + i;
 }
 
-inline constexpr int kDesignDirections = kDirections + static_cast<int>(kDriveParameters.size());
+/// What metrics take of the plate alone.
+inline constexpr std::array kPlateMetrics{PlateNumber::mode_separation,
+                                          PlateNumber::ceramic_stress};
+
+/// Direction of one of kPlateMetrics.
+constexpr int plate_direction(PlateNumber number) {
+  const int first = kDirections + static_cast<int>(kDriveParameters.size());
+  return number == kPlateMetrics[0] ? first : first + 1;
+}
+
+inline constexpr int kDesignDirections = plate_direction(kPlateMetrics.back()) + 1;
 
 template <typename T>
 using DesignDualOf = Dual<T, kDesignDirections>;

@@ -16,7 +16,7 @@ constexpr std::array kSpeeds{0.2, 0.5, 0.65, 0.75, 0.8, 0.85, 0.9, 0.95, 1.0, 1.
 using Numbers = std::array<SolvedPoint, kSpeeds.size()>;
 
 DrivenMotor<double> motor_of(const ModelArray<double>& values, const TrackRule& rule, int nodes) {
-  return driven(motor_model(values, {nodes, rule.table}), design_wave(values));
+  return driven(motor_model(values, {nodes, rule.table, rule.mode}), design_wave(values));
 }
 
 // Largest difference of two points in units of their scales; points without an answer say nothing.
@@ -63,7 +63,8 @@ TrackRule track_rule(const MotorDesign& design) {
   const Stator& stator = design.stator;
   const auto& table = stator.radial_shape.table;
   TrackRule rule{stator.radial_slices,
-                 table.empty() ? nullptr : std::make_shared<const ShapeSpline>(table)};
+                 table.empty() ? nullptr : std::make_shared<const ShapeSpline>(table),
+                 stator.geometry.has_value()};
   if (rule.nodes == kAutoSlices) rule.nodes = nodes_needed(model_values(design), rule);
   return rule;
 }

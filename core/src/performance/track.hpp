@@ -5,13 +5,30 @@
 
 namespace twum::performance {
 
+/// R - 1 of a mode (P8.1): the polynomial through its values at kShapePoints that vanishes at the middle of the track.
+/// @param place  from the mean radius, in half widths of the track
+template <typename S, typename R>
+R mode_excess(const MotorModel<S>& m, const R& place) {
+  R sum(0.0);
+  for (std::size_t i = 0; i < kShapeNumbers; ++i) {
+    R weight = place * (1 / kShapePoints[i]);
+    for (std::size_t j = 0; j < kShapeNumbers; ++j)
+      if (j != i)
+        weight = weight * ((place - kShapePoints[j]) * (1 / (kShapePoints[i] - kShapePoints[j])));
+    sum += weight * R(m.shape_numbers[i] - 1.0);
+  }
+  return sum;
+}
+
 /// R(rho) - 1 (W1.3), accurate where the shape is nearly 1; R is S or carries more derivatives than S.
 template <typename S, typename R>
 R shape_excess(const MotorModel<S>& m, const R& radius) {
+  if (m.track.mode) return mode_excess(m, R(2.0 * (radius - m.r) / m.b));
   if (m.track.table) return m.track.table->at(radius) / m.track.table->at(m.r) - 1.0;
   using std::expm1, std::log1p;
-  const R along = (radius - m.r) / (m.r - m.root);
-  return expm1(R(m.exponent * log1p(along)));
+  const auto& [exponent, root, unused, none] = m.shape_numbers;
+  const R along = (radius - m.r) / (m.r - root);
+  return expm1(R(exponent * log1p(along)));
 }
 
 /// How much deeper the crest stands in the layer at a radius than at the mean radius (W2.1) [m].

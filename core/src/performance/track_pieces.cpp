@@ -6,7 +6,8 @@
 namespace twum::performance {
 namespace {
 
-constexpr int kLooksPerRow = 4;  // of a table: its spline turns at most twice between two rows
+constexpr int kLooksPerMode = 16;  // a polynomial of degree 4 turns three times at most
+constexpr int kLooksPerRow = 4;    // of a table: its spline turns at most twice between two rows
 
 template <typename F>
 double zero_between(F f, double low, double high) {
@@ -45,6 +46,8 @@ std::vector<double> looks(const DrivenMotor<double>& m) {
     for (int i = 1; i < kLooksPerRow; ++i)
       radii.push_back(before + (outer - before) * i / kLooksPerRow);
   }
+  for (int i = 1; m.track.mode && i < kLooksPerMode; ++i)
+    radii.push_back(inner + (outer - inner) * i / kLooksPerMode);
   radii.push_back(outer);
   std::vector<double> turns;
   for (std::size_t k = 1; k < radii.size(); ++k) {

@@ -59,7 +59,9 @@ DrivenMotor<double> values_of(const DrivenMotor<S>& m) {
   DrivenMotor<double> v;
   v.r = value_of(m.r), v.b = value_of(m.b), v.preload = value_of(m.preload);
   v.youngs = value_of(m.youngs), v.thickness = value_of(m.thickness);
-  v.exponent = value_of(m.exponent), v.root = value_of(m.root), v.slope = value_of(m.slope);
+  v.slope = value_of(m.slope);
+  std::transform(m.shape_numbers.begin(), m.shape_numbers.end(), v.shape_numbers.begin(),
+                 [](const S& number) { return value_of(number); });
   v.amplitude = value_of(m.amplitude), v.peak = value_of(m.peak), v.track = m.track;
   return v;
 }

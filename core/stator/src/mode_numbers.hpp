@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <utility>
 #include <vector>
 
 /// What a solution means to the drive, in plain numbers and in dual ones.
@@ -41,6 +43,11 @@ Motion<S> motion_at(const Mesh& mesh, const StatorPlate<S>& plate,
   return {deflection, mesh.nodal_diameters * deflection / radius};
 }
 
+template <typename S>
+S magnitude(const S& x) {
+  return value_of(x) < 0 ? -x : x;
+}
+
 /// Integral of z_p (kappa_r + kappa_t) rho drho over the electrode [m^2].
 template <typename S>
 S curvature_under_electrode(const Mesh& mesh, const StatorPlate<S>& plate,
@@ -58,9 +65,27 @@ S curvature_under_electrode(const Mesh& mesh, const StatorPlate<S>& plate,
   return integral / std::numbers::pi;  // weights are those of cos^2 (n phi)
 }
 
+/// Largest normal stress of the ceramic at the crest of the wave, over the Gauss points [Pa] (P4.8).
 template <typename S>
-S magnitude(const S& x) {
-  return value_of(x) < 0 ? -x : x;
+S largest_stress(const Mesh& mesh, const StatorPlate<S>& plate, const Numbers<S>& x,
+                 const std::vector<S>& coefficients) {
+  const S& nu = x[Dimension::ceramic_poisson_ratio];
+  const S modulus = x[Dimension::ceramic_youngs_modulus] / (1.0 - nu * nu);
+  S most(0.0);
+  for (const Element& element : mesh.elements) {
+    const S& face = plate.faces[element.segment];
+    if (value_of(face) == 0) continue;
+    for (std::size_t q = 0; q < element.table->points.size(); ++q) {
+      const auto at = plate_point(mesh, element, plate.segments, q);
+      const auto strain = applied<5>(strain_terms(mesh.theory, mesh.nodal_diameters, at.radius),
+                                     fields_at(element, q, at.half, coefficients));
+      for (const S& stress : {S(modulus * face * (strain[0] + nu * strain[1])),
+                              S(modulus * face * (strain[1] + nu * strain[0]))}) {
+        if (std::abs(value_of(stress)) > value_of(most)) most = magnitude(stress);
+      }
+    }
+  }
+  return most;
 }
 
 template <typename S>
@@ -79,12 +104,14 @@ S blocked_capacitance(const Numbers<S>& x, double share_of_area) {  // P4.5
 template <typename S>
 struct ModeNumbers {
   S frequency, modal_mass, modal_stiffness, neutral_plane_distance, tangential_share, force_factor,
-      blocked_capacitance, coupling_factor;
+      blocked_capacitance, coupling_factor, ceramic_stress;
+  std::vector<S> shape_values;
 };
 
 template <typename S>
 ModeNumbers<S> mode_numbers(const Mesh& mesh, const StatorPlate<S>& plate, const Numbers<S>& x,
-                            const Solution<S>& solution, double waves_per_phase) {
+                            const Solution<S>& solution, double waves_per_phase,
+                            std::span<const double> offsets) {
   using std::sqrt;
   using enum Dimension;
   const double n = mesh.nodal_diameters;
@@ -103,6 +130,11 @@ ModeNumbers<S> mode_numbers(const Mesh& mesh, const StatorPlate<S>& plate, const
   const S factor = magnitude(stress * curvature * (4 * waves_per_phase / n));  // P4.4
   const S blocked = blocked_capacitance(x, waves_per_phase / n);
   const S motional = factor * factor / stiffness;
+  std::vector<S> shape;
+  for (const double offset : offsets) {
+    shape.push_back(motion_at(mesh, plate, solution.coefficients, S(radius + offset)).deflection /
+                    contact.deflection);
+  }
   return {sqrt(solution.eigenvalue) / (2 * std::numbers::pi),
           mass,
           stiffness,
@@ -110,7 +142,9 @@ ModeNumbers<S> mode_numbers(const Mesh& mesh, const StatorPlate<S>& plate, const
           ((height - teeth) * turn + teeth) / height,  // P4.3
           factor,
           blocked,
-          sqrt(motional / (blocked + motional))};  // P4.6
+          sqrt(motional / (blocked + motional)),  // P4.6
+          magnitude(largest_stress(mesh, plate, x, solution.coefficients) / contact.deflection),
+          std::move(shape)};
 }
 
 }  // namespace twum::stator

@@ -2,6 +2,7 @@
 #include "plate_modes.hpp"
 #include "plate_solver.hpp"
 
+#include <twum/base/dual.hpp>
 #include <twum/base/error.hpp>
 
 #include <algorithm>
@@ -10,13 +11,25 @@
 
 namespace twum::stator {
 
-double RadialFunction::operator()(double radius) const {
-  if (pieces_.empty()) return 0;
-  const auto beyond = std::find_if(pieces_.begin(), pieces_.end() - 1,
-                                   [&](const Piece& piece) { return radius <= piece.outer; });
+namespace {
+
+template <typename S>
+S function_at(const std::vector<RadialFunction::Piece>& pieces, const S& radius) {
+  if (pieces.empty()) return S(0.0);
+  const auto beyond = std::find_if(
+      pieces.begin(), pieces.end() - 1,
+      [&](const RadialFunction::Piece& piece) { return value_of(radius) <= piece.outer; });
   const double middle = 0.5 * (beyond->inner + beyond->outer);
-  return legendre_sum(beyond->coefficients,
-                      (radius - middle) / (0.5 * (beyond->outer - beyond->inner)));
+  const S x = (radius - middle) / (0.5 * (beyond->outer - beyond->inner));
+  return legendre_sum<S>({beyond->coefficients.begin(), beyond->coefficients.end()}, x);
+}
+
+}  // namespace
+
+double RadialFunction::operator()(double radius) const { return function_at(pieces_, radius); }
+
+double RadialFunction::slope(double radius) const {
+  return function_at(pieces_, Dual<double, 1>::variable(radius, 0)).d[0];
 }
 
 int RadialFunction::sign_changes(double inner, double outer) const {

@@ -33,6 +33,8 @@ StatorModel published(const ModeNumbers<S>& m) {
   model.force_factor = published(m.force_factor);
   model.blocked_capacitance = published(m.blocked_capacitance);
   model.coupling_factor = published(m.coupling_factor);
+  model.ceramic_stress = published(m.ceramic_stress);
+  for (const S& value : m.shape_values) model.shape_values.push_back(published(value));
   return model;
 }
 
@@ -68,6 +70,21 @@ void check_wave(const StatorGeometry& g, const StatorPlate<double>& plate, int w
   }
 }
 
+void check_track(const StatorPlate<double>& plate, double contact_radius,
+                 std::span<const double> offsets) {
+  const double inner = plate.segments.front().inner;
+  const double outer = plate.segments.back().outer;
+  for (const double offset : offsets) {
+    const double radius = contact_radius + offset;
+    if (radius >= inner && radius <= outer) continue;
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << "stator: the contact track reaches " << radius
+         << " m; it must lie on the stator, between " << inner << " m and " << outer << " m";
+    throw InputError(text.str());
+  }
+}
+
 // The modes of a stator and the one that was chosen.
 struct Modes {
   StatorPlate<double> plate;
@@ -86,9 +103,10 @@ struct Modes {
 };
 
 Modes find_modes(const StatorGeometry& geometry, int wavelengths, double contact_radius,
-                 PlateTheory theory) {
+                 PlateTheory theory, std::span<const double> offsets) {
   Modes modes{make_plate(geometry, plain_numbers(geometry, contact_radius)), {}, {}, {}, {}};
   check_wave(geometry, modes.plate, wavelengths, contact_radius);
+  check_track(modes.plate, contact_radius, offsets);
   const int lowest = std::max(0, wavelengths - 2);
   for (int n = lowest; n <= wavelengths + 2; ++n) {
     modes.orders.push_back(solve_order(modes.plate, theory, geometry.support, n, contact_radius));
@@ -122,21 +140,22 @@ Derived mode_separation(const Modes& modes, const StatorPlate<Derived>* dual_pla
 
 // Numbers of the wave's mode, differentiated if that is wanted and possible.
 StatorModel wave_numbers(const Modes& modes, const StatorGeometry& geometry, double contact_radius,
-                         Derivatives derivatives) {
+                         Derivatives derivatives, std::span<const double> offsets) {
   const Order& order = modes.order();
   const double waves = geometry.electrodes.waves_per_phase;
   const std::size_t mode = modes.wave.mode;
   if (derivatives == Derivatives::none || modes.identity == ModeIdentity::crossing) {
     const Solution<double> solution{order.spectrum.eigenvalues[mode], order.spectrum.vectors[mode]};
-    StatorModel model = published(mode_numbers(
-        order.mesh, modes.plate, plain_numbers(geometry, contact_radius), solution, waves));
+    StatorModel model =
+        published(mode_numbers(order.mesh, modes.plate, plain_numbers(geometry, contact_radius),
+                               solution, waves, offsets));
     model.mode_separation = mode_separation(modes, nullptr);
     return model;
   }
   const auto numbers = dual_numbers(geometry, contact_radius);
   const auto plate = make_plate(geometry, numbers);
   const auto solution = derived_solution(order.mesh, plate.segments, order.spectrum, mode);
-  StatorModel model = published(mode_numbers(order.mesh, plate, numbers, solution, waves));
+  StatorModel model = published(mode_numbers(order.mesh, plate, numbers, solution, waves, offsets));
   model.mode_separation = mode_separation(modes, &plate);
   return model;
 }
@@ -151,10 +170,11 @@ std::vector<PlateMode> stator_modes(const StatorGeometry& geometry, int nodal_di
 }
 
 StatorModel stator_model(const StatorGeometry& geometry, int wavelengths, double contact_radius,
-                         PlateTheory theory, Derivatives derivatives) {
+                         PlateTheory theory, Derivatives derivatives,
+                         std::span<const double> offsets) {
   check_geometry(geometry);
-  const Modes modes = find_modes(geometry, wavelengths, contact_radius, theory);
-  StatorModel model = wave_numbers(modes, geometry, contact_radius, derivatives);
+  const Modes modes = find_modes(geometry, wavelengths, contact_radius, theory, offsets);
+  StatorModel model = wave_numbers(modes, geometry, contact_radius, derivatives, offsets);
   const Order& order = modes.order();
   model.shape = normalized(
       deflection(order.mesh, modes.plate.segments, order.spectrum.vectors[modes.wave.mode]),

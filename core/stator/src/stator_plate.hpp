@@ -39,6 +39,8 @@ template <typename S>
 struct StatorPlate {
   std::vector<SegmentOf<S>> segments;
   std::vector<S> levers;         ///< z_p, mid-plane of the ceramic from the neutral plane [m]
+  std::vector<S> faces;          ///< the ceramic's face that is farthest from the neutral plane; 0
+                                 ///< without ceramic [m]
   std::vector<S> tooth_heights;  ///< 0 where there are no teeth [m]
   std::vector<bool> electrodes;  ///< whether the segment is covered
 };
@@ -92,6 +94,12 @@ StatorPlate<S> make_plate(const StatorGeometry& g, const Numbers<S>& x) {
                          middle < value_of(x[teeth_outer_radius]);
     plate.tooth_heights.push_back(toothed ? x[teeth_height] : S(0.0));
     plate.levers.push_back(0.5 * x[ceramic_thickness] - section.neutral_plane);
+    const bool covered =
+        middle > value_of(x[ceramic_inner_radius]) && middle < value_of(x[ceramic_outer_radius]);
+    const bool low = value_of(plate.levers.back()) < 0;
+    plate.faces.push_back(!covered ? S(0.0)
+                          : low    ? S(-section.neutral_plane)
+                                   : S(x[ceramic_thickness] - section.neutral_plane));
     plate.electrodes.push_back(middle > value_of(x[electrodes_inner_radius]) &&
                                middle < value_of(x[electrodes_outer_radius]));
     plate.segments.push_back({inner, outer, section});

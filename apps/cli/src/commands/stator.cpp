@@ -7,6 +7,8 @@
 #include "notes.hpp"
 #include "options.hpp"
 #include "output.hpp"
+#include "plate_parts.hpp"
+#include "plot/stator_plot.hpp"
 #include "text_table.hpp"
 
 #include <twum/core/performance/equivalent_circuit.hpp>
@@ -23,20 +25,26 @@
 namespace twum::cli {
 namespace {
 
+constexpr std::size_t kListedModes = 6, kMostModes = 41;
+
 constexpr const char* kStatorExamples = R"text(Examples:
   twum stator examples/motors/drive-60.yaml
   twum stator drive-60.yaml --torque "0.5 N.m"
+  twum stator plate-60.yaml --modes 10 --plot modes.svg
   twum stator drive-60.yaml --set "preload=140 N" --format json -o stator.json)text";
 
 struct StatorOptions {
   MotorOptions motor;
   LoadOptions load;
   OutputOptions output;
+  std::string modes;
+  std::string plot;
 };
 
 struct StatorAnswer {
   studies::MotorFile file;
-  EquivalentCircuit free;
+  std::size_t modes{kListedModes};  // of the plate
+  std::optional<EquivalentCircuit> free;
   std::optional<OperatingPoint> point;  // under load, if it has an answer
   ContactCircuit contact{};
 };
@@ -92,13 +100,19 @@ std::optional<double> loaded_speed(const StatorOptions& options, const Motor& mo
 StatorAnswer compute_stator(const StatorOptions& options) {
   StatorAnswer answer;
   answer.file = load_motor(options.motor);
-  const auto circuit = equivalent_circuit(answer.file.design);
-  if (!circuit)
+  const bool plate = answer.file.design.stator.geometry.has_value();
+  if (!plate && !(options.modes.empty() && options.plot.empty()))
+    throw InputError(
+        options.motor.path +
+        ": --modes and --plot need a stator given by its geometry; this one has no such block");
+  if (!options.modes.empty()) answer.modes = parse_count("--modes", options.modes, 1, kMostModes);
+  answer.free = equivalent_circuit(answer.file.design);
+  if (!answer.free && plate) return answer;  // without damping
+  if (!answer.free)
     throw InputError(
         options.motor.path +
         ": this motor has no modal data; give resonance_frequency, modal_mass, force_factor and "
-        "quality_factor of its stator, or equivalent_circuit");
-  answer.free = *circuit;
+        "quality_factor of its stator, or equivalent_circuit, or geometry");
   const Motor motor(answer.file.design);
   const std::optional<double> speed = loaded_speed(options, motor);
   if (!speed) return answer;
@@ -129,14 +143,17 @@ std::string as_json(const StatorAnswer& answer) {
     json["modal_data"][std::string(row.name)] = number_json(get(answer.file.design, parameter));
     units[std::string(row.name)] = row.unit;
   }
-  add_json(json["equivalent_circuit"], units, kCircuit, answer.free);
+  if (answer.file.design.stator.geometry)
+    json["plate"] = plate_json(answer.file.design, answer.modes, units);
+  json["equivalent_circuit"] = nullptr;
+  if (answer.free) add_json(json["equivalent_circuit"], units, kCircuit, *answer.free);
   json["under_load"] = nullptr;
   if (answer.point) {
     Json& loaded = json["under_load"];
     add_json(loaded, units, kPoint, *answer.point);
     add_json(loaded, units, kContact, answer.contact);
     add_json(loaded["equivalent_circuit"], units, kCircuit,
-             with_contact(answer.free, answer.contact));
+             with_contact(*answer.free, answer.contact));
   }
   json["units"] = units;
   return json_text(json);
@@ -163,9 +180,9 @@ std::string modal_text(const MotorDesign& design) {
 std::string circuits_text(const StatorAnswer& answer) {
   TextTable table{{{"circuit of a phase", "free"}}};
   if (answer.point) table.rows[0].emplace_back("under load");
-  const EquivalentCircuit loaded = with_contact(answer.free, answer.contact);
+  const EquivalentCircuit loaded = with_contact(*answer.free, answer.contact);
   for (const Quantity<C>& one : kCircuit) {
-    table.rows.push_back({one.name, shown(one.value(answer.free), one.unit)});
+    table.rows.push_back({one.name, shown(one.value(*answer.free), one.unit)});
     if (answer.point) table.rows.back().push_back(shown(one.value(loaded), one.unit));
   }
   return aligned(table);
@@ -174,7 +191,10 @@ std::string circuits_text(const StatorAnswer& answer) {
 std::string as_table(const StatorAnswer& answer) {
   const std::string name =
       answer.file.name.empty() ? "motor" : studies::printable(answer.file.name);
-  std::string text = name + "\n\n" + modal_text(answer.file.design) + "\n" + circuits_text(answer);
+  std::string text = name + "\n\n" + modal_text(answer.file.design) + "\n";
+  if (answer.file.design.stator.geometry)
+    text += plate_text(answer.file.design, answer.modes) + "\n";
+  if (answer.free) text += circuits_text(answer);
   if (!answer.point) return text;
   TextTable point{{{"under load", ""}}};
   add_rows(point, kPoint, *answer.point);
@@ -184,10 +204,13 @@ std::string as_table(const StatorAnswer& answer) {
 
 int run_stator(const StatorOptions& options) {
   Output output(options.output.path, {options.motor.path});
+  const std::optional<PlotFile> plot =
+      plot_file(options.plot, {options.motor.path, options.output.path});
   const StatorAnswer answer = compute_stator(options);
   if (options.load.given() && !answer.point) return kNoAnswer;
   output.write(options.output.format == "json" ? as_json(answer) : as_table(answer));
   output.finish();
+  if (plot) plot->draw(kStatorPlotSize, stator_plot(answer.file));
   print_model_notes(answer.file.design);
   return kDone;
 }
@@ -196,12 +219,17 @@ int run_stator(const StatorOptions& options) {
 
 void add_stator(CLI::App& app, Action& action) {
   const auto options = std::make_shared<StatorOptions>();
-  CLI::App* command = app.add_subcommand(
-      "stator", "Modal data and equivalent circuit of the stator, free and under load");
+  CLI::App* command = app.add_subcommand("stator",
+                                         "Modal data and equivalent circuit of the stator, free "
+                                         "and under load; from its geometry also "
+                                         "its modes");
   add_motor_options(*command, options->motor);
   add_branch_option(*command, options->motor);
   add_load_options(*command, options->load, 0);
+  command->add_option("--modes", options->modes,
+                      "Modes of the geometry to list, those nearest to the drive's; 6 by default");
   add_output_options(*command, options->output, {"table", "json"});
+  add_plot_option(*command, options->plot);
   command->footer(kStatorExamples);
   command->callback([options, &action] { action = [options] { return run_stator(*options); }; });
 }

@@ -66,10 +66,14 @@ struct StatorModes {
 /// The modes of a design; nothing if it does not say enough of them.
 inline std::optional<StatorModes<double>> stator_modes(const MotorDesign& design) {
   if (!has_modal_data(design)) return {};
+  const auto value = [&](Parameter parameter) { return get(design, parameter); };
   const Stator& s = design.stator;
-  StatorModes<double> modes{*s.modal_mass,         2 * std::numbers::pi * *s.resonance_frequency,
-                            modal_damping(design), *s.force_factor,
-                            s.blocked_capacitance, s.loss_tangent};
+  StatorModes<double> modes{value(Parameter::modal_mass),
+                            2 * std::numbers::pi * value(Parameter::resonance_frequency),
+                            modal_damping(design),
+                            value(Parameter::force_factor),
+                            value(Parameter::blocked_capacitance),
+                            value(Parameter::loss_tangent)};
   if (s.imbalance)
     modes.unequal = {s.imbalance->voltage_ratio, s.imbalance->phase_error,
                      s.imbalance->mode_splitting};

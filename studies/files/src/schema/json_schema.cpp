@@ -67,11 +67,21 @@ void add_pair_rule(Json& rules, const Schema& mapping, const SchemaEntry& entry)
   const SchemaEntry* twin = twin_of(mapping, entry);
   if (twin == nullptr) return;
   const Json both = Json::array({is_given(entry), is_given(*twin)});
-  if (entry.required) {
+  if (entry.required && !entry.spared_by.empty()) {
+    rules.push_back({{"not", {{"allOf", both}}}});
+  } else if (entry.required) {
     rules.push_back({{"oneOf", both}});
   } else if (!twin->required && entry.name < twin->name) {
     rules.push_back({{"not", {{"allOf", both}}}});
   }
+}
+
+// It, its twin, or the entry that may stand for it.
+void add_spared_rule(Json& rules, const Schema& mapping, const SchemaEntry& entry) {
+  Json any = Json::array({is_given(entry)});
+  if (const SchemaEntry* twin = twin_of(mapping, entry)) any.push_back(is_given(*twin));
+  any.push_back({{"required", {entry.spared_by}}});
+  rules.push_back({{"anyOf", any}});
 }
 
 // Converts schemas, and keeps the long pieces that it meets more than once: most shapes of a study
@@ -108,7 +118,9 @@ class Converter {
       if (entry.alias_counts && !entry.alias.empty()) {
         json["properties"][entry.alias] = json["properties"][entry.name];
       }
-      if (entry.required && entry.twin.empty()) required.push_back(entry.name);
+      const bool spared = !entry.spared_by.empty();
+      if (entry.required && entry.twin.empty() && !spared) required.push_back(entry.name);
+      if (entry.required && spared) add_spared_rule(rules, schema, entry);
       add_pair_rule(rules, schema, entry);
     }
     if (!required.empty()) json["required"] = required;

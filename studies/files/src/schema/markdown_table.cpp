@@ -85,6 +85,8 @@ class TableWriter {
       left_out =
           entry.required ? "needed, or `" + entry.twin + "`" : "instead of `" + entry.twin + "`";
     }
+    if (!entry.spared_by.empty() && entry.required)
+      left_out += (entry.twin.empty() ? ", or `" : " or `") + entry.spared_by + "`";
     const std::string what =
         in_parameter_ ? role_text(entry.name, entry.schema.text) : entry.schema.text;
     const std::string text = (when.empty() ? "" : "`" + when + "`: ") + what;

@@ -78,9 +78,11 @@ void check_presence(const YamlNode& node, const Schema& schema, const SchemaEntr
   const YamlEntry* own = given(node, schema, entry.name);
   const YamlEntry* twin = entry.twin.empty() ? nullptr : given(node, schema, entry.twin);
   if (own != nullptr && twin != nullptr) return say_both(*own, *twin, spot, diagnostics);
-  if (own != nullptr || twin != nullptr || !entry.required) return;
+  const bool spared = !entry.spared_by.empty() && given(node, schema, entry.spared_by) != nullptr;
+  if (own != nullptr || twin != nullptr || spared || !entry.required) return;
   std::string remedy = expectation(entry.schema);
   if (!entry.twin.empty()) remedy += ", or '" + entry.twin + "' instead";
+  if (!entry.spared_by.empty()) remedy += ", or '" + entry.spared_by + "'";
   diagnostics.add(spot.mark, spot.entry(entry.name, {}).path, "missing", remedy);
 }
 

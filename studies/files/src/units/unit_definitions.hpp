@@ -92,6 +92,8 @@ inline constexpr NamedDimension kDimensions[] = {
     {"kg/m^3", "density"},
     {"N.s/m", "force per speed"},
     {"N/V", "force per voltage"},
+    {"m/V", "piezoelectric coefficient"},
+    {"F/m", "permittivity"},
     {"F", "capacitance"},
     {"ohm", "resistance"},
     {"H", "inductance"},

@@ -277,6 +277,7 @@ std::vector<MetricExpression> plain_metrics(const MotorDesign& design) {
   std::vector<MetricExpression> list;
   for (const MetricInfo& row : metric_table()) {
     const bool meant = (!row.needs_modes || has_modal_data(design)) &&
+                       (!row.needs_geometry || design.stator.geometry) &&
                        (!needs_voltage(row.metric) || design.stator.voltage);
     if (row.argument == Argument::none && meant) list.push_back(parse_metric(row.name));
   }

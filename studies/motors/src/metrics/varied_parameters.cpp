@@ -28,7 +28,9 @@ MotorDesign ordinary(const MotorDesign& base, const std::vector<Parameter>& give
     if (!replaced && in_use(base, row.parameter)) add(row);
   }
   for (const Parameter parameter : given) add(info(parameter));
-  return with(MotorDesign{}, values);
+  MotorDesign start;
+  start.stator.geometry = base.stator.geometry;  // its blocks: their numbers are among the values
+  return with(start, values);
 }
 
 // Whether a rule reads what another one sets: the parameter itself, or one that follows from it in the motor, as G from E.

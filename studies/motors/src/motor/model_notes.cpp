@@ -4,6 +4,7 @@
 #include "motor/drive_notes.hpp"
 
 #include <twum/core/design/parameters.hpp>
+#include <twum/core/design/plate.hpp>
 #include <twum/core/performance/metrics.hpp>
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/units/engineering.hpp>
@@ -95,6 +96,27 @@ void add_contact(const MotorDesign& design, const Motor& motor, std::vector<Mode
                      "hinder a real wave"});
 }
 
+// Two modes of the stator that look alike, of which one is taken for the wave.
+void add_modes(const MotorDesign& design, std::vector<ModelNote>& notes) {
+  if (!design.stator.geometry) return;
+  switch (plate_model(design)->identity) {
+    case stator::ModeIdentity::clear: break;
+    case stator::ModeIdentity::shared:
+      notes.push_back(
+          {"two modes of the stator", 0,
+           "the stator has two modes with the wave's number of wavelengths that keep their "
+           "sign on the ring, with modal masses within a factor of two; the lighter is taken "
+           "for the wave, and it changes quickly with the geometry"});
+      break;
+    case stator::ModeIdentity::crossing:
+      notes.push_back(
+          {"two modes of the stator", 0,
+           "two modes of the stator with the wave's number of wavelengths have the same "
+           "frequency; metrics have no derivatives here, so change the web or the ring a "
+           "little before a search starts from this motor"});
+  }
+}
+
 // The change of a metric from one slice to the whole track, relative; 0 if one of them has none.
 double change(const Motor& one, const Motor& track, Metric metric) {
   const MetricValue before = evaluate(one, {metric}), after = evaluate(track, {metric});
@@ -130,6 +152,7 @@ std::vector<ModelNote> model_notes(const MotorDesign& design) {
   const Motor motor(design);
   add_ratios(design, motor, notes);
   add_contact(design, motor, notes);
+  add_modes(design, notes);
   return notes;
 }
 

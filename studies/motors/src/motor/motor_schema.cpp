@@ -3,8 +3,10 @@
 #include <twum/studies/motor/parameter_set.hpp>
 
 #include "motor/circuit_shape.hpp"
+#include "motor/geometry_shape.hpp"
 
 #include <twum/base/error.hpp>
+#include <twum/core/design/plate.hpp>
 #include <twum/studies/motor/settings.hpp>
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/text/words.hpp>
@@ -15,21 +17,6 @@
 
 namespace twum::studies {
 namespace {
-
-// A motor as its file gives it, in SI.
-struct GivenMotor {
-  std::string name;
-  std::vector<ParameterValue> values;
-  std::vector<std::pair<double, double>> shape_table;  // radius and R
-  std::optional<Branch> branch;
-  std::optional<EquivalentCircuit> circuit;
-
-  std::optional<double> value(Parameter parameter) const {
-    const auto found = std::find_if(values.begin(), values.end(),
-                                    [=](const auto& one) { return one.first == parameter; });
-    return found == values.end() ? std::nullopt : std::optional<double>(found->second);
-  }
-};
 
 std::string_view first_step(std::string_view path) { return path.substr(0, path.find('.')); }
 
@@ -71,6 +58,13 @@ bool is_of_the_drive(Parameter parameter) {
   return std::find(kDrive.begin(), kDrive.end(), parameter) != kDrive.end();
 }
 
+// An entry that a material of the same block may give.
+bool is_of_material(const ParameterInfo& row) {
+  const std::size_t dot = row.file_entry.rfind('.');
+  return dot != std::string_view::npos && has_material(row.file_entry.substr(0, dot)) &&
+         material_gives(row);
+}
+
 // The entry of a parameter.
 Field<GivenMotor> field_of(const ParameterInfo& row) {
   const bool sliced = row.parameter == Parameter::radial_slices;
@@ -80,6 +74,8 @@ Field<GivenMotor> field_of(const ParameterInfo& row) {
   field.entry.schema = value.schema;
   field.entry.required = row.required;
   if (row.twin) field.entry.twin = last_step(info(*row.twin).file_entry);
+  if (row.parameter == Parameter::neutral_plane_distance) field.entry.twin = "geometry";
+  if (is_of_material(row)) field.entry.spared_by = "material";
   field.entry.alias = row.name == field.entry.name ? row.symbol : row.name;
   if (row.parameter == Parameter::static_friction) field.entry.fallback = "the kinetic one";
   if (row.parameter == Parameter::modal_damping) field.entry.fallback = "0";
@@ -92,6 +88,7 @@ Field<GivenMotor> field_of(const ParameterInfo& row) {
     field.entry.fallback = "none: the rotor follows the wave at once";
   if (row.parameter == Parameter::sensor_load_resistance)
     field.entry.fallback = "none: the electrode is open";
+  if (field.entry.fallback.empty()) field.entry.fallback = geometry_fallback(row.parameter);
   if (!row.required && field.entry.fallback.empty() && !row.twin)
     field.entry.fallback = row.unit == "1" ? "0" : "0 " + std::string(row.unit);
   field.read = [&row, read = value.read](GivenMotor& into, const YamlNode& node, const Spot& spot,
@@ -160,7 +157,17 @@ Field<GivenMotor> circuit_field() {
 }
 
 bool check_stator(GivenMotor& motor, const Given& given, Diagnostics& diagnostics) {
-  return check_circuit(motor.circuit, given, diagnostics);
+  const bool alone = check_geometry_alone(given, diagnostics);
+  return check_circuit(motor.circuit, given, diagnostics) && alone;
+}
+
+// What a block's material gives, then the block's own check.
+Check<GivenMotor> filled_check(std::string block,
+                               bool (*check)(GivenMotor&, const Given&, Diagnostics&)) {
+  return [block, check](GivenMotor& motor, const Given& given, Diagnostics& diagnostics) {
+    fill_from_material(motor, block);
+    return check == nullptr || check(motor, given, diagnostics);
+  };
 }
 
 Field<GivenMotor> shape_table() {
@@ -197,7 +204,36 @@ constexpr Section kSections[] = {
      false},
     {"stator.sensor", "an electrode that senses the wave", nullptr, false},
     {"friction", "Coulomb friction between stator and contact layer", check_friction},
-    {"rotor", "the rotor's face", nullptr, false}};
+    {"rotor", "the rotor's face", nullptr, false},
+    {"stator.geometry",
+     "the stator as it is drawn, instead of modal data, neutral plane distance and radial shape",
+     nullptr, false},
+    {"stator.geometry.substrate", "the metal plate"},
+    {"stator.geometry.web", "thinner part of the metal plate from the clamp to the ring"},
+    {"stator.geometry.teeth", "teeth on the metal plate, cut by radial slots"},
+    {"stator.geometry.glue", "between metal and ceramic, as wide as the ceramic"},
+    {"stator.geometry.ceramic", "the piezoceramic ring under the metal plate"},
+    {"stator.geometry.electrodes", "electrodes of a phase: sectors of half a wavelength"}};
+
+// Sections that may be left out although entries of theirs are needed, and what holds then.
+constexpr std::pair<std::string_view, std::string_view> kMayLack[] = {
+    {"stator.geometry", "modal data"},
+    {"stator.geometry.web", "no web"},
+    {"stator.geometry.teeth", "no teeth"}};
+
+Field<GivenMotor> section_at(const std::string& path, const std::string& name,
+                             std::vector<Field<GivenMotor>> fields) {
+  const auto* known = std::find_if(std::begin(kSections), std::end(kSections),
+                                   [&](const Section& one) { return one.path == path; });
+  TWUM_ASSERT(known != std::end(kSections));
+  Field<GivenMotor> field =
+      section(name, std::string(known->text), std::move(fields), filled_check(path, known->check));
+  field.entry.shown = known->shown;
+  for (const auto& [section, fallback] : kMayLack)
+    if (section == path) field.entry.required = false, field.entry.fallback = fallback;
+  if (path == "stator.geometry") field.entry.twin = "neutral_plane_distance";
+  return field;
+}
 
 // What a file has to hold: a motor in full, or some of its parameters.
 enum class Extent : unsigned char { motor, part };
@@ -216,20 +252,19 @@ std::vector<Field<GivenMotor>> fields_below(const std::string& path,
     if (!row.file_entry.starts_with(path)) continue;
     const std::string_view rest = row.file_entry.substr(path.size());
     const std::string name(first_step(rest));
+    const bool done = std::any_of(fields.begin(), fields.end(),
+                                  [&](const auto& field) { return field.entry.name == name; });
     if (name == rest) {
       fields.push_back(extent == Extent::motor ? field_of(row) : left_out_freely(field_of(row)));
-    } else if (fields.empty() || fields.back().entry.name != name) {
-      const auto* known = std::find_if(std::begin(kSections), std::end(kSections),
-                                       [&](const Section& one) { return one.path == path + name; });
-      TWUM_ASSERT(known != std::end(kSections));
-      fields.push_back(section(name, std::string(known->text),
-                               fields_below(path + name + ".", extent),
-                               Check<GivenMotor>(known->check)));
-      fields.back().entry.shown = known->shown;
+    } else if (!done) {
+      fields.push_back(section_at(path + name, name, fields_below(path + name + ".", extent)));
     }
   }
+  if (!path.empty() && has_material(path.substr(0, path.size() - 1)))
+    fields.push_back(material_field(path.substr(0, path.size() - 1)));
   if (path == "stator.") fields.push_back(circuit_field());
   if (extent == Extent::part) return fields;  // without what is no parameter
+  if (path == "stator.geometry.") fields.push_back(support_field());
   if (path == "stator.radial_shape.") fields.push_back(shape_table());
   if (path == "stator.") fields.push_back(branch_field());
   return fields;
@@ -251,6 +286,7 @@ MotorFile motor_of(const GivenMotor& given) {
   // Exponent and root, which a design has as well, would replace a table.
   blank.stator.radial_shape.table = given.shape_table;
   blank.stator.branch = given.branch.value_or(Branch::running);
+  blank.stator.geometry = blank_geometry(given);
   return {given.name, with(blank, all_values(given))};
 }
 
@@ -258,10 +294,16 @@ MotorFile motor_of(const GivenMotor& given) {
 bool check_motor(GivenMotor& motor, const Given& given, Diagnostics& diagnostics) {
   if (!diagnostics.empty()) return false;  // what is wrong has been said; the motor is not made
   try {
-    motor_of(motor);
+    const MotorDesign design = motor_of(motor).design;
+    if (!design.stator.geometry) return true;
+    if (const auto wrong = complaints(design); !wrong.empty()) throw InputError(wrong.front());
+    plate_model(design);  // which has a mode for the wave
     return true;
+  } catch (const EvaluationError& error) {
+    return say_of_geometry(error.what(), given, diagnostics);
   } catch (const InputError& error) {
     const std::string text = error.what();
+    if (text.starts_with("stator")) return say_of_geometry(text, given, diagnostics);
     const std::string name = text.substr(0, text.find(' '));
     const auto parameter = find_parameter(name);
     const std::string entry =
@@ -282,7 +324,8 @@ bool check_motor(GivenMotor& motor, const Given& given, Diagnostics& diagnostics
 }
 
 GivenMotor given_by(const MotorFile& motor) {
-  GivenMotor given{motor.name, {}, motor.design.stator.radial_shape.table, {}, {}};
+  GivenMotor given{motor.name, {}, motor.design.stator.radial_shape.table, {}, {}, {}, {}};
+  if (motor.design.stator.geometry) given.inner_edge = motor.design.stator.geometry->support;
   if (motor.design.stator.branch != Branch::running) given.branch = motor.design.stator.branch;
   for (const ParameterInfo& row : parameter_table())
     if (in_use(motor.design, row.parameter))
@@ -342,7 +385,9 @@ const Shape<std::vector<ParameterValue>>& parameter_set_shape() {
                             needs_parameter),
         [](const GivenMotor& part) { return all_values(part); },
         [](const Values& values) {
-          return GivenMotor{{}, values, {}, {}, {}};
+          GivenMotor part;
+          part.values = values;
+          return part;
         });
   }();
   return shape;

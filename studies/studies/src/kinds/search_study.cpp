@@ -89,7 +89,7 @@ std::vector<std::string> SearchRun::notes() const {
   for (const DesignVariable& v : problem_.variables)
     if (v.parameter == Parameter::wavelengths || v.parameter == of_ring)
       varied += (varied.empty() ? "" : " and ") + std::string(info(v.parameter).name);
-  if (varied.empty()) return {};
+  if (varied.empty() || problem_.motor.stator.geometry) return {};  // the plate is there
   return {
       varied +
       " varied: the model accepts any number of waves at any frequency, but a real ring has one "

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/stator/geometry.hpp>
+
 #include <optional>
 #include <utility>
 #include <vector>
@@ -72,6 +74,9 @@ struct Stator {
   /// Nodes of the Gauss rule on each smooth piece of the track. 1: all at the contact radius, as in the paper.
   int radial_slices{1};
   RadialShape radial_shape{};  ///< acts where the track has more than one slice
+  /// The stator as it is drawn: gives resonance_frequency, modal_mass, force_factor, blocked_capacitance,
+  /// neutral_plane_distance and radial_shape, whose members are not looked at then (theory of the plate, section 8).
+  std::optional<stator::StatorGeometry> geometry;
 };
 
 /// The layer between stator and rotor: a foundation that is elastic along the axis and has

@@ -54,11 +54,42 @@ enum class Parameter : unsigned char {
   static_friction,
   rotor_taper,
   rotor_mass,
-  preload
+  preload,
+  // of the stator's geometry, in the order of stator::Dimension but for teeth_count and electrodes_waves_per_phase
+  substrate_inner_radius,
+  substrate_outer_radius,
+  substrate_thickness,
+  substrate_youngs_modulus,
+  substrate_poisson_ratio,
+  substrate_density,
+  web_inner_radius,
+  web_outer_radius,
+  web_thickness,
+  teeth_count,
+  teeth_height,
+  teeth_slot_width,
+  teeth_inner_radius,
+  teeth_outer_radius,
+  teeth_stiffness_share,
+  glue_thickness,
+  glue_youngs_modulus,
+  glue_poisson_ratio,
+  glue_density,
+  ceramic_inner_radius,
+  ceramic_outer_radius,
+  ceramic_thickness,
+  ceramic_youngs_modulus,
+  ceramic_poisson_ratio,
+  ceramic_density,
+  ceramic_d31,
+  ceramic_permittivity,
+  electrodes_waves_per_phase,
+  electrodes_inner_radius,
+  electrodes_outer_radius
 };
 
 /// Rows of the parameter table.
-inline constexpr std::size_t kParameterCount = 39;
+inline constexpr std::size_t kParameterCount = 69;
 
 /// Position of a parameter in arrays over the parameter table.
 constexpr std::size_t index_of(Parameter parameter) { return static_cast<std::size_t>(parameter); }
@@ -100,7 +131,8 @@ double get(const MotorDesign& design, Parameter parameter);
 /// True if the design's behaviour is stated through this parameter: false for shear_modulus when G
 /// follows from E and nu, and for poisson_ratio when G is given outright; likewise the other twins. False for what only
 /// a track of several slices has, its radial shape and taper, when there is one; for exponent and root beside a table; for
-/// modal data that are not given, and for capacitance and loss tangent of a stator without a force factor.
+/// modal data that are not given, and for capacitance and loss tangent of a stator without a force factor. A geometry puts its
+/// own numbers in the place of modal data, neutral plane distance and radial shape; without one they are not in use.
 bool in_use(const MotorDesign& design, Parameter parameter);
 
 /// Derivatives of every parameter's value, as get() has it: row i, column j is d value i / d parameter j, SI.
@@ -108,7 +140,8 @@ using ParameterJacobian = std::array<std::array<double, kParameterCount>, kParam
 
 /// How all parameters move with each that is in use (in_use()), the others in use held: G, gamma and m with the material that
 /// gives them (T1.2 to T1.4) or the other way round, and mu_0 in proportion to mu unless `fixed_static_friction`. Columns of
-/// parameters not in use are zero. A microsecond; never throws for an admissible design.
+/// parameters not in use are zero. A microsecond; with a geometry some milliseconds, columns of n being those at the plate's mode
+/// as it is, and NaN where modes cross. Never throws for an admissible design.
 ParameterJacobian parameter_jacobian(const MotorDesign& design, bool fixed_static_friction = false);
 
 /// Why a value [SI] is not admissible by itself, in the form "must be at least 0 m, but is -1 m"; empty
@@ -122,7 +155,8 @@ using ParameterValue = std::pair<Parameter, double>;
 /// a value replaces its twin, and exponent or root of the radial shape replace its table; mu_0 keeps its ratio to mu when
 /// only mu is replaced; the last of two values for the same parameter holds.
 /// @throws InputError if a value is not admissible, a parameter and its twin are both in the list,
-///         the result has mu_0 < mu, a track that cannot be, or a voltage without the modal data it needs.
+///         the result has mu_0 < mu, a track that cannot be, or a voltage without the modal data it needs, and for
+///         what follows from a geometry or belongs to one that is not there. A geometry as a whole is for complaints().
 /// @{
 MotorDesign with(const MotorDesign& design, std::span<const ParameterValue> values);
 MotorDesign with(const MotorDesign& design, Parameter parameter, double value);
@@ -130,7 +164,7 @@ MotorDesign with(const MotorDesign& design, Parameter parameter, double value);
 
 /// All that is wrong with a design, one sentence each, in the order of the table; empty if it is
 /// admissible: every parameter in use within its range, mu_0 >= mu, a track outside the axis, a radial shape that is
-/// known and positive on it, and modal data for a voltage.
+/// known and positive on it, modal data for a voltage, and a geometry that can be built.
 std::vector<std::string> complaints(const MotorDesign& design);
 
 }  // namespace twum

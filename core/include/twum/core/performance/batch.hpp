@@ -76,7 +76,7 @@ std::vector<std::vector<MetricValue>> evaluate_designs(std::span<const MotorDesi
 /// Metrics with exact derivatives (SI) of many designs on several threads. Row i holds those of design
 /// i in the order asked, bit for bit those of differentiate(), whatever `jobs` is. Each says by its
 /// Smoothness what its derivatives are good for. Cost: that of differentiate() per design, shared by the
-/// threads, and 168 bytes a metric.
+/// threads, and about 500 bytes a metric.
 ///
 /// @param fixed_static_friction  as of differentiate(): holds mu_0 while mu moves
 /// @param jobs                   threads; 0 takes one for each core.

@@ -40,6 +40,8 @@ enum class Metric : unsigned char {
   loaded_resonance,
   coupling_factor,
   capacitance_ratio,
+  mode_separation,
+  ceramic_stress,
   torque_at,
   speed_at,
   output_power_at,
@@ -63,7 +65,7 @@ enum class Metric : unsigned char {
 };
 
 /// Rows of the metric table.
-inline constexpr std::size_t kMetricCount = 46;
+inline constexpr std::size_t kMetricCount = 48;
 
 /// What a metric is asked at.
 enum class Argument : unsigned char {
@@ -75,12 +77,13 @@ enum class Argument : unsigned char {
 
 /// One row of the metric table.
 struct MetricInfo {
-  Metric metric;            ///< whose row it is
-  std::string_view name;    ///< as in studies, such as "torque_at"
-  std::string_view unit;    ///< SI unit, "1" if dimensionless
-  Argument argument;        ///< what it takes
-  std::string_view text;    ///< what it is, in one line
-  bool needs_modes{false};  ///< has a value only where the design has modal data of the stator
+  Metric metric;               ///< whose row it is
+  std::string_view name;       ///< as in studies, such as "torque_at"
+  std::string_view unit;       ///< SI unit, "1" if dimensionless
+  Argument argument;           ///< what it takes
+  std::string_view text;       ///< what it is, in one line
+  bool needs_modes{false};     ///< has a value only where the design has modal data of the stator
+  bool needs_geometry{false};  ///< has a value only where the stator is given by its geometry
 };
 
 /// The table, one row for each Metric, in its order; it lives for ever.

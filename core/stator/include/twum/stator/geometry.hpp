@@ -19,6 +19,8 @@ struct Substrate {
   double youngs_modulus{};  ///< [Pa]
   double poisson_ratio{};   ///< [1]
   double density{};         ///< [kg/m^3]
+
+  bool operator==(const Substrate&) const = default;  ///< number by number
 };
 
 /// A part of the metal plate with a thickness of its own, usually from the clamp to the ring. Where it lies
@@ -27,6 +29,8 @@ struct Web {
   double inner_radius{};  ///< [m]
   double outer_radius{};  ///< [m]
   double thickness{};     ///< [m]
+
+  bool operator==(const Web&) const = default;  ///< number by number
 };
 
 /// Teeth on top of the metal, cut by radial slots of constant width.
@@ -38,6 +42,8 @@ struct Teeth {
   double outer_radius{};  ///< [m]
   double stiffness_share{
       0.1};  ///< chi, stiffness of the layer of teeth over that of solid metal [1]
+
+  bool operator==(const Teeth&) const = default;  ///< number by number
 };
 
 /// The adhesive between metal and ceramic, as wide as the ceramic. A thickness of 0 leaves it out.
@@ -46,6 +52,8 @@ struct Glue {
   double youngs_modulus{4e9};  ///< [Pa]
   double poisson_ratio{0.35};  ///< [1]
   double density{1200};        ///< [kg/m^3]
+
+  bool operator==(const Glue&) const = default;  ///< number by number
 };
 
 /// The piezoceramic ring under the metal, polarized along the axis.
@@ -58,6 +66,8 @@ struct Ceramic {
   double density{};         ///< [kg/m^3]
   double d31{};             ///< [m/V], usually negative
   double permittivity{};    ///< eps_33 at constant stress [F/m]
+
+  bool operator==(const Ceramic&) const = default;  ///< number by number
 };
 
 /// The electrodes of one phase: sectors of half a wavelength, of alternating sign.
@@ -65,6 +75,8 @@ struct Electrodes {
   double waves_per_phase{};            ///< N_w, wavelengths that a phase covers [1]
   std::optional<double> inner_radius;  ///< [m]; otherwise the ceramic's
   std::optional<double> outer_radius;  ///< [m]; otherwise the ceramic's
+
+  bool operator==(const Electrodes&) const = default;  ///< number by number
 };
 
 /// A stator as it is drawn. A plain value in SI units; check_geometry() says whether it can be built.
@@ -76,6 +88,8 @@ struct StatorGeometry {
   Ceramic ceramic;                     ///< under the metal
   Electrodes electrodes;               ///< of one phase
   InnerEdge support{InnerEdge::free};  ///< of the inner edge
+
+  bool operator==(const StatorGeometry&) const = default;  ///< number by number
 };
 
 /// The numbers of a geometry that may vary smoothly, and the contact radius at which the mode is normalized.

@@ -46,6 +46,9 @@ class RadialFunction {
   /// Value at a radius [m]; outside the plate the nearest piece is continued.
   double operator()(double radius) const;
 
+  /// Slope dR / d rho at a radius [m], continued likewise.
+  double slope(double radius) const;
+
   /// How often the function changes its sign between two radii [m]. Values below 1e-6 of the largest one
   /// have no sign: a supported edge is no change.
   int sign_changes(double inner, double outer) const;

@@ -4,6 +4,7 @@
 #include <twum/stator/geometry.hpp>
 #include <twum/stator/plate.hpp>
 
+#include <span>
 #include <vector>
 
 namespace twum::stator {
@@ -37,6 +38,8 @@ struct StatorModel {
   Derived blocked_capacitance;  ///< C_0 of a phase, a lower bound (P4.5) [F]
   Derived coupling_factor;      ///< sqrt(C_m / (C_0 + C_m)) (P4.6) [1]
   Derived mode_separation;      ///< to the nearest unwanted mode (P4.7) [Hz]
+  Derived ceramic_stress;  ///< largest bending stress of the ceramic per amplitude (P4.8) [Pa/m]
+  std::vector<Derived> shape_values;  ///< R at the contact radius and each offset from it [1]
 
   RadialFunction shape;                ///< R, 1 at the contact radius [1]
   int nodal_circles{};                 ///< of R over the whole plate
@@ -57,12 +60,14 @@ enum class Derivatives { none, all };
 /// Cost: five dense eigenproblems; with derivatives twice that.
 /// @param wavelengths     n, 1 or more
 /// @param contact_radius  r, where R = 1 [m]; it lies on the plate
-/// @throws InputError as check_geometry() and plate_modes(), for wavelengths and contact radius, and if two
-/// phases do not fit
+/// @param offsets         for shape_values: radii less the contact radius, with which they move [m]
+/// @throws InputError as check_geometry() and plate_modes(), for wavelengths, for a contact radius or an
+/// offset beside the plate, and if two phases do not fit
 /// @throws EvaluationError "no-ring-mode" if each of the eight lowest modes of n changes its sign on the ring
 StatorModel stator_model(const StatorGeometry& geometry, int wavelengths, double contact_radius,
                          PlateTheory theory = PlateTheory::mindlin,
-                         Derivatives derivatives = Derivatives::none);
+                         Derivatives derivatives = Derivatives::none,
+                         std::span<const double> offsets = {});
 
 /// The modes of a stator with n nodal diameters, lowest frequency first; R is normalized as in PlateMode.
 /// @throws InputError as check_geometry(), or for n < 0 or count < 1

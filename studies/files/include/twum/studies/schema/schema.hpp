@@ -66,7 +66,10 @@ struct SchemaEntry {
   bool required{false};  ///< it must be there
   std::string twin{};    ///< entry that says the same in another way: exactly one of both is needed
                          ///< if `required`, at most one if not
-  std::string alias{};   ///< another name people may type, understood in `did you mean`
+  std::string
+      spared_by{};      ///< entry that may stand for this one and for others: if it is given this
+                        ///< one may be left out
+  std::string alias{};  ///< another name people may type, understood in `did you mean`
   bool alias_counts{false};  ///< the alias is as good as the name
   bool shown{true};          ///< in a file to start from; otherwise commented out there
   std::string fallback{};    ///< what holds if it is left out, in words

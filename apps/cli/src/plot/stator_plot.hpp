@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "plot/gnuplot.hpp"
+
+#include <twum/studies/motor/motor_file.hpp>
+
+#include <string>
+
+namespace twum::cli {
+
+inline constexpr PlotSize kStatorPlotSize{720, 900};
+
+/// Script of a picture of a stator with a geometry: R over the radius with the contact track, the deflected plate, and the modes
+/// of n - 2 to n + 2 over frequency with that of the drive marked.
+std::string stator_plot(const studies::MotorFile& file);
+
+}  // namespace twum::cli

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "design/plate_numbers.hpp"
+
+#include <twum/base/error.hpp>
+#include <twum/core/design/plate.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace twum {
+namespace {
+
+using P = Parameter;
+using N = PlateNumber;
+using stator::Dimension;
+using stator::StatorModel;
+
+constexpr double kNoPlate = std::numeric_limits<double>::quiet_NaN();
+
+// The parameters of the geometry stand in the order of its dimensions, with two others between them.
+std::optional<Dimension> dimension_of(Parameter parameter) {
+  if (parameter == P::contact_radius) return Dimension::contact_radius;
+  if (!is_of_geometry(parameter) || parameter == P::teeth_count ||
+      parameter == P::electrodes_waves_per_phase)
+    return {};
+  const std::size_t others = parameter > P::electrodes_waves_per_phase ? 2
+                             : parameter > P::teeth_count              ? 1
+                                                                       : 0;
+  return static_cast<Dimension>(index_of(parameter) - index_of(P::substrate_inner_radius) - others);
+}
+
+// The teeth do not turn with the section they stand on: without them shear leaves a part of the lever (P4.3).
+stator::Derived lever_of(const MotorDesign& design, const StatorModel& plate) {
+  const auto& teeth = design.stator.geometry->teeth;
+  const double radius = design.stator.contact_radius;
+  const bool toothed = teeth && radius > teeth->inner_radius && radius < teeth->outer_radius;
+  return toothed ? plate.neutral_plane_distance
+                 : plate.neutral_plane_distance * plate.tangential_share;
+}
+
+std::array<stator::Derived, kPlateNumbers> plate_values(const MotorDesign& design,
+                                                        const StatorModel& plate) {
+  std::array<stator::Derived, kPlateNumbers> numbers{
+      lever_of(design, plate),   plate.frequency,       plate.modal_mass,    plate.force_factor,
+      plate.blocked_capacitance, plate.mode_separation, plate.ceramic_stress};
+  std::copy_n(plate.shape_values.begin(), kShapePoints.size(),
+              numbers.begin() + index_of(N::shape));
+  return numbers;
+}
+
+// A phase of twice the waves has twice the force and twice the charge (P4.4, P4.5); slots count as their width (P1.8); the
+// points of the shape move with the width.
+double slope_of(const MotorDesign& design, const StatorModel& plate, const stator::Derived& number,
+                std::size_t which, Parameter moved) {
+  if (const auto dimension = dimension_of(moved)) return derivative(number, *dimension);
+  const stator::StatorGeometry& g = *design.stator.geometry;
+  if (moved == P::electrodes_waves_per_phase) {
+    const bool charge =
+        which == index_of(N::force_factor) || which == index_of(N::blocked_capacitance);
+    return charge ? number.v / g.electrodes.waves_per_phase : 0;
+  }
+  if (moved == P::teeth_count)
+    return derivative(number, Dimension::teeth_slot_width) * g.teeth->slot_width / g.teeth->count;
+  if (moved == P::contact_width && which >= index_of(N::shape)) {
+    const double point = kShapePoints[which - index_of(N::shape)];
+    const Stator& s = design.stator;
+    return 0.5 * point * plate.shape.slope(s.contact_radius + 0.5 * s.contact_width * point);
+  }
+  return 0;
+}
+
+double* find_number(MotorDesign& design, Parameter parameter) {
+  auto& geometry = design.stator.geometry;
+  if (!geometry) return nullptr;
+  if (parameter == P::electrodes_waves_per_phase) return &geometry->electrodes.waves_per_phase;
+  const auto dimension = dimension_of(parameter);
+  return dimension ? find(*geometry, *dimension) : nullptr;
+}
+
+// Numbers that may be left out take a value where they had none.
+void give_electrodes(stator::Electrodes& electrodes, Parameter parameter, double value) {
+  if (parameter == P::electrodes_inner_radius) electrodes.inner_radius = value;
+  if (parameter == P::electrodes_outer_radius) electrodes.outer_radius = value;
+}
+
+std::string block_of(Parameter parameter) {
+  const std::string_view name = info(parameter).name;
+  return std::string(name.substr(0, name.find('_')));
+}
+
+}  // namespace
+
+std::optional<PlateNumber> plate_number_of(Parameter parameter) {
+  switch (parameter) {
+    case P::neutral_plane_distance: return N::neutral_plane_distance;
+    case P::resonance_frequency: return N::resonance_frequency;
+    case P::modal_mass: return N::modal_mass;
+    case P::force_factor: return N::force_factor;
+    case P::blocked_capacitance: return N::blocked_capacitance;
+    default: return {};
+  }
+}
+
+std::array<double, kPlateNumbers> plate_numbers(const MotorDesign& design) {
+  std::array<double, kPlateNumbers> values{};
+  try {
+    const auto numbers = plate_values(design, *plate_model(design));
+    std::transform(numbers.begin(), numbers.end(), values.begin(),
+                   [](const auto& x) { return x.v; });
+  } catch (const InputError&) {
+    values.fill(kNoPlate);
+  } catch (const EvaluationError&) {
+    values.fill(kNoPlate);
+  }
+  return values;
+}
+
+std::array<std::array<double, kParameterCount>, kPlateNumbers> plate_jacobian(
+    const MotorDesign& design) {
+  const auto plate = plate_model(design);
+  const auto numbers = plate_values(design, *plate);
+  std::array<std::array<double, kParameterCount>, kPlateNumbers> jacobian{};
+  for (std::size_t moved = 0; moved < kParameterCount; ++moved) {
+    const auto parameter = static_cast<Parameter>(moved);
+    if (!in_use(design, parameter)) continue;
+    for (std::size_t i = 0; i < kPlateNumbers; ++i)
+      jacobian[i][moved] = slope_of(design, *plate, numbers[i], i, parameter);
+  }
+  return jacobian;
+}
+
+bool is_of_geometry(Parameter parameter) {
+  return parameter >= P::substrate_inner_radius && parameter <= P::electrodes_outer_radius;
+}
+
+double get_of_geometry(const MotorDesign& design, Parameter parameter) {
+  const auto& geometry = design.stator.geometry;
+  if (!geometry) return kNoPlate;
+  if (parameter == P::teeth_count) return geometry->teeth ? geometry->teeth->count : kNoPlate;
+  if (const double* number = find_number(const_cast<MotorDesign&>(design), parameter))
+    return *number;
+  if (parameter == P::electrodes_inner_radius) return geometry->ceramic.inner_radius;
+  if (parameter == P::electrodes_outer_radius) return geometry->ceramic.outer_radius;
+  return kNoPlate;
+}
+
+bool in_use_of_geometry(const MotorDesign& design, Parameter parameter) {
+  const auto& geometry = design.stator.geometry;
+  if (!geometry) return false;
+  if (parameter == P::teeth_count) return geometry->teeth.has_value();
+  const bool of_glue = parameter > P::glue_thickness && parameter <= P::glue_density;
+  if (of_glue && geometry->glue.thickness == 0) return false;
+  return find_number(const_cast<MotorDesign&>(design), parameter) != nullptr;
+}
+
+void set_of_geometry(MotorDesign& design, Parameter parameter, double value) {
+  auto& geometry = design.stator.geometry;
+  const std::string name(info(parameter).name);
+  if (!geometry)
+    throw InputError(
+        name +
+        " needs a stator that is given by its geometry; this one is given by its modal data");
+  give_electrodes(geometry->electrodes, parameter, value);
+  if (parameter == P::teeth_count && geometry->teeth) {
+    geometry->teeth->count = static_cast<int>(value);
+  } else if (double* number = find_number(design, parameter)) {
+    *number = value;
+  } else {
+    throw InputError(name + " needs a stator with the block '" + block_of(parameter) +
+                     "' in its geometry");
+  }
+}
+
+std::string follows_from_geometry(const MotorDesign& design, Parameter parameter) {
+  const bool shape = parameter == P::shape_exponent || parameter == P::shape_root;
+  if (!design.stator.geometry || !(shape || plate_number_of(parameter))) return {};
+  return std::string(info(parameter).name) +
+         " follows from the geometry of the stator and cannot be set; change the geometry";
+}
+
+std::string geometry_complaint(const MotorDesign& design) {
+  const Stator& s = design.stator;
+  if (!s.geometry) return {};
+  const RadialShape& shape = s.radial_shape;
+  if (!shape.table.empty() || shape.exponent != 0 || shape.root != 0)
+    return "radial_shape must be left out beside a geometry, from which it follows, but is given";
+  if (s.resonance_frequency || s.modal_mass || s.force_factor || s.blocked_capacitance != 0)
+    return "geometry must stand without modal data, which follow from it, but "
+           "resonance_frequency, modal_mass, force_factor or blocked_capacitance is given";
+  try {
+    const auto plate = plate_model(design);
+    const auto low = std::min_element(plate->shape_values.begin(), plate->shape_values.end(),
+                                      [](const auto& a, const auto& b) { return a.v < b.v; });
+    if (low->v > 0) return {};
+    return "contact_width must leave the track where the wave of the stator has one sign, but the "
+           "wave has a node on it";
+  } catch (const InputError& error) {
+    return error.what();
+  } catch (const EvaluationError&) {
+    return {};  // a plate that can be built, but not for this wave
+  }
+}
+
+}  // namespace twum

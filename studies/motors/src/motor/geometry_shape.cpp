@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "motor/geometry_shape.hpp"
+
+#include <twum/studies/materials/catalogue.hpp>
+#include <twum/studies/text/value_error.hpp>
+
+#include <array>
+
+namespace twum::studies {
+namespace {
+
+// A block that may name a material, and the kind of material that goes there.
+struct MaterialBlock {
+  std::string_view path, kind, example;
+};
+
+constexpr MaterialBlock kMaterialBlocks[] = {
+    {"stator.geometry.substrate", "metal", "phosphor-bronze-c51000"},
+    {"stator.geometry.ceramic", "piezoceramic", "apc-840"},
+    {"contact_layer", "lining", "ptfe-peek"},
+    {"friction", "lining", "ptfe-peek"}};
+
+const MaterialBlock* block_at(std::string_view path) {
+  for (const MaterialBlock& one : kMaterialBlocks)
+    if (one.path == path) return &one;
+  return nullptr;
+}
+
+// What a lining calls its friction is named after the parameters; all other properties after the entries.
+std::string_view property_of(const ParameterInfo& row) {
+  const bool friction = row.file_entry.starts_with("friction.");
+  return friction ? row.name : row.file_entry.substr(row.file_entry.rfind('.') + 1);
+}
+
+bool any_given(const GivenMotor& given, std::string_view prefix) {
+  return std::any_of(given.values.begin(), given.values.end(), [=](const ParameterValue& one) {
+    return info(one.first).file_entry.starts_with(prefix);
+  });
+}
+
+}  // namespace
+
+Field<GivenMotor> support_field() {
+  auto edge = needed<GivenMotor>("inner_edge",
+                                 word<stator::InnerEdge>("what holds the inner edge of the plate",
+                                                         {"free", "clamped", "supported"}),
+                                 &GivenMotor::inner_edge);
+  return section<GivenMotor>("support", "what holds the plate", {std::move(edge)});
+}
+
+bool has_material(std::string_view block) { return block_at(block) != nullptr; }
+
+Field<GivenMotor> material_field(std::string_view path) {
+  const MaterialBlock& block = *block_at(path);
+  Field<GivenMotor> field;
+  field.entry.name = "material";
+  field.entry.schema.kind = ValueKind::text;
+  field.entry.schema.text =
+      "name of a " + std::string(block.kind) +
+      " in the catalogue ('twum materials'): its values stand for entries that are left out";
+  field.entry.schema.example = block.example;
+  field.entry.shown = false;
+  field.entry.fallback = "the entries that it would give";
+  field.read = [&block, schema = kept(field.entry.schema)](GivenMotor& into, const YamlNode& node,
+                                                           const Spot& spot,
+                                                           Diagnostics& diagnostics) {
+    return says_no_error(node, *schema, spot, diagnostics, [&](const std::string& typed) {
+      into.material = find_material(typed, std::span(&block.kind, 1)).name;
+    });
+  };
+  field.write = [](const GivenMotor&) { return std::optional<YamlNode>(); };  // by its values
+  return field;
+}
+
+bool material_gives(const ParameterInfo& row) {
+  const MaterialBlock* block = block_at(row.file_entry.substr(0, row.file_entry.rfind('.')));
+  if (block == nullptr) return false;
+  const auto catalogue = material_catalogue();
+  return std::any_of(catalogue.begin(), catalogue.end(), [&](const Material& one) {
+    return one.kind == block->kind && one.find(property_of(row)) != nullptr;
+  });
+}
+
+std::string geometry_fallback(Parameter parameter) {
+  switch (parameter) {
+    case Parameter::teeth_stiffness_share: return "0.1";
+    case Parameter::glue_youngs_modulus: return "4 GPa";
+    case Parameter::glue_poisson_ratio: return "0.35";
+    case Parameter::glue_density: return "1200 kg/m^3";
+    case Parameter::electrodes_inner_radius:
+    case Parameter::electrodes_outer_radius: return "the ceramic's";
+    default: return {};
+  }
+}
+
+bool say_of_geometry(const std::string& text, const Given& motor, Diagnostics& diagnostics) {
+  const std::size_t colon = text.find(": ");
+  const bool led = text.starts_with("stator") && colon != std::string::npos;
+  const std::string said = led ? text.substr(colon + 2) : text;
+  const auto named = find_parameter(said.substr(0, said.find(' ')));
+  const std::string entry = named ? std::string(info(*named).file_entry) : "stator.geometry";
+  const YamlNode* node = &motor.node();
+  for (std::size_t at = 0; node != nullptr && at < entry.size();) {
+    const std::size_t dot = std::min(entry.find('.', at), entry.size());
+    node = node->find(entry.substr(at, dot - at));
+    at = dot + 1;
+  }
+  diagnostics.add(node == nullptr ? motor.node().mark : node->mark, motor.path(entry), said, "");
+  return false;
+}
+
+void fill_from_material(GivenMotor& motor, std::string_view block) {
+  if (motor.material.empty()) return;
+  const Material& material = find_material(motor.material);
+  motor.material.clear();
+  const std::string prefix = std::string(block) + ".";
+  for (const ParameterInfo& row : parameter_table()) {
+    const bool twin_given = row.twin && motor.value(*row.twin);
+    if (!row.file_entry.starts_with(prefix) || motor.value(row.parameter) || twin_given) continue;
+    if (const MaterialValue* found = material.find(property_of(row)))
+      motor.values.emplace_back(row.parameter, found->value);
+  }
+}
+
+bool check_geometry_alone(const Given& stator, Diagnostics& diagnostics) {
+  const YamlNode* geometry = stator.find("geometry");
+  if (geometry == nullptr) return true;
+  bool good = true;
+  for (const char* other : {"resonance_frequency", "modal_mass", "force_factor",
+                            "blocked_capacitance", "equivalent_circuit", "radial_shape"}) {
+    const YamlNode* beside = stator.find(other);
+    if (beside == nullptr) continue;
+    diagnostics.add({beside->mark, stator.path(other), "follows from 'geometry' already",
+                     "leave it out, or the geometry", geometry->mark, "geometry given here"});
+    good = false;
+  }
+  return good;
+}
+
+std::optional<stator::StatorGeometry> blank_geometry(const GivenMotor& given) {
+  if (!given.inner_edge) return {};
+  stator::StatorGeometry geometry;
+  geometry.support = *given.inner_edge;
+  if (any_given(given, "stator.geometry.web.")) geometry.web.emplace();
+  if (any_given(given, "stator.geometry.teeth.")) geometry.teeth.emplace();
+  return geometry;
+}
+
+}  // namespace twum::studies
