@@ -88,7 +88,7 @@ function(twum_install_package)
     list(APPEND solvers gsl)
   endif()
   twum_pkg_config(twum-core DESCRIPTION "Travelling wave ultrasonic motors: the physics of one motor (C++20)"
-    LIBRARY "-ltwum_core -ltwum_base" PRIVATE_LIBS -pthread)
+    LIBRARY "-ltwum_core -ltwum_stator -ltwum_base" PRIVATE_LIBS -pthread)
   twum_pkg_config(twum-optim DESCRIPTION "Optimization with certificates, fronts, least squares (C++20)"
     LIBRARY "-ltwum_optim -ltwum_base" PRIVATE_REQUIRES ${solvers} PRIVATE_LIBS -pthread)
   twum_pkg_config(twum DESCRIPTION "Design of travelling wave ultrasonic motors: motors, files, studies (C++20)"

@@ -72,7 +72,11 @@ class Check(program.Case):
             self.assertIn(said, note)
             self.assertNotIn(unsaid, note)
         for motor in sorted((ROOT / "examples/motors").glob("*.yaml")):
-            self.assertEqual(program.twum("check", motor, "--set", "contact_width=1 mm").stderr, "")
+            notes = program.twum("check", motor, "--set", "contact_width=1 mm").stderr
+            if motor.name == "plate-30.yaml":  # where a search begins that asks for a motor that starts
+                self.assertRegex(notes, r"\Anote: .* does not start by itself.*\n\Z")
+            else:
+                self.assertEqual(notes, "")
 
     def test_a_width_that_matters_is_noted(self):
         self.assertRegex(program.twum("check", RING).stderr, "note: the width of the contact .* change peak_power by -5")

@@ -88,7 +88,7 @@ class PkgConfig(Case):
     def test_core_names_no_package_of_others(self):
         found = next(PREFIX.rglob("pkgconfig"))
         text = self.ok("pkg-config", "--cflags", "--libs", "twum-core", env={"PKG_CONFIG_PATH": str(found)})
-        self.assertEqual([f for f in text.split() if f.startswith("-l")], ["-ltwum_core", "-ltwum_base"])
+        self.assertEqual([f for f in text.split() if f.startswith("-l")], ["-ltwum_core", "-ltwum_stator", "-ltwum_base"])
 
 
 class Umbrella(Case):

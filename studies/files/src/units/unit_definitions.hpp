@@ -86,6 +86,7 @@ inline constexpr NamedDimension kDimensions[] = {
     {"N.m", "torque"},
     {"rad/s", "angular speed"},
     {"Hz", "frequency"},
+    {"1/s", "rate of growth"},
     {"Pa", "pressure"},
     {"W", "power"},
     {"W/m^2", "power per area"},

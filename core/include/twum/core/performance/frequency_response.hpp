@@ -69,12 +69,17 @@ class FrequencyResponse {
   FrequencyResponse(const MotorDesign& design, const RotorLoad& load,
                     const std::optional<std::pair<double, double>>& range = {});
   ~FrequencyResponse();
+  /// What is left behind may only be destroyed or assigned to.
+  /// @{
   FrequencyResponse(FrequencyResponse&&) noexcept;
   FrequencyResponse& operator=(FrequencyResponse&&) noexcept;
+  /// @}
 
-  /// The frequencies that count [Hz].
+  /// The frequencies that count lie between these [Hz].
+  /// @{
   double from() const noexcept;
   double to() const noexcept;
+  /// @}
 
   /// Every branch in the range, along the path of growing and falling amplitude.
   std::vector<ResponseBranch> branches() const;
