@@ -24,7 +24,7 @@ Vector vector_of(const gsl_vector* v) {
 // method then goes back and shortens its step.
 constexpr double kFailed = 1e6;
 // Smallest relative step; below it the parameters change in their last digits only.
-constexpr double kStep = 1e-14;
+constexpr double kSmallestStep = 1e-14;
 
 // One run of GSL's method over some of the parameters. Beyond a bound the residuals stay those at the bound.
 class GslRun {
@@ -64,7 +64,7 @@ class GslRun {
         end.word = "no step lowers the sum of squares";
       else if (status != GSL_SUCCESS)
         end.word = gsl_strerror(status);
-      else if (gsl_multifit_nlinear_test(kStep, 0, 0, &reason, work_.get()) == GSL_SUCCESS)
+      else if (gsl_multifit_nlinear_test(kSmallestStep, 0, 0, &reason, work_.get()) == GSL_SUCCESS)
         end.word = "converged";
     }
     return end;

@@ -7,29 +7,30 @@
 #include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
+#include <numbers>
 #include <utility>
 
 namespace twum::performance {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 using RadiusDual = Dual<double, 1>;
 
-constexpr int kMostSteps = 200;
+constexpr int kMostNewtonSteps = 200;
 
 // The indentation that carries the preload, by Newton's method in a bracket: the force rises strictly and is convex but for
 // full contact, where it is linear.
 double indentation_of(const DrivenMotor<double>& m) {
   const Track<double> track(m);
-  const double stiffness = 2 * kPi * m.r * m.b * m.youngs / m.thickness;
+  const double stiffness = 2 * pi * m.r * m.b * m.youngs / m.thickness;
   double low = track.lift_off();
   // In full contact the mean indentation tells the force; elsewhere the layer only pushes more.
   double high =
       std::max(low, m.amplitude + m.preload / stiffness + m.slope * m.b * m.b / (12 * m.r));
   while (track.axial_force(high) < m.preload) high += (high - low) + m.preload / stiffness;
   double depth = std::clamp(m.amplitude * m.peak, low, high);
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < kMostNewtonSteps; ++i) {
     const RadiusDual force = track.axial_force(RadiusDual::variable(depth, 0));
     if (force.v == m.preload) break;
     (force.v < m.preload ? low : high) = depth;
@@ -68,7 +69,7 @@ struct Pressed {
 template <typename S>
 Pressed<S> pressed_without_wave(const DrivenMotor<S>& m) {
   const S moment =
-      m.preload * m.thickness / (2 * kPi * m.youngs);  // of the indentation, about the axis
+      m.preload * m.thickness / (2 * pi * m.youngs);  // of the indentation, about the axis
   const S depth = moment / (m.r * m.b) + m.slope * m.b * m.b / (12.0 * m.r);
   if (!(value_of(depth) < 0.5 * std::fabs(value_of(m.slope)) * value_of(m.b)))
     return {
@@ -79,7 +80,7 @@ Pressed<S> pressed_without_wave(const DrivenMotor<S>& m) {
   const S fall = side * m.slope, edge = m.r - (0.5 * side) * m.b, wanted = moment / fall;
   using std::sqrt;
   S length = sqrt(S(2.0 * wanted / edge));
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < kMostNewtonSteps; ++i) {
     const S excess = length * length * (0.5 * edge + (side / 6) * length) - wanted;
     const S step = excess / (length * (edge + (0.5 * side) * length));
     length = length - step;
@@ -100,10 +101,10 @@ NormalContact<S> contact_of(const DrivenMotor<S>& m, const S& kappa, const S& am
   c.full = !(value_of(peak) < 2);
   c.half_angle = contact::contact_angle_of(peak);
   c.edge_cosine = value_of(peak) > 0 ? S(1.0 - peak) : S(1.0);
-  c.load_ratio = contact::load_of_peak(peak) / kPi;
+  c.load_ratio = contact::load_of_peak(peak) / pi;
   c.max_pressure = value_of(peak) > 0 ? S(m.youngs * depth / m.thickness) : S(0.0);
   c.half_length = c.half_angle / kappa;
-  c.ratio = c.half_angle / (2 * kPi);
+  c.ratio = c.half_angle / (2 * pi);
   return c;
 }
 
@@ -112,7 +113,7 @@ template <typename S>
 NormalContact<S> flat_contact(const DrivenMotor<S>& m, const S& depth) {
   NormalContact<S> c = m.contact;
   c.full = value_of(depth) > 0;
-  c.half_angle = S(c.full ? kPi : 0.0);
+  c.half_angle = S(c.full ? pi : 0.0);
   c.max_pressure = c.full ? S(m.youngs * depth / m.thickness) : S(0.0);
   return c;
 }
@@ -163,7 +164,7 @@ Slice<S> slice_at(const DrivenMotor<S>& m, const S& radius, const S& width) {
   const S depth = m.indentation + crest_rise(m, radius);
   s.contact = value_of(m.amplitude) == 0 ? flat_contact(m, depth)
                                          : contact_of(m, S(m.n / radius), s.amplitude, depth);
-  s.load = 2 * kPi * radius * width * mean_pressure(s.contact), s.share = S(1.0);
+  s.load = 2 * pi * radius * width * mean_pressure(s.contact), s.share = S(1.0);
   return completed<S>(s, m);
 }
 
