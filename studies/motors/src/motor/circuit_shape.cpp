@@ -16,7 +16,7 @@ Shape<double> positive(std::string text, std::string unit, std::string example) 
   return number(std::move(schema));
 }
 
-std::string name_of(Parameter parameter) { return std::string(info(parameter).name); }
+std::string entry_name(Parameter parameter) { return std::string(info(parameter).name); }
 
 }  // namespace
 
@@ -48,10 +48,10 @@ bool check_circuit(const std::optional<EquivalentCircuit>& circuit, const Given&
   for (const Parameter modal :
        {Parameter::resonance_frequency, Parameter::modal_mass, Parameter::quality_factor,
         Parameter::modal_damping, Parameter::force_factor, Parameter::blocked_capacitance}) {
-    const YamlNode* beside = stator.find(name_of(modal));
+    const YamlNode* beside = stator.find(entry_name(modal));
     if (beside == nullptr) continue;
     diagnostics.add(
-        {beside->mark, stator.path(name_of(modal)), "follows from 'equivalent_circuit' already",
+        {beside->mark, stator.path(entry_name(modal)), "follows from 'equivalent_circuit' already",
          "give the circuit or the modal data, not both", node->mark, "circuit given here"});
     good = false;
   }
@@ -61,7 +61,7 @@ bool check_circuit(const std::optional<EquivalentCircuit>& circuit, const Given&
     if (wrong.empty()) continue;
     const std::string shown = engineering(value, info(parameter).unit);
     diagnostics.add(node->mark, stator.path(kCircuit),
-                    "the circuit gives a " + name_of(parameter) + " of " + shown + ", which " +
+                    "the circuit gives a " + entry_name(parameter) + " of " + shown + ", which " +
                         wrong.substr(0, wrong.find(", but ")),
                     "correct the values or their units");
     good = false;
