@@ -123,6 +123,18 @@ TEST_CASE("no wave of a wide contact is missed (D2.8, D2.10)",
   }
 }
 
+TEST_CASE("a wave may be larger than an amplitude that a file may give",
+          "[core][driven][annulus][limit]") {
+  // 100 kV with a force factor 20 times that of the motor: without a contact k_s A = Q Theta u_0 gives centimetres.
+  MotorDesign design = sliced(wide_motor(), kAutoSlices);
+  design = with(design, Parameter::voltage, 1e5);
+  design = with(design, Parameter::force_factor, 20 * *design.stator.force_factor);
+  const Motor motor(design);
+  const OperatingPoint point = motor.operating_point(0);
+  CHECK(point.status == PointStatus::ok);
+  CHECK(point.amplitude > info(Parameter::amplitude).max);
+}
+
 TEST_CASE("auto asks the wave that a motor under a voltage begins with how many slices it takes",
           "[core][driven][annulus]") {
   const MotorDesign design = sliced(wide_motor(), kAutoSlices);

@@ -10,7 +10,11 @@ TrackRule track_of(const MotorDesign& design) {
   constexpr int kFirstSlices = 8;
   const MotorDesign first = with(design, Parameter::radial_slices, kFirstSlices);
   const double amplitude = Drive(first).first_motor().amplitude;
-  return track_rule(amplitude > 0 ? with(design, Parameter::amplitude, amplitude) : first);
+  if (!(amplitude > 0)) return track_rule(first);
+  MotorDesign given = design;  // the wave may be larger than an amplitude that a person would give
+  given.stator.voltage.reset();
+  given.stator.amplitude = amplitude;
+  return track_rule(given);
 }
 
 }  // namespace
