@@ -51,6 +51,19 @@ TEST_CASE("two modes settle on the wave of a running motor (D2.1)", "[core][driv
   }
 }
 
+TEST_CASE("below the free resonance two modes settle on the only wave (D2.1)",
+          "[core][driven][brute_force]") {
+  const MotorDesign design = driven_motor(120, 38.5e3);
+  const Motor motor(design);
+  const std::vector<WaveState> states = motor.wave_states(0.3);
+  REQUIRE(states.size() == 1);
+  const TwoModes found = settled(design, 0.3, states[0], 0.9);
+  const OperatingPoint point = motor.operating_point(0.3);
+  CHECK(std::abs(found.wave()) == Approx(point.amplitude).epsilon(kAmplitude));
+  CHECK(-std::arg(found.wave()) == Approx(point.phase_lag).margin(kPhase));
+  CHECK(found.torque() == Approx(point.torque).margin(kTorque * motor.holding_torque()));
+}
+
 TEST_CASE("two modes at rest keep the branch that they begin on (D2.1)",
           "[core][driven][brute_force]") {
   MotorDesign design = driven_motor(100);

@@ -224,11 +224,32 @@ TEST_CASE("a motor whose running wave ends above rest has a curve without stall 
   CHECK(status(motor, {Metric::speed_at, Argument::torque, 1.05 * torque}) != MetricStatus::ok);
 }
 
+TEST_CASE("a curve that begins with a torque against the motion drives further on",
+          "[core][driven][edge]") {
+  const Motor motor(driven_motor(40, 39'671.6));
+  REQUIRE(value(motor, {Metric::pull_out_torque}) < 0);
+  const double speed = value(motor, {Metric::no_load_speed});
+  const double hair = 1e-3 * speed;
+  CHECK(std::fabs(motor.operating_point(speed).torque) <= 1e-9 * motor.holding_torque());
+  CHECK(motor.operating_point(speed - hair).torque > 0);  // it runs there by itself
+  CHECK(motor.operating_point(speed + hair).torque < 0);
+  const double most = value(motor, {Metric::max_torque}),
+               power = value(motor, {Metric::peak_power});
+  for (double s = motor.first_speed() + hair; s < speed; s += 0.02 * speed) {
+    const OperatingPoint p = motor.operating_point(s);
+    CHECK(p.torque <= most * (1 + 1e-9));
+    CHECK(p.torque * s <= power * (1 + 1e-9));
+  }
+  CHECK(value(motor, {Metric::torque_at, Argument::speed,
+                      value(motor, {Metric::speed_at, Argument::torque, 0.5 * most})}) ==
+        Approx(0.5 * most).epsilon(1e-9));
+}
+
 TEST_CASE("what has no wave says why", "[core][driven][edge]") {
   const Motor running(driven_motor());
   CHECK(status(running, {Metric::pull_out_torque}) == MetricStatus::does_not_pull_out);
   MotorDesign lossy = driven_motor(30);
-  lossy.stator.modal_damping = 1000;
+  lossy.stator.modal_damping = 300;
   const Motor weak(lossy);
   CHECK(status(weak, {Metric::stall_torque}) == MetricStatus::no_running_branch);
   CHECK(status(weak, {Metric::peak_power}) == MetricStatus::no_running_branch);
@@ -245,6 +266,15 @@ TEST_CASE("what has no wave says why", "[core][driven][edge]") {
   CHECK(value(below, {Metric::start_voltage}) == 0);
   CHECK(value(below, {Metric::hold_voltage}) == 0);
   CHECK(status(below, {Metric::start_frequency}) == MetricStatus::undefined);
+  CHECK(below.wave_states(0).size() == 1);
+  CHECK(below.wave_states(0)[0].running);
+  CHECK(value(below, {Metric::stall_torque}) > 0);
+  // So much damping that H only rises: one wave as well.
+  lossy.stator.modal_damping = 1000;
+  CHECK(value(Motor(lossy), {Metric::hold_voltage}) == 0);
+  CHECK(Motor(lossy).operating_point(0).status == PointStatus::ok);
+  lossy.stator.branch = Branch::dead;
+  CHECK(Motor(lossy).operating_point(0).status == PointStatus::ok);
   const Motor given(ring_motor());
   CHECK(status(given, {Metric::start_voltage}) == MetricStatus::undefined);
   CHECK(status(given, {Metric::phase_lag_at, Argument::speed, 3}) == MetricStatus::undefined);

@@ -47,7 +47,8 @@ Crossing CurveCrossings::falls_through(double torque, const CurvePoint& low,
 
 Crossing CurveCrossings::no_load() {
   if (no_load_) return *no_load_;
-  if (!scan_.drives()) return *(no_load_ = Crossing{points_.curve().begin(), false});
+  if (points_.curve().begin() > 0) scan_.require_drive();
+  if (!scan_.drives()) return *(no_load_ = Crossing{0, false});
   const std::vector<CurvePoint>& nodes = scan_.nodes();
   return *(no_load_ = falls_through(0, nodes.end()[-2], nodes.back()));
 }

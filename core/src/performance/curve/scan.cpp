@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "performance/curve/scan.hpp"
 
+#include "performance/curve/speed_roots.hpp"
+
 #include <cmath>
 #include <numbers>
 
@@ -10,6 +12,7 @@ namespace {
 constexpr int kJumpingIntervals = 40;  // in place of kIntervals where torque may jump
 constexpr int kMissing = 4;            // points without an answer that may follow one another
 constexpr double kFarthest = 1e4;      // times the crest speed
+constexpr double kHighest = 1.3;       // times the crest speed: no wave drives beyond
 
 // True if less than half of the layer's own motion is left after a turn. What is left longer can upset the
 // plateau at single speeds, where a turn is a multiple of the layer's own period.
@@ -22,8 +25,27 @@ bool forgets_a_turn(const DrivenMotor<double>& m) {
 }  // namespace
 
 const CurvePoint& CurveScan::first() {
-  if (nodes_.empty()) nodes_.push_back(points_.answered(points_.curve().begin()));
+  if (!nodes_.empty()) return nodes_.front();
+  const CurvePoint begin = points_.answered(points_.curve().begin());
+  const bool holds_back = begin.speed > 0 && !(begin.torque > 0);
+  nodes_.push_back(holds_back ? first_that_drives(begin) : begin);
   return nodes_.front();
+}
+
+CurvePoint CurveScan::first_that_drives(const CurvePoint& begin) {
+  const double crest = points_.curve().crest();
+  CurvePoint low = begin;
+  for (int i = 1; low.speed < kHighest * crest; ++i) {
+    const CurvePoint high = points_.at(begin.speed + i * crest / kIntervals);
+    if (!high.ok()) break;
+    if (high.torque > 0) {
+      const auto torque = [&](double speed) { return points_.answered(speed).torque; };
+      return points_.answered(
+          close_in(torque, {low.speed, high.speed, low.torque, high.torque}).high);
+    }
+    low = high;
+  }
+  return begin;
 }
 
 void CurveScan::require_drive() {
@@ -60,7 +82,7 @@ std::vector<CurvePoint> CurveScan::skip_plateau(double step, Walk& walk) {
   std::vector<CurvePoint> on_plateau, beyond;
   while (high - low > 1) {
     const int middle = (low + high + 1) / 2;
-    const CurvePoint next = node(points_.curve().begin() + middle * step, walk);
+    const CurvePoint next = node(first().speed + middle * step, walk);
     if (!next.ok()) throw SearchFailure{next.status};
     (next.plateau ? low : high) = middle;
     next.plateau ? on_plateau.assign(1, next) : beyond.push_back(next);

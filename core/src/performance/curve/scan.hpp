@@ -18,7 +18,8 @@ class CurveScan {
 
   explicit CurveScan(CurvePoints& points) : points_(points) {}
 
-  /// The beginning of the curve. @throws SearchFailure if it has no answer
+  /// The beginning of the curve, or where the torque rises through zero if a curve that begins above rest begins with a torque
+  /// that holds the rotor back. @throws SearchFailure if it has no answer
   const CurvePoint& first();
   /// The torque there is positive.
   bool drives() { return first().torque > 0; }
@@ -37,6 +38,7 @@ class CurveScan {
 
  private:
   void run();
+  CurvePoint first_that_drives(const CurvePoint& begin);
   std::vector<CurvePoint> skip_plateau(double step, Walk& walk);
 
   CurvePoints& points_;

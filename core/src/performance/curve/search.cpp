@@ -66,7 +66,7 @@ Crossing CurveSearch::speed_at(double torque) {
   if (!(torque > 0) || !scan_.drives()) throw SearchFailure{MetricStatus::unreachable};
   const Peak top = max_torque();
   if (!(torque * (1 - kTypedTorque) <= top.value)) throw SearchFailure{MetricStatus::unreachable};
-  const bool falls_from_first = top.speed == points_.curve().begin();
+  const bool falls_from_first = top.speed == scan_.first().speed;
   if (falls_from_first && scan_.starts_on_plateau() &&
       torque >= scan_.first().torque * (1 - kSameTorque))
     return {plateau_end(), false};

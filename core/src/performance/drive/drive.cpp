@@ -30,11 +30,11 @@ double Drive::begin() const {
 }
 
 DrivenMotor<double> Drive::first_motor() const {
+  if (asked_ == Branch::running && branch_.exists()) return waves_.motor(branch_.first_amplitude());
   const std::vector<WaveSolution> at_rest = solutions(0);
-  if (asked_ == Branch::dead && !at_rest.empty())
-    return waves_.motor(at_rest.front().wave().amplitude);
-  if (branch_.exists()) return waves_.motor(branch_.first_amplitude());
-  return waves_.motor(at_rest.empty() ? 0 : at_rest.back().wave().amplitude);
+  if (at_rest.empty()) return waves_.motor(branch_.exists() ? branch_.first_amplitude() : 0);
+  const WaveSolution& chosen = asked_ == Branch::dead ? at_rest.front() : at_rest.back();
+  return waves_.motor(chosen.wave().amplitude);
 }
 
 MotorPoint Drive::at(double speed) const {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace twum::performance {
@@ -15,7 +16,9 @@ namespace {
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kStride = 1.25;             // of the distance to the free resonance
 constexpr double kFrequencySettled = 1e-13;  // of the frequency
-constexpr double kSettledPlace = 1e-7;       // of the amplitude, whose square counts
+constexpr double kProbe = 0.01;         // of the amplitude: a first step that tells how H bends
+constexpr double kShortStep = 3e-5;     // of the amplitude, whose cube is lost in rounding of H
+constexpr double kSettledPlace = 1e-7;  // of the amplitude, whose square counts
 constexpr int kMostSteps = 60;
 
 // dH / df at fixed amplitude, but for what the contact makes of the frequency.
@@ -86,38 +89,52 @@ Threshold Thresholds::voltage(bool start) {
 Threshold Thresholds::frequency(bool start) {
   if (!given_voltage_) throw SearchFailure{MetricStatus::undefined};
   const double free = waves_.modes().resonance / kTurn;
-  double f = frequency_, before = 0, excess_before = 0;
-  std::optional<ForceExtremum> e = own_extremum(start);
+  double f = frequency_, before = 0, excess_before = 0, drift = 0;
+  std::optional<Extremum> e = bent(own_extremum(start));
   for (int i = 0; e && i < kMostSteps; ++i) {
     const DrivenWaves waves = waves_at(f);
-    const double excess = e->force - waves.drive();
+    const double excess = e->at.force - waves.drive();
     const double slope = i > 0 ? (excess - excess_before) / (f - before)
-                               : force_slope_in_frequency(waves, e->amplitude);
+                               : force_slope_in_frequency(waves, e->at.amplitude);
     const double wanted = f - excess / slope;
     const double next =
         std::clamp(wanted, free + (f - free) / kStride, free + (f - free) * kStride);
-    if (std::fabs(next - f) <= kFrequencySettled * f) return {next, e->amplitude, next};
+    if (std::fabs(next - f) <= kFrequencySettled * f) return {next, e->at.amplitude, next};
     before = f, excess_before = excess, f = next;
-    e = followed(waves_at(f), *e);
-    if (!e) e = chosen(force_extrema(waves_at(f), 0), start);
+    const double amplitude_before = e->at.amplitude;
+    e = followed(waves_at(f), *e, drift * (f - before));
+    if (!e) e = bent(chosen(force_extrema(waves_at(f), 0), start));
+    if (e) drift = (e->at.amplitude - amplitude_before) / (f - before);
   }
   throw SearchFailure{MetricStatus::undefined};  // it vanishes before, or never falls so far
 }
 
-// Secants for H_A = 0 beside an extremum at another frequency.
-std::optional<ForceExtremum> Thresholds::followed(const DrivenWaves& waves,
-                                                  const ForceExtremum& near) const {
-  double a = near.amplitude, b = 1.01 * a;
-  SlopedWave at_a = waves.in_amplitude(a, 0), at_b = waves.in_amplitude(b, 0);
+std::optional<Thresholds::Extremum> Thresholds::bent(const std::optional<ForceExtremum>& e) {
+  if (!e) return {};
+  return Extremum{*e, std::numeric_limits<double>::quiet_NaN()};
+}
+
+// Secants for H_A = 0 beside an extremum at another frequency, which begin with its bend. The last step is not solved again:
+// its parabola tells the force.
+std::optional<Thresholds::Extremum> Thresholds::followed(const DrivenWaves& waves,
+                                                         const Extremum& near, double drift) const {
+  const double size = near.at.amplitude;
+  double a = size + drift, before = 0, slope_before = 0, bend = near.bend;
+  WarmStart from;
   for (int i = 0; i < kMostSteps; ++i) {
-    const double bend = (at_b.fold() - at_a.fold()) / (b - a);
-    if ((bend < 0) != near.maximum) return {};
-    const double next = b - at_b.fold() / bend;
-    if (!(next > 0.5 * near.amplitude && next < 2 * near.amplitude)) return {};
-    if (std::fabs(next - b) <= kSettledPlace * b)
-      return ForceExtremum{next, waves.at(next, 0).force(), near.maximum};
-    a = b, at_a = at_b;
-    b = next, at_b = waves.in_amplitude(b, 0, &at_a.wave.start);
+    const SlopedWave w = waves.in_amplitude(a, 0, i > 0 ? &from : nullptr);
+    if (w.wave.status != PointStatus::ok) return {};
+    const double slope = w.force_slope();
+    if (i > 0) bend = (slope - slope_before) / (a - before);
+    const double last_step = i > 0 ? a - before : size;
+    const double step = std::isnan(bend) ? kProbe * size : -slope / bend;
+    if (!std::isnan(bend) && (bend < 0) != near.at.maximum) return {};
+    if (!(std::fabs(a + step - size) < 0.5 * size)) return {};
+    if (std::fabs(step) <= kShortStep * size &&
+        std::fabs(step * last_step) <= kSettledPlace * size * size)
+      return Extremum{{a + step, w.wave.force() + 0.5 * slope * step, near.at.maximum}, bend};
+    before = a, slope_before = slope, from = w.wave.start;
+    a += step;
   }
   return {};
 }

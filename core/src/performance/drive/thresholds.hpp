@@ -36,7 +36,16 @@ class Thresholds {
   Threshold voltage(bool start);
   Threshold frequency(bool start);
   std::optional<ForceExtremum> own_extremum(bool start);
-  std::optional<ForceExtremum> followed(const DrivenWaves& waves, const ForceExtremum& near) const;
+
+  /// An extremum of H and its second derivative there; NaN: not known.
+  struct Extremum {
+    ForceExtremum at;
+    double bend;
+  };
+  static std::optional<Extremum> bent(const std::optional<ForceExtremum>& extremum);
+  /// @param drift  what its amplitude is expected to have moved by
+  std::optional<Extremum> followed(const DrivenWaves& waves, const Extremum& near,
+                                   double drift) const;
 
   DrivenWaves waves_;  // at the design's own frequency
   bool given_voltage_;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace twum::performance {
@@ -67,14 +68,14 @@ class ForceCurve {
       if (!(maximum || minimum) || !wanted(b.force, maximum)) continue;
       const double sign = maximum ? -1 : 1;
       try {
-        const auto [place, value] =
-            minimum_of([&](double x) { return sign * force(x); }, a.amplitude, c.amplitude);
+        const auto [place, value] = minimum_of([&](double x) { return sign * force(x, b.guess()); },
+                                               a.amplitude, c.amplitude);
         found.push_back({place, sign * value, maximum});
       } catch (const NoState&) {
         found.push_back({b.amplitude, b.force, maximum});
       }
     }
-    for (const ForceExtremum& e : found) samples_.push_back({e.amplitude, e.force, {}});
+    for (const ForceExtremum& e : found) samples_.push_back({e.amplitude, e.force, std::nullopt});
     std::sort(samples_.begin(), samples_.end(), below);
     return found;
   }
@@ -105,28 +106,30 @@ class ForceCurve {
  private:
   struct Sample {
     double amplitude, force;
-    WarmStart start;
+    std::optional<WarmStart> start;
+
+    const WarmStart* guess() const { return start ? &*start : nullptr; }
   };
   static bool below(const Sample& a, const Sample& b) { return a.amplitude < b.amplitude; }
 
   void sample(double amplitude) {
-    const WarmStart* guess = samples_.empty() ? nullptr : &samples_.back().start;
+    const WarmStart* guess = samples_.empty() ? nullptr : samples_.back().guess();
     if (zones_ > kMostZonesToSolve) return;
     const DrivenWave wave = waves_.at(amplitude, speed_, guess, kScanAccuracy);
     zones_ += wave.zones;
     if (wave.status == PointStatus::ok) samples_.push_back({amplitude, wave.force(), wave.start});
   }
 
-  double force(double amplitude) {
+  double force(double amplitude, const WarmStart* guess) {
     if (zones_ > kMostZonesToSolve) throw NoState{};
-    const DrivenWave wave = waves_.at(amplitude, speed_);
+    const DrivenWave wave = waves_.at(amplitude, speed_, guess);
     zones_ += wave.zones;
     if (wave.status != PointStatus::ok) throw NoState{};
     return wave.force();
   }
 
   double crossing(double drive, const Sample& a, const Sample& b) {
-    const auto excess = [&](double x) { return force(x) - drive; };
+    const auto excess = [&](double x) { return force(x, a.guess()) - drive; };
     const double low = excess(a.amplitude), high = excess(b.amplitude);
     if (low == 0 || high == 0 || (low < 0) == (high < 0))
       return std::fabs(low) <= std::fabs(high) ? a.amplitude : b.amplitude;
@@ -173,8 +176,10 @@ WaveSolutions wave_solutions(const DrivenWaves& waves, double speed) {
   std::vector<WaveSolution> solutions;
   for (const double amplitude : curve.crossings(drive)) {
     const SlopedWave wave = waves.in_amplitude(amplitude, speed);
-    solutions.push_back({wave, waves.stability(wave), !curve.rises_below(amplitude)});
+    solutions.push_back({wave, waves.stability(wave), !curve.rises_below(amplitude), false});
   }
+  if (solutions.size() == 1 && !solutions[0].beyond_start())
+    solutions[0].only_one = force_extrema(waves, speed).empty();
   return {solutions, curve.zones()};
 }
 

@@ -12,11 +12,13 @@ struct WaveSolution {
   SlopedWave sloped;
   Stability stability;
   bool past_maximum;  ///< H has a maximum at a smaller amplitude
+  bool
+      only_one;  ///< H has no extremum: there is one wave at every voltage, which is running and dead in one
 
   const DrivenWave& wave() const { return sloped.wave; }
   /// Behind the drive by more than a quarter of a turn, or beyond the maximum that a start has to pass.
   bool beyond_start() const { return past_maximum || wave().balance.real <= 0; }
-  bool running() const { return stability.stable() && beyond_start(); }
+  bool running() const { return stability.stable() && (beyond_start() || only_one); }
 };
 
 struct WaveSolutions {
