@@ -22,11 +22,9 @@ constexpr int kMaxZones = 200'000;
 // A free layer that has decayed by exp(-37) = 9e-17 enters the next contact at rest.
 constexpr double kForgotten = 37;
 
-template <typename S, Ends kEnds = Ends::searched>
+// The return map needs no means.
+template <typename S, Ends kEnds = Ends::searched, bool kHasMeans = !std::is_same_v<S, StateDual>>
 class LapRunner {
-  // The return map needs no means.
-  static constexpr bool kHasMeans = kEnds != Ends::followed && !std::is_same_v<S, StateDual>;
-
  public:
   LapRunner(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer, const Script* script,
             std::vector<ZoneTrace>* trace, Lap<S>& lap)
@@ -248,11 +246,19 @@ bool follow_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>
                 const LayerState<double>& entry, Script& script, LayerState<double>& next) {
   if (!script.complete()) return false;
   Lap<double> lap;
-  LapRunner<double, Ends::followed>(numbers, layer, &script, nullptr, lap).run({entry});
+  LapRunner<double, Ends::followed, false>(numbers, layer, &script, nullptr, lap).run({entry});
   if (lap.status != LapStatus::ok || lap.script.count != script.count) return false;
   script = lap.script;
   next = lap.next.layer;
   return true;
+}
+
+bool follow_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
+                const LapEntry<double>& entry, const Script& near, Lap<double>& lap) {
+  if (!near.complete()) return false;
+  lap.clear();
+  LapRunner<double, Ends::followed>(numbers, layer, &near, nullptr, lap).run(entry);
+  return lap.status == LapStatus::ok && lap.script.count == near.count;
 }
 
 #define TWUM_INSTANTIATE(S)                                                                    \

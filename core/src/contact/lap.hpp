@@ -102,4 +102,10 @@ void prove_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>&
 bool follow_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
                 const LayerState<double>& entry, Script& script, LayerState<double>& next);
 
+/// The same with the means over the turn.
+/// @param near  not that of `lap`
+/// @param lap   what it held is gone
+bool follow_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
+                const LapEntry<double>& entry, const Script& near, Lap<double>& lap);
+
 }  // namespace twum::contact

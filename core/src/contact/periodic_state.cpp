@@ -47,11 +47,6 @@ class Search {
   }
 
  private:
-  // States at entry and at the next.
-  struct Turn {
-    LayerState<double> in, out;
-  };
-
   // What the last lap told beside the one before, to go back to.
   struct Trail {
     double gap{0}, progress{1};
@@ -94,23 +89,12 @@ class Search {
     prove_lap(n_, layer_, s_.entry, near, s_.lap);
     ++s_.laps;
     s_.zones += s_.lap.zones;
-    const double gap = distance(s_.entry.layer, s_.lap.next.layer);
+    const double gap = distance(layer_, s_.entry.layer, s_.lap.next.layer);
     trail_ = {gap, trail_.gap > 0 ? gap / trail_.gap : 1, before,
               s_.lap.itinerary == itinerary ? trail_.repeats + 1 : 0};
   }
 
   Turn last_turn() const { return {s_.entry.layer, s_.lap.next.layer}; }
-
-  static LayerState<double> difference(const LayerState<double>& a, const LayerState<double>& b) {
-    return {a.e - b.e, a.rate - b.rate};
-  }
-  double product(const LayerState<double>& a, const LayerState<double>& b) const {
-    return layer_.M * a.rate * b.rate + a.e * b.e;
-  }
-  double distance(const LayerState<double>& a, const LayerState<double>& b) const {
-    const LayerState<double> d = difference(a, b);
-    return std::sqrt(product(d, d));
-  }
 
   bool same_zone() const {
     return !n_.full || (s_.entry.carried && s_.entry.zone == s_.lap.next.zone);
@@ -142,8 +126,8 @@ class Search {
   // The last lap brought states closer to one another, to less than a share.
   bool contracts(double share) const {
     const Turn now = last_turn();
-    return s_.laps > 1 &&
-           distance(now.out, trail_.before.out) <= share * distance(now.in, trail_.before.in);
+    return s_.laps > 1 && distance(layer_, now.out, trail_.before.out) <=
+                              share * distance(layer_, now.in, trail_.before.in);
   }
 
   bool sticks() const { return s_.lap.means.stick_length > 0; }
@@ -158,19 +142,9 @@ class Search {
   // Laps of undamped layers may circle round a state without coming nearer.
   bool may_follow() const { return s_.laps >= follow_from_ && (monotone_ || layer_.C > 0); }
 
-  // (E6.4) The next entry, with what two laps tell of the return map's slope.
-  LayerState<double> secant(const Turn& before, const Turn& now) const {
-    const LayerState<double> in = difference(now.in, before.in),
-                             out = difference(now.out, before.out),
-                             gap = difference(now.out, now.in);
-    const double along = product(in, gap) / (product(in, in) - product(in, out));
-    if (!std::isfinite(along)) return now.out;
-    return {now.out.e + along * out.e, now.out.rate + along * out.rate};
-  }
-
   LapEntry<double> after_secant() const {
     LapEntry<double> entry = s_.lap.next;
-    if (contracts(kFast)) entry.layer = secant(trail_.before, last_turn());
+    if (contracts(kFast)) entry.layer = secant(trail_.before, last_turn(), layer_);
     return entry;
   }
 
@@ -200,9 +174,9 @@ class Search {
       now.in = entry.layer;
       if (!follow_lap(n_, layer_, now.in, script, now.out)) break;
       ++s_.laps;
-      entry.layer = secant(before, now);
+      entry.layer = secant(before, now, layer_);
       const double gap_before = gap;
-      gap = distance(now.in, now.out);
+      gap = distance(layer_, now.in, now.out);
       // The next gap would be below rounding, or they do not settle.
       if (gap * gap <= tight_ * gap_before || gap > gap_before) break;
     }
@@ -252,7 +226,7 @@ class Search {
   // laps 8, 16, 32, ..., while it does not repeat itself from lap to lap.
   bool cycles() {
     if (monotone_) return false;
-    const double back = distance(s_.entry.layer, checkpoint_);
+    const double back = distance(layer_, s_.entry.layer, checkpoint_);
     if (s_.laps > 8 && back <= kSameState * tolerance_ &&
         trail_.gap > 1e3 * kSameState * tolerance_)
       return true;

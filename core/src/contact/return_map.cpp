@@ -8,6 +8,29 @@
 
 namespace twum::contact {
 
+static double product(const LayerMotion<double>& layer, const LayerState<double>& a,
+                      const LayerState<double>& b) {
+  return layer.M * a.rate * b.rate + a.e * b.e;
+}
+
+LayerState<double> difference(const LayerState<double>& a, const LayerState<double>& b) {
+  return {a.e - b.e, a.rate - b.rate};
+}
+
+double distance(const LayerMotion<double>& layer, const LayerState<double>& a,
+                const LayerState<double>& b) {
+  const LayerState<double> d = difference(a, b);
+  return std::sqrt(product(layer, d, d));
+}
+
+LayerState<double> secant(const Turn& before, const Turn& now, const LayerMotion<double>& layer) {
+  const LayerState<double> in = difference(now.in, before.in),
+                           out = difference(now.out, before.out), gap = difference(now.out, now.in);
+  const double along = product(layer, in, gap) / (product(layer, in, in) - product(layer, in, out));
+  if (!std::isfinite(along)) return now.out;
+  return {now.out.e + along * out.e, now.out.rate + along * out.rate};
+}
+
 Matrix2 resolvent(const Matrix2& j) {
   const double a = 1 - j.a, d = 1 - j.d, det = a * d - j.b * j.c;
   const double inverse =

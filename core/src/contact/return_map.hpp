@@ -21,6 +21,18 @@ LapEntry<S> constant_entry(const LapEntry<double>& entry) {
   return {{S(entry.layer.e), S(entry.layer.rate)}, entry.carried, entry.zone};
 }
 
+/// States at an entry and at the next.
+struct Turn {
+  LayerState<double> in, out;
+};
+
+LayerState<double> difference(const LayerState<double>& a, const LayerState<double>& b);
+/// In the norm of the layer's energy.
+double distance(const LayerMotion<double>& layer, const LayerState<double>& a,
+                const LayerState<double>& b);
+/// The next entry, with what two turns tell of the slope of the return map along their difference (E6.4).
+LayerState<double> secant(const Turn& before, const Turn& now, const LayerMotion<double>& layer);
+
 /// Derivative of the state at the next entry in the state at this one (E6.2).
 Matrix2 return_jacobian(const ContactNumbers<double>& numbers, const LapEntry<double>& at,
                         const Script* script);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "performance/point.hpp"
 
+#include "contact/return_map.hpp"
 #include "contact/zone_curves.hpp"
 #include "performance/scalars.hpp"
 
@@ -228,6 +229,50 @@ SolvedPoint::SolvedPoint(const DrivenMotor<double>& m, double speed,
     status = status_of(m, others_.back());
     numbers = numbers + numbers_of(m, slices[k], others_.back(), speed);
   }
+}
+
+namespace {
+
+// Two turns of one slice, and one from where their secant leads (E6.4, E6.5), which is the lap. False if the zones are others.
+bool follow_slice(const contact::ContactNumbers<double>& n, const LayerMotion<double>& layer,
+                  WarmStart::Entry& entry, contact::Script script, contact::Lap<double>& lap) {
+  if (n.full) return false;
+  if (layer.kind() == contact::LayerKind::elastic)  // it keeps nothing from turn to turn
+    return contact::follow_lap(n, layer, entry, script, lap);
+  contact::Turn first{entry.layer, {}};
+  if (!contact::follow_lap(n, layer, first.in, script, first.out)) return false;
+  contact::Turn second{first.out, {}};
+  if (!contact::follow_lap(n, layer, second.in, script, second.out)) return false;
+  entry.layer = contact::secant(first, second, layer);
+  return contact::follow_lap(n, layer, entry, script, lap);
+}
+
+}  // namespace
+
+std::optional<FollowedTurns> SolvedPoint::followed(const DrivenMotor<double>& m, double speed,
+                                                   const WarmStart& entry) const {
+  const auto slices = m.slices();
+  if (special || is_trivial(m) || slices.size() != size() || entry.size() != size()) return {};
+  const LayerMotion<double> layer = layer_of(m, speed);
+  FollowedTurns result{};
+  std::vector<WarmStart::Entry> others;
+  others.reserve(size() - 1);
+  WarmStart::Entry first{};
+  contact::Lap<double> lap;
+  for (std::size_t k = 0; k < size(); ++k) {
+    WarmStart::Entry at = entry.of_slice(k);
+    const contact::ContactNumbers<double> n = contact_numbers(m, slices[k], speed);
+    if (slice(k).locked || !follow_slice(n, layer, at, slice(k).state.lap.script, lap)) return {};
+    result.numbers = result.numbers + slice_numbers(m, slices[k], lap, lap.means);
+    result.gap = std::fmax(
+        result.gap, contact::distance(layer, at.layer, lap.next.layer) / (n.static_ * n.peak));
+    if (k == 0)
+      first = lap.next;
+    else
+      others.push_back(lap.next);
+  }
+  result.next = {first, std::move(others)};
+  return result;
 }
 
 SolvedPoint SolvedPoint::of_special(const DrivenMotor<double>& m, double speed) {

@@ -79,6 +79,14 @@ class WarmStart {
   std::vector<Entry> others_;  // none where the motor is one slice: then a start costs no memory
 };
 
+/// What a few turns of the contact come to: not yet a periodic state.
+struct FollowedTurns {
+  PointNumbers<double> numbers;  ///< over the last of them
+  WarmStart next;                ///< where the layer enters after it
+  double gap{
+      0};  ///< by which the last turn moved that, in parts of the largest traction at the crest
+};
+
 /// The contact of one slice at an operating point.
 struct SolvedSlice {
   contact::PeriodicState state;  ///< undefined where it is locked
@@ -110,6 +118,10 @@ class SolvedPoint {
   /// Zones followed to find it: what the search cost.
   long zones_followed() const;
   WarmStart start() const;
+  /// Three turns at another point nearby, through the same zones: a third of the work of solving it, and no proof. Nothing if the
+  /// zones are others there, or if there are none to follow.
+  std::optional<FollowedTurns> followed(const DrivenMotor<double>& motor, double speed,
+                                        const WarmStart& entry) const;
 
   /// The numbers with derivatives in kModelParameters and the speed; S is ModelDual or ModelDual2. The contact is
   /// differentiated in its own seven numbers and chained.

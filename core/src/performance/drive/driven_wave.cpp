@@ -85,13 +85,8 @@ DrivenWave DrivenWaves::at(double amplitude, double speed, const WarmStart* gues
   const SolvedPoint point = solve_point(motor(amplitude), speed, guess, accuracy);
   const WarmStart start = point.start();
   const long slices = static_cast<long>(start.size());
-  return {amplitude,
-          speed,
-          wave_balance(modes_, amplitude, omega_, point.numbers.reactive_force,
-                       point.numbers.stator_power),
-          point.status,
-          start,
-          point.zones_followed() / slices,
+  return {amplitude,           speed, balance(point.numbers, amplitude),
+          point.status,        start, point.zones_followed() / slices,
           point.numbers.torque};
 }
 
@@ -128,7 +123,7 @@ SlopedWave DrivenWaves::in_amplitude(double amplitude, double speed, const WarmS
 DrivenWaves::LevelSlopes DrivenWaves::slopes(double amplitude, double speed,
                                              const WarmStart* guess) const {
   const SolvedPoint point = solve_point(motor(amplitude), speed, guess);
-  return {sloped(point, amplitude, speed, 1, 0), sloped(point, amplitude, speed, 0, 1)};
+  return {point, sloped(point, amplitude, speed, 1, 0), sloped(point, amplitude, speed, 0, 1)};
 }
 
 Stability DrivenWaves::stability(const SlopedWave& w) const {

@@ -59,6 +59,7 @@ class DrivenWaves {
   SlopedWave in_amplitude(double amplitude, double speed, const WarmStart* guess = nullptr) const;
   /// The same beside the derivatives in speed at fixed amplitude.
   struct LevelSlopes {
+    SolvedPoint solved;
     SlopedWave in_amplitude, in_speed;
 
     /// dA / dOmega along H(A, Omega) = Theta u_0 (D2.9).
@@ -70,6 +71,10 @@ class DrivenWaves {
   };
   LevelSlopes slopes(double amplitude, double speed, const WarmStart* guess = nullptr) const;
 
+  /// What a wave takes of the drive, from the contact's numbers under it.
+  WaveBalance<double> balance(const PointNumbers<double>& n, double amplitude) const {
+    return wave_balance(modes_, amplitude, omega_, n.reactive_force, n.stator_power);
+  }
   DrivenMotor<double> motor(double amplitude) const { return driven(model_, {amplitude, omega_}); }
   Stability stability(const SlopedWave& wave) const;
 

@@ -22,6 +22,10 @@ constexpr int kMostSecants = 12;
 constexpr double kNodeSettled = 3e-4;  // of the amplitude: Newton's last step leaves its square
 constexpr double kSettled = 1e-13;     // of the amplitude: what the last secant may leave
 constexpr double kReach = 0.2;         // of the amplitude: largest step of a secant
+constexpr double kNearState = 1e-9;    // gaps that three turns may leave: on the way,
+constexpr double kSettledState =
+    1e-13;                        // and in the answer, which takes them over to the amplitude
+constexpr int kMostFollowed = 4;  // amplitudes
 
 // The largest running solution.
 std::optional<DrivenWave> largest(const std::vector<WaveSolution>& solutions) {
@@ -83,11 +87,35 @@ RunningBranch::Attempt RunningBranch::node(double speed, double guess,
     if (!(std::fabs(a - guess) <= kStraight * guess)) return {{}, zones};
     if (std::fabs(step) <= kNodeSettled * a)
       return {Node{speed, a, s.amplitude_per_speed(), w.force_slope(),
-                   !(waves_.stability(w).trace < 0), w.wave.start},
+                   !(waves_.stability(w).trace < 0), s.solved},
               zones};
     from = w.wave.start, start = &from;
   }
   return {{}, zones};
+}
+
+// Secants for H(A) = Theta u_0 near a guess over turns that are followed through the zones of a node. Nothing unless the layer's
+// state and the amplitude settle fast there.
+std::optional<BranchWave> RunningBranch::followed(double speed, double guess, double force_slope,
+                                                  const WarmStart& start,
+                                                  const SolvedPoint& node) const {
+  double slope = force_slope, before = 0, excess_before = 0, a = guess;
+  WarmStart last, from = start;
+  for (int i = 0; i < kMostFollowed; ++i) {
+    const auto turns = node.followed(waves_.motor(a), speed, from);
+    if (!turns || !(turns->gap <= kNearState)) return {};
+    const double excess = waves_.balance(turns->numbers, a).force() - waves_.drive();
+    if (i > 0 && a != before) slope = (excess - excess_before) / (a - before);
+    const double step = -excess / slope, last_step = i > 0 ? a - before : kReach * a;
+    if (!(slope > 0 && std::fabs(step) <= kReach * guess)) return {};
+    from =
+        i > 0 && a != before ? WarmStart::beyond(last, turns->next, step / last_step) : turns->next;
+    const bool settled = std::fabs(step * last_step) <= kSettled * a * a;
+    if (settled && turns->gap <= kSettledState) return BranchWave{a + step, speed, from};
+    last = turns->next, before = a, excess_before = excess;
+    a += step;
+  }
+  return {};
 }
 
 // Secants for H(A) = Theta u_0 near a guess, in the direction in which H rises with A. The layer's state goes along.
@@ -121,7 +149,8 @@ RunningBranch::Attempt RunningBranch::stepped(const Node& from, double speed,
   double guess = from.amplitude + from.slope * d;
   if (before && std::fabs(from.speed - before->speed) >= 0.5 * std::fabs(d))
     guess += 0.5 * d * d * (from.slope - before->slope) / (from.speed - before->speed);
-  return node(speed, guess, &from.start);
+  const WarmStart start = from.solved.start();
+  return node(speed, guess, &start);
 }
 
 // Goes on from the last node, in steps that are halved where the branch bends.
@@ -224,18 +253,18 @@ std::optional<BranchWave> RunningBranch::beyond(const Node& last, const BranchEn
       if (std::fabs(stride) < 1e-9 * step_) return {};
     }
   }
-  return polished(speed, at.amplitude, at.force_slope, at.start);
+  return polished(speed, at.amplitude, at.force_slope, at.solved.start());
 }
 
 std::optional<BranchWave> RunningBranch::at(double speed) const {
   if (nodes_.empty() || speed < lower_.speed || speed > upper_.speed) return {};
   for (const BranchEnd& end : {lower_, upper_})
-    if (speed == end.speed) return BranchWave{end.amplitude, speed, nodes_.front().start};
+    if (speed == end.speed) return BranchWave{end.amplitude, speed, nodes_.front().solved.start()};
   const auto above = std::upper_bound(nodes_.begin(), nodes_.end(), speed,
                                       [](double s, const Node& n) { return s < n.speed; });
   if (above == nodes_.begin()) return beyond(nodes_.front(), lower_, speed);
   const Node& a = *(above - 1);
-  if (a.speed == speed) return polished(speed, a.amplitude, a.force_slope, a.start);
+  if (a.speed == speed) return polished(speed, a.amplitude, a.force_slope, a.solved.start());
   if (above == nodes_.end()) return beyond(a, upper_, speed);
   // Hermite's cubic between the nodes.
   const Node& b = *above;
@@ -243,8 +272,10 @@ std::optional<BranchWave> RunningBranch::at(double speed) const {
   const double guess = u * u * (1 + 2 * t) * a.amplitude + t * t * (1 + 2 * u) * b.amplitude +
                        t * u * d * (u * a.slope - t * b.slope);
   const double slope = u * a.force_slope + t * b.force_slope;
-  if (const auto wave = polished(speed, guess, slope, WarmStart::beyond(a.start, b.start, t - 1)))
+  const WarmStart start = WarmStart::beyond(a.solved.start(), b.solved.start(), t - 1);
+  if (const auto wave = followed(speed, guess, slope, start, t < 0.5 ? a.solved : b.solved))
     return wave;
+  if (const auto wave = polished(speed, guess, slope, start)) return wave;
   return beyond(a, {HUGE_VAL, 0}, speed);
 }
 

@@ -48,7 +48,7 @@ class RunningBranch {
     double slope;        // dA / dOmega
     double force_slope;  // H_A
     bool grows;          // a disturbance of the wave does not die away
-    WarmStart start;
+    SolvedPoint solved;  // close to it
   };
 
   struct Attempt {
@@ -59,6 +59,8 @@ class RunningBranch {
   std::optional<Node> first_node() const;
   Attempt node(double speed, double guess, const WarmStart* start) const;
 
+  std::optional<BranchWave> followed(double speed, double guess, double force_slope,
+                                     const WarmStart& start, const SolvedPoint& node) const;
   std::optional<BranchWave> polished(double speed, double guess, double force_slope,
                                      const WarmStart& start) const;
   Attempt stepped(const Node& from, double speed, const Node* before = nullptr) const;
