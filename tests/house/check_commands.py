@@ -45,7 +45,7 @@ def command_of(marks, body, folder, program):
     """What runs a block; nothing if it is only to be read."""
     if marks[:2] == ["sh", "run"]:
         return ["bash", "-e", "-c", body]
-    if marks[:2] == ["python", "run"] and (module_folder(program) / "twum/__init__.py").exists():
+    if marks[:2] == ["python", "run"] and list(module_folder(program).glob("twum/_twum*.so")):
         return [PYTHON, "-c", body]
     if marks == ["yaml"] and body.startswith("twum: 1"):
         file = pathlib.Path(folder) / "examples/motors/shown.yaml"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Metrics of many designs at once, and their derivatives.
+#include "classes.hpp"
 #include "conversions.hpp"
 #include "interruptible.hpp"
 #include "parts.hpp"
-#include "py_motor.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/core/performance/batch.hpp>
@@ -31,14 +31,18 @@ struct Designs {
   std::size_t rows{1};
 };
 
+bool is_single(const py::handle& value) {
+  return py::isinstance<py::str>(value) || number_of(value).has_value();
+}
+
 Array column_values(Parameter parameter, const py::handle& value) {
-  if (py::isinstance<py::str>(value) || number_of(value))
-    return to_array({to_parameter_value(parameter, value)});
-  const Array values = Array::ensure(py::reinterpret_borrow<py::object>(value));
-  if (!values) throw py::error_already_set();
+  const auto one = [parameter](py::handle entry) { return to_parameter_value(parameter, entry); };
+  if (is_single(value)) return to_array({one(value)});
+  const std::string name(info(parameter).name);
+  const Array values = to_numbers(name, value, one);
   if (values.ndim() != 1)
-    throw InputError(std::string(info(parameter).name) +
-                     ": expected one value or an array of one dimension");
+    throw InputError(name + ": expected one value or an array of one dimension, not " +
+                     std::to_string(values.ndim()));
   return values;
 }
 
@@ -58,7 +62,7 @@ Designs to_designs(const py::dict& arguments) {
     const Parameter parameter = studies::parse_parameter(py::cast<std::string>(key));
     Column column{parameter, column_values(parameter, value)};
     refuse_twins(designs.columns, column);
-    const bool single = py::isinstance<py::str>(value) || number_of(value);
+    const bool single = is_single(value);
     const auto size = static_cast<std::size_t>(column.values.size());
     if (!single && counted && size != designs.rows)
       throw InputError(std::string(info(parameter).name) + ": " + std::to_string(size) +

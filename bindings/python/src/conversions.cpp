@@ -19,6 +19,56 @@ namespace {
                        py::cast<std::string>(py::type::of(value).attr("__name__")));
 }
 
+bool is_real(const py::array& array) {
+  const char kind = array.dtype().kind();
+  return kind == 'f' || kind == 'i' || kind == 'u';
+}
+
+// A scalar of NumPy, or an array without a dimension.
+bool is_numpy_scalar(py::handle value) {
+  if (py::isinstance<py::array>(value)) return py::cast<py::array>(value).ndim() == 0;
+  return py::isinstance(value, py::module_::import("numpy").attr("generic"));
+}
+
+bool is_masked(py::handle values) {
+  const py::module_ ma = py::module_::import("numpy.ma");
+  return py::isinstance(values, ma.attr("MaskedArray")) &&
+         py::cast<bool>(ma.attr("is_masked")(values));
+}
+
+// False for texts, bytes, sets and dictionaries: their entries are no numbers, or in no order.
+bool is_list_like(py::handle values) {
+  PyObject* const object = values.ptr();
+  if (PyUnicode_Check(object) || PyBytes_Check(object) || PyByteArray_Check(object)) return false;
+  if (PyAnySet_Check(object) || PyDict_Check(object)) return false;
+  return py::isinstance<py::iterable>(values);
+}
+
+// What NumPy makes of an array. A list becomes an array of objects: NumPy would make numbers of the truth values in it.
+py::array numpy_array(const std::string& name, py::handle values) {
+  const py::object asarray = py::module_::import("numpy").attr("asarray");
+  if (py::hasattr(values, "__array__") || PyObject_CheckBuffer(values.ptr())) {
+    const py::array array = asarray(values);
+    return array.dtype().kind() == 'U' ? py::array(array.attr("astype")("object")) : array;
+  }
+  try {
+    return asarray(py::list(py::reinterpret_borrow<py::object>(values)),
+                   py::arg("dtype") = "object");
+  } catch (const py::error_already_set& error) {
+    if (!error.matches(PyExc_ValueError)) throw;
+    throw InputError(name + ": expected rows of one length; " +
+                     py::cast<std::string>(py::str(error.value())));
+  }
+}
+
+// Each entry by itself.
+Array from_objects(const py::array& objects, const ToNumber& one) {
+  Array numbers(std::vector<py::ssize_t>(objects.shape(), objects.shape() + objects.ndim()));
+  double* to = numbers.mutable_data();
+  for (const py::handle entry : objects.attr("flat")) *to++ = one(entry);
+  return numbers;
+}
+
 }  // namespace
 
 py::str to_py(std::string_view text) { return py::str(text.data(), text.size()); }
@@ -26,7 +76,10 @@ py::str to_py(std::string_view text) { return py::str(text.data(), text.size());
 std::optional<double> number_of(py::handle value) {
   if (PyBool_Check(value.ptr()) || PyUnicode_Check(value.ptr())) return {};
   if (PyFloat_Check(value.ptr())) return PyFloat_AS_DOUBLE(value.ptr());
-  if (py::isinstance<py::array>(value) && py::cast<py::array>(value).ndim() > 0) return {};
+  if (py::isinstance<py::array>(value) || py::hasattr(value, "dtype")) {
+    if (!is_numpy_scalar(value) || is_masked(value)) return {};
+    if (!is_real(py::array::ensure(value))) return {};
+  }
   const double number = PyFloat_AsDouble(value.ptr());
   if (number == -1.0 && PyErr_Occurred() != nullptr) {
     PyErr_Clear();
@@ -50,19 +103,26 @@ double to_quantity(const std::string& name, py::handle value, std::string_view u
 
 double to_speed(py::handle value) { return to_quantity("speed", value, "rad/s", "100 rpm"); }
 
+Array to_numbers(const std::string& name, py::handle values, const ToNumber& one) {
+  if (!is_list_like(values)) return to_array({one(values)});
+  if (is_masked(values))
+    throw InputError(name +
+                     ": some entries are masked; give a number for each, or leave them out: "
+                     "values.compressed()");
+  const py::array array = numpy_array(name, values);
+  if (is_real(array)) return Array::ensure(array);
+  if (array.dtype().kind() == 'O') return from_objects(array, one);
+  throw py::type_error(name + ": expected real numbers or texts with a unit, not an array of " +
+                       py::cast<std::string>(py::str(array.dtype())));
+}
+
 std::vector<double> to_speeds(py::handle values) {
-  if (py::isinstance<py::array>(values)) {
-    const Array array = Array::ensure(values);
-    if (!array) throw py::error_already_set();
-    if (array.ndim() != 1)
-      throw InputError("speeds: expected an array of one dimension, not " +
-                       std::to_string(array.ndim()));
-    return {array.data(), array.data() + array.size()};
-  }
-  std::vector<double> speeds;
   if (py::isinstance<py::str>(values) || number_of(values)) return {to_speed(values)};
-  for (const py::handle value : values) speeds.push_back(to_speed(value));
-  return speeds;
+  const Array array = to_numbers("speeds", values, to_speed);
+  if (array.ndim() != 1)
+    throw InputError("speeds: expected an array of one dimension, not " +
+                     std::to_string(array.ndim()));
+  return {array.data(), array.data() + array.size()};
 }
 
 double to_parameter_value(Parameter parameter, py::handle value) {

@@ -9,6 +9,7 @@
 #include <twum/core/performance/metrics.hpp>
 #include <twum/studies/metrics/expression.hpp>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,7 +24,8 @@ using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 /// A view on a table's text as a Python string.
 py::str to_py(std::string_view text);
 
-/// The float that an int, float or NumPy number is; nothing for anything else, truth values included.
+/// The float that an int, float or real number of NumPy is; nothing for anything else: truth values, complex numbers,
+/// dates and masked numbers are none.
 std::optional<double> number_of(py::handle value);
 
 /// A quantity: a number in the SI unit, or a text with a unit.
@@ -32,11 +34,20 @@ double to_quantity(const std::string& name, py::handle value, std::string_view u
                    std::string_view example);
 double to_speed(py::handle value);
 
-/// Speeds from a list of quantities or an array in rad/s.
-std::vector<double> to_speeds(py::handle values);
-
 /// Value of a parameter; its range is left to with().
 double to_parameter_value(Parameter parameter, py::handle value);
+
+/// Reads one number in the SI unit, or a text with a unit, or throws.
+using ToNumber = std::function<double(py::handle)>;
+
+/// An array in SI units, of any shape, from an array of real numbers, or from a list, tuple or array of whatever `one`
+/// reads.
+/// @throws InputError or TypeError naming `name` for numbers that are not real, masked entries, rows of unequal length,
+///         and whatever else is no array
+Array to_numbers(const std::string& name, py::handle values, const ToNumber& one);
+
+/// Speeds from one quantity, an iterable of quantities, or an array of one dimension in rad/s.
+std::vector<double> to_speeds(py::handle values);
 
 /// "preload='140 N', thickness=0.3e-3" with everything that is wrong in one InputError.
 std::vector<ParameterValue> to_parameter_values(const py::dict& arguments);

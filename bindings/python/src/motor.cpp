@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The class Motor: how one is made, and what is asked of it through the tables.
+#include "classes.hpp"
 #include "conversions.hpp"
 #include "motor_answers.hpp"
 #include "parts.hpp"
-#include "py_motor.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/studies/motor/motor_file.hpp>
@@ -46,8 +46,9 @@ std::string file_text(const PyMotor& self) {
   return studies::motor_text({self.name, self.motor.design()});
 }
 
-PyMotor from_text(const std::string& text) {
-  const studies::MotorFile file = studies::read_motor(studies::Source("motor", text));
+PyMotor from_text(const py::object& text) {
+  const studies::Source source("motor", py::cast<std::string>(text));
+  const studies::MotorFile file = studies::read_motor(source);
   return {file.name, Motor(file.design)};
 }
 
@@ -107,7 +108,7 @@ void add_making(Class& motor) {
   motor.def("file_text", &file_text,
             "file_text(self)\n--\n\nThe motor as the text of a motor file, to the last digit.");
   motor.def("__repr__", &representation);
-  motor.def(py::pickle([](const PyMotor& self) { return file_text(self); }, &from_text));
+  add_pickling(motor, &file_text, &from_text);
 }
 
 void add_parameters(Class& motor) {

@@ -15,10 +15,6 @@ namespace {
 
 using Class = py::class_<PyMotor, std::shared_ptr<PyMotor>>;
 
-struct Derivative {
-  MetricDerivative of;
-};
-
 std::string metric_doc(const MetricInfo& row) {
   std::string doc = std::string(row.text) + " [" + std::string(row.unit) + "].";
   doc.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(doc.front())));
@@ -68,7 +64,7 @@ py::dict gradients_of(const PyMotor& self, const py::args& names, bool fixed_sta
   }
   py::dict answer;
   for (std::size_t i = 0; i < metrics.size(); ++i)
-    answer[py::str(metrics[i].text)] = Derivative{derivatives[i]};
+    answer[py::str(metrics[i].text)] = PyDerivative{derivatives[i]};
   return answer;
 }
 
@@ -84,9 +80,7 @@ void add_plain_metric(Class& motor, const MetricInfo& row) {
 }
 
 // One request for each number of an array; NaN where there is no answer.
-Array evaluate_array(const PyMotor& self, MetricRequest request, const py::object& at) {
-  const Array points = Array::ensure(at);
-  if (!points) throw py::error_already_set();
+Array evaluate_array(const PyMotor& self, MetricRequest request, const Array& points) {
   Array values(std::vector<py::ssize_t>(points.shape(), points.shape() + points.ndim()));
   const double* from = points.data();
   double* to = values.mutable_data();
@@ -97,6 +91,14 @@ Array evaluate_array(const PyMotor& self, MetricRequest request, const py::objec
     to[i] = evaluate(self.motor, request).value;
   }
   return values;
+}
+
+Array to_points(const std::string& name, Argument argument, const py::object& at) {
+  const auto one = [&](py::handle entry) {
+    return argument == Argument::torque ? to_quantity(name, entry, "N.m", "0.5 N.m")
+                                        : to_quantity(name, entry, "rad/s", "100 rpm");
+  };
+  return to_numbers(name, at, one);
 }
 
 double point_value(const PyMotor& self, std::string_view name, const MetricRequest& request) {
@@ -115,7 +117,7 @@ py::object point_metric(const PyMotor& self, const MetricInfo& row, Argument arg
   }
   MetricRequest request{row.metric, argument, 0};
   const auto number = number_of(at);
-  if (!number) return evaluate_array(self, request, at);
+  if (!number) return evaluate_array(self, request, to_points(name, argument, at));
   request.at = *number;
   return py::float_(point_value(self, name, request));
 }
@@ -206,81 +208,7 @@ py::object fields_of(const py::object& self, const py::object& speed, int sample
   return attribute_of_results("Fields")(self, fields.point, **columns);
 }
 
-double entry_of(const Derivative& self, const std::string& name) {
-  const auto parameter = find_parameter(name);
-  if (!parameter) throw py::key_error(name);
-  return self.of.gradient[index_of(*parameter)];
-}
-
-py::dict gradient_dict(const Derivative& self) {
-  py::dict entries;
-  for (const ParameterInfo& row : parameter_table())
-    entries[to_py(row.name)] = self.of.gradient[index_of(row.parameter)];
-  return entries;
-}
-
 }  // namespace
-
-void add_answer_classes(py::module_& module) {
-  py::class_<OperatingPoint> point(
-      module, "OperatingPoint",
-      "The motor in its periodic state at one speed, SI units; NaN unless status is 'ok'.");
-  point.def_readonly("speed", &OperatingPoint::speed, "Rotor speed [rad/s].");
-  point.def_readonly("torque", &OperatingPoint::torque,
-                     "Torque on the rotor, positive in drive direction [N.m].");
-  point.def_readonly("output_power", &OperatingPoint::output_power, "Output power [W].");
-  point.def_readonly("stator_power", &OperatingPoint::stator_power,
-                     "Power from the stator to the layer [W].");
-  point.def_readonly("friction_power", &OperatingPoint::friction_power,
-                     "Friction power, snaps included [W].");
-  point.def_readonly("layer_loss", &OperatingPoint::layer_loss, "Viscous loss in the layer [W].");
-  point.def_readonly("stator_loss", &OperatingPoint::stator_loss,
-                     "Loss of the stator's own vibration [W].");
-  point.def_readonly("wear_intensity", &OperatingPoint::wear_intensity,
-                     "Friction power per area of the contact track [W/m^2].");
-  point.def_readonly("stick_fraction", &OperatingPoint::stick_fraction,
-                     "Share of the contact length that sticks.");
-  point.def_readonly("amplitude", &OperatingPoint::amplitude, "Amplitude of the wave [m].");
-  point.def_readonly(
-      "phase_lag", &OperatingPoint::phase_lag,
-      "Lag of the wave behind the voltage [rad]; NaN, as what follows, without modal data.");
-  point.def_readonly("voltage", &OperatingPoint::voltage,
-                     "Voltage of a phase that holds the wave, rms [V].");
-  point.def_readonly("phase_current", &OperatingPoint::phase_current,
-                     "Current of a phase, rms [A].");
-  point.def_readonly("power_factor", &OperatingPoint::power_factor,
-                     "Electrical over apparent power of a phase.");
-  point.def_readonly("electrical_power", &OperatingPoint::electrical_power,
-                     "Power at the terminals, both phases together [W].");
-  point.def_readonly("dielectric_loss", &OperatingPoint::dielectric_loss,
-                     "Loss in the blocked capacitances [W].");
-  point.def_property_readonly("overall_efficiency", &OperatingPoint::overall_efficiency,
-                              "Output over electrical power, 0 where the output is negative.");
-  point.def_property_readonly("contact_efficiency", &OperatingPoint::contact_efficiency,
-                              "Output over stator power; NaN where none goes in.");
-  point.def_property_readonly("efficiency", &OperatingPoint::efficiency,
-                              "Output over stator power and stator loss; NaN where none goes in.");
-  point.def_property_readonly(
-      "status", [](const OperatingPoint& p) { return to_string(p.status); },
-      "'ok', or the short reason why there is no answer.");
-
-  py::class_<Derivative> derivative(module, "Derivative",
-                                    "A metric with its exact derivatives with respect to every "
-                                    "parameter, SI units. derivative['thickness']\n"
-                                    "is one of them; it is 0 for a parameter that is not in use.");
-  derivative.def_property_readonly(
-      "value", [](const Derivative& d) { return d.of.value.value; },
-      "The metric; NaN unless status is 'ok'.");
-  derivative.def_property_readonly(
-      "status", [](const Derivative& d) { return to_string(d.of.value.status); },
-      "'ok', or the short reason why there is no value.");
-  derivative.def_property_readonly(
-      "smoothness", [](const Derivative& d) { return to_string(d.of.smoothness); },
-      "What the derivatives can be trusted for: 'smooth', 'flat', 'one-sided' or 'undefined'.");
-  derivative.def_property_readonly("gradient", &gradient_dict,
-                                   "Every derivative by the name of its parameter.");
-  derivative.def("__getitem__", &entry_of, py::arg("parameter"));
-}
 
 void add_answers(Class& motor) {
   for (const MetricInfo& row : metric_table()) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "classes.hpp"
 #include "parts.hpp"
-#include "py_motor.hpp"
 
 #include <memory>
 

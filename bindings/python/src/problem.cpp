@@ -3,7 +3,7 @@
 #include "conversions.hpp"
 #include "interruptible.hpp"
 #include "parts.hpp"
-#include "py_motor.hpp"
+#include "problem_state.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/studies/motor/parameter_set.hpp>
@@ -20,11 +20,6 @@ namespace {
 using namespace py::literals;
 using studies::DesignAnswer;
 using studies::DesignProblem;
-
-struct PyProblem {
-  std::string name;  // of the motor
-  DesignProblem problem;
-};
 
 using Class = py::class_<PyProblem, std::shared_ptr<PyProblem>>;
 
@@ -328,6 +323,7 @@ void add_problem(py::module_& module) {
       py::arg("text"),
       "limit(self, text)\n--\n\nAsks for something such as 'max_pressure <= 10 MPa'.");
   add_asking(problem);
+  add_pickling(problem, problem_state, problem_from);
 }
 
 }  // namespace twum::python

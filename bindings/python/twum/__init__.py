@@ -14,25 +14,32 @@
 
 Numbers are in SI units, texts carry their unit. parameter_table() and metric_table() list the names.
 """
-from ._twum import (
-    DesignProblem,
-    Derivative,
-    Error,
-    EvaluationError,
-    FileError,
-    InputError,
-    Motor,
-    OperatingPoint,
-    StoreError,
-    __version__,
-    engineering,
-    evaluate,
-    gradients,
-    metric_table,
-    parameter_table,
-    quantity,
-    solver_table,
-)
+try:
+    from ._twum import (
+        DesignProblem,
+        Derivative,
+        Error,
+        EvaluationError,
+        FileError,
+        InputError,
+        Motor,
+        OperatingPoint,
+        StoreError,
+        __version__,
+        engineering,
+        evaluate,
+        gradients,
+        metric_table,
+        parameter_table,
+        quantity,
+        solver_table,
+    )
+except ModuleNotFoundError as error:
+    if error.name != f"{__name__}._twum":
+        raise
+    from ._missing import how_to_build
+
+    raise ImportError(how_to_build()) from None
 from .results import Curve, Derivatives, Fields, Optimum, StudyResult, read_result, run
 
 __all__ = [

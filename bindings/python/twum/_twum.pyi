@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Types of the compiled part. bindings/python/tools/stubs.py writes what follows from the tables.
 import os
-from typing import Any, Callable, Iterable, Mapping, Sequence, Tuple, Union, overload
+from typing import Any, Callable, Iterable, List, Mapping, Sequence, Tuple, Union, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from .results import Curve, Derivatives, Fields, Optimum
 
 _Quantity = Union[str, float, "np.floating[Any]", "np.integer[Any]"]
-_Numbers = Union[Sequence[float], NDArray[Any]]
+_Numbers = Union[Sequence[float], List[str], Tuple[str, ...], NDArray[Any]]
 _Path = Union[str, os.PathLike[str]]
 _Duty = Tuple[_Quantity, _Quantity]
 
@@ -43,6 +43,8 @@ class OperatingPoint:
     def wear_intensity(self) -> float: ...
     @property
     def stick_fraction(self) -> float: ...
+    @property
+    def reactive_force(self) -> float: ...
     @property
     def amplitude(self) -> float: ...
     @property

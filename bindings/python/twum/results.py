@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import numbers
 import os
 import pathlib
 import tempfile
@@ -158,10 +159,25 @@ def _settings(parameters: Mapping[str, Any]) -> list[str]:
     units = {row[key]: row["unit"] for row in _twum.parameter_table() for key in ("name", "symbol")}
 
     def text(name, value):
+        if isinstance(value, str):
+            return value
+        if isinstance(value, bool) or not isinstance(value, numbers.Real):
+            raise TypeError(f"set: {name}: expected a number or a text with a unit, not {type(value).__name__}")
+        try:
+            number = repr(float(value))
+        except OverflowError:
+            raise _twum.InputError(f"set: {name}: this integer is beyond the range of a float") from None
         unit = units.get(name, "1")
-        return value if isinstance(value, str) else repr(float(value)) + ("" if unit == "1" else " " + unit)
+        return number + ("" if unit == "1" else " " + unit)
 
     return [f"{name}={text(name, value)}" for name, value in parameters.items()]
+
+
+def _plain(value):
+    """Arrays and numbers of NumPy in a study that is given as a dictionary."""
+    if isinstance(value, (np.ndarray, np.generic)) and value.dtype.kind in "iufU":
+        return value.tolist()
+    raise TypeError(f"study: expected numbers, texts, lists and dictionaries, not {getattr(value, 'dtype', type(value))}")
 
 
 def _written(study: Mapping[str, Any], motor: Any, folder: pathlib.Path) -> pathlib.Path:
@@ -174,7 +190,7 @@ def _written(study: Mapping[str, Any], motor: Any, folder: pathlib.Path) -> path
     elif motor is not None:
         content["motor"] = os.path.abspath(motor)
     path = folder / "study.yaml"
-    path.write_text(json.dumps(content, indent=2, ensure_ascii=False), encoding="utf-8")
+    path.write_text(json.dumps(content, indent=2, ensure_ascii=False, default=_plain), encoding="utf-8")
     return path
 
 
