@@ -34,6 +34,16 @@ class Mistakes(program.Case):
                          "twum: unknown command 'curv'; did you mean 'curve'?; 'twum --help' says more\n")
         self.assertIn("expected one of curve", self.refused("paint"))
 
+    def test_an_empty_text_is_not_the_default(self):
+        for command, option in (("curve", "--output"), ("curve", "--points"), ("curve", "--set"), ("evaluate", "--metrics"),
+                                ("evaluate", "--designs"), ("evaluate", "--jobs"), ("run", "--output"), ("curve", "--plot")):
+            with self.subTest(command, option=option):
+                self.assertIn(f"{option} is given as an empty text; give a value, or leave it out",
+                              self.refused(command, RING, option, "", cwd=self.folder))
+        self.assertIn("empty text", self.refused("run", RING, "-o", "", cwd=self.folder))
+        self.assertIn("empty text", self.refused("check", "", cwd=self.folder))
+        self.assertEqual(list(self.folder.iterdir()), [])
+
     def test_unknown_option(self):
         self.assertEqual(self.refused("curve", RING, "--fromat", "csv"),
                          "twum curve: unexpected '--fromat'; did you mean '--format'?\n")

@@ -6,7 +6,7 @@ import json
 import random
 
 import program
-from program import RING
+from program import RING, twum
 
 
 def table(rows, seed=1):
@@ -51,12 +51,12 @@ class Evaluate(program.Case):
         self.assertAlmostEqual(float(rows[1][0]), 0.2 * 100 * 0.0265, delta=1e-9)
         self.assertEqual(rows[1][1:], ["1000", "ok"])
         self.assertIn("max_efficiency [1]", self.ok("evaluate", RING))
-        none = program.twum("evaluate", RING, "--metrics", "2 * speed_at(50 N.m)")
+        none = twum("evaluate", RING, "--metrics", "2 * speed_at(50 N.m)")
         self.assertEqual((none.returncode, none.stdout.decode().splitlines()[1]),
                          (1, ",2 * speed_at(50 N.m): unreachable"))
 
     def test_a_wrong_expression_is_shown_with_a_caret(self):
-        done = program.twum("evaluate", RING, "--metrics", "preload, preload + 5 m")
+        done = twum("evaluate", RING, "--metrics", "preload, preload + 5 m")
         self.assertEqual(done.returncode, 2)
         lines = done.stderr.splitlines()
         self.assertIn("'preload' is a force [N], but '5 m' is a length [m]", lines[0])
@@ -70,7 +70,7 @@ class Evaluate(program.Case):
 
     def test_failing_designs_do_not_stop_the_others(self):
         designs = self.write("designs.csv", "preload\n160\nabc\n-1\n\n1,2\n80\n")
-        done = program.twum("evaluate", RING, "--designs", designs, "--metrics", "preload, speed_at(0.6 N.m)")
+        done = twum("evaluate", RING, "--designs", designs, "--metrics", "preload, speed_at(0.6 N.m)")
         self.assertEqual(done.returncode, 0)
         rows = list(csv.reader(io.StringIO(done.stdout.decode())))
         self.assertEqual([row[-1] for row in rows], [
@@ -82,13 +82,13 @@ class Evaluate(program.Case):
 
     def test_a_table_without_any_answer_has_a_status_of_its_own(self):
         designs = self.write("designs.csv", "preload [N]\nx\n-1\n")
-        done = program.twum("evaluate", RING, "--designs", designs)
+        done = twum("evaluate", RING, "--designs", designs)
         self.assertEqual(done.returncode, 1)
         self.assertIn("2 of 2 designs", done.stderr)
 
     def test_a_part_of_an_answer_is_an_answer(self):
         designs = self.write("designs.csv", "preload [N]\n160\n")
-        done = program.twum("evaluate", RING, "--set", "modal_damping=0 N.s/m", "--designs", designs,
+        done = twum("evaluate", RING, "--set", "modal_damping=0 N.s/m", "--designs", designs,
                             "--metrics", "stall_torque, max_efficiency")
         self.assertEqual(done.returncode, 0)
         self.assertIn("1 of 1 designs have no full answer", done.stderr)
@@ -96,8 +96,8 @@ class Evaluate(program.Case):
 
     def test_reasons_to_doubt_the_model_are_those_of_the_curve_command(self):
         designs = self.write("designs.csv", "thickness [mm]\n0.3\n0.6\n0.8\n")
-        done = program.twum("evaluate", RING, "--designs", designs, "--metrics", "stall_torque", "--jobs", 2)
-        curve = program.twum("curve", RING, "--set", "thickness=0.8 mm", "--format", "csv")
+        done = twum("evaluate", RING, "--designs", designs, "--metrics", "stall_torque", "--jobs", 2)
+        curve = twum("curve", RING, "--set", "thickness=0.8 mm", "--format", "csv")
         note, = [line for line in curve.stderr.splitlines() if "contact length" in line]
         self.assertEqual(done.stderr, note.replace("note: ", "note: line 4: ") + "; 1 other likewise, by less\n")
 
@@ -111,7 +111,7 @@ class Evaluate(program.Case):
 
     def test_rows_before_one_that_cannot_be_read_are_not_lost(self):
         designs = self.write("designs.csv", 'preload\n160\n80\n"40\n')
-        done = program.twum("evaluate", RING, "--designs", designs, "--metrics", "preload")
+        done = twum("evaluate", RING, "--designs", designs, "--metrics", "preload")
         self.assertEqual(done.returncode, 2)
         self.assertEqual(done.stdout.decode(), "preload,preload [N],status\n160,160,ok\n80,80,ok\n")
         self.assertIn("designs.csv:4:1: a quotation that does not end", done.stderr)
@@ -133,6 +133,40 @@ class Evaluate(program.Case):
         old = self.write("result.csv", "precious\n")
         self.refused("evaluate", RING, "--designs", self.write("designs.csv", "colour\nred\n"), "-o", old)
         self.assertEqual(old.read_text(), "precious\n")
+
+    def test_results_may_be_read_back(self):
+        designs = self.write("designs.csv", "preload [N],note\n160,a\n-1,b\n")
+        once, twice = self.folder / "once.csv", self.folder / "twice.csv"
+        metrics = ("--metrics", "stall_torque, peak_power / preload")
+        self.ok("evaluate", RING, "--designs", designs, *metrics, "-o", once)
+        done = twum("evaluate", RING, "--designs", once, *metrics, "-o", twice)
+        self.assertIn("computed anew are not copied: 'stall_torque [N.m]', 'peak_power / preload [m.rad/s]', 'status'", done.stderr)
+        self.assertEqual(twice.read_text(), once.read_text())
+        other = self.ok("evaluate", RING, "--designs", once, "--metrics", "max_pressure").splitlines()
+        self.assertEqual(other[0], "preload [N],note,stall_torque [N.m],peak_power / preload [m.rad/s],max_pressure [Pa],status")
+
+    def test_cells_that_a_spreadsheet_would_run_get_an_apostrophe(self):
+        cells = {"=1+2": "'=1+2", '"=cmd|x, y"': '"\'=cmd|x, y"', "@sum": "'@sum", "+a": "'+a", "-b": "'-b", "-1.5e3": "-1.5e3",
+                 "+2": "+2", "'=x": "'=x", " =y": "'=y", "a=b": "a=b", '"=""q"""': '"\'=""q"""'}
+        designs = self.write("designs.csv", "preload [N],=who\n" + "".join(f"160,{cell}\n" for cell in cells))
+        lines = self.ok("evaluate", RING, "--designs", designs, "--metrics", "preload / 1 N").splitlines()
+        self.assertEqual(lines[0], "preload [N],'=who,preload / 1 N [1],status")
+        self.assertEqual(lines[1:], [f"160,{written},160,ok" for written in cells.values()])
+
+    def test_a_table_without_an_answer_ends_with_1(self):
+        for text, metrics in (("preload\n160\n120\n", "2 * preload, speed_at(5 N.m)"), ("preload\n-1\n", "preload"),
+                              ("preload\n", "stall_torque"), ("preload\nx\n", "stall_torque")):
+            done = twum("evaluate", RING, "--designs", self.write("none.csv", text), "--metrics", metrics)
+            self.assertEqual(done.returncode, 1, (text, done.stderr))
+        self.assertEqual(twum("evaluate", RING, "--metrics", "preload, speed_at(5 N.m)").returncode, 1)
+        self.assertIn("no designs below its header", twum("evaluate", RING, "--designs", self.write("e.csv", "preload\n")).stderr)
+        self.ok("evaluate", RING, "--designs", self.write("one.csv", "preload\n160\n-1\n"), "--metrics", "stall_torque")
+
+    def test_a_heading_without_a_unit_is_told(self):
+        done = twum("evaluate", RING, "--designs", self.write("a.csv", "preload,poisson_ratio,thickness [mm],h2\n160,0.3,0.3,1\n"))
+        self.assertIn("columns without a unit are read in SI units: preload [N]; a heading such as 'preload [N]' says so", done.stderr)
+        done = twum("evaluate", RING, "--designs", self.write("b.csv", "preload [N],poisson_ratio\n160,0.3\n"))
+        self.assertNotIn("unit", done.stderr)
 
     def test_very_wide_rows(self):
         names = ",".join(f"c{i}" for i in range(20000))

@@ -81,6 +81,16 @@ class Curve(program.Case):
         fall = 1e3 * (data["curve"][-1]["torque"] - data["curve"][0]["torque"])
         self.assertAlmostEqual((line[-1][1] - line[0][1]) / per_torque, fall, delta=0.04 / abs(per_torque))
 
+    def test_the_contact_efficiency_falls_to_0_at_no_load(self):
+        picture = self.picture(RING)
+        per_rpm, zero = scale(picture.numbers(0, max(y for _, _, y in picture.texts if y < 840) - 20, 840))
+        no_load = json.loads(self.ok("curve", RING, "--format", "json"))["metrics"]["no_load_speed"] / RPM
+        line = picture.lines[BLUE][-1][2:]  # behind the two points of its sample in the key
+        # The picture's coordinates have two decimals; the panel is over 150 pixels high for 100 %.
+        self.assertAlmostEqual((line[-1][0] - zero) / per_rpm, no_load, delta=0.02 / per_rpm)
+        self.assertAlmostEqual(line[-1][1], line[0][1], delta=0.02)
+        self.assertGreater(line[0][1] - min(y for _, y in line), 140)
+
     def test_metrics_are_marked_with_their_values(self):
         words = " | ".join(self.picture(RING).words())
         metrics = json.loads(self.ok("curve", RING, "--format", "json"))["metrics"]

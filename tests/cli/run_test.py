@@ -91,6 +91,23 @@ class Directory(Run):
         self.assertTrue((self.folder / "results/sweep/summary.json").exists())
         self.assertIn("results/sweep", done.stderr)
 
+    def test_a_study_of_dots_keeps_to_its_directory(self):
+        for name in ("...yaml", "..yaml"):
+            study = self.study(8).rename(self.folder / name)
+            done = twum("run", study, cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertTrue((self.folder / "results" / name / "summary.json").exists())
+            study.unlink()
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["results"])
+
+    def test_seeds_are_those_that_were_typed(self):
+        for seed in (9007199254740991, 9007199254740990):
+            self.ok("run", self.study(8, extra=f"  seed: {seed}\n"), "-o", self.folder / str(seed))
+            self.assertEqual(self.summary(str(seed))["seed"], seed)
+        for seed in (9007199254740992, 9007199254740993):
+            self.assertIn(f"'{seed}' is too large; must be at most 9007199254740991",
+                          self.refused("check", self.study(8, extra=f"  seed: {seed}\n")))
+
     def test_the_number_of_threads_changes_no_byte(self):
         first = results(self.run_into("one", "--jobs", 1))
         for jobs in (2, 8):

@@ -101,7 +101,7 @@ void feed_table(std::string_view text) {
 void feed_points(std::string_view text) {
   std::vector<MeasuredPoint> points;
   try {
-    points = read_measured_points(Source("points.csv", std::string(text)));
+    points = read_measured_points(Source("points.csv", std::string(text))).points;
   } catch (const InputError&) {
     return;
   }

@@ -105,6 +105,17 @@ int explain(const CLI::App& app, const CLI::ParseError& error) {
                   kWrongInput);
 }
 
+// An option followed by '', as a script gives it whose variable is empty, is not the same as no option.
+void refuse_empty_options(const CLI::App& app) {
+  const CLI::App& command = *app.get_subcommands().front();
+  for (const CLI::Option* option : command.get_options()) {
+    const std::vector<std::string>& given = option->results();
+    if (std::find(given.begin(), given.end(), "") == given.end()) continue;
+    throw InputError(command.get_name() + ": " + option->get_name() +
+                     " is given as an empty text; give a value, or leave it out");
+  }
+}
+
 int perform(const Action& action) {
   try {
     return action();
@@ -142,7 +153,10 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return explain(app, error);
   }
-  return perform(action);
+  return perform([&] {
+    refuse_empty_options(app);
+    return action();
+  });
 }
 
 }  // namespace twum::cli

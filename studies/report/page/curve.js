@@ -121,7 +121,10 @@ function terminalsChart(node, curve, onSpeed) {
 function efficiencyChart(node, list, names, onSpeed) {
   if (list.every(atTerminals)) { curvesChart(node, list, names, 'overall_efficiency', 'overall efficiency', { unit: percentUnit, range: [0, 100], onSpeed }); return; }
   const damped = list.some((c) => largest([c.stator_loss]) > 0);
-  curvesChart(node, list, names, damped ? 'efficiency' : 'contact_efficiency', damped ? 'efficiency' : 'contact efficiency', { unit: percentUnit, range: [0, 100], onSpeed });
+  const name = damped ? 'efficiency' : 'contact_efficiency';
+  // Where the rotor is driven from outside nothing comes out: 0, as the overall efficiency has it, so that the line ends there.
+  const shown = list.map((c) => ({ ...c, [name]: Array.from(c[name], (value, i) => (c.output_power[i] <= 0 ? 0 : value)) }));
+  curvesChart(node, shown, names, name, damped ? 'efficiency' : 'contact efficiency', { unit: percentUnit, range: [0, 100], onSpeed });
 }
 
 /** Everything about several curves: charts, fields, metrics. The first name of a family of one is the motor's. */

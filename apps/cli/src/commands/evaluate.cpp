@@ -107,10 +107,7 @@ int run_alone(const EvaluateOptions& options, std::vector<studies::MetricExpress
   output.write(csv_line(names) + csv_line(cells));
   output.finish();
   print_model_notes(design);
-  const bool none = std::all_of(values.begin(), values.end(), [](const MetricValue& value) {
-    return value.status != MetricStatus::ok;
-  });
-  return none ? kNoAnswer : kDone;
+  return studies::any_answer(metrics, values) ? kDone : kNoAnswer;
 }
 
 double fraction_read(std::size_t bytes, double size) {
@@ -154,12 +151,14 @@ int run_evaluate(const EvaluateOptions& options) {
         });
   }
   output.finish();
+  if (counts.rows == 0)
+    std::fprintf(stderr, "twum: %s has no designs below its header\n", reader.name().c_str());
   if (counts.failed > 0) {
     std::fprintf(stderr, "twum: %zu of %zu designs have no full answer, see the column status\n",
                  counts.failed, counts.rows);
   }
   for (const std::string& note : counts.notes) std::fprintf(stderr, "note: %s\n", note.c_str());
-  if (!interrupted()) return counts.rows > 0 && counts.empty == counts.rows ? kNoAnswer : kDone;
+  if (!interrupted()) return counts.empty == counts.rows ? kNoAnswer : kDone;
   std::fprintf(stderr, "twum: interrupted after %zu designs\n", counts.rows);
   return kInterrupted;
 }

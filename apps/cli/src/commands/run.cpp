@@ -40,8 +40,12 @@ struct StudyOptions {
 
 std::string directory_of(const StudyOptions& options) {
   if (!options.directory.empty()) return options.directory;
-  const std::string stem = std::filesystem::path(options.path).stem().string();
-  return (std::filesystem::path("results") / (options.path == "-" ? "study" : stem)).string();
+  const std::filesystem::path file(options.path);
+  const std::string stem = file.stem().string();
+  const bool dots =
+      stem.find_first_not_of('.') == std::string::npos;  // of "...yaml": a parent directory
+  const std::string name = options.path == "-" ? "study" : dots ? file.filename().string() : stem;
+  return (std::filesystem::path("results") / name).string();
 }
 
 double fraction_of(std::uint64_t done, std::uint64_t total) {

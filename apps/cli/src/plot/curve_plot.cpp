@@ -69,10 +69,24 @@ std::vector<double> stacked(const OperatingPoint& p) {
   return stack;
 }
 
+// Evenly spread, and ever closer to the no-load speed: the efficiency falls to 0 in the last hundredth before it.
+std::vector<double> speeds_of(const Motor& motor, double first, double last) {
+  std::vector<double> speeds;
+  for (int i = 0; i < kPoints; ++i) speeds.push_back(first + (last - first) * i / (kPoints - 1));
+  const MetricValue no_load = evaluate(motor, {Metric::no_load_speed, Argument::none, 0});
+  if (no_load.status == MetricStatus::ok && first < no_load.value && no_load.value < last) {
+    for (double below = 0.01; below > 1e-6; below /= 2)
+      speeds.push_back(no_load.value * (1 - below));
+    speeds.push_back(no_load.value);
+  }
+  std::erase_if(speeds, [&](double speed) { return speed < first; });
+  std::sort(speeds.begin(), speeds.end());
+  return speeds;
+}
+
 std::vector<std::vector<double>> rows_of(const Motor& motor, double first, double last) {
   std::vector<std::vector<double>> rows;
-  for (int i = 0; i < kPoints; ++i) {
-    const double speed = first + (last - first) * i / (kPoints - 1);
+  for (const double speed : speeds_of(motor, first, last)) {
     const OperatingPoint p = motor.operating_point(speed);
     rows.push_back({speed, p.torque, p.output_power, p.friction_power, p.layer_loss, p.stator_loss,
                     p.contact_efficiency(), p.efficiency(), p.overall_efficiency()});

@@ -37,10 +37,12 @@ Source::Source(std::string name, std::string text)
 std::string_view Source::line(int number) const {
   const auto index = static_cast<std::size_t>(number - 1);
   if (number < 1 || index >= line_begins_.size()) return {};
-  std::string_view rest = std::string_view(text_).substr(line_begins_[index]);
-  rest = rest.substr(0, rest.find('\n'));
-  if (rest.ends_with('\r')) rest.remove_suffix(1);
-  return rest;
+  const std::size_t begin = line_begins_[index];
+  const bool last = index + 1 == line_begins_.size();
+  const std::size_t end = last ? text_.size() : line_begins_[index + 1] - 1;
+  std::string_view line = std::string_view(text_).substr(begin, end - begin);
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
 }
 
 SourceMark Source::mark(int line_from_0, int byte) const {

@@ -17,7 +17,8 @@ constexpr const char* kNumber = R"([+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9
 void add_limits(Json& json, const Schema& schema) {
   if (std::isfinite(schema.min))
     json[schema.min_excluded ? "exclusiveMinimum" : "minimum"] = schema.min;
-  if (std::isfinite(schema.max)) json["maximum"] = schema.max;
+  if (std::isfinite(schema.max))
+    json[schema.max_excluded ? "exclusiveMaximum" : "maximum"] = schema.max;
 }
 
 // A bare number, or the same as text ("5 %").

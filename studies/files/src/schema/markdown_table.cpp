@@ -27,8 +27,8 @@ std::string range_text(const Schema& schema) {
                ? std::to_string(static_cast<long long>(value))
                : rounded_text(value, 6);
   };
-  if (schema.min_excluded && schema.min == 0 && high && schema.max > 1 - 1e-9 && schema.max < 1)
-    return "between 0 and 1";
+  if (schema.min_excluded && schema.max_excluded)
+    return "between " + number(schema.min) + " and " + number(schema.max);
   if (low && high) {
     return (schema.min_excluded ? "more than " : "") + number(schema.min) + " to " +
            number(schema.max);

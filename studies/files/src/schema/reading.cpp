@@ -256,7 +256,8 @@ Shape<double> fraction(std::string text, std::string example) {
   Schema schema = quantity(std::move(text), "1", std::move(example)).schema;
   schema.min = 0;
   schema.min_excluded = true;
-  schema.max = 1 - 1e-12;
+  schema.max = 1;
+  schema.max_excluded = true;
   return number(std::move(schema));
 }
 

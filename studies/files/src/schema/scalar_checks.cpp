@@ -13,6 +13,7 @@ namespace twum::studies {
 namespace {
 
 std::string limit_text(double limit, const Schema& schema) {
+  if (schema.kind == ValueKind::count) return std::to_string(static_cast<long long>(limit));
   // Zero keeps its unit, and other limits are round numbers.
   return limit == 0 && schema.unit != "1" ? "0 " + schema.unit
                                           : engineering(limit, schema.unit, 10);
@@ -57,9 +58,10 @@ void check_size(double value, std::string_view text, const Schema& schema) {
                      (schema.min_excluded ? "must be more than " : "must be at least ") +
                          limit_text(schema.min, schema) + comma_such_as(schema));
   }
-  if (!(value <= schema.max)) {
+  if (schema.max_excluded ? !(value < schema.max) : !(value <= schema.max)) {
     throw ValueError(quoted(text) + " is too large",
-                     "must be at most " + limit_text(schema.max, schema) + comma_such_as(schema));
+                     (schema.max_excluded ? "must be less than " : "must be at most ") +
+                         limit_text(schema.max, schema) + comma_such_as(schema));
   }
   if ((schema.whole || schema.kind == ValueKind::count) && value != std::floor(value)) {
     throw ValueError(quoted(text) + " is not a whole number", expectation(schema));

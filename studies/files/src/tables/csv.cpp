@@ -2,6 +2,7 @@
 #include <twum/studies/tables/csv.hpp>
 
 #include <twum/base/error.hpp>
+#include <twum/studies/text/number.hpp>
 #include <twum/studies/text/words.hpp>
 
 #include <algorithm>
@@ -189,12 +190,21 @@ std::string cell_text(std::string_view cell) {
   return std::string(trimmed(text));
 }
 
+bool is_formula(std::string_view text) {
+  constexpr std::string_view kBegins = "=+-@\t\r";
+  return !text.empty() && kBegins.find(text.front()) != std::string_view::npos &&
+         !parse_number(text);
+}
+
 void append_cell(std::string& out, std::string_view text) {
+  const std::string_view mark = is_formula(text) ? "'" : "";
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
+    out += mark;
     out += text;
     return;
   }
   out += '"';
+  out += mark;
   for (const char c : text) {
     if (c == '"') out += '"';
     out += c;

@@ -19,9 +19,45 @@ namespace {
 
 constexpr std::size_t kMostShown = 100;  // errors of one header
 
+constexpr std::string_view kStatus = "status";
+
 std::string at_line(std::size_t line) { return "line " + std::to_string(line) + ": "; }
 
+std::string result_heading(const MetricExpression& metric) {
+  return metric.text + " [" + std::string(metric.unit()) + "]";
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+// A cell as it stands, unless it could not stand there or a spreadsheet would run it.
+void append_copy(std::string& out, std::string_view cell) {
+  std::vector<std::string_view> alone;
+  const bool well_formed = split_record(cell, alone) && alone.size() == 1;
+  if (well_formed && !is_formula(cell_text(cell))) {
+    out += cell;
+  } else {
+    append_cell(out, well_formed ? cell_text(cell) : std::string(cell));
+  }
+}
+
 }  // namespace
+
+bool any_answer(std::span<const MetricExpression> asked, std::span<const MetricValue> values) {
+  const auto of_motor = [](const MetricExpression& one) {
+    return std::any_of(one.terms.begin(), one.terms.end(), [](const Term& term) {
+      return std::holds_alternative<MetricRequest>(term);
+    });
+  };
+  const bool parameters_alone = std::none_of(asked.begin(), asked.end(), of_motor);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (values[i].status == MetricStatus::ok && (parameters_alone || of_motor(asked[i])))
+      return true;
+  return false;
+}
 
 DesignTable::DesignTable(const CsvReader& reader, const CsvChunk& header, const MotorDesign& base,
                          std::vector<MetricExpression> metrics)
@@ -39,11 +75,13 @@ DesignTable::DesignTable(const CsvReader& reader, const CsvChunk& header, const 
     try {
       columns_.push_back(read_column(cell_text(cell)));
     } catch (const ValueError& error) {
-      columns_.push_back({cell_text(cell), {}, {}});
+      columns_.push_back({cell_text(cell), cell_text(cell), {}, {}});
       wrong.push_back("column " + quoted(cell_text(cell)) + ": " + error.what());
     }
   }
   check_twins(wrong);
+  for (Column& column : columns_) column.computed = is_computed(column.heading);
+  add_column_warnings();
   const auto is_parameter = [](const Column& c) { return c.parameter.has_value(); };
   if (wrong.empty() && std::none_of(columns_.begin(), columns_.end(), is_parameter)) {
     wrong.emplace_back(
@@ -70,12 +108,33 @@ DesignTable::Column DesignTable::read_column(const std::string& text) {
                           " is no parameter and is only copied; did you mean '" +
                           std::string(meant) + "'?");
     }
-    return {text, {}, {}};
+    return {text, text, {}, {}};
   }
   const ParameterInfo& row = info(*parameter);
+  if (!heading.has_unit && row.unit != "1")
+    without_unit_.push_back(std::string(heading.name) + " [" + std::string(row.unit) + "]");
   const Scale scale =
       heading.has_unit ? parse_unit(heading.unit, {row.unit, row.example}) : Scale();
-  return {std::string(heading.name), parameter, scale};
+  return {std::string(heading.name), text, parameter, scale};
+}
+
+// True for a column that the result has anyway, as the result of another run has it.
+bool DesignTable::is_computed(const std::string& heading) const {
+  if (heading == kStatus) return true;
+  return std::any_of(metrics_.begin(), metrics_.end(), [&](const MetricExpression& metric) {
+    return heading == result_heading(metric);
+  });
+}
+
+void DesignTable::add_column_warnings() {
+  if (!without_unit_.empty())
+    warnings_.push_back("columns without a unit are read in SI units: " + joined(without_unit_) +
+                        "; a heading such as '" + without_unit_.front() + "' says so");
+  std::vector<std::string> computed;
+  for (const Column& column : columns_)
+    if (column.computed && !column.parameter) computed.push_back(quoted(column.heading));
+  if (!computed.empty())
+    warnings_.push_back("columns that are computed anew are not copied: " + joined(computed));
 }
 
 void DesignTable::check_twins(std::vector<std::string>& wrong) const {
@@ -95,18 +154,25 @@ void DesignTable::check_twins(std::vector<std::string>& wrong) const {
   }
 }
 
+bool DesignTable::any_answer(const Scratch& scratch) const {
+  return studies::any_answer(metrics_, scratch.metrics);
+}
+
 bool DesignTable::has(Parameter parameter) const {
   return std::any_of(columns_.begin(), columns_.end(),
                      [&](const Column& c) { return c.parameter == parameter; });
 }
 
 std::string DesignTable::result_header() const {
-  std::string text = header_;
+  std::string text;
+  std::vector<std::string_view> cells;
+  split_record(header_, cells);
+  append_columns(cells, text);
   for (const MetricExpression& metric : metrics_) {
+    append_cell(text, result_heading(metric));
     text += ',';
-    append_cell(text, metric.text + " [" + std::string(metric.unit()) + "]");
   }
-  return text + ",status\n";
+  return text + std::string(kStatus) + "\n";
 }
 
 bool DesignTable::read_values(std::size_t line, Scratch& scratch) const {
@@ -152,16 +218,14 @@ bool DesignTable::compute(std::string_view record, std::size_t line, Scratch& sc
   return scratch.reason.empty();
 }
 
-// As many cells as the header has, so that the columns stay in step.
-void DesignTable::append_as_columns(const Scratch& scratch, std::string& out) const {
+// The columns that are carried along, each with a comma behind it: as many cells as the header has, so that they stay in
+// step.
+void DesignTable::append_columns(const std::vector<std::string_view>& cells,
+                                 std::string& out) const {
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    if (i > 0) out += ',';
-    if (i >= scratch.cells.size()) continue;
-    if (scratch.well_formed) {
-      out += scratch.cells[i];
-    } else {
-      append_cell(out, scratch.cells[i]);
-    }
+    if (columns_[i].computed && !columns_[i].parameter) continue;
+    if (i < cells.size()) append_copy(out, cells[i]);
+    out += ',';
   }
 }
 
@@ -171,16 +235,11 @@ bool DesignTable::append_result(std::string_view record, std::size_t line, Scrat
   scratch.design.reset();
   scratch.metrics.assign(metrics_.size(), {0, MetricStatus::undefined});
   const bool ok = compute(record, line, scratch);
-  if (scratch.well_formed && scratch.cells.size() == columns_.size()) {
-    out += record;
-  } else {
-    append_as_columns(scratch, out);
-  }
+  append_columns(scratch.cells, out);
   for (const MetricValue& metric : scratch.metrics) {
-    out += ',';
     if (metric.status == MetricStatus::ok) append_number(out, metric.value);
+    out += ',';
   }
-  out += ',';
   append_cell(out, ok ? std::string_view("ok") : std::string_view(scratch.reason));
   out += '\n';
   return ok;

@@ -20,11 +20,6 @@ struct Block {
   WorstNotes notes;
 };
 
-bool any_value(const std::vector<MetricValue>& metrics) {
-  return std::any_of(metrics.begin(), metrics.end(),
-                     [](const MetricValue& m) { return m.status == MetricStatus::ok; });
-}
-
 void evaluate_block(const DesignTable& table, Block& block) {
   DesignTable::Scratch scratch;
   for (std::size_t i = 0; i < block.rows.records.size(); ++i) {
@@ -33,7 +28,7 @@ void evaluate_block(const DesignTable& table, Block& block) {
     if (scratch.design)
       block.notes.add(model_notes(*scratch.design), "line " + std::to_string(line));
     block.failed += ok ? 0 : 1;
-    block.empty += any_value(scratch.metrics) ? 0 : 1;
+    block.empty += table.any_answer(scratch) ? 0 : 1;
   }
 }
 

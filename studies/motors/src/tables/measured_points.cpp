@@ -34,7 +34,7 @@ class PointReader {
         diagnostics_(source),
         reader_(source.name(), [this](char* to, std::size_t size) { return bytes(to, size); }) {}
 
-  std::vector<MeasuredPoint> read() {
+  MeasuredPoints read() {
     CsvChunk chunk;
     while (reader_.read(chunk, 256)) read_lines(chunk);
     if (!has_header_)
@@ -45,7 +45,8 @@ class PointReader {
     diagnostics_.throw_if_any();
     weigh();
     diagnostics_.throw_if_any();
-    return std::move(points_);
+    std::vector<std::string> bare = without_unit();
+    return {std::move(points_), std::move(bare)};
   }
 
  private:
@@ -135,6 +136,16 @@ class PointReader {
       diagnostics_.add({find(kDeviation)->mark, "torque_sd", "weights and standard deviations",
                         "give one of the two", find(kWeight)->mark, "weights given here"});
     }
+  }
+
+  std::vector<std::string> without_unit() const {
+    std::vector<std::string> headings;
+    for (const auto& column : columns_) {
+      const std::string_view unit = kExpected[column->kind].unit;
+      if (column->unit.empty() && unit != "1")
+        headings.push_back(std::string(kNames[column->kind]) + " [" + std::string(unit) + "]");
+    }
+    return headings;
   }
 
   // An unknown column may be the one that seems to be missing.
@@ -245,11 +256,9 @@ class PointReader {
 
 }  // namespace
 
-std::vector<MeasuredPoint> read_measured_points(const Source& source) {
-  return PointReader(source).read();
-}
+MeasuredPoints read_measured_points(const Source& source) { return PointReader(source).read(); }
 
-std::vector<MeasuredPoint> read_measured_points(const std::string& path) {
+MeasuredPoints read_measured_points(const std::string& path) {
   return read_measured_points(read_source(path));
 }
 

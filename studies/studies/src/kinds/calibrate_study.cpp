@@ -24,7 +24,7 @@ namespace twum::studies {
 namespace {
 
 // A path that leads nowhere is the study's mistake; what is wrong inside the file is the file's.
-std::vector<MeasuredPoint> points_of(const std::string& path) {
+MeasuredPoints points_of(const std::string& path) {
   try {
     return read_measured_points(path);
   } catch (const FileError&) {
@@ -36,14 +36,31 @@ std::vector<MeasuredPoint> points_of(const std::string& path) {
   }
 }
 
-TorqueFit fit_of(const CalibrateStudy& asked, const StudyFile& file) {
+std::vector<std::string> unit_notes(const MeasuredPoints& table) {
+  std::string names;
+  for (const std::string& heading : table.without_unit)
+    names += (names.empty() ? "" : ", ") + heading;
+  if (names.empty()) return {};
+  return {"the headings of the measured points have no unit, so that they are read in SI units: " +
+          names};
+}
+
+// The fit that is asked for, and what is to be said of its points.
+struct AskedFit {
+  TorqueFit fit;
+  std::vector<std::string> notes;
+};
+
+AskedFit fit_of(const CalibrateStudy& asked, const StudyFile& file) {
   const std::string path = (std::filesystem::path(file.folder) / asked.data).string();
-  auto points = points_of(path);
+  MeasuredPoints table = points_of(path);
+  std::vector<MeasuredPoint>& points = table.points;
   if (points.size() < asked.variables.size())
     throw InputError(path + ": " + counted(points.size(), "point") + " cannot determine " +
                      counted(asked.variables.size(), "parameter") +
                      "; measure more points or estimate fewer parameters");
-  return {file.motor.design, asked.variables, std::move(points), asked.derived};
+  std::vector<std::string> notes = unit_notes(table);
+  return {{file.motor.design, asked.variables, std::move(points), asked.derived}, std::move(notes)};
 }
 
 // How far the fits are, for the eye.
@@ -69,8 +86,9 @@ class Teller {
 
 class CalibrateRun final : public StudyKindRun {
  public:
-  CalibrateRun(const CalibrateStudy& asked, const StudyFile& file)
-      : fit_(fit_of(asked, file)),
+  CalibrateRun(const CalibrateStudy& asked, AskedFit fit)
+      : fit_(std::move(fit.fit)),
+        notes_(std::move(fit.notes)),
         starts_(asked.starts),
         solver_(optim::least_squares_solvers()[static_cast<std::size_t>(asked.solver)].name),
         seed_(asked.seed),
@@ -88,6 +106,7 @@ class CalibrateRun final : public StudyKindRun {
 
   std::size_t variables() const override { return fit_.parameters().size(); }
   std::uint64_t seed() const override { return seed_; }
+  std::vector<std::string> notes() const override { return notes_; }
 
   KindAnswer run(RunContext& context) override {
     const auto starts = start_values();
@@ -182,6 +201,7 @@ class CalibrateRun final : public StudyKindRun {
   }
 
   TorqueFit fit_;
+  std::vector<std::string> notes_;
   std::uint64_t starts_;
   std::string solver_;
   std::uint64_t seed_;
@@ -191,7 +211,7 @@ class CalibrateRun final : public StudyKindRun {
 }  // namespace
 
 std::unique_ptr<StudyKindRun> CalibrateStudy::run(const StudyFile& file) const {
-  return std::make_unique<CalibrateRun>(*this, file);
+  return std::make_unique<CalibrateRun>(*this, fit_of(*this, file));
 }
 
 }  // namespace twum::studies

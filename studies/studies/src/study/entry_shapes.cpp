@@ -76,7 +76,8 @@ Shape<std::vector<Constraint>> constraints() {
 Shape<std::uint64_t> samples() { return count("number of samples", "1000", 1, 1e9); }
 
 Shape<std::uint64_t> seed() {
-  return count("seed of the random numbers", "1", 0, 9007199254740992.0);
+  // 2^53 - 1: above it not every whole number is a double, so that two seeds would be one.
+  return count("seed of the random numbers", "1", 0, 9007199254740991.0);
 }
 
 Shape<std::string> folder() {

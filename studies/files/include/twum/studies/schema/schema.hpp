@@ -46,6 +46,7 @@ struct Schema {
   double min{-std::numeric_limits<double>::infinity()};  ///< quantity, count: in SI
   double max{std::numeric_limits<double>::infinity()};   ///< likewise
   bool min_excluded{false};                              ///< the value must exceed `min`
+  bool max_excluded{false};                              ///< the value must be less than `max`
   bool whole{false};  ///< quantity without unit: whole numbers only
 
   std::vector<std::string> words;    ///< word: the choices

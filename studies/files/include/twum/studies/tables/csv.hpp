@@ -81,7 +81,11 @@ bool split_record(std::string_view record, std::vector<std::string_view>& cells)
 /// The text of a cell: blanks, quotation marks and doubled quotation marks removed.
 std::string cell_text(std::string_view cell);
 
-/// A text as a cell: quoted if it has to be.
+/// True for a text that a spreadsheet may take for a formula: it begins with '=', '+', '-', '@', a tab or a carriage return,
+/// and is no number.
+bool is_formula(std::string_view text);
+
+/// A text as a cell: quoted if it has to be. A formula gets an apostrophe in front, which spreadsheets take for a text.
 void append_cell(std::string& out, std::string_view text);
 
 }  // namespace twum::studies

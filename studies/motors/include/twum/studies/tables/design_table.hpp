@@ -9,14 +9,20 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace twum::studies {
 
-/// A table of designs, one a row: columns named like parameters (with an optional "[unit]") replace
-/// the parameters of a base motor, the others are carried along.
+/// True if one of these has a value that is more than what the design itself says: parameters count only where nothing else
+/// is asked.
+bool any_answer(std::span<const MetricExpression> asked, std::span<const MetricValue> values);
+
+/// A table of designs, one a row: columns named like parameters (with an optional "[unit]") replace the parameters of a
+/// base motor. The others are carried along, but for those that the result computes anew, as when it is read back; cells
+/// that a spreadsheet would run get an apostrophe in front (append_cell()).
 class DesignTable {
  public:
   /// @param header  the first record of the table
@@ -35,6 +41,10 @@ class DesignTable {
   /// True if a column replaces the parameter.
   bool has(Parameter parameter) const;
 
+  struct Scratch;
+  /// True if the motor of a row has said something: see any_answer().
+  bool any_answer(const Scratch& scratch) const;
+
   /// Buffers of one thread.
   struct Scratch {
     std::vector<std::string_view> cells;  ///< of the row being read
@@ -42,7 +52,7 @@ class DesignTable {
     std::vector<MetricValue> metrics;     ///< its answers
     std::string reason;                   ///< why it has none; empty: it has
     std::optional<MotorDesign> design;    ///< what the row describes, if it is admissible
-    bool well_formed{true};               ///< it can be carried along as it stands
+    bool well_formed{true};               ///< its quotation marks stand where they may
   };
 
   /// Evaluates one row and appends it to `out` with its metrics and status; true if its status is ok.
@@ -55,21 +65,26 @@ class DesignTable {
  private:
   struct Column {
     std::string name;                    // of a parameter column: as typed
+    std::string heading;                 // with its unit
     std::optional<Parameter> parameter;  // nothing: carried along
     Scale scale;
+    bool computed{false};  // the result has a column of this heading
   };
 
   Column read_column(const std::string& text);
   void check_twins(std::vector<std::string>& wrong) const;
   bool compute(std::string_view record, std::size_t line, Scratch& scratch) const;
   bool read_values(std::size_t line, Scratch& scratch) const;
-  void append_as_columns(const Scratch& scratch, std::string& out) const;
+  bool is_computed(const std::string& heading) const;
+  void add_column_warnings();
+  void append_columns(const std::vector<std::string_view>& cells, std::string& out) const;
 
   MotorDesign base_;
   std::vector<MetricExpression> metrics_;
   ExpressionEvaluator evaluator_;
   std::string header_;
   std::vector<Column> columns_;
+  std::vector<std::string> without_unit_;  // parameter columns, with the unit that they are read in
   std::vector<std::string> warnings_;
 };
 
@@ -77,7 +92,7 @@ class DesignTable {
 struct DesignCounts {
   std::size_t rows{0};    ///< rows done
   std::size_t failed{0};  ///< rows whose status is not ok
-  std::size_t empty{0};   ///< of these, rows without any value
+  std::size_t empty{0};   ///< of these, rows without any_answer()
   std::size_t bytes{0};   ///< of the table read up to these rows
   /// Reasons to doubt the model for these designs, a sentence each, of each the worst design; see model_notes(). Complete
   /// at the end.
