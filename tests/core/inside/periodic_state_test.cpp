@@ -146,6 +146,46 @@ TEST_CASE(
   CHECK(sticking > 2000);
 }
 
+TEST_CASE("where laps do not settle it is told early, also where a cycle of laps begins",
+          "[core][contact][brute_force]") {
+  Dice dice(61);
+  int cycles = 0, early = 0;
+  const auto settles = [&](ContactNumbers<double> n, double speed) {
+    n.speed_ratio = speed;
+    const LayerMotion<double> layer(n.inertia, n.damping);
+    const PeriodicState state = find_periodic_state(n, layer);
+    if (state.status == PeriodicStatus::ok) return true;
+    CAPTURE(n.inertia, n.damping, n.half_angle, n.static_ / n.kinetic, speed, state.laps);
+    REQUIRE(state.status == PeriodicStatus::no_periodic_state);
+    LapEntry<double> entry{{0, 0}, false, ZoneState::stick};
+    double closest = size_of(n, layer);
+    for (int i = 0; i < 1500; ++i) {
+      const LapEntry<double> next = run_lap(n, layer, entry).next;
+      if (i >= 1400) closest = std::min(closest, apart(layer, next.layer, entry.layer));
+      entry = next;
+    }
+    // Laps that settle come as near as rounding lets them, some 1e-16 of the size.
+    CHECK(closest > 1e-14 * size_of(n, layer));
+    ++cycles;
+    early += state.laps < 300;
+    return false;
+  };
+  for (int i = 0; i < 400; ++i) {
+    ContactNumbers<double> n = random_contact(dice, 2, true);
+    n.damping = 2 * std::sqrt(n.inertia) * dice.log_uniform(1e-3, 0.1);
+    double low = dice.uniform(0.3, 0.8), high = dice.uniform(0.8, 1.2);
+    const bool at_low = settles(n, low);
+    if (settles(n, high) == at_low) continue;
+    for (int k = 0; k < 25; ++k) {
+      const double middle = 0.5 * (low + high);
+      (settles(n, middle) == at_low ? low : high) = middle;
+    }
+  }
+  CHECK(cycles > 100);
+  // The last few speeds of each search are so near to the edge that the gap of the cycle is lost in rounding.
+  CHECK(early > 0.85 * cycles);
+}
+
 TEST_CASE("full contact leaves a lap in the zone that it entered in, and no zone has no length",
           "[core][contact][identity]") {
   Dice dice(54);
