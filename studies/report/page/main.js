@@ -2,12 +2,12 @@
 'use strict';
 // The page, from top to bottom.
 
-const kindWords = { curve: 'torque-speed curves', sweep: 'sweep of designs', sensitivity: 'sensitivity', optimize: 'optimization', size: 'sizing for a duty', pareto: 'trade-off front', uncertainty: 'spread under tolerances', calibrate: 'calibration' };
+const kindWords = { curve: 'torque-speed curves', sweep: 'sweep of designs', sensitivity: 'sensitivity', optimize: 'optimization', size: 'sizing for a duty', pareto: 'trade-off front', uncertainty: 'spread under tolerances', calibrate: 'calibration', frequency: 'sweep of the frequency' };
 
 /** Value of the family's parameter, all members in one unit. */
 function memberValue(c) {
   const { parameter, unit } = summary.family;
-  const shown = displayUnit(largest([summary.curves.map((m) => m[parameter])]), unit);
+  const shown = displayUnit(largest([(summary.curves || summary.responses).map((m) => m[parameter])]), unit);
   return rounded(c[parameter] / shown.divisor) + (shown.text ? noBreak + shown.text : '');
 }
 
@@ -18,7 +18,7 @@ function curvePage() {
   card('Metrics', metricsNote(Object.keys(summary.curves[0].metrics)), 'wide').append(valuesTable('metrics', 'metric', Object.keys(summary.curves[0].metrics), summary.curves.map((c, i) => ({ name: names[i] || String(i + 1), values: c.metrics }))));
 }
 
-const pages = { curve: curvePage, sweep: sweepPage, sensitivity: sensitivityPage, optimize: searchPage, size: searchPage, pareto: paretoPage, uncertainty: uncertaintyPage, calibrate: calibratePage };
+const pages = { curve: curvePage, sweep: sweepPage, sensitivity: sensitivityPage, optimize: searchPage, size: searchPage, pareto: paretoPage, uncertainty: uncertaintyPage, calibrate: calibratePage, frequency: frequencyPage };
 
 const outcomeWords = { feasible: 'keeps the limits, not shown to be best', infeasible: 'no design keeps the limits', budget: 'stopped by its budget', failed: 'nothing could be computed', done: 'complete', fitted: 'the motor follows the points', poor: 'the motor does not follow the points', 'at-bounds': 'every parameter at an end of its range', interrupted: 'interrupted' };
 
@@ -32,7 +32,7 @@ function outcomeText() {
 function plainVerdict() { return { look: summary.outcome === 'failed' ? 'bad' : 'good', lines: [sentence(bold(capital(outcomeText())), '.')] }; }
 
 /** What a row of the results is: a motor, or a point of a motor's curve. */
-function rowWord() { return summary.kind === 'curve' ? 'points' : 'motors'; }
+function rowWord() { return summary.kind === 'curve' || summary.kind === 'frequency' ? 'points' : 'motors'; }
 
 /** Said where the results are too many for a page. */
 function partNote() {

@@ -21,6 +21,7 @@ Json summary_value(const StudyResult& result);
 
 /// Entries that are added to it, in their order.
 Json answer_json(const CurveResult& result);
+Json answer_json(const FrequencyResult& result);
 Json answer_json(const SweepResult& result);
 Json answer_json(const SensitivityResult& result);
 Json answer_json(const OptimizeResult& result);
@@ -30,6 +31,7 @@ Json answer_json(const CalibrateResult& result);
 
 /// Lines for the terminal, each with its end; empty if there is nothing to say.
 std::string answer_text(const CurveResult& result);
+std::string answer_text(const FrequencyResult& result);
 std::string answer_text(const SweepResult& result);
 std::string answer_text(const SensitivityResult& result);
 std::string answer_text(const OptimizeResult& result);

@@ -257,6 +257,33 @@ std::string_view to_string(Sampling sampling) {
   return kSamplings[static_cast<std::size_t>(sampling)];
 }
 
+Shape<FrequencyStudy> FrequencyStudy::shape() {
+  using F = FrequencyStudy;
+  return mapping<F>(
+      "sweeps of the frequency of a motor under a voltage, or of a family over one parameter",
+      {kind_field<F>(), optional<F>("family", family_shape(), &F::family, "the motor alone"),
+       optional<F>("from", quantity("lowest frequency", "Hz", "39 kHz"), &F::from,
+                   "below all resonances and jumps"),
+       optional<F>("to", quantity("highest frequency", "Hz", "45 kHz"), &F::to, "above all jumps"),
+       standard<F>("points", count("frequencies of each sweep", "201", 2, 1e6), &F::points),
+       hidden(optional<F>("torque", quantity("load of the rotor", "N.m", "0.5 N.m"), &F::torque,
+                          "0 N.m")),
+       hidden(optional<F>("speed",
+                          quantity("speed of the rotor, in place of a torque", "rad/s", "0 rpm"),
+                          &F::speed, "as the torque makes it")),
+       standard<F>("direction", word<SweepDirection>("which way", {"up", "down", "both"}),
+                   &F::direction)},
+      [](F& study, const Given& given, Diagnostics& diagnostics) {
+        if (study.from && study.to)
+          rising(given, "from", *study.from, "to", *study.to, diagnostics);
+        const YamlNode* speed = given.find("speed");
+        if (speed == nullptr || given.find("torque") == nullptr) return true;
+        diagnostics.add(speed->mark, given.path("speed"), "a second load beside 'torque'",
+                        "give the torque, or the speed");
+        return false;
+      });
+}
+
 Shape<CurveStudy> CurveStudy::shape() {
   return mapping<CurveStudy>(
       "one motor, or a family over one parameter",

@@ -30,7 +30,7 @@ struct FailureRegion {
 
 /// What a kind of study answers.
 using Answer = std::variant<CurveResult, SweepResult, SensitivityResult, OptimizeResult,
-                            ParetoResult, UncertaintyResult, CalibrateResult>;
+                            ParetoResult, UncertaintyResult, CalibrateResult, FrequencyResult>;
 
 /// What came out of a study. Size studies answer as optimize does.
 struct StudyResult {

@@ -42,6 +42,25 @@ struct CurveStudy {
   std::uint64_t points{51};      ///< of each curve, at least 2
 };
 
+/// Which way a frequency is swept.
+enum class SweepDirection : unsigned char { up, down, both };
+
+/// Slow sweeps of the drive's frequency, of one motor under a voltage or of a family over one parameter.
+struct FrequencyStudy {
+  static constexpr std::string_view kName{"frequency"};  ///< as in `kind:`
+  static Shape<FrequencyStudy> shape();                  ///< its field list
+  /// Its runner; see kinds/study_kind.hpp.
+  std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
+
+  std::optional<CurveStudy::Family> family;        ///< none: the motor alone
+  std::optional<double> from;                      ///< [Hz]; none: below all resonances and jumps
+  std::optional<double> to;                        ///< [Hz]; none: above all jumps
+  std::uint64_t points{201};                       ///< of each sweep, at least 2
+  std::optional<double> torque;                    ///< load [N m]; none: 0, unless a speed is given
+  std::optional<double> speed;                     ///< of the rotor [rad/s], in place of a torque
+  SweepDirection direction{SweepDirection::both};  ///< of the sweeps
+};
+
 /// How the designs of a sweep are chosen.
 enum class Sampling : unsigned char { grid, list, lhs, sobol };
 
@@ -195,7 +214,7 @@ struct CalibrateStudy {
 /// What a study asks: the list of kinds. A kind is a struct with its name, its field list and its
 /// runner; what lacks one of them is no alternative.
 using Study = std::variant<CurveStudy, SweepStudy, SensitivityStudy, OptimizeStudy, ParetoStudy,
-                           SizeStudy, UncertaintyStudy, CalibrateStudy>;
+                           SizeStudy, UncertaintyStudy, CalibrateStudy, FrequencyStudy>;
 
 /// The kinds of study.
 enum class StudyKind : unsigned char {
@@ -206,7 +225,8 @@ enum class StudyKind : unsigned char {
   pareto,
   size,
   uncertainty,
-  calibrate
+  calibrate,
+  frequency
 };
 
 /// The kind of a study.

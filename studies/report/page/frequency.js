@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+'use strict';
+// Responses over the frequency of the drive: stable waves solid, unstable ones dashed, jumps in a table.
+
+/** Values of a branch on a common grid of frequencies: linear between its points, nothing beyond them. */
+function onFrequencies(branch, name, grid) {
+  const rises = branch.frequency[branch.frequency.length - 1] > branch.frequency[0];
+  const x = rises ? branch.frequency : [...branch.frequency].reverse();
+  const y = rises ? branch[name] : [...branch[name]].reverse();
+  let i = 0;
+  return Float64Array.from(grid, (f) => {
+    if (f < x[0] || f > x[x.length - 1]) return NaN;
+    while (i < x.length - 2 && x[i + 1] < f) ++i;
+    const share = (f - x[i]) / (x[i + 1] - x[i]);
+    return y[i] + share * (y[i + 1] - y[i]);
+  });
+}
+
+/** Marks of the wave at the drive's own frequency and of its pull-out. */
+function responseMarks(response, name, unit, colour) {
+  if (!response.running || response.running[name] === null) return [];
+  const marks = [{ x: response.drive_frequency / 1e3, y: response.running[name] / unit.divisor, text: 'drive', colour }];
+  const branch = response.branches.find((b) => b.stable && b.frequency.includes(response.pull_out_below));
+  if (branch) marks.push({ x: response.pull_out_below / 1e3, y: branch[name][branch.frequency.indexOf(response.pull_out_below)] / unit.divisor, text: 'pull-out', colour });
+  return marks;
+}
+
+/** One quantity of several responses. */
+function responseChart(title, name, names, grid) {
+  const members = summary.responses;
+  const values = members.flatMap((m) => m.branches.map((b) => b[name].filter((v) => v !== null)));
+  const unit = unitOf(name) === '1' ? percentUnit : displayUnit(largest(values), unitOf(name));
+  const series = members.flatMap((m, i) => m.branches.map((b) => ({ name: names[i], y: scaled(onFrequencies(b, name, grid), unit.divisor), colour: seriesColours[i % 7], dash: b.stable ? undefined : [3, 4] })));
+  const node = card(title, null, 'half');
+  if (members.length > 1) node.append(legend(names.map((n, i) => ({ name: n, colour: seriesColours[i % 7] }))));
+  const read = el('div', { class: 'read', 'aria-live': 'polite' });
+  chart(node, scaled(grid, 1e3), series, {
+    name: title, x: { label: 'frequency [kHz]', range: [summary.from / 1e3, summary.to / 1e3] }, y: { label: axisLabel(title, unit), range: paddedRange(series.map((s) => s.y), true) },
+    marks: members.length === 1 ? responseMarks(members[0], name, unit, null) : [], height: 300,
+    onMove: (i) => {
+      if (i === null) { read.replaceChildren(); return; }
+      readout(read, [['at', engineering(grid[i], 'Hz')], ...series.filter((s) => Number.isFinite(s.y[i])).map((s) => [members.length > 1 ? s.name : title, rounded(s.y[i]) + ' ' + unit.text + (s.dash ? ' (unstable)' : '')])]);
+    },
+  });
+  node.append(read);
+}
+
+function jumpsTable(names) {
+  const wave = (p) => (p ? engineering(p.amplitude, 'm') + ', ' + engineering(p.speed, 'rad/s') : 'no steady wave');
+  const lines = summary.responses.flatMap((m, i) => m.jumps.map((j) => [words(names[i]), words(j.sweep), quantity(j.from.frequency, 'Hz'), words(wave(j.from)), words(wave(j.to))]));
+  return table('jumps', ['motor', 'sweep', 'frequency', 'from', 'to'], lines, ['motor', 'sweep', 'frequency [Hz]', 'from', 'to']);
+}
+
+function marginsTable(names) {
+  const lines = summary.responses.map((m, i) => {
+    const ends = m.pull_out_below !== null;
+    return [words(names[i]), quantity(m.drive_frequency, 'Hz'), words(ends ? engineering(m.pull_out_below, 'Hz') : 'does not pull out in the range'), words(ends ? engineering(m.drive_frequency - m.pull_out_below, 'Hz') : '')];
+  });
+  return table('margins', ['motor', 'frequency of the drive', 'pulls out below', 'margin'], lines);
+}
+
+function frequencyPage() {
+  const names = summary.responses.map((m) => (summary.family ? plain(summary.family.parameter) + ' ' + memberValue(m) : data.motor.name || 'motor'));
+  const grid = Float64Array.from({ length: 801 }, (_, i) => summary.from + ((summary.to - summary.from) * i) / 800);
+  for (const [title, name] of [['amplitude', 'amplitude'], ['speed', 'speed'], ['torque', 'torque'], ['electrical power', 'electrical_power'], ['output power', 'output_power'], ['phase current', 'phase_current']])
+    responseChart(title, name, names, grid);
+  card('Margin', 'How far the frequency of the drive is from the one at which its wave ends.', 'half').append(marginsTable(names));
+  card('Jumps', 'Where slow sweeps leave a branch, and where they go on.', 'half').append(jumpsTable(names));
+}

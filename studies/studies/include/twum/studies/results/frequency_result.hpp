@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/core/performance/frequency_response.hpp>
+#include <twum/studies/store/column.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace twum::studies {
+
+/// Frequency responses of one motor, or of a family over one parameter. The points of the sweeps are the rows of the store:
+/// stage is the sweep, index the frequency.
+struct FrequencyResult {
+  /// A jump of a sweep.
+  struct Jumped {
+    bool rising;  ///< of the sweep up
+    Jump jump;
+  };
+  /// One motor.
+  struct Member {
+    double value{0};      ///< of the family's parameter, SI; NaN for the motor alone
+    double frequency{0};  ///< of its drive [Hz]
+    std::optional<ResponsePoint> running;  ///< its largest stable wave there
+    std::optional<double> pull_out_below;  ///< frequency at which the branch of that wave ends [Hz]
+    std::vector<Jumped> jumps;             ///< of its sweeps
+    std::vector<ResponseBranch> branches;  ///< all its waves, stable or not
+  };
+  std::optional<Column> family;  ///< the parameter; nothing for the motor alone
+  double from{0}, to{0};         ///< [Hz]
+  std::vector<Member> members;   ///< in the order asked
+};
+
+}  // namespace twum::studies
