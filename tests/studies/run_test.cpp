@@ -104,12 +104,15 @@ TEST_CASE("the resolved file of every kind is valid and keeps its hash", "[studi
     data << "speed [rpm],torque [N.m]\n";
     for (int i = 0; i < 8; ++i) data << 10 * i << "," << 0.8 - 0.05 * i << "\n";
   }
-  std::filesystem::copy_file(std::string(TWUM_SOURCE_DIR) + "/examples/motors/ring-60.yaml",
-                             folder.path("ring-60.yaml"));
+  for (const char* motor : {"ring-60.yaml", "drive-60.yaml"})
+    std::filesystem::copy_file(std::string(TWUM_SOURCE_DIR) + "/examples/motors/" + motor,
+                               folder.path(motor));
   for (const std::string_view kind : study_kinds()) {
     CAPTURE(kind);
     const std::string path = folder.path(std::string(kind) + ".yaml");
-    std::ofstream(path) << study_template(*find_study_kind(kind));
+    const bool driven = kind == FrequencyStudy::kName;  // a sweep needs a voltage
+    std::ofstream(path) << study_template(*find_study_kind(kind),
+                                          driven ? "drive-60.yaml" : "ring-60.yaml");
     // Asked to stop at once: a directory with the resolved study and hardly a row.
     std::stop_source stop;
     stop.request_stop();

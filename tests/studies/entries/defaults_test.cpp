@@ -23,6 +23,7 @@ std::vector<std::string> shortest_studies() {
   const std::string asked = range + ", metrics: [stall_torque]";
   std::vector<std::string> studies{
       "{kind: curve}",
+      "{kind: frequency}",
       "{kind: optimize, maximize: peak_power, " + range + "}",
       "{kind: pareto, objectives: [{maximize: peak_power}, {minimize: preload}], " + range + "}",
       "{kind: size, duty: [{torque: 0.5 N.m, speed: 100 rpm}], " + range + "}",
