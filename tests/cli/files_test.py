@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Motor files through the program: check, init, schema, strange paths."""
 import json
+import re
 
 import jsonschema
 import yaml
@@ -75,8 +76,21 @@ class Check(program.Case):
             notes = program.twum("check", motor, "--set", "contact_width=1 mm").stderr
             if motor.name == "plate-30.yaml":  # where a search begins that asks for a motor that starts
                 self.assertRegex(notes, r"\Anote: .* does not start by itself.*\n\Z")
+            elif motor.name == "elastic-layer.yaml":  # a stator without damping, which any friction feeds
+                self.assertRegex(notes, r"\Anote: a backward wave grows .* where modal_damping is not given: .*\n\Z")
             else:
                 self.assertEqual(notes, "")
+
+    def test_a_plateau_that_squeals_is_noted(self):
+        # Friction feeds a heavy rotor's backward wave most; a stator of enough damping takes all of it.
+        heavy = ("check", RING, "--set", "radial_slices=8", "--set", "rotor_mass=1 kg")
+        note = program.twum(*heavy).stderr
+        self.assertRegex(note, "note: a backward wave grows at speeds up to [0-9.]+ rpm, fed by friction with a damping of up to "
+                               r"[0-9.]+ N.s/m, where modal_damping is [0-9.]+ N.s/m: the motor squeals")
+        fed = re.search(r"up to ([0-9.]+) N.s/m", note).group(1)
+        for share, squeals in ((0.99, True), (1.01, False)):
+            damped = program.twum(*heavy, "--set", f"modal_damping={share * float(fed)} N.s/m").stderr
+            self.assertEqual("squeals" in damped, squeals)
 
     def test_a_width_that_matters_is_noted(self):
         self.assertRegex(program.twum("check", RING).stderr, "note: the width of the contact .* change peak_power by -5")

@@ -24,6 +24,7 @@
 #include <twum/core/design/motor_design.hpp>
 #include <twum/core/design/parameters.hpp>
 #include <twum/core/design/plate.hpp>
+#include <twum/core/performance/backward_wave.hpp>
 #include <twum/core/performance/batch.hpp>
 #include <twum/core/performance/equivalent_circuit.hpp>
 #include <twum/core/performance/frequency_response.hpp>

@@ -186,6 +186,13 @@ ContactFields Motor::fields(double speed, int samples, double radius) const {
   return fields;
 }
 
+BackwardWave Motor::backward_wave(double speed) const {
+  require_speed(*model_, speed);
+  const auto [motor, point] = solved(speed);
+  return performance::backward_wave_of(motor, point, speed, performance::stator_modes(design_),
+                                       design_.rotor.mass);
+}
+
 std::vector<WaveState> Motor::wave_states(double speed) const {
   require_speed(*model_, speed);
   std::vector<WaveState> states;

@@ -64,4 +64,36 @@ OperatingPoint operating_point_of(const DrivenMotor<double>& m, const SolvedPoin
   return point;
 }
 
+BackwardWave backward_wave_of(const DrivenMotor<double>& m, const SolvedPoint& solved, double speed,
+                              const std::optional<StatorModes<double>>& modes,
+                              const std::optional<double>& rotor_mass) {
+  BackwardWave wave{kNoNumber, kNoNumber, kNoNumber, kNoNumber, kNoNumber, kNoNumber};
+  if (solved.status != PointStatus::ok) return wave;
+  const auto contact = disturbed_contact(m, speed);
+  if (!modes) {
+    if (contact)
+      wave.fed_damping = backward_stiffness(*contact, m.omega, rotor_mass).imaginary / m.omega;
+    return wave;
+  }
+  if (contact) {
+    wave.squeal_rate = free_backward_wave(*contact, *modes, rotor_mass).rate;
+    wave.fed_damping = 2 * modes->mass * wave.squeal_rate + modes->damping;  // (D6.7, D6.8)
+  }
+  const WaveBalance<double> forward = wave_balance(
+      *modes, m.amplitude, m.omega, solved.numbers.reactive_force, solved.numbers.stator_power);
+  Phasor<double> backward{0, 0};
+  if (!modes->unequal.none()) {
+    if (!contact) return wave;
+    backward = forced_backward_wave(*contact, *modes, forward, m.amplitude);
+  }
+  const double voltage = forward.force() / modes->force_factor / modes->unequal.share(),
+               rms = std::sqrt(0.5);
+  const PhaseCurrents<double> i =
+      phase_currents(*modes, forward, m.amplitude, m.omega, voltage, backward);
+  wave.ratio = std::sqrt(backward.squared()) / m.amplitude;
+  wave.standing_wave_ratio = (1 + wave.ratio) / (1 - wave.ratio);
+  wave.first_current = rms * i.first, wave.second_current = rms * i.second;
+  return wave;
+}
+
 }  // namespace twum::performance

@@ -14,4 +14,9 @@ namespace twum::performance {
 OperatingPoint operating_point_of(const DrivenMotor<double>& motor, const SolvedPoint& solved,
                                   double speed, const std::optional<StatorModes<double>>& modes);
 
+/// The backward wave beside a solved point (D6.5 to D6.8).
+BackwardWave backward_wave_of(const DrivenMotor<double>& motor, const SolvedPoint& solved,
+                              double speed, const std::optional<StatorModes<double>>& modes,
+                              const std::optional<double>& rotor_mass);
+
 }  // namespace twum::performance

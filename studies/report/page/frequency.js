@@ -36,7 +36,7 @@ function responseChart(title, name, names, grid) {
   const read = el('div', { class: 'read', 'aria-live': 'polite' });
   chart(node, scaled(grid, 1e3), series, {
     name: title, x: { label: 'frequency [kHz]', range: [summary.from / 1e3, summary.to / 1e3] }, y: { label: axisLabel(title, unit), range: paddedRange(series.map((s) => s.y), true) },
-    marks: members.length === 1 ? responseMarks(members[0], name, unit, null) : [], height: 300,
+    marks: members.length === 1 ? responseMarks(members[0], name, unit, null) : members.flatMap((m, i) => responseMarks(m, name, unit, seriesColours[i % 7]).map((mark) => ({ ...mark, text: '', small: true }))), height: 300,
     onMove: (i) => {
       if (i === null) { read.replaceChildren(); return; }
       readout(read, [['at', engineering(grid[i], 'Hz')], ...series.filter((s) => Number.isFinite(s.y[i])).map((s) => [members.length > 1 ? s.name : title, rounded(s.y[i]) + ' ' + unit.text + (s.dash ? ' (unstable)' : '')])]);
@@ -54,16 +54,19 @@ function jumpsTable(names) {
 function marginsTable(names) {
   const lines = summary.responses.map((m, i) => {
     const ends = m.pull_out_below !== null;
-    return [words(names[i]), quantity(m.drive_frequency, 'Hz'), words(ends ? engineering(m.pull_out_below, 'Hz') : 'does not pull out in the range'), words(ends ? engineering(m.drive_frequency - m.pull_out_below, 'Hz') : '')];
+    const rate = m.running ? m.running.squeal_rate : null;
+    const squeals = rate === null ? 'not known' : rate > 0 ? 'yes, ' + engineering(rate, '1/s') : 'no';
+    return [words(names[i]), quantity(m.drive_frequency, 'Hz'), words(ends ? engineering(m.pull_out_below, 'Hz') : 'does not pull out in the range'), words(ends ? engineering(m.drive_frequency - m.pull_out_below, 'Hz') : ''), words(squeals)];
   });
-  return table('margins', ['motor', 'frequency of the drive', 'pulls out below', 'margin'], lines);
+  return table('margins', ['motor', 'frequency of the drive', 'pulls out below', 'margin', 'squeals'], lines);
 }
 
 function frequencyPage() {
   const names = summary.responses.map((m) => (summary.family ? plain(summary.family.parameter) + ' ' + memberValue(m) : data.motor.name || 'motor'));
   const grid = Float64Array.from({ length: 801 }, (_, i) => summary.from + ((summary.to - summary.from) * i) / 800);
+  const given = summary.load.torque === undefined ? 'speed' : 'torque';
   for (const [title, name] of [['amplitude', 'amplitude'], ['speed', 'speed'], ['torque', 'torque'], ['electrical power', 'electrical_power'], ['output power', 'output_power'], ['phase current', 'phase_current']])
-    responseChart(title, name, names, grid);
-  card('Margin', 'How far the frequency of the drive is from the one at which its wave ends.', 'half').append(marginsTable(names));
+    if (name !== given) responseChart(title, name, names, grid);
+  card('Margin', 'How far the frequency of the drive, a dot in the charts, is from the one at which its wave ends.', 'half').append(marginsTable(names));
   card('Jumps', 'Where slow sweeps leave a branch, and where they go on.', 'half').append(jumpsTable(names));
 }

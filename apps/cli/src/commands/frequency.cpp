@@ -191,6 +191,9 @@ std::string findings(const FrequencyAnswer& answer) {
   const std::string own = engineering(answer.operating, "Hz");
   table.rows.push_back({"at " + own + ", the drive's frequency",
                         answer.running ? studies::wave_text(*answer.running) : "no steady wave"});
+  if (answer.running)
+    table.rows.push_back(
+        {"  a backward wave grows (squeal)", studies::squeal_text(*answer.running)});
   if (answer.pull_out) {
     const double margin = answer.operating - *answer.pull_out;
     table.rows.push_back({"  this wave pulls out below", engineering(*answer.pull_out, "Hz")});
@@ -216,10 +219,19 @@ ColumnScale scale_of_waves(const FrequencyColumn& column, const FrequencyAnswer&
   return {studies::display_unit(largest, column.unit), largest};
 }
 
+// Those of the table: a motor with equal phases and modes has no forced backward wave.
+std::vector<FrequencyColumn> shown_columns(const FrequencyAnswer& answer) {
+  std::vector<FrequencyColumn> columns(frequency_columns().begin(), frequency_columns().end());
+  if (!answer.file.design.stator.imbalance)
+    std::erase_if(columns, [](const FrequencyColumn& one) { return one.of_imbalance; });
+  return columns;
+}
+
 std::string sweeps_table(const FrequencyAnswer& answer) {
   TextTable table{{{"sweep"}, {""}}, true};
   std::vector<ColumnScale> scales;
-  for (const FrequencyColumn& column : frequency_columns()) {
+  const std::vector<FrequencyColumn> columns = shown_columns(answer);
+  for (const FrequencyColumn& column : columns) {
     scales.push_back(scale_of_waves(column, answer));
     table.rows[0].emplace_back(column.name);
     const std::string& unit = scales.back().unit.text;
@@ -232,7 +244,7 @@ std::string sweeps_table(const FrequencyAnswer& answer) {
       std::vector<std::string> row{one.direction, rounded_cell(one.frequencies[i], scales[0])};
       for (std::size_t c = 1; c < scales.size(); ++c) {
         const auto& wave = one.sweep.points[i];
-        row.push_back(wave ? rounded_cell(frequency_columns()[c].value(*wave), scales[c]) : "-");
+        row.push_back(wave ? rounded_cell(columns[c].value(*wave), scales[c]) : "-");
       }
       table.rows.push_back(std::move(row));
     }

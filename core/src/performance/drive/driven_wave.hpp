@@ -78,6 +78,8 @@ class DrivenWaves {
   DrivenMotor<double> motor(double amplitude) const { return driven(model_, {amplitude, omega_}); }
   Stability stability(const SlopedWave& wave) const;
 
+  /// The torque may jump over the speed: mu_0 > mu.
+  bool may_jump() const { return model_.static_ > model_.kinetic; }
   const StatorModes<double>& modes() const { return modes_; }
   double drive() const { return drive_; }
   double omega() const { return omega_; }

@@ -44,18 +44,15 @@ std::optional<ResponseWave> FrequencyPath::between(const Stretch& stretch, const
                                                    const ResponseWave& b, double place) const {
   const double t = (place - a.place) / (b.place - a.place);
   const HeldWaves::Guess p = held_.guess_of(a), q = held_.guess_of(b);
-  return wave_at(
-      stretch, place,
-      {p.omega + t * (q.omega - p.omega), p.speed_ratio + t * (q.speed_ratio - p.speed_ratio)});
+  HeldWaves::Guess guess = t < 0.5 ? p : q;
+  guess.omega = p.omega + t * (q.omega - p.omega);
+  guess.speed_ratio = p.speed_ratio + t * (q.speed_ratio - p.speed_ratio);
+  return wave_at(stretch, place, guess);
 }
 
-// Theta u_0 - |I| where R is zero; its sign says whether the drive holds a wave of this amplitude (D5.1).
-std::optional<double> FrequencyPath::excess_on_backbone(double amplitude) const {
-  const auto wave = held_.held(amplitude, 0, {held_.waves().omega(), 1});
-  if (!wave) return {};
-  const DrivenWaves waves = held_.waves().at_frequency(wave->omega);
-  return waves.drive() -
-         std::fabs(waves.at(amplitude, wave->speed, &wave->start).balance.imaginary);
+// Theta u_0 - |I| on the backbone; its sign says whether the drive holds a wave of this amplitude (D5.1).
+double FrequencyPath::excess(const ResponseWave& on_backbone) const {
+  return held_.waves().drive() - std::fabs(on_backbone.resistive_force);
 }
 
 std::vector<FrequencyPath::Stretch> FrequencyPath::stretches() const {
@@ -68,31 +65,32 @@ std::vector<FrequencyPath::Stretch> FrequencyPath::stretches() const {
       1.01 * (held_.waves().drive() + held_.waves().traction_bound()) / (lowest_ * m.damping),
       kLargestWave);
   if (!(held_.waves().drive() > 0 && low < high)) return {};
-  const auto excess = [this](double a) {
-    const auto found = excess_on_backbone(a);
-    if (!found) throw NoWave{};
-    return *found;
-  };
   std::vector<Stretch> found;
-  double begin = low, before = low;
-  std::optional<double> at_before = excess_on_backbone(low);
   bool closed = false;
+  const HeldWaves::Guess anywhere{held_.waves().omega(), 1};
+  double begin = low, before = low;
+  std::optional<ResponseWave> last = held_.held(low, 0, anywhere);
+  const auto excess_at = [&](double a) {
+    const auto wave = held_.held(a, 0, held_.guess_of(*last));
+    if (!wave) throw NoWave{};
+    return excess(*wave);
+  };
   for (double a = low * kScanRatio; before < high; a *= kScanRatio) {
     const double now = std::fmin(a, high);
-    const std::optional<double> at_now = excess_on_backbone(now);
-    if (at_now && !at_before) {
+    const auto wave = held_.held(now, 0, last ? held_.guess_of(*last) : anywhere);
+    if (wave && !last) {
       begin = now, closed = false;
-    } else if (at_now && (*at_before > 0) != (*at_now > 0)) {
+    } else if (wave && (excess(*last) > 0) != (excess(*wave) > 0)) {
       double border = now;
       try {
-        border = root_between(excess, before, now, *at_before, *at_now);
+        border = root_between(excess_at, before, now, excess(*last), excess(*wave));
       } catch (const NoWave&) {  // then it is known less well
       }
-      if (*at_before > 0) found.push_back({begin, border, closed});
+      if (excess(*last) > 0) found.push_back({begin, border, closed});
       begin = border, closed = true;
     }
     before = now;
-    if (at_now) at_before = at_now;
+    if (wave) last = wave;
   }
   return found;
 }
@@ -113,7 +111,10 @@ void FrequencyPath::follow(std::size_t index) {
     for (int i = 1; i <= kNodesOfFlank; ++i) {
       auto& wave = node(side * i);
       wave = wave_at(stretch, static_cast<double>(side * i) / kNodesOfFlank, guess);
-      if (wave) guess = held_.guess_of(*wave);
+      if (!wave) continue;
+      guess = held_.guess_of(*wave);
+      // Below all resonances and above them a frequency has one wave: the path does not come back.
+      if (wave->omega < lowest_ || wave->omega > highest_) break;
     }
   }
   std::vector<ResponseWave> run;

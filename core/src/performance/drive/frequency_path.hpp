@@ -57,7 +57,7 @@ class FrequencyPath {
                                    const ResponseWave& b, const ResponseWave& c) const;
   ResponseWave last_stable(const Stretch& stretch, ResponseWave a, ResponseWave b) const;
 
-  std::optional<double> excess_on_backbone(double amplitude) const;
+  double excess(const ResponseWave& on_backbone) const;
   std::vector<Stretch> stretches() const;
   void follow(std::size_t stretch);
   std::vector<Node> with_turns(const Stretch& stretch, const std::vector<ResponseWave>& run) const;

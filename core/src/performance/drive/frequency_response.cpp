@@ -97,7 +97,9 @@ struct FrequencyResponse::Content {
     // The search for the speed leaves a billionth of the torque; where the rotor stands friction gives what is missing.
     if (load.given == Argument::torque)
       point.torque = load.value, point.output_power = load.value * wave.speed;
-    return {wave.frequency(), point, wave.stable};
+    return {wave.frequency(), point, wave.stable,
+            performance::backward_wave_of(motor, solved, wave.speed, waves.modes(),
+                                          waves.modes().rotor_mass)};
   }
 
   struct Place {

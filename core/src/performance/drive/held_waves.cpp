@@ -3,6 +3,7 @@
 
 #include <boost/math/tools/toms748_solve.hpp>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -10,13 +11,51 @@ namespace twum::performance {
 namespace {
 
 constexpr double kSettledSquare = 1e-14;  // of omega^2
+constexpr double kSettledRatio = 1e-12;   // of the speed ratio
+constexpr int kMostBroydens = 12;
+constexpr double kNearRatio = 0.05,
+                 kNearShare = 0.3;   // of the speed ratio: farther is another wave
+constexpr double kLeastSlope = 0.1;  // of that nearby
+constexpr double kSlopeStep = 1e-5;  // of the speed ratio
 constexpr int kMostPicards = 40;
 constexpr double kFarWindow = 0.02, kNearWindow = 1e-3;     // of the speed ratio
 constexpr double kFastestSought = 1.5, kSoughtStep = 0.05;  // speed ratios looked at for a load
 constexpr double kFastestBack = 1e3;  // at tiny waves any load turns the rotor fast
-constexpr double kNearRoot = 1e-8;    // of the amplitude: Newton's step leaves its square
-constexpr int kMostNewtons = 10;
+constexpr double kNearRoot = 1e-10;   // of the amplitude: the step leaves a share of itself
+constexpr int kMostPolishes = 12;
 constexpr double kTorqueKept = 1e-9;  // of mu_0 F_N r: more off is a jump and no root
+
+using Pair = std::array<double, 2>;
+
+// What two residuals say of two unknowns: at first that each falls by as much as its own unknown rises, then what steps have
+// shown (Broyden's inverse update).
+class LearnedSlopes {
+ public:
+  Pair step(const Pair& f) const {
+    return {k_[0][0] * f[0] + k_[0][1] * f[1], k_[1][0] * f[0] + k_[1][1] * f[1]};
+  }
+  /// After a step s that has let the residuals fall by y.
+  void learn(const Pair& s, const Pair& y) {
+    const Pair told = step(y),
+               back{s[0] * k_[0][0] + s[1] * k_[1][0], s[0] * k_[0][1] + s[1] * k_[1][1]};
+    const double scale = s[0] * told[0] + s[1] * told[1];
+    if (scale == 0) return;
+    for (std::size_t i = 0; i < 2; ++i)
+      for (std::size_t j = 0; j < 2; ++j) k_[i][j] += (s[i] - told[i]) * back[j] / scale;
+  }
+  /// How the second residual falls with its own unknown.
+  double second() const { return k_[0][0] / (k_[0][0] * k_[1][1] - k_[0][1] * k_[1][0]); }
+
+ private:
+  double k_[2][2]{{1, 0}, {0, 1}};
+};
+
+// R of the flank on a side (D5.1).
+double wanted_force(const DrivenWaves& waves, const DrivenWave& wave, double side) {
+  const double active = wave.balance.imaginary,
+               room = (waves.drive() - active) * (waves.drive() + active);
+  return room > 0 ? -side * std::sqrt(room) : 0;
+}
 
 }  // namespace
 
@@ -55,9 +94,7 @@ std::optional<HeldWaves::Carried> HeldWaves::at_torque(const DrivenWaves& waves,
         low = low > 0 ? std::fmax(low - step, 0) : low - (step *= 2);
         if (low < -kFastestBack) return {};
         if ((at_low = excess(low)) > 0) break;
-        // At rest friction holds the load in a contact that is locked all round.
-        if (low == 0 && locks_at_rest(waves.motor(amplitude)) && load_.value <= -last.torque)
-          return Carried{last, true};
+        if (low == 0 && stands(amplitude, last.torque)) return Carried{last, true};
       }
     }
     const double ratio = root_between(excess, low, high, at_low, at_high);
@@ -76,14 +113,79 @@ std::optional<HeldWaves::Carried> HeldWaves::carried(const DrivenWaves& waves, d
   return Carried{wave, false};
 }
 
+HeldWaves::HeldWaves(const DrivenWaves& waves, const RotorLoad& load)
+    : waves_(waves), load_(load), may_jump_(waves.may_jump()) {}
+
 HeldWaves::Guess HeldWaves::guess_of(const ResponseWave& wave) const {
   const double crest = waves_.at_frequency(wave.omega).crest_speed_per_amplitude() * wave.amplitude;
-  return {wave.omega, wave.speed / crest};
+  return {wave.omega, wave.speed / crest, wave.torque_slope, wave.standing, &wave.start};
 }
 
-// Picard's steps for omega^2 (D5.1), which the contact hardly feels, made secants.
 std::optional<ResponseWave> HeldWaves::held(double amplitude, double side,
                                             const Guess& guess) const {
+  auto wave = settled(amplitude, side, guess);
+  return wave ? wave : sought(amplitude, side, guess);
+}
+
+// omega^2 and the speed ratio of (D5.1, D5.4) together, from a wave nearby: a contact for each step. Nothing if they do not
+// settle, or somewhere else.
+std::optional<ResponseWave> HeldWaves::settled(double amplitude, double side,
+                                               const Guess& guess) const {
+  const bool loaded = load_.given == Argument::torque && !guess.standing;
+  if (may_jump_ || guess.start == nullptr || (loaded && !(guess.torque_slope < 0))) return {};
+  const double inertia = waves_.modes().mass * amplitude * guess.omega * guess.omega,
+               near = kNearRatio + kNearShare * std::fabs(guess.speed_ratio);
+  ResponseWave wave;
+  wave.amplitude = amplitude, wave.standing = guess.standing, wave.start = *guess.start;
+  double torque = 0;
+  // By how much omega^2, of that of the guess, and the speed ratio seem to be off.
+  const auto residuals = [&](const Pair& x) -> std::optional<Pair> {
+    wave.omega = guess.omega * std::sqrt(x[0]);
+    const DrivenWaves waves = waves_.at_frequency(wave.omega);
+    const double given = load_.given == Argument::speed ? load_.value : 0;
+    wave.speed = loaded ? x[1] * waves.crest_speed_per_amplitude() * amplitude : given;
+    const DrivenWave found = waves.at(amplitude, wave.speed, &wave.start);
+    if (found.status != PointStatus::ok) return {};
+    wave.start = found.start, wave.resistive_force = found.balance.imaginary;
+    torque = found.torque;
+    return Pair{(found.balance.real - wanted_force(waves, found, side)) / inertia,
+                loaded ? (load_.value - torque) / guess.torque_slope : 0};
+  };
+  Pair x{1, guess.speed_ratio};
+  LearnedSlopes slopes;
+  auto f = residuals(x);
+  for (int i = 0; f && i < kMostBroydens; ++i) {
+    if (std::fabs((*f)[0]) <= kSettledSquare && std::fabs((*f)[1]) <= kSettledRatio) {
+      if (slopes.second() < kLeastSlope) return {};
+      if (wave.standing && !stands(amplitude, torque)) return {};
+      wave.torque_slope = guess.torque_slope * slopes.second();
+      return wave;
+    }
+    const Pair step = slopes.step(*f);
+    x[0] += step[0], x[1] += step[1];
+    if (!(x[0] > 0.5 && x[0] < 2 && std::fabs(x[1] - guess.speed_ratio) < near)) return {};
+    const auto next = residuals(x);
+    if (next) slopes.learn(step, {(*f)[0] - (*next)[0], (*f)[1] - (*next)[1]});
+    f = next;
+  }
+  return {};
+}
+
+// Friction holds the load in a contact that is locked all round, whose torque just beyond rest brakes.
+bool HeldWaves::stands(double amplitude, double torque_beyond_rest) const {
+  return torque_beyond_rest <= load_.value && load_.value <= -torque_beyond_rest &&
+         locks_at_rest(waves_.motor(amplitude));
+}
+
+double HeldWaves::torque_slope(const DrivenWaves& waves, const DrivenWave& wave) const {
+  const double crest = waves.crest_speed_per_amplitude() * wave.amplitude;
+  const DrivenWave faster = waves.at(wave.amplitude, wave.speed + kSlopeStep * crest, &wave.start);
+  return faster.status == PointStatus::ok ? (faster.torque - wave.torque) / kSlopeStep : 0;
+}
+
+// Picard's steps for omega^2 (D5.1), which the contact hardly feels, made secants, and for each a search for the speed.
+std::optional<ResponseWave> HeldWaves::sought(double amplitude, double side,
+                                              const Guess& guess) const {
   const double inertia = waves_.modes().mass * amplitude;
   double square = guess.omega * guess.omega, before = 0, step_before = 0, ratio = guess.speed_ratio;
   for (int i = 0; i < kMostPicards; ++i) {
@@ -92,13 +194,20 @@ std::optional<ResponseWave> HeldWaves::held(double amplitude, double side,
     const auto found = carried(waves, amplitude, ratio, i == 0 ? kFarWindow : kNearWindow);
     if (!found) return {};
     const WaveBalance<double>& b = found->wave.balance;
-    const double room = (waves.drive() - b.imaginary) * (waves.drive() + b.imaginary);
-    const double wanted = room > 0 ? -side * std::sqrt(room) : 0;
-    const double step = (b.real - wanted) / inertia;
+    const double step = (b.real - wanted_force(waves, found->wave, side)) / inertia;
     ratio = found->wave.speed / (waves.crest_speed_per_amplitude() * amplitude);
-    if (std::fabs(step) <= kSettledSquare * square)
-      return ResponseWave{
-          0, omega, amplitude, found->wave.speed, found->standing, false, found->wave.start};
+    if (std::fabs(step) <= kSettledSquare * square) {
+      const bool sloped = load_.given == Argument::torque && !found->standing;
+      return ResponseWave{0,
+                          omega,
+                          amplitude,
+                          found->wave.speed,
+                          found->standing,
+                          false,
+                          b.imaginary,
+                          sloped ? torque_slope(waves, found->wave) : 0,
+                          found->wave.start};
+    }
     const double slope = i > 0 ? (step - step_before) / (square - before) : -1;
     before = square, step_before = step;
     square += slope < -0.2 && slope > -5 ? -step / slope : step;
@@ -117,27 +226,34 @@ bool HeldWaves::lasts(const ResponseWave& wave) const {
   return waves.stability(s.in_amplitude).stable() && s.torque_per_speed() < 0;
 }
 
-// Newton's steps for H = Theta u_0 and, where a torque is given, for that torque, both at one frequency.
+// Newton's step for H = Theta u_0 and, where a torque is given, for that torque, both at one frequency; then Broyden's, which
+// take one contact each.
 std::optional<ResponseWave> HeldWaves::polished(ResponseWave wave) const {
   const DrivenWaves waves = waves_.at_frequency(wave.omega);
   const bool loaded = load_.given == Argument::torque && !wave.standing;
-  for (int i = 0; i < kMostNewtons; ++i) {
-    const DrivenWaves::LevelSlopes s = waves.slopes(wave.amplitude, wave.speed, &wave.start);
-    const SlopedWave& a = s.in_amplitude;
-    if (a.wave.status != PointStatus::ok) return {};
-    const double force = a.wave.force(),
-                 excess = 0.5 * (force - waves.drive()) * (force + waves.drive());
-    double step = -excess / a.fold(), turn = 0;
-    if (loaded) {
-      const double missing = load_.value - a.wave.torque;
-      turn = (missing - a.torque_slope * step) / s.torque_per_speed();
-      step += s.amplitude_per_speed() * turn;
-    }
-    wave.amplitude += step, wave.speed += turn, wave.start = a.wave.start;
-    if (!(std::fabs(step) < 0.1 * wave.amplitude)) return {};
+  const DrivenWaves::LevelSlopes s = waves.slopes(wave.amplitude, wave.speed, &wave.start);
+  const SlopedWave& a = s.in_amplitude;
+  // The step that the slopes of the first wave ask of another.
+  const auto newton = [&](const DrivenWave& w) -> Pair {
+    const double step = 0.5 * (waves.drive() - w.force()) * (waves.drive() + w.force()) / a.fold();
+    if (!loaded) return {step, 0};
+    const double turn = (load_.value - w.torque - a.torque_slope * step) / s.torque_per_speed();
+    return {step + s.amplitude_per_speed() * turn, turn};
+  };
+  DrivenWave found = a.wave;
+  LearnedSlopes slopes;
+  Pair f = newton(found);
+  for (int i = 0; i < kMostPolishes && found.status == PointStatus::ok; ++i) {
+    const Pair step = slopes.step(f);
+    wave.amplitude += step[0], wave.speed += step[1], wave.start = found.start;
+    if (!(std::fabs(step[0]) < 0.1 * wave.amplitude)) return {};
     const double crest = waves.crest_speed_per_amplitude() * wave.amplitude;
-    if (std::fabs(step) <= kNearRoot * wave.amplitude && std::fabs(turn) <= kNearRoot * crest)
+    if (std::fabs(step[0]) <= kNearRoot * wave.amplitude && std::fabs(step[1]) <= kNearRoot * crest)
       return wave;
+    found = waves.at(wave.amplitude, wave.speed, &wave.start);
+    const Pair next = newton(found);
+    slopes.learn(step, {f[0] - next[0], f[1] - next[1]});
+    f = next;
   }
   return {};
 }

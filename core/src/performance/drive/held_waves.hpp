@@ -19,6 +19,8 @@ struct ResponseWave {
   double speed{0};       ///< of the rotor [rad/s]
   bool standing{false};  ///< friction holds the load, the rotor does not turn
   bool stable{false};
+  double resistive_force{0};  ///< I (D2.3) [N]
+  double torque_slope{0};     ///< of the torque over the speed ratio, 0 if not known [N m]
   WarmStart start;
 
   double frequency() const { return omega / (2 * std::numbers::pi); }
@@ -37,11 +39,14 @@ class HeldWaves {
  public:
   /// Where a search begins.
   struct Guess {
-    double omega, speed_ratio;  ///< rotor speed over crest speed
+    double omega, speed_ratio;        ///< rotor speed over crest speed
+    double torque_slope{0};           ///< as in ResponseWave
+    bool standing{false};             ///< a wave nearby is
+    const WarmStart* start{nullptr};  ///< of a wave nearby
   };
 
   /// @param waves  at any frequency; has to outlive this
-  HeldWaves(const DrivenWaves& waves, const RotorLoad& load) : waves_(waves), load_(load) {}
+  HeldWaves(const DrivenWaves& waves, const RotorLoad& load);
 
   /// The wave of an amplitude (D5.1).
   /// @param side  -1 for the lower flank, 1 for the upper, 0 for the resonance between, whatever drives it there
@@ -59,6 +64,11 @@ class HeldWaves {
     bool standing;
   };
 
+  std::optional<ResponseWave> settled(double amplitude, double side, const Guess& guess) const;
+  std::optional<ResponseWave> sought(double amplitude, double side, const Guess& guess) const;
+  double torque_slope(const DrivenWaves& waves, const DrivenWave& wave) const;
+  bool stands(double amplitude, double torque_beyond_rest) const;
+
   std::optional<Carried> carried(const DrivenWaves& waves, double amplitude, double speed_ratio,
                                  double window) const;
   std::optional<Carried> at_torque(const DrivenWaves& waves, double amplitude, double speed_ratio,
@@ -66,6 +76,7 @@ class HeldWaves {
 
   const DrivenWaves& waves_;
   RotorLoad load_;
+  bool may_jump_;  // mu_0 > mu
 };
 
 }  // namespace twum::performance

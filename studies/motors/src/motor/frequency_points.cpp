@@ -3,6 +3,8 @@
 
 #include <twum/studies/units/engineering.hpp>
 
+#include <cmath>
+
 namespace twum::studies {
 namespace {
 
@@ -15,8 +17,13 @@ constexpr FrequencyColumn kFrequencyColumns[] = {
     {"output_power", "W", [](const R& p) { return p.point.output_power; }},
     {"electrical_power", "W", [](const R& p) { return p.point.electrical_power; }},
     {"phase_current", "A", [](const R& p) { return p.point.phase_current; }},
+    {"first_current", "A", [](const R& p) { return p.backward.first_current; }, true},
+    {"second_current", "A", [](const R& p) { return p.backward.second_current; }, true},
+    {"backward_ratio", "1", [](const R& p) { return p.backward.ratio; }, true},
+    {"standing_wave_ratio", "1", [](const R& p) { return p.backward.standing_wave_ratio; }, true},
     {"phase_lag", "rad", [](const R& p) { return p.point.phase_lag; }},
     {"overall_efficiency", "1", [](const R& p) { return p.point.overall_efficiency(); }},
+    {"squeal_rate", "1/s", [](const R& p) { return p.backward.squeal_rate; }},
 };
 
 }  // namespace
@@ -32,6 +39,12 @@ std::optional<ResponsePoint> running_point(const FrequencyResponse& response, do
 
 std::string wave_text(const ResponsePoint& wave) {
   return engineering(wave.point.amplitude, "m") + ", " + engineering(wave.point.speed, "rad/s");
+}
+
+std::string squeal_text(const ResponsePoint& wave) {
+  const double rate = wave.backward.squeal_rate;
+  if (std::isnan(rate)) return "not known";
+  return rate > 0 ? "by " + engineering(rate, "1/s") : "no";
 }
 
 }  // namespace twum::studies

@@ -124,24 +124,44 @@ double change(const Motor& one, const Motor& track, Metric metric) {
   return known && before.value != 0 ? after.value / before.value - 1 : 0;
 }
 
-// Speeds up to no-load at which a free backward wave grows, where that is known.
-void add_squeal(const Motor& motor, std::vector<ModelNote>& notes) {
+// The speeds up to no-load at which a free backward wave grows, where that is known (D6.8).
+struct SquealSpeeds {
+  double fastest{-1};  // none if negative [rad/s]
+  double fed{0};       // largest fed_damping there [N s/m]
+  double rate{0};      // largest, where it is known [1/s]
+};
+
+SquealSpeeds squeal_speeds(const Motor& motor, double no_load, double damping) {
   constexpr int kLooks = 24;
-  const MetricValue no_load = evaluate(motor, {Metric::no_load_speed});
-  if (no_load.status != MetricStatus::ok || !has_modal_data(motor.design())) return;
-  double fastest = -1, largest = 0;
+  SquealSpeeds found;
   for (int i = 0; i < kLooks; ++i) {
-    const double speed = no_load.value * i / kLooks;
-    const MetricValue rate = evaluate(motor, {Metric::squeal_rate_at, Argument::speed, speed});
-    if (rate.status != MetricStatus::ok || !(rate.value > 0)) continue;
-    fastest = speed, largest = std::max(largest, rate.value);
+    const double speed = no_load * i / kLooks;
+    const BackwardWave wave = motor.backward_wave(speed);
+    if (!(wave.fed_damping > damping)) continue;
+    found = {speed, std::fmax(found.fed, wave.fed_damping),
+             std::fmax(found.rate, wave.squeal_rate)};
   }
-  if (fastest >= 0)
-    notes.push_back({"squeal", largest,
-                     "a backward wave grows at speeds up to " + engineering(fastest, "rad/s", 2) +
-                         ", by up to " + rounded_text(largest, 4) +
-                         " 1/s (squeal_rate_at): the motor squeals there under load, and a heavy "
-                         "rotor then loses up to half of the torque, which is not computed"});
+  return found;
+}
+
+void add_squeal(const Motor& motor, std::vector<ModelNote>& notes) {
+  const MetricValue no_load = evaluate(motor, {Metric::no_load_speed});
+  if (no_load.status != MetricStatus::ok) return;
+  const bool modal = has_modal_data(motor.design());
+  const double given = modal_damping(motor.design()), damping = given > 0 ? given : 0;
+  const SquealSpeeds squeal = squeal_speeds(motor, no_load.value, damping);
+  if (squeal.fastest < 0) return;
+  const auto in_words = [](double d) { return rounded_text(d, 4) + " N.s/m"; };
+  const std::string grows =
+      modal ? "by up to " + rounded_text(squeal.rate, 4) + " 1/s (squeal_rate_at)"
+            : "fed by friction with a damping of up to " + in_words(squeal.fed) +
+                  (damping > 0 ? ", where modal_damping is " + in_words(damping)
+                               : ", where modal_damping is not given");
+  notes.push_back({"squeal", modal ? squeal.rate : squeal.fed,
+                   "a backward wave grows at speeds up to " + engineering(squeal.fastest, "rad/s") +
+                       ", " + grows +
+                       ": the motor squeals there under load, and a heavy rotor then loses up to "
+                       "half of the torque, which is not computed"});
 }
 
 }  // namespace

@@ -66,6 +66,7 @@ class FrequencyRun : public StudyKindRun {
     const auto members = members_of(asked, base);
     const auto [from, to] = range_of(asked, members);
     if (family_) result_.family = family_column();
+    result_.load = load_of(asked);
     result_.from = from, result_.to = to;
     for (const auto& [value, design] : members) add_member(asked, value, design);
   }

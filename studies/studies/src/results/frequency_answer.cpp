@@ -65,6 +65,7 @@ Json answer_json(const FrequencyResult& result) {
   Json json = Json::object();
   if (result.family)
     json["family"] = {{"parameter", result.family->name}, {"unit", result.family->unit}};
+  json["load"] = {{result.load.given == Argument::speed ? "speed" : "torque", result.load.value}};
   json["from"] = result.from;
   json["to"] = result.to;
   json["units"] = {
@@ -81,14 +82,15 @@ Json answer_json(const FrequencyResult& result) {
 std::string answer_text(const FrequencyResult& result) {
   TextTable table;
   table.rows.push_back({result.family ? result.family->name : "", "running wave", "pulls out below",
-                        "margin", "jump up at", "jump down at"});
+                        "margin", "jump up at", "jump down at", "squeals"});
   for (const Member& member : result.members) {
     const bool ends = member.pull_out_below.has_value();
     table.rows.push_back({result.family ? engineering(member.value, result.family->unit) : "motor",
                           member.running ? wave_text(*member.running) : "none is steady",
                           ends ? engineering(*member.pull_out_below, "Hz") : "-",
                           ends ? engineering(member.frequency - *member.pull_out_below, "Hz") : "-",
-                          jump_text(member, true), jump_text(member, false)});
+                          jump_text(member, true), jump_text(member, false),
+                          member.running ? squeal_text(*member.running) : "-"});
   }
   return aligned(table);
 }

@@ -30,9 +30,10 @@ const char* to_string(BranchEndKind kind) noexcept;
 
 /// A wave that the voltage holds at a frequency.
 struct ResponsePoint {
-  double frequency;      ///< of the drive [Hz]
-  OperatingPoint point;  ///< the motor there; its status is ok
-  bool stable;           ///< a disturbed wave comes back to it
+  double frequency;       ///< of the drive [Hz]
+  OperatingPoint point;   ///< the motor there; its status is ok
+  bool stable;            ///< a disturbed wave comes back to it
+  BackwardWave backward;  ///< beside it; a wave that squeals counts as stable
 };
 
 /// Waves from one turn of the frequency to the next.

@@ -4,6 +4,7 @@
 #include <twum/core/contact/normal_contact.hpp>
 #include <twum/core/contact/zone.hpp>
 #include <twum/core/design/motor_design.hpp>
+#include <twum/core/performance/backward_wave.hpp>
 
 #include <memory>
 #include <vector>
@@ -174,6 +175,10 @@ class Motor {
   /// @param radius  [m]
   /// @throws InputError as above, and for a radius outside the track.
   ContactFields fields(double speed, int samples, double radius) const;
+
+  /// The backward wave at a rotor speed [rad/s], all NaN where operating_point() has no answer. Some ten microseconds a slice.
+  /// @throws InputError as operating_point().
+  BackwardWave backward_wave(double speed) const;
 
   /// Every wave that the voltage holds at a rotor speed [rad/s], stable or not, the smallest first (D2.4). Empty for a motor
   /// with an amplitude.

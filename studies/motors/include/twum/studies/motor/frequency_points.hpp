@@ -14,9 +14,11 @@ struct FrequencyColumn {
   const char* unit;  ///< SI
   /// Its value at a wave, SI.
   double (*value)(const ResponsePoint&);
+  bool of_imbalance{false};  ///< says something only where phases or modes are unequal
 };
 
-/// frequency, amplitude, speed, torque, powers, current, phase and efficiency, in the order of tables and files. Static lifetime.
+/// frequency, amplitude, speed, torque, powers, currents, backward wave, phase, efficiency and squeal rate, in the order of
+/// tables and files. Static lifetime.
 std::span<const FrequencyColumn> frequency_columns();
 
 /// The wave with which a motor runs at its own frequency: the largest stable one; none if no wave is stable there.
@@ -24,5 +26,9 @@ std::optional<ResponsePoint> running_point(const FrequencyResponse& response, do
 
 /// "140 nm, 0 rpm": amplitude and speed of a wave.
 std::string wave_text(const ResponsePoint& wave);
+
+/// Whether a backward wave grows beside a wave (D6.7): "by 149 1/s", "no" or "not known", which it is where a layer with damping or
+/// inertia sticks somewhere.
+std::string squeal_text(const ResponsePoint& wave);
 
 }  // namespace twum::studies

@@ -25,8 +25,7 @@ std::string thick_layer_note(const MotorDesign& design);
 
 /// The same; whether the width of the contact changes stall torque, no-load speed or peak power of a motor with one slice
 /// by more than 2 %, measured with eight slices; of a motor under a voltage whether it runs at rest and starts by itself, with
-/// the voltage and the frequency that it takes; and, where the modal data of the stator are known, whether a backward wave
-/// grows (D6.7). Some milliseconds.
+/// the voltage and the frequency that it takes; and up to which speed a backward wave grows (D6.7, D6.8). Some milliseconds.
 std::vector<ModelNote> model_notes_at_length(const MotorDesign& design);
 
 }  // namespace twum::studies

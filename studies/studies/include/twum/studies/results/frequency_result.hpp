@@ -28,6 +28,7 @@ struct FrequencyResult {
     std::vector<ResponseBranch> branches;  ///< all its waves, stable or not
   };
   std::optional<Column> family;  ///< the parameter; nothing for the motor alone
+  RotorLoad load;                ///< of the rotor
   double from{0}, to{0};         ///< [Hz]
   std::vector<Member> members;   ///< in the order asked
 };
