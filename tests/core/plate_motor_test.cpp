@@ -189,9 +189,11 @@ TEST_CASE("what a geometry does not go with is refused by name", "[core][plate][
     return Motor(with(design, parameter, value));
   };
   CHECK_THROWS_WITH(motor(P::ceramic_outer_radius, 0.031),
-                    Catch::Contains("ceramic_outer_radius") && Catch::Contains("0.03 m"));
-  CHECK_THROWS_WITH(motor(P::contact_width, 0.012), Catch::Contains("must lie on the stator"));
-  CHECK_THROWS_WITH(motor(P::wavelengths, 7), Catch::Contains("two phases must fit"));
+                    Catch::Contains("ceramic_outer_radius must be at most 30 mm"));
+  CHECK_THROWS_WITH(motor(P::contact_width, 0.012),
+                    Catch::Contains("contact_width must leave the contact track on the stator") &&
+                        Catch::Contains("reaches 32.5 mm"));
+  CHECK_THROWS_WITH(motor(P::wavelengths, 7), Catch::Contains("so that two phases fit"));
   MotorDesign bare = design;
   bare.stator.geometry->web.reset();
   CHECK_THROWS_WITH(with(bare, P::web_thickness, 1e-3), Catch::Contains("the block 'web'"));

@@ -47,35 +47,35 @@ TEST_CASE("a wrong dimension is named, with what was found and what would be rig
     CHECK(found.find(text) != std::string::npos);
   };
   says([](auto& g) { g.substrate.thickness = -1e-3; },
-       "substrate_thickness is -0.001 m; it must be above 0 m");
+       "substrate_thickness must be above 0 m, but is -1 mm");
   says([](auto& g) { g.ceramic.youngs_modulus = 0; },
-       "ceramic_youngs_modulus is 0 Pa; it must be above 0 Pa");
+       "ceramic_youngs_modulus must be above 0 Pa, but is 0 Pa");
   says([](auto& g) { g.substrate.poisson_ratio = 0.7; },
-       "substrate_poisson_ratio is 0.7; it must be at most 0.5");
+       "substrate_poisson_ratio must be at most 0.5, but is 0.7");
   says([](auto& g) { g.teeth->stiffness_share = 1.2; },
-       "teeth_stiffness_share is 1.2; it must be at most 1");
-  says([](auto& g) { g.teeth->count = 0; }, "teeth_count is 0; it must be at least 1");
+       "teeth_stiffness_share must be at most 1, but is 1.2");
+  says([](auto& g) { g.teeth->count = 0; }, "teeth_count must be at least 1, but is 0");
   says([](auto& g) { g.teeth->slot_width = 2e-3; },
-       "it must be below the pitch of the teeth at their inner radius");
+       "must be below the pitch of the teeth at their inner radius");
   says([](auto& g) { g.ceramic.outer_radius = 0.031; },
-       "ceramic_outer_radius is 0.031 m; it must be at most 0.03 m");
+       "ceramic_outer_radius must be at most 30 mm (substrate_outer_radius), but is 31 mm");
   says([](auto& g) { g.web->outer_radius = 0.019; },
-       "web_outer_radius is 0.019 m; it must be at least 0.0205 m");
+       "web_outer_radius must be at least 20.5 mm (substrate_inner_radius), but is 19 mm");
   says([](auto& g) { g.web->inner_radius = 0.022; },
-       "web_inner_radius is 0.022 m; it must be below web_outer_radius");
+       "web_inner_radius must be below 21 mm (web_outer_radius), but is 22 mm");
   says([](auto& g) { g.electrodes.outer_radius = 0.02985; },
-       "electrodes_outer_radius is 0.02985 m; it must be at most 0.0298 m");
+       "electrodes_outer_radius must be at most 29.8 mm (ceramic_outer_radius), but is 29.85 mm");
   says(
       [](auto& g) {
         g.electrodes = {4, 0.0299, {}};
       },
-      "electrodes_inner_radius is 0.0299 m; it must be below 0.0298 m");
+      "electrodes_inner_radius must be below 29.8 mm (ceramic_outer_radius), but is 29.9 mm");
   says([](auto& g) { g.electrodes.waves_per_phase = 0; },
-       "electrodes_waves_per_phase is 0; it must be above 0");
+       "electrodes_waves_per_phase must be above 0, but is 0");
   says([](auto& g) { g.ceramic.permittivity = 1e-9; },
-       "check ceramic_d31 and ceramic_permittivity");
+       "ceramic_d31 must give a planar coupling factor squared");
   says([](auto& g) { g.glue.thickness = std::numeric_limits<double>::quiet_NaN(); },
-       "glue_thickness is nan m");
+       "glue_thickness must be at least 0 m, but is nan m");
 }
 
 TEST_CASE("everything that is wrong is told at once", "[stator][input]") {
@@ -91,13 +91,35 @@ TEST_CASE("everything that is wrong is told at once", "[stator][input]") {
 
 TEST_CASE("wavelengths, contact radius and phases that do not fit", "[stator][input]") {
   const auto g = distinct_stator();
-  CHECK_THROWS_WITH(stator_model(g, 0, kContactRadius), Catch::Contains("wavelengths is 0"));
-  CHECK_THROWS_WITH(stator_model(g, 9, 0.031),
-                    Catch::Contains("contact_radius is 0.031 m; it must lie on"));
-  CHECK_THROWS_WITH(stator_model(g, 7, kContactRadius),
-                    Catch::Contains("two phases must fit into the 7"));
+  CHECK_THROWS_WITH(stator_model(g, 0, kContactRadius),
+                    Catch::Contains("wavelengths must be a whole number of 1 or more, but is 0"));
+  CHECK_THROWS_WITH(
+      stator_model(g, 9, 0.031),
+      Catch::Contains(
+          "contact_radius must lie on the stator, between 12.5 mm and 30 mm, but is 31 mm"));
+  CHECK_THROWS_WITH(
+      stator_model(g, 7, kContactRadius),
+      Catch::Contains("electrodes_waves_per_phase must be at most half of the 7 wavelengths"));
   CHECK_THROWS_AS(stator_modes(g, -1, 1), InputError);
   CHECK_THROWS_AS(stator_modes(g, 9, 0), InputError);
+}
+
+TEST_CASE("a wave that no mode of the plate carries is refused", "[stator][input][limit]") {
+  // Modes of one nodal diameter are orthogonal to the tilt R = rho of the free plate, so each changes its sign.
+  StatorGeometry ring = distinct_stator();
+  // So thin and wide that the eight lowest are bending modes.
+  ring.web.reset(), ring.teeth.reset(), ring.support = InnerEdge::free;
+  ring.substrate.inner_radius = 3e-3, ring.substrate.thickness = 0.3e-3;
+  ring.ceramic.thickness = 0.1e-3, ring.electrodes.waves_per_phase = 0.5;
+  try {
+    stator_model(ring, 1, kContactRadius);
+    FAIL("there is such a mode");
+  } catch (const EvaluationError& error) {
+    CHECK(error.reason() == "no-ring-mode");
+    CHECK_THAT(error.what(), Catch::Contains("1 nodal diameter"));
+  }
+  ring.support = InnerEdge::clamped;
+  CHECK(stator_model(ring, 1, kContactRadius).frequency.v > 0);
 }
 
 TEST_CASE("plates that cannot be", "[stator][input]") {

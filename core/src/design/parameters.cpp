@@ -458,8 +458,7 @@ std::vector<std::string> complaints(const MotorDesign& design) {
   if (std::string wrong = contradiction(design); !wrong.empty()) found.push_back(std::move(wrong));
   if (std::string wrong = track_complaint(design); !wrong.empty())
     found.push_back(std::move(wrong));
-  if (std::string wrong = geometry_complaint(design); !wrong.empty())
-    found.push_back(std::move(wrong));
+  for (std::string& wrong : geometry_complaints(design)) found.push_back(std::move(wrong));
   return found;
 }
 

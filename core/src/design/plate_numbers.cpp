@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <string_view>
 
 namespace twum {
 namespace {
@@ -17,16 +18,23 @@ using stator::StatorModel;
 
 constexpr double kNoPlate = std::numeric_limits<double>::quiet_NaN();
 
-// The parameters of the geometry stand in the order of its dimensions, with two others between them.
+// Parameters and dimensions of the same name are the same number.
+std::optional<Dimension> dimension_named(std::string_view name) {
+  const auto& table = stator::dimension_table();
+  const auto row = std::find_if(table.begin(), table.end(),
+                                [=](const stator::DimensionInfo& one) { return one.name == name; });
+  if (row == table.end()) return {};
+  return static_cast<Dimension>(row - table.begin());
+}
+
 std::optional<Dimension> dimension_of(Parameter parameter) {
-  if (parameter == P::contact_radius) return Dimension::contact_radius;
-  if (!is_of_geometry(parameter) || parameter == P::teeth_count ||
-      parameter == P::electrodes_waves_per_phase)
-    return {};
-  const std::size_t others = parameter > P::electrodes_waves_per_phase ? 2
-                             : parameter > P::teeth_count              ? 1
-                                                                       : 0;
-  return static_cast<Dimension>(index_of(parameter) - index_of(P::substrate_inner_radius) - others);
+  static const auto known = [] {
+    std::array<std::optional<Dimension>, kParameterCount> dimensions;
+    for (const ParameterInfo& row : parameter_table())
+      dimensions[index_of(row.parameter)] = dimension_named(row.name);
+    return dimensions;
+  }();
+  return known[index_of(parameter)];
 }
 
 // The teeth do not turn with the section they stand on: without them shear leaves a part of the lever (P4.3).
@@ -69,12 +77,12 @@ double slope_of(const MotorDesign& design, const StatorModel& plate, const stato
   return 0;
 }
 
-double* find_number(MotorDesign& design, Parameter parameter) {
-  auto& geometry = design.stator.geometry;
-  if (!geometry) return nullptr;
-  if (parameter == P::electrodes_waves_per_phase) return &geometry->electrodes.waves_per_phase;
+// The number of a geometry behind a parameter, const as the geometry is; null without its block.
+template <typename Geometry>
+auto find_number(Geometry& geometry, Parameter parameter) -> decltype(find(geometry, Dimension{})) {
+  if (parameter == P::electrodes_waves_per_phase) return &geometry.electrodes.waves_per_phase;
   const auto dimension = dimension_of(parameter);
-  return dimension ? find(*geometry, *dimension) : nullptr;
+  return dimension ? find(geometry, *dimension) : nullptr;
 }
 
 // Numbers that may be left out take a value where they had none.
@@ -137,8 +145,7 @@ double get_of_geometry(const MotorDesign& design, Parameter parameter) {
   const auto& geometry = design.stator.geometry;
   if (!geometry) return kNoPlate;
   if (parameter == P::teeth_count) return geometry->teeth ? geometry->teeth->count : kNoPlate;
-  if (const double* number = find_number(const_cast<MotorDesign&>(design), parameter))
-    return *number;
+  if (const double* number = find_number(*geometry, parameter)) return *number;
   if (parameter == P::electrodes_inner_radius) return geometry->ceramic.inner_radius;
   if (parameter == P::electrodes_outer_radius) return geometry->ceramic.outer_radius;
   return kNoPlate;
@@ -150,7 +157,7 @@ bool in_use_of_geometry(const MotorDesign& design, Parameter parameter) {
   if (parameter == P::teeth_count) return geometry->teeth.has_value();
   const bool of_glue = parameter > P::glue_thickness && parameter <= P::glue_density;
   if (of_glue && geometry->glue.thickness == 0) return false;
-  return find_number(const_cast<MotorDesign&>(design), parameter) != nullptr;
+  return find_number(*geometry, parameter) != nullptr;
 }
 
 void set_of_geometry(MotorDesign& design, Parameter parameter, double value) {
@@ -163,7 +170,7 @@ void set_of_geometry(MotorDesign& design, Parameter parameter, double value) {
   give_electrodes(geometry->electrodes, parameter, value);
   if (parameter == P::teeth_count && geometry->teeth) {
     geometry->teeth->count = static_cast<int>(value);
-  } else if (double* number = find_number(design, parameter)) {
+  } else if (double* number = find_number(*geometry, parameter)) {
     *number = value;
   } else {
     throw InputError(name + " needs a stator with the block '" + block_of(parameter) +
@@ -178,24 +185,27 @@ std::string follows_from_geometry(const MotorDesign& design, Parameter parameter
          " follows from the geometry of the stator and cannot be set; change the geometry";
 }
 
-std::string geometry_complaint(const MotorDesign& design) {
+std::vector<std::string> geometry_complaints(const MotorDesign& design) {
   const Stator& s = design.stator;
   if (!s.geometry) return {};
   const RadialShape& shape = s.radial_shape;
   if (!shape.table.empty() || shape.exponent != 0 || shape.root != 0)
-    return "radial_shape must be left out beside a geometry, from which it follows, but is given";
+    return {"radial_shape must be left out beside a geometry, from which it follows, but is given"};
   if (s.resonance_frequency || s.modal_mass || s.force_factor || s.blocked_capacitance != 0)
-    return "geometry must stand without modal data, which follow from it, but "
-           "resonance_frequency, modal_mass, force_factor or blocked_capacitance is given";
+    return {
+        "geometry must stand without modal data, which follow from it, but "
+        "resonance_frequency, modal_mass, force_factor or blocked_capacitance is given"};
+  if (auto wrong = geometry_complaints(*s.geometry); !wrong.empty()) return wrong;
   try {
     const auto plate = plate_model(design);
     const auto low = std::min_element(plate->shape_values.begin(), plate->shape_values.end(),
                                       [](const auto& a, const auto& b) { return a.v < b.v; });
     if (low->v > 0) return {};
-    return "contact_width must leave the track where the wave of the stator has one sign, but the "
-           "wave has a node on it";
+    return {
+        "contact_width must leave the track where the wave of the stator has one sign, but the "
+        "wave has a node on it"};
   } catch (const InputError& error) {
-    return error.what();
+    return {error.what()};
   } catch (const EvaluationError&) {
     return {};  // a plate that can be built, but not for this wave
   }

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 /// What a design with a geometry takes of its plate, and how that moves with the design.
 namespace twum {
@@ -59,8 +60,8 @@ void set_of_geometry(MotorDesign& design, Parameter parameter, double value);
 /// Why a parameter cannot be set: it follows from the geometry. Empty if it can.
 std::string follows_from_geometry(const MotorDesign& design, Parameter parameter);
 
-/// What is wrong with the geometry of a design, or with what stands beside it; empty if nothing is. A plate without a mode
-/// for the wave is no complaint.
-std::string geometry_complaint(const MotorDesign& design);
+/// What is wrong with the geometry of a design, or with what stands beside it, in the form of complaints(); empty if nothing
+/// is. A plate without a mode for the wave is no complaint.
+std::vector<std::string> geometry_complaints(const MotorDesign& design);
 
 }  // namespace twum

@@ -2,70 +2,70 @@
 #include <twum/base/error.hpp>
 #include <twum/stator/geometry.hpp>
 
+#include "quantity_text.hpp"
+
 #include <cmath>
 #include <numbers>
-#include <sstream>
 #include <string>
 
 namespace twum::stator {
 namespace {
+
+const DimensionInfo& info(Dimension entry) {
+  return dimension_table()[static_cast<std::size_t>(entry)];
+}
 
 // Collects what is wrong, so that one look is enough.
 class Complaints {
  public:
   explicit Complaints(const StatorGeometry& geometry) : geometry_(geometry) {}
 
-  // A number has to lie within bounds; an absent one is in order.
-  void above(Dimension entry, double limit) { bound(entry, "above", limit); }
-  void below(Dimension entry, double limit) { bound(entry, "below", limit); }
-  void at_least(Dimension entry, double limit) { bound(entry, "at least", limit); }
-  void at_most(Dimension entry, double limit) { bound(entry, "at most", limit); }
-
-  // inner < outer
-  void ordered(Dimension inner, Dimension outer) {
-    const double* low = find(geometry_, inner);
-    const double* high = find(geometry_, outer);
-    if (low && high && !(*low < *high)) {
-      add(name(inner) + " is " + text(*low) + " m; it must be below " + name(outer) + " = " +
-          text(*high) + " m");
-    }
+  // A number has to lie on one side of another, or of that of another entry; an absent one is in order.
+  // Comparisons are written so that NaN is out of bounds.
+  template <typename Limit>
+  void above(Dimension entry, Limit limit) {
+    bound(entry, "above", limit, [](double x, double y) { return x > y; });
+  }
+  template <typename Limit>
+  void below(Dimension entry, Limit limit) {
+    bound(entry, "below", limit, [](double x, double y) { return x < y; });
+  }
+  template <typename Limit>
+  void at_least(Dimension entry, Limit limit) {
+    bound(entry, "at least", limit, [](double x, double y) { return x >= y; });
+  }
+  template <typename Limit>
+  void at_most(Dimension entry, Limit limit) {
+    bound(entry, "at most", limit, [](double x, double y) { return x <= y; });
   }
 
-  void add(const std::string& complaint) { text_ += (text_.empty() ? "" : "; ") + complaint; }
-
-  void finish() const {
-    if (!text_.empty()) throw InputError("stator geometry: " + text_);
-  }
-
-  static std::string text(double value) {
-    std::ostringstream stream;
-    stream.imbue(std::locale::classic());
-    stream << value;
-    return stream.str();
-  }
+  void add(std::string complaint) { found_.push_back(std::move(complaint)); }
+  std::vector<std::string> found() && { return std::move(found_); }
 
  private:
-  static std::string name(Dimension entry) {
-    return std::string(dimension_table()[static_cast<std::size_t>(entry)].name);
+  template <typename Holds>
+  void bound(Dimension entry, const char* word, double limit, Holds holds) {
+    bound(entry, word, limit, quantity_text(limit, info(entry).unit), holds);
   }
-
-  void bound(Dimension entry, const std::string& word, double limit) {
+  template <typename Holds>
+  void bound(Dimension entry, const char* word, Dimension other, Holds holds) {
+    const double* limit = find(geometry_, other);
+    if (limit == nullptr) return;
+    bound(entry, word, *limit,
+          quantity_text(*limit, info(other).unit) + " (" + std::string(info(other).name) + ")",
+          holds);
+  }
+  template <typename Holds>
+  void bound(Dimension entry, const char* word, double limit, const std::string& shown,
+             Holds holds) {
     const double* value = find(geometry_, entry);
-    if (!value) return;
-    // Written so that NaN is out of bounds.
-    const bool holds = word == "above"      ? *value > limit
-                       : word == "below"    ? *value < limit
-                       : word == "at least" ? *value >= limit
-                                            : *value <= limit;
-    if (holds && std::isfinite(*value)) return;
-    std::string unit(dimension_table()[static_cast<std::size_t>(entry)].unit);
-    unit = unit == "1" ? "" : " " + unit;
-    add(name(entry) + " is " + text(*value) + unit + "; it must be " + word + " " + text(limit) +
-        unit);
+    if (value == nullptr || (holds(*value, limit) && std::isfinite(*value))) return;
+    add(std::string(info(entry).name) + " must be " + word + " " + shown + ", but is " +
+        quantity_text(*value, info(entry).unit));
   }
 
   const StatorGeometry& geometry_;
-  std::string text_;
+  std::vector<std::string> found_;
 };
 
 void check_ranges(Complaints& must) {
@@ -75,84 +75,86 @@ void check_ranges(Complaints& must) {
         web_thickness, web_inner_radius, teeth_height, teeth_inner_radius, glue_youngs_modulus,
         glue_density, ceramic_thickness, ceramic_youngs_modulus, ceramic_density,
         ceramic_permittivity}) {
-    must.above(entry, 0);
+    must.above(entry, 0.0);
   }
   for (const Dimension entry : {teeth_slot_width, teeth_stiffness_share, glue_thickness}) {
-    must.at_least(entry, 0);
+    must.at_least(entry, 0.0);
   }
-  must.at_most(teeth_stiffness_share, 1);
+  must.at_most(teeth_stiffness_share, 1.0);
   for (const Dimension entry :
        {substrate_poisson_ratio, glue_poisson_ratio, ceramic_poisson_ratio}) {
-    must.above(entry, -1);
+    must.above(entry, -1.0);
     must.at_most(entry, 0.5);
   }
-  must.ordered(substrate_inner_radius, substrate_outer_radius);
-  must.ordered(web_inner_radius, web_outer_radius);
-  must.ordered(teeth_inner_radius, teeth_outer_radius);
-  must.ordered(ceramic_inner_radius, ceramic_outer_radius);
-  must.ordered(electrodes_inner_radius, electrodes_outer_radius);
+  must.below(substrate_inner_radius, substrate_outer_radius);
+  must.below(web_inner_radius, web_outer_radius);
+  must.below(teeth_inner_radius, teeth_outer_radius);
+  must.below(ceramic_inner_radius, ceramic_outer_radius);
+  must.below(electrodes_inner_radius, electrodes_outer_radius);
 }
 
 void check_teeth(Complaints& must, const Teeth& teeth) {
   if (teeth.count < 1) {
-    must.add("teeth_count is " + std::to_string(teeth.count) + "; it must be at least 1");
+    must.add("teeth_count must be at least 1, but is " + std::to_string(teeth.count));
     return;
   }
   const double pitch = 2 * std::numbers::pi * teeth.inner_radius / teeth.count;
   if (!(teeth.slot_width < pitch)) {
-    must.add("teeth_slot_width is " + Complaints::text(teeth.slot_width) +
-             " m; it must be below the pitch of the teeth at their inner radius, " +
-             Complaints::text(pitch) + " m");
+    must.add("teeth_slot_width must be below the pitch of the teeth at their inner radius, " +
+             quantity_text(pitch, "m") + ", but is " + quantity_text(teeth.slot_width, "m"));
   }
 }
 
 // Parts that lie on the metal, or on the ceramic, stay within it.
 void check_places(Complaints& must, const StatorGeometry& g) {
   using enum Dimension;
-  double inner = g.substrate.inner_radius;
-  if (g.web) {
-    must.at_most(web_outer_radius, g.substrate.outer_radius);
-    must.at_least(web_outer_radius, g.substrate.inner_radius);
-    inner = std::fmin(inner, g.web->inner_radius);
-  }
+  must.at_most(web_outer_radius, substrate_outer_radius);
+  must.at_least(web_outer_radius, substrate_inner_radius);
+  const bool web_inside = g.web && g.web->inner_radius < g.substrate.inner_radius;
+  const Dimension inner = web_inside ? web_inner_radius : substrate_inner_radius;
   for (const Dimension entry : {teeth_inner_radius, ceramic_inner_radius})
     must.at_least(entry, inner);
-  for (const Dimension entry : {teeth_outer_radius, ceramic_outer_radius}) {
-    must.at_most(entry, g.substrate.outer_radius);
-  }
-  must.at_least(electrodes_inner_radius, g.ceramic.inner_radius);
-  must.at_most(electrodes_outer_radius, g.ceramic.outer_radius);
+  for (const Dimension entry : {teeth_outer_radius, ceramic_outer_radius})
+    must.at_most(entry, substrate_outer_radius);
+  must.at_least(electrodes_inner_radius, ceramic_inner_radius);
+  must.at_most(electrodes_outer_radius, ceramic_outer_radius);
   // One edge given, the other the ceramic's.
-  if (g.electrodes.inner_radius) must.below(electrodes_inner_radius, g.ceramic.outer_radius);
-  if (g.electrodes.outer_radius) must.above(electrodes_outer_radius, g.ceramic.inner_radius);
+  must.below(electrodes_inner_radius, ceramic_outer_radius);
+  must.above(electrodes_outer_radius, ceramic_inner_radius);
 }
 
 // k_p^2 < 1: otherwise the blocked capacitance would be negative (P4.5).
 void check_ceramic(Complaints& must, const Ceramic& c) {
-  if (!std::isfinite(c.d31)) must.add("ceramic_d31 is not a finite number");
+  if (!std::isfinite(c.d31)) must.add("ceramic_d31 must be a finite number, but is not");
   const double coupling =
       2 * c.d31 * c.d31 * c.youngs_modulus / ((1 - c.poisson_ratio) * c.permittivity);
   if (coupling >= 1) {
     must.add(
-        "the ceramic's planar coupling factor squared, 2 d31^2 E / ((1 - nu) permittivity), is " +
-        Complaints::text(coupling) +
-        "; it must be below 1: check ceramic_d31 and ceramic_permittivity (at constant stress)");
+        "ceramic_d31 must give a planar coupling factor squared, 2 d31^2 E / ((1 - nu) "
+        "permittivity), below 1 (check ceramic_permittivity, at constant stress, too), but it is " +
+        quantity_text(coupling, "1"));
   }
 }
 
 }  // namespace
 
-void check_geometry(const StatorGeometry& geometry) {
+std::vector<std::string> geometry_complaints(const StatorGeometry& geometry) {
   Complaints must(geometry);
   check_ranges(must);
   check_places(must, geometry);
   if (geometry.teeth) check_teeth(must, *geometry.teeth);
   check_ceramic(must, geometry.ceramic);
-  if (!(geometry.electrodes.waves_per_phase > 0)) {
-    must.add("electrodes_waves_per_phase is " +
-             Complaints::text(geometry.electrodes.waves_per_phase) + "; it must be above 0");
-  }
-  must.finish();
+  const double waves = geometry.electrodes.waves_per_phase;
+  if (!(waves > 0))
+    must.add("electrodes_waves_per_phase must be above 0, but is " + quantity_text(waves, "1"));
+  return std::move(must).found();
+}
+
+void check_geometry(const StatorGeometry& geometry) {
+  std::string text;
+  for (const std::string& complaint : geometry_complaints(geometry))
+    text += (text.empty() ? "" : "; ") + complaint;
+  if (!text.empty()) throw InputError(text);
 }
 
 }  // namespace twum::stator

@@ -55,9 +55,11 @@ Choice choose_mode(const Order& order, const StatorPlate<double>& plate, double 
   if (candidates.empty()) {
     throw EvaluationError(
         "no-ring-mode",
-        "none of the lowest modes with " + std::to_string(order.mesh.nodal_diameters) +
-            " nodal diameters keeps its sign on the ring: no mode for the travelling "
-            "wave; check the radii and the thicknesses of web and ring");
+        "no mode carries the travelling wave: each of the " + std::to_string(kLowest) +
+            " lowest with " + std::to_string(order.mesh.nodal_diameters) + " nodal diameter" +
+            (order.mesh.nodal_diameters == 1 ? "" : "s") +
+            " changes its sign on the ring; check wavelengths, support, and the radii and "
+            "thicknesses of web and ring");
   }
   const auto lighter = [&](std::size_t a, std::size_t b) {
     return order.modes[a].modal_mass < order.modes[b].modal_mass;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plate_modes.hpp"
 #include "plate_solver.hpp"
+#include "quantity_text.hpp"
 
 #include <twum/base/dual.hpp>
 #include <twum/base/error.hpp>
@@ -81,13 +82,13 @@ void check(const std::vector<Segment>& segments, PlateTheory theory, int nodal_d
     const Segment& s = segments[i];
     const std::string name = "plate: segment " + std::to_string(i + 1);
     if (!(s.inner > 0 && s.outer > s.inner && std::isfinite(s.outer))) {
-      throw InputError(name + " reaches from " + std::to_string(s.inner) + " m to " +
-                       std::to_string(s.outer) + " m; it needs 0 < inner < outer");
+      throw InputError(name + " reaches from " + quantity_text(s.inner, "m") + " to " +
+                       quantity_text(s.outer, "m") + "; it needs 0 < inner < outer");
     }
     if (i > 0 && s.inner != segments[i - 1].outer) {
-      throw InputError(name + " begins at " + std::to_string(s.inner) +
-                       " m; it must begin where the one before ends, at " +
-                       std::to_string(segments[i - 1].outer) + " m");
+      throw InputError(name + " begins at " + quantity_text(s.inner, "m") +
+                       "; it must begin where the one before ends, at " +
+                       quantity_text(segments[i - 1].outer, "m"));
     }
     const Section& section = s.section;
     if (!(section.bending_stiffness > 0 && section.mass > 0 && section.shear_stiffness > 0 &&

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plate_mesh.hpp"
+#include "quantity_text.hpp"
 
 #include <twum/base/error.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <sstream>
 
 namespace twum::stator {
 namespace {
@@ -71,13 +71,12 @@ void check_widths(const std::vector<Segment>& segments, PlateTheory theory) {
                            (segments.back().outer - segments.front().inner);
   for (const Segment& segment : segments) {
     if (segment.outer - segment.inner >= narrowest) continue;
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << "plate: the ring from " << segment.inner << " m is only "
-         << segment.outer - segment.inner << " m wide; " << (mindlin ? "Mindlin" : "Kirchhoff")
-         << "'s plate needs " << narrowest << " m or more. Give its two edges the same radius"
-         << (mindlin ? "" : ", or choose Mindlin's plate");
-    throw InputError(text.str());
+    throw InputError("plate: the ring from " + quantity_text(segment.inner, "m") + " is only " +
+                     quantity_text(segment.outer - segment.inner, "m") + " wide; " +
+                     (mindlin ? "Mindlin" : "Kirchhoff") + "'s plate needs " +
+                     quantity_text(narrowest, "m") +
+                     " or more. Give its two edges the same radius" +
+                     (mindlin ? "" : ", or choose Mindlin's plate"));
   }
 }
 

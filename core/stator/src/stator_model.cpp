@@ -4,9 +4,10 @@
 
 #include "mode_choice.hpp"
 #include "mode_numbers.hpp"
+#include "quantity_text.hpp"
 
+#include <algorithm>
 #include <limits>
-#include <sstream>
 #include <string>
 
 namespace twum::stator {
@@ -47,41 +48,42 @@ RadialFunction normalized(const RadialFunction& shape, double radius) {
   return RadialFunction(std::move(pieces));
 }
 
+std::string range_of(const StatorPlate<double>& plate) {
+  return "between " + quantity_text(plate.segments.front().inner, "m") + " and " +
+         quantity_text(plate.segments.back().outer, "m");
+}
+
+bool lies_on(const StatorPlate<double>& plate, double radius) {
+  return radius >= plate.segments.front().inner && radius <= plate.segments.back().outer;
+}
+
 void check_wave(const StatorGeometry& g, const StatorPlate<double>& plate, int wavelengths,
                 double contact_radius) {
   if (wavelengths < 1) {
-    throw InputError("stator: wavelengths is " + std::to_string(wavelengths) +
-                     "; it must be a whole number of 1 or more");
+    throw InputError("wavelengths must be a whole number of 1 or more, but is " +
+                     std::to_string(wavelengths));
   }
   if (2 * g.electrodes.waves_per_phase > wavelengths) {
-    throw InputError("stator geometry: electrodes_waves_per_phase is " +
-                     std::to_string(g.electrodes.waves_per_phase) +
-                     "; two phases must fit into the " + std::to_string(wavelengths) +
-                     " wavelengths round the stator");
+    throw InputError("electrodes_waves_per_phase must be at most half of the " +
+                     std::to_string(wavelengths) +
+                     " wavelengths, so that two phases fit round the stator, but is " +
+                     quantity_text(g.electrodes.waves_per_phase, "1"));
   }
-  const double inner = plate.segments.front().inner;
-  const double outer = plate.segments.back().outer;
-  if (!(contact_radius >= inner && contact_radius <= outer)) {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << "stator: contact_radius is " << contact_radius
-         << " m; it must lie on the stator, between " << inner << " m and " << outer << " m";
-    throw InputError(text.str());
+  if (!lies_on(plate, contact_radius)) {
+    throw InputError("contact_radius must lie on the stator, " + range_of(plate) + ", but is " +
+                     quantity_text(contact_radius, "m"));
   }
 }
 
 void check_track(const StatorPlate<double>& plate, double contact_radius,
                  std::span<const double> offsets) {
-  const double inner = plate.segments.front().inner;
-  const double outer = plate.segments.back().outer;
-  for (const double offset : offsets) {
-    const double radius = contact_radius + offset;
-    if (radius >= inner && radius <= outer) continue;
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << "stator: the contact track reaches " << radius
-         << " m; it must lie on the stator, between " << inner << " m and " << outer << " m";
-    throw InputError(text.str());
+  if (offsets.empty()) return;
+  const auto [inward, outward] = std::minmax_element(offsets.begin(), offsets.end());
+  for (const double offset : {*inward, *outward}) {
+    if (lies_on(plate, contact_radius + offset)) continue;
+    throw InputError("contact_width must leave the contact track on the stator, " +
+                     range_of(plate) + ", but the track reaches " +
+                     quantity_text(contact_radius + offset, "m"));
   }
 }
 

@@ -2,6 +2,7 @@
 #include "command.hpp"
 #include "exit_status.hpp"
 #include "formats.hpp"
+#include "json_parts.hpp"
 #include "listing.hpp"
 #include "output.hpp"
 
@@ -56,13 +57,46 @@ Listing one_material(const studies::Material& material) {
   return listing;
 }
 
+// Values in SI units, with the source of each; the units stand in `units`.
+Json material_json(const studies::Material& material) {
+  Json json{{"name", material.name}, {"kind", material.kind}, {"text", material.text}};
+  for (const studies::MaterialValue& one : material.values) json[one.name] = number_json(one.value);
+  for (const studies::MaterialValue& one : material.values) json["sources"][one.name] = one.source;
+  return json;
+}
+
+void add_units(const studies::Material& material, Json& units) {
+  for (const studies::MaterialValue& one : material.values) units[one.name] = one.unit;
+}
+
+std::string as_json(const std::string& name) {
+  Json json, units = Json::object();
+  if (name.empty()) {
+    json["materials"] = Json::array();
+    for (const studies::Material& one : studies::material_catalogue()) {
+      json["materials"].push_back(material_json(one));
+      add_units(one, units);
+    }
+  } else {
+    const studies::Material& material = studies::find_material(name);
+    json = material_json(material);
+    add_units(material, units);
+  }
+  json["units"] = units;
+  return json_text(json);
+}
+
+std::string as_text(const MaterialsOptions& options) {
+  if (options.output.format == "json") return as_json(options.name);
+  if (options.name.empty()) return to_text(all_materials(), options.output.format);
+  const Listing listing = one_material(studies::find_material(options.name));
+  const bool table = options.output.format == "table";
+  return (table ? listing.text + "\n\n" : "") + to_text(listing, options.output.format);
+}
+
 int run_materials(const MaterialsOptions& options) {
-  const Listing listing =
-      options.name.empty() ? all_materials() : one_material(studies::find_material(options.name));
   Output output(options.output.path);
-  if (options.output.format == "table" && !options.name.empty())
-    output.write(listing.text + "\n\n");
-  output.write(to_text(listing, options.output.format));
+  output.write(as_text(options));
   output.finish();
   return kDone;
 }

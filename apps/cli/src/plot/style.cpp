@@ -29,7 +29,7 @@ std::string motor_title(const studies::MotorFile& file) {
 }
 
 std::string panel_place(double top, double bottom, bool last) {
-  return "set lmargin at screen 0.105\nset rmargin at screen 0.97\nset tmargin at screen " +
+  return "set lmargin at screen 0.115\nset rmargin at screen 0.97\nset tmargin at screen " +
          plot_number(top) + "\nset bmargin at screen " + plot_number(bottom) + "\n" +
          (last ? "set format x '%g'\n" : "set format x ''\nunset xlabel\n");
 }
@@ -37,7 +37,7 @@ std::string panel_place(double top, double bottom, bool last) {
 std::string vertical_label(const std::string& quantity, const studies::DisplayUnit& unit) {
   // As a label at a fixed place: the labels of all panels then stand below each other.
   return "set label 98 " + with_unit(quantity, unit) +
-         " at screen 0.022, graph 0.5 center rotate noenhanced\n";
+         " at screen 0.019, graph 0.5 center rotate noenhanced\n";
 }
 
 std::string horizontal_label(const std::string& quantity, const studies::DisplayUnit& unit) {

@@ -3,6 +3,7 @@
 
 #include <twum/studies/materials/catalogue.hpp>
 #include <twum/studies/text/value_error.hpp>
+#include <twum/studies/text/words.hpp>
 
 #include <array>
 
@@ -36,6 +37,19 @@ bool any_given(const GivenMotor& given, std::string_view prefix) {
   return std::any_of(given.values.begin(), given.values.end(), [=](const ParameterValue& one) {
     return info(one.first).file_entry.starts_with(prefix);
   });
+}
+
+// The entry of a motor file, or of its blocks the innermost that is given.
+const YamlNode& nearest_node(const YamlNode& motor, std::string_view entry) {
+  const YamlNode* nearest = &motor;
+  for (std::string_view rest = entry; !rest.empty();) {
+    const std::string_view step = rest.substr(0, rest.find('.'));
+    const YamlNode* next = nearest->find(step);
+    if (next == nullptr) break;
+    nearest = next;
+    rest.remove_prefix(std::min(step.size() + 1, rest.size()));
+  }
+  return *nearest;
 }
 
 }  // namespace
@@ -93,20 +107,19 @@ std::string geometry_fallback(Parameter parameter) {
   }
 }
 
-bool say_of_geometry(const std::string& text, const Given& motor, Diagnostics& diagnostics) {
-  const std::size_t colon = text.find(": ");
-  const bool led = text.starts_with("stator") && colon != std::string::npos;
-  const std::string said = led ? text.substr(colon + 2) : text;
-  const auto named = find_parameter(said.substr(0, said.find(' ')));
-  const std::string entry = named ? std::string(info(*named).file_entry) : "stator.geometry";
-  const YamlNode* node = &motor.node();
-  for (std::size_t at = 0; node != nullptr && at < entry.size();) {
-    const std::size_t dot = std::min(entry.find('.', at), entry.size());
-    node = node->find(entry.substr(at, dot - at));
-    at = dot + 1;
-  }
-  diagnostics.add(node == nullptr ? motor.node().mark : node->mark, motor.path(entry), said, "");
-  return false;
+void say_of_motor(const std::string& text, const Given& motor, Diagnostics& diagnostics) {
+  const std::string name = text.substr(0, text.find(' '));
+  const std::size_t but = text.find(", but ");
+  const bool named = but != std::string::npos;
+  const auto parameter = find_parameter(name);
+  const std::string entry = parameter ? std::string(info(*parameter).file_entry)
+                                      : "stator." + (named ? name : "geometry");
+  const YamlNode& node = nearest_node(motor.node(), entry);
+  const std::string found = named ? text.substr(but + 6) : text;
+  const bool typed = !node.scalar.empty() && found.starts_with("is ");
+  diagnostics.add(node.mark, motor.path(entry),
+                  typed ? quoted(node.scalar) + " does not fit" : found,
+                  named ? text.substr(name.size() + 1, but - name.size() - 1) : "");
 }
 
 void fill_from_material(GivenMotor& motor, std::string_view block) {

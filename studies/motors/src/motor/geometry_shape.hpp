@@ -23,8 +23,9 @@ bool material_gives(const ParameterInfo& row);
 /// What holds if an entry of the geometry is left out, in words; empty if it may not be.
 std::string geometry_fallback(Parameter parameter);
 
-/// Says what is wrong with the geometry as a whole, at the first entry that the text names; returns false.
-bool say_of_geometry(const std::string& text, const Given& motor, Diagnostics& diagnostics);
+/// Says what is wrong with a motor whose entries are right one by one: "NAME must ..., but ..." at the entry of that name, all
+/// else at the geometry.
+void say_of_motor(const std::string& text, const Given& motor, Diagnostics& diagnostics);
 
 /// Gives the entries of a block that its material has and the file leaves out.
 void fill_from_material(GivenMotor& motor, std::string_view block);

@@ -290,37 +290,19 @@ MotorFile motor_of(const GivenMotor& given) {
   return {given.name, with(blank, all_values(given))};
 }
 
-// "NAME must ..., but ..." of a design whose entries are right one by one, said at the entry of that name.
 bool check_motor(GivenMotor& motor, const Given& given, Diagnostics& diagnostics) {
   if (!diagnostics.empty()) return false;  // what is wrong has been said; the motor is not made
   try {
     const MotorDesign design = motor_of(motor).design;
     if (!design.stator.geometry) return true;
-    if (const auto wrong = complaints(design); !wrong.empty()) throw InputError(wrong.front());
-    plate_model(design);  // which has a mode for the wave
-    return true;
+    for (const std::string& wrong : complaints(design)) say_of_motor(wrong, given, diagnostics);
+    if (diagnostics.empty()) plate_model(design);  // which has a mode for the wave
   } catch (const EvaluationError& error) {
-    return say_of_geometry(error.what(), given, diagnostics);
+    say_of_motor(error.what(), given, diagnostics);
   } catch (const InputError& error) {
-    const std::string text = error.what();
-    if (text.starts_with("stator")) return say_of_geometry(text, given, diagnostics);
-    const std::string name = text.substr(0, text.find(' '));
-    const auto parameter = find_parameter(name);
-    const std::string entry =
-        parameter ? std::string(info(*parameter).file_entry) : "stator." + name;
-    const std::size_t but = text.find(", but ");
-    const YamlNode* node = &given.node();
-    for (std::size_t at = 0; at != std::string::npos && node != nullptr;) {
-      const std::size_t dot = entry.find('.', at);
-      node = node->find(entry.substr(at, dot - at));
-      at = dot == std::string::npos ? dot : dot + 1;
-    }
-    diagnostics.add(
-        node == nullptr ? given.node().mark : node->mark, given.path(entry),
-        but == std::string::npos ? text : text.substr(but + 6),
-        but == std::string::npos ? "" : text.substr(name.size() + 1, but - name.size() - 1));
-    return false;
+    say_of_motor(error.what(), given, diagnostics);
   }
+  return diagnostics.empty();
 }
 
 GivenMotor given_by(const MotorFile& motor) {

@@ -140,8 +140,10 @@ using ParameterJacobian = std::array<std::array<double, kParameterCount>, kParam
 
 /// How all parameters move with each that is in use (in_use()), the others in use held: G, gamma and m with the material that
 /// gives them (T1.2 to T1.4) or the other way round, and mu_0 in proportion to mu unless `fixed_static_friction`. Columns of
-/// parameters not in use are zero. A microsecond; with a geometry some milliseconds, columns of n being those at the plate's mode
-/// as it is, and NaN where modes cross. Never throws for an admissible design.
+/// parameters not in use are zero. A microsecond; with a geometry some milliseconds, and NaN where modes cross.
+/// Beside a geometry the column of wavelengths holds the plate and its mode: it is not the way to another n, whose mode is
+/// another one, so compare whole numbers of waves by their values. Radii that coincide move together: the column of one of
+/// them alone means nothing (stator::StatorModel::joint_edges). Never throws for an admissible design.
 ParameterJacobian parameter_jacobian(const MotorDesign& design, bool fixed_static_friction = false);
 
 /// Why a value [SI] is not admissible by itself, in the form "must be at least 0 m, but is -1 m"; empty

@@ -185,7 +185,8 @@ MetricValue evaluate(const Motor& motor, const MetricRequest& request);
 
 /// Metrics with exact derivatives: forward mode through the closed forms, implicit differentiation at
 /// every root. All derivatives of all metrics together cost about 2.6 times the metrics alone.
-/// Never throws for a number asked at, as evaluate().
+/// Never throws for a number asked at, as evaluate(). For the number of wavelengths of a motor with a geometry, and for radii of
+/// its plate that coincide, see parameter_jacobian().
 /// @param fixed_static_friction  mu_0 stays where it is when mu moves; otherwise it keeps its ratio
 std::vector<MetricDerivative> differentiate(const Motor& motor,
                                             std::span<const MetricRequest> requests,

@@ -7,7 +7,9 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace twum::stator {
 
@@ -152,8 +154,12 @@ double* find(StatorGeometry& geometry, Dimension dimension);
 const double* find(const StatorGeometry& geometry, Dimension dimension);
 /// @}
 
+/// All that is wrong with the numbers of a stator, a sentence each, "ceramic_outer_radius must be at most 30 mm
+/// (substrate_outer_radius), but is 31 mm"; empty if such a stator can exist.
+std::vector<std::string> geometry_complaints(const StatorGeometry& geometry);
+
 /// Whether such a stator can exist.
-/// @throws InputError that names every entry that is wrong, what was found and what would be right
+/// @throws InputError of all complaints
 void check_geometry(const StatorGeometry& geometry);
 
 }  // namespace twum::stator
