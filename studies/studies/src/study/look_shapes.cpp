@@ -30,7 +30,7 @@ void check_family(const YamlNode& family, const Spot& spot, Diagnostics& diagnos
                   "a family is over one parameter");
 }
 
-Shape<CurveStudy::Family> family_shape() {
+Shape<CurveStudy::Family> family_shape(const char* example) {
   using Family = CurveStudy::Family;
   const auto values = by_parameter<Family>(
       [](const ParameterInfo& row) {
@@ -41,7 +41,7 @@ Shape<CurveStudy::Family> family_shape() {
             },
             [](const Family& family) { return family.values; });
       },
-      "one parameter and its values", "amplitude: [1.0 um, 1.5 um, 2.0 um]", check_family);
+      "one parameter and its values", example, check_family);
   return shape_as<Family, std::vector<Family>>(
       values, [](std::vector<Family> list) { return std::move(list.front()); },
       [](const Family& family) { return std::vector<Family>{family}; });
@@ -261,7 +261,8 @@ Shape<FrequencyStudy> FrequencyStudy::shape() {
   using F = FrequencyStudy;
   return mapping<F>(
       "sweeps of the frequency of a motor under a voltage, or of a family over one parameter",
-      {kind_field<F>(), optional<F>("family", family_shape(), &F::family, "the motor alone"),
+      {kind_field<F>(), optional<F>("family", family_shape("voltage: [80 V, 100 V, 120 V]"), &F::family,
+                   "the motor alone"),
        optional<F>("from", quantity("lowest frequency", "Hz", "39 kHz"), &F::from,
                    "below all resonances and jumps"),
        optional<F>("to", quantity("highest frequency", "Hz", "45 kHz"), &F::to, "above all jumps"),
@@ -288,7 +289,8 @@ Shape<CurveStudy> CurveStudy::shape() {
   return mapping<CurveStudy>(
       "one motor, or a family over one parameter",
       {kind_field<CurveStudy>(),
-       optional<CurveStudy>("family", family_shape(), &CurveStudy::family, "the motor alone"),
+       optional<CurveStudy>("family", family_shape("amplitude: [1.0 um, 1.5 um, 2.0 um]"),
+                            &CurveStudy::family, "the motor alone"),
        standard<CurveStudy>("points", count("points of each curve", "51", 2, 1e6),
                             &CurveStudy::points)});
 }
