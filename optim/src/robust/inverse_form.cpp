@@ -94,7 +94,8 @@ class InverseForm {
       best_ = evaluate(std::vector<double>(problem_.inputs.size(), 0.0));
       if (!best_.failure.empty() || beta_ == 0.0) return concluded(true);
       const double slope = norm(best_.by_normal);
-      if (slope == 0.0 || best_.value > kFar * slope) return concluded(true, true);
+      const bool far = margin_.limited && best_.value > kFar * slope;
+      if (slope == 0.0 || far) return concluded(true, true);
       best_ = evaluate(target());
     } else {
       best_ = evaluate(scaled(start, beta_));

@@ -28,8 +28,8 @@ double dot(std::span<const double> a, std::span<const double> b) {
 std::vector<Margin> margins_of(const RobustProblem& problem, std::size_t response) {
   const RandomLimit& limit = problem.limits[response];
   std::vector<Margin> list;
-  if (limit.lower > -kInfinity) list.push_back({response, 1.0, limit.lower});
-  if (limit.upper < kInfinity) list.push_back({response, -1.0, limit.upper});
+  if (limit.lower > -kInfinity) list.push_back({response, 1.0, limit.lower, true});
+  if (limit.upper < kInfinity) list.push_back({response, -1.0, limit.upper, true});
   return list;
 }
 

@@ -10,6 +10,7 @@ struct Margin {
   std::size_t response{0};
   double sign{1.0};
   double end{0.0};
+  bool limited{true};  ///< false of a quantile, which is asked for wherever it lies
 };
 
 /// The ends of a limit: one or two.

@@ -5,17 +5,21 @@
 
 namespace twum::optim {
 
-/// Mean or standard deviation of a response over a fixed sample, and its derivatives by the design, U2.1 and U2.2.
+/// A statistic of a response and its derivatives, U2.1 to U2.3.
 struct Moment {
   double value{0.0};
-  std::vector<double> by_design;
-  std::string failure;
+  std::vector<double> by_design;  ///< by each variable
+  std::vector<double> by_spread;  ///< s d/ds, of each input
+  std::string failure{};          ///< nothing else holds if it is not empty
 };
 
-/// Over the products z_1 .. z_N of the rows of `sample`; products without an answer are left out, and more than a thousandth
+/// Mean or standard deviation over the products z_1 .. z_N of the rows of `sample`; products without an answer are left out, and more than a thousandth
 /// of them is a failure.
 Moment moment(const RobustProblem& problem, const StatisticTarget& target,
               std::span<const double> x, const std::vector<std::vector<double>>& sample);
+
+/// Share of products without an answer beyond which the derivative of a mean would be wrong.
+inline constexpr double kMostLostOfAMean = 1e-3;
 
 /// The fixed sample of a problem: 256 points of a scrambled Sobol sequence, as normal numbers.
 std::vector<std::vector<double>> moment_sample(const RobustProblem& problem, std::uint64_t seed);

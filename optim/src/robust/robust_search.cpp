@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <twum/base/ordered.hpp>
 
 namespace twum::optim {
@@ -34,7 +35,55 @@ bool found(const Result& result) {
   return result.outcome == Outcome::optimal || result.outcome == Outcome::feasible;
 }
 
+// Leaves the indices of a largest yield free up to 6.
+constexpr double kGoalRisk = 1e-6;
+
+bool is_goal(const RobustProblem& problem, std::size_t target) {
+  return std::any_of(problem.goals.begin(), problem.goals.end(), [&](const RobustObjective& goal) {
+    return goal.kind == RobustGoal::yield && goal.index == target;
+  });
+}
+
 }  // namespace
+
+std::vector<double> wanted_risks(const RobustProblem& problem) {
+  std::vector<double> risks;
+  for (std::size_t s = 0; s < problem.yields.size(); ++s)
+    risks.push_back(is_goal(problem, s) ? kGoalRisk : 1.0 - problem.yields[s].at_least);
+  return risks;
+}
+
+std::vector<double> aimed_risks(const RobustProblem& problem) {
+  std::vector<double> risks = wanted_risks(problem);
+  for (std::size_t s = 0; s < risks.size(); ++s)
+    if (!is_goal(problem, s)) risks[s] = risk_to_aim_at(risks[s], products_for(risks[s]));
+  return risks;
+}
+
+std::vector<double> backed_off(const RobustProblem& problem, std::vector<double> risks,
+                               const Verification& seen) {
+  const std::vector<double> wanted = wanted_risks(problem);
+  for (std::size_t s = 0; s < risks.size(); ++s) {
+    const double most = 1.0 - seen.yields[s].low;
+    if (!is_goal(problem, s) && most > wanted[s]) risks[s] *= wanted[s] / most;
+  }
+  return risks;
+}
+
+YieldVerdict worst_verdict(const RobustProblem& problem, const Verification& seen) {
+  YieldVerdict worst = YieldVerdict::holds;
+  for (std::size_t s = 0; s < seen.yields.size(); ++s)
+    if (!is_goal(problem, s))
+      worst = std::max(worst, verdict_on(seen.yields[s], problem.yields[s].at_least));
+  return worst;
+}
+
+std::uint64_t products_for_rarest(const std::vector<double>& risks) {
+  constexpr double kWithoutYield = 0.01;
+  const double rarest =
+      risks.empty() ? kWithoutYield : *std::min_element(risks.begin(), risks.end());
+  return products_for(std::max(rarest, kGoalRisk));
+}
 
 RobustSearch::RobustSearch(const RobustProblem& problem, const RobustOptions& options)
     : problem_(problem),
@@ -58,19 +107,20 @@ std::vector<std::vector<double>> RobustSearch::starts() const {
   return list;
 }
 
-// One search of one round; calls of its problem go through the caller's memory.
-Result RobustSearch::search(const RobustRound& round, std::uint64_t number,
-                            std::span<const double> y, const std::string& solver,
-                            std::uint64_t stage) {
-  Problem p = round.problem();
-  for (std::size_t k = 0; k < y.size(); ++k) p.variables[k].start = y[k];
+// Calls of a round's problem go through the caller's memory.
+Problem RobustSearch::remembered(Problem problem, std::uint64_t number) const {
   if (options_.recall) {
-    p.evaluate = [this, number, evaluate = p.evaluate](std::span<const double> at, bool gradient) {
+    problem.evaluate = [this, number, evaluate = problem.evaluate](std::span<const double> at,
+                                                                   bool gradient) {
       return options_.recall(number, at, gradient, evaluate);
     };
   }
+  return problem;
+}
+
+SolveOptions RobustSearch::options_for(std::uint64_t number, std::uint64_t stage) {
   SolveOptions o = options_.solve;
-  o.solver = solver;
+  o.solver = "auto";
   o.starts = 1;
   o.threads = 1;
   o.global.clear();
@@ -82,7 +132,37 @@ Result RobustSearch::search(const RobustRound& round, std::uint64_t number,
     const std::lock_guard lock(observing_);
     options_.observer(number, observation);
   };
+  return o;
+}
+
+Result RobustSearch::search(const Problem& problem, std::uint64_t number, std::span<const double> y,
+                            const std::string& solver, std::uint64_t stage) {
+  Problem p = remembered(problem, number);
+  for (std::size_t k = 0; k < y.size(); ++k) p.variables[k].start = y[k];
+  SolveOptions o = options_for(number, stage);
+  o.solver = solver;
   return optim::solve(p, o);
+}
+
+Result RobustSearch::search(const Problem& problem, std::span<const double> y) {
+  Result result = search(problem, next_round_++, y, "auto", next_stage_);
+  next_stage_ += kStagesOfASolve;
+  book(result);
+  return result;
+}
+
+Front RobustSearch::front(const RobustRound& round, std::size_t points, std::span<const double> x) {
+  const std::uint64_t number = next_round_++;
+  Problem p = remembered(round.problem(), number);
+  const std::vector<double> y = round.start(x);
+  for (std::size_t k = 0; k < y.size(); ++k) p.variables[k].start = y[k];
+  ParetoOptions o;
+  o.solve = options_for(number, next_stage_);
+  o.points = points;
+  Front found = pareto_front(p, o);
+  next_stage_ += found.stages_used + 1;
+  counters_.add(found.counters);
+  return found;
 }
 
 void RobustSearch::book(const Result& result) { counters_.add(result.counters); }
@@ -96,9 +176,10 @@ bool RobustSearch::better(const Result& a, const Result& b) const {
   return value < other - 1e-9 * std::abs(other);
 }
 
-SolvedRound RobustSearch::first_round(RobustGoal goal, const std::vector<double>& risks) {
+SolvedRound RobustSearch::first_round(const std::vector<RobustObjective>& goals,
+                                      const std::vector<double>& risks) {
   const auto round = std::make_shared<const RobustRound>(
-      problem_, goal, risks, Correction::none(terms_), options_.solve.seed);
+      problem_, goals, risks, Correction::none(terms_), options_.solve.seed);
   const std::uint64_t number = next_round_++;
   const auto list = starts();
   const std::uint64_t first = next_stage_;
@@ -107,7 +188,7 @@ SolvedRound RobustSearch::first_round(RobustGoal goal, const std::vector<double>
   run_indexed(
       {0, list.size(), static_cast<unsigned>(options_.solve.threads), {}},
       [&](std::uint64_t i) {
-        return search(*round, number, round->start(list[i]), "nlopt:slsqp",
+        return search(round->problem(), number, round->start(list[i]), "nlopt:slsqp",
                       first + kStagesOfASolve * i);
       },
       [&](std::uint64_t, std::vector<Result>& some) {
@@ -127,7 +208,7 @@ SolvedRound RobustSearch::first_round(RobustGoal goal, const std::vector<double>
   }
   SolvedRound solved{round, std::move(results[best])};
   if (solved.result.certificate.passed || solved.result.design.empty() || stopped()) return solved;
-  Result finished = search(*round, number, solved.result.design, "auto", next_stage_);
+  Result finished = search(round->problem(), number, solved.result.design, "auto", next_stage_);
   next_stage_ += kStagesOfASolve;
   book(finished);
   if (!improves(solved.result, finished)) solved.result = std::move(finished);
@@ -136,18 +217,31 @@ SolvedRound RobustSearch::first_round(RobustGoal goal, const std::vector<double>
 
 SolvedRound RobustSearch::solve(std::shared_ptr<const RobustRound> round,
                                 std::span<const double> y) {
-  const std::uint64_t number = next_round_++;
-  Result result = search(*round, number, y, "auto", next_stage_);
-  next_stage_ += kStagesOfASolve;
-  book(result);
+  Result result = search(round->problem(), y);
   return {std::move(round), std::move(result)};
 }
 
-SolvedRound RobustSearch::solve_again(const SolvedRound& from, RobustGoal goal,
+SolvedRound RobustSearch::solve_again(const SolvedRound& from,
+                                      const std::vector<RobustObjective>& goals,
                                       const std::vector<double>& risks) {
-  return solve(std::make_shared<const RobustRound>(problem_, goal, risks, from.round->correction(),
+  return solve(std::make_shared<const RobustRound>(problem_, goals, risks, from.round->correction(),
                                                    options_.solve.seed),
                from.result.design);
+}
+
+double RobustSearch::goal_at(const SolvedRound& solved) const {
+  const RobustRound& old = *solved.round;
+  const RobustRound round(problem_, problem_.goals, risks_of(old), old.correction(),
+                          options_.solve.seed);
+  const Evaluation answer = round.problem().evaluate(solved.result.design, false);
+  return answer.ok() ? round.goal_value(answer.values.front())
+                     : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::vector<double> RobustSearch::risks_of(const RobustRound& round) const {
+  std::vector<double> risks;
+  for (std::size_t s = 0; s < terms_.of_target.size(); ++s) risks.push_back(round.risk(s));
+  return risks;
 }
 
 double RobustSearch::moved(const SolvedRound& from, const SolvedRound& to) const {
@@ -194,17 +288,15 @@ Correction RobustSearch::correction(const SolvedRound& solved, const SamplePlan&
 SolvedRound RobustSearch::correct_once(const SolvedRound& solved, std::uint64_t products,
                                        std::uint64_t replicate) {
   const RobustRound& old = *solved.round;
-  std::vector<double> risks;
-  for (std::size_t s = 0; s < terms_.of_target.size(); ++s) risks.push_back(old.risk(s));
   const auto next = std::make_shared<const RobustRound>(
-      problem_, old.goal(), risks, correction(solved, plan(products, replicate)),
+      problem_, old.goals(), risks_of(old), correction(solved, plan(products, replicate)),
       options_.solve.seed);
   if (stopped()) return solved;
   SolvedRound after = solve(next, solved.result.design);
   RobustRoundReport report{products, last_risk_.any, last_risk_.error, 0.0, 0.0};
   if (!next->correction().kappa.empty()) report.kappa = next->correction().kappa.front();
   if (!after.result.evaluation.values.empty())
-    report.objective = after.result.evaluation.values.front();
+    report.objective = next->goal_value(after.result.evaluation.values.front());
   reports_.push_back(report);
   return after;
 }
@@ -220,7 +312,7 @@ SolvedRound RobustSearch::corrected(SolvedRound solved) {
       SolvedRound next = correct_once(solved, level.products, replicate);
       if (stopped() || !next.feasible()) return next;
       const double still = moved(solved, next);
-      const bool right = solved.round->goal() == RobustGoal::yield || terms_.of_target.empty() ||
+      const bool right = solved.round->seeks_yield() || terms_.of_target.empty() ||
                          std::abs(last_risk_.any - next.round->risk(0)) < 2.0 * last_risk_.error;
       solved = std::move(next);
       if (right && still < kDesignStill) break;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/round.hpp"
 
-#include "robust/moments.hpp"
 #include "robust/normal.hpp"
 
 #include <algorithm>
@@ -16,16 +15,48 @@ constexpr double kMostBeta = 6.0;    // a risk of 1e-9
 // enough to be left with it.
 constexpr double kSmallShare = 1e-3;
 
-void append_line(Evaluation& answer, const LineOf& line) {
-  answer.values.push_back(line.value);
-  answer.jacobian.insert(answer.jacobian.end(), line.slope.begin(), line.slope.end());
-}
-
 std::string side_name(const RobustProblem& problem, const Margin& margin) {
   const RandomLimit& limit = problem.limits[margin.response];
   const bool both = limit.lower > -kInfinity && limit.upper < kInfinity;
   if (!both) return limit.name;
   return limit.name + (margin.sign > 0.0 ? " (lower end)" : " (upper end)");
+}
+
+bool is_limited(const StatisticTarget& target) {
+  return target.lower > -kInfinity || target.upper < kInfinity;
+}
+
+// The rows of a round.
+class Rows {
+ public:
+  explicit Rows(bool gradient) : gradient_(gradient) {}
+
+  void add(const LineOf& line) {
+    if (answer_.ok()) answer_.failure = line.failure;
+    answer_.values.push_back(line.value);
+    if (gradient_)
+      answer_.jacobian.insert(answer_.jacobian.end(), line.slope.begin(), line.slope.end());
+  }
+
+  Evaluation answer() && {
+    if (answer_.ok()) return std::move(answer_);
+    return {{}, {}, {}, std::move(answer_.failure)};
+  }
+
+ private:
+  bool gradient_;
+  Evaluation answer_;
+};
+
+Objective objective_of(const RobustProblem& problem, const RobustObjective& goal) {
+  switch (goal.kind) {
+    case RobustGoal::nominal: return problem.design.objectives[goal.index];
+    case RobustGoal::yield:
+      return {"log risk of " + problem.yields[goal.index].name, Sense::minimize};
+    case RobustGoal::statistic: break;
+  }
+  const StatisticTarget& target = problem.statistics[goal.index];
+  return {(target.kind == Statistic::sd ? "square of " : "") + target.name, goal.sense};
 }
 
 }  // namespace
@@ -43,8 +74,11 @@ RobustTerms::RobustTerms(const RobustProblem& problem) {
   for (std::size_t s = 0; s < problem.statistics.size(); ++s) {
     const StatisticTarget& target = problem.statistics[s];
     if (target.kind != Statistic::quantile) continue;
-    terms.push_back(
-        {target.name, {target.response, 1.0, 0.0}, {}, s, -normal_quantile(target.probability)});
+    terms.push_back({target.name,
+                     {target.response, 1.0, 0.0, false},
+                     {},
+                     s,
+                     -normal_quantile(target.probability)});
   }
 }
 
@@ -59,16 +93,22 @@ Correction Correction::none(const RobustTerms& terms) {
           std::vector<std::vector<double>>(terms.terms.size())};
 }
 
-RobustRound::RobustRound(const RobustProblem& problem, RobustGoal goal, std::vector<double> risks,
-                         Correction correction, std::uint64_t seed)
+RobustRound::RobustRound(const RobustProblem& problem, std::vector<RobustObjective> goals,
+                         std::vector<double> risks, Correction correction, std::uint64_t seed)
     : problem_(problem),
-      goal_(goal),
+      goals_(std::move(goals)),
       terms_(problem),
       risks_(std::move(risks)),
       correction_(std::move(correction)) {
   if (std::any_of(problem.statistics.begin(), problem.statistics.end(),
                   [](const StatisticTarget& s) { return s.kind != Statistic::quantile; }))
     sample_ = moment_sample(problem, seed);
+}
+
+bool RobustRound::is_goal(std::size_t target) const {
+  return std::any_of(goals_.begin(), goals_.end(), [&](const RobustObjective& goal) {
+    return goal.kind == RobustGoal::yield && goal.index == target;
+  });
 }
 
 std::string RobustRound::risk_line(std::size_t target) const {
@@ -103,11 +143,7 @@ Problem RobustRound::problem() const {
     p.variables.push_back({"beta of " + term.name + " in " + problem_.yields[*term.target].name,
                            kLeastBeta, std::clamp(most, 0.0, kMostBeta), first[variables() + j]});
   }
-  if (goal_ == RobustGoal::nominal) p.objectives = problem_.design.objectives;
-  if (goal_ == RobustGoal::yield)
-    p.objectives = {{"log risk of " + problem_.yields.front().name, Sense::minimize}};
-  if (goal_ == RobustGoal::statistic)
-    p.objectives = {{problem_.statistics.front().name, problem_.sense}};
+  for (const RobustObjective& goal : goals_) p.objectives.push_back(objective_of(problem_, goal));
   p.constraints = problem_.design.constraints;
   for (const RobustTerm& term : terms_.terms)
     if (term.target)
@@ -115,8 +151,7 @@ Problem RobustRound::problem() const {
   for (std::size_t s = 0; s < terms_.of_target.size(); ++s)
     if (!is_goal(s)) p.constraints.push_back({risk_line(s), 0.0});
   for (const StatisticTarget& target : problem_.statistics)
-    if (target.lower > -kInfinity || target.upper < kInfinity)
-      p.constraints.push_back({target.name, target.lower, target.upper});
+    if (is_limited(target)) p.constraints.push_back({target.name, target.lower, target.upper});
   p.evaluate = [this](std::span<const double> y, bool gradient) { return evaluate(y, gradient); };
   return p;
 }
@@ -139,26 +174,25 @@ double RobustRound::log_risk(std::span<const double> y, std::size_t target) cons
   return std::log(joint_risk(beta, correction_.overlaps[target]).risk);
 }
 
-// U2.1 to U2.3
-LineOf RobustRound::statistic_line(std::span<const double> y, std::size_t statistic,
-                                   const std::vector<InversePoint>& worst) const {
-  LineOf line{std::vector<double>(y.size(), 0.0)};
-  const auto put = [&](double value, const std::vector<double>& by_design) {
-    line.value = value;
-    std::copy(by_design.begin(), by_design.end(), line.slope.begin());
-  };
-  for (std::size_t j = 0; j < worst.size(); ++j)
-    if (terms_.terms[j].statistic == statistic)
-      put(worst[j].at.value + correction_.delta[j], worst[j].at.by_design);
-  const StatisticTarget& target = problem_.statistics[statistic];
-  if (target.kind == Statistic::quantile) return line;
-  const Moment found = moment(problem_, target, y.first(variables()), sample_);
-  if (found.failure.empty()) put(found.value, found.by_design);
-  line.failure = found.failure;
-  return line;
+double RobustRound::goal_value(double objective, std::size_t position) const {
+  const RobustObjective& goal = goals_[position];
+  if (goal.kind == RobustGoal::yield) return 1.0 - std::exp(objective);
+  const bool squared =
+      goal.kind == RobustGoal::statistic && problem_.statistics[goal.index].kind == Statistic::sd;
+  return squared ? std::sqrt(objective) : objective;
 }
 
-// Objective, constraints of the design, margins, risk lines, statistics.
+// U2.1 to U2.3
+Moment RobustRound::statistic(std::span<const double> y, std::size_t statistic,
+                              const std::vector<InversePoint>& worst) const {
+  for (std::size_t j = 0; j < worst.size(); ++j)
+    if (terms_.terms[j].statistic == statistic)
+      return {worst[j].at.value + correction_.delta[j], worst[j].at.by_design,
+              worst[j].at.by_spread};
+  return moment(problem_, problem_.statistics[statistic], y.first(variables()), sample_);
+}
+
+// Objectives, constraints of the design, margins, risk lines, statistics.
 Evaluation RobustRound::evaluate(std::span<const double> y, bool gradient) const {
   const std::size_t n = variables(), all = y.size();
   const auto x = y.first(n);
@@ -166,9 +200,8 @@ Evaluation RobustRound::evaluate(std::span<const double> y, bool gradient) const
   if (problem_.design.responses() > 0) design = problem_.design.evaluate(x, gradient);
   if (!design.ok()) return design;
   const std::vector<InversePoint> worst = points(y);
-  Evaluation answer;
-  if (!worst.empty()) answer.failure = worst.back().at.failure;
-  if (!answer.ok()) return answer;
+  if (!worst.empty() && !worst.back().at.failure.empty())
+    return {{}, {}, {}, worst.back().at.failure};
 
   const auto design_line = [&](std::size_t i) {
     LineOf line{std::vector<double>(all, 0.0), design.values[i]};
@@ -192,31 +225,36 @@ Evaluation RobustRound::evaluate(std::span<const double> y, bool gradient) const
     if (terms_.terms[j].target) line.slope[n + j] = worst[j].by_beta;
     return line;
   };
+  const auto statistic_line = [&](std::size_t s) {
+    Moment found = statistic(y, s, worst);
+    LineOf line{std::vector<double>(all, 0.0), found.value, std::move(found.failure)};
+    std::copy(found.by_design.begin(), found.by_design.end(), line.slope.begin());
+    return line;
+  };
+  // Zero spread has no derivative, its square has.
+  const auto squared = [](LineOf line) {
+    for (double& slope : line.slope) slope *= 2.0 * line.value;
+    line.value *= line.value;
+    return line;
+  };
 
-  const std::size_t objectives = problem_.design.objectives.size();
-  if (goal_ == RobustGoal::nominal) append_line(answer, design_line(0));
-  if (goal_ == RobustGoal::yield) append_line(answer, risk_of(0, 1.0, 0.0));
-  if (goal_ == RobustGoal::statistic) {
-    const LineOf line = statistic_line(y, 0, worst);
-    if (!line.failure.empty()) return {{}, {}, {}, line.failure};
-    append_line(answer, line);
+  Rows rows(gradient);
+  for (const RobustObjective& goal : goals_) {
+    if (goal.kind == RobustGoal::nominal) rows.add(design_line(goal.index));
+    if (goal.kind == RobustGoal::yield) rows.add(risk_of(goal.index, 1.0, 0.0));
+    if (goal.kind != RobustGoal::statistic) continue;
+    const bool spread = problem_.statistics[goal.index].kind == Statistic::sd;
+    rows.add(spread ? squared(statistic_line(goal.index)) : statistic_line(goal.index));
   }
-  for (std::size_t i = objectives; i < design.values.size(); ++i)
-    append_line(answer, design_line(i));
+  for (std::size_t i = problem_.design.objectives.size(); i < design.values.size(); ++i)
+    rows.add(design_line(i));
   for (std::size_t j = 0; j < worst.size(); ++j)
-    if (terms_.terms[j].target) append_line(answer, margin_line(j));
+    if (terms_.terms[j].target) rows.add(margin_line(j));
   for (std::size_t s = 0; s < terms_.of_target.size(); ++s)
-    if (!is_goal(s))
-      append_line(answer, risk_of(s, -1.0, std::log(risks_[s] * (1.0 + correction_.kappa[s]))));
-  for (std::size_t s = 0; s < problem_.statistics.size(); ++s) {
-    const StatisticTarget& target = problem_.statistics[s];
-    if (!(target.lower > -kInfinity || target.upper < kInfinity)) continue;
-    const LineOf line = statistic_line(y, s, worst);
-    if (!line.failure.empty()) return {{}, {}, {}, line.failure};
-    append_line(answer, line);
-  }
-  if (!gradient) answer.jacobian.clear();
-  return answer;
+    if (!is_goal(s)) rows.add(risk_of(s, -1.0, std::log(risks_[s] * (1.0 + correction_.kappa[s]))));
+  for (std::size_t s = 0; s < problem_.statistics.size(); ++s)
+    if (is_limited(problem_.statistics[s])) rows.add(statistic_line(s));
+  return std::move(rows).answer();
 }
 
 }  // namespace twum::optim

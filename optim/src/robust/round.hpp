@@ -3,6 +3,7 @@
 
 #include "robust/inverse_form.hpp"
 #include "robust/joint_risk.hpp"
+#include "robust/moments.hpp"
 
 namespace twum::optim {
 
@@ -49,8 +50,8 @@ class RobustRound {
  public:
   /// @param risks  of each yield target the share of products that may fail; not used of the goal
   /// @param seed   of the fixed sample of means and standard deviations
-  RobustRound(const RobustProblem& problem, RobustGoal goal, std::vector<double> risks,
-              Correction correction, std::uint64_t seed = 1);
+  RobustRound(const RobustProblem& problem, std::vector<RobustObjective> goals,
+              std::vector<double> risks, Correction correction, std::uint64_t seed = 1);
 
   /// Its constraints: those of the design, G_j + delta_j >= 0 of each term of a target, the risk lines, the statistics.
   Problem problem() const;
@@ -64,7 +65,16 @@ class RobustRound {
 
   const RobustTerms& terms() const noexcept { return terms_; }
   const Correction& correction() const noexcept { return correction_; }
-  RobustGoal goal() const noexcept { return goal_; }
+  const std::vector<RobustObjective>& goals() const noexcept { return goals_; }
+  /// Whether the share of a yield target is a goal.
+  bool is_goal(std::size_t target) const;
+  /// Whether its only goal is a largest yield.
+  bool seeks_yield() const { return goals_.size() == 1 && goals_[0].kind == RobustGoal::yield; }
+  /// The value of a goal where its row in the problem has this one.
+  double goal_value(double objective, std::size_t goal = 0) const;
+  /// A statistic at y, whose points() are these.
+  Moment statistic(std::span<const double> y, std::size_t statistic,
+                   const std::vector<InversePoint>& worst) const;
   double risk(std::size_t target) const { return risks_[target]; }
   /// Name of the line of U3.1 that spends a target's risk.
   std::string risk_line(std::size_t target) const;
@@ -72,12 +82,9 @@ class RobustRound {
  private:
   Evaluation evaluate(std::span<const double> y, bool gradient) const;
   std::size_t variables() const { return problem_.design.variables.size(); }
-  LineOf statistic_line(std::span<const double> y, std::size_t statistic,
-                        const std::vector<InversePoint>& worst) const;
-  bool is_goal(std::size_t target) const { return goal_ == RobustGoal::yield && target == 0; }
 
   const RobustProblem& problem_;
-  RobustGoal goal_;
+  std::vector<RobustObjective> goals_;
   RobustTerms terms_;
   std::vector<double> risks_;
   Correction correction_;

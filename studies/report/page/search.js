@@ -41,9 +41,8 @@ function convergence(node) {
 }
 
 function stagesTable() {
-  const unit = unitOf(summary.objective.metric);
   return table('starts', ['run', 'solver', 'it said', plain(summary.objective.metric), 'keeps the limits', 'evaluations'],
-    summary.stages.map((s) => [words(s.stage), words(s.solver), words(s.word), quantity(s.objective, unit), words(s.feasible ? 'yes' : 'no', s.feasible ? 'good-word' : 'bad-word'), { text: String(s.evaluations), value: s.evaluations }]));
+    summary.stages.map((s) => [words(s.stage), words(s.solver), words(s.word), { text: goalText(summary.objective, s.objective), value: s.objective }, words(s.feasible ? 'yes' : 'no', s.feasible ? 'good-word' : 'bad-word'), { text: String(s.evaluations), value: s.evaluations }]));
 }
 
 function relaxationCard() {
@@ -112,6 +111,6 @@ function searchPage() {
   const labels = { before: 'before', best: 'best design' };
   const list = curves.filter(Boolean);
   if (list.length) curveSection(list, list.map((c) => labels[c.label]), 'Torque: before and after');
-  convergence(card('How the search went', 'The motors that were computed, in order.', 'half'));
+  if (rows.columns.some((c) => c.name === summary.objective.metric)) convergence(card('How the search went', 'The motors that were computed, in order.', 'half'));
   card('The starts', 'Each run of a solver, and what it said of itself. ' + (summary.relaxation ? '' : certificateText(summary.best.certificate)), 'half short').append(stagesTable());
 }

@@ -47,12 +47,11 @@ function changeWords(now, before) {
 
 function searchVerdict() {
   const goal = summary.objective;
-  const unit = unitOf(goal.metric);
   if (!summary.best) return { look: 'bad', lines: [sentence(bold('No design could be evaluated.'))] };
   if (summary.relaxation) return relaxationVerdict();
   const now = goalValue(summary.best, goal);
   const before = goalValue(summary.before, goal);
-  const lines = [sentence('The best design found has a ' + plain(goal.metric) + ' of ', bold(engineering(now, unit)), before === null ? '' : ', against ' + engineering(before, unit) + ' before' + changeWords(now, before), ': ' + choiceWords(summary.best) + designWords(summary.best.design) + '.')];
+  const lines = [sentence('The best design found has a ' + plain(goal.metric) + ' of ', bold(goalText(goal, now)), before === null ? '' : ', against ' + goalText(goal, before) + ' before' + changeWords(now, before), ': ' + choiceWords(summary.best) + designWords(summary.best.design) + '.')];
   if (summary.robust) lines.unshift(...robustSentences());
   const held = holders(summary.best, [goal]);
   if (held.length || wholeEnds(summary.best).length) lines.push(sentence(held.length === 1 ? 'What stops it:' : 'What stops it, the most valuable limit first:'), holderList(summary.best, [goal]));

@@ -8,7 +8,17 @@ const nameWords = { youngs_modulus: "Young's modulus", poisson_ratio: 'Poisson r
 function plain(name) {
   const call = /^(\w+)_at\((.*)\)$/s.exec(name);
   if (call) return plain(call[1]) + ' at ' + call[2];
+  const statistic = /^(mean|sd|quantile|probability)\((.*)\)$/s.exec(name);
+  if (statistic) return statisticWords(statistic[1], statistic[2]);
   return (Object.hasOwn(data.parameters, name) && data.parameters[name].part === 'contact_layer' ? 'contact layer ' : '') + shortName(name);
+}
+
+/** "mean peak power", "5 % quantile of the stall torque" */
+function statisticWords(kind, inside) {
+  if (kind === 'probability') return 'probability of ' + limitWords(inside);
+  if (kind !== 'quantile') return (kind === 'mean' ? 'mean ' : 'standard deviation of the ') + plain(inside);
+  const comma = inside.lastIndexOf(',');
+  return inside.slice(comma + 1).trim() + ' quantile of the ' + plain(inside.slice(0, comma).trim());
 }
 
 function shortName(name) { return Object.hasOwn(nameWords, name) ? nameWords[name] : name.replace(/_/g, ' '); }
@@ -34,8 +44,14 @@ function signed(value, unit) {
   return value === 0 ? 'nothing' : (value > 0 ? '+' : '') + engineering(value, unit, 3);
 }
 
-/** What a design has of a goal: a metric, or a parameter. */
-function goalValue(report, goal) { return report.metrics[goal.metric] ?? report.design[goal.metric] ?? null; }
+/** What a design has of a goal: a metric, a parameter, or a statistic of the motors built to it. */
+function goalValue(report, goal) { return report.metrics[goal.metric] ?? report.design[goal.metric] ?? (report.statistics || {})[goal.metric] ?? null; }
+
+/** Whether a goal is a share of the motors. */
+function isShare(goal) { return /^(yield$|probability\()/.test(goal.metric); }
+
+/** The value of a goal with its unit. */
+function goalText(goal, value, digits = 4) { return isShare(goal) ? percent(value, digits) : engineering(value, unitOf(goal.metric), digits); }
 
 /** "lining peek.yaml, ": what was chosen for a design, before its numbers; empty where nothing was. */
 function choiceWords(report) { return Object.entries(report.choice || {}).map(([name, set]) => shortName(name) + ' ' + set + ', ').join(''); }

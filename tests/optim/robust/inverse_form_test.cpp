@@ -37,18 +37,18 @@ TEST_CASE("FORM is exact where a limit is linear in the normal numbers (U3.2)", 
   // The worst margin at the distance of the exact index is zero.
   const auto problem = sum_problem();
   const std::vector<double> x{0.5};
-  const auto c5 = inverse_form(problem, {0, 1.0, 5.0}, x, robust_case("C5", "beta"), {});
+  const auto c5 = inverse_form(problem, {0, 1.0, 5.0, true}, x, robust_case("C5", "beta"), {});
   // Twelve digits of the table times the spread 1.56.
   CHECK(c5.at.value == Approx(0.0).margin(1e-10));
   CHECK(c5.by_beta == Approx(-robust_case("C5", "sd")).epsilon(1e-10));
   const auto c5c =
-      inverse_form(problem, {0, 1.0, 9.59287509798}, x, robust_case("C5c", "beta"), {});
+      inverse_form(problem, {0, 1.0, 9.59287509798, true}, x, robust_case("C5c", "beta"), {});
   CHECK(c5c.at.value == Approx(0.0).margin(1e-10));
 }
 
 TEST_CASE("FORM is exact where the logarithm of a limit is linear (U3.2, U1.2)",
           "[optim][robust]") {
-  const auto worst = inverse_form(torque_problem(Law::lognormal), {0, 1.0, 0.7}, kDesign,
+  const auto worst = inverse_form(torque_problem(Law::lognormal), {0, 1.0, 0.7, true}, kDesign,
                                   robust_case("C1c", "FORM beta of holding_torque >= 0.7 N.m"), {});
   CHECK(worst.converged);
   CHECK(worst.at.value == Approx(0.0).margin(1e-10));
@@ -56,7 +56,7 @@ TEST_CASE("FORM is exact where the logarithm of a limit is linear (U3.2, U1.2)",
 
 TEST_CASE("the most probable failing point of a product of normal inputs (U3.2)",
           "[optim][robust]") {
-  const auto worst = inverse_form(torque_problem(Law::normal), {0, 1.0, 0.7}, kDesign,
+  const auto worst = inverse_form(torque_problem(Law::normal), {0, 1.0, 0.7, true}, kDesign,
                                   robust_case("C2b", "FORM beta of holding_torque >= 0.7 N.m"), {});
   CHECK(worst.converged);
   // Twelve digits of the index times the slope 0.09.
@@ -71,7 +71,7 @@ TEST_CASE("the worst margin of bounded inputs is the least on the sphere (U1.3, 
     for (RandomInput& input : problem.inputs) input.above = 2.0 * input.spread;
     for (const double beta : {0.5, 1.5, 3.0, 4.5}) {
       CAPTURE(static_cast<int>(law), beta);
-      const auto worst = inverse_form(problem, {0, 1.0, 0.7}, kDesign, beta, {});
+      const auto worst = inverse_form(problem, {0, 1.0, 0.7, true}, kDesign, beta, {});
       double least = 1e9;
       constexpr int kSteps = 20000;
       for (int i = 0; i < kSteps; ++i) {
@@ -119,11 +119,11 @@ TEST_CASE("a curved limit with two worst points leads to one of them, not to the
   const std::vector<double> x{0.5};
   const double aside = std::sqrt(1.0 - 0.98 * 0.98);
   const auto worst =
-      inverse_form(problem, {0, 1.0, 0.0}, x, beta, std::vector<double>{0.98, aside});
+      inverse_form(problem, {0, 1.0, 0.0, true}, x, beta, std::vector<double>{0.98, aside});
   // The steps close in on the worst point by a third of the way each, since the limit is curved nearly as much as the
   // sphere: G falls to its least from above. The saddle has 3 - beta = 0.042.
   CHECK(worst.at.value >= -1e-10);
   CHECK(worst.at.value <= 1e-6);
-  const auto saddle = inverse_form(problem, {0, 1.0, 0.0}, x, beta, {});
+  const auto saddle = inverse_form(problem, {0, 1.0, 0.0, true}, x, beta, {});
   CHECK(saddle.at.value == Approx(3.0 - beta));
 }

@@ -66,7 +66,7 @@ TEST_CASE("the preload of largest yield between two ends is their geometric mean
   problem.limits[0].lower = 0.75;
   problem.limits[0].upper = 0.95;
   problem.yields = {{"yield", {0}, 0.99}};
-  problem.goal = RobustGoal::yield;
+  problem.goals = {{RobustGoal::yield}};
   // Both ends are linear in the logarithm and never fail together, so FORM is exact. The yield is flat at its maximum:
   // 1e-6 of stationarity over its curvature leaves 1e-5 of the preload.
   CHECK(solve_form(problem).design[0] == Approx(robust_case("C9", "Fbest")).epsilon(1e-5));
@@ -90,7 +90,7 @@ TEST_CASE("risk is shared out between correlated limits as the exact optimum has
 
     Correction known = Correction::none(RobustTerms(problem));
     known.overlaps = {{{0, 1, r}}};
-    const RobustRound round(problem, RobustGoal::nominal, {0.01}, known);
+    const RobustRound round(problem, problem.goals, {0.01}, known);
     SolveOptions options;
     options.tolerance = 1e-9;
     options.starts = 1;

@@ -9,6 +9,12 @@
 
 namespace twum::optim {
 
+/// A mean over products with its standard error.
+struct SampledMean {
+  double value{0.0};
+  double error{0.0};  ///< NaN: not known
+};
+
 /// What fresh products of a design came to.
 struct Verification {
   std::vector<YieldEstimate> yields;  ///< of each yield target
@@ -18,6 +24,9 @@ struct Verification {
       lost;  ///< products without an answer, by reason; all their limits fail
   std::vector<std::vector<double>>
       values;  ///< of each response, one for each product; NaN without an answer
+  /// Of each input: change of the first yield if its spread is 1 % smaller, from the failing products alone, U6.6; NaN
+  /// where its law is not normal.
+  std::vector<SampledMean> tighter;
 };
 
 /// Where the risk of one end of a limit goes, U6.1.
@@ -32,6 +41,12 @@ struct RiskShare {
   double multiplier{0.0};            ///< improvement of the goal per unit that this end is relaxed
   double delta{0.0};                 ///< correction of its margin in the last round, user units
   bool converged{true};              ///< its worst point was found to 1e-8
+};
+
+/// A design between the wanted yield and others.
+struct YieldPrice {
+  double yield{0.0};      ///< of the first target, by an importance sample
+  double objective{0.0};  ///< the goal of the best design that has it
 };
 
 /// What one tolerance costs, U6.2 to U6.5.
@@ -49,7 +64,7 @@ struct RobustRoundReport {
   double risk{0.0};           ///< p_any of the first target at its design, before its correction
   double error{0.0};          ///< standard error of it
   double kappa{0.0};          ///< correction of the first target
-  double objective{0.0};      ///< after it
+  double objective{0.0};      ///< the goal after it
 };
 
 /// What a robust search has found.
@@ -59,13 +74,19 @@ struct RobustResult {
           failed};  ///< optimal: holds; feasible: not distinguishable; infeasible: broken or impossible
   YieldVerdict verdict{YieldVerdict::broken};  ///< of the target that fares worst
   std::vector<double> design;                  ///< values of the variables
-  Result last;  ///< of the last round's problem, in design and indices: its certificate
+  Result
+      last;  ///< of the last round's problem, in design and indices: its certificate; stages tell the goal
+  double goal_per_objective{
+      1.0};  ///< a unit of the objective of `last` in units of the goal: it is the logarithm of a
+             ///< risk, the square of a spread
   Verification verification;           ///< fresh products of the design
   std::vector<RiskShare> risks;        ///< of every end of a limit
   std::vector<TolerancePrice> prices;  ///< of every input
   double price_of_yield{0.0};  ///< loss of the goal per unit of the first target's yield, U6.4
   std::vector<RobustRoundReport> rounds;  ///< in order
   std::vector<double> aimed;              ///< yields of the first target that were aimed at, U5.4
+  std::vector<YieldPrice>
+      prices_of_yields;       ///< goal over yield, rising to the largest yield there is
   double largest_yield{0.0};  ///< of the first target, where the wanted one cannot be had; else NaN
   Counters counters;          ///< of problems in design and indices
 };

@@ -38,29 +38,35 @@ struct StatisticTarget {
   double upper{kInfinity};   ///< user units
 };
 
-/// What a robust search is to improve.
+/// Kinds of goals of a robust search.
 enum class RobustGoal : std::uint8_t {
-  nominal,   ///< the objective of `design`
-  yield,     ///< the largest share of the first yield target
-  statistic  ///< the first statistic, in the sense of `sense`
+  nominal,   ///< an objective of `design`
+  yield,     ///< the largest share of a yield target
+  statistic  ///< a statistic; of a standard deviation the variance is what is optimized
+};
+
+/// What a robust search is to improve.
+struct RobustObjective {
+  RobustGoal kind{RobustGoal::nominal};  ///< which kind
+  std::size_t index{0};          ///< position among the objectives, yield targets or statistics
+  Sense sense{Sense::maximize};  ///< of a statistic
 };
 
 /// A design problem whose products differ from the design and from each other.
 struct RobustProblem {
   Problem
-      design;  ///< variables; the objective, if the goal is nominal; constraints on the design itself
+      design;  ///< variables; objectives, of goals that are nominal; constraints on the design itself
   std::vector<RandomInput> inputs;  ///< what scatters
   std::vector<RandomLimit> limits;  ///< responses of the built products, in order
   BuiltEvaluator built;             ///< of these responses
   std::vector<YieldTarget> yields;  ///< each with its own limits
   std::vector<StatisticTarget>
-      statistics;                        ///< responses without ends may stand in `limits` for them
-  RobustGoal goal{RobustGoal::nominal};  ///< what is improved
-  Sense sense{Sense::maximize};          ///< of a statistic as the goal
+      statistics;  ///< responses without ends may stand in `limits` for them
+  std::vector<RobustObjective> goals{{}};  ///< what is improved: one, of a front two or three
 };
 
 /// The problem without tolerances: every built product is the design, and every limit has to hold. Its constraints are those
-/// of the design, then the limits. Needs a nominal goal.
+/// of the design, then the limits. Needs nominal goals.
 Problem nominal_problem(const RobustProblem& problem);
 
 }  // namespace twum::optim

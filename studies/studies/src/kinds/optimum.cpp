@@ -5,10 +5,20 @@
 #include "problem/multi_start.hpp"
 
 namespace twum::studies {
+namespace {
+
+DesignProblem nominal(DesignProblem asked) {
+  asked.objectives.front() = nominal_goal(asked.objectives.front(), asked.limits);
+  return asked;
+}
+
+}  // namespace
 
 OptimumRun::OptimumRun(const StudyFile& file, DesignProblem asked, BuiltMotorsAsked built,
                        optim::SolveOptions options, const std::string& start)
-    : SearchRun(file, std::move(asked), std::move(options), start), built_(std::move(built)) {}
+    : SearchRun(file, nominal(asked), std::move(options), start),
+      goal_(asked.objectives.front()),
+      built_(std::move(built)) {}
 
 std::optional<optim::Certificate> OptimumRun::certify(std::span<const double> variables) const {
   return built_.tolerances.empty() ? SearchRun::certify(variables) : std::nullopt;
@@ -17,7 +27,7 @@ std::optional<optim::Certificate> OptimumRun::certify(std::span<const double> va
 OptimizeResult OptimumRun::answer(const optim::Result& found) const {
   const DesignReporter reports = reporter();
   OptimizeResult result;
-  result.goal = reports.goals().front();
+  result.goal = {goal_.text(), goal_.unit(), goal_.maximize};
   result.before_design = reports.design_of(before());
   result.before_metrics = reports.metrics_of(before());
   result.solver = found.solver;
@@ -36,6 +46,7 @@ OptimizeResult OptimumRun::answer(const optim::Result& found) const {
 // The question with whole numbers and sets as a design has them.
 DesignProblem OptimumRun::held(std::span<const double> design) const {
   DesignProblem question = problem();
+  question.objectives = {goal_};
   question.motor = motor_of(question, design);
   question.choices.clear();
   for (std::size_t j = 0; j < question.variables.size(); ++j) {
@@ -56,7 +67,7 @@ KindAnswer OptimumRun::run(RunContext& context) {
       found.outcome == optim::Outcome::optimal || found.outcome == optim::Outcome::feasible;
   if (built_.tolerances.empty() || !feasible || context.stop.stop_requested()) return plain;
   const RobustQuestion question{held(found.design), built_.tolerances, built_.statistics};
-  return robust_optimum({question, problem(), reporter(), options(log, context), found},
+  return robust_optimum({question, problem(), before(), reporter(), options(log, context), found},
                         std::get<OptimizeResult>(std::move(plain.answer)), context);
 }
 

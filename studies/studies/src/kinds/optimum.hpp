@@ -28,6 +28,7 @@ class OptimumRun : public SearchRun {
   OptimizeResult answer(const optim::Result& found) const;
   DesignProblem held(std::span<const double> design) const;
 
+  DesignObjective goal_;  // of problem() it has what a search without tolerances looks for
   BuiltMotorsAsked built_;
 };
 

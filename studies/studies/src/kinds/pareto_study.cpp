@@ -91,7 +91,8 @@ class ParetoRun : public SearchRun {
       const auto& values = point.evaluation.values;
       result.front.push_back(
           {{values.begin(), values.begin() + static_cast<std::ptrdiff_t>(result.goals.size())},
-           std::move(report)});
+           std::move(report),
+           {}});
     }
     if (!result.front.empty()) {
       result.ends = ends_of(result);

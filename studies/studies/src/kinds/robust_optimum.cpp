@@ -2,9 +2,7 @@
 #include "kinds/robust_optimum.hpp"
 
 #include "kinds/robust_log.hpp"
-
-#include <twum/studies/statistics/moments.hpp>
-#include <twum/studies/statistics/quantiles.hpp>
+#include "kinds/robust_report.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,165 +12,6 @@ namespace {
 
 constexpr std::uint64_t kNominalProducts = 20000;  // its yield within 0.7 %
 constexpr std::uint64_t kNominalStream = 100;      // apart from those that decide
-constexpr std::size_t kBins = 60;
-
-Estimate share_estimate(const optim::YieldEstimate& yield) {
-  return {yield.value, yield.low, yield.high};
-}
-
-std::string target_name(const optim::RobustProblem& posed, std::size_t target) {
-  return posed.yields[target].name;
-}
-
-std::vector<RobustYield> yields_of(const optim::RobustProblem& posed,
-                                   const optim::RobustResult& found) {
-  std::vector<RobustYield> list;
-  for (std::size_t s = 0; s < found.verification.yields.size(); ++s) {
-    const optim::YieldEstimate& seen = found.verification.yields[s];
-    const double wanted = posed.yields[s].at_least;
-    list.push_back({target_name(posed, s), wanted, share_estimate(seen), seen.products,
-                    optim::to_string(optim::verdict_on(seen, wanted))});
-  }
-  return list;
-}
-
-Estimate statistic_estimate(const optim::StatisticTarget& target, std::vector<double> values) {
-  constexpr double kConfidence = 0.95;
-  std::erase_if(values, [](double v) { return !std::isfinite(v); });
-  if (target.kind == optim::Statistic::quantile) {
-    std::sort(values.begin(), values.end());
-    return quantile_estimate(values, target.probability, kConfidence);
-  }
-  Moments moments;
-  for (const double v : values) moments.add(v);
-  return target.kind == optim::Statistic::mean ? moments.mean_estimate(kConfidence)
-                                               : moments.sd_estimate(kConfidence);
-}
-
-std::vector<RobustStatistic> limited_statistics(const RobustQuestion& question,
-                                                const optim::RobustProblem& posed,
-                                                const optim::RobustResult& found) {
-  std::vector<RobustStatistic> list;
-  if (found.verification.values.empty()) return list;
-  for (const optim::StatisticTarget& target : posed.statistics) {
-    const auto asked =
-        std::find_if(question.statistics.begin(), question.statistics.end(),
-                     [&](const StatisticLimit& s) { return s.statistic.text == target.name; });
-    list.push_back({target.name, asked->statistic.unit(), target.lower, target.upper,
-                    statistic_estimate(target, found.verification.values[target.response])});
-  }
-  return list;
-}
-
-std::vector<RobustLimit> risk_limits(const optim::RobustProblem& posed,
-                                     const optim::RobustResult& found) {
-  std::vector<RobustLimit> list;
-  for (const optim::RiskShare& risk : found.risks) {
-    RobustLimit limit{risk.limit, risk.side == optim::Side::lower, target_name(posed, risk.target)};
-    limit.beta = risk.beta;
-    limit.delta = risk.delta;
-    limit.probability = risk.probability;
-    limit.share = risk.share;
-    limit.converged = risk.converged;
-    for (std::size_t k = 0; k < risk.importance.size(); ++k)
-      limit.importance.push_back({posed.inputs[k].name, "1", risk.importance[k]});
-    list.push_back(std::move(limit));
-  }
-  return list;
-}
-
-std::vector<RobustTolerance> tolerances_of(const RobustQuestion& question,
-                                           const optim::RobustProblem& posed,
-                                           const optim::RobustResult& found) {
-  std::vector<RobustTolerance> list;
-  for (std::size_t k = 0; k < posed.inputs.size(); ++k) {
-    const optim::RandomInput& input = posed.inputs[k];
-    const std::string unit(info(question.tolerances[k].parameter).unit);
-    RobustTolerance tolerance{input.name, input.relative ? "%" : unit,
-                              input.relative ? 100 * input.spread : input.spread};
-    if (k < found.prices.size()) {
-      // Of a largest yield the prices speak of the yield, not of the goal.
-      const bool largest = std::isfinite(found.largest_yield);
-      tolerance.gain = largest ? kNoValue : found.prices[k].gain_per_percent_tighter;
-      tolerance.yield_gain = found.prices[k].yield_per_percent_tighter;
-    }
-    list.push_back(std::move(tolerance));
-  }
-  return list;
-}
-
-// Shares of the values in equal bins.
-std::vector<double> binned(const std::vector<double>& values, double first, double width) {
-  std::vector<double> shares(kBins, 0.0);
-  for (const double v : values) {
-    if (!std::isfinite(v)) continue;
-    const double bin = std::floor((v - first) / width);
-    if (bin >= 0 && bin < static_cast<double>(kBins))
-      shares[static_cast<std::size_t>(bin)] += 1.0 / static_cast<double>(values.size());
-  }
-  return shares;
-}
-
-// From the 0.02 % to the 99.98 % quantile, and on to the limits that are near.
-std::pair<double, double> window_of(std::vector<double> values, const optim::RandomLimit& limit) {
-  std::erase_if(values, [](double v) { return !std::isfinite(v); });
-  if (values.size() < 2) return {0.0, 0.0};
-  std::sort(values.begin(), values.end());
-  const std::size_t cut = values.size() / 5000;
-  double low = values[cut], high = values[values.size() - 1 - cut];
-  const double span = high - low;
-  for (const double end : {limit.lower, limit.upper}) {
-    if (end > low - span && end < low) low = end - 0.05 * span;
-    if (end < high + span && end > high) high = end + 0.05 * span;
-  }
-  return {low, high};
-}
-
-std::vector<RobustDensity> densities_of(const RobustQuestion& question,
-                                        const optim::RobustProblem& posed,
-                                        const optim::Verification& found,
-                                        const optim::Verification& nominal) {
-  std::vector<RobustDensity> list;
-  for (std::size_t r = 0; r < posed.limits.size(); ++r) {
-    const optim::RandomLimit& limit = posed.limits[r];
-    const auto asked = std::find_if(question.design.limits.begin(), question.design.limits.end(),
-                                    [&](const Constraint& c) { return c.text == limit.name; });
-    if (asked == question.design.limits.end()) continue;
-    const auto [low, high] = window_of(found.values[r], limit);
-    if (!(high > low)) continue;
-    const double width = (high - low) / static_cast<double>(kBins);
-    list.push_back({asked->metric.text, asked->metric.unit(), limit.lower, limit.upper, low, width,
-                    binned(found.values[r], low, width), binned(nominal.values[r], low, width)});
-  }
-  return list;
-}
-
-// The certificate of the last round as one of the design: its margins stand for the limits, its indices are left out.
-optim::Certificate design_certificate(const optim::RobustResult& found, bool maximize,
-                                      const optim::RobustProblem& posed) {
-  optim::Certificate certificate = found.last.certificate;
-  const auto of_index = [](const std::string& name) { return name.rfind("beta of ", 0) == 0; };
-  std::erase_if(certificate.findings, [&](const optim::Finding& finding) {
-    return std::any_of(finding.names.begin(), finding.names.end(), of_index);
-  });
-  std::erase_if(certificate.limits,
-                [&](const optim::Activity& a) { return a.is_bound && of_index(a.name); });
-  for (const optim::RiskShare& risk : found.risks) {
-    const auto limit =
-        std::find_if(posed.limits.begin(), posed.limits.end(),
-                     [&](const optim::RandomLimit& l) { return l.name == risk.limit; });
-    optim::Activity activity;
-    activity.name = risk.limit;
-    activity.side = risk.side;
-    activity.limit = risk.side == optim::Side::lower ? limit->lower : limit->upper;
-    activity.active = risk.multiplier > 0;
-    activity.multiplier = risk.multiplier;
-    activity.one_percent_buys =
-        (maximize ? 1 : -1) * 0.01 * risk.multiplier * std::fabs(activity.limit);
-    certificate.limits.push_back(std::move(activity));
-  }
-  return certificate;
-}
 
 optim::RobustOptions options_of(const RobustBeginning& beginning, RobustLog& log) {
   optim::RobustOptions options;
@@ -192,11 +31,48 @@ optim::RobustOptions options_of(const RobustBeginning& beginning, RobustLog& log
   return options;
 }
 
+// 20,000 motors of another design: the optimum without tolerances, or the motor as it was.
+optim::Verification others(const optim::RobustProblem& posed, std::span<const double> design,
+                           const optim::RobustOptions& options) {
+  return optim::verify_design(posed, design, kNominalProducts, options, kNominalStream);
+}
+
+// The motors of the file.
+optim::Verification motors_before(const RobustBeginning& beginning,
+                                  const optim::RobustOptions& options) {
+  RobustQuestion question = beginning.question;
+  question.design.motor = beginning.before;
+  std::vector<double> design;
+  for (const DesignVariable& variable : question.design.variables)
+    design.push_back(get(beginning.before, variable.parameter));
+  return others(robust_problem(question), design, options);
+}
+
+NominalMotors compared_with(const RobustBeginning& beginning, const OptimizeResult& plain,
+                            const optim::RobustProblem& posed,
+                            const optim::RobustOptions& options) {
+  const DesignProblem& asked = beginning.question.design;
+  if (!has_nominal_value(asked.objectives.front()))
+    return {kNoValue, plain.before_design, motors_before(beginning, options)};
+  const auto design = std::span(beginning.nominal.design).first(asked.variables.size());
+  return {beginning.nominal.evaluation.values.front(), plain.best.design,
+          others(posed, design, options)};
+}
+
+double objective_of(const OptimizeResult& result) {
+  if (!result.best.statistics.empty()) return result.best.statistics.front().value;
+  for (const NamedValue& metric : result.best.metrics)
+    if (metric.name == result.goal.metric) return metric.value;
+  return kNoValue;
+}
+
 }  // namespace
 
 KindAnswer robust_optimum(const RobustBeginning& beginning, OptimizeResult plain,
                           RunContext& context) {
   const RobustQuestion& question = beginning.question;
+  const DesignObjective& goal = question.design.objectives.front();
+  const bool comparable = has_nominal_value(goal);
   const optim::RobustProblem posed = robust_problem(question);
   // Whole numbers and sets are those of the optimum without tolerances.
   const auto free = static_cast<std::ptrdiff_t>(question.design.variables.size());
@@ -206,42 +82,24 @@ KindAnswer robust_optimum(const RobustBeginning& beginning, OptimizeResult plain
   const optim::RobustOptions options = options_of(beginning, log);
   const optim::RobustResult found = optim::solve_robust(posed, options);
   context.store.flush();
-  const optim::Verification nominal =
-      optim::verify_design(posed, std::span(start).first(question.design.variables.size()),
-                           kNominalProducts, options, kNominalStream);
+  const NominalMotors nominal = compared_with(beginning, plain, posed, options);
+  if (goal.statistic)
+    plain.before_statistics = wanted_statistic(
+        question, posed, comparable ? motors_before(beginning, options) : nominal.seen);
   if (context.stop.stop_requested()) return {"interrupted", std::move(plain)};
-
-  RobustReport report;
-  report.yields = yields_of(posed, found);
-  report.nominal_objective = beginning.nominal.evaluation.values.front();
-  report.nominal_design = plain.best.design;
-  if (!nominal.yields.empty()) report.nominal_yield = share_estimate(nominal.yields.front());
-  report.statistics = limited_statistics(question, posed, found);
-  report.limits = risk_limits(posed, found);
-  report.tolerances = tolerances_of(question, posed, found);
-  report.price_of_yield = found.price_of_yield;
-  report.largest_yield = found.largest_yield;
-  report.rounds = found.rounds;
-  report.aimed = found.aimed;
-  report.lost = found.verification.lost;
-  if (!found.verification.values.empty())
-    report.densities = densities_of(question, posed, found.verification, nominal);
 
   plain.solver = found.last.solver;
   plain.stages = found.last.stages;
   plain.found = !found.design.empty();
   if (plain.found) {
-    const bool maximize = question.design.objectives.front().maximize;
     std::vector<double> design = found.design;
     design.insert(design.end(), chosen.begin(), chosen.end());
-    plain.best = beginning.reports.report(design, design_certificate(found, maximize, posed));
-    const auto value =
-        std::find_if(plain.best.metrics.begin(), plain.best.metrics.end(),
-                     [&](const NamedValue& m) { return m.name == plain.goal.metric; });
-    report.objective = value == plain.best.metrics.end() ? kNoValue : value->value;
+    plain.best = beginning.reports.report(design, design_certificate(found, goal.maximize, posed));
+    plain.best.statistics = wanted_statistic(question, posed, found.verification);
     plain.whole_ends = beginning.reports.whole_ends(design);
   }
-  plain.robust = std::move(report);
+  plain.robust = robust_report(question, posed, found, nominal);
+  plain.robust->objective = objective_of(plain);
   return {optim::to_string(found.outcome), std::move(plain)};
 }
 

@@ -12,7 +12,8 @@ namespace twum::studies {
 /// What a robust search begins with.
 struct RobustBeginning {
   const RobustQuestion& question;  ///< whole numbers and sets held
-  const DesignProblem& asked;      ///< nothing held
+  const DesignProblem& asked;      ///< nothing held, without tolerances
+  const MotorDesign& before;       ///< the motor as it was
   DesignReporter reports;
   optim::SolveOptions options;   ///< of the plain search
   const optim::Result& nominal;  ///< the optimum without tolerances

@@ -15,14 +15,10 @@ std::vector<Constraint> limits_of(const SizeStudy& asked) {
 class SizeRun : public OptimumRun {
  public:
   SizeRun(const SizeStudy& asked, const StudyFile& file)
-      : OptimumRun(file,
-                   {{},
-                    asked.variables,
-                    {{asked.prefer, false}},
-                    limits_of(asked),
-                    asked.derived,
-                    asked.choose},
-                   {asked.tolerances, asked.statistics}, asked.solver, asked.start) {}
+      : OptimumRun(
+            file,
+            {{}, asked.variables, {asked.prefer}, limits_of(asked), asked.derived, asked.choose},
+            {asked.tolerances, asked.statistics}, asked.solver, asked.start) {}
 };
 
 }  // namespace

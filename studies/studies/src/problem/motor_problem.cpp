@@ -108,6 +108,12 @@ void require_ordered_friction(const DesignProblem& problem) {
 }
 
 optim::Problem motor_problem(const DesignProblem& problem) {
+  optim::Problem result = posed_problem(problem);
+  validate(result);
+  return result;
+}
+
+optim::Problem posed_problem(const DesignProblem& problem) {
   refuse_twins(problem);
   require_ordered_friction(problem);
   refuse_wrong_choices(problem);
@@ -116,10 +122,13 @@ optim::Problem motor_problem(const DesignProblem& problem) {
     result.variables.push_back(variable_of(problem, variable));
   for (const DesignChoice& choice : problem.choices)
     result.variables.push_back(variable_of(choice));
-  for (const DesignObjective& objective : problem.objectives)
+  for (const DesignObjective& objective : problem.objectives) {
+    if (objective.statistic)
+      throw InputError(objective.text() + ": a statistic of built motors, which need tolerances");
     result.objectives.push_back({objective.metric.text, objective.maximize
                                                             ? optim::Sense::maximize
                                                             : optim::Sense::minimize});
+  }
   for (const Constraint& limit : problem.limits) result.constraints.push_back(limit_of(limit));
   const auto responses = std::make_shared<const MotorResponses>(problem);
   for (const ImpliedLimit& limit : responses->implied())
@@ -127,7 +136,6 @@ optim::Problem motor_problem(const DesignProblem& problem) {
   result.evaluate = [responses](std::span<const double> design, bool gradient) {
     return responses->evaluate(design, gradient);
   };
-  validate(result);
   return result;
 }
 

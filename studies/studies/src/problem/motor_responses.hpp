@@ -48,6 +48,9 @@ class CombinationResponses {
   ExpressionEvaluator evaluator_;            // of these
 };
 
+/// motor_problem() without the check that it can be solved: it may lack an objective.
+optim::Problem posed_problem(const DesignProblem& problem);
+
 /// The evaluator of motor_problem(): responses of the combination that a design names.
 class MotorResponses {
  public:

@@ -6,6 +6,7 @@
 #include <twum/base/error.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace twum::studies {
@@ -18,10 +19,11 @@ bool has_metric(const Constraint& limit) {
                      [](const Term& term) { return std::holds_alternative<MetricRequest>(term); });
 }
 
-// Every statistic of the question: the goal, then the limits.
+// Every statistic of the question: the goals, then the limits.
 std::vector<const StatisticRequest*> statistics_of(const RobustQuestion& question) {
   std::vector<const StatisticRequest*> list;
-  if (question.goal) list.push_back(&*question.goal);
+  for (const DesignObjective& goal : question.design.objectives)
+    if (goal.statistic) list.push_back(&*goal.statistic);
   for (const StatisticLimit& limit : question.statistics) list.push_back(&limit.statistic);
   return list;
 }
@@ -141,12 +143,12 @@ class RobustBuilder {
   }
 
  private:
-  // Objective and limits of the design itself.
+  // Objectives and limits of the design itself.
   optim::Problem design() const {
     DesignProblem own = question_.design;
-    if (question_.goal) own.objectives.clear();
+    std::erase_if(own.objectives, [](const DesignObjective& goal) { return goal.statistic; });
     if (asks_yield(question_)) std::erase_if(own.limits, has_metric);
-    return motor_problem(own);
+    return posed_problem(own);
   }
 
   // Position of a response, which is added if it is not there.
@@ -212,13 +214,32 @@ class RobustBuilder {
                                   statistic.probability, lower, upper});
   }
 
-  void add_targets(const std::vector<ImpliedLimit>& implied, optim::RobustProblem& problem) {
-    if (question_.goal) {
-      add(*question_.goal, -optim::kInfinity, optim::kInfinity, implied, problem);
-      problem.goal =
-          problem.yields.empty() ? optim::RobustGoal::statistic : optim::RobustGoal::yield;
-      problem.sense = question_.maximize ? optim::Sense::maximize : optim::Sense::minimize;
+  void add_goal(const DesignObjective& goal, const std::vector<ImpliedLimit>& implied,
+                optim::RobustProblem& problem) {
+    using optim::RobustGoal;
+    const optim::Sense sense = goal.maximize ? optim::Sense::maximize : optim::Sense::minimize;
+    if (!goal.statistic) {
+      const auto nominal = std::count_if(
+          problem.goals.begin(), problem.goals.end(),
+          [](const optim::RobustObjective& g) { return g.kind == RobustGoal::nominal; });
+      problem.goals.push_back({RobustGoal::nominal, static_cast<std::size_t>(nominal), sense});
+      return;
     }
+    const std::size_t shares = problem.yields.size();
+    add(*goal.statistic, -optim::kInfinity, optim::kInfinity, implied, problem);
+    if (problem.yields.size() > shares) {
+      if (!goal.maximize)
+        throw InputError(goal.text() + ": a share of the motors is maximized, not minimized");
+      problem.goals.push_back({RobustGoal::yield, shares});
+    } else {
+      problem.goals.push_back({RobustGoal::statistic, problem.statistics.size() - 1, sense});
+    }
+  }
+
+  void add_targets(const std::vector<ImpliedLimit>& implied, optim::RobustProblem& problem) {
+    problem.goals.clear();
+    for (const DesignObjective& goal : question_.design.objectives)
+      add_goal(goal, implied, problem);
     for (const StatisticLimit& limit : question_.statistics)
       add(limit.statistic, limit.lower, limit.upper, implied, problem);
   }
@@ -239,6 +260,26 @@ std::optional<ValueError> search_complaint(const Tolerance& tolerance) {
   if (tolerance.below && tolerance.above && tolerance.below->relative != tolerance.above->relative)
     return ValueError("one side in % and the other with a unit", "give both sides the same way");
   return {};
+}
+
+bool has_nominal_value(const DesignObjective& goal) {
+  return !goal.statistic || goal.statistic->kind == Kind::mean ||
+         goal.statistic->kind == Kind::quantile;
+}
+
+DesignObjective nominal_goal(const DesignObjective& goal, const std::vector<Constraint>& limits) {
+  if (!goal.statistic) return goal;
+  const StatisticRequest& statistic = *goal.statistic;
+  if (statistic.kind == Kind::yield || statistic.kind == Kind::probability) {
+    if (statistic.limit) return {statistic.limit->metric, std::isfinite(statistic.limit->lower)};
+    const auto first = std::find_if(limits.begin(), limits.end(), has_metric);
+    if (first == limits.end())
+      throw InputError(
+          "yield: no limit counts in it; add one with a metric, such as "
+          "'no_load_speed >= 100 rpm'");
+    return {first->metric, std::isfinite(first->lower)};
+  }
+  return {statistic.metric, goal.maximize};
 }
 
 optim::RobustProblem robust_problem(const RobustQuestion& question) {

@@ -44,9 +44,18 @@ std::string bound_words(const OptimizeResult& result, const std::string& name) {
     if (bound.variable.name != name) continue;
     if (bound.multiplier == 0) return end_words(bound);
     return end_words(bound) + "; 1 % further buys " +
-           change_words(bound.one_percent_buys, result.goal.unit);
+           goal_change_words(bound.one_percent_buys, result.goal);
   }
   return whole_end_words(result, name);
+}
+
+double before_value(const OptimizeResult& result) {
+  const double metric = value_of(result.before_metrics, result.goal.metric);
+  return std::isnan(metric) ? value_of(result.before_statistics, result.goal.metric) : metric;
+}
+
+std::string value_words(double value, const Goal& goal) {
+  return is_share(goal) && !std::isnan(value) ? percent_words(value) : cell(value, goal.unit);
 }
 
 std::string design_table(const OptimizeResult& result) {
@@ -80,7 +89,7 @@ std::string limit_table(const OptimizeResult& result) {
     table.rows.push_back({limit.text, cell(limit.value, limit.unit),
                           state_words(limit, result.best),
                           limit.active && !broken(limit, result.best)
-                              ? change_words(limit.one_percent_buys, result.goal.unit)
+                              ? goal_change_words(limit.one_percent_buys, result.goal)
                               : ""});
   return "\n" + aligned(table);
 }
@@ -131,6 +140,8 @@ Json answer_json(const OptimizeResult& result) {
   if (!result.explanation.empty()) json["relaxation"] = relaxation_json(result.explanation);
   json["before"] = {{"design", values_json(result.before_design)},
                     {"metrics", values_json(result.before_metrics)}};
+  if (!result.before_statistics.empty())
+    json["before"]["statistics"] = values_json(result.before_statistics);
   if (result.robust) json["robust"] = robust_json(*result.robust);
   json["idle_variables"] = result.idle;
   json["solver"] = result.solver;
@@ -138,6 +149,7 @@ Json answer_json(const OptimizeResult& result) {
   json["units"] = Json::object();
   add_units(json["units"], result.before_design);
   add_units(json["units"], result.before_metrics);
+  add_units(json["units"], result.best.statistics);
   return json;
 }
 
@@ -149,8 +161,8 @@ std::string answer_text(const OptimizeResult& result) {
     text = relaxation_words(result.explanation) + "\nThe design that breaks them least:\n\n";
   else
     text = goal_words(result.goal) + ": " +
-           cell(value_of(result.best.metrics, result.goal.metric), result.goal.unit) + " (was " +
-           cell(value_of(result.before_metrics, result.goal.metric), result.goal.unit) + ")\n\n";
+           value_words(goal_value(result.best, result.goal), result.goal) + " (was " +
+           value_words(before_value(result), result.goal) + ")\n\n";
   text += design_table(result) + limit_table(result) + "\n" + metric_table_text(result) + "\n";
   if (result.robust) text += robust_words(*result.robust, result.goal) + "\n";
   if (infeasible) return text + solver_words(result);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/robust_answer.hpp"
 
+#include <twum/studies/metrics/statistic.hpp>
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/text/text_table.hpp>
 #include <twum/studies/text/words.hpp>
@@ -14,11 +15,7 @@ namespace {
 
 constexpr double kWorthTelling =
     0.01;  // share of the failures from which a limit is named in a sentence
-
-// Enough digits to tell 99.9 % from 99.95 %.
-std::string percent_words(double share, int digits = 4) {
-  return rounded_text(100 * share, share > 0.9 ? std::max(digits, 3) : digits) + " %";
-}
+constexpr double kCheapTolerance = 0.05;  // of the dearest: may be loosened
 
 Json robust_yield_json(const RobustYield& yield) {
   return {{"text", yield.text},
@@ -27,7 +24,7 @@ Json robust_yield_json(const RobustYield& yield) {
           {"low", number_json(yield.share.low)},
           {"high", number_json(yield.share.high)},
           {"samples", yield.samples},
-          {"verdict", yield.verdict}};
+          {"verdict", yield.verdict.empty() ? Json(nullptr) : Json(yield.verdict)}};
 }
 
 Json robust_limit_json(const RobustLimit& limit) {
@@ -125,17 +122,58 @@ std::string risk_table(const RobustReport& report) {
   return "\n" + aligned(table);
 }
 
+// U7.9: what costs next to nothing may be loosened.
+std::string loose_words(const RobustReport& report, const RobustTolerance& most) {
+  std::vector<std::string> names;
+  for (const RobustTolerance& one : report.tolerances)
+    if (std::fabs(one.gain) < kCheapTolerance * std::fabs(most.gain)) names.push_back(one.name);
+  if (names.empty()) return {};
+  const bool one = names.size() == 1;
+  return std::string(one ? "That of " : "Those of ") + enumeration(names) +
+         (one ? " costs" : " each cost") +
+         " less than 5 % of it: try twice the spread and solve again.\n";
+}
+
+// "0.012 % (0.0105 % to 0.0135 %)"
+std::string sampled_words(const Estimate& gain) {
+  if (std::isnan(gain.value)) return "-";
+  return percent_words(gain.value, 2) + " (" + percent_words(gain.low, 2) + " to " +
+         percent_words(gain.high, 2) + ")";
+}
+
+std::string price_table(const RobustReport& report, const Goal& goal) {
+  if (report.prices_of_yields.empty()) return {};
+  TextTable table{{{"yield", goal.metric}}};
+  for (const optim::YieldPrice& one : report.prices_of_yields)
+    table.rows.push_back({percent_words(one.yield), engineering(one.objective, goal.unit)});
+  return "\n" + aligned(table);
+}
+
 std::string tolerance_table(const RobustReport& report, const Goal& goal) {
-  TextTable table{{{"tolerance", "spread", "1 % tighter gains", "yield gains, same design"}}};
+  TextTable table{{{"tolerance", "spread", "1 % tighter gains", "yield gains, same design",
+                    "by the failing motors"}}};
   for (const RobustTolerance& one : report.tolerances)
     table.rows.push_back(
         {one.name, spread_words(one),
-         std::isnan(one.gain) ? "-" : change_words(one.gain * (goal.maximize ? 1 : -1), goal.unit),
-         percent_words(one.yield_gain, 2)});
+         std::isnan(one.gain) ? "-" : goal_change_words(one.gain * (goal.maximize ? 1 : -1), goal),
+         percent_words(one.yield_gain, 2), sampled_words(one.sampled_gain)});
   return "\n" + aligned(table);
 }
 
 }  // namespace
+
+std::string percent_words(double share, int digits) {
+  return rounded_text(100 * share, share > 0.9 ? std::max(digits, 3) : digits) + " %";
+}
+
+bool is_share(const Goal& goal) {
+  return is_statistic(goal.metric) && parse_statistic(goal.metric).unit() == "1";
+}
+
+std::string goal_change_words(double change, const Goal& goal) {
+  if (!is_share(goal)) return change_words(change, goal.unit);
+  return (change > 0 ? "+" : "") + percent_words(change, 3);
+}
 
 Json robust_json(const RobustReport& report) {
   Json json{{"target", nullptr}, {"yield", nullptr}};
@@ -153,6 +191,10 @@ Json robust_json(const RobustReport& report) {
                      {"yield", number_json(report.nominal_yield.value)}};
   json["price"] = number_json(std::fabs(report.nominal_objective - report.objective));
   json["price_of_yield"] = number_json(report.price_of_yield);
+  json["price_over_yield"] = Json::array();
+  for (const optim::YieldPrice& one : report.prices_of_yields)
+    json["price_over_yield"].push_back(
+        {{"yield", number_json(one.yield)}, {"objective", number_json(one.objective)}});
   json["largest_yield"] = number_json(report.largest_yield);
   json["limits"] = Json::array();
   for (const RobustLimit& limit : report.limits) json["limits"].push_back(robust_limit_json(limit));
@@ -163,7 +205,11 @@ Json robust_json(const RobustReport& report) {
          {"sd", number_json(one.unit == "%" ? one.spread / 100 : one.spread)},
          {"unit", one.unit == "%" ? "1" : one.unit},
          {"gain_per_percent_tighter", number_json(one.gain)},
-         {"yield_per_percent", number_json(one.yield_gain)}});
+         {"yield_per_percent", number_json(one.yield_gain)},
+         {"yield_per_percent_sampled",
+          {{"value", number_json(one.sampled_gain.value)},
+           {"low", number_json(one.sampled_gain.low)},
+           {"high", number_json(one.sampled_gain.high)}}}});
   json["rounds"] = Json::array();
   for (const optim::RobustRoundReport& round : report.rounds)
     json["rounds"].push_back({{"samples", round.products},
@@ -194,20 +240,21 @@ std::string robust_words(const RobustReport& report, const Goal& goal) {
     text += one.text + " is " + engineering(one.value.value, one.unit) + " (" +
             engineering(one.value.low, one.unit) + " to " + engineering(one.value.high, one.unit) +
             " by fresh motors).\n";
-  text += price_words(report, goal);
+  if (std::isfinite(report.nominal_objective)) text += price_words(report, goal);
   const std::string failing = failing_words(report);
   if (!failing.empty()) text += "Of the failing motors " + failing + ".\n";
   if (const RobustTolerance* most = dearest(report);
       most != nullptr && !std::isfinite(report.largest_yield))
     text += "The tolerance of " + most->name + " (" + spread_words(*most) +
-            ") costs most; solve again with a tighter one to see what it is worth.\n";
+            ") costs most; solve again with a tighter one to see what it is worth.\n" +
+            loose_words(report, *most);
   if (report.price_of_yield > 0)
     text += "0.1 % more yield costs " + engineering(0.001 * report.price_of_yield, goal.unit, 3) +
             ".\n";
   std::uint64_t lost = 0;
   for (const auto& [reason, count] : report.lost) lost += count;
   if (lost > 0) text += counted(lost, "fresh motor") + " without an answer, counted as failing.\n";
-  return text + risk_table(report) + tolerance_table(report, goal);
+  return text + risk_table(report) + tolerance_table(report, goal) + price_table(report, goal);
 }
 
 }  // namespace twum::studies

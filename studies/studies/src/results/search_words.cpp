@@ -191,6 +191,7 @@ Json report_json(const DesignReport& report) {
   if (!report.choice.empty()) json["choice"] = choice_json(report.choice);
   json["design"] = values_json(report.design);
   json["metrics"] = values_json(report.metrics);
+  if (!report.statistics.empty()) json["statistics"] = values_json(report.statistics);
   json.update(limits_json(report));
   return json;
 }
@@ -273,6 +274,11 @@ std::string finding_words(const optim::Certificate& certificate) {
     text += ".\n";
   }
   return text;
+}
+
+double goal_value(const DesignReport& report, const Goal& goal) {
+  const double metric = value_of(report.metrics, goal.metric);
+  return std::isnan(metric) ? value_of(report.statistics, goal.metric) : metric;
 }
 
 double value_of(const std::vector<NamedValue>& values, const std::string& name) {

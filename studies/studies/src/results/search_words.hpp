@@ -41,5 +41,7 @@ std::string relaxation_words(const Explanation& explanation);
 std::string finding_words(const optim::Certificate& certificate);
 /// The value of a name; NaN if it is not there.
 double value_of(const std::vector<NamedValue>& values, const std::string& name);
+/// The value of a goal at a design; NaN if it has none.
+double goal_value(const DesignReport& report, const Goal& goal);
 
 }  // namespace twum::studies

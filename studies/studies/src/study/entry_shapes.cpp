@@ -59,6 +59,38 @@ Shape<MetricExpression> metric(std::string text, std::string example) {
                                    [](const MetricExpression& value) { return value.text; });
 }
 
+namespace {
+
+DesignObjective parse_wanted(std::string_view text) {
+  if (!is_statistic(text)) return {parse_metric(text)};
+  StatisticRequest statistic = parse_statistic(text);
+  MetricExpression metric = statistic.metric;
+  return {std::move(metric), false, std::move(statistic)};
+}
+
+bool is_share(const DesignObjective& goal) {
+  using Kind = StatisticRequest::Kind;
+  return goal.statistic &&
+         (goal.statistic->kind == Kind::yield || goal.statistic->kind == Kind::probability);
+}
+
+}  // namespace
+
+Shape<DesignObjective> wanted(std::string text, bool maximize, std::string example) {
+  auto shape = text_of<DesignObjective>(std::move(text), std::move(example), parse_wanted,
+                                        [](const DesignObjective& goal) { return goal.text(); });
+  shape.read = [read = shape.read, maximize](DesignObjective& into, const YamlNode& node,
+                                             const Spot& spot, Diagnostics& diagnostics) {
+    if (!read(into, node, spot, diagnostics)) return false;
+    into.maximize = maximize;
+    if (maximize || !is_share(into)) return true;
+    diagnostics.add(node.mark, spot.path, "a share of the motors to be small",
+                    "expected 'maximize: " + into.text() + "' in an optimize study");
+    return false;
+  };
+  return shape;
+}
+
 Shape<std::vector<MetricExpression>> metrics() {
   auto shape = list("metrics and parameters", metric("a metric"));
   shape.schema.sample = "- stall_torque\n- no_load_speed\n- wear_intensity_at(80 rpm)";

@@ -33,27 +33,27 @@ Shape<std::uint64_t> seed();
 Shape<std::string> folder();  ///< result directory of another study
 Shape<double> value_of(const ParameterInfo& parameter);
 
-/// {maximize: METRIC} or {minimize: METRIC}: two fields of which one is needed.
+/// A metric or a statistic to be large or small.
+Shape<DesignObjective> wanted(std::string text, bool maximize, std::string example = "peak_power");
+
+/// {maximize: METRIC} or {minimize: METRIC}, or a statistic: two fields of which one is needed.
 template <typename T>
 std::vector<Field<T>> goal(DesignObjective T::*member) {
   const auto field = [member](const char* name, const char* text, const char* twin, bool maximize) {
-    const Shape<MetricExpression> shape = metric(text);
-    Field<T> one = needed<T>(
-        name, shape, [member](auto& study) -> auto& { return (study.*member).metric; });
+    Field<T> one = needed<T>(name, wanted(text, maximize), member);
     one.entry.required = maximize;
     one.entry.twin = twin;
-    one.read = [read = one.read, member, maximize](T& into, const YamlNode& node, const Spot& spot,
-                                                   Diagnostics& diagnostics) {
-      (into.*member).maximize = maximize;
-      return read(into, node, spot, diagnostics);
-    };
     one.write = [write = one.write, member, maximize](const T& from) {
       return (from.*member).maximize == maximize ? write(from) : std::nullopt;
     };
     return one;
   };
-  return {field("maximize", "what is to be large", "minimize", true),
-          field("minimize", "what is to be small", "maximize", false)};
+  return {field("maximize",
+                "what is to be large: a metric, or under tolerances a statistic such as "
+                "mean(peak_power) or yield",
+                "minimize", true),
+          field("minimize", "what is to be small: a metric, or under tolerances a statistic",
+                "maximize", false)};
 }
 
 /// Says what is wrong with the number of parameters in a mapping.

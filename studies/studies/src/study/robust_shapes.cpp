@@ -18,8 +18,14 @@ std::string study_limit_text(const StudyLimit& limit) {
   return limit.plain ? limit.plain->text : limit.statistic->text;
 }
 
-// Where a limit on a statistic stands in the file.
+// Where a goal or a limit on a statistic stands in the file.
 const YamlNode* first_statistic(const Given& given, std::string& path) {
+  for (const char* name : {"maximize", "minimize", "prefer"}) {
+    const YamlNode* goal = given.find(name);
+    if (goal == nullptr || !is_statistic(goal->scalar)) continue;
+    path = given.path(name);
+    return goal;
+  }
   for (const char* name : {"constraints", "limits"}) {
     const YamlNode* list = given.find(name);
     if (list == nullptr) continue;
@@ -53,9 +59,15 @@ void check_statistics(const std::vector<Tolerance>& tolerances,
                     "say how motors differ, such as 'tolerances: {preload: 3 %}'");
   if (spread == nullptr) return;
   if (limit == nullptr && statistics.empty())
-    diagnostics.add(spread->mark, given.path("tolerances"),
-                    "tolerances without a limit on a statistic",
-                    "add one to the limits, such as 'yield >= 99 %'");
+    diagnostics.add(spread->mark, given.path("tolerances"), "tolerances without a statistic",
+                    "add one to the limits, such as 'yield >= 99 %', or make one the goal");
+  const YamlNode* goal = given.find("maximize");
+  for (const StatisticLimit& one : statistics)
+    if (goal != nullptr && one.statistic.unit() == "1" &&
+        trimmed(goal->scalar) == one.statistic.text)
+      diagnostics.add(goal->mark, given.path("maximize"),
+                      quoted(goal->scalar) + " is limited too by " + quoted(one.text),
+                      "leave out the limit: the answer tells the largest one");
   for (const Tolerance& tolerance : tolerances) {
     const auto wrong = search_complaint(tolerance);
     if (!wrong) continue;

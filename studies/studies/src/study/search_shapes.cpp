@@ -66,7 +66,12 @@ bool check_front(ParetoStudy& study, const Given& given, Diagnostics& diagnostic
     for (const YamlNode& objective : list->items) {
       const YamlNode* goal = objective.find("maximize");
       if (goal == nullptr) goal = objective.find("minimize");
-      if (goal != nullptr) repeats.see(*goal, goal->scalar);
+      if (goal == nullptr) continue;
+      repeats.see(*goal, goal->scalar);
+      if (is_statistic(goal->scalar))
+        diagnostics.add(
+            goal->mark, given.path("objectives"), quoted(goal->scalar) + " in a front",
+            "a front is between metrics; a limit on a statistic stands in optimize and size");
     }
   }
   return check_search(study, given, diagnostics);
@@ -171,7 +176,7 @@ Shape<SizeStudy> SizeStudy::shape() {
        choose_field<S>(), needed<S>("duty", duty, &S::duty), limits_field("limits", &S::limits),
        tolerances_field<S>(),
        standard<S>("prefer",
-                   metric("what is minimized among the motors that will do", "max_pressure"),
+                   wanted("what is minimized among the motors that will do", false, "max_pressure"),
                    &S::prefer),
        solver_field<S>(), start_field<S>()},
       check_robust_search<S>);

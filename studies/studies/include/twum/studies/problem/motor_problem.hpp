@@ -6,6 +6,7 @@
 #include <twum/optim/problem.hpp>
 #include <twum/studies/metrics/constraint.hpp>
 #include <twum/studies/metrics/expression.hpp>
+#include <twum/studies/metrics/statistic.hpp>
 #include <twum/studies/metrics/varied_parameters.hpp>
 #include <twum/studies/motor/parameter_set.hpp>
 
@@ -27,10 +28,16 @@ struct DesignVariable {
   double start{std::numeric_limits<double>::quiet_NaN()};  ///< NaN: the motor's own value
 };
 
-/// What is wanted of a motor.
+/// What is wanted of a motor, or of the motors that are built to a design.
 struct DesignObjective {
-  MetricExpression metric;  ///< what should be large or small
-  bool maximize{false};     ///< large
+  MetricExpression metric;                      ///< what should be large or small
+  bool maximize{false};                         ///< large
+  std::optional<StatisticRequest> statistic{};  ///< wanted instead; only robust_problem() knows it
+
+  /// As typed.
+  const std::string& text() const { return statistic ? statistic->text : metric.text; }
+  /// SI unit of its value.
+  std::string unit() const { return statistic ? statistic->unit() : std::string(metric.unit()); }
 };
 
 /// Sets of parameters of which a design has one, such as two linings.
@@ -120,7 +127,8 @@ void require_ordered_friction(const DesignProblem& problem);
 /// function, safe from any number of threads, and keeps a copy of the question; one gradient of a few
 /// metrics costs about 50 microseconds.
 /// @throws InputError if the question cannot be posed: a parameter twice or with its twin, a limit
-///         twice, bounds that cross or are not admissible, no variable or objective, or choice_complaints().
+///         twice, bounds that cross or are not admissible, no variable or objective, an objective that is a statistic, or
+///         choice_complaints().
 optim::Problem motor_problem(const DesignProblem& problem);
 
 }  // namespace twum::studies

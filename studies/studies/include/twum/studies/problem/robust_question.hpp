@@ -22,15 +22,21 @@ namespace twum::studies {
 /// Where `yield` stands, limits with a metric in them count in it and are not imposed on the design itself; limits on
 /// parameters alone hold for the design. Without `yield` every limit holds for the design.
 struct RobustQuestion {
-  DesignProblem design;                    ///< what may vary, what is wanted, what must hold
+  DesignProblem
+      design;  ///< what may vary, what is wanted (a metric, or a statistic), what must hold
   std::vector<Tolerance> tolerances;       ///< what scatters, independently
   std::vector<StatisticLimit> statistics;  ///< what must hold of the built motors
-  std::optional<StatisticRequest> goal{};  ///< what is wanted in place of the objective of `design`
-  bool maximize{true};                     ///< that it should be large
 };
 
 /// Why a tolerance cannot be used in a search; nothing if it can.
 std::optional<ValueError> search_complaint(const Tolerance& tolerance);
+
+/// Whether a goal has a value without tolerances: a metric, its mean or a quantile of it. A spread and a share have none.
+bool has_nominal_value(const DesignObjective& goal);
+
+/// What a search without tolerances looks for in place of a goal, to begin with: the metric itself; of a share the first
+/// metric in it, away from its limit.
+DesignObjective nominal_goal(const DesignObjective& goal, const std::vector<Constraint>& limits);
 
 /// The question as a robust problem in SI units. Its responses are the limits and metrics of the statistics, then limits that
 /// follow from them as motor_problem() has it. It keeps a copy of the question.

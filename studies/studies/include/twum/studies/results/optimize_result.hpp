@@ -54,11 +54,12 @@ struct ChosenSet {
 struct DesignReport {
   std::vector<NamedValue>
       design;  ///< the variables, what follows, what sets give, what a `start:` changed
-  std::vector<NamedValue> metrics;      ///< every metric without argument, then those asked for
-  std::vector<LimitState> constraints;  ///< every limit of the study
-  std::vector<BoundState> bounds;       ///< only those that hold the design back
-  optim::Certificate certificate;       ///< the evidence
-  std::vector<ChosenSet> choice{};      ///< of each choice of the study
+  std::vector<NamedValue> metrics;       ///< every metric without argument, then those asked for
+  std::vector<LimitState> constraints;   ///< every limit of the study
+  std::vector<BoundState> bounds;        ///< only those that hold the design back
+  optim::Certificate certificate;        ///< the evidence
+  std::vector<ChosenSet> choice{};       ///< of each choice of the study
+  std::vector<NamedValue> statistics{};  ///< goals that are statistics, by fresh motors
 };
 
 /// Whether a limit of this design is broken by more than an active limit may be: by a millionth of itself,
@@ -122,8 +123,9 @@ struct OptimizeResult {
   Goal goal;          ///< what was wanted
   bool found{false};  ///< false: no design could be evaluated, and `best` is empty
   DesignReport best;  ///< of an infeasible question the least infeasible design
-  std::vector<NamedValue> before_design;   ///< the motor as it was: its variables
-  std::vector<NamedValue> before_metrics;  ///< the same metrics as those of the best
+  std::vector<NamedValue> before_design;      ///< the motor as it was: its variables
+  std::vector<NamedValue> before_metrics;     ///< the same metrics as those of the best
+  std::vector<NamedValue> before_statistics;  ///< the same statistics
   std::vector<std::string> idle;  ///< variables without influence on the goal or an active limit
   std::vector<BoundState> whole_ends;      ///< whole numbers of the best at an end of their range
   Explanation explanation;                 ///< why no design satisfies all limits

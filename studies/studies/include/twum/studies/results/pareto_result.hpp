@@ -15,6 +15,7 @@ struct ParetoResult {
   struct Point {
     std::vector<double> goals;  ///< values of the goals, SI
     DesignReport report;        ///< multipliers are those of the weighted goals; see gains()
+    std::vector<RobustYield> yields{};  ///< under tolerances, of fresh motors of this design
   };
 
   std::vector<Goal> goals;   ///< what was wanted
@@ -27,11 +28,12 @@ struct ParetoResult {
   /// These points once more, as optima of that one goal alone: what its limits are worth there. Empty
   /// for a front found without gradients.
   std::vector<DesignReport> alone;
-  double hypervolume{0};                   ///< product of the goals' units
-  std::vector<double> reference_point;     ///< of the hypervolume, in the goals' units
-  std::vector<NamedValue> before_design;   ///< the motor as it was: its variables
-  std::vector<NamedValue> before_metrics;  ///< the same metrics as those of the front
-  Explanation explanation;                 ///< why no design satisfies all limits
+  double hypervolume{0};                       ///< product of the goals' units
+  std::vector<double> reference_point;         ///< of the hypervolume, in the goals' units
+  std::vector<NamedValue> before_design;       ///< the motor as it was: its variables
+  std::vector<NamedValue> before_metrics;      ///< the same metrics as those of the front
+  Explanation explanation;                     ///< why no design satisfies all limits
+  std::optional<RobustYield> largest_yield{};  ///< where no design has the wanted one
 
   /// False of a front that bends the other way, and of an empty one.
   bool has_knee() const;

@@ -18,10 +18,10 @@ struct RobustYield {
   double target{0};          ///< wanted share; NaN where it is the goal
   Estimate share;            ///< of fresh motors, 95 % interval
   std::uint64_t samples{0};  ///< fresh motors
-  std::string verdict;       ///< "holds", "not-distinguishable" or "broken"
+  std::string verdict;  ///< "holds", "not-distinguishable" or "broken"; empty where it is the goal
 };
 
-/// A statistic that was limited, as fresh motors have it.
+/// A statistic that was limited or wanted, as fresh motors have it.
 struct RobustStatistic {
   std::string text;  ///< as typed, such as "mean(peak_power)"
   std::string unit;  ///< SI
@@ -50,6 +50,8 @@ struct RobustTolerance {
   double spread{0};      ///< in that unit: standard deviation, half range, or width below the mode
   double gain{0};        ///< of the goal if it is 1 % tighter, first order; NaN: not reached
   double yield_gain{0};  ///< of the yield then, at the same design
+  Estimate
+      sampled_gain{};  ///< the same from the failing motors alone, 95 % interval; NaN where the law is not normal
 };
 
 /// How a metric with a limit scatters.
@@ -68,15 +70,18 @@ struct RobustDensity {
 struct RobustReport {
   std::vector<RobustYield> yields;  ///< each that was asked for
   std::vector<RobustStatistic>
-      statistics;               ///< means, standard deviations and quantiles with a limit
-  double objective{0};          ///< of the robust optimum, SI
-  double nominal_objective{0};  ///< of the optimum without tolerances, SI
+      statistics;       ///< means, standard deviations and quantiles that are limited or wanted
+  double objective{0};  ///< the goal at the robust optimum, SI
+  double nominal_objective{
+      0};  ///< of the optimum without tolerances, SI; NaN: the goal has no value without tolerances, and
+           ///< what is nominal below is that of the motor as it was
   std::vector<NamedValue> nominal_design;   ///< its variables
   Estimate nominal_yield;                   ///< share of its motors that would pass
   std::vector<RobustLimit> limits;          ///< where the risk goes
   std::vector<RobustTolerance> tolerances;  ///< what each costs
   double price_of_yield{0};                 ///< loss of the goal per unit of yield, first order
-  double largest_yield{0};                  ///< where the wanted one cannot be had; else NaN
+  std::vector<optim::YieldPrice> prices_of_yields;  ///< goal over yield, rising
+  double largest_yield{0};                       ///< where the wanted one cannot be had; else NaN
   std::vector<optim::RobustRoundReport> rounds;  ///< of correction
   std::vector<double> aimed;                     ///< yields aimed at, the last one counts
   std::map<std::string, std::uint64_t> lost;     ///< fresh motors without an answer, by reason

@@ -122,12 +122,12 @@ struct OptimizeStudy {
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
-  std::vector<DesignVariable> variables;   ///< what may be changed
-  std::vector<DerivedParameter> derived;   ///< what follows from the variables
-  std::vector<DesignChoice> choose;        ///< sets of parameters of which a design has one
-  DesignObjective objective;               ///< what is to be large or small
-  std::vector<Constraint> constraints;     ///< what must hold
-  std::vector<Tolerance> tolerances;       ///< how motors differ from the design; none: they do not
+  std::vector<DesignVariable> variables;  ///< what may be changed
+  std::vector<DerivedParameter> derived;  ///< what follows from the variables
+  std::vector<DesignChoice> choose;       ///< sets of parameters of which a design has one
+  DesignObjective objective;              ///< what is to be large or small: a metric or a statistic
+  std::vector<Constraint> constraints;    ///< what must hold
+  std::vector<Tolerance> tolerances;      ///< how motors differ from the design; none: they do not
   std::vector<StatisticLimit> statistics;  ///< what must hold of the built motors
   optim::SolveOptions solver;              ///< observer, threads and stop are the run's
   std::string start;                       ///< result directory to start from; empty: the motor
@@ -151,6 +151,8 @@ struct ParetoStudy {
   std::vector<DesignChoice> choose;               ///< sets of parameters of which a design has one
   std::vector<DesignObjective> objectives;        ///< two or three
   std::vector<Constraint> constraints;            ///< what must hold
+  std::vector<Tolerance> tolerances;              ///< as in OptimizeStudy
+  std::vector<StatisticLimit> statistics;         ///< as in OptimizeStudy
   std::uint64_t points{50};                       ///< of the front
   optim::SolveOptions solver{standard_solver()};  ///< as in OptimizeStudy
   std::string start;  ///< result directory to start from; empty: the motor
@@ -170,8 +172,8 @@ struct SizeStudy {
   std::vector<Constraint> limits;          ///< what else must hold
   std::vector<Tolerance> tolerances;       ///< as in OptimizeStudy
   std::vector<StatisticLimit> statistics;  ///< as in OptimizeStudy
-  MetricExpression prefer{parse_metric("max_pressure")};  ///< minimized among motors that will do
-  optim::SolveOptions solver;                             ///< as in OptimizeStudy
+  DesignObjective prefer{parse_metric("max_pressure")};  ///< minimized among motors that will do
+  optim::SolveOptions solver;                            ///< as in OptimizeStudy
   std::string start;  ///< result directory to start from; empty: the motor
 };
 

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "robust/robust_search.hpp"
+
+namespace twum::optim {
+
+/// What a solved round says of limits and tolerances, U6.1 to U6.5.
+class Explained {
+ public:
+  /// Keeps references to both.
+  Explained(const RobustProblem& problem, const SolvedRound& solved);
+
+  std::vector<RiskShare> risks(const Verification& verified) const;
+  /// U6.2, U6.3, U6.5; of a largest yield the gains are those of the yield, of a standard deviation its own.
+  std::vector<TolerancePrice> prices() const;
+  /// U6.4
+  double price_of_yield() const;
+  /// What a unit of the round's objective is in the goal: the objective of a yield is ln R, of a spread its square.
+  double per_objective() const;
+
+ private:
+  double multiplier(const std::string& name) const;
+  double multiplier(std::size_t term) const;
+  double gain_of_margins(std::size_t input) const;
+  double gain_of_statistics(std::size_t input) const;
+
+  const RobustProblem& problem_;
+  const RobustRound& round_;
+  const Certificate& certificate_;
+  const std::vector<double>& y_;
+  std::vector<InversePoint> points_;
+  std::vector<double> beta_;
+  std::vector<Moment> statistics_;
+};
+
+}  // namespace twum::optim

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/optim/robust_problem.hpp>
+
+namespace twum::optim {
+
+/// @throws InputError unless the problem can be posed
+void validate_robust(const RobustProblem& problem);
+
+}  // namespace twum::optim
