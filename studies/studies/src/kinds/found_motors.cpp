@@ -5,10 +5,12 @@
 
 #include <twum/base/error.hpp>
 #include <twum/base/version.hpp>
+#include <twum/core/performance/motor.hpp>
 #include <twum/studies/text/words.hpp>
 #include <twum/studies/units/engineering.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace twum::studies {
 namespace {
@@ -80,6 +82,21 @@ std::vector<FoundMotor> asked_about(const StudyFile& file, const StudyResult& re
   return motors;
 }
 
+// A search keeps the number of slices that it begins with; what it found may take more.
+std::string slices_note(const StudyFile& file, const std::vector<FoundMotor>& found) {
+  if (file.motor.design.stator.radial_slices != kAutoSlices) return "";
+  for (const FoundMotor& each : found) {
+    MotorDesign design = each.motor.design;
+    const int had = std::exchange(design.stator.radial_slices, kAutoSlices);
+    const int needed = had == kAutoSlices ? 0 : Motor(design).radial_slices();
+    if (needed > had)
+      return each.what + ": its contact takes " + std::to_string(needed) +
+             " slices, and the search had " + std::to_string(had) +
+             "; to refine it run a study with 'start' at this result";
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string front_file(std::size_t number, std::size_t count) {
@@ -104,7 +121,9 @@ std::vector<std::string> notes_on(const StudyFile& file, const StudyResult& resu
   WorstNotes notes;
   for (const FoundMotor& found : motors)
     notes.add(model_notes_at_length(found.motor.design), found.what);
-  return notes.texts();
+  std::vector<std::string> texts = notes.texts();
+  if (std::string note = slices_note(file, motors); !note.empty()) texts.push_back(std::move(note));
+  return texts;
 }
 
 }  // namespace twum::studies

@@ -3,6 +3,7 @@
 
 #include "kinds/earlier_result.hpp"
 
+#include <twum/core/performance/motor.hpp>
 #include <twum/optim/certificate.hpp>
 #include <twum/studies/motor/model_notes.hpp>
 
@@ -43,13 +44,30 @@ SearchRun::SearchRun(const StudyFile& file, DesignProblem asked, optim::SolveOpt
       options_(std::move(options)) {
   problem_.motor = before_;
   if (!start.empty()) start_from((std::filesystem::path(file.folder) / start).string());
+  if (counts_slices()) keep_slices();
+}
+
+bool SearchRun::counts_slices() const {
+  const auto varied = parameters_of(problem_.variables);
+  return problem_.motor.stator.radial_slices == kAutoSlices &&
+         std::find(varied.begin(), varied.end(), Parameter::radial_slices) == varied.end();
+}
+
+// A number of slices that changes with the design makes steps that a certificate sees: the search has that of the motor where it
+// begins, and says so with each design.
+void SearchRun::keep_slices() {
+  const int slices = Motor(problem_.motor).radial_slices();
+  problem_.motor.stator.radial_slices = before_.stator.radial_slices = slices;
+  besides_.push_back(Parameter::radial_slices);
 }
 
 // The earlier design is the motor from now on; where it is varied, the search starts there.
 void SearchRun::start_from(const std::string& folder) {
   const std::vector<EarlierDesign> designs = earlier_designs(folder);
   const EarlierDesign& design = best_start(problem_, designs);
+  const int slices = problem_.motor.stator.radial_slices;
   problem_.motor = with(problem_.motor, design);
+  if (slices == kAutoSlices) problem_.motor.stator.radial_slices = slices;  // found again here
   for (const auto& [parameter, value] : design) {
     const auto variable =
         std::find_if(problem_.variables.begin(), problem_.variables.end(),
@@ -57,6 +75,7 @@ void SearchRun::start_from(const std::string& folder) {
     const auto derived = parameters_of(problem_.derived);
     if (std::find(derived.begin(), derived.end(), parameter) != derived.end()) continue;
     if (is_chosen(parameter)) continue;
+    if (parameter == Parameter::radial_slices && counts_slices()) continue;
     if (variable == problem_.variables.end())
       besides_.push_back(parameter);
     else if (std::isnan(variable->start))

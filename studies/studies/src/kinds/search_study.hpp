@@ -41,11 +41,13 @@ class SearchRun : public StudyKindRun {
   static std::string outcome(optim::Outcome outcome, const RunContext& context);
 
  private:
+  bool counts_slices() const;
+  void keep_slices();
   void start_from(const std::string& folder);
   bool is_chosen(Parameter parameter) const;
 
   DesignProblem problem_;
-  MotorDesign before_;              // the motor of the file
+  MotorDesign before_;              // the motor of the file, its slices those of the search
   std::string limits_entry_;        // where a study of this kind has its limits
   std::vector<Parameter> besides_;  // changed by the start, and not a variable here
   optim::SolveOptions options_;
