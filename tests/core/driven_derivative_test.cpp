@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/driven_motors.hpp"
+#include "support/metric_requests.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -17,29 +18,8 @@ namespace {
 using namespace twum;
 using namespace twum::test;
 
-std::vector<MetricRequest> requests() {
-  std::vector<MetricRequest> list;
-  for (const MetricInfo& row : metric_table()) {
-    switch (row.argument) {
-      case Argument::none: list.push_back({row.metric}); break;
-      case Argument::speed: list.push_back({row.metric, Argument::speed, 11.3}); break;
-      case Argument::torque: list.push_back({row.metric, Argument::torque, 0.45}); break;
-      case Argument::speed_or_torque:
-        list.push_back({row.metric, Argument::speed, 11.3});
-        list.push_back({row.metric, Argument::torque, 0.45});
-    }
-  }
-  return list;
-}
-
-std::vector<double> values(const MotorDesign& design, const std::vector<MetricRequest>& asked) {
-  std::vector<double> list;
-  for (const MetricValue& v : evaluate(Motor(design), asked)) list.push_back(v.value);
-  return list;
-}
-
 void compare(const MotorDesign& design) {
-  const std::vector<MetricRequest> asked = requests();
+  const std::vector<MetricRequest> asked = every_metric(11.3, 0.45);
   const std::vector<MetricDerivative> found = differentiate(Motor(design), asked);
   int compared = 0;
   for (const ParameterInfo& row : parameter_table()) {
@@ -52,7 +32,7 @@ void compare(const MotorDesign& design) {
     // and the values' own 1e-11 over 5e-6.
     const double d = 5e-6 * x;
     const auto at = [&](double step) {
-      return values(with(design, row.parameter, x + step), asked);
+      return values_of(with(design, row.parameter, x + step), asked);
     };
     const auto p1 = at(d), m1 = at(-d), p2 = at(2 * d), m2 = at(-2 * d);
     for (std::size_t i = 0; i < asked.size(); ++i) {

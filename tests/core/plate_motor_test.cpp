@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "support/metric_requests.hpp"
 #include "support/plate_motors.hpp"
 
 #include <catch2/catch.hpp>
@@ -18,24 +19,6 @@ namespace {
 using namespace twum;
 using namespace twum::test;
 using P = Parameter;
-
-std::vector<MetricRequest> motor_requests() {
-  std::vector<MetricRequest> list;
-  for (const MetricInfo& row : metric_table()) {
-    if (row.argument == Argument::none) list.push_back({row.metric});
-    if (row.argument == Argument::torque || row.argument == Argument::speed_or_torque)
-      list.push_back({row.metric, Argument::torque, 0.3});
-    if (row.argument == Argument::speed || row.argument == Argument::speed_or_torque)
-      list.push_back({row.metric, Argument::speed, 8.1});
-  }
-  return list;
-}
-
-std::vector<double> values_of(const MotorDesign& design, const std::vector<MetricRequest>& asked) {
-  std::vector<double> list;
-  for (const MetricValue& v : evaluate(Motor(design), asked)) list.push_back(v.value);
-  return list;
-}
 
 // The same motor with the numbers of its plate as modal data.
 MotorDesign by_modal_data(const MotorDesign& design) {
@@ -59,7 +42,7 @@ TEST_CASE("a motor from its geometry is the motor with the plate's modal data (P
   CHECK(get(design, P::resonance_frequency) == plate->frequency.v);
   CHECK(get(design, P::modal_mass) == plate->modal_mass.v);
   CHECK(get(design, P::frequency) == Approx(1.046 * plate->frequency.v).epsilon(1e-15));
-  const auto asked = motor_requests();
+  const auto asked = every_metric(8.1, 0.3);
   const auto found = values_of(design, asked), expected = values_of(by_modal_data(design), asked);
   int compared = 0;
   for (std::size_t i = 0; i < asked.size(); ++i) {
@@ -109,7 +92,7 @@ TEST_CASE("the shape on the track is that of the mode (P8.1)", "[core][plate]") 
 namespace {
 
 void compare_derivatives(const MotorDesign& design) {
-  const auto asked = motor_requests();
+  const auto asked = every_metric(8.1, 0.3);
   const auto found = differentiate(Motor(design), asked);
   int compared = 0;
   for (const ParameterInfo& row : parameter_table()) {
