@@ -14,8 +14,9 @@ namespace {
 constexpr int kMaxLaps = 1500;
 constexpr long kMaxZonesInAll = 60'000;
 constexpr int kMaxFollowed = 12;
-constexpr double kFloor = 1000;  // of tolerances: where rounding may keep Newton's method
-constexpr double kFast = 0.1;    // contraction by a lap that leaves no doubt where laps lead
+constexpr double kFloor = 1000;      // of tolerances: where rounding may keep Newton's method
+constexpr double kSameState = 1000;  // of tolerances: a state that came back
+constexpr double kFast = 0.1;        // contraction by a lap that leaves no doubt where laps lead
 constexpr LapEntry<double> kAtRest{{0, 0}, false, ZoneState::stick};
 constexpr double kResonance = 1e16;  // response to the wave's own frequency, squared
 
@@ -222,12 +223,13 @@ class Search {
   }
 
   // With mu_0 > mu the laps may end in a cycle of several: the state comes back to a checkpoint, set at
-  // laps 8, 16, 32, ..., while it does not repeat itself from lap to lap. It comes back closely enough if as many laps as
-  // may be made would not close the gap between two laps, were each to bring as much as the whole cycle has.
+  // laps 8, 16, 32, ..., while it does not repeat itself from lap to lap. As many laps as may be made would not
+  // close the gap between two laps, were each to bring as much as the whole cycle has.
   bool cycles() {
     if (monotone_) return false;
     const double back = distance(layer_, s_.entry.layer, checkpoint_);
-    if (s_.laps > 8 && kMaxLaps * back <= trail_.gap) return true;
+    if (s_.laps > 8 && back <= kSameState * tolerance_ && kMaxLaps * back <= trail_.gap)
+      return true;
     if ((s_.laps & (s_.laps - 1)) == 0 || s_.laps - checked_ > s_.laps / 2) {
       checkpoint_ = s_.entry.layer;
       checked_ = s_.laps;

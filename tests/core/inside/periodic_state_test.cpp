@@ -182,8 +182,9 @@ TEST_CASE("where laps do not settle it is told early, also where a cycle of laps
     }
   }
   CHECK(cycles > 100);
-  // The last few speeds of each search are so near to the edge that the gap of the cycle is lost in rounding.
-  CHECK(early > 0.85 * cycles);
+  // The last few of the 25 speeds of a search are so near to the edge that the cycle itself is reached slowly, or its gap is
+  // lost in rounding.
+  CHECK(early > 0.7 * cycles);
 }
 
 TEST_CASE("full contact leaves a lap in the zone that it entered in, and no zone has no length",
