@@ -39,7 +39,7 @@ class Surroundings(program.Case):
         self.assertEqual(done.returncode, 3)
 
     def test_a_reader_that_has_seen_enough_is_no_error(self):
-        designs = self.write("designs.csv", "preload\n" + "160\n" * 200000)
+        designs = self.write("designs.csv", "preload [N]\n" + "160\n" * 200000)
         process = subprocess.Popen([program.PROGRAM, "evaluate", RING, "--designs", designs, "--metrics", "preload"],
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self.assertIn(b"preload", process.stdout.readline())
