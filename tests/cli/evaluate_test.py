@@ -137,13 +137,13 @@ class Evaluate(program.Case):
     def test_results_may_be_read_back(self):
         designs = self.write("designs.csv", "preload [N],note\n160,a\n-1,b\n")
         once, twice = self.folder / "once.csv", self.folder / "twice.csv"
-        metrics = ("--metrics", "stall_torque, peak_power / preload")
+        metrics = ("--metrics", "stall_torque, peak_power / preload, -peak_power")
         self.ok("evaluate", RING, "--designs", designs, *metrics, "-o", once)
         done = twum("evaluate", RING, "--designs", once, *metrics, "-o", twice)
-        self.assertIn("computed anew are not copied: 'stall_torque [N.m]', 'peak_power / preload [m.rad/s]', 'status'", done.stderr)
+        self.assertIn("computed anew are not copied: 'stall_torque [N.m]', 'peak_power / preload [m.rad/s]', ''-peak_power [W]', 'status'", done.stderr)
         self.assertEqual(twice.read_text(), once.read_text())
         other = self.ok("evaluate", RING, "--designs", once, "--metrics", "max_pressure").splitlines()
-        self.assertEqual(other[0], "preload [N],note,stall_torque [N.m],peak_power / preload [m.rad/s],max_pressure [Pa],status")
+        self.assertEqual(other[0], "preload [N],note,stall_torque [N.m],peak_power / preload [m.rad/s],'-peak_power [W],max_pressure [Pa],status")
 
     def test_cells_that_a_spreadsheet_would_run_get_an_apostrophe(self):
         cells = {"=1+2": "'=1+2", '"=cmd|x, y"': '"\'=cmd|x, y"', "@sum": "'@sum", "+a": "'+a", "-b": "'-b", "-1.5e3": "-1.5e3",

@@ -5,6 +5,8 @@
 #include "json_parts.hpp"
 #include "text_table.hpp"
 
+#include <twum/studies/tables/csv.hpp>
+
 namespace twum::cli {
 namespace {
 
@@ -15,9 +17,19 @@ std::string as_table(const Listing& listing) {
   return aligned(table);
 }
 
+// The lists are our own: a range that begins with a minus sign is no formula.
+std::string own_line(const std::vector<std::string>& cells) {
+  std::string line;
+  for (const std::string& cell : cells) {
+    if (&cell != cells.data()) line += ',';
+    studies::append_own_cell(line, cell);
+  }
+  return line + "\n";
+}
+
 std::string as_csv(const Listing& listing) {
-  std::string text = csv_line(listing.columns);
-  for (const auto& row : listing.rows) text += csv_line(row);
+  std::string text = own_line(listing.columns);
+  for (const auto& row : listing.rows) text += own_line(row);
   return text;
 }
 

@@ -196,20 +196,21 @@ bool is_formula(std::string_view text) {
          !parse_number(text);
 }
 
-void append_cell(std::string& out, std::string_view text) {
-  const std::string_view mark = is_formula(text) ? "'" : "";
+void append_own_cell(std::string& out, std::string_view text) {
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
-    out += mark;
     out += text;
     return;
   }
   out += '"';
-  out += mark;
   for (const char c : text) {
     if (c == '"') out += '"';
     out += c;
   }
   out += '"';
+}
+
+void append_cell(std::string& out, std::string_view text) {
+  append_own_cell(out, is_formula(text) ? "'" + std::string(text) : std::string(text));
 }
 
 }  // namespace twum::studies

@@ -122,7 +122,9 @@ DesignTable::Column DesignTable::read_column(const std::string& text) {
 bool DesignTable::is_computed(const std::string& heading) const {
   if (heading == kStatus) return true;
   return std::any_of(metrics_.begin(), metrics_.end(), [&](const MetricExpression& metric) {
-    return heading == result_heading(metric);
+    std::string cell;
+    append_cell(cell, result_heading(metric));
+    return heading == cell_text(cell);
   });
 }
 

@@ -85,6 +85,9 @@ std::string cell_text(std::string_view cell);
 /// and is no number.
 bool is_formula(std::string_view text);
 
+/// A text that is known to be none of a user's as a cell: quoted if it has to be.
+void append_own_cell(std::string& out, std::string_view text);
+
 /// A text as a cell: quoted if it has to be. A formula gets an apostrophe in front, which spreadsheets take for a text.
 void append_cell(std::string& out, std::string_view text);
 
