@@ -87,16 +87,44 @@ TEST_CASE("an optimum says what it is, what holds it, and who found it",
         "peak_power | 4 W | 5 W\n"
         "max_pressure | 1.5 MPa | 2 MPa\n"
         "\n"
-        "Optimal by our own check: no feasible change improves it to first order (stationarity "
+        "Verified local optimum: no feasible change improves it to first order (stationarity "
         "1.2e-07); found by nlopt:slsqp.\n"
         "Solver runs: 1 x ipopt (Solve_Succeeded), 2 x nlopt:slsqp (XTOL_REACHED).\n");
+}
+
+TEST_CASE("what a sample of the whole range said is told", "[studies][optimize][words]") {
+  OptimizeResult result = optimum();
+  result.scan = {512, 40, 0, false, 5};
+  CHECK_THAT(
+      answer_text(result),
+      Contains(
+          "None of 512 designs sampled over the whole range (40 keep the limits) is better.\n"));
+  CHECK(
+      answer_json(result)["scan"] ==
+      Json{
+          {"designs", 512}, {"feasible", 40}, {"better", 0}, {"replaced", false}, {"before", 5.0}});
+  result.scan = {512, 40, 3, true, 4.5};
+  CHECK_THAT(
+      answer_text(result),
+      Contains("3 of 512 designs sampled over the whole range (40 keep the limits) were better "
+               "than the 4.5 W that "
+               "the searches had ended at; a search from the best of them found this design.\n"));
+  result.scan.replaced = false;
+  CHECK_THAT(
+      answer_text(result),
+      Contains("(40 keep the limits) are better, but the search from the best of them found "
+               "no answer; raise max_evaluations, or start from that row of results.csv.\n"));
+  result.best.constraints.clear();
+  result.scan.better = 0;
+  CHECK_THAT(answer_text(result),
+             Contains("None of 512 designs sampled over the whole range is better.\n"));
 }
 
 TEST_CASE("a check that holds whole numbers as they are says so", "[studies][optimize][words]") {
   OptimizeResult result = optimum();
   result.best.design.push_back({"wavelengths", "1", 9});
   const std::string text = answer_text(result);
-  CHECK(text.find("Optimal by our own check, wavelengths held: no feasible change of the rest "
+  CHECK(text.find("Verified local optimum, wavelengths held: no feasible change of the rest "
                   "improves it to first order (stationarity 1.2e-07)") != std::string::npos);
   result.whole_ends = {{{"wavelengths", "1"}, true, 9}};
   CHECK_THAT(barred(answer_text(result)),
@@ -208,7 +236,7 @@ TEST_CASE("limits that no design keeps are named with what would do",
                         "The design that breaks them least:\n"
                         "\n"
                         "design | start | best\n"));
-  CHECK_THAT(text, !Contains("Optimal by our own check"));
+  CHECK_THAT(text, !Contains("Verified local optimum"));
   CHECK_THAT(text, EndsWith("\nSolver runs: 1 x ipopt (Solve_Succeeded), 2 x nlopt:slsqp "
                             "(XTOL_REACHED).\n"));
   const Json json = answer_json(result)["relaxation"];

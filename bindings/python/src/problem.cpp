@@ -85,14 +85,15 @@ optim::SolveOptions solve_options(py::dict from) {
   optim::SolveOptions options;
   take(from, "solver", options.solver);
   take(from, "starts", options.starts);
+  take(from, "scan", options.scan);
   take(from, "tolerance", options.tolerance);
   take(from, "seed", options.seed);
   take(from, "max_evaluations", options.budget.evaluations);
   take(from, "max_seconds", options.budget.seconds);
   take(from, "jobs", options.threads);
   for (const auto& [key, value] : from) {
-    constexpr std::array<std::string_view, 7> kNames{
-        "solver", "starts", "tolerance", "seed", "max_evaluations", "max_seconds", "jobs"};
+    constexpr std::array<std::string_view, 8> kNames{
+        "solver", "starts", "scan", "tolerance", "seed", "max_evaluations", "max_seconds", "jobs"};
     const auto name = py::cast<std::string>(key);
     throw InputError("unknown option " + studies::quoted(name) + "; " +
                      studies::did_you_mean(name, kNames));
@@ -166,6 +167,11 @@ py::dict objective_dict(const DesignProblem& problem, const optim::Evaluation& e
   return values;
 }
 
+py::dict scan_dict(const optim::Scan& scan) {
+  return py::dict("designs"_a = scan.designs, "feasible"_a = scan.feasible,
+                  "better"_a = scan.better, "replaced"_a = scan.replaced, "before"_a = scan.before);
+}
+
 // What one search found.
 py::object optimum(const PyProblem& self, const DesignAnswer& answer) {
   const optim::Result& search = answer.search;
@@ -178,8 +184,9 @@ py::object optimum(const PyProblem& self, const DesignAnswer& answer) {
       "certificate"_a = certificate_dict(search.certificate),
       "relaxation"_a = relaxation_list(search.infeasibility),
       "impossible"_a = impossible_list(search.infeasibility),
-      "ranges"_a = ranges_list(search.infeasibility), "solver"_a = search.solver,
-      "evaluations"_a = search.counters.evaluations, "failures"_a = search.counters.failures);
+      "ranges"_a = ranges_list(search.infeasibility), "scan"_a = scan_dict(search.scan),
+      "solver"_a = search.solver, "evaluations"_a = search.counters.evaluations,
+      "failures"_a = search.counters.failures);
 }
 
 // A point of a front, which has no search of its own.
@@ -194,7 +201,7 @@ py::object optimum(const PyProblem& self, const MotorDesign& motor,
       "objective"_a = objective_dict(self.problem, point.evaluation),
       "limits"_a = limits_list(certificate), "certificate"_a = certificate_dict(certificate),
       "relaxation"_a = py::list(), "impossible"_a = py::list(), "ranges"_a = py::list(),
-      "solver"_a = "", "evaluations"_a = 0, "failures"_a = py::dict());
+      "scan"_a = py::dict(), "solver"_a = "", "evaluations"_a = 0, "failures"_a = py::dict());
 }
 
 // --- what is asked
@@ -256,7 +263,8 @@ void add_asking(Class& problem) {
   problem.def(
       "solve", &solve_problem,
       "solve(self, **options)\n--\n\nThe best design, an Optimum: measured again and certified, "
-      "whatever a solver said.\n\nOptions: solver='auto', starts=8, tolerance=1e-6, seed=1, "
+      "whatever a solver said.\n\nOptions: solver='auto', starts=8, scan=512, tolerance=1e-6, "
+      "seed=1, "
       "max_evaluations=20000,\nmax_seconds, jobs=1. Ctrl-C ends it. Other Python threads run "
       "meanwhile.");
   problem.def("front", &front_of, py::arg("points") = 50,

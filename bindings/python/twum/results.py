@@ -93,7 +93,7 @@ class Derivatives:
 class Optimum:
     """A design that was found, and the evidence for it.
 
-    `outcome` is 'optimal' (feasible, and the certificate passes), 'feasible' (the search stopped short),
+    `outcome` is 'optimal' (feasible, and the certificate of a local optimum passes), 'feasible' (the search stopped short),
     'infeasible' (`impossible`, `relaxation` and `ranges` say why, and what has to change), 'budget' or 'failed'.
     """
 
@@ -107,6 +107,7 @@ class Optimum:
     relaxation: list = field(repr=False)  # dictionaries: text, limit, amount, alone
     impossible: list = field(repr=False)  # of limits that cannot be kept even alone: text, limit, best, certified, ends
     ranges: list = field(repr=False)  # ends of ranges with a part in it: variable, side, limit, alone
+    scan: dict = field(repr=False)  # designs sampled, of these feasible and better, whether one led here, the objective before
     solver: str
     evaluations: int
     failures: dict

@@ -26,6 +26,7 @@
 #include <twum/optim/result.hpp>
 #include <twum/optim/robust.hpp>
 #include <twum/optim/robust_problem.hpp>
+#include <twum/optim/scan.hpp>
 #include <twum/optim/scrambled_sobol.hpp>
 #include <twum/optim/solve.hpp>
 #include <twum/optim/solvers.hpp>

@@ -76,6 +76,16 @@ function startsText() {
     + (whole.length ? ' Held in each run: ' + whole.map(plain).join(', ') + '; the limits above are worth so much at what was found for ' + (whole.length > 1 ? 'them' : 'it') + '.' : '');
 }
 
+/** What a sample of the whole range said of it. */
+function scanText() {
+  const scan = summary.scan; // results of earlier versions have none
+  if (!scan || !scan.designs) return '';
+  const sample = scan.designs + ' designs sampled over the whole range';
+  if (!scan.better) return 'None of ' + sample + ' is better' + (summary.best.constraints.length ? ' (' + scan.feasible + ' of them keep the limits)' : '') + '.';
+  const before = engineering(scan.before, unitOf(summary.objective.metric));
+  return scan.better + ' of ' + sample + (scan.replaced ? ' were better than the ' + before + ' that the searches had ended at; a search from the best of them found this design.' : ' are better, but the search from the best of them found no answer: raise max_evaluations.');
+}
+
 const efficiencyNote = 'Contact efficiency is the rotor\'s output over the power that the stator gives to the contact; efficiency counts the power lost in the vibrating stator as well, so it is the smaller one.';
 
 /** Why the contact efficiency is above the efficiency, where both are shown. */

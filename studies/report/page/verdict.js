@@ -57,6 +57,7 @@ function searchVerdict() {
   if (held.length || wholeEnds(summary.best).length) lines.push(sentence(held.length === 1 ? 'What stops it:' : 'What stops it, the most valuable limit first:'), holderList(summary.best, [goal]));
   else lines.push(sentence('No limit stops it: it is the best there is within the ranges.'));
   lines.push(sentence(summary.best.certificate.passed && !summary.robust ? startsText() : certificateText(summary.best.certificate)));
+  if (scanText()) lines.push(sentence(scanText()));
   return { look: summary.outcome === 'optimal' ? 'good' : 'bad', lines };
 }
 

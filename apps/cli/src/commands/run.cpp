@@ -103,6 +103,8 @@ int run_study(const StudyOptions& options) {
   const std::string directory = directory_of(options);
   const std::vector<std::string> notes = studies::study_notes(file);
   for (const std::string& note : notes) std::fprintf(stderr, "note: %s\n", note.c_str());
+  const std::string pace = studies::pace_note(file);
+  if (!pace.empty()) std::fprintf(stderr, "note: %s\n", pace.c_str());
   const studies::StudyResult result = run_with_progress(file, directory, run);
   if (result.was_complete) {
     std::fprintf(stderr, "twum: %s holds this result already; --fresh computes it anew\n",

@@ -34,6 +34,7 @@ using Observer = std::function<void(const Observation&)>;
 struct SolveOptions {
   std::string solver{"auto"};  ///< a name of solvers(), or "auto"
   std::size_t starts{8};  ///< local searches of auto: the start, then a low-discrepancy sequence
+  std::size_t scan{512};  ///< designs that look_further() samples; solve() itself does not
   double tolerance{
       1e-6};  ///< stationarity at which the certificate passes, relative to the gradient's scale
   double feasibility_tolerance{1e-8};  ///< of constraints scaled by their gradients at the start

@@ -91,6 +91,16 @@ struct StageReport {
   std::size_t evaluations{0};  ///< calls of the evaluator
 };
 
+/// What a sample of the whole range said of an optimum; see look_further().
+struct Scan {
+  std::size_t designs{0};   ///< evaluated
+  std::size_t feasible{0};  ///< of these, within every limit
+  std::size_t better{0};    ///< of these, better than the optimum that the local searches had found
+  bool replaced{false};     ///< a search from the best of these found the answer
+  double before{std::numeric_limits<
+      double>::quiet_NaN()};  ///< objective of the local searches' optimum, user units
+};
+
 /// What a solve has found, and the evidence for it.
 struct Result {
   Outcome outcome{Outcome::failed};       ///< in our words
@@ -100,6 +110,7 @@ struct Result {
   Evaluation evaluation;    ///< of that design, with its Jacobian where it has one
   Certificate certificate;  ///< of that design
   Infeasibility infeasibility;      ///< filled when the outcome is infeasible
+  Scan scan;                        ///< what look_further() saw, if it was asked
   Counters counters;                ///< of all stages
   std::vector<StageReport> stages;  ///< every solver run
   std::string solver;               ///< whose answer it is

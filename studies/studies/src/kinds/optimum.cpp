@@ -30,6 +30,7 @@ OptimizeResult OptimumRun::answer(const optim::Result& found) const {
   result.goal = {goal_.text(), goal_.unit(), goal_.maximize};
   result.before_design = reports.design_of(before());
   result.before_metrics = reports.metrics_of(before());
+  result.scan = found.scan;
   result.solver = found.solver;
   result.stages = found.stages;
   result.found = !found.design.empty();

@@ -3,13 +3,16 @@
 
 #include "kinds/earlier_result.hpp"
 
+#include <twum/base/error.hpp>
 #include <twum/core/performance/motor.hpp>
 #include <twum/optim/certificate.hpp>
 #include <twum/studies/motor/model_notes.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 namespace twum::studies {
 namespace {
@@ -97,6 +100,21 @@ optim::SolveOptions SearchRun::options(SearchLog& log, const RunContext& context
   options.stop = context.stop;
   options.observer = log.observer();
   return options;
+}
+
+std::optional<Pace> SearchRun::pace() const {
+  const optim::Problem problem = motor_problem(problem_);
+  double shortest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 2; ++i) {  // the first one also waits for memory
+    const auto begin = std::chrono::steady_clock::now();
+    try {
+      problem.evaluate(optim::start_design(problem), true);
+    } catch (const EvaluationError&) {  // takes its time as well
+    }
+    const std::chrono::duration<double> lasted = std::chrono::steady_clock::now() - begin;
+    shortest = std::min(shortest, lasted.count());
+  }
+  return Pace{shortest, options_.budget.evaluations};
 }
 
 // Number of waves and resonance belong together in a real ring: its plate decides. Where the resonance is given, the drive

@@ -19,6 +19,7 @@ class SearchRun : public StudyKindRun {
     return problem_.variables.size() + problem_.choices.size();
   }
   std::uint64_t seed() const override { return options_.seed; }
+  std::optional<Pace> pace() const override;
   std::vector<std::string> notes() const override;
   std::vector<std::string> notes_before() const override;
   std::optional<Row> recompute(const Row& stored) const override;

@@ -32,6 +32,12 @@ struct RunContext {
   std::function<void(const RunProgress&)> progress;  ///< may be called from any thread, cheap
 };
 
+/// What an evaluation costs, and how many the budget allows.
+struct Pace {
+  double seconds;             ///< of one evaluation with derivatives, measured [s]
+  std::uint64_t evaluations;  ///< at most
+};
+
 /// What a kind answers.
 struct KindAnswer {
   std::string outcome;  ///< as StudyResult::outcome
@@ -51,6 +57,8 @@ class StudyKindRun {
   /// How many of the columns are variables.
   virtual std::size_t variables() const = 0;
   virtual std::uint64_t seed() const { return 0; }
+  /// How long the kind may go on; nothing where what it evaluates is known beforehand.
+  virtual std::optional<Pace> pace() const { return {}; }
   /// What to know before one believes the answer, a sentence each without a full stop.
   virtual std::vector<std::string> notes() const { return {}; }
   /// What to know before it runs, likewise; afterwards the answer speaks for itself.

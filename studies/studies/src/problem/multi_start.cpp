@@ -2,6 +2,7 @@
 #include "problem/multi_start.hpp"
 
 #include <twum/optim/low_discrepancy.hpp>
+#include <twum/optim/scan.hpp>
 #include <twum/optim/solvers.hpp>
 
 #include <cmath>
@@ -26,16 +27,6 @@ bool better(const optim::Result& a, const optim::Result& b, const optim::Problem
   return sign * a.evaluation.values.front() < best - 1e-9 * std::fabs(best);
 }
 
-std::vector<double> on_scale(const optim::Problem& problem, const std::vector<double>& unit) {
-  std::vector<double> design;
-  for (std::size_t j = 0; j < unit.size(); ++j) {
-    const optim::Variable& v = problem.variables[j];
-    design.push_back(v.scale == optim::Scale::log ? v.lower * std::pow(v.upper / v.lower, unit[j])
-                                                  : v.lower + unit[j] * (v.upper - v.lower));
-  }
-  return design;
-}
-
 class MultiStart {
  public:
   MultiStart(const optim::Problem& problem, const optim::SolveOptions& options)
@@ -47,7 +38,7 @@ class MultiStart {
     for (const auto& unit :
          optim::sobol_points(problem_.variables.size(), options_.starts - 1, options_.seed)) {
       if (!going) break;
-      going = solve(on_scale(problem_, unit));
+      going = solve(optim::design_at(problem_, unit));
     }
     if (going && rank(best_) == 1) explain();
     best_.counters = total_.counters;
@@ -107,12 +98,16 @@ class MultiStart {
   optim::Result total_;
 };
 
-}  // namespace
-
-optim::Result solve_from_starts(const optim::Problem& problem, const optim::SolveOptions& options) {
+optim::Result local_searches(const optim::Problem& problem, const optim::SolveOptions& options) {
   const bool local = options.solver != "auto" && !optim::find_solver(options.solver).global;
   if (!local || options.starts < 2) return optim::solve(problem, options);
   return MultiStart(problem, options).run();
+}
+
+}  // namespace
+
+optim::Result solve_from_starts(const optim::Problem& problem, const optim::SolveOptions& options) {
+  return optim::look_further(problem, options, local_searches(problem, options));
 }
 
 }  // namespace twum::studies

@@ -118,7 +118,7 @@ std::string whole_numbers(const OptimizeResult& result) {
 
 std::string optimal_words(const OptimizeResult& result) {
   const std::string held = whole_numbers(result);
-  return "Optimal by our own check" + (held.empty() ? "" : ", " + held + " held") +
+  return "Verified local optimum" + (held.empty() ? "" : ", " + held + " held") +
          ": no feasible change " + (held.empty() ? "" : "of the rest ") +
          "improves it to first order (stationarity " +
          rounded_text(result.best.certificate.stationarity, 2) + ")";
@@ -130,6 +130,33 @@ std::string verdict(const OptimizeResult& result) {
                                         : "Not certified as an optimum: " + certificate.reason;
   if (!result.solver.empty()) text += "; found by " + result.solver;
   return text + ".\n";
+}
+
+// Whether there is a better valley is not proven, but looked for.
+std::string scan_words(const OptimizeResult& result) {
+  const optim::Scan& scan = result.scan;
+  if (scan.designs == 0) return {};
+  const std::string sample = counted(scan.designs, "design") + " sampled over the whole range";
+  const std::string limits = result.best.constraints.empty()
+                                 ? ""
+                                 : " (" + std::to_string(scan.feasible) + " keep the limits)";
+  if (scan.better == 0) return "None of " + sample + limits + " is better.\n";
+  const std::string some = std::to_string(scan.better) + " of " + sample + limits;
+  const std::string before = engineering(scan.before, result.goal.unit);
+  if (scan.replaced)
+    return some + " were better than the " + before +
+           " that the searches had ended at; a search from the best of them found this design.\n";
+  return some +
+         " are better, but the search from the best of them found no answer; raise "
+         "max_evaluations, or start from that row of results.csv.\n";
+}
+
+Json scan_json(const optim::Scan& scan) {
+  return {{"designs", scan.designs},
+          {"feasible", scan.feasible},
+          {"better", scan.better},
+          {"replaced", scan.replaced},
+          {"before", number_json(scan.before)}};
 }
 
 }  // namespace
@@ -144,6 +171,7 @@ Json answer_json(const OptimizeResult& result) {
     json["before"]["statistics"] = values_json(result.before_statistics);
   if (result.robust) json["robust"] = robust_json(*result.robust);
   json["idle_variables"] = result.idle;
+  json["scan"] = scan_json(result.scan);
   json["solver"] = result.solver;
   json["stages"] = stages_json(result.stages);
   json["units"] = Json::object();
@@ -166,7 +194,7 @@ std::string answer_text(const OptimizeResult& result) {
   text += design_table(result) + limit_table(result) + "\n" + metric_table_text(result) + "\n";
   if (result.robust) text += robust_words(*result.robust, result.goal) + "\n";
   if (infeasible) return text + solver_words(result);
-  text += verdict(result);
+  text += verdict(result) + scan_words(result);
   if (!result.idle.empty()) text += "Without influence here: " + enumeration(result.idle) + ".\n";
   return text + finding_words(result.best.certificate) + solver_words(result);
 }

@@ -76,10 +76,16 @@ std::string count_text(const StudyResult& result) {
          " s\n";
 }
 
+// A certificate is of a local optimum; the word in the file stays "optimal".
+std::string outcome_words(const StudyResult& result) {
+  const bool one = std::holds_alternative<OptimizeResult>(result.answer);
+  return one && result.outcome == "optimal" ? "local optimum" : result.outcome;
+}
+
 std::string heading(const StudyResult& result) {
   std::string text = result.study + " (" + std::string(to_string(result.kind)) + ")";
   if (!result.motor.empty()) text += " of " + printable(result.motor);
-  return text + ": " + result.outcome + "\n";
+  return text + ": " + outcome_words(result) + "\n";
 }
 
 }  // namespace

@@ -210,6 +210,28 @@ std::vector<std::string> study_notes(const StudyFile& file) {
   return notes;
 }
 
+namespace {
+
+std::string duration_words(double seconds) {
+  if (seconds < 120) return rounded_text(seconds, 2) + " s";
+  if (seconds < 7200) return rounded_text(seconds / 60, 2) + " min";
+  return rounded_text(seconds / 3600, 2) + " h";
+}
+
+}  // namespace
+
+std::string pace_note(const StudyFile& file) {
+  constexpr double kLong = 60;  // [s]
+  const std::optional<Pace> pace = make_kind(file)->pace();
+  if (!pace) return {};
+  const double longest = pace->seconds * static_cast<double>(pace->evaluations);
+  if (longest < kLong) return {};
+  return "an evaluation of this motor takes about " + rounded_text(1e3 * pace->seconds, 2) +
+         " ms, so that the budget of " + std::to_string(pace->evaluations) +
+         " evaluations (solver: max_evaluations) lasts up to " + duration_words(longest) +
+         " on one processor";
+}
+
 StudyResult result_of(const StudyFile& file, const StudyKindRun& kind, const ResultStore& store,
                       KindAnswer answer) {
   StudyResult result;

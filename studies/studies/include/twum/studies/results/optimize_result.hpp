@@ -129,6 +129,7 @@ struct OptimizeResult {
   std::vector<std::string> idle;  ///< variables without influence on the goal or an active limit
   std::vector<BoundState> whole_ends;      ///< whole numbers of the best at an end of their range
   Explanation explanation;                 ///< why no design satisfies all limits
+  optim::Scan scan;                        ///< what a sample of the whole range said of it
   std::string solver;                      ///< whose answer it is
   std::vector<optim::StageReport> stages;  ///< what each solver run said of itself
   std::optional<RobustReport> robust;      ///< under tolerances; `best` is then the robust optimum

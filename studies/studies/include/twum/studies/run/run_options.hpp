@@ -25,6 +25,11 @@ struct RunOptions {
 /// @throws FileError or InputError for what is wrong there
 std::vector<std::string> study_notes(const StudyFile& file);
 
+/// Says how long a search may take if its budget would last more than a minute, and makes one evaluation to know. Empty for
+/// other kinds and for quick motors.
+/// @throws InputError for a wrong input
+std::string pace_note(const StudyFile& file);
+
 /// In memory: no directory, nothing kept. The same answer.
 /// @throws FileError or InputError for a wrong input
 StudyResult run_study(const StudyFile& file, const RunOptions& options = {});

@@ -144,6 +144,7 @@ struct ParetoStudy {
   static optim::SolveOptions standard_solver() {
     optim::SolveOptions options;
     options.budget.evaluations = 200000;
+    options.scan = 0;
     return options;
   }
   std::vector<DesignVariable> variables;          ///< what may be changed
