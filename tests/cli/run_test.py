@@ -91,6 +91,36 @@ class Directory(Run):
         self.assertTrue((self.folder / "results/sweep/summary.json").exists())
         self.assertIn("results/sweep", done.stderr)
 
+    def test_a_search_whose_budget_lasts_long_says_so_before_it_starts(self):
+        # Of 1e9 evaluations each would have to take less than 60 ns for the budget to last less than the minute.
+        search = ("twum: 1\nmotor: %s\nstudy: {kind: optimize, variables: {preload: {min: 60 N, max: 300 N}}, maximize: stall_torque, "
+                  "solver: {max_evaluations: %d}}\n")
+        done = twum("run", self.write("long.yaml", search % (RING, 10**9)), "-o", self.folder / "long")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stderr, r"note: an evaluation of this motor takes about \S+ ms, so that the budget of 1000000000 evaluations "
+                                      r"\(solver: max_evaluations\) lasts up to \S+ (s|min|h) on one processor\n")
+        self.assertIn("local optimum\n", done.stdout.decode())
+        # One evaluation would have to last a second.
+        done = twum("run", self.write("short.yaml", search % (RING, 60)), "-o", self.folder / "short")
+        self.assertNotIn("an evaluation of this motor", done.stderr)
+
+    def test_a_better_valley_is_looked_for_before_a_design_is_called_optimal(self):
+        study = program.ROOT / "tests/data/local_but_beaten.yaml"
+        without = study.read_text().rstrip() + "\n  solver: {scan: 0}\n"
+        self.ok("run", self.write("without.yaml", without), "-o", self.folder / "without")
+        text = self.ok("run", study, "-o", self.folder / "with")
+        before, found = self.summary("without"), self.summary("with")
+        speed = before["best"]["metrics"]["plateau_speed"]
+        self.assertGreater(speed, 40)  # [rad/s]
+        self.assertEqual((before["outcome"], before["scan"]["designs"]), ("optimal", 0))
+        self.assertEqual({"designs": 512, "replaced": True, "before": speed}, {k: found["scan"][k] for k in ("designs", "replaced", "before")})
+        # A plateau ends at rest or later.
+        self.assertEqual(found["best"]["metrics"]["plateau_speed"], 0)
+        self.assertIn("of 512 designs sampled over the whole range", text)
+        self.assertTrue(text.startswith("local_but_beaten (optimize) of m: local optimum\n"))
+        self.assertEqual(found["evaluations"], len((self.folder / "with/results.csv").read_text().splitlines()) - 1)
+        self.ok("verify", self.folder / "with")
+
     def test_a_study_of_dots_keeps_to_its_directory(self):
         for name in ("...yaml", "..yaml"):
             study = self.study(8).rename(self.folder / name)

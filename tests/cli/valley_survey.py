@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """How often the sample of the whole range finds a better valley than the searches had, over random studies.
 
-    valley_survey.py TWUM [--count 1000] [--seed 1] [--minutes M]
+    valley_survey.py TWUM [--count 1000] [--seed 1] [--patience 20] [--minutes M]
 
 The studies are those of stop_study.py by the automatic choice of solvers with the standard budget. One that lasts longer than
-20 s is not waited for. Ends with one line of counts.
+the patience in seconds is not waited for. Ends with one line of counts.
 """
 import argparse
 import collections
@@ -20,15 +20,13 @@ import time
 
 from stop_study import random_study
 
-PATIENCE = 20  # [s] of one study
 
-
-def survey_one(program, chance, folder):
+def survey_one(program, chance, folder, patience):
     """What a random study ended as: 'slow', or its outcome and the scan of its answer."""
     study = folder / "study.yaml"
     study.write_text(re.sub(r"  solver: .*\n", "", random_study(chance, "auto")))
     try:
-        done = subprocess.run([program, "run", str(study), "-o", str(folder / "out"), "--jobs", "1"], capture_output=True, timeout=PATIENCE)
+        done = subprocess.run([program, "run", str(study), "-o", str(folder / "out"), "--jobs", "1"], capture_output=True, timeout=patience)
     except subprocess.TimeoutExpired:
         return "slow", None
     assert done.returncode in (0, 1), f"exit status {done.returncode}: {done.stderr.decode(errors='replace')}"
@@ -41,6 +39,7 @@ def main():
     parser.add_argument("program")
     parser.add_argument("--count", type=int, default=1000)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--patience", type=float, default=20)
     parser.add_argument("--minutes", type=float, default=math.inf)
     options = parser.parse_args()
     tally = collections.Counter()
@@ -49,7 +48,7 @@ def main():
         if time.monotonic() > until:
             break
         with tempfile.TemporaryDirectory(prefix="twum-valley-") as scratch:
-            outcome, scan = survey_one(options.program, random.Random(f"{options.seed} {number}"), pathlib.Path(scratch))
+            outcome, scan = survey_one(options.program, random.Random(f"{options.seed} {number}"), pathlib.Path(scratch), options.patience)
         tally["studies"] += 1
         tally[outcome] += 1
         if scan and scan["designs"]:

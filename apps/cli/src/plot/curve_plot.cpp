@@ -70,7 +70,7 @@ std::vector<double> stacked(const OperatingPoint& p) {
 }
 
 // Evenly spread, and ever closer to the no-load speed: the efficiency falls to 0 in the last hundredth before it.
-std::vector<double> speeds_of(const Motor& motor, double first, double last) {
+std::vector<double> picture_speeds(const Motor& motor, double first, double last) {
   std::vector<double> speeds;
   for (int i = 0; i < kPoints; ++i) speeds.push_back(first + (last - first) * i / (kPoints - 1));
   const MetricValue no_load = evaluate(motor, {Metric::no_load_speed, Argument::none, 0});
@@ -86,7 +86,7 @@ std::vector<double> speeds_of(const Motor& motor, double first, double last) {
 
 std::vector<std::vector<double>> rows_of(const Motor& motor, double first, double last) {
   std::vector<std::vector<double>> rows;
-  for (const double speed : speeds_of(motor, first, last)) {
+  for (const double speed : picture_speeds(motor, first, last)) {
     const OperatingPoint p = motor.operating_point(speed);
     rows.push_back({speed, p.torque, p.output_power, p.friction_power, p.layer_loss, p.stator_loss,
                     p.contact_efficiency(), p.efficiency(), p.overall_efficiency()});
