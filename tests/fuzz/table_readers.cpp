@@ -54,9 +54,12 @@ void expect_columns_in_step(std::string_view record, std::size_t line, const Des
                             DesignTable::Scratch& scratch) {
   std::string out;
   table.append_result(record, line, scratch, out);
-  std::vector<std::string_view> cells;
-  const bool well_formed = split_record(std::string_view(out).substr(0, out.size() - 1), cells);
-  if (!well_formed || cells.size() != table.columns() + 3)  // two metrics, and the status
+  const std::string header = table.result_header();
+  std::vector<std::string_view> cells, names;
+  const bool well_formed =
+      split_record(std::string_view(out).substr(0, out.size() - 1), cells) &&
+      split_record(std::string_view(header).substr(0, header.size() - 1), names);
+  if (!well_formed || cells.size() != names.size())
     throw BrokenLaw("a result of " + std::to_string(cells.size()) + " cells: " + out);
 }
 

@@ -58,6 +58,7 @@ optim::SolveOptions with_starts(std::size_t starts) {
   optim::SolveOptions options;
   options.solver = "nlopt:slsqp";
   options.starts = starts;
+  options.scan = 0;  // what the starts find by themselves
   return options;
 }
 
@@ -108,6 +109,16 @@ TEST_CASE("several starts find the deeper of two valleys, and all that they cost
     return e;
   };
   CHECK(solve_from_starts(hills, with_starts(8)).design[0] == Approx(many.design[0]).epsilon(1e-6));
+}
+
+TEST_CASE("one start ends in the wrong valley, and a sample of the range shows the other",
+          "[studies][problem]") {
+  optim::SolveOptions options = with_starts(1);
+  options.scan = 512;
+  const optim::Result result = solve_from_starts(two_valleys(), options);
+  CHECK(result.outcome == Outcome::optimal);
+  CHECK(result.design[0] < 0);
+  CHECK(result.scan.replaced);
 }
 
 TEST_CASE("a logarithmic variable is started evenly by ratio", "[studies][problem]") {
