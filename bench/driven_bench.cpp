@@ -95,17 +95,50 @@ void integration_in_time(benchmark::State& state) {
   state.SetLabel(std::to_string(periods) + " periods");
 }
 
-// A family of five voltages at 200 frequencies each, swept up and down without load.
-void frequency_sweeps(benchmark::State& state) {
+constexpr double kVoltages[] = {60, 80, 100, 120, 140};
+constexpr std::size_t kFrequencies = 200;
+
+MotorDesign sliced_design_of(benchmark::State& state) {
   MotorDesign design = design_of(state);
+  design.stator.radial_slices = static_cast<int>(state.range(1));
+  return design;
+}
+
+// A family of five voltages at 200 frequencies each, swept up and down under a load.
+void frequency_sweeps(benchmark::State& state, const RotorLoad& load) {
+  MotorDesign design = sliced_design_of(state);
   for (auto _ : state) {
-    for (const double voltage : {60.0, 80.0, 100.0, 120.0, 140.0}) {
+    for (const double voltage : kVoltages) {
       design.stator.voltage = voltage;
-      const FrequencyResponse response(design, {Argument::torque, 0});
-      std::vector<double> frequencies = spaced_frequencies(response.from(), response.to(), 200);
+      const FrequencyResponse response(design, load);
+      std::vector<double> frequencies =
+          spaced_frequencies(response.from(), response.to(), kFrequencies);
       benchmark::DoNotOptimize(response.sweep(frequencies));
       std::reverse(frequencies.begin(), frequencies.end());
       benchmark::DoNotOptimize(response.sweep(frequencies));
+    }
+  }
+}
+
+void sweeps_under_torque(benchmark::State& state) {
+  frequency_sweeps(state, {Argument::torque, 0.3});
+}
+void sweeps_at_a_speed(benchmark::State& state) { frequency_sweeps(state, {Argument::speed, 5}); }
+
+// The alternative: all waves of a frequency by itself, searched for over the amplitude. For every tenth of the frequencies, since
+// it takes that long.
+void each_frequency_by_itself(benchmark::State& state) {
+  MotorDesign design = sliced_design_of(state);
+  for (auto _ : state) {
+    for (const double voltage : kVoltages) {
+      design.stator.voltage = voltage;
+      const FrequencyResponse response(design, {Argument::speed, 5});
+      for (const double frequency :
+           spaced_frequencies(response.from(), response.to(), kFrequencies / 10)) {
+        design.stator.frequency = frequency;
+        benchmark::DoNotOptimize(Motor(design).wave_states(5));
+      }
+      design.stator.frequency = design_of(state).stator.frequency;
     }
   }
 }
@@ -116,7 +149,9 @@ BENCHMARK(point_on_the_branch)->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
 BENCHMARK(waves_at_a_speed)->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
 BENCHMARK(metrics_of_a_design)->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
 BENCHMARK(gradients_of_a_design)->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
-BENCHMARK(frequency_sweeps)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(sweeps_under_torque)->ArgsProduct({{0, 1}, {1, 8}})->Unit(benchmark::kMillisecond);
+BENCHMARK(sweeps_at_a_speed)->ArgsProduct({{0, 1}, {1, 8}})->Unit(benchmark::kMillisecond);
+BENCHMARK(each_frequency_by_itself)->ArgsProduct({{0, 1}, {1}})->Unit(benchmark::kMillisecond);
 BENCHMARK(integration_in_time)->Unit(benchmark::kMicrosecond);
 
 }  // namespace

@@ -117,12 +117,13 @@ class Check(program.Case):
                 self.assertRegex(expected, r"^\S+\.yaml:\d+:\d+: ")
 
 
-KINDS = ("curve", "sweep", "sensitivity", "optimize", "pareto", "size", "uncertainty", "calibrate")
+KINDS = ("curve", "sweep", "sensitivity", "optimize", "pareto", "size", "uncertainty", "calibrate", "frequency")
 
 
 class Init(program.Case):
     def test_every_kind_of_study_is_valid_beside_its_motor(self):
-        self.write("ring-60.yaml", (ROOT / "examples/motors/ring-60.yaml").read_bytes())
+        for motor in ("ring-60.yaml", "drive-60.yaml"):
+            self.write(motor, (ROOT / "examples/motors" / motor).read_bytes())
         self.write("points.csv", "speed [rpm],torque [N.m]\n10,0.8\n120,0.7\n130,0.5\n")
         schema = jsonschema.Draft202012Validator(json.loads(self.ok("schema", "study")))
         for kind in KINDS:
@@ -134,8 +135,9 @@ class Init(program.Case):
                 with open(path, "rb") as file:
                     said = self.ok("check", "-", stdin=file.read(), cwd=self.folder)
                 self.assertIn(f"valid study file ({kind})", said)
-                text = self.ok("init", kind, "--motor", "ring-60.yaml")
-                self.assertIn("\nmotor: ring-60.yaml ", text)
+                motor = "drive-60.yaml" if kind == "frequency" else "ring-60.yaml"
+                text = self.ok("init", kind, "--motor", motor)
+                self.assertIn(f"\nmotor: {motor} ", text)
                 self.ok("check", self.write("named.yaml", text))
 
     def test_a_motor_is_named_whatever_its_path(self):

@@ -46,6 +46,25 @@ class Frequency(program.Case):
             speed = self.metric("speed_at(0.5 N.m)", "--set", setting)
             self.assertAlmostEqual(point["speed"] / speed, 1, delta=1e-8)
 
+    def test_points_have_the_backward_wave_of_the_metrics(self):
+        elastic = ("--set", "shear_viscosity=0 Pa.s", "--set", "inertia=0 Pa.s^2", "--set", "rotor_mass=100 g",
+                   "--set", "voltage_ratio=1.05", "--set", "phase_error=0.03 rad")
+        arguments = ("--speed", "8 rad/s", "--from", "40.4 kHz", "--to", "41 kHz", "--points", 3, "--direction", "down")
+        points = self.answer(*elastic, *arguments)["sweeps"]["down"]["points"]
+        for point in points:
+            there = (*elastic, "--set", f"frequency={point['frequency']} Hz")
+            for column, metric in (("squeal_rate", "squeal_rate_at(8 rad/s)"),
+                                   ("backward_ratio", "backward_ratio_at(8 rad/s)")):
+                # Two searches for the same wave, to 1e-10 of its amplitude.
+                self.assertAlmostEqual(point[column] / self.metric(metric, *there), 1, delta=1e-7)
+            ratio = point["backward_ratio"]
+            self.assertAlmostEqual(point["standing_wave_ratio"], (1 + ratio) / (1 - ratio), delta=1e-12)
+            self.assertAlmostEqual(max(point["first_current"], point["second_current"]), point["phase_current"], delta=1e-12)
+        self.assertIn("standing_wave_ratio", self.ok("frequency", DRIVE, *elastic, *arguments))
+        equal = self.ok("frequency", DRIVE, *arguments)
+        self.assertNotIn("standing_wave_ratio", equal)
+        self.assertIn("not known", equal)  # where the layer, which has damping and inertia, sticks
+
     def test_formats_say_the_same(self):
         arguments = ("--points", 7, "--set", "voltage=80 V")
         answer = self.answer(*arguments)

@@ -102,6 +102,12 @@ class Curve(program.Case):
             # Labels have three digits: half a unit of the third is at most 1 / 200 of the value.
             self.assertAlmostEqual(float(re.search(pattern, words)[1]) / value, 1, delta=1 / 200)
 
+    def test_a_quality_factor_counts_as_damping(self):
+        given = ("--set", "amplitude=1.7 um")
+        self.assertTrue({"stator", "of the motor at its terminals"} <= set(self.picture(DRIVE, *given).words()))
+        undamped = self.picture(DRIVE, *given, "--set", "modal_damping=0 N.s/m").words()
+        self.assertFalse({"stator", "stator loss", "with the stator's loss"} & set(undamped))
+
     def test_what_becomes_of_the_electrical_power_is_stacked(self):
         path = self.folder / "drive.svg"
         point = json.loads(self.ok("curve", DRIVE, "--speeds", "0 rpm, 100 rpm", "--plot", path, "--format", "json"))["curve"][0]

@@ -263,3 +263,42 @@ TEST_CASE("a front that is hollow holds all the same", "[studies][verify]") {
   CHECK(found.holds());
   CHECK(found.certificates > 0);
 }
+
+TEST_CASE("a number of waves that no mode of the plate carries has a status",
+          "[studies][sweep][plate]") {
+  // Of a free, thin plate each mode of one nodal diameter is orthogonal to the tilt, so it changes its sign; the lowest of nine
+  // does not.
+  const test::ScratchFolder folder;
+  std::ofstream(folder.path("disc.yaml")) << R"text(twum: 1
+motor:
+  stator:
+    wavelengths: 9
+    contact_radius: 26.5 mm
+    contact_width: 2 mm
+    frequency_ratio: 1.046
+    voltage: 20 V
+    quality_factor: 153
+    geometry:
+      substrate: {inner_radius: 3 mm, outer_radius: 30 mm, thickness: 0.3 mm, material: phosphor-bronze-c51000}
+      ceramic: {inner_radius: 22 mm, outer_radius: 30 mm, thickness: 0.1 mm, material: apc-840}
+      electrodes: {waves_per_phase: 0.5}
+      support: {inner_edge: free}
+  contact_layer: {thickness: 0.5 mm, youngs_modulus: 0.9 GPa, poisson_ratio: 0.38, density: 1500 kg/m^3, loss_factor: 0.05}
+  friction: {kinetic: 0.23}
+  preload: 1 N
+)text";
+  std::ofstream(folder.path("sweep.yaml")) << R"text(twum: 1
+motor: disc.yaml
+study:
+  kind: sweep
+  variables: {wavelengths: {min: 1, max: 9, points: 2}}
+  sampling: grid
+  metrics: [holding_torque]
+)text";
+  run_study(read_study_file(folder.path("sweep.yaml")), folder.path("out"), {});
+  std::vector<std::string> status;
+  ResultStore(folder.path("out/results.db")).read([&](const Row& row) {
+    status.push_back(row.status);
+  });
+  CHECK(status == std::vector<std::string>{"no-ring-mode", "ok"});
+}

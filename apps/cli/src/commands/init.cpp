@@ -20,7 +20,7 @@ constexpr const char* kInitExamples = R"text(Examples:
   twum init motor                    prints the file
   twum init motor --driven           a motor under a voltage, its amplitude follows from the load
   twum init optimize -o study.yaml   a study: curve, sweep, sensitivity, optimize, pareto,
-                                     size, uncertainty or calibrate
+                                     size, uncertainty, calibrate or frequency
   twum init size --motor my-motor.yaml -o size.yaml
   twum init motor -o my-motor.yaml)text";
 

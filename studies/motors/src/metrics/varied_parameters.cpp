@@ -2,6 +2,7 @@
 #include <twum/studies/metrics/varied_parameters.hpp>
 
 #include <twum/base/error.hpp>
+#include <twum/core/design/plate.hpp>
 #include <twum/studies/text/value_error.hpp>
 #include <twum/studies/text/words.hpp>
 #include <twum/studies/units/units.hpp>
@@ -140,6 +141,19 @@ void VariedParameters::put_in_order(const MotorDesign& base) {
   derived_ = std::move(ordered);
 }
 
+namespace {
+
+// Asks for the mode of the plate. What else is wrong with a geometry Motor says.
+void require_wave(const MotorDesign& design) {
+  if (!design.stator.geometry) return;
+  try {
+    plate_model(design);
+  } catch (const InputError&) {
+  }
+}
+
+}  // namespace
+
 MotorDesign VariedParameters::motor(std::span<const double> values) const {
   TWUM_ASSERT(values.size() == varied_.size());
   std::vector<ParameterValue> list;
@@ -156,7 +170,9 @@ MotorDesign VariedParameters::motor(std::span<const double> values) const {
                             name_of(parameter) + " " + complaint(parameter, value.value));
     list.emplace_back(parameter, value.value);
   }
-  return with(base_, list);
+  MotorDesign design = with(base_, list);
+  require_wave(design);
+  return design;
 }
 
 VariedParameters::Slopes VariedParameters::slopes(const MotorDesign& design) const {

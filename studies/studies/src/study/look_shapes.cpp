@@ -261,7 +261,8 @@ Shape<FrequencyStudy> FrequencyStudy::shape() {
   using F = FrequencyStudy;
   return mapping<F>(
       "sweeps of the frequency of a motor under a voltage, or of a family over one parameter",
-      {kind_field<F>(), optional<F>("family", family_shape("voltage: [80 V, 100 V, 120 V]"), &F::family,
+      {kind_field<F>(),
+       optional<F>("family", family_shape("voltage: [80 V, 100 V, 120 V]"), &F::family,
                    "the motor alone"),
        optional<F>("from", quantity("lowest frequency", "Hz", "39 kHz"), &F::from,
                    "below all resonances and jumps"),

@@ -98,6 +98,24 @@ void check_with_motor(const StudyText& text, const MotorDesign& design, const Ya
       text.study);
 }
 
+// A sweep of the frequency needs a motor whose wave follows from it.
+void check_drive(const Study& study, const MotorDesign& motor, const YamlNode& root,
+                 Diagnostics& diagnostics) {
+  const auto* sweep = std::get_if<FrequencyStudy>(&study);
+  if (sweep == nullptr) return;
+  const bool family = sweep->family.has_value();
+  if (family && sweep->family->parameter == Parameter::amplitude) {
+    const YamlNode* node = root.find("study")->find("family");
+    diagnostics.add(node->mark, "study.family",
+                    "a family over the amplitude, which follows from the frequency",
+                    "expected another parameter, such as voltage or preload");
+  }
+  if (motor.stator.voltage || (family && sweep->family->parameter == Parameter::voltage)) return;
+  diagnostics.add(root.find("motor")->mark, "motor", "a motor with an amplitude",
+                  "expected one with a voltage, whose wave follows from its frequency, such as "
+                  "'twum init motor --driven' writes");
+}
+
 // Whether what is derived goes together with what is varied, and with the motor.
 void check_derived(const Study& study, const MotorDesign& motor, const YamlNode& root,
                    Diagnostics& diagnostics) {
@@ -260,6 +278,7 @@ StudyFile read_study(const Source& source, const std::string& folder,
   if (motor) {
     motor->design = with_settings(motor->design, settings);
     check_with_motor(text, motor->design, root, diagnostics);
+    if (diagnostics.empty()) check_drive(text.study, motor->design, root, diagnostics);
     if (diagnostics.empty()) check_derived(text.study, motor->design, root, diagnostics);
     if (diagnostics.empty() && files.empty())
       check_choices(text.study, motor->design, root, diagnostics);

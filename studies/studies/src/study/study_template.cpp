@@ -3,6 +3,8 @@
 #include <twum/studies/schema/publish.hpp>
 #include <twum/studies/study/study_file.hpp>
 
+#include <algorithm>
+
 namespace twum::studies {
 namespace {
 
@@ -27,6 +29,21 @@ std::string path_text(std::string_view path) {
   return text + "'";
 }
 
+// The motor's entries, with those shown that a motor under a voltage has.
+std::vector<SchemaEntry> driven_motor_entries() {
+  std::vector<SchemaEntry> entries = motor_shape().schema.entries;
+  const auto stator = std::find_if(entries.begin(), entries.end(),
+                                   [](const SchemaEntry& one) { return one.name == "stator"; });
+  for (SchemaEntry& one : stator->schema.entries) {
+    if (one.name == "amplitude") one.shown = one.required = false;
+    if (one.name == "voltage") one.required = true;  // in place of the amplitude
+    for (const char* driven : {"voltage", "resonance_frequency", "modal_mass", "force_factor",
+                               "blocked_capacitance", "loss_tangent"})
+      if (one.name == driven) one.shown = true;
+  }
+  return entries;
+}
+
 }  // namespace
 
 std::string study_template(StudyKind kind, std::string_view motor) {
@@ -46,7 +63,8 @@ std::string study_template(StudyKind kind, std::string_view motor) {
     file.entries.push_back(
         entry("motor", "or a motor file, from the folder of this one: 'motor: FILE'", ""));
     file.entries.back().schema.kind = ValueKind::mapping;
-    file.entries.back().schema.entries = motor_shape().schema.entries;
+    file.entries.back().schema.entries =
+        kind == StudyKind::frequency ? driven_motor_entries() : motor_shape().schema.entries;
   }
   return yaml_template(file, heading);
 }

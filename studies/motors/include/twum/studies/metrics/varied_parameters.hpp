@@ -55,7 +55,7 @@ class VariedParameters {
 
   /// The base with the values [SI] of the varied parameters, and what follows from them.
   /// @throws InputError as twum::with() for a value that is not admissible
-  /// @throws EvaluationError with a reason such as "contact_width: out-of-range" or "contact_width: undefined" for a derived one
+  /// @throws EvaluationError "contact_width: out-of-range" or the like for a derived one, "no-ring-mode" for a plate without a wave
   MotorDesign motor(std::span<const double> values) const;
 
   /// Derivatives of each derived parameter by each varied one; SI.
