@@ -85,7 +85,7 @@ class RobustSolve {
   // to search for one that cannot be had costs more than all others together.
   std::vector<YieldPrice> prices_of_yields(const SolvedRound& solved) {
     std::vector<YieldPrice> list;
-    if (problem_.yields.empty() || is_goal(0)) return list;
+    if (problem_.yields.empty() || is_goal(0) || !options_.price_yields) return list;
     std::vector<double> risks = wanted_;
     const YieldPrice largest = largest_price(solved, risks);
     SolvedRound last = solved;

@@ -76,6 +76,7 @@ TEST_CASE("ring-60 at 99 % before aiming higher, for two seeds (U4.5)", "[studie
   for (const std::uint64_t seed : {1U, 2U}) {
     optim::RobustOptions options;
     options.back_off = false;
+    options.price_yields = false;
     options.solve.seed = seed;
     options.solve.threads = 2;
     const optim::RobustResult found = optim::solve_robust(problem, options);
@@ -105,6 +106,7 @@ TEST_CASE("99.9 % of ring-60 cannot be had, and the largest yield is told (U3.6)
   optim::RobustOptions options;
   options.solve.threads = 2;
   options.draws = 1;
+  options.price_yields = false;
   const optim::RobustResult found =
       optim::solve_robust(robust_problem(ring_question(0.999)), options);
   CHECK(found.outcome == optim::Outcome::infeasible);

@@ -122,7 +122,7 @@ std::string risk_table(const RobustReport& report) {
   return "\n" + aligned(table);
 }
 
-// U7.9: what costs next to nothing may be loosened.
+// What costs next to nothing may be loosened.
 std::string loose_words(const RobustReport& report, const RobustTolerance& most) {
   std::vector<std::string> names;
   for (const RobustTolerance& one : report.tolerances)
