@@ -25,6 +25,7 @@
 #include <twum/optim/random_input.hpp>
 #include <twum/optim/result.hpp>
 #include <twum/optim/robust.hpp>
+#include <twum/optim/robust_front.hpp>
 #include <twum/optim/robust_problem.hpp>
 #include <twum/optim/scan.hpp>
 #include <twum/optim/scrambled_sobol.hpp>

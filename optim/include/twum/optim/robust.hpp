@@ -95,9 +95,9 @@ struct RobustResult {
 struct RobustOptions {
   SolveOptions solve;                       ///< of every search in it
   std::vector<std::vector<double>> starts;  ///< designs, such as nominal optima; more are drawn
-  bool back_off{true};   ///< aim above the wanted yield, so that fresh products show that it holds
+  bool back_off{true};  ///< aim above the wanted yield, so that fresh products show that it holds
   bool price_yields{true};  ///< find the best goal at other yields too
-  std::size_t draws{3};  ///< starts from a low-discrepancy sequence
+  std::size_t draws{3};     ///< starts from a low-discrepancy sequence
   /// Called with the round (0, 1, ...; the same number is the same problem), instead of calling the problem of that round; for
   /// callers with a memory. Never by two threads at once for one stage.
   std::function<Evaluation(std::uint64_t round, std::span<const double> y, bool gradient,
