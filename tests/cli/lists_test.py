@@ -47,7 +47,7 @@ class Lists(program.Case):
     def test_study_page(self):
         page = ROOT / "docs/reference/study-file.md"
         self.assertEqual(page.read_text(), self.ok("schema", "study", "--format", "markdown"))
-        for kind in ("curve", "sweep", "sensitivity", "optimize", "pareto", "size", "uncertainty", "calibrate"):
+        for kind in ("curve", "sweep", "sensitivity", "optimize", "pareto", "size", "uncertainty", "calibrate", "frequency"):
             self.assertIn(f"\n## {kind}\n", page.read_text())
         self.assertIn("twum parameters", self.refused("schema", "motor", "--format", "markdown"))
 

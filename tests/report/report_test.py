@@ -290,6 +290,7 @@ class Hostile(Page):
 
     KINDS = {
         "curve": "points: 11, family: {preload: [100 N, 160 N]}",
+        "frequency": "points: 11, torque: 0.3 N.m, family: {preload: [140 N, 170 N]}",
         "sweep": "sampling: grid, variables: {preload: [100 N, 160 N], amplitude: [1 um, 1.6 um]}, metrics: [stall_torque, no_load_speed]",
         "sensitivity": "method: local, variables: {preload: {min: 100 N, max: 160 N}}, metrics: [peak_power]",
         "optimize": "variables: {preload: {min: 60 N, max: 300 N}}, maximize: peak_power",
@@ -300,15 +301,18 @@ class Hostile(Page):
     }
 
     def test_names_are_text_on_the_page_of_every_kind(self):
-        motor = (ROOT / "examples/motors/ring-60.yaml").read_text().replace("name: ring-60", "name: " + json.dumps(HOSTILE, ensure_ascii=False))
-        self.assertIn("hacked", motor)
         folder = self.folder / "hostile"
         folder.mkdir()
-        (folder / "m.yaml").write_text(motor)
+        for motor in ("ring-60", "drive-60"):
+            text = (ROOT / f"examples/motors/{motor}.yaml").read_text()
+            text = text.replace(f"name: {motor}", "name: " + json.dumps(HOSTILE, ensure_ascii=False))
+            self.assertIn("hacked", text)
+            (folder / f"{motor}.yaml").write_text(text)
         (folder / "it's <i>.csv").write_text("speed [rpm],torque [N.m]\n20,0.85\n60,0.84\n100,0.83\n120,0.6\n")
         for kind, entries in self.KINDS.items():
+            motor = "drive-60" if kind == "frequency" else "ring-60"
             name = f"a <b>&'{kind}' \u202eمحرك電"
-            (folder / f"{name}.yaml").write_text(f"twum: 1\nmotor: m.yaml\nstudy: {{kind: {kind}, {entries}}}\n")
+            (folder / f"{name}.yaml").write_text(f"twum: 1\nmotor: {motor}.yaml\nstudy: {{kind: {kind}, {entries}}}\n")
             twum("run", folder / f"{name}.yaml", "-o", folder / kind)
             for width in (1400, 400):
                 with self.subTest(kind, width=width):
