@@ -16,7 +16,7 @@ struct FrequencyResult {
   /// A jump of a sweep.
   struct Jumped {
     bool rising;  ///< of the sweep up
-    Jump jump;
+    Jump jump;    ///< where it leaves its branch, and where it goes on
   };
   /// One motor.
   struct Member {
@@ -29,7 +29,8 @@ struct FrequencyResult {
   };
   std::optional<Column> family;  ///< the parameter; nothing for the motor alone
   RotorLoad load;                ///< of the rotor
-  double from{0}, to{0};         ///< [Hz]
+  double from{0};                ///< lowest frequency [Hz]
+  double to{0};                  ///< highest [Hz]
   std::vector<Member> members;   ///< in the order asked
 };
 
