@@ -81,9 +81,7 @@ class RobustFrontSearch {
     for (const std::uint64_t products : kProductsOfARayRound)
       at.solved = along_ray(at.solved, f, risks, search_.plan(products, replicate++));
     for (int attempt = 0;; ++attempt) {
-      at.seen =
-          verify_products(problem_, search_.terms(), search_.design(at.solved),
-                          search_.plan(products_for_rarest(limited_risks()), 0), next_stream_++);
+      at.seen = search_.verified(at.solved, products_for_rarest(limited_risks()), next_stream_++);
       const bool holds = worst_verdict(problem_, at.seen) == YieldVerdict::holds;
       if (holds || search_.stopped() || !options_.back_off || attempt == kMostStepsBack) break;
       risks = backed_off(problem_, std::move(risks), at.seen);
@@ -106,12 +104,9 @@ class RobustFrontSearch {
     SolvedRound solved{next, found};
     if (!solved.feasible()) return at;
     solved.result.design.pop_back();
-    const Problem problem = next->problem();
-    solved.result.evaluation = problem.evaluate(solved.result.design, true);
+    solved.result.evaluation = next->problem().evaluate(solved.result.design, true);
     if (!solved.result.evaluation.ok()) return at;
-    SolveOptions quiet = options_.solve;
-    quiet.observer = {};
-    solved.result.certificate = certify(problem, solved.result.design, quiet);
+    solved.result.certificate = search_.certified(solved);
     return solved;
   }
 

@@ -130,8 +130,7 @@ class RobustSolve {
               ? std::min(kMostProductsOfALargest, products_for_rarest({search_.last_risk().any}))
               : products_for_rarest(wanted_);
       result_.verification =
-          verify_products(problem_, search_.terms(), search_.design(solved),
-                          search_.plan(products, 0), static_cast<std::uint64_t>(attempt));
+          search_.verified(solved, products, static_cast<std::uint64_t>(attempt));
       result_.outcome = solved.result.outcome;
       if (search_.stopped()) result_.outcome = Outcome::budget;
       if (search_.stopped() || judge() || attempt == kMostBackOffs || !options_.back_off) return;
@@ -180,6 +179,7 @@ class RobustSolve {
     if (!solved.result.design.empty()) {
       const auto x = search_.design(solved);
       result_.design.assign(x.begin(), x.end());
+      if (!search_.stopped()) solved.result.certificate = search_.certified(solved);
       const Explained explained(problem_, solved);
       result_.risks = explained.risks(result_.verification);
       result_.prices = explained.prices();

@@ -53,10 +53,11 @@ std::vector<RiskShare> Explained::risks(const Verification& verified) const {
     share.delta = round_.correction().delta[j];
     if (!verified.yields.empty()) {
       const YieldEstimate& yield = verified.yields[share.target];
-      const auto failed = static_cast<double>(verified.term_failures[j]);
-      share.probability = failed / static_cast<double>(yield.products);
-      const auto bad = static_cast<double>(yield.products - yield.good);
-      share.share = bad > 0.0 ? failed / bad : 0.0;
+      share.probability = verified.term_shares[j];
+      const double any = verified.weighted ? 1.0 - yield.value
+                                           : static_cast<double>(yield.products - yield.good) /
+                                                 static_cast<double>(yield.products);
+      share.share = any > 0.0 ? share.probability / any : 0.0;
     }
     list.push_back(std::move(share));
   }

@@ -3,7 +3,9 @@
 
 #include "robust/centres.hpp"
 #include "robust/normal.hpp"
+#include "robust/verification.hpp"
 
+#include <twum/optim/certificate.hpp>
 #include <twum/optim/low_discrepancy.hpp>
 #include <twum/optim/solve.hpp>
 
@@ -15,8 +17,9 @@
 namespace twum::optim {
 namespace {
 
-constexpr std::uint64_t kStagesOfASolve = 1000;  // more than one search ever takes
-constexpr double kDesignStill = 1e-3;            // of the unit box
+constexpr std::uint64_t kStagesOfASolve = 1000;    // more than one search ever takes
+constexpr double kDesignStill = 1e-3;              // of the unit box
+constexpr std::uint64_t kFreshScrambles = 10'000;  // apart from those that correct
 constexpr std::uint64_t kCoarse = 4096, kFine = 16384;
 
 double unit(const Variable& v, double x) {
@@ -82,7 +85,7 @@ std::uint64_t products_for_rarest(const std::vector<double>& risks) {
   constexpr double kWithoutYield = 0.01;
   const double rarest =
       risks.empty() ? kWithoutYield : *std::min_element(risks.begin(), risks.end());
-  return products_for(std::max(rarest, kGoalRisk));
+  return products_for(rarest < kRareRisk ? kWithoutYield : rarest);
 }
 
 RobustSearch::RobustSearch(const RobustProblem& problem, const RobustOptions& options)
@@ -227,6 +230,24 @@ SolvedRound RobustSearch::solve_again(const SolvedRound& from,
   return solve(std::make_shared<const RobustRound>(problem_, goals, risks, from.round->correction(),
                                                    options_.solve.seed),
                from.result.design);
+}
+
+Certificate RobustSearch::certified(const SolvedRound& solved) const {
+  SolveOptions quiet = options_.solve;
+  quiet.observer = {};
+  return certify(solved.round->problem(), solved.result.design, quiet);
+}
+
+Verification RobustSearch::verified(const SolvedRound& solved, std::uint64_t products,
+                                    std::uint64_t attempt) const {
+  Verification seen = verify_products(problem_, terms_, design(solved), plan(products, 0), attempt);
+  if (!wants_rare(problem_) || stopped()) return seen;
+  const RobustRound& round = *solved.round;
+  const auto& y = solved.result.design;
+  return weighted(std::move(seen), terms_, [&](std::uint64_t scramble) {
+    Centres centres(problem_, terms_, design(solved), round.betas(y), round.points(y));
+    return centres.sample(plan(kCoarse, kFreshScrambles + kScrambles * attempt + scramble));
+  });
 }
 
 double RobustSearch::goal_at(const SolvedRound& solved) const {

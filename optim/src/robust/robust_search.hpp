@@ -58,6 +58,12 @@ class RobustSearch {
   /// U4.4
   Correction correction(const SolvedRound& solved, const SamplePlan& plan);
   std::vector<double> risks_of(const RobustRound& round) const;
+  /// The certificate of a solved round, measured anew without the caller's memory.
+  Certificate certified(const SolvedRound& solved) const;
+  /// Fresh products of a solved round's design; `attempt` names their stream. Where a yield above 99.99 % is wanted, weighted
+  /// ones decide.
+  Verification verified(const SolvedRound& solved, std::uint64_t products,
+                        std::uint64_t attempt) const;
   /// The goal of the problem at a solved round, whatever its own goal is; NaN where it has no value.
   double goal_at(const SolvedRound& solved) const;
   /// p_any of the first target at a solved round, by the last sample drawn; and its standard error.

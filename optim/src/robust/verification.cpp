@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <twum/base/error.hpp>
 #include <twum/base/ordered.hpp>
 
@@ -75,7 +76,7 @@ Verification verify_products(const RobustProblem& problem, const RobustTerms& te
                              std::span<const double> x, const SamplePlan& plan,
                              std::uint64_t attempt) {
   Verification found;
-  found.term_failures.assign(terms.terms.size(), 0);
+  std::vector<std::uint64_t> term_failures(terms.terms.size(), 0);
   found.values.resize(problem.limits.size());
   std::vector<std::uint64_t> good(terms.of_target.size(), 0);
   TighterYields tighter(problem);
@@ -93,7 +94,7 @@ Verification verify_products(const RobustProblem& problem, const RobustTerms& te
           answer.ok() &&
           term.margin.sign * (answer.values[term.margin.response] - term.margin.end) >= 0.0;
       if (holds) continue;
-      ++found.term_failures[j];
+      ++term_failures[j];
       keeps[*term.target] = false;
     }
     for (std::size_t s = 0; s < good.size(); ++s) good[s] += keeps[s] ? 1 : 0;
@@ -111,8 +112,52 @@ Verification verify_products(const RobustProblem& problem, const RobustTerms& te
       });
   for (const std::uint64_t kept : good)
     found.yields.push_back(made > 0 ? yield_estimate(kept, made) : YieldEstimate{});
+  for (const std::uint64_t failed : term_failures)
+    found.term_shares.push_back(static_cast<double>(failed) /
+                                static_cast<double>(std::max<std::uint64_t>(made, 1)));
   if (made > 0 && !good.empty()) found.tighter = tighter.of(made);
   return found;
+}
+
+bool wants_rare(const RobustProblem& problem) {
+  return std::any_of(problem.yields.begin(), problem.yields.end(), [](const YieldTarget& target) {
+    return target.at_least < 1.0 && 1.0 - target.at_least < kRareRisk;
+  });
+}
+
+// U5.5
+Verification weighted(Verification seen, const RobustTerms& terms,
+                      const std::function<ImportanceSample(std::uint64_t)>& sample) {
+  constexpr double kStudent95 = 2.13145;  // 97.5 % quantile for 15 degrees of freedom
+  constexpr auto n = static_cast<double>(kScrambles);
+  std::vector<std::vector<double>> risks(terms.of_target.size());
+  std::uint64_t products = 0;
+  std::fill(seen.term_shares.begin(), seen.term_shares.end(), 0.0);
+  for (std::uint64_t scramble = 0; scramble < kScrambles; ++scramble) {
+    const ImportanceSample drawn = sample(scramble);
+    products += drawn.weights.size();
+    for (std::size_t s = 0; s < risks.size(); ++s) {
+      const SampledRisk risk = sampled_risk(drawn, terms.of_target[s]);
+      risks[s].push_back(risk.any);
+      for (std::size_t i = 0; i < risk.of_term.size(); ++i)
+        seen.term_shares[terms.of_target[s][i]] += risk.of_term[i] / n;
+    }
+  }
+  for (std::size_t s = 0; s < risks.size(); ++s) {
+    const double mean = std::accumulate(risks[s].begin(), risks[s].end(), 0.0) / n;
+    double squares = 0.0;
+    for (const double risk : risks[s]) squares += (risk - mean) * (risk - mean);
+    const double room = kStudent95 * std::sqrt(squares / (n - 1.0) / n);
+    YieldEstimate& yield = seen.yields[s];
+    yield.products = products;
+    yield.value = 1.0 - mean;
+    yield.low = yield.value - room;
+    yield.high = std::min(1.0, yield.value + room);
+    yield.good = products - static_cast<std::uint64_t>(mean * static_cast<double>(products));
+  }
+  seen.weighted = true;
+  seen.tighter.clear();
+  return seen;
 }
 
 }  // namespace twum::optim

@@ -32,7 +32,7 @@ double phi(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }
 
 }  // namespace
 
-TEST_CASE("every point of a front under tolerances keeps the yield and no more (U3.1, U4.5)",
+TEST_CASE("every point of a front under tolerances keeps the yield and no more (U3.1, U7.1)",
           "[optim][robust]") {
   RobustOptions options;
   options.back_off = false;

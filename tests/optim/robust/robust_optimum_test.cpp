@@ -200,3 +200,22 @@ TEST_CASE("products without an answer break every limit and are counted", "[opti
   CHECK(std::abs(lost - 54.0) <= 4 * 7.3);
   CHECK(found.verdict == YieldVerdict::holds);
 }
+
+TEST_CASE("a yield above 99.99 % is told from weighted products (U5.5)", "[optim][robust]") {
+  // Two independent margins x_j >= Z_j with equal weights: the risk 2 Phi(-x) in each at the optimum, less its square.
+  const RobustProblem problem = linear_problem({{1.0, 0.0}, {0.0, 1.0}}, {1.0, 1.0}, 0.999999);
+  const RobustResult found = solve_robust(problem);
+  CHECK(found.outcome == Outcome::optimal);
+  CHECK(found.verification.weighted);
+  const YieldEstimate& yield = found.verification.yields[0];
+  const auto fails = [](double x) { return 0.5 * std::erfc(x / std::sqrt(2.0)); };
+  const double risk = fails(found.design[0]) + fails(found.design[1]);
+  CHECK(1 - yield.high <= risk);
+  CHECK(1 - yield.low >= risk);
+  // 65,536 products about the worst points, of which a third fails: the risk within some per cent, where as many plain ones
+  // would have no failure at all.
+  CHECK(yield.high - yield.low < 0.1 * risk);
+  // Both limits fail as often.
+  CHECK(found.risks[0].share == Approx(0.5).epsilon(0.1));
+  CHECK(found.design[0] == Approx(found.design[1]).epsilon(0.01));
+}

@@ -29,7 +29,7 @@ struct RobustFront {
 /// The front of FORM's problem comes first (pareto_front() in design and reliability indices). Each of its points is then
 /// corrected by two importance samples about its own worst points, solved again along the ray of Pascoletti and Serafini that
 /// leads through it, and certified; fresh products tell its yield, and a point that does not hold is moved back as
-/// solve_robust() does (docs/theory/robust-design.md, section 6). For any number of threads the same.
+/// solve_robust() does (docs/theory/robust-design.md, section 7). For any number of threads the same.
 /// @param points  at most
 /// @throws InputError for a problem that cannot be posed
 RobustFront solve_robust_front(const RobustProblem& problem, std::size_t points,

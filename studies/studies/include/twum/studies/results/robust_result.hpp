@@ -18,6 +18,7 @@ struct RobustYield {
   double target{0};          ///< wanted share; NaN where it is the goal
   Estimate share;            ///< of fresh motors, 95 % interval
   std::uint64_t samples{0};  ///< fresh motors
+  bool weighted{false};      ///< drawn about the worst points and weighted: of yields above 99.99 %
   std::string verdict;  ///< "holds", "not-distinguishable" or "broken"; empty where it is the goal
 };
 
