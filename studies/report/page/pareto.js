@@ -32,7 +32,7 @@ function pointHolders(i, most) {
 function goalWords(goal) { return (goal.sense === 'maximize' ? 'largest ' : 'smallest ') + plain(goal.metric); }
 
 /** A goal may be a parameter. */
-function frontValue(i, name) { return summary.front[i].metrics[name] ?? summary.front[i].design[name]; }
+function frontValue(i, name) { return summary.front[i].metrics[name] ?? summary.front[i].design[name] ?? (summary.front[i].statistics || {})[name]; }
 
 /** Goals k and l of the front; a click, or Enter, chooses the point under the cursor. */
 function frontChart(node, k, l, choose) {
@@ -71,8 +71,8 @@ const front = { chosen: null };
 
 function chosenMotor(node, i) {
   const point = summary.front[i];
-  const goals = summary.objectives.map((o) => plain(o.metric) + ' ' + engineering(goalValue(point, o), unitOf(o.metric))).join(', ');
-  node.replaceChildren(el('h2', {}, 'Point ' + (i + 1) + (frontRole(i) ? ': ' + frontRole(i) : '')), el('p', {}, choiceWords(point) + goals + '. ' + certificateText(point.certificate)));
+  const goals = summary.objectives.map((o) => plain(o.metric) + ' ' + goalText(o, goalValue(point, o))).join(', ');
+  node.replaceChildren(el('h2', {}, 'Point ' + (i + 1) + (frontRole(i) ? ': ' + frontRole(i) : '')), el('p', {}, choiceWords(point) + goals + '. ' + (point.yields || []).map(yieldWords).join(' ') + ' ' + certificateText(point.certificate)));
   const left = el('div', {});
   const right = el('div', {});
   node.append(el('div', { class: 'pair' }, left, right));

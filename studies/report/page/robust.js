@@ -6,7 +6,7 @@
 function yieldWords(y) {
   const what = y.text === 'yield' ? 'all limits' : limitWords(y.text);
   const sure = { holds: 'This holds what was asked for', 'not-distinguishable': 'The sample cannot tell this from what was asked for', broken: 'This is less than what was asked for' }[y.verdict];
-  return percent(y.value, 4) + ' of the motors keep ' + what + ' (' + percent(y.low, 4) + ' to ' + percent(y.high, 4) + ' by ' + y.samples + ' motors that the search has not seen). '
+  return percent(y.value, 4) + ' of the motors keep ' + what + ' (' + percent(y.low, 4) + ' to ' + percent(y.high, 4) + ' by ' + y.samples + ' motors that the search has not seen' + (y.weighted ? ', drawn about the worst points and weighted' : '') + '). '
     + (y.target === null ? '' : sure + ', ' + percent(y.target, 4) + '.');
 }
 

@@ -79,9 +79,9 @@ function tradeWords(i) {
 
 function paretoVerdict() {
   if (summary.relaxation) return relaxationVerdict();
-  if (!summary.front.length) return { look: 'bad', lines: [sentence(bold('No point of the front was found.'))] };
+  if (!summary.front.length) return { look: 'bad', lines: [sentence(bold(summary.largest_yield ? 'The wanted yield cannot be had.' : 'No point of the front was found.')), ...(summary.largest_yield ? [sentence('At the design of the largest one ' + yieldWords(summary.largest_yield))] : [])] };
   const goals = summary.objectives;
-  const values = (i) => goals.map((o) => plain(o.metric) + ' ' + engineering(goalValue(summary.front[i], o), unitOf(o.metric), 3)).join(' with ');
+  const values = (i) => goals.map((o) => plain(o.metric) + ' ' + goalText(o, goalValue(summary.front[i], o), isShare(o) ? 4 : 3)).join(' with ');
   const hasKnee = summary.knee !== null;
   const lines = [sentence(bold(String(summary.front.length)), ' best compromises: none of them can be improved in one goal without loss in another. ', hasKnee ? '' : 'The front has no knee: it bends the other way.')];
   if (hasKnee) {

@@ -125,7 +125,8 @@ std::vector<LimitState> DesignReporter::limits(const MotorDesign& motor,
       state.one_percent_buys = a->one_percent_buys;
       if (a->active && a->side != optim::Side::equal)
         state.at_least = a->side == optim::Side::lower;
-      if (states.size() >= problem_.limits.size()) state.value = a->value;  // such as mu_0 - mu
+      if (states.size() >= problem_.limits.size() && std::isfinite(a->value))
+        state.value = a->value;  // such as mu_0 - mu
     }
     state.limit = end_of(limit, state.at_least);
     state.violation = limit.excess(state.value);

@@ -4,6 +4,8 @@
 #include "kinds/robust_optimum.hpp"
 #include "problem/multi_start.hpp"
 
+#include <cmath>
+
 namespace twum::studies {
 namespace {
 
@@ -57,6 +59,31 @@ DesignProblem OptimumRun::held(std::span<const double> design) const {
   return question;
 }
 
+// A design with every combination of whole numbers and sets, its own first; beyond kMostCombinations its own alone.
+std::vector<std::vector<double>> OptimumRun::combinations_at(
+    const std::vector<double>& design) const {
+  std::vector<std::vector<double>> list{design};
+  const auto with_values = [&](std::size_t place, long low, long high) {
+    const std::size_t before = list.size();
+    for (long value = low; value <= high && list.size() <= kMostCombinations; ++value)
+      for (std::size_t i = 0; i < before; ++i) {
+        if (static_cast<double>(value) == design[place]) continue;
+        list.push_back(list[i]);
+        list.back()[place] = static_cast<double>(value);
+      }
+  };
+  const std::size_t variables = problem().variables.size();
+  for (std::size_t j = 0; j < variables; ++j) {
+    const DesignVariable& variable = problem().variables[j];
+    if (info(variable.parameter).integer)
+      with_values(j, std::lround(std::ceil(variable.min)), std::lround(std::floor(variable.max)));
+  }
+  for (std::size_t c = 0; c < problem().choices.size(); ++c)
+    with_values(variables + c, 1, static_cast<long>(problem().choices[c].sets.size()));
+  if (list.size() > kMostCombinations) list.resize(1);
+  return list;
+}
+
 // Under tolerances the optimum without them comes first: it is where the robust search starts, and what its answer is
 // compared with. Where not even one motor keeps the limits, there is nothing to build.
 KindAnswer OptimumRun::run(RunContext& context) {
@@ -67,8 +94,13 @@ KindAnswer OptimumRun::run(RunContext& context) {
   const bool feasible =
       found.outcome == optim::Outcome::optimal || found.outcome == optim::Outcome::feasible;
   if (built_.tolerances.empty() || !feasible || context.stop.stop_requested()) return plain;
-  const RobustQuestion question{held(found.design), built_.tolerances, built_.statistics};
-  return robust_optimum({question, problem(), before(), reporter(), options(log, context), found},
+  std::vector<RobustCandidate> candidates;
+  for (std::vector<double>& design : combinations_at(found.design))
+    candidates.push_back({{held(design), built_.tolerances, built_.statistics}, design});
+  std::vector<std::vector<double>> valleys = log.valleys();
+  if (!valleys.empty()) valleys.erase(valleys.begin());  // where the optimum without tolerances is
+  return robust_optimum({std::move(candidates), problem(), before(), reporter(), options(context),
+                         found, std::move(valleys)},
                         std::get<OptimizeResult>(std::move(plain.answer)), context);
 }
 

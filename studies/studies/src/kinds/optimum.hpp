@@ -27,6 +27,7 @@ class OptimumRun : public SearchRun {
  private:
   OptimizeResult answer(const optim::Result& found) const;
   DesignProblem held(std::span<const double> design) const;
+  std::vector<std::vector<double>> combinations_at(const std::vector<double>& design) const;
 
   DesignObjective goal_;  // of problem() it has what a search without tolerances looks for
   BuiltMotorsAsked built_;

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "kinds/front_points.hpp"
+#include "kinds/robust_front.hpp"
 #include "kinds/search_study.hpp"
+#include "problem/multi_start.hpp"
 #include "study/solver_entry.hpp"
 
 #include <twum/optim/certificate.hpp>
@@ -11,54 +14,44 @@
 namespace twum::studies {
 namespace {
 
-// The best point of each goal.
-std::vector<std::size_t> ends_of(const ParetoResult& result) {
-  std::vector<std::size_t> ends;
-  for (std::size_t k = 0; k < result.goals.size(); ++k) {
-    const auto worse = [&](const auto& a, const auto& b) {
-      return result.goals[k].maximize ? a.goals[k] > b.goals[k] : a.goals[k] < b.goals[k];
-    };
-    const auto best = std::min_element(result.front.begin(), result.front.end(), worse);
-    ends.push_back(static_cast<std::size_t>(best - result.front.begin()));
+// Metrics in place of statistics, each once.
+std::vector<DesignObjective> nominal_goals(const ParetoStudy& asked) {
+  std::vector<DesignObjective> list;
+  for (const DesignObjective& goal : asked.objectives) {
+    DesignObjective nominal = nominal_goal(goal, asked.constraints);
+    const bool known = std::any_of(list.begin(), list.end(), [&](const DesignObjective& other) {
+      return other.text() == nominal.text();
+    });
+    if (!known) list.push_back(std::move(nominal));
   }
-  return ends;
-}
-
-// Goals as losses between 0 at the best and 1 at the worst of the front. On the line (plane) through
-// the ends they add up to 1; the knee is where they add up to the least.
-std::size_t knee_of(const ParetoResult& result) {
-  std::size_t knee = 0;
-  double least = HUGE_VAL;
-  for (std::size_t i = 0; i < result.front.size(); ++i) {
-    double sum = 0;
-    for (std::size_t k = 0; k < result.goals.size(); ++k) {
-      const auto [low, high] = std::minmax_element(
-          result.front.begin(), result.front.end(),
-          [k](const auto& a, const auto& b) { return a.goals[k] < b.goals[k]; });
-      const double span = high->goals[k] - low->goals[k];
-      const double best = (result.goals[k].maximize ? high : low)->goals[k];
-      if (span > 0) sum += std::fabs(result.front[i].goals[k] - best) / span;
-    }
-    if (sum < least) {
-      least = sum;
-      knee = i;
-    }
-  }
-  return knee;
+  return list;
 }
 
 // A trade-off front: by gradients, or by an evolutionary search if the file says so.
 class ParetoRun : public SearchRun {
  public:
   ParetoRun(const ParetoStudy& asked, const StudyFile& file)
-      : SearchRun(
-            file,
-            {{}, asked.variables, asked.objectives, asked.constraints, asked.derived, asked.choose},
-            asked.solver, asked.start),
-        points_(asked.points) {}
+      : SearchRun(file,
+                  {{},
+                   asked.variables,
+                   nominal_goals(asked),
+                   asked.constraints,
+                   asked.derived,
+                   asked.choose},
+                  asked.solver, asked.start),
+        points_(asked.points),
+        goals_(asked.objectives),
+        tolerances_(asked.tolerances),
+        statistics_(asked.statistics) {}
+
+  /// Under tolerances the certificates are those of rounds, which follow from the rows before them.
+  std::optional<optim::Certificate> certify(std::span<const double> variables) const override {
+    return tolerances_.empty() ? SearchRun::certify(variables) : std::nullopt;
+  }
 
   KindAnswer run(RunContext& context) override {
     SearchLog log(problem(), context);
+    if (!tolerances_.empty()) return under_tolerances(log, context);
     optim::SolveOptions solve = options(log, context);
     const optim::Front front = solve.solver == kNsga2 ? by_population(log.problem(), solve)
                                                       : by_gradients(log.problem(), solve);
@@ -108,6 +101,24 @@ class ParetoRun : public SearchRun {
     return result;
   }
 
+  // Where no design has the wanted yield, it may be that not even one motor keeps the limits.
+  KindAnswer under_tolerances(SearchLog& log, RunContext& context) const {
+    RobustQuestion question{problem(), tolerances_, statistics_};
+    question.design.objectives = goals_;
+    KindAnswer found =
+        robust_front({question, problem(), reporter(), options(context), points_}, context);
+    auto& result = std::get<ParetoResult>(found.answer);
+    result.before_design = reporter().design_of(before());
+    result.before_metrics = reporter().metrics_of(before());
+    if (found.outcome != "infeasible") return found;
+    const optim::SolveOptions solve = options(log, context);
+    result.explanation = reporter().explanation(
+        problem().objectives.size() > 1 ? by_gradients(log.problem(), solve).infeasibility
+                                        : solve_from_starts(log.problem(), solve).infeasibility);
+    context.store.flush();
+    return found;
+  }
+
   // nsga2() certifies nothing.
   static bool certified(const optim::Front& front) {
     return std::any_of(front.points.begin(), front.points.end(),
@@ -123,6 +134,9 @@ class ParetoRun : public SearchRun {
   }
 
   std::size_t points_;
+  std::vector<DesignObjective> goals_;  // of problem() it has what has a value without tolerances
+  std::vector<Tolerance> tolerances_;
+  std::vector<StatisticLimit> statistics_;
 };
 
 }  // namespace

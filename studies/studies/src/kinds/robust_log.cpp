@@ -4,11 +4,19 @@
 #include "kinds/row_bytes.hpp"
 
 namespace twum::studies {
+namespace {
 
-RobustLog::RobustLog(const DesignProblem& problem, std::vector<double> chosen, RunContext& context)
+constexpr std::uint64_t kRoundsOfASearch = 1'000'000;    // more than one ever takes
+constexpr std::uint64_t kStagesOfASearch = 100'000'000;  // likewise
+
+}  // namespace
+
+RobustLog::RobustLog(const DesignProblem& problem, std::vector<double> chosen, std::uint64_t search,
+                     RunContext& context)
     : context_(context),
       variables_(problem.variables.size()),
       chosen_(std::move(chosen)),
+      search_(search),
       rows_(problem),
       motors_(problem),
       done_(context.store.rows()) {
@@ -24,6 +32,21 @@ RobustLog::RobustLog(const DesignProblem& problem, std::vector<double> chosen, R
     evaluation.jacobian = bytes.numbers();
     stored_.emplace(key(round, y, gradient), std::move(evaluation));
   });
+}
+
+optim::RobustOptions RobustLog::options(const optim::SolveOptions& solve) {
+  optim::RobustOptions options;
+  options.solve = solve;
+  options.solve.observer = {};
+  options.solve.first_stage = kRobustStages + kStagesOfASearch * search_;
+  options.recall = [this](std::uint64_t round, std::span<const double> y, bool gradient,
+                          const optim::Evaluator& evaluate) {
+    return recall(kRoundsOfASearch * search_ + round, y, gradient, evaluate);
+  };
+  options.observer = [this](std::uint64_t round, const optim::Observation& observation) {
+    observe(kRoundsOfASearch * search_ + round, observation);
+  };
+  return options;
 }
 
 std::string RobustLog::key(std::uint64_t round, std::span<const double> y, bool gradient) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace twum::studies {
 namespace {
@@ -13,22 +14,85 @@ namespace {
 constexpr std::uint64_t kNominalProducts = 20000;  // its yield within 0.7 %
 constexpr std::uint64_t kNominalStream = 100;      // apart from those that decide
 
-optim::RobustOptions options_of(const RobustBeginning& beginning, RobustLog& log) {
-  optim::RobustOptions options;
-  options.solve = beginning.options;
-  options.solve.observer = {};
-  options.solve.first_stage = kRobustStages;
-  const auto x =
-      std::span(beginning.nominal.design).first(beginning.question.design.variables.size());
-  options.starts = {{x.begin(), x.end()}};
-  options.recall = [&log](std::uint64_t round, std::span<const double> y, bool gradient,
-                          const optim::Evaluator& evaluate) {
-    return log.recall(round, y, gradient, evaluate);
-  };
-  options.observer = [&log](std::uint64_t round, const optim::Observation& observation) {
-    log.observe(round, observation);
-  };
-  return options;
+constexpr std::size_t kVerifiedCandidates = 3;
+constexpr std::size_t kMostValleys = 3;  // starts in other valleys
+
+std::size_t variables_of(const RobustBeginning& beginning) {
+  return beginning.asked.variables.size();
+}
+
+// Starts at the optimum without tolerances and in other valleys, with the whole numbers of the candidate.
+std::vector<std::vector<double>> starts_of(const RobustBeginning& beginning,
+                                           const RobustCandidate& candidate) {
+  const auto free = static_cast<std::ptrdiff_t>(variables_of(beginning));
+  std::vector<std::vector<double>> list{
+      {candidate.design.begin(), candidate.design.begin() + free}};
+  for (const std::vector<double>& valley : beginning.starts) {
+    if (list.size() > kMostValleys) break;
+    list.emplace_back(valley.begin(), valley.begin() + free);
+    for (std::size_t k = 0; k < list.back().size(); ++k)
+      if (info(beginning.asked.variables[k].parameter).integer)
+        list.back()[k] = candidate.design[k];
+  }
+  return list;
+}
+
+// A search of one candidate, with the memory of its number.
+template <typename Solve>
+optim::RobustResult searched(const RobustBeginning& beginning, std::size_t candidate,
+                             std::uint64_t number, RunContext& context, Solve solve) {
+  const RobustCandidate& one = beginning.candidates[candidate];
+  const auto free = static_cast<std::ptrdiff_t>(variables_of(beginning));
+  RobustLog log(beginning.asked, {one.design.begin() + free, one.design.end()}, number, context);
+  optim::RobustOptions options = log.options(beginning.options);
+  options.starts = starts_of(beginning, one);
+  return solve(robust_problem(one.question), options);
+}
+
+// Smaller is better: outcome first, then the objective of the last round, or the largest yield there is.
+std::pair<int, double> merit_of(const optim::RobustResult& found, bool maximize) {
+  const int rank = static_cast<int>(found.outcome);
+  if (found.last.evaluation.values.empty()) return {rank, HUGE_VAL};
+  if (std::isfinite(found.largest_yield)) return {rank, -found.largest_yield};
+  return {rank, (maximize ? -1 : 1) * found.last.evaluation.values.front()};
+}
+
+struct FoundCandidate {
+  std::size_t candidate;
+  optim::RobustResult found;
+};
+
+// The best three candidates by first-order estimates; one alone needs none.
+std::vector<std::size_t> likely_candidates(const RobustBeginning& beginning, bool maximize,
+                                           RunContext& context) {
+  std::vector<std::pair<std::pair<int, double>, std::size_t>> list;
+  for (std::size_t i = 0; i < beginning.candidates.size(); ++i) {
+    std::pair<int, double> merit{0, 0};
+    if (beginning.candidates.size() > 1)
+      merit = merit_of(searched(beginning, i, 1 + i, context, optim::solve_form), maximize);
+    list.emplace_back(merit, i);
+  }
+  std::sort(list.begin(), list.end());
+  list.resize(std::min(list.size(), kVerifiedCandidates));
+  std::vector<std::size_t> best;
+  for (const auto& [ignored, i] : list) best.push_back(i);
+  return best;
+}
+
+FoundCandidate best_candidate(const RobustBeginning& beginning, RunContext& context) {
+  const DesignObjective& goal = beginning.candidates.front().question.design.objectives.front();
+  // The rounds of a share and of a spread minimize.
+  const bool maximize = goal.maximize && has_nominal_value(goal);
+  const std::vector<std::size_t> likely = likely_candidates(beginning, maximize, context);
+  std::vector<FoundCandidate> list;
+  for (std::size_t k = 0; k < likely.size(); ++k) {
+    const std::uint64_t number = likely.size() == 1 ? 0 : 1 + beginning.candidates.size() + k;
+    list.push_back(
+        {likely[k], searched(beginning, likely[k], number, context, optim::solve_robust)});
+  }
+  return *std::min_element(list.begin(), list.end(), [&](const auto& a, const auto& b) {
+    return merit_of(a.found, maximize) < merit_of(b.found, maximize);
+  });
 }
 
 // 20,000 motors of another design: the optimum without tolerances, or the motor as it was.
@@ -40,7 +104,7 @@ optim::Verification others(const optim::RobustProblem& posed, std::span<const do
 // The motors of the file.
 optim::Verification motors_before(const RobustBeginning& beginning,
                                   const optim::RobustOptions& options) {
-  RobustQuestion question = beginning.question;
+  RobustQuestion question = beginning.candidates.front().question;
   question.design.motor = beginning.before;
   std::vector<double> design;
   for (const DesignVariable& variable : question.design.variables)
@@ -49,14 +113,13 @@ optim::Verification motors_before(const RobustBeginning& beginning,
 }
 
 NominalMotors compared_with(const RobustBeginning& beginning, const OptimizeResult& plain,
-                            const optim::RobustProblem& posed,
                             const optim::RobustOptions& options) {
-  const DesignProblem& asked = beginning.question.design;
-  if (!has_nominal_value(asked.objectives.front()))
+  const RobustQuestion& question = beginning.candidates.front().question;
+  if (!has_nominal_value(question.design.objectives.front()))
     return {kNoValue, plain.before_design, motors_before(beginning, options)};
-  const auto design = std::span(beginning.nominal.design).first(asked.variables.size());
+  const auto design = std::span(beginning.nominal.design).first(variables_of(beginning));
   return {beginning.nominal.evaluation.values.front(), plain.best.design,
-          others(posed, design, options)};
+          others(robust_problem(question), design, options)};
 }
 
 double objective_of(const OptimizeResult& result) {
@@ -70,22 +133,18 @@ double objective_of(const OptimizeResult& result) {
 
 KindAnswer robust_optimum(const RobustBeginning& beginning, OptimizeResult plain,
                           RunContext& context) {
-  const RobustQuestion& question = beginning.question;
-  const DesignObjective& goal = question.design.objectives.front();
-  const bool comparable = has_nominal_value(goal);
-  const optim::RobustProblem posed = robust_problem(question);
-  // Whole numbers and sets are those of the optimum without tolerances.
-  const auto free = static_cast<std::ptrdiff_t>(question.design.variables.size());
-  const std::vector<double>& start = beginning.nominal.design;
-  const std::vector<double> chosen(start.begin() + free, start.end());
-  RobustLog log(beginning.asked, chosen, context);
-  const optim::RobustOptions options = options_of(beginning, log);
-  const optim::RobustResult found = optim::solve_robust(posed, options);
+  const auto [candidate, found] = best_candidate(beginning, context);
   context.store.flush();
-  const NominalMotors nominal = compared_with(beginning, plain, posed, options);
+  const RobustQuestion& question = beginning.candidates[candidate].question;
+  const DesignObjective& goal = question.design.objectives.front();
+  const optim::RobustProblem posed = robust_problem(question);
+  optim::RobustOptions options;
+  options.solve = beginning.options;
+  const NominalMotors nominal = compared_with(beginning, plain, options);
   if (goal.statistic)
-    plain.before_statistics = wanted_statistic(
-        question, posed, comparable ? motors_before(beginning, options) : nominal.seen);
+    plain.before_statistics = wanted_statistics(
+        question, posed,
+        has_nominal_value(goal) ? motors_before(beginning, options) : nominal.seen);
   if (context.stop.stop_requested()) return {"interrupted", std::move(plain)};
 
   plain.solver = found.last.solver;
@@ -93,9 +152,11 @@ KindAnswer robust_optimum(const RobustBeginning& beginning, OptimizeResult plain
   plain.found = !found.design.empty();
   if (plain.found) {
     std::vector<double> design = found.design;
-    design.insert(design.end(), chosen.begin(), chosen.end());
-    plain.best = beginning.reports.report(design, design_certificate(found, goal.maximize, posed));
-    plain.best.statistics = wanted_statistic(question, posed, found.verification);
+    const std::vector<double>& held = beginning.candidates[candidate].design;
+    design.insert(design.end(), held.begin() + static_cast<std::ptrdiff_t>(design.size()),
+                  held.end());
+    plain.best = beginning.reports.report(design, goal_certificate(found, goal.maximize, posed));
+    plain.best.statistics = wanted_statistics(question, posed, found.verification);
     plain.whole_ends = beginning.reports.whole_ends(design);
   }
   plain.robust = robust_report(question, posed, found, nominal);

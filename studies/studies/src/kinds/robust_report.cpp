@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace twum::studies {
 namespace {
@@ -18,20 +19,6 @@ Estimate share_estimate(const optim::YieldEstimate& yield) {
 
 std::string target_name(const optim::RobustProblem& posed, std::size_t target) {
   return posed.yields[target].name;
-}
-
-std::vector<RobustYield> yields_of(const optim::RobustProblem& posed,
-                                   const optim::RobustResult& found) {
-  std::vector<RobustYield> list;
-  for (std::size_t s = 0; s < found.verification.yields.size(); ++s) {
-    const optim::YieldEstimate& seen = found.verification.yields[s];
-    const double wanted = posed.yields[s].at_least;
-    list.push_back({target_name(posed, s), kNoValue, share_estimate(seen), seen.products, {}});
-    if (!std::isfinite(wanted)) continue;
-    list.back().target = wanted;
-    list.back().verdict = optim::to_string(optim::verdict_on(seen, wanted));
-  }
-  return list;
 }
 
 Estimate statistic_estimate(const optim::StatisticTarget& target, std::vector<double> values) {
@@ -48,8 +35,8 @@ Estimate statistic_estimate(const optim::StatisticTarget& target, std::vector<do
 }
 
 std::string unit_of_statistic(const RobustQuestion& question, const std::string& name) {
-  const DesignObjective& goal = question.design.objectives.front();
-  if (goal.text() == name) return goal.unit();
+  for (const DesignObjective& goal : question.design.objectives)
+    if (goal.text() == name) return goal.unit();
   const auto asked =
       std::find_if(question.statistics.begin(), question.statistics.end(),
                    [&](const StatisticLimit& s) { return s.statistic.text == name; });
@@ -158,46 +145,96 @@ std::vector<RobustDensity> densities_of(const RobustQuestion& question,
   return list;
 }
 
-}  // namespace
+// The end of a limit whose margin an activity speaks of.
+struct MarginEnd {
+  std::string limit;
+  optim::Side side;
+  double value;
+};
 
-std::vector<NamedValue> wanted_statistic(const RobustQuestion& question,
-                                         const optim::RobustProblem& posed,
-                                         const optim::Verification& seen) {
-  const DesignObjective& goal = question.design.objectives.front();
-  if (!goal.statistic || seen.values.empty()) return {};
-  const double value = posed.goals.front().kind == optim::RobustGoal::yield
-                           ? seen.yields.front().value
-                           : statistics_of(question, posed, seen).front().value.value;
-  return {{goal.text(), goal.unit(), value}};
+std::optional<MarginEnd> end_of_margin(const optim::RobustProblem& posed, const std::string& name) {
+  for (const optim::YieldTarget& target : posed.yields) {
+    const std::string in = " in " + target.name;
+    for (const std::size_t at : target.limits) {
+      const optim::RandomLimit& limit = posed.limits[at];
+      const bool lower = limit.lower > -optim::kInfinity, upper = limit.upper < optim::kInfinity;
+      if (name == limit.name + (lower && upper ? " (lower end)" : "") + in && lower)
+        return MarginEnd{limit.name, optim::Side::lower, limit.lower};
+      if (name == limit.name + (lower && upper ? " (upper end)" : "") + in && upper)
+        return MarginEnd{limit.name, optim::Side::upper, limit.upper};
+    }
+  }
+  return {};
 }
 
-optim::Certificate design_certificate(const optim::RobustResult& found, bool maximize,
-                                      const optim::RobustProblem& posed) {
-  optim::Certificate certificate = found.last.certificate;
-  const double sign = maximize ? 1 : -1;
-  for (optim::Activity& activity : certificate.limits) {
-    activity.multiplier *= found.goal_per_objective;
-    activity.one_percent_buys =
-        sign * std::fabs(found.goal_per_objective * activity.one_percent_buys);
+}  // namespace
+
+std::vector<RobustYield> yields_of(const optim::RobustProblem& posed,
+                                   const optim::Verification& seen) {
+  std::vector<RobustYield> list;
+  for (std::size_t s = 0; s < seen.yields.size(); ++s) {
+    const optim::YieldEstimate& share = seen.yields[s];
+    const double wanted = posed.yields[s].at_least;
+    list.push_back({target_name(posed, s),
+                    kNoValue,
+                    share_estimate(share),
+                    share.products,
+                    seen.weighted,
+                    {}});
+    if (!std::isfinite(wanted)) continue;
+    list.back().target = wanted;
+    list.back().verdict = optim::to_string(optim::verdict_on(share, wanted));
   }
+  return list;
+}
+
+std::vector<NamedValue> wanted_statistics(const RobustQuestion& question,
+                                          const optim::RobustProblem& posed,
+                                          const optim::Verification& seen) {
+  std::vector<NamedValue> list;
+  if (seen.values.empty()) return list;
+  for (std::size_t k = 0; k < posed.goals.size(); ++k) {
+    const auto [kind, index, ignored] = posed.goals[k];
+    const DesignObjective& goal = question.design.objectives[k];
+    if (kind == optim::RobustGoal::nominal) continue;
+    double value = kNoValue;
+    if (kind == optim::RobustGoal::yield) {
+      value = seen.yields[index].value;
+    } else {
+      const optim::StatisticTarget& target = posed.statistics[index];
+      value = statistic_estimate(target, seen.values[target.response]).value;
+    }
+    list.push_back({goal.text(), goal.unit(), value});
+  }
+  return list;
+}
+
+optim::Certificate design_certificate(optim::Certificate certificate,
+                                      const optim::RobustProblem& posed) {
   const auto of_index = [](const std::string& name) { return name.rfind("beta of ", 0) == 0; };
   std::erase_if(certificate.findings, [&](const optim::Finding& finding) {
     return std::any_of(finding.names.begin(), finding.names.end(), of_index);
   });
   std::erase_if(certificate.limits,
                 [&](const optim::Activity& a) { return a.is_bound && of_index(a.name); });
-  for (const optim::RiskShare& risk : found.risks) {
-    const auto limit =
-        std::find_if(posed.limits.begin(), posed.limits.end(),
-                     [&](const optim::RandomLimit& l) { return l.name == risk.limit; });
-    optim::Activity activity;
-    activity.name = risk.limit;
-    activity.side = risk.side;
-    activity.limit = risk.side == optim::Side::lower ? limit->lower : limit->upper;
-    activity.active = risk.multiplier > 0;
-    activity.multiplier = risk.multiplier;
-    activity.one_percent_buys = sign * 0.01 * risk.multiplier * std::fabs(activity.limit);
-    certificate.limits.push_back(std::move(activity));
+  for (optim::Activity& activity : certificate.limits)
+    if (const auto end = end_of_margin(posed, activity.name)) {
+      activity.name = end->limit;
+      activity.side = end->side;
+      activity.limit = end->value;
+      activity.value = kNoValue;
+      activity.one_percent_buys = 0.01 * activity.multiplier * std::fabs(end->value);
+    }
+  return certificate;
+}
+
+optim::Certificate goal_certificate(const optim::RobustResult& found, bool maximize,
+                                    const optim::RobustProblem& posed) {
+  optim::Certificate certificate = design_certificate(found.last.certificate, posed);
+  for (optim::Activity& activity : certificate.limits) {
+    activity.multiplier *= found.goal_per_objective;
+    activity.one_percent_buys =
+        (maximize ? 1 : -1) * std::fabs(found.goal_per_objective * activity.one_percent_buys);
   }
   return certificate;
 }
@@ -205,7 +242,7 @@ optim::Certificate design_certificate(const optim::RobustResult& found, bool max
 RobustReport robust_report(const RobustQuestion& question, const optim::RobustProblem& posed,
                            const optim::RobustResult& found, const NominalMotors& nominal) {
   RobustReport report;
-  report.yields = yields_of(posed, found);
+  report.yields = yields_of(posed, found.verification);
   report.statistics = statistics_of(question, posed, found.verification);
   report.nominal_objective = nominal.objective;
   report.nominal_design = nominal.design;

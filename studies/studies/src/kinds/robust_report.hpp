@@ -20,14 +20,21 @@ struct NominalMotors {
 RobustReport robust_report(const RobustQuestion& question, const optim::RobustProblem& posed,
                            const optim::RobustResult& found, const NominalMotors& nominal);
 
-/// The goal by fresh motors where it is a statistic, otherwise nothing.
-std::vector<NamedValue> wanted_statistic(const RobustQuestion& question,
-                                         const optim::RobustProblem& posed,
-                                         const optim::Verification& seen);
+/// Shares of the motors that were asked for.
+std::vector<RobustYield> yields_of(const optim::RobustProblem& posed,
+                                   const optim::Verification& seen);
 
-/// The certificate of the last round as one of the design: its margins stand for the limits, its indices are left out.
-/// Multipliers are those of the goal.
-optim::Certificate design_certificate(const optim::RobustResult& found, bool maximize,
+/// The goals that are statistics, by fresh motors.
+std::vector<NamedValue> wanted_statistics(const RobustQuestion& question,
+                                          const optim::RobustProblem& posed,
+                                          const optim::Verification& seen);
+
+/// The certificate of a round as one of the design: its margins stand for the limits, its indices are left out.
+optim::Certificate design_certificate(optim::Certificate certificate,
                                       const optim::RobustProblem& posed);
+
+/// The same of an optimum, with multipliers of the goal itself.
+optim::Certificate goal_certificate(const optim::RobustResult& found, bool maximize,
+                                    const optim::RobustProblem& posed);
 
 }  // namespace twum::studies

@@ -171,9 +171,44 @@ void SearchLog::observe(const optim::Observation& observation) {
   context_.store.add(rows_.row(observation.stage, observation.index, observation.design,
                                observation.gradient, observation.evaluation));
   ++done_;
+  note_run(observation);
   if (!context_.progress) return;
   note_best(observation);
   context_.progress({done_, 0, best_text_});
+}
+
+void SearchLog::note_run(const optim::Observation& observation) {
+  if (question_.objectives.size() != 1 || !feasible(observation.evaluation)) return;
+  const double sign = question_.objectives.front().maximize ? -1 : 1;
+  const double value = sign * observation.evaluation.values.front();
+  const auto found = runs_.find(observation.stage);
+  if (found != runs_.end() && !(value < found->second.value)) return;
+  runs_[observation.stage] = {value, {observation.design.begin(), observation.design.end()}};
+}
+
+// On the scale of the search, a tenth of every range.
+bool SearchLog::near(std::span<const double> a, std::span<const double> b) const {
+  constexpr double kNear = 0.1;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    const optim::Variable& v = answering_.variables[k];
+    const bool log = v.scale == optim::Scale::log;
+    const double range = log ? std::log(v.upper / v.lower) : v.upper - v.lower;
+    if (std::fabs(log ? std::log(a[k] / b[k]) : a[k] - b[k]) > kNear * range) return false;
+  }
+  return true;
+}
+
+std::vector<std::vector<double>> SearchLog::valleys() const {
+  std::vector<RunsBest> runs;
+  for (const auto& [stage, best] : runs_) runs.push_back(best);
+  std::stable_sort(runs.begin(), runs.end(),
+                   [](const RunsBest& a, const RunsBest& b) { return a.value < b.value; });
+  std::vector<std::vector<double>> list;
+  for (RunsBest& run : runs)
+    if (std::none_of(list.begin(), list.end(),
+                     [&](const std::vector<double>& other) { return near(other, run.design); }))
+      list.push_back(std::move(run.design));
+  return list;
 }
 
 // Only for the eye: what counts as feasible in the end is decided by the certificate.

@@ -5,6 +5,7 @@
 #include "problem/combinations.hpp"
 #include "problem/motor_responses.hpp"
 
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -72,7 +73,17 @@ class SearchLog {
   const optim::Problem& problem() const noexcept { return answering_; }
   optim::Observer observer();
 
+  /// The best feasible design of each run of a solver, the best first, those near a better one left out; of a search for one
+  /// goal.
+  std::vector<std::vector<double>> valleys() const;
+
  private:
+  struct RunsBest {
+    double value;
+    std::vector<double> design;
+  };
+  void note_run(const optim::Observation& observation);
+  bool near(std::span<const double> a, std::span<const double> b) const;
   void observe(const optim::Observation& observation);
   void note_best(const optim::Observation& observation);
   bool feasible(const optim::Evaluation& evaluation) const;
@@ -82,6 +93,7 @@ class SearchLog {
   SearchRows rows_;
   optim::Problem answering_;
   std::unordered_map<std::string, optim::Evaluation> stored_;
+  std::map<std::uint64_t, RunsBest> runs_;  // by stage
   std::uint64_t done_{0};
   double best_;
   std::string best_text_;

@@ -95,10 +95,15 @@ bool SearchRun::is_chosen(Parameter parameter) const {
 }
 
 optim::SolveOptions SearchRun::options(SearchLog& log, const RunContext& context) const {
+  optim::SolveOptions options = this->options(context);
+  options.observer = log.observer();
+  return options;
+}
+
+optim::SolveOptions SearchRun::options(const RunContext& context) const {
   optim::SolveOptions options = options_;
   options.threads = context.jobs;
   options.stop = context.stop;
-  options.observer = log.observer();
   return options;
 }
 
@@ -151,9 +156,15 @@ std::string SearchRun::outcome(optim::Outcome outcome, const RunContext& context
 }
 
 std::optional<Row> SearchRun::recompute(const Row& stored) const {
-  if (stored.stage >= kRobustStages) return {};  // its problem follows from the rows before it
   const SearchRows rows(problem_);
   const std::span design(stored.values.data(), variables());
+  if (stored.stage >=
+      kRobustStages) {  // whether a round has a value there follows from the rows before it
+    Row row = rows.row(stored.stage, stored.index, design, false,
+                       MotorResponses(problem_).evaluate(design, false));
+    row.status = stored.status;
+    return row;
+  }
   const bool gradient = rows.asked_gradient(stored);
   optim::Evaluation evaluation = MotorResponses(problem_).evaluate(design, gradient);
   if (evaluation.ok() && !finite(evaluation)) evaluation.failure = "not-finite";

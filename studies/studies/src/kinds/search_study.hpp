@@ -33,6 +33,8 @@ class SearchRun : public StudyKindRun {
 
   /// The options with what the run decides.
   optim::SolveOptions options(SearchLog& log, const RunContext& context) const;
+  /// The same for a search that tells its evaluations itself.
+  optim::SolveOptions options(const RunContext& context) const;
   /// A design's certificate with these goals and limits, by the study's options; whole numbers are held.
   optim::Certificate certificate(const DesignProblem& asked, std::span<const double> design) const;
   DesignReporter reporter() const { return {problem_, besides_}; }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "results/robust_answer.hpp"
 #include "results/search_words.hpp"
 
 #include <twum/studies/text/text_table.hpp>
@@ -41,7 +42,15 @@ std::string front_table(const ParetoResult& result) {
   for (std::size_t k = 0; k < result.goals.size(); ++k) {
     table.rows.push_back({result.goals[k].metric});
     for (const Shown& column : columns)
-      table.rows.back().push_back(engineering(column.point->goals[k], result.goals[k].unit));
+      table.rows.back().push_back(is_share(result.goals[k])
+                                      ? percent_words(column.point->goals[k])
+                                      : engineering(column.point->goals[k], result.goals[k].unit));
+  }
+  for (std::size_t s = 0; s < columns.front().point->yields.size(); ++s) {
+    if (columns.front().point->yields[s].verdict.empty()) continue;
+    table.rows.push_back({columns.front().point->yields[s].text + ", fresh motors"});
+    for (const Shown& column : columns)
+      table.rows.back().push_back(percent_words(column.point->yields[s].share.value));
   }
   const DesignReport& first = columns.front().point->report;
   for (std::size_t i = 0; i < first.choice.size(); ++i) {
@@ -146,6 +155,36 @@ std::string binding_words(const ParetoResult& result) {
   return text;
 }
 
+Json yields_json(const std::vector<RobustYield>& yields) {
+  Json json = Json::array();
+  for (const RobustYield& yield : yields) json.push_back(robust_yield_json(yield));
+  return json;
+}
+
+// "yield >= 99 % holds at 20 of 20 points."
+std::string yields_words(const ParetoResult& result) {
+  std::string text;
+  const std::vector<RobustYield>& first = result.front.front().yields;
+  for (std::size_t s = 0; s < first.size(); ++s) {
+    if (first[s].verdict.empty()) continue;
+    const auto holds =
+        std::count_if(result.front.begin(), result.front.end(),
+                      [s](const auto& point) { return point.yields[s].verdict == "holds"; });
+    text += first[s].text + " >= " + percent_words(first[s].target) + " holds at " +
+            std::to_string(holds) + " of " + counted(result.front.size(), "point") +
+            ", by fresh motors of each.\n";
+  }
+  return text;
+}
+
+// What the front was refused for.
+std::string no_front_words(const ParetoResult& result) {
+  if (!result.explanation.empty()) return relaxation_words(result.explanation);
+  if (!result.largest_yield) return "No point of the front was found.\n";
+  return "The wanted yield cannot be had. At the design of the largest one " +
+         yield_words(*result.largest_yield) + "Tighten a tolerance or loosen a limit.\n";
+}
+
 }  // namespace
 
 bool ParetoResult::has_knee() const {
@@ -155,8 +194,11 @@ bool ParetoResult::has_knee() const {
 Json answer_json(const ParetoResult& result) {
   Json json{{"objectives", Json::array()}, {"front", Json::array()}};
   for (const Goal& goal : result.goals) json["objectives"].push_back(goal_json(goal));
-  for (const ParetoResult::Point& point : result.front)
+  for (const ParetoResult::Point& point : result.front) {
     json["front"].push_back(report_json(point.report));
+    if (!point.yields.empty()) json["front"].back()["yields"] = yields_json(point.yields);
+  }
+  if (result.largest_yield) json["largest_yield"] = robust_yield_json(*result.largest_yield);
   json["knee"] = result.has_knee() ? Json(result.knee) : Json(nullptr);
   json["ends"] = result.ends;
   json["alone"] = Json::array();
@@ -169,15 +211,15 @@ Json answer_json(const ParetoResult& result) {
   json["units"] = Json::object();
   add_units(json["units"], result.before_design);
   add_units(json["units"], result.before_metrics);
+  if (!result.front.empty()) add_units(json["units"], result.front.front().report.statistics);
   return json;
 }
 
 std::string answer_text(const ParetoResult& result) {
-  if (!result.explanation.empty()) return relaxation_words(result.explanation);
-  if (result.front.empty()) return "No point of the front was found.\n";
+  if (!result.explanation.empty() || result.front.empty()) return no_front_words(result);
   return counted(result.front.size(), "point") + ", " + std::to_string(certified(result)) +
-         " of them certified\n\n" + front_table(result) + "\n" + choice_counts(result) +
-         binding_words(result) + worth_text(result);
+         " of them certified\n\n" + front_table(result) + "\n" + yields_words(result) +
+         choice_counts(result) + binding_words(result) + worth_text(result);
 }
 
 }  // namespace twum::studies

@@ -17,16 +17,6 @@ constexpr double kWorthTelling =
     0.01;  // share of the failures from which a limit is named in a sentence
 constexpr double kCheapTolerance = 0.05;  // of the dearest: may be loosened
 
-Json robust_yield_json(const RobustYield& yield) {
-  return {{"text", yield.text},
-          {"target", number_json(yield.target)},
-          {"value", number_json(yield.share.value)},
-          {"low", number_json(yield.share.low)},
-          {"high", number_json(yield.share.high)},
-          {"samples", yield.samples},
-          {"verdict", yield.verdict.empty() ? Json(nullptr) : Json(yield.verdict)}};
-}
-
 Json robust_limit_json(const RobustLimit& limit) {
   Json importance = Json::object();
   for (const NamedValue& one : limit.importance) importance[one.name] = number_json(one.value);
@@ -85,16 +75,6 @@ std::string failing_words(const RobustReport& report) {
   for (const RobustLimit* limit : list)
     text += (text.empty() ? "" : ", ") + percent_words(limit->share, 2) + " break " + limit->text;
   return text;
-}
-
-std::string yield_words(const RobustYield& yield) {
-  const std::string what = yield.text == "yield" ? "all limits" : yield.text;
-  std::string text = percent_words(yield.share.value) + " of the motors keep " + what + ": " +
-                     percent_words(yield.share.low) + " to " + percent_words(yield.share.high) +
-                     " by " + std::to_string(yield.samples) + " fresh motors";
-  if (std::isfinite(yield.target))
-    text += "; " + percent_words(yield.target) + " wanted: " + yield.verdict;
-  return text + ".\n";
 }
 
 std::string price_words(const RobustReport& report, const Goal& goal) {
@@ -161,6 +141,29 @@ std::string tolerance_table(const RobustReport& report, const Goal& goal) {
 }
 
 }  // namespace
+
+Json robust_yield_json(const RobustYield& yield) {
+  return {{"text", yield.text},
+          {"target", number_json(yield.target)},
+          {"value", number_json(yield.share.value)},
+          {"low", number_json(yield.share.low)},
+          {"high", number_json(yield.share.high)},
+          {"samples", yield.samples},
+          {"weighted", yield.weighted},
+          {"verdict", yield.verdict.empty() ? Json(nullptr) : Json(yield.verdict)}};
+}
+
+std::string yield_words(const RobustYield& yield) {
+  const std::string what = yield.text == "yield" ? "all limits" : yield.text;
+  std::string text =
+      percent_words(yield.share.value) + " of the motors keep " + what + ": " +
+      percent_words(yield.share.low) + " to " + percent_words(yield.share.high) + " by " +
+      std::to_string(yield.samples) +
+      (yield.weighted ? " fresh motors about the worst points, weighted" : " fresh motors");
+  if (std::isfinite(yield.target))
+    text += "; " + percent_words(yield.target) + " wanted: " + yield.verdict;
+  return text + ".\n";
+}
 
 std::string percent_words(double share, int digits) {
   return rounded_text(100 * share, share > 0.9 ? std::max(digits, 3) : digits) + " %";

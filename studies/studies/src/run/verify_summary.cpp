@@ -154,6 +154,18 @@ void compare_trees(const Json& there, const Json& now, const std::string& path,
   }
 }
 
+// Certificates under tolerances are those of rounds; running the study again has measured them anew, on the last round's
+// problem, and has drawn the motors of each verdict again.
+std::uint64_t certified_anew(const Answer& answer) {
+  std::uint64_t count = 0;
+  if (const auto* optimum = std::get_if<OptimizeResult>(&answer))
+    count += optimum->robust && optimum->best.certificate.passed ? 1 : 0;
+  if (const auto* front = std::get_if<ParetoResult>(&answer))
+    for (const ParetoResult::Point& point : front->front)
+      count += !point.yields.empty() && point.report.certificate.passed ? 1 : 0;
+  return count;
+}
+
 }  // namespace
 
 void verify_designs(const StudyFile& file, const StudyKindRun& kind, const Json& summary,
@@ -170,6 +182,7 @@ KindAnswer verify_answer(StudyKindRun& kind, ResultStore& store, const Json& sum
   KindAnswer answer = kind.run(context);
   store.flush();
   found.answer_checked = true;
+  found.certificates += certified_anew(answer.answer);
   if (store.rows() != before) {
     complain(found, "results.db: " + std::to_string(store.rows() - before) +
                         " rows are missing that the study asks for");

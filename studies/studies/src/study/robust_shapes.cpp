@@ -5,6 +5,7 @@
 #include <twum/studies/text/words.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace twum::studies::shapes {
 namespace {
@@ -18,12 +19,24 @@ std::string study_limit_text(const StudyLimit& limit) {
   return limit.plain ? limit.plain->text : limit.statistic->text;
 }
 
+// Goals of a search, with their places.
+std::vector<std::pair<std::string, const YamlNode*>> goals_of(const Given& given) {
+  std::vector<std::pair<std::string, const YamlNode*>> list;
+  for (const char* name : {"maximize", "minimize", "prefer"})
+    if (const YamlNode* goal = given.find(name)) list.emplace_back(given.path(name), goal);
+  if (const YamlNode* objectives = given.find("objectives"))
+    for (std::size_t i = 0; i < objectives->items.size(); ++i)
+      for (const char* name : {"maximize", "minimize"})
+        if (const YamlNode* goal = objectives->items[i].find(name))
+          list.emplace_back(given.path("objectives") + "[" + std::to_string(i) + "]." + name, goal);
+  return list;
+}
+
 // Where a goal or a limit on a statistic stands in the file.
 const YamlNode* first_statistic(const Given& given, std::string& path) {
-  for (const char* name : {"maximize", "minimize", "prefer"}) {
-    const YamlNode* goal = given.find(name);
-    if (goal == nullptr || !is_statistic(goal->scalar)) continue;
-    path = given.path(name);
+  for (const auto& [place, goal] : goals_of(given)) {
+    if (!is_statistic(goal->scalar)) continue;
+    path = place;
     return goal;
   }
   for (const char* name : {"constraints", "limits"}) {
@@ -61,13 +74,12 @@ void check_statistics(const std::vector<Tolerance>& tolerances,
   if (limit == nullptr && statistics.empty())
     diagnostics.add(spread->mark, given.path("tolerances"), "tolerances without a statistic",
                     "add one to the limits, such as 'yield >= 99 %', or make one the goal");
-  const YamlNode* goal = given.find("maximize");
-  for (const StatisticLimit& one : statistics)
-    if (goal != nullptr && one.statistic.unit() == "1" &&
-        trimmed(goal->scalar) == one.statistic.text)
-      diagnostics.add(goal->mark, given.path("maximize"),
-                      quoted(goal->scalar) + " is limited too by " + quoted(one.text),
-                      "leave out the limit: the answer tells the largest one");
+  for (const auto& [place, goal] : goals_of(given))
+    for (const StatisticLimit& one : statistics)
+      if (one.statistic.unit() == "1" && trimmed(goal->scalar) == one.statistic.text)
+        diagnostics.add(goal->mark, place,
+                        quoted(goal->scalar) + " is limited too by " + quoted(one.text),
+                        "leave out the limit: the answer tells the largest one");
   for (const Tolerance& tolerance : tolerances) {
     const auto wrong = search_complaint(tolerance);
     if (!wrong) continue;

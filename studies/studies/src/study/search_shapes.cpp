@@ -25,11 +25,6 @@ Field<T> variables_field(const char* text) {
   return needed<T>("variables", variables(text, kRanges), &T::variables);
 }
 
-template <typename T>
-Field<T> constraints_field(const char* name, std::vector<Constraint> T::*member) {
-  return optional<T>(name, constraints(), member, "none");
-}
-
 // `auto`, and with it the options of a fresh study.
 template <typename T>
 Field<T> solver_field() {
@@ -59,6 +54,27 @@ bool check_robust_search(T& study, const Given& given, Diagnostics& diagnostics)
   return true;
 }
 
+// A front under tolerances is searched by gradients, and holds what has none.
+void check_robust_front(const ParetoStudy& study, const Given& given, Diagnostics& diagnostics) {
+  if (study.tolerances.empty()) return;
+  if (study.solver.solver == kNsga2)
+    diagnostics.add(given.find("solver")->mark, given.path("solver"),
+                    quoted(kNsga2) + " beside tolerances",
+                    "leave it out: the front takes gradients");
+  if (const YamlNode* choose = given.find("choose"))
+    diagnostics.add(choose->mark, given.path("choose"), "a choice in a front under tolerances",
+                    "one study for each set, or an optimize study");
+  const YamlNode* variables = given.find("variables");
+  for (const YamlEntry& entry :
+       variables == nullptr ? std::vector<YamlEntry>{} : variables->entries) {
+    const auto parameter = find_parameter(entry.key);
+    if (parameter && info(*parameter).integer)
+      diagnostics.add(entry.key_mark, given.path("variables") + "." + entry.key,
+                      "only whole numbers, in a front under tolerances",
+                      "set it in the motor, one study for each value");
+  }
+}
+
 // Two goals of a front have to be different.
 bool check_front(ParetoStudy& study, const Given& given, Diagnostics& diagnostics) {
   if (const YamlNode* list = given.find("objectives")) {
@@ -68,13 +84,10 @@ bool check_front(ParetoStudy& study, const Given& given, Diagnostics& diagnostic
       if (goal == nullptr) goal = objective.find("minimize");
       if (goal == nullptr) continue;
       repeats.see(*goal, goal->scalar);
-      if (is_statistic(goal->scalar))
-        diagnostics.add(
-            goal->mark, given.path("objectives"), quoted(goal->scalar) + " in a front",
-            "a front is between metrics; a limit on a statistic stands in optimize and size");
     }
   }
-  return check_search(study, given, diagnostics);
+  check_robust_front(study, given, diagnostics);
+  return check_robust_search(study, given, diagnostics);
 }
 
 struct Objective {
@@ -160,7 +173,7 @@ Shape<ParetoStudy> ParetoStudy::shape() {
   return mapping<S>("trade-off front of two or three metrics",
                     {kind_field<S>(), variables_field<S>("what may be changed"), derived_field<S>(),
                      choose_field<S>(), needed<S>("objectives", objectives, &S::objectives),
-                     constraints_field("constraints", &S::constraints),
+                     limits_field("constraints", &S::constraints), tolerances_field<S>(),
                      standard<S>("points", count("points of the front", "50", 2, 1e5), &S::points),
                      solver_field<S>(), start_field<S>()},
                     check_front);
