@@ -75,3 +75,21 @@ TEST_CASE("what makes no frequency study says why", "[studies][frequency]") {
   CHECK_THROWS_WITH(Sweeps("  torque: 1 N.m\n  speed: 1 rpm\n"), Catch::Contains("second load"));
   CHECK_THROWS_WITH(Sweeps("  from: 42 kHz\n  to: 40 kHz\n"), Catch::Contains("from"));
 }
+
+TEST_CASE("a family over the load is a sweep under each of its loads", "[studies][frequency]") {
+  const std::string range = "  from: 40 kHz\n  to: 43 kHz\n  points: 5\n";
+  const Sweeps family("  torque: [0 N.m, 0.3 N.m]\n" + range), one("  torque: 0.3 N.m\n" + range);
+  REQUIRE(family.rows.size() == 2 * one.rows.size());
+  for (std::size_t i = 0; i < one.rows.size(); ++i) {
+    const std::vector<double>&got = family.rows[one.rows.size() + i].values,
+          &alone = one.rows[i].values;
+    REQUIRE(got.size() == alone.size() + 1);
+    CHECK(got[0] == 0.3);
+    for (std::size_t k = 0; k < alone.size(); ++k)
+      CHECK((got[k + 1] == alone[k] || (std::isnan(got[k + 1]) && std::isnan(alone[k]))));
+  }
+  CHECK(family.answer().family->name == "load_torque");
+  CHECK(verify_study(family.folder.path("out")).complaints.empty());
+  CHECK_THROWS_WITH(Sweeps("  family: {voltage: [65 V, 120 V]}\n  torque: [0 N.m, 0.3 N.m]\n"),
+                    Catch::Contains("a second family"));
+}

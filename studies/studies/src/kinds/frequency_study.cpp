@@ -13,22 +13,39 @@ namespace {
 
 constexpr double kNoFamily = std::numeric_limits<double>::quiet_NaN();
 
-// A slow sweep of one member.
+// One motor under one load.
+struct SweptMotor {
+  double value;  // of the family's parameter or load
+  MotorDesign design;
+  RotorLoad load;
+};
+
+// A slow sweep of one of them.
 struct MemberSweep {
-  double value;  // of the family's parameter
+  double value;
   bool rising;
   std::vector<double> frequencies;
   FrequencySweep sweep;
 };
 
-std::vector<std::pair<double, MotorDesign>> members_of(const FrequencyStudy& asked,
-                                                       const MotorDesign& base) {
-  std::vector<std::pair<double, MotorDesign>> members;
-  if (!asked.family) return {{kNoFamily, base}};
+bool over_loads(const FrequencyStudy& asked) { return asked.torque && asked.torque->size() > 1; }
+
+RotorLoad load_of(const FrequencyStudy& asked) {
+  if (asked.speed) return {Argument::speed, *asked.speed};
+  return {Argument::torque, asked.torque ? asked.torque->front() : 0};
+}
+
+std::vector<SweptMotor> members_of(const FrequencyStudy& asked, const MotorDesign& base) {
+  std::vector<SweptMotor> members;
+  if (over_loads(asked))
+    for (const double torque : *asked.torque)
+      members.push_back({torque, base, {Argument::torque, torque}});
+  if (!asked.family)
+    return over_loads(asked) ? members : std::vector<SweptMotor>{{kNoFamily, base, load_of(asked)}};
   const ParameterInfo& row = info(asked.family->parameter);
   for (const double value : asked.family->values) {
     try {
-      members.emplace_back(value, with(base, asked.family->parameter, value));
+      members.push_back({value, with(base, asked.family->parameter, value), load_of(asked)});
     } catch (const InputError& error) {
       throw InputError("study.family: " + std::string(row.name) + " = " +
                        engineering(value, row.unit) + " makes no motor: " + error.what());
@@ -37,18 +54,13 @@ std::vector<std::pair<double, MotorDesign>> members_of(const FrequencyStudy& ask
   return members;
 }
 
-RotorLoad load_of(const FrequencyStudy& asked) {
-  if (asked.speed) return {Argument::speed, *asked.speed};
-  return {Argument::torque, asked.torque.value_or(0)};
-}
-
 // The range asked for, open ends filled in so that they take in the response of every member.
 std::pair<double, double> range_of(const FrequencyStudy& asked,
-                                   const std::vector<std::pair<double, MotorDesign>>& members) {
+                                   const std::vector<SweptMotor>& members) {
   double from = std::numeric_limits<double>::infinity(), to = 0;
-  for (const auto& [value, design] : members) {
+  for (const SweptMotor& each : members) {
     if (asked.from && asked.to) break;
-    const FrequencyResponse whole(design, load_of(asked));
+    const FrequencyResponse whole(each.design, each.load);
     from = std::min(from, whole.from()), to = std::max(to, whole.to());
   }
   from = asked.from.value_or(from), to = asked.to.value_or(to);
@@ -62,25 +74,25 @@ std::pair<double, double> range_of(const FrequencyStudy& asked,
 class FrequencyRun : public StudyKindRun {
  public:
   FrequencyRun(const FrequencyStudy& asked, const MotorDesign& base) : points_(asked.points) {
-    if (asked.family) family_ = asked.family->parameter;
-    const auto members = members_of(asked, base);
+    const std::vector<SweptMotor> members = members_of(asked, base);
     const auto [from, to] = range_of(asked, members);
-    if (family_) result_.family = family_column();
+    result_.family = family_of(asked);
     result_.load = load_of(asked);
+    if (over_loads(asked)) result_.load.value = kNoFamily;
     result_.from = from, result_.to = to;
-    for (const auto& [value, design] : members) add_member(asked, value, design);
+    for (const SweptMotor& each : members) add_member(asked, each);
   }
 
   std::vector<Column> columns() const override {
     std::vector<Column> columns;
-    if (family_) columns.push_back(family_column());
+    if (result_.family) columns.push_back(*result_.family);
     columns.push_back({"direction", "1"});
     for (const FrequencyColumn& column : frequency_columns())
       columns.push_back({column.name, column.unit});
     return columns;
   }
 
-  std::size_t variables() const override { return family_ ? 3 : 2; }
+  std::size_t variables() const override { return result_.family ? 3 : 2; }
 
   KindAnswer run(RunContext& context) override {
     const std::uint64_t total = points_ * sweeps_.size();
@@ -103,16 +115,18 @@ class FrequencyRun : public StudyKindRun {
   }
 
  private:
-  Column family_column() const {
-    const ParameterInfo& row = info(*family_);
-    return {std::string(row.name), std::string(row.unit)};
+  static std::optional<Column> family_of(const FrequencyStudy& asked) {
+    if (over_loads(asked)) return Column{"load_torque", "N.m"};
+    if (!asked.family) return {};
+    const ParameterInfo& row = info(asked.family->parameter);
+    return Column{std::string(row.name), std::string(row.unit)};
   }
 
-  void add_member(const FrequencyStudy& asked, double value, const MotorDesign& design) {
-    const FrequencyResponse response(design, load_of(asked), std::pair{result_.from, result_.to});
+  void add_member(const FrequencyStudy& asked, const SweptMotor& each) {
+    const FrequencyResponse response(each.design, each.load, std::pair{result_.from, result_.to});
     FrequencyResult::Member member;
-    member.value = value;
-    member.frequency = drive_frequency(design);
+    member.value = each.value;
+    member.frequency = drive_frequency(each.design);
     member.running = running_point(response, member.frequency);
     if (member.running) member.pull_out_below = response.pull_out_below(*member.running);
     member.branches = response.branches();
@@ -122,7 +136,7 @@ class FrequencyRun : public StudyKindRun {
       if (!rising) std::reverse(frequencies.begin(), frequencies.end());
       FrequencySweep sweep = response.sweep(frequencies);
       for (const Jump& jump : sweep.jumps) member.jumps.push_back({rising, jump});
-      sweeps_.push_back({value, rising, std::move(frequencies), std::move(sweep)});
+      sweeps_.push_back({each.value, rising, std::move(frequencies), std::move(sweep)});
     }
     result_.members.push_back(std::move(member));
   }
@@ -131,7 +145,7 @@ class FrequencyRun : public StudyKindRun {
     const MemberSweep& one = sweeps_[row.stage];
     const std::optional<ResponsePoint>& wave = one.sweep.points[row.index];
     row.values.clear();
-    if (family_) row.values.push_back(one.value);
+    if (result_.family) row.values.push_back(one.value);
     row.values.push_back(one.rising ? 1 : -1);
     row.values.push_back(one.frequencies[row.index]);
     for (const FrequencyColumn& column : frequency_columns().subspan(1))
@@ -139,7 +153,6 @@ class FrequencyRun : public StudyKindRun {
     row.status = to_string(wave ? MetricStatus::ok : MetricStatus::unstable_amplitude);
   }
 
-  std::optional<Parameter> family_;
   std::uint64_t points_;
   std::vector<MemberSweep> sweeps_;
   FrequencyResult result_;

@@ -65,7 +65,8 @@ Json answer_json(const FrequencyResult& result) {
   Json json = Json::object();
   if (result.family)
     json["family"] = {{"parameter", result.family->name}, {"unit", result.family->unit}};
-  json["load"] = {{result.load.given == Argument::speed ? "speed" : "torque", result.load.value}};
+  json["load"] = {
+      {result.load.given == Argument::speed ? "speed" : "torque", number_json(result.load.value)}};
   json["from"] = result.from;
   json["to"] = result.to;
   json["units"] = {

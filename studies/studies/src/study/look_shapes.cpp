@@ -257,10 +257,23 @@ std::string_view to_string(Sampling sampling) {
   return kSamplings[static_cast<std::size_t>(sampling)];
 }
 
+static Shape<std::vector<double>> loads() {
+  using Loads = std::vector<double>;
+  const Shape<double> load = quantity("load of the rotor", "N.m", "0.5 N.m");
+  return one_of<Loads>(
+      "load of the rotor, or several for a family over it",
+      {shape_as<Loads, double>(
+           load, [](double value) { return Loads{value}; },
+           [](const Loads& values) { return values.front(); }),
+       list("loads", load, 2)},
+      [](const Loads& values) { return values.size() == 1 ? std::size_t{0} : std::size_t{1}; });
+}
+
 Shape<FrequencyStudy> FrequencyStudy::shape() {
   using F = FrequencyStudy;
   return mapping<F>(
-      "sweeps of the frequency of a motor under a voltage, or of a family over one parameter",
+      "sweeps of the frequency of a motor under a voltage, or of a family over one parameter or "
+      "its load",
       {kind_field<F>(),
        optional<F>("family", family_shape("voltage: [80 V, 100 V, 120 V]"), &F::family,
                    "the motor alone"),
@@ -268,8 +281,7 @@ Shape<FrequencyStudy> FrequencyStudy::shape() {
                    "below all resonances and jumps"),
        optional<F>("to", quantity("highest frequency", "Hz", "45 kHz"), &F::to, "above all jumps"),
        standard<F>("points", count("frequencies of each sweep", "201", 2, 1e6), &F::points),
-       hidden(optional<F>("torque", quantity("load of the rotor", "N.m", "0.5 N.m"), &F::torque,
-                          "0 N.m")),
+       hidden(optional<F>("torque", loads(), &F::torque, "0 N.m")),
        hidden(optional<F>("speed",
                           quantity("speed of the rotor, in place of a torque", "rad/s", "0 rpm"),
                           &F::speed, "as the torque makes it")),
@@ -278,6 +290,11 @@ Shape<FrequencyStudy> FrequencyStudy::shape() {
       [](F& study, const Given& given, Diagnostics& diagnostics) {
         if (study.from && study.to)
           rising(given, "from", *study.from, "to", *study.to, diagnostics);
+        if (study.family && study.torque && study.torque->size() > 1) {
+          diagnostics.add(given.find("torque")->mark, given.path("torque"), "a second family",
+                          "give one load, or leave out 'family'");
+          return false;
+        }
         const YamlNode* speed = given.find("speed");
         if (speed == nullptr || given.find("torque") == nullptr) return true;
         diagnostics.add(speed->mark, given.path("speed"), "a second load beside 'torque'",

@@ -20,15 +20,15 @@ struct FrequencyResult {
   };
   /// One motor.
   struct Member {
-    double value{0};      ///< of the family's parameter, SI; NaN for the motor alone
+    double value{0};      ///< of the family's parameter or load, SI; NaN for the motor alone
     double frequency{0};  ///< of its drive [Hz]
     std::optional<ResponsePoint> running;  ///< its largest stable wave there
     std::optional<double> pull_out_below;  ///< frequency at which the branch of that wave ends [Hz]
     std::vector<Jumped> jumps;             ///< of its sweeps
     std::vector<ResponseBranch> branches;  ///< all its waves, stable or not
   };
-  std::optional<Column> family;  ///< the parameter; nothing for the motor alone
-  RotorLoad load;                ///< of the rotor
+  std::optional<Column> family;  ///< the parameter, or `load_torque`; nothing for the motor alone
+  RotorLoad load;                ///< of the rotor; NaN for a family over it
   double from{0};                ///< lowest frequency [Hz]
   double to{0};                  ///< highest [Hz]
   std::vector<Member> members;   ///< in the order asked

@@ -56,7 +56,8 @@ struct FrequencyStudy {
   std::optional<double> from;                      ///< [Hz]; none: below all resonances and jumps
   std::optional<double> to;                        ///< [Hz]; none: above all jumps
   std::uint64_t points{201};                       ///< of each sweep, at least 2
-  std::optional<double> torque;                    ///< load [N m]; none: 0, unless a speed is given
+  /// Load [N m]; more than one are a family over it; none: 0, unless a speed is given.
+  std::optional<std::vector<double>> torque;
   std::optional<double> speed;                     ///< of the rotor [rad/s], in place of a torque
   SweepDirection direction{SweepDirection::both};  ///< of the sweeps
 };
