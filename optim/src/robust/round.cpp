@@ -27,9 +27,9 @@ bool is_limited(const StatisticTarget& target) {
 }
 
 // The rows of a round.
-class Rows {
+class RoundRows {
  public:
-  explicit Rows(bool gradient) : gradient_(gradient) {}
+  explicit RoundRows(bool gradient) : gradient_(gradient) {}
 
   void add(const LineOf& line) {
     if (answer_.ok()) answer_.failure = line.failure;
@@ -238,7 +238,7 @@ Evaluation RobustRound::evaluate(std::span<const double> y, bool gradient) const
     return line;
   };
 
-  Rows rows(gradient);
+  RoundRows rows(gradient);
   for (const RobustObjective& goal : goals_) {
     if (goal.kind == RobustGoal::nominal) rows.add(design_line(goal.index));
     if (goal.kind == RobustGoal::yield) rows.add(risk_of(goal.index, 1.0, 0.0));
