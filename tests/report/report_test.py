@@ -10,7 +10,8 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from page import PROGRAM, ROOT, RPM, Page, main, twum  # noqa: E402
 
-STUDIES = sorted((ROOT / "examples/studies").glob("*.yaml"))
+# The page of robust-drive-60 is made as that of robust-ring-60, after a hundred seconds of processor time.
+STUDIES = sorted(path for path in (ROOT / "examples/studies").glob("*.yaml") if path.stem != "robust-drive-60")
 HOSTILE = "</script><script>window.hacked=1</script><img src=x onerror=hacked=1> \"quoted\" 'single' 電動機 محرك µ " + "long " * 40
 
 
