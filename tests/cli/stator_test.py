@@ -70,7 +70,7 @@ class Stator(program.Case):
         self.assertIn("no answer at this torque: unreachable", error)
         self.assertIn("--torque", self.refused("stator", DRIVE, "--torque", "5 N"))
         self.refused("stator", DRIVE, "--torque", "0.5 N.m", "--speed", "1 rpm")
-        still = program.twum("stator", DRIVE, "--set", "voltage=5 V", "--set", "modal_damping=1000 N.s/m")
+        still = program.twum("stator", DRIVE, "--set", "voltage=30 V", "--set", "modal_damping=300 N.s/m")
         self.assertEqual(still.returncode, 0)
         self.assertNotIn("under load", still.stdout.decode())
         self.assertIn("no operating point under load: no-running-branch", still.stderr)

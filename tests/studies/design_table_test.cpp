@@ -116,7 +116,7 @@ TEST_CASE("a wrong header is refused with all that is wrong", "[studies][tables]
 }
 
 TEST_CASE("a column that looks like a mistyped parameter is warned about", "[studies][tables]") {
-  const Result result = evaluate_text("thicknes [mm],preload\n1,160\n", "preload");
+  const Result result = evaluate_text("thicknes [mm],preload [N]\n1,160\n", "preload");
   REQUIRE(result.warnings.size() == 1);
   CHECK(result.warnings[0] ==
         "column 'thicknes [mm]' is no parameter and is only copied; did you mean 'thickness'?");

@@ -119,7 +119,8 @@ TEST_CASE("defaults of a solver that are written out leave the study what it is"
         "{kind: " + kind + ", variables: {preload: {min: 100 N, max: 200 N}}, solver: ";
     const ResolvedStudy plain = resolve(study_in(folder, study + "auto}"));
     const YamlNode full = *plain.study.find("solver");
-    REQUIRE(full.entries.size() == 5);
+    // The sample is one of searches for one design.
+    REQUIRE(full.entries.size() == (kind[0] == 'o' ? 6 : 5));
     for (const YamlEntry& entry : full.entries) {
       CAPTURE(entry.key);
       const std::string one = "{" + entry.key + ": " + entry.value.scalar + "}";

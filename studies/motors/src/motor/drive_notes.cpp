@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "motor/drive_notes.hpp"
 
+#include <twum/core/design/parameters.hpp>
 #include <twum/core/performance/metrics.hpp>
 #include <twum/studies/units/engineering.hpp>
 
@@ -34,6 +35,10 @@ ModelNote note(const Motor& motor, const std::string& what, const std::string& r
 std::optional<ModelNote> drive_note(const Motor& motor) {
   const Stator& stator = motor.design().stator;
   if (!stator.voltage) return {};
+  const double resonance = get(motor.design(), Parameter::resonance_frequency);
+  if (drive_frequency(motor.design()) <= resonance)
+    return note(motor, "there is one small wave, which the rotor clamps",
+                "drive it above the resonance of its stator, " + engineering(resonance, "Hz"));
   const PointStatus rest = motor.operating_point(0).status;
   const auto start = [&](const char* side) {
     return threshold(motor, Metric::start_voltage, Metric::start_frequency, side);
@@ -43,12 +48,9 @@ std::optional<ModelNote> drive_note(const Motor& motor) {
                 "a dead wave takes " + start("less than "));
   if (stator.branch == Branch::dead) return {};
   if (rest == PointStatus::pulled_out || rest == PointStatus::no_running_branch) {
-    const std::string hold =
-        threshold(motor, Metric::hold_voltage, Metric::pull_out_frequency, "at least ");
     return note(motor, "only the dead wave exists at rest, which the rotor clamps",
-                hold.empty() ? "drive it above the resonance of its stator, " +
-                                   engineering(*stator.resonance_frequency, "Hz")
-                             : "a running wave takes " + hold);
+                "a running wave takes " + threshold(motor, Metric::hold_voltage,
+                                                    Metric::pull_out_frequency, "at least "));
   }
   const MetricValue starts = evaluate(motor, {Metric::start_voltage});
   // A search for `start_voltage <= voltage` ends on the limit, which it keeps to a millionth.
