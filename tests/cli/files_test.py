@@ -77,7 +77,7 @@ class Check(program.Case):
             if motor.name == "plate-30.yaml":  # where a search begins that asks for a motor that starts
                 self.assertRegex(notes, r"\Anote: .* does not start by itself.*\n\Z")
             elif motor.name == "elastic-layer.yaml":  # a stator without damping, which any friction feeds
-                self.assertRegex(notes, r"\Anote: a backward wave grows .* where modal_damping is not given: .*\n\Z")
+                self.assertRegex(notes, r"\Anote: the motor squeals under load .* and modal_damping is not given; .*\n\Z")
             else:
                 self.assertEqual(notes, "")
 
@@ -85,9 +85,9 @@ class Check(program.Case):
         # Friction feeds a heavy rotor's backward wave most; a stator of enough damping takes all of it.
         heavy = ("check", RING, "--set", "radial_slices=8", "--set", "rotor_mass=1 kg")
         note = program.twum(*heavy).stderr
-        self.assertRegex(note, "note: a backward wave grows at speeds up to [0-9.]+ rpm, fed by friction with a damping of up to "
-                               r"[0-9.]+ N.s/m, where modal_damping is [0-9.]+ N.s/m: the motor squeals")
-        fed = re.search(r"up to ([0-9.]+) N.s/m", note).group(1)
+        self.assertRegex(note, "note: the motor squeals under load at speeds up to [0-9.]+ rpm: friction feeds a backward wave with up to "
+                               r"[0-9.]+ N.s/m, more than the modal_damping of [0-9.]+ N.s/m; a heavy rotor")
+        fed = re.search(r"with up to ([0-9.]+) N.s/m", note).group(1)
         for share, squeals in ((0.99, True), (1.01, False)):
             damped = program.twum(*heavy, "--set", f"modal_damping={share * float(fed)} N.s/m").stderr
             self.assertEqual("squeals" in damped, squeals)

@@ -19,34 +19,12 @@ using namespace twum;
 using namespace twum::test;
 
 void compare(const MotorDesign& design) {
-  const std::vector<MetricRequest> asked = every_metric(11.3, 0.45);
-  const std::vector<MetricDerivative> found = differentiate(Motor(design), asked);
-  int compared = 0;
-  for (const ParameterInfo& row : parameter_table()) {
-    if (!in_use(design, row.parameter) || row.integer) continue;
-    const double x = get(design, row.parameter);
-    if (x == 0) continue;
-    // mu_0 alone has no derivative from below where it is mu.
-    if (row.parameter == Parameter::static_friction) continue;
-    // Near the resonance a relative change of the frequency counts 25 times: Richardson's extrapolation leaves (25 * 5e-6)^4,
-    // and the values' own 1e-11 over 5e-6.
-    const double d = 5e-6 * x;
-    const auto at = [&](double step) {
-      return values_of(with(design, row.parameter, x + step), asked);
-    };
-    const auto p1 = at(d), m1 = at(-d), p2 = at(2 * d), m2 = at(-2 * d);
-    for (std::size_t i = 0; i < asked.size(); ++i) {
-      if (found[i].value.status != MetricStatus::ok || found[i].smoothness == Smoothness::undefined)
-        continue;
-      const double one = (p1[i] - m1[i]) / (2 * d), two = (p2[i] - m2[i]) / (4 * d);
-      const double quotient = (4 * one - two) / 3;
-      CAPTURE(row.name, info(asked[i].metric).name, found[i].value.value);
-      const double scale = std::fabs(found[i].value.value) + std::fabs(quotient * x) + 1e-12;
-      CHECK(std::fabs(found[i].gradient[index_of(row.parameter)] - quotient) * x <= 5e-6 * scale);
-      ++compared;
-    }
-  }
-  CHECK(compared > 500);
+  // Near the resonance a relative change of the frequency counts 25 times: Richardson's extrapolation leaves (25 * 5e-6)^4,
+  // and the values' own 1e-11 over 5e-6.
+  const GradientCheck check = against_differences(design, every_metric(11.3, 0.45), 5e-6);
+  CAPTURE(check.where);
+  CHECK(check.worst <= 5e-6);
+  CHECK(check.compared > 500);
 }
 
 }  // namespace

@@ -92,36 +92,13 @@ TEST_CASE("the shape on the track is that of the mode (P8.1)", "[core][plate]") 
 namespace {
 
 void compare_derivatives(const MotorDesign& design) {
-  const auto asked = every_metric(8.1, 0.3);
-  const auto found = differentiate(Motor(design), asked);
-  int compared = 0;
-  for (const ParameterInfo& row : parameter_table()) {
-    if (!in_use(design, row.parameter) || row.integer) continue;
-    if (row.parameter == P::static_friction) continue;  // no derivative from below where it is mu
-    const double x = get(design, row.parameter);
-    if (x == 0) continue;
-    // Radii lie 0.1 mm apart, 4e-3 of themselves. A relative change of a length counts up to 25 * 2 times near the resonance:
-    // Richardson's extrapolation leaves (50 * 2e-5)^4 = 1e-12. Eigenvalues are good to 1e-11, of which the quotient by 2e-5
-    // makes 1e-6, and the resonance's 25 times 2e-5 of the value.
-    const double d = 2e-5 * x;
-    const auto at = [&](double step) {
-      return values_of(with(design, row.parameter, x + step), asked);
-    };
-    const auto p1 = at(d), m1 = at(-d), p2 = at(2 * d), m2 = at(-2 * d);
-    for (std::size_t i = 0; i < asked.size(); ++i) {
-      if (found[i].value.status != MetricStatus::ok || found[i].smoothness == Smoothness::undefined)
-        continue;
-      const double one = (p1[i] - m1[i]) / (2 * d), two = (p2[i] - m2[i]) / (4 * d);
-      const double quotient = (4 * one - two) / 3;
-      CAPTURE(row.name, info(asked[i].metric).name, found[i].value.value, quotient * x,
-              found[i].gradient[index_of(row.parameter)] * x);
-      const double scale = std::fabs(found[i].value.value) + std::fabs(quotient * x) + 1e-12;
-      CHECK(std::fabs(found[i].gradient[index_of(row.parameter)] - quotient) * std::fabs(x) <=
-            2e-5 * scale);
-      ++compared;
-    }
-  }
-  CHECK(compared > 1500);
+  // Radii lie 0.1 mm apart, 4e-3 of themselves. A relative change of a length counts up to 25 * 2 times near the resonance:
+  // Richardson's extrapolation leaves (50 * 2e-5)^4 = 1e-12. Eigenvalues are good to 1e-11, of which the quotient by 2e-5
+  // makes 1e-6, and the resonance's 25 times 2e-5 of the value.
+  const GradientCheck check = against_differences(design, every_metric(8.1, 0.3), 2e-5);
+  CAPTURE(check.where);
+  CHECK(check.worst <= 2e-5);
+  CHECK(check.compared > 1500);
 }
 
 }  // namespace

@@ -79,12 +79,11 @@ class WarmStart {
   std::vector<Entry> others_;  // none where the motor is one slice: then a start costs no memory
 };
 
-/// What a few turns of the contact come to: not yet a periodic state.
+/// Result of SolvedPoint::followed(): nearly a periodic state.
 struct FollowedTurns {
-  PointNumbers<double> numbers;  ///< over the last of them
+  PointNumbers<double> numbers;  ///< over the last turn
   WarmStart next;                ///< where the layer enters after it
-  double gap{
-      0};  ///< by which the last turn moved that, in parts of the largest traction at the crest
+  double gap{0};  ///< how far it moved the layer's state, in parts of mu_0 p at the crest
 };
 
 /// The contact of one slice at an operating point.
@@ -118,8 +117,8 @@ class SolvedPoint {
   /// Zones followed to find it: what the search cost.
   long zones_followed() const;
   WarmStart start() const;
-  /// Three turns at another point nearby, through the same zones: a third of the work of solving it, and no proof. Nothing if the
-  /// zones are others there, or if there are none to follow.
+  /// Follows three turns of the layer at a point nearby, through the zones of this one (E6.5). It takes a third of the work of
+  /// solve_point() and proves nothing. Nothing if the zones differ there, or if there are none to follow.
   std::optional<FollowedTurns> followed(const DrivenMotor<double>& motor, double speed,
                                         const WarmStart& entry) const;
 

@@ -26,6 +26,19 @@ bool is_limited(const StatisticTarget& target) {
   return target.lower > -kInfinity || target.upper < kInfinity;
 }
 
+// The square of a row: a spread of zero has no derivative, its square has.
+LineOf squared(LineOf row) {
+  for (double& slope : row.slope) slope *= 2.0 * row.value;
+  row.value *= row.value;
+  return row;
+}
+
+LineOf subtracted(double end, LineOf row) {
+  for (double& slope : row.slope) slope = -slope;
+  row.value = end - row.value;
+  return row;
+}
+
 // The rows of a round.
 class RoundRows {
  public:
@@ -192,68 +205,74 @@ Moment RobustRound::statistic(std::span<const double> y, std::size_t statistic,
   return moment(problem_, problem_.statistics[statistic], y.first(variables()), sample_);
 }
 
+LineOf RobustRound::design_row(std::span<const double> y, const Evaluation& design,
+                               std::size_t response) const {
+  const std::size_t n = variables();
+  LineOf row{std::vector<double>(y.size(), 0.0), design.values[response]};
+  if (!design.jacobian.empty())
+    std::copy_n(design.jacobian.begin() + static_cast<std::ptrdiff_t>(response * n), n,
+                row.slope.begin());
+  return row;
+}
+
+// G_j + delta_j of U3.1
+LineOf RobustRound::margin_row(std::span<const double> y, const InversePoint& worst,
+                               std::size_t term) const {
+  LineOf row{std::vector<double>(y.size(), 0.0), worst.at.value + correction_.delta[term]};
+  std::copy(worst.at.by_design.begin(), worst.at.by_design.end(), row.slope.begin());
+  row.slope[variables() + term] = worst.by_beta;
+  return row;
+}
+
+// ln R of U3.1
+LineOf RobustRound::log_risk_row(std::span<const double> y, std::size_t target) const {
+  const std::vector<std::size_t>& terms = terms_.of_target[target];
+  std::vector<double> beta;
+  for (const std::size_t j : terms) beta.push_back(y[variables() + j]);
+  const JointRisk joint = joint_risk(beta, correction_.overlaps[target]);
+  LineOf row{std::vector<double>(y.size(), 0.0), std::log(joint.risk)};
+  for (std::size_t i = 0; i < beta.size(); ++i)
+    row.slope[variables() + terms[i]] = joint.by_beta[i] / joint.risk;
+  return row;
+}
+
+LineOf RobustRound::statistic_row(std::span<const double> y, std::size_t index,
+                                  const std::vector<InversePoint>& worst) const {
+  Moment found = statistic(y, index, worst);
+  LineOf row{std::vector<double>(y.size(), 0.0), found.value, std::move(found.failure)};
+  std::copy(found.by_design.begin(), found.by_design.end(), row.slope.begin());
+  return row;
+}
+
+LineOf RobustRound::goal_row(std::span<const double> y, const RobustObjective& goal,
+                             const Evaluation& design,
+                             const std::vector<InversePoint>& worst) const {
+  if (goal.kind == RobustGoal::nominal) return design_row(y, design, goal.index);
+  if (goal.kind == RobustGoal::yield) return log_risk_row(y, goal.index);
+  const LineOf row = statistic_row(y, goal.index, worst);
+  return problem_.statistics[goal.index].kind == Statistic::sd ? squared(row) : row;
+}
+
 // Objectives, constraints of the design, margins, risk lines, statistics.
 Evaluation RobustRound::evaluate(std::span<const double> y, bool gradient) const {
-  const std::size_t n = variables(), all = y.size();
-  const auto x = y.first(n);
   Evaluation design;
-  if (problem_.design.responses() > 0) design = problem_.design.evaluate(x, gradient);
+  if (problem_.design.responses() > 0)
+    design = problem_.design.evaluate(y.first(variables()), gradient);
   if (!design.ok()) return design;
   const std::vector<InversePoint> worst = points(y);
   if (!worst.empty() && !worst.back().at.failure.empty())
     return {{}, {}, {}, worst.back().at.failure};
-
-  const auto design_line = [&](std::size_t i) {
-    LineOf line{std::vector<double>(all, 0.0), design.values[i]};
-    if (gradient)
-      std::copy_n(design.jacobian.begin() + static_cast<std::ptrdiff_t>(i * n), n,
-                  line.slope.begin());
-    return line;
-  };
-  const auto risk_of = [&](std::size_t s, double sign, double end) {
-    std::vector<double> beta;
-    for (const std::size_t j : terms_.of_target[s]) beta.push_back(y[n + j]);
-    const JointRisk joint = joint_risk(beta, correction_.overlaps[s]);
-    LineOf line{std::vector<double>(all, 0.0), end + sign * std::log(joint.risk)};
-    for (std::size_t i = 0; i < beta.size(); ++i)
-      line.slope[n + terms_.of_target[s][i]] = sign * joint.by_beta[i] / joint.risk;
-    return line;
-  };
-  const auto margin_line = [&](std::size_t j) {
-    LineOf line{std::vector<double>(all, 0.0), worst[j].at.value + correction_.delta[j]};
-    std::copy(worst[j].at.by_design.begin(), worst[j].at.by_design.end(), line.slope.begin());
-    if (terms_.terms[j].target) line.slope[n + j] = worst[j].by_beta;
-    return line;
-  };
-  const auto statistic_line = [&](std::size_t s) {
-    Moment found = statistic(y, s, worst);
-    LineOf line{std::vector<double>(all, 0.0), found.value, std::move(found.failure)};
-    std::copy(found.by_design.begin(), found.by_design.end(), line.slope.begin());
-    return line;
-  };
-  // Zero spread has no derivative, its square has.
-  const auto squared = [](LineOf line) {
-    for (double& slope : line.slope) slope *= 2.0 * line.value;
-    line.value *= line.value;
-    return line;
-  };
-
   RoundRows rows(gradient);
-  for (const RobustObjective& goal : goals_) {
-    if (goal.kind == RobustGoal::nominal) rows.add(design_line(goal.index));
-    if (goal.kind == RobustGoal::yield) rows.add(risk_of(goal.index, 1.0, 0.0));
-    if (goal.kind != RobustGoal::statistic) continue;
-    const bool spread = problem_.statistics[goal.index].kind == Statistic::sd;
-    rows.add(spread ? squared(statistic_line(goal.index)) : statistic_line(goal.index));
-  }
+  for (const RobustObjective& goal : goals_) rows.add(goal_row(y, goal, design, worst));
   for (std::size_t i = problem_.design.objectives.size(); i < design.values.size(); ++i)
-    rows.add(design_line(i));
+    rows.add(design_row(y, design, i));
   for (std::size_t j = 0; j < worst.size(); ++j)
-    if (terms_.terms[j].target) rows.add(margin_line(j));
+    if (terms_.terms[j].target) rows.add(margin_row(y, worst[j], j));
   for (std::size_t s = 0; s < terms_.of_target.size(); ++s)
-    if (!is_goal(s)) rows.add(risk_of(s, -1.0, std::log(risks_[s] * (1.0 + correction_.kappa[s]))));
+    if (!is_goal(s))
+      rows.add(subtracted(std::log(risks_[s] * (1.0 + correction_.kappa[s])), log_risk_row(y, s)));
   for (std::size_t s = 0; s < problem_.statistics.size(); ++s)
-    if (is_limited(problem_.statistics[s])) rows.add(statistic_line(s));
+    if (is_limited(problem_.statistics[s])) rows.add(statistic_row(y, s, worst));
   return std::move(rows).answer();
 }
 

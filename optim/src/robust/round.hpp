@@ -81,6 +81,14 @@ class RobustRound {
 
  private:
   Evaluation evaluate(std::span<const double> y, bool gradient) const;
+  LineOf design_row(std::span<const double> y, const Evaluation& design,
+                    std::size_t response) const;
+  LineOf margin_row(std::span<const double> y, const InversePoint& worst, std::size_t term) const;
+  LineOf log_risk_row(std::span<const double> y, std::size_t target) const;
+  LineOf statistic_row(std::span<const double> y, std::size_t index,
+                       const std::vector<InversePoint>& worst) const;
+  LineOf goal_row(std::span<const double> y, const RobustObjective& goal, const Evaluation& design,
+                  const std::vector<InversePoint>& worst) const;
   std::size_t variables() const { return problem_.design.variables.size(); }
 
   const RobustProblem& problem_;

@@ -146,10 +146,10 @@ TEST_CASE(
   CHECK(sticking > 2000);
 }
 
-TEST_CASE("where laps do not settle it is told early, also where a cycle of laps begins",
+TEST_CASE("where a search gives up, laps do not settle, also where a cycle of laps begins",
           "[core][contact][brute_force]") {
   Dice dice(61);
-  int cycles = 0, early = 0;
+  int cycles = 0;
   const auto settles = [&](ContactNumbers<double> n, double speed) {
     n.speed_ratio = speed;
     const LayerMotion<double> layer(n.inertia, n.damping);
@@ -167,7 +167,6 @@ TEST_CASE("where laps do not settle it is told early, also where a cycle of laps
     // Laps that settle come as near as rounding lets them, some 1e-16 of the size.
     CHECK(closest > 1e-14 * size_of(n, layer));
     ++cycles;
-    early += state.laps < 300;
     return false;
   };
   for (int i = 0; i < 400; ++i) {
@@ -182,9 +181,6 @@ TEST_CASE("where laps do not settle it is told early, also where a cycle of laps
     }
   }
   CHECK(cycles > 100);
-  // The last few of the 25 speeds of a search are so near to the edge that the cycle itself is reached slowly, or its gap is
-  // lost in rounding.
-  CHECK(early > 0.7 * cycles);
 }
 
 TEST_CASE("full contact leaves a lap in the zone that it entered in, and no zone has no length",

@@ -18,8 +18,8 @@ class CurveScan {
 
   explicit CurveScan(CurvePoints& points) : points_(points) {}
 
-  /// The beginning of the curve, or where the torque rises through zero if a curve that begins above rest begins with a torque
-  /// that holds the rotor back. @throws SearchFailure if it has no answer
+  /// The first point that the metrics look at: the beginning of the curve. If the curve begins above rest with a negative torque,
+  /// it is where the torque rises through zero. @throws SearchFailure if it has no answer
   const CurvePoint& first();
   /// The torque there is positive.
   bool drives() { return first().torque > 0; }

@@ -12,8 +12,7 @@ struct WaveSolution {
   SlopedWave sloped;
   Stability stability;
   bool past_maximum;  ///< H has a maximum at a smaller amplitude
-  bool
-      only_one;  ///< H has no extremum: there is one wave at every voltage, which is running and dead in one
+  bool only_one;      ///< H has no extremum: each voltage holds one wave, running and dead alike
 
   const DrivenWave& wave() const { return sloped.wave; }
   /// Behind the drive by more than a quarter of a turn, or beyond the maximum that a start has to pass.

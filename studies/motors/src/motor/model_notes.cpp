@@ -152,16 +152,17 @@ void add_squeal(const Motor& motor, std::vector<ModelNote>& notes) {
   const SquealSpeeds squeal = squeal_speeds(motor, no_load.value, damping);
   if (squeal.fastest < 0) return;
   const auto in_words = [](double d) { return rounded_text(d, 4) + " N.s/m"; };
-  const std::string grows =
-      modal ? "by up to " + rounded_text(squeal.rate, 4) + " 1/s (squeal_rate_at)"
-            : "fed by friction with a damping of up to " + in_words(squeal.fed) +
-                  (damping > 0 ? ", where modal_damping is " + in_words(damping)
-                               : ", where modal_damping is not given");
-  notes.push_back({"squeal", modal ? squeal.rate : squeal.fed,
-                   "a backward wave grows at speeds up to " + engineering(squeal.fastest, "rad/s") +
-                       ", " + grows +
-                       ": the motor squeals there under load, and a heavy rotor then loses up to "
-                       "half of the torque, which is not computed"});
+  const std::string cause =
+      modal ? "friction lets a backward wave grow by up to " + rounded_text(squeal.rate, 4) +
+                  " 1/s (squeal_rate_at)"
+            : "friction feeds a backward wave with up to " + in_words(squeal.fed) +
+                  (damping > 0 ? ", more than the modal_damping of " + in_words(damping)
+                               : ", and modal_damping is not given");
+  notes.push_back(
+      {"squeal", modal ? squeal.rate : squeal.fed,
+       "the motor squeals under load at speeds up to " + engineering(squeal.fastest, "rad/s") +
+           ": " + cause +
+           "; a heavy rotor then loses up to half of the torque, which is not computed"});
 }
 
 }  // namespace

@@ -90,9 +90,8 @@ std::string slices_note(const StudyFile& file, const std::vector<FoundMotor>& fo
     const int had = std::exchange(design.stator.radial_slices, kAutoSlices);
     const int needed = had == kAutoSlices ? 0 : Motor(design).radial_slices();
     if (needed > had)
-      return each.what + ": its contact takes " + std::to_string(needed) +
-             " slices, and the search had " + std::to_string(had) +
-             "; to refine it run a study with 'start' at this result";
+      return each.what + " needs " + std::to_string(needed) + " slices, but the search used " +
+             std::to_string(had) + "; to refine it, run a study with 'start' at this result";
   }
   return "";
 }
