@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Random studies of every kind but optimize (stop_study.py has those), with what may happen to them.
+"""Random studies of pareto, size, uncertainty, sensitivity and frequency (stop_study.py has optimize), with what may happen to them.
 
     attack_study.py TWUM [--other OLDER_TWUM] [--count 100] [--kills 0] [--seed 1] [--minutes M] [--keep DIR]
 
@@ -27,6 +27,18 @@ from stop_study import METRICS, MOTOR, VARIABLES
 PATIENCE = 60  # [s] of one run
 REFUSED = (2, 3)
 
+DRIVEN = """twum: 1
+motor:
+  name: driven
+  stator: {{wavelengths: 9, contact_radius: 26.5 mm, contact_width: 4 mm, neutral_plane_distance: 3 mm, \
+frequency_ratio: {above:.6g}, voltage: {voltage:.6g} V, resonance_frequency: {resonance:.6g} kHz, modal_mass: {mass:.6g} g, \
+quality_factor: {quality:.6g}, force_factor: {factor:.6g} N/V, blocked_capacitance: 8.5 nF, loss_tangent: 0.01}}
+  contact_layer: {{thickness: {thickness:.6g} mm, youngs_modulus: {modulus:.6g} GPa, poisson_ratio: 0.38, density: 1500 kg/m^3, \
+loss_factor: 0.05}}
+  friction: {{kinetic: {kinetic:.6g}, static: {static:.6g}}}
+  preload: {preload:.6g} N
+"""
+
 
 def spread(chance, low, high):
     return math.exp(chance.uniform(math.log(low), math.log(high)))
@@ -41,6 +53,15 @@ def random_motor(chance):
              "preload": spread(chance, 80, 250)}
     motor["static"] = motor["kinetic"] * chance.choice([1, 1.1])
     return motor
+
+
+def driven(chance):
+    """A motor under a voltage with numbers near those of its example; half with static friction above the kinetic one."""
+    kinetic = spread(chance, 0.15, 0.3)
+    return DRIVEN.format(resonance=spread(chance, 30, 45), above=chance.uniform(1.005, 1.06), voltage=spread(chance, 50, 180),
+                         mass=spread(chance, 15, 40), quality=spread(chance, 80, 300), factor=spread(chance, 0.3, 0.8),
+                         thickness=spread(chance, 0.3, 0.7), modulus=spread(chance, 0.5, 2), kinetic=kinetic,
+                         static=kinetic * chance.choice([1, 1.1]), preload=spread(chance, 80, 250))
 
 
 def named(metric):
@@ -98,10 +119,22 @@ def sensitivity(chance, motor):
     return lines if method == "local" else [*lines, f"  samples: {chance.randint(4, 60)}"]
 
 
+def frequency(chance):
+    name, low, high, unit = chance.choice([("voltage", 40, 200, "V"), ("preload", 50, 250, "N"), ("torque", 0, 0.5, "N.m")])
+    family = ", ".join(f"{chance.uniform(low, high):.4g} {unit}" for _ in range(chance.randint(1, 4)))
+    load = [] if name == "torque" else chance.choice([[], [f"  torque: {chance.uniform(0, 0.5):.3g} N.m"],
+                                                      [f"  speed: {chance.uniform(0, 100):.3g} rpm"]])
+    return [f"  family: {{{name}: [{family}]}}", *load, f"  points: {chance.randint(10, 200)}",
+            f"  direction: {chance.choice(['up', 'down', 'both'])}"]
+
+
 KINDS = {"pareto": pareto, "size": size, "uncertainty": uncertainty, "sensitivity": sensitivity}
+ATTACKED = [*KINDS, "frequency"]
 
 
 def random_study(chance, kind):
+    if kind == "frequency":
+        return "\n".join([driven(chance) + "study:", "  kind: frequency", *frequency(chance)]) + "\n"
     motor = random_motor(chance)
     return "\n".join([MOTOR.format(**motor) + "study:", f"  kind: {kind}", *KINDS[kind](chance, motor)]) + "\n"
 
@@ -162,8 +195,8 @@ def on_a_read_only_disk(program, study, scratch):
 
 
 def by_two_programs(first, second, study, folder, lasts, chance):
-    """'holds', 'refused' or 'told by verify' for a run that `first` began and `second` is to go on with. Programs of one version
-    that compute other digits are not told apart when a run goes on, but by verify."""
+    """'holds', 'refused' or 'told by verify' for a run that `first` began and `second` is to go on with. Before it goes on it computes
+    a few rows again; where only others differ, verify tells."""
     process = subprocess.Popen([first, "run", str(study), "-o", str(folder)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     try:
         process.wait(chance.uniform(0.1, 1) * lasts)
@@ -217,7 +250,7 @@ def main():
         if time.monotonic() > until:
             break
         chance = random.Random(f"{options.seed} {number}")
-        kind = list(KINDS)[number % len(KINDS)]
+        kind = ATTACKED[number % len(ATTACKED)]
         with tempfile.TemporaryDirectory(prefix="twum-attack-") as name:
             scratch = pathlib.Path(name)
             study = scratch / "study.yaml"

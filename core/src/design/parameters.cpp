@@ -3,6 +3,7 @@
 
 #include "design/geometry_rows.hpp"
 #include "design/layer_properties.hpp"
+#include "design/motor_rows.hpp"
 #include "design/plate_numbers.hpp"
 #include "design/radial_shape.hpp"
 
@@ -19,147 +20,12 @@ namespace twum {
 namespace {
 
 using P = Parameter;
-constexpr std::optional<Parameter> kNone;
-
-// The ranges admit what a person could mean, limits of the model included; `reason` says why they end there. Within them
-// no number of the model overflows.
-constexpr std::array<ParameterInfo, kParameterCount - kGeometryRows.size()> kRows{{
-    {P::wavelengths, "wavelengths", "n", "1", "stator.wavelengths", 1, 200, true, true, kNone, "9",
-     "wavelengths round the circumference",
-     "more would be shorter than a millimetre on a ring of 60 mm"},
-    {P::contact_radius, "contact_radius", "r", "m", "stator.contact_radius", 1e-4, 1, false, true,
-     kNone, "26.5 mm", "mean radius of the contact track",
-     "from silicon rings to rings of 2 m; known motors have 1 to 200 mm"},
-    {P::contact_width, "contact_width", "b", "m", "stator.contact_width", 1e-8, 1, false, true,
-     kNone, "4 mm", "radial width of the contact track",
-     "a line contact of 10 nm; no wider than the largest radius"},
-    {P::neutral_plane_distance, "neutral_plane_distance", "a", "m", "stator.neutral_plane_distance",
-     1e-6, 0.1, false, true, kNone, "3 mm", "distance from the neutral plane to the stator surface",
-     "half of a film of 2 um; teeth of 100 mm"},
-    {P::frequency, "frequency", "f", "Hz", "stator.frequency", 1, 1e9, false, true,
-     P::frequency_ratio, "40 kHz", "drive frequency",
-     "from models that one can watch to surface acoustic waves of 1 GHz"},
-    {P::frequency_ratio, "frequency_ratio", "", "1", "stator.frequency_ratio", 0.01, 100, false,
-     false, P::frequency, "1.046", "drive frequency over resonance_frequency",
-     "a motor runs within a tenth of its resonance; two decades leave room for other stators"},
-    {P::amplitude, "amplitude", "A", "m", "stator.amplitude", 0, 1e-2, false, true, P::voltage,
-     "1.6 um", "amplitude of the travelling wave",
-     "0 is no drive; 10 mm is a model of a motor at audible frequencies"},
-    {P::voltage, "voltage", "", "V", "stator.voltage", 0, 1e5, false, false, P::amplitude, "120 V",
-     "drive voltage of each of the two phases, rms; gives the amplitude at each load",
-     "0 is no drive; 100 kV is beyond what insulates any stator"},
-    {P::modal_damping, "modal_damping", "", "N.s/m", "stator.modal_damping", 0, 1e6, false, false,
-     P::quality_factor, "45 N.s/m", "modal damping of the stator; its loss is c (omega A)^2",
-     "0 is a stator without loss; 1 MN.s/m is 1 kg at 150 kHz with a quality factor of 1"},
-    {P::quality_factor, "quality_factor", "", "1", "stator.quality_factor", 0.5, 1e9, false, false,
-     P::modal_damping, "150", "quality factor of the free stator; gives modal_damping",
-     "below 0.5 nothing vibrates; the best quartz resonators reach 1e9 in the cold"},
-    {P::resonance_frequency, "resonance_frequency", "", "Hz", "stator.resonance_frequency", 1, 1e9,
-     false, false, kNone, "39 kHz", "resonance of the free stator, its phases shorted",
-     "as the drive frequency"},
-    {P::modal_mass, "modal_mass", "", "kg", "stator.modal_mass", 1e-15, 1e4, false, false, kNone,
-     "25 g", "mass of each of the two modes, for the displacement at the contact radius",
-     "a silicon disc of 10 um; a steel ring of 2 m"},
-    {P::force_factor, "force_factor", "", "N/V", "stator.force_factor", 1e-9, 1e6, false, false,
-     kNone, "0.55 N/V", "modal force of a phase per volt, and charge per modal displacement",
-     "a phase that hardly drives; a stack of a thousand thin layers on a ring of 2 m"},
-    {P::blocked_capacitance, "blocked_capacitance", "", "F", "stator.blocked_capacitance", 0, 1,
-     false, false, kNone, "8.5 nF", "capacitance of a phase with the stator held",
-     "0 counts the motional current alone; 1 F is beyond any ceramic"},
-    {P::loss_tangent, "loss_tangent", "", "1", "stator.loss_tangent", 0, 10, false, false, kNone,
-     "0.01", "loss tangent of the blocked capacitance",
-     "0 is a ceramic without dielectric loss; soft ceramics in strong fields reach 0.1"},
-    {P::voltage_ratio, "voltage_ratio", "", "1", "stator.imbalance.voltage_ratio", 0.1, 10, false,
-     false, kNone, "1.05", "voltage of the second phase over that of the first",
-     "beyond a decade the second phase hardly counts: the wave stands"},
-    {P::phase_error, "phase_error", "", "rad", "stator.imbalance.phase_error", -1.5, 1.5, false,
-     false, kNone, "0.05 rad", "lead of the second phase beyond a quarter of a turn",
-     "a quarter of a turn off, 1.57 rad, the phases are one and the wave stands"},
-    {P::mode_splitting, "mode_splitting", "", "1", "stator.imbalance.mode_splitting", -0.1, 0.1,
-     false, false, kNone, "0.001", "half the relative difference of the two modes' stiffnesses",
-     "at 0.1 the resonances of the two modes are a tenth apart: no travelling wave"},
-    {P::sensor_force_factor, "sensor_force_factor", "", "N/V", "stator.sensor.force_factor", -1e6,
-     1e6, false, false, kNone, "0.03 N/V",
-     "charge of the sensor electrode per amplitude of the wave", "as force_factor, of either sign"},
-    {P::sensor_capacitance, "sensor_capacitance", "", "F", "stator.sensor.capacitance", 0, 1, false,
-     false, kNone, "0.5 nF", "capacitance of the sensor electrode",
-     "0 is an electrode that only its load holds; 1 F is beyond any ceramic"},
-    {P::sensor_load_capacitance, "sensor_load_capacitance", "", "F",
-     "stator.sensor.load_capacitance", 0, 1, false, false, kNone, "0.1 nF",
-     "capacitance of the cable and the amplifier on the sensor", "0 is an electrode without cable"},
-    {P::sensor_load_resistance, "sensor_load_resistance", "", "ohm",
-     "stator.sensor.load_resistance", 1e-3, 1e15, false, false, kNone, "1 Mohm",
-     "resistance of the amplifier on the sensor", "a short circuit; the best insulators"},
-    {P::sensor_position, "sensor_position", "", "rad", "stator.sensor.position", -7, 7, false,
-     false, kNone, "1.57 rad",
-     "phase of the wave by which the sensor stands behind the first phase",
-     "a whole turn of the wave either way"},
-    {P::radial_slices, "radial_slices", "", "1", "stator.radial_slices", kAutoSlices, 256, true,
-     false, kNone, "8",
-     "slices of each smooth piece of the contact track; 1 takes all at the contact radius, 0 "
-     "stands "
-     "for auto",
-     "256 slices of a smooth piece leave rounding, and next to kinks 1e-6 of the torque"},
-    {P::shape_exponent, "shape_exponent", "", "1", "stator.radial_shape.exponent", -20, 20, false,
-     false, kNone, "1.5",
-     "exponent p of the wave's radial shape R = ((rho - rho_0) / (r - rho_0))^p",
-     "a plate beside its clamp has 2; at 20 a ring's wave is 55 times higher at the outer edge of "
-     "a "
-     "track of a fifth of its radius than at the inner"},
-    {P::shape_root, "shape_root", "", "m", "stator.radial_shape.root", 0, 2, false, false, kNone,
-     "13 mm", "radius rho_0 where the wave's radial shape is zero; outside the contact track",
-     "0 is the axis; twice the largest contact radius for a ring clamped at its outer edge"},
-    {P::thickness, "thickness", "h", "m", "contact_layer.thickness", 1e-8, 0.1, false, true, kNone,
-     "0.3 mm", "thickness of the contact layer",
-     "thinner than 10 nm is no continuum; thicker than 100 mm is no layer"},
-    {P::youngs_modulus, "youngs_modulus", "E", "Pa", "contact_layer.youngs_modulus", 1e3, 1e13,
-     false, true, kNone, "3 GPa", "Young's modulus of the contact layer",
-     "from soft gels, 1 kPa, to ten times diamond, the limit of a rigid layer"},
-    {P::poisson_ratio, "poisson_ratio", "nu", "1", "contact_layer.poisson_ratio", -0.99, 0.5, false,
-     true, P::shear_modulus, "0.35",
-     "Poisson ratio of the contact layer; gives G = E / (2 (1 + nu))",
-     "a stable isotropic material lies between -1 and 0.5; towards -1 G has no bound, give "
-     "shear_modulus instead"},
-    {P::density, "density", "rho", "kg/m^3", "contact_layer.density", 0, 3e4, false, true,
-     P::inertia, "1800 kg/m^3", "density of the contact layer; gives m = rho h^2 / 3",
-     "0 is a layer without inertia; osmium, the densest solid, has 22600 kg/m^3"},
-    {P::loss_factor, "loss_factor", "", "1", "contact_layer.loss_factor", 0, 10, false, true,
-     P::shear_viscosity, "0.05",
-     "loss factor of the layer in shear; gives gamma = loss_factor G / omega",
-     "0 is a layer without loss; rubber in its glass transition reaches 3"},
-    {P::shear_modulus, "shear_modulus", "G", "Pa", "contact_layer.shear_modulus", 100, 1e13, false,
-     false, P::poisson_ratio, "1.1 GPa", "shear modulus of the contact layer, given outright",
-     "below a third of the softest E; up to 10 TPa, the limit of a rigid layer"},
-    {P::shear_viscosity, "shear_viscosity", "gamma", "Pa.s", "contact_layer.shear_viscosity", 0,
-     1e9, false, false, P::loss_factor, "220 Pa.s", "shear viscosity of the layer, given outright",
-     "0 is a layer without loss; 1 GPa.s is a loss factor of 10 at G = 10 TPa and 16 kHz"},
-    {P::inertia, "inertia", "m", "Pa.s^2", "contact_layer.inertia", 0, 1e6, false, false,
-     P::density, "5.4e-5 Pa.s^2", "inertia of the layer in shear, given outright",
-     "0 is a layer without inertia; 1 MPa.s^2 counts in a model at 1 Hz as 100 mPa.s^2 does at 3 "
-     "kHz"},
-    {P::kinetic_friction, "kinetic_friction", "mu", "1", "friction.kinetic", 0, 5, false, true,
-     kNone, "0.2", "friction coefficient while slipping",
-     "0 is no friction; soft rubber on a dry track reaches 4"},
-    {P::static_friction, "static_friction", "mu_0", "1", "friction.static", 0, 10, false, false,
-     kNone, "0.2", "friction coefficient at the threshold of sticking, at least the kinetic one",
-     "0 is no friction; twice the largest kinetic one"},
-    {P::rotor_taper, "rotor_taper", "", "rad", "rotor.taper", -0.1, 0.1, false, false, kNone,
-     "20 urad",
-     "cone angle of the rotor's face, positive if the face falls away towards the outer edge",
-     "1 mrad over 4 mm is 4 um, more than a usual amplitude; beyond 0.1 rad only an edge touches"},
-    {P::rotor_mass, "rotor_mass", "", "kg", "rotor.mass", 0, 1e6, false, false, kNone, "100 g",
-     "mass that moves along the axis with the rotor's face; counts for backward waves",
-     "0 follows the wave at once, as without a mass; 1000 t stands still"},
-    {P::preload, "preload", "F_N", "N", "preload", 0, 1e11, false, true, kNone, "160 N",
-     "total axial force that presses rotor and stator together",
-     "0 is no contact; 100 GN is ten times what full contact takes of the stiffest tested motor"},
-}};
 
 // Every row, those of the stator's geometry last.
 constexpr std::array<ParameterInfo, kParameterCount> kTable = [] {
   std::array<ParameterInfo, kParameterCount> table{};
-  std::copy(kRows.begin(), kRows.end(), table.begin());
-  std::copy(kGeometryRows.begin(), kGeometryRows.end(), table.begin() + kRows.size());
+  std::copy(kMotorRows.begin(), kMotorRows.end(), table.begin());
+  std::copy(kGeometryRows.begin(), kGeometryRows.end(), table.begin() + kMotorRows.size());
   return table;
 }();
 

@@ -109,6 +109,12 @@ struct WavePoint {
   S squeal_rate = S(0.0);              ///< of (D6.7)
 };
 
+/// The force that the wave of a point takes of the drive (D2.3) [N].
+template <typename S>
+WaveBalance<S> wave_balance(const StatorModes<S>& modes, const WavePoint<S>& p) {
+  return wave_balance(modes, p.amplitude, p.omega, p.reactive_force, p.stator_power);
+}
+
 /// The point with what a contact does to a backward wave.
 template <typename S>
 WavePoint<S> with_backward_wave(Metric metric, WavePoint<S> p, const StatorModes<S>& modes,
@@ -117,8 +123,7 @@ WavePoint<S> with_backward_wave(Metric metric, WavePoint<S> p, const StatorModes
     p.squeal_rate = free_backward_wave(contact, modes, modes.rotor_mass).rate;
     return p;
   }
-  const WaveBalance<S> w =
-      wave_balance(modes, p.amplitude, p.omega, p.reactive_force, p.stator_power);
+  const WaveBalance<S> w = wave_balance(modes, p);
   p.backward = forced_backward_wave(contact, modes, w, p.amplitude);
   return p;
 }
@@ -129,8 +134,7 @@ S wave_metric(Metric metric, const StatorModes<S>& modes, const WavePoint<S>& p)
   using M = Metric;
   using std::sqrt;
   constexpr double kTurn = 2 * std::numbers::pi;
-  const WaveBalance<S> w =
-      wave_balance(modes, p.amplitude, p.omega, p.reactive_force, p.stator_power);
+  const WaveBalance<S> w = wave_balance(modes, p);
   if (metric == M::phase_lag_at) return argument(w.real, w.imaginary);  // (D2.4)
   if (metric == M::loaded_resonance)                                    // (D3.1)
     return sqrt(modes.resonance * modes.resonance + p.reactive_force / (p.amplitude * modes.mass)) /

@@ -171,6 +171,29 @@ TEST_CASE("a directory of another version of the program is refused", "[studies]
                     Contains("twum: 0.0.1 there, " + std::string(version()) + " here"));
 }
 
+// 1e-9 is far above the rounding that another compiler may leave, and far below what a reader of the table would see.
+TEST_CASE("rows of a program that computes other numbers are refused", "[studies][run]") {
+  const ScratchFolder folder;
+  const StudyFile file = study_in(folder,
+                                  "{kind: sweep, sampling: grid, metrics: [stall_torque], "
+                                  "variables: {preload: [100 N, 110 N]}}");
+  run_study(file, folder.path("out"));
+  std::filesystem::create_directory(folder.path("other"));
+  {
+    const ResultStore ours(folder.path("out/results.db"));
+    ResultStore theirs(folder.path("other/results.db"), ours.columns());
+    for (const char* fact : {"version", "study", "files", "started", "hash"})
+      theirs.set_fact(fact, ours.fact(fact));
+    ours.read([&](const Row& row) {
+      Row other = row;
+      if (row.index == 1) other.values.back() *= 1 + 1e-9;
+      theirs.add(other);
+    });
+  }
+  CHECK_THROWS_WITH(run_study(file, folder.path("other")),
+                    Contains("row 1: stall_torque is") && Contains("--fresh"));
+}
+
 TEST_CASE("a study that came from standard input is called study", "[studies][run]") {
   const ScratchFolder folder;
   StudyFile file = study_in(folder,

@@ -6,6 +6,7 @@
 #include "results/provenance.hpp"
 #include "results/row_pass.hpp"
 #include "run/result_folder.hpp"
+#include "run/verify_checks.hpp"
 #include "study/resolved_study.hpp"
 
 #include <twum/base/error.hpp>
@@ -24,6 +25,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kDifferencesShown = 8;
+constexpr std::uint64_t kRowsRepeated = 8;  // before a run goes on; tells another build at its first rows
 
 std::string name_of(const StudyFile& file) {
   const std::string stem = std::filesystem::path(file.path).stem().string();
@@ -140,12 +142,22 @@ class KeptRun {
     }
     if (stored->fact(facts::kVersion) != version())
       differ.push_back("twum: " + stored->fact(facts::kVersion) + " there, " + version() + " here");
-    if (!differ.empty()) refuse(differ);
+    if (!differ.empty()) refuse("holds the results of another study; it differs in", differ);
+    check_repeats(*stored);
     return stored;
   }
 
-  [[noreturn]] void refuse(const std::vector<std::string>& differ) const {
-    std::string text = directory_ + ": holds the results of another study; it differs in";
+  // Another build of this version may compute other numbers, and one result would mix the two.
+  void check_repeats(const ResultStore& stored) const {
+    Verification found;
+    verify_rows(*kind_, stored, {.samples = kRowsRepeated}, found);
+    if (found.holds()) return;
+    refuse("holds numbers that this program does not repeat, as of another build or damaged since:",
+           found.complaints);
+  }
+
+  [[noreturn]] void refuse(const std::string& what, const std::vector<std::string>& differ) const {
+    std::string text = directory_ + ": " + what;
     for (std::size_t i = 0; i < differ.size() && i < kDifferencesShown; ++i)
       text += "\n  " + differ[i];
     if (differ.size() > kDifferencesShown)

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Derivatives of what a motor under a voltage has besides its points: where it pulls out, starts and holds.
+#include "performance/curve/prescribed_curve.hpp"
+#include "performance/differentiator.hpp"
+
+#include <cmath>
+
+namespace twum::performance {
+
+// At the fold H = Theta u_0 and H_A = 0: the first moves the speed, the second the amplitude.
+Derived Differentiator::at_pull_out(Metric metric) {
+  const double speed = values_.pull_out_speed();
+  contact::SpeedDual amplitude(values_.motor_at(speed).amplitude);
+  amplitude.d[0] = 1;
+  const DrivenMotor<ModelDual2> motor = differentiated_motor(design_, amplitude, m_.track);
+  ModelDual2 variable = speed_variable<ModelDual2>(speed);
+  variable.v.d[0] = 0;  // the inner derivative is along the amplitude
+  const PointNumbers<ModelDual2> n = values_.point(speed).differentiated(motor, variable);
+  const auto p = wave_point(motor, n, variable);
+  const auto modes = moving_modes(values_.modes(), motor.stator_damping);
+  const DesignDual2 excess =
+      wave_balance(modes, p).force() - moving_drive(modes, *design_.stator.voltage);
+  const DesignDual2 f = widened(point_metric(metric, n, variable, motor));
+  constexpr int kAmplitude = static_cast<int>(model_index(Parameter::amplitude));
+  DesignDual result(f.v.v);
+  for (int j = 0; j < kDesignDirections; ++j) {
+    if (j == kSpeedDirection || j == kAmplitude) continue;
+    const double in_speed = -excess.d[j].v / excess.d[kSpeedDirection].v;
+    const double in_amplitude =
+        -(excess.d[j].d[0] + excess.d[kSpeedDirection].d[0] * in_speed) / excess.d[kAmplitude].d[0];
+    result.d[j] = f.d[j].v + f.d[kSpeedDirection].v * in_speed + f.d[kAmplitude].v * in_amplitude;
+  }
+  return {result, of_point(speed)};
+}
+
+// H is at an extremum over the amplitude, which therefore drops out (D3.3).
+Derived Differentiator::threshold(Metric metric) {
+  const Threshold& t = values_.thresholds().at(metric);
+  if (t.amplitude == 0) return {DesignDual(t.value), Smoothness::flat};
+  const bool is_voltage = metric == Metric::start_voltage || metric == Metric::hold_voltage;
+  const MotorDesign design = is_voltage ? design_ : with(design_, Parameter::frequency, t.value);
+  const DrivenMotor<ModelDual> motor = differentiated_motor(design, t.amplitude, m_.track);
+  const ModelDual rest = speed_variable<ModelDual>(0);
+  const DrivenMotor<double> wave = values_.thresholds().waves_at(t.frequency).motor(t.amplitude);
+  const SolvedPoint point = solve_point(wave, 0);
+  if (point.status != PointStatus::ok) throw SearchFailure{metric_status(point.status)};
+  const Smoothness smoothness = point.special ? Smoothness::smooth : smoothness_of(wave, point, 0);
+  const auto modes = moving_modes(values_.modes(), motor.stator_damping);
+  DesignDual force =
+      wave_balance(modes, wave_point(motor, point.differentiated(motor, rest), rest)).force();
+  force.d[kSpeedDirection] = force.d[model_index(Parameter::amplitude)] = 0;
+  if (is_voltage)
+    return {
+        with_value(force / (modes.force_factor * modes.unequal.share()) * std::sqrt(0.5), t.value),
+        smoothness};
+  return {frequency_of(force - moving_drive(modes, *design_.stator.voltage), design, t.value),
+          smoothness};
+}
+
+// The frequency at which `excess` is zero. Where the layer's viscosity is that of a loss factor it goes with the
+// frequency, there and in the slopes of the design's parameters, which are those at the design's own frequency.
+DesignDual Differentiator::frequency_of(DesignDual excess, const MotorDesign& there,
+                                        double frequency) const {
+  constexpr auto kFrequency = model_index(Parameter::frequency),
+                 kViscosity = model_index(Parameter::shear_viscosity);
+  const double own = drive_frequency(design_);
+  const bool follows = in_use(design_, Parameter::loss_factor);
+  const double slope = excess.d[kFrequency] -
+                       (follows ? excess.d[kViscosity] * shear_viscosity(there) / frequency : 0);
+  DesignDual f(frequency);
+  for (int j = 0; j < kDesignDirections; ++j) f.d[j] = -excess.d[j] / slope;
+  f.d[kFrequency] = 0;
+  if (follows) {
+    f.d[kViscosity] *= own / frequency;
+    f.d[kFrequency] = f.d[kViscosity] * shear_viscosity(design_) / own;
+  }
+  return f;
+}
+
+}  // namespace twum::performance
