@@ -13,7 +13,7 @@
 namespace twum::cli {
 namespace {
 
-constexpr int kRadii = 301, kCells = 401;
+constexpr int kSteps = 301, kCells = 401;
 
 using Rows = std::vector<std::vector<double>>;
 
@@ -28,8 +28,8 @@ PlateEdges edges_of(const stator::StatorModel& plate) {
 Rows shape_rows(const stator::StatorModel& plate) {
   const auto [inner, outer] = edges_of(plate);
   Rows rows;
-  for (int i = 0; i < kRadii; ++i) {
-    const double radius = inner + (outer - inner) * i / (kRadii - 1);
+  for (int i = 0; i < kSteps; ++i) {
+    const double radius = inner + (outer - inner) * i / (kSteps - 1);
     rows.push_back({1e3 * radius, plate.shape(radius)});
   }
   return rows;
