@@ -263,7 +263,7 @@ TEST_CASE("rows of a search can be computed anew, to the bit", "[studies][optimi
   }
   std::vector<double> best;
   for (const NamedValue& v : s.optimum().best.design) best.push_back(v.value);
-  const auto certificate = s.kind->certify(best);
+  const auto certificate = s.kind->certify(best, {});
   REQUIRE(certificate);
   CHECK(certificate->passed);
 }
@@ -316,7 +316,7 @@ TEST_CASE("an optimum with a whole number inside its range is certified again wi
   const std::vector<double> design{test::value(best, "preload"), test::value(best, "wavelengths")};
   CHECK(design[1] > 5);
   CHECK(design[1] < 14);
-  const auto again = search.kind->certify(design);
+  const auto again = search.kind->certify(design, {});
   REQUIRE(again);
   CHECK(again->passed);
 }

@@ -29,19 +29,57 @@ StudyFile narrow_ring(const std::string& slices, const std::string& more = "") {
 
 }  // namespace
 
-TEST_CASE("a search holds the number of slices that auto takes where it begins",
+// Both end where the certificate's tolerance of 1e-8 allows, on a goal whose curvature is of order one on the scale of the search:
+// designs then agree to its root, 1e-4, and goals to 1e-8.
+TEST_CASE("a search goes on with as many slices as auto takes where it ended",
+          "[studies][slices]") {
+  const Search counted(narrow_ring("auto"));
+  CHECK(counted.answer.outcome == "optimal");
+  const auto& best = counted.optimum().best;
+  const int slices = static_cast<int>(test::value(best.design, "radial_slices"));
+  MotorDesign there = narrow_ring("auto").motor.design;
+  there.preload = test::value(best.design, "preload");
+  CHECK(Motor(there).radial_slices() <= slices);
+  REQUIRE(slices > 8);  // more than a search begins with
+  const Search given(narrow_ring(std::to_string(slices)));
+  CHECK(test::value(given.optimum().best.design, "preload") == Approx(there.preload).epsilon(1e-4));
+  for (const NamedValue& each : given.optimum().best.metrics)
+    CHECK(test::value(best.metrics, each.name) == Approx(each.value).epsilon(1e-4));
+  CHECK(test::value(best.metrics, "peak_power") ==
+        Approx(test::value(given.optimum().best.metrics, "peak_power")).epsilon(1e-8));
+}
+
+TEST_CASE("a search cut anywhere goes on to the same answer with more slices",
           "[studies][slices]") {
   const StudyFile file = narrow_ring("auto");
+  const Search whole(file);
+  const std::vector<Row> rows = whole.rows();
+  for (const std::size_t kept : {std::size_t{3}, rows.size() / 2, rows.size() - 2}) {
+    const Search on(file, 1, {rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(kept)});
+    CHECK(on.json() == whole.json());
+    CHECK(on.store->rows() == rows.size());
+  }
+}
+
+TEST_CASE("a front holds the number of slices that auto takes where it begins",
+          "[studies][slices]") {
+  const auto front = [](const std::string& slices) {
+    return test::study_of(
+        "ring-60", "{contact_width: 1.5 mm, radial_slices: " + slices + "}",
+        "{kind: pareto, variables: {preload: {min: 100 N, max: 220 N}}, "
+        "objectives: [maximize: peak_power, maximize: no_load_speed], points: 3}");
+  };
+  const StudyFile file = front("auto");
   const int slices = Motor(file.motor.design).radial_slices();
-  REQUIRE(slices > 1);
-  const Search counted(file), given(narrow_ring(std::to_string(slices)));
-  CHECK(counted.answer.outcome == "optimal");
+  const Search counted(file), given(front(std::to_string(slices)));
+  const auto &points = counted.front().front, &others = given.front().front;
+  REQUIRE(points.size() == others.size());
   // The same function of the design: the same search, to the bit.
-  CHECK(test::value(counted.optimum().best.design, "radial_slices") == slices);
-  for (const NamedValue& each : given.optimum().best.design)
-    CHECK(test::value(counted.optimum().best.design, each.name) == each.value);
-  for (const NamedValue& each : given.optimum().best.metrics)
-    CHECK(test::value(counted.optimum().best.metrics, each.name) == each.value);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    CHECK(test::value(points[i].report.design, "radial_slices") == slices);
+    for (const NamedValue& each : others[i].report.metrics)
+      CHECK(test::value(points[i].report.metrics, each.name) == each.value);
+  }
   CHECK(counted.store->rows() == given.store->rows());
 }
 

@@ -139,7 +139,7 @@ TEST_CASE("a row that no study asks for cannot be computed anew", "[studies][ver
     row.stage = 40;
     CHECK_FALSE(kind->recompute(row).has_value());
     CHECK_FALSE(
-        kind->certify(std::vector<double>{1.5}).has_value());  // these kinds have no optimum
+        kind->certify(std::vector<double>{1.5}, {}).has_value());  // these kinds have no optimum
   }
 }
 

@@ -4,10 +4,15 @@
 #include "kinds/robust_optimum.hpp"
 #include "problem/multi_start.hpp"
 
+#include <twum/optim/solve.hpp>
+
+#include <algorithm>
 #include <cmath>
 
 namespace twum::studies {
 namespace {
+
+constexpr int kFewSlices = 8;  // leave 1e-3 of the torque: a search may go as far as that
 
 DesignProblem nominal(DesignProblem asked) {
   asked.objectives.front() = nominal_goal(asked.objectives.front(), asked.limits);
@@ -20,10 +25,14 @@ OptimumRun::OptimumRun(const StudyFile& file, DesignProblem asked, BuiltMotorsAs
                        optim::SolveOptions options, const std::string& start)
     : SearchRun(file, nominal(asked), std::move(options), start),
       goal_(asked.objectives.front()),
-      built_(std::move(built)) {}
+      built_(std::move(built)) {
+  // The rounds of a robust search are many, and each begins where the last one ended.
+  if (counts_slices() && built_.tolerances.empty()) use_slices(std::min(kFewSlices, slices()));
+}
 
-std::optional<optim::Certificate> OptimumRun::certify(std::span<const double> variables) const {
-  return built_.tolerances.empty() ? SearchRun::certify(variables) : std::nullopt;
+std::optional<optim::Certificate> OptimumRun::certify(
+    std::span<const double> variables, std::span<const ParameterValue> design) const {
+  return built_.tolerances.empty() ? SearchRun::certify(variables, design) : std::nullopt;
 }
 
 OptimizeResult OptimumRun::answer(const optim::Result& found) const {
@@ -84,11 +93,37 @@ std::vector<std::vector<double>> OptimumRun::combinations_at(
   return list;
 }
 
+// Where a search with few slices ended, another goes on with as many as the motor there needs, until no more are needed. Whole
+// numbers and sets stay.
+optim::Result OptimumRun::refined(optim::Result found, RunContext& context) {
+  while (counts_slices() && !found.design.empty() && found.stop == optim::StopReason::finished) {
+    const int needed = slices_needed(found.design);
+    if (needed <= slices()) break;
+    use_slices(needed);
+    SearchLog log(problem(), context, needed);
+    optim::Problem there = log.problem();
+    for (std::size_t j = 0; j < found.design.size(); ++j) {
+      optim::Variable& variable = there.variables[j];
+      variable.start = found.design[j];
+      if (variable.integer) variable.lower = variable.upper = found.design[j];
+    }
+    optim::SolveOptions options = this->options(log, context);
+    options.starts = 1;
+    options.first_stage = first_stage_of_slices(needed);
+    optim::Result finer = optim::solve(there, options);
+    finer.scan = found.scan;
+    finer.stages.insert(finer.stages.begin(), found.stages.begin(), found.stages.end());
+    found = std::move(finer);
+  }
+  return found;
+}
+
 // Under tolerances the optimum without them comes first: it is where the robust search starts, and what its answer is
 // compared with. Where not even one motor keeps the limits, there is nothing to build.
 KindAnswer OptimumRun::run(RunContext& context) {
   SearchLog log(problem(), context);
-  const optim::Result found = solve_from_starts(log.problem(), options(log, context));
+  const optim::Result found =
+      refined(solve_from_starts(log.problem(), options(log, context)), context);
   context.store.flush();
   KindAnswer plain{outcome(found.outcome, context), answer(found)};
   const bool feasible =

@@ -18,13 +18,15 @@ class OptimumRun : public SearchRun {
  public:
   KindAnswer run(RunContext& context) override;
   /// Under tolerances the certificate is one of the last round, which follows from the rows before it.
-  std::optional<optim::Certificate> certify(std::span<const double> variables) const override;
+  std::optional<optim::Certificate> certify(std::span<const double> variables,
+                                            std::span<const ParameterValue> design) const override;
 
  protected:
   OptimumRun(const StudyFile& file, DesignProblem asked, BuiltMotorsAsked built,
              optim::SolveOptions options, const std::string& start);
 
  private:
+  optim::Result refined(optim::Result found, RunContext& context);
   OptimizeResult answer(const optim::Result& found) const;
   DesignProblem held(std::span<const double> design) const;
   std::vector<std::vector<double>> combinations_at(const std::vector<double>& design) const;

@@ -45,8 +45,9 @@ class ParetoRun : public SearchRun {
         statistics_(asked.statistics) {}
 
   /// Under tolerances the certificates are those of rounds, which follow from the rows before them.
-  std::optional<optim::Certificate> certify(std::span<const double> variables) const override {
-    return tolerances_.empty() ? SearchRun::certify(variables) : std::nullopt;
+  std::optional<optim::Certificate> certify(std::span<const double> variables,
+                                            std::span<const ParameterValue> design) const override {
+    return tolerances_.empty() ? SearchRun::certify(variables, design) : std::nullopt;
   }
 
   KindAnswer run(RunContext& context) override {

@@ -143,7 +143,7 @@ std::string SearchRows::key(std::span<const double> design, bool gradient) {
   return bytes;
 }
 
-SearchLog::SearchLog(const DesignProblem& problem, RunContext& context)
+SearchLog::SearchLog(const DesignProblem& problem, RunContext& context, int more_slices)
     : question_(problem),
       context_(context),
       rows_(problem),
@@ -151,7 +151,7 @@ SearchLog::SearchLog(const DesignProblem& problem, RunContext& context)
       best_(kNoValue) {
   const std::size_t variables = answering_.variables.size();
   context.store.read([&](const Row& row) {
-    if (row.stage >= kRobustStages) return;
+    if (row.stage >= kRobustStages || slices_of_stage(row.stage) != more_slices) return;
     const std::span design(row.values.data(), variables);
     stored_.emplace(SearchRows::key(design, rows_.asked_gradient(row)), rows_.evaluation(row));
   });

@@ -17,6 +17,21 @@ namespace twum::studies {
 /// Stages from here on are those of a search under tolerances; see robust_log.hpp.
 inline constexpr std::uint64_t kRobustStages = 1'000'000;
 
+/// @name Stages of a search that goes on with more slices than it began with
+/// The number of slices is told by the stage, so that each row can be computed by itself.
+/// @{
+inline constexpr std::uint64_t kMoreSlicesStages = 500'000;
+inline constexpr std::uint64_t kStagesOfSlices = 1900;  // 256 slices end before kRobustStages
+constexpr std::uint64_t first_stage_of_slices(int slices) {
+  return kMoreSlicesStages + kStagesOfSlices * static_cast<std::uint64_t>(slices);
+}
+/// 0 where a search began.
+constexpr int slices_of_stage(std::uint64_t stage) {
+  if (stage < kMoreSlicesStages || stage >= kRobustStages) return 0;
+  return static_cast<int>((stage - kMoreSlicesStages) / kStagesOfSlices);
+}
+/// @}
+
 /// How the evaluations of a search stand in the store: one row each, its variables, the numbers of its sets, then every
 /// distinct metric of the question. A metric at a load that the motor cannot carry has no value there,
 /// and the row is no failure: the design is infeasible. The bytes of `detail` hold
@@ -67,7 +82,8 @@ class SearchRows {
 class SearchLog {
  public:
   /// Keeps references to both.
-  SearchLog(const DesignProblem& problem, RunContext& context);
+  /// @param more_slices  than the search began with, see slices_of_stage()
+  SearchLog(const DesignProblem& problem, RunContext& context, int more_slices = 0);
 
   /// motor_problem(), answering from the store where it can.
   const optim::Problem& problem() const noexcept { return answering_; }

@@ -47,21 +47,32 @@ SearchRun::SearchRun(const StudyFile& file, DesignProblem asked, optim::SolveOpt
       options_(std::move(options)) {
   problem_.motor = before_;
   if (!start.empty()) start_from((std::filesystem::path(file.folder) / start).string());
-  if (counts_slices()) keep_slices();
+  counts_slices_ = leaves_slices();
+  if (!counts_slices_) return;
+  besides_.push_back(Parameter::radial_slices);  // said with each design
+  use_slices(Motor(problem_.motor).radial_slices());
 }
 
-bool SearchRun::counts_slices() const {
+bool SearchRun::leaves_slices() const {
   const auto varied = parameters_of(problem_.variables);
   return problem_.motor.stator.radial_slices == kAutoSlices &&
          std::find(varied.begin(), varied.end(), Parameter::radial_slices) == varied.end();
 }
 
-// A number of slices that changes with the design makes steps that a certificate sees: the search has that of the motor where it
-// begins, and says so with each design.
-void SearchRun::keep_slices() {
-  const int slices = Motor(problem_.motor).radial_slices();
+void SearchRun::use_slices(int slices) {
   problem_.motor.stator.radial_slices = before_.stator.radial_slices = slices;
-  besides_.push_back(Parameter::radial_slices);
+}
+
+DesignProblem SearchRun::asked_with(int slices) const {
+  DesignProblem asked = problem_;
+  if (counts_slices_) asked.motor.stator.radial_slices = slices;
+  return asked;
+}
+
+int SearchRun::slices_needed(std::span<const double> design) const {
+  MotorDesign motor = motor_of(problem_, design);
+  motor.stator.radial_slices = kAutoSlices;
+  return Motor(motor).radial_slices();
 }
 
 // The earlier design is the motor from now on; where it is varied, the search starts there.
@@ -78,7 +89,7 @@ void SearchRun::start_from(const std::string& folder) {
     const auto derived = parameters_of(problem_.derived);
     if (std::find(derived.begin(), derived.end(), parameter) != derived.end()) continue;
     if (is_chosen(parameter)) continue;
-    if (parameter == Parameter::radial_slices && counts_slices()) continue;
+    if (parameter == Parameter::radial_slices && leaves_slices()) continue;
     if (variable == problem_.variables.end())
       besides_.push_back(parameter);
     else if (std::isnan(variable->start))
@@ -156,22 +167,28 @@ std::string SearchRun::outcome(optim::Outcome outcome, const RunContext& context
 }
 
 std::optional<Row> SearchRun::recompute(const Row& stored) const {
-  const SearchRows rows(problem_);
+  const int more = slices_of_stage(stored.stage);
+  const DesignProblem asked = more > 0 ? asked_with(more) : problem_;
+  const SearchRows rows(asked);
   const std::span design(stored.values.data(), variables());
   if (stored.stage >=
       kRobustStages) {  // whether a round has a value there follows from the rows before it
     Row row = rows.row(stored.stage, stored.index, design, false,
-                       MotorResponses(problem_).evaluate(design, false));
+                       MotorResponses(asked).evaluate(design, false));
     row.status = stored.status;
     return row;
   }
   const bool gradient = rows.asked_gradient(stored);
-  optim::Evaluation evaluation = MotorResponses(problem_).evaluate(design, gradient);
+  optim::Evaluation evaluation = MotorResponses(asked).evaluate(design, gradient);
   if (evaluation.ok() && !finite(evaluation)) evaluation.failure = "not-finite";
   return rows.row(stored.stage, stored.index, design, gradient, evaluation);
 }
 
-std::optional<optim::Certificate> SearchRun::certify(std::span<const double> variables) const {
+std::optional<optim::Certificate> SearchRun::certify(std::span<const double> variables,
+                                                     std::span<const ParameterValue> design) const {
+  for (const auto& [parameter, value] : design)
+    if (parameter == Parameter::radial_slices)
+      return certificate(asked_with(static_cast<int>(value)), variables);
   return certificate(problem_, variables);
 }
 

@@ -23,7 +23,8 @@ class SearchRun : public StudyKindRun {
   std::vector<std::string> notes() const override;
   std::vector<std::string> notes_before() const override;
   std::optional<Row> recompute(const Row& stored) const override;
-  std::optional<optim::Certificate> certify(std::span<const double> variables) const override;
+  std::optional<optim::Certificate> certify(std::span<const double> variables,
+                                            std::span<const ParameterValue> design) const override;
 
  protected:
   /// @param asked  the question but for the motor, which is the file's
@@ -38,21 +39,32 @@ class SearchRun : public StudyKindRun {
   /// A design's certificate with these goals and limits, by the study's options; whole numbers are held.
   optim::Certificate certificate(const DesignProblem& asked, std::span<const double> design) const;
   DesignReporter reporter() const { return {problem_, besides_}; }
+  /// @name The slices of a motor whose file leaves them to `auto`, in a search that does not vary them
+  /// A number that changes with the design makes steps that a certificate sees: a search has one number.
+  /// @{
+  bool counts_slices() const { return counts_slices_; }
+  int slices() const { return problem_.motor.stator.radial_slices; }
+  /// All that is asked from now on is asked of so many slices.
+  void use_slices(int slices);
+  /// As many as `auto` takes for a design.
+  int slices_needed(std::span<const double> design) const;
+  /// @}
   const DesignProblem& problem() const { return problem_; }
   const MotorDesign& before() const { return before_; }
   /// "interrupted" if it was asked to stop, otherwise the outcome's word.
   static std::string outcome(optim::Outcome outcome, const RunContext& context);
 
  private:
-  bool counts_slices() const;
-  void keep_slices();
+  bool leaves_slices() const;
+  DesignProblem asked_with(int slices) const;
   void start_from(const std::string& folder);
   bool is_chosen(Parameter parameter) const;
 
   DesignProblem problem_;
   MotorDesign before_;              // the motor of the file, its slices those of the search
   std::string limits_entry_;        // where a study of this kind has its limits
-  std::vector<Parameter> besides_;  // changed by the start, and not a variable here
+  std::vector<Parameter> besides_;  // not variables here: changed by the start, or counted slices
+  bool counts_slices_;
   optim::SolveOptions options_;
 };
 

@@ -75,7 +75,9 @@ class StudyKindRun {
   virtual std::optional<Row> recompute(const Row& stored) const;
   /// The certificate of a design (its variables in their order, SI) as a solution of this study, for
   /// `twum verify`: feasibility and stationarity measured again. Nothing: this kind has no optimum.
-  virtual std::optional<optim::Certificate> certify(std::span<const double> variables) const;
+  /// @param design  all that the report says of the design, the variables included
+  virtual std::optional<optim::Certificate> certify(std::span<const double> variables,
+                                                    std::span<const ParameterValue> design) const;
 
  protected:
   StudyKindRun() = default;
@@ -83,7 +85,7 @@ class StudyKindRun {
 
 inline std::optional<Row> StudyKindRun::recompute(const Row& /*stored*/) const { return {}; }
 inline std::optional<optim::Certificate> StudyKindRun::certify(
-    std::span<const double> /*variables*/) const {
+    std::span<const double> /*variables*/, std::span<const ParameterValue> /*design*/) const {
   return {};
 }
 

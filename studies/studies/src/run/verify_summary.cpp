@@ -113,7 +113,8 @@ class DesignCheck {
       if (!value) return;
       variables.push_back(*value);
     }
-    const std::optional<optim::Certificate> now = kind_.certify(variables);
+    const std::optional<optim::Certificate> now =
+        kind_.certify(variables, parameters_of(report["design"]));
     if (!now) return;
     ++found_.certificates;
     if (!now->passed && !on_a_hollow_front(*now))
