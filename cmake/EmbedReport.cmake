@@ -1,13 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-# cmake -DOUT=FILE.cpp -DPAGE=... -DSTYLES=a;b -DSCRIPTS=a;b -P EmbedReport.cmake
+# cmake -DOUT=FILE.cpp -DPAGE=... -DSTYLES=a;b -DSCRIPTS=a;b -DDESIGNER_PAGE=... -DDESIGNER_STYLES=a;b -DDESIGNER_SCRIPTS=a;b
+#   [-DMODULE=core.wasm.gz] -P EmbedReport.cmake
 #
-# Writes the page's template, its styles and its scripts, each kind in one piece, as functions of C++.
-function(embed name)
-  set(bytes "")
-  foreach(file ${ARGN})
-    file(READ ${file} part HEX)
-    string(APPEND bytes "${part}0a")
-  endforeach()
+# Writes the pages' templates, their styles and scripts, each kind in one piece, the hashes of those of the designer, and the
+# core for pages as functions of C++.
+function(write_bytes name bytes)
   string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${bytes}")
   string(REGEX REPLACE "(0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,)" "\\1\n"
     bytes "${bytes}")
@@ -16,8 +13,38 @@ function(embed name)
     "  return {reinterpret_cast<const char*>(k_${name}), sizeof k_${name}};\n}\n")
 endfunction()
 
+function(embed name)
+  set(bytes "")
+  foreach(file ${ARGN})
+    file(READ ${file} part HEX)
+    string(APPEND bytes "${part}0a")
+  endforeach()
+  write_bytes(${name} "${bytes}")
+endfunction()
+
+function(embed_with_hash name)
+  embed(${name} ${ARGN})
+  set(whole ${OUT}.${name})
+  file(WRITE ${whole} "")
+  foreach(file ${ARGN})
+    file(READ ${file} part)
+    file(APPEND ${whole} "${part}\n")
+  endforeach()
+  file(SHA256 ${whole} hash)
+  write_bytes(${name}_hash ${hash})
+endfunction()
+
 file(WRITE ${OUT} "#include \"report/assets.hpp\"\nnamespace twum::studies::assets {\n")
 embed(page ${PAGE})
 embed(style ${STYLES})
 embed(script ${SCRIPTS})
+embed(designer_page ${DESIGNER_PAGE})
+embed_with_hash(designer_style ${DESIGNER_STYLES})
+embed_with_hash(designer_script ${DESIGNER_SCRIPTS})
+if(MODULE)
+  file(READ ${MODULE} bytes HEX)
+  write_bytes(core_module ${bytes})
+else()
+  file(APPEND ${OUT} "std::string_view core_module() { return {}; }\n")
+endif()
 file(APPEND ${OUT} "}\n")

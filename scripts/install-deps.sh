@@ -19,6 +19,8 @@ build_packages=(
   libudunits2-dev libcli11-dev nlohmann-json3-dev libfmt-dev libsqlite3-dev libboost-dev
   # the Python module
   pybind11-dev python3-dev python3-numpy
+  # the core for pages
+  clang-14 lld-14 wasi-libc libc++-14-dev-wasm32 libc++abi-14-dev-wasm32 libclang-rt-14-dev-wasm32
   # started by twum for plots
   gnuplot-nox
 )
@@ -39,7 +41,7 @@ test_packages=(
 )
 long_packages=(
   # pagmo is a cross-check of fronts
-  libpagmo-dev debootstrap valgrind gcovr clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14
+  libpagmo-dev debootstrap valgrind gcovr libclang-rt-14-dev clang-format-14 clang-tidy-14
   # checks the scripts of the report page
   node-typescript
   # the stator as a solid, in tests

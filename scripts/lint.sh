@@ -15,7 +15,7 @@ fi
 "$format" --dry-run --Werror "${files[@]}"
 # The page's scripts as one program: names, arguments and types, as far as they can be inferred.
 tsc --noEmit --allowJs --checkJs --noUnusedLocals --noUnusedParameters --target es2022 \
-  --lib es2022,dom,dom.iterable studies/report/page/*.d.ts studies/report/page/*.js
+  --lib es2022,dom,dom.iterable studies/report/page/*.d.ts studies/report/page/*.js studies/report/page/designer/*.js
 
 if [[ ${1:-} == --tidy ]]; then
   configure dev

@@ -25,6 +25,8 @@ ALLOWED = {
     "optim": ["core/base", "optim"],
     "apps": ALL_STUDIES + ["apps"],
     "bindings": ALL_STUDIES + ["bindings"],
+    # Compiled for pages: core, and of studies what writes notes and curves.
+    "bindings/wasm": CORE + ["core/stator", "studies/files/text", "studies/files/units", "studies/motors/motor", "bindings/wasm"],
     "tests/core": ["core/stator"] + CORE + ["tests/core", "tests/support"],
     "tests/stator": ["core/base", "core/stator", "tests/stator", "tests/support"],
     "tests/optim": ["core/base", "optim", "tests/optim", "tests/support"],
@@ -75,7 +77,7 @@ def layer(path):
             if folder in parts:
                 return "core/" + folder
         return "core/performance"  # umbrella headers
-    if parts[0] == "tests":
+    if parts[0] == "tests" or parts[:2] == ["bindings", "wasm"]:
         return "/".join(parts[:2])
     if parts[0] == "studies":  # studies/PART/src/FOLDER/... or studies/PART/include/twum/studies/FOLDER/...
         below = parts[3:] if parts[2] == "src" else parts[5:]

@@ -22,6 +22,8 @@ apt-get -q -y --no-install-recommends install ./twum_*.deb
 twum --version
 twum init motor -o ring.yaml
 twum curve ring.yaml --points 3
+twum explore ring.yaml
+grep -q '"core":"H4sI' ring.html
 twum init optimize --motor ring.yaml -o study.yaml
 twum run study.yaml -o result || [ $? -le 1 ]
 python3 -c "import twum; print('torque', twum.Motor('ring.yaml').stall_torque)"

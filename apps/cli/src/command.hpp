@@ -15,6 +15,7 @@ using Action = std::function<int()>;
 /// Each adds one command with its options; when the command is chosen, `action` becomes what it does.
 void add_curve(CLI::App& app, Action& action);
 void add_fields(CLI::App& app, Action& action);
+void add_explore(CLI::App& app, Action& action);
 void add_frequency(CLI::App& app, Action& action);
 void add_stator(CLI::App& app, Action& action);
 void add_evaluate(CLI::App& app, Action& action);

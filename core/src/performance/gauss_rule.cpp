@@ -4,7 +4,6 @@
 #include <boost/math/special_functions/legendre.hpp>
 
 #include <map>
-#include <mutex>
 
 namespace twum::performance {
 namespace {
@@ -26,9 +25,7 @@ GaussRule made(int nodes) {
 }  // namespace
 
 const GaussRule& gauss_rule(int nodes) {
-  static std::mutex guard;
-  static std::map<int, GaussRule> rules;
-  const std::lock_guard lock(guard);
+  thread_local std::map<int, GaussRule> rules;
   const auto [place, fresh] = rules.try_emplace(nodes);
   if (fresh) place->second = made(nodes);
   return place->second;

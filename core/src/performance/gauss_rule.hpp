@@ -13,7 +13,7 @@ struct GaussRule {
   std::vector<Node> nodes;  ///< in rising order
 };
 
-/// The rule of a number of nodes, made once; it lives as long as the program.
+/// The rule of a number of nodes, made once in each thread; it lives as long as the thread.
 const GaussRule& gauss_rule(int nodes);
 
 }  // namespace twum::performance

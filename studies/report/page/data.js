@@ -2,14 +2,6 @@
 'use strict';
 // The result, as it stands in the page: summary.json, curves, and the stored rows as typed arrays.
 
-/** A typed array from the base64 of its little-endian bytes. */
-function numbers(text, Type) {
-  const letters = atob(text);
-  const bytes = new Uint8Array(letters.length);
-  for (let i = 0; i < letters.length; ++i) bytes[i] = letters.charCodeAt(i);
-  return new Type(bytes.buffer);
-}
-
 const data = JSON.parse(document.getElementById('data').textContent);
 const summary = data.summary;
 

@@ -41,8 +41,8 @@ function seriesDash(i) { return i >= 5 ? [7, 4] : undefined; }
 function seriesEntry(name, i) { return { name, colour: seriesColours[i % 7], kind: i >= 5 ? 'dash' : '' }; }
 
 /** Offers a text as a file. */
-function save(name, text) {
-  const url = URL.createObjectURL(new Blob([text], { type: 'text/csv' }));
+function save(name, text, type = 'text/csv') {
+  const url = URL.createObjectURL(new Blob([text], { type }));
   el('a', { href: url, download: name }).click();
   setTimeout(() => URL.revokeObjectURL(url), 1000);
 }

@@ -2,10 +2,6 @@
 'use strict';
 // Pressure, traction with its bounds, and surface velocities along the contact at one speed.
 
-const zoneColours = { 1: 'slip-plus', 0: 'stick', '-1': 'slip-minus' };
-const zoneNames = { 1: 'slip+', 0: 'stick', '-1': 'slip-' };
-const degree = Math.PI / 180;
-
 function readFields(curve) {
   const f = curve.fields;
   if (!f) return null;

@@ -2,8 +2,6 @@
 'use strict';
 // Names, limits, and what moving a limit is worth, as people say it.
 
-const nameWords = { youngs_modulus: "Young's modulus", poisson_ratio: 'Poisson ratio', amplitude: 'wave amplitude', frequency: 'drive frequency', wavelengths: 'number of wavelengths', no_load_speed: 'no-load speed' };
-
 /** "peak_power" and "torque_at(80 rpm)" as one reads them; what is ambiguous with the part of the motor. */
 function plain(name) {
   const call = /^(\w+)_at\((.*)\)$/s.exec(name);
@@ -21,12 +19,8 @@ function statisticWords(kind, inside) {
   return inside.slice(comma + 1).trim() + ' quantile of the ' + plain(inside.slice(0, comma).trim());
 }
 
-function shortName(name) { return Object.hasOwn(nameWords, name) ? nameWords[name] : name.replace(/_/g, ' '); }
-
 /** A sentence with the names in it as one reads them. */
 function plainNames(text) { return text.replace(/\b[a-z]+(_[a-z]+)+\b/g, plain); }
-
-function capital(text) { return text.charAt(0).toUpperCase() + text.slice(1); }
 
 function axisLabel(name, shown) { return plain(name) + (shown.text ? ' [' + shown.text + ']' : ''); }
 

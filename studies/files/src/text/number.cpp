@@ -100,11 +100,4 @@ std::string rounded_text(double value, int digits) {
   return {buffer.data(), end};
 }
 
-std::string about(double value) {
-  constexpr double kWhole = 1e15;  // beyond it digits of a whole number mean nothing
-  const double size = std::fabs(value);
-  return size < 99.5 || !(size < kWhole) ? rounded_text(value, 2)
-                                         : std::to_string(std::llround(value));
-}
-
 }  // namespace twum::studies

@@ -29,6 +29,7 @@ std::string encoded(std::span<const std::byte> bytes) {
 
 }  // namespace
 
+std::string base64(std::string_view bytes) { return encoded(std::as_bytes(std::span(bytes))); }
 std::string base64(std::span<const double> values) { return encoded(std::as_bytes(values)); }
 std::string base64(std::span<const float> values) { return encoded(std::as_bytes(values)); }
 std::string base64(std::span<const std::uint16_t> values) { return encoded(std::as_bytes(values)); }

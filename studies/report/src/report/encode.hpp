@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 
-/// Columns of numbers as base64 of their little-endian bytes, which a browser turns into typed
+/// Bytes, and columns of numbers, as base64 of their little-endian bytes, which a browser turns into typed
 /// arrays without reading a digit; internal.
 namespace twum::studies {
 
+std::string base64(std::string_view bytes);
 std::string base64(std::span<const double> values);
 std::string base64(std::span<const float> values);
 std::string base64(std::span<const std::uint16_t> values);

@@ -3,43 +3,19 @@
 
 #include "report/assets.hpp"
 #include "report/curves.hpp"
+#include "report/page_parts.hpp"
 #include "report/rows.hpp"
+#include "report/tables.hpp"
 #include "results/answers.hpp"
 #include "run/stored_study.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/core/design/parameters.hpp>
-#include <twum/core/performance/metrics.hpp>
-#include <twum/studies/metrics/reasons.hpp>
 
 #include <algorithm>
 
 namespace twum::studies {
 namespace {
-
-Json parameters_json() {
-  Json json = Json::object();
-  for (const ParameterInfo& row : parameter_table())
-    json[std::string(row.name)] = {{"symbol", row.symbol},
-                                   {"unit", row.unit},
-                                   {"text", row.text},
-                                   {"integer", row.integer},
-                                   {"part", row.file_entry.substr(0, row.file_entry.find('.'))}};
-  return json;
-}
-
-Json metrics_json() {
-  Json json = Json::object();
-  for (const MetricInfo& row : metric_table())
-    json[std::string(row.name)] = {{"unit", row.unit}, {"text", row.text}};
-  return json;
-}
-
-Json reasons_json() {
-  Json json = Json::object();
-  for (const Reason& reason : reasons()) json[to_string(reason.status)] = reason.meaning;
-  return json;
-}
 
 void add(Json& curves, Json curve) {
   if (!curve.is_null()) curves.push_back(std::move(curve));
@@ -132,25 +108,6 @@ Json ranges_json(const StudyFile& study) {
       },
       study.asked);
   return json;
-}
-
-// JSON that may stand inside an HTML script element, whatever the names in it are.
-std::string embedded(const Json& json) {
-  std::string text;
-  for (const char letter : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
-    if (letter == '<')
-      text += "\\u003c";
-    else
-      text += letter;
-  }
-  return text;
-}
-
-std::string filled(std::string_view page, std::string_view mark, std::string_view content) {
-  const std::size_t at = page.find(mark);
-  TWUM_ASSERT(at != std::string_view::npos);
-  return std::string(page.substr(0, at)) + std::string(content) +
-         std::string(page.substr(at + mark.size()));
 }
 
 }  // namespace

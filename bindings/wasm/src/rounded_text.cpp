@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/studies/text/number.hpp>
+
+#include <cstdio>
+
+namespace twum::studies {
+
+// The library's own writes the same with std::to_chars, whose tables would be an eighth of the module. There is one locale here.
+std::string rounded_text(double value, int digits) {
+  char buffer[64];
+  const int size = std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
+  return {buffer, static_cast<std::size_t>(size)};
+}
+
+}  // namespace twum::studies

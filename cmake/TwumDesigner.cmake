@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: Apache-2.0
+# TWUM_WITH_DESIGNER is on by itself where the tools are that compile the core for a page: Clang 14 with its linker, and the C
+# and C++ libraries of wasm32-wasi. scripts/install-deps.sh installs them.
+find_program(TWUM_WASM_COMPILER NAMES clang++-14)
+
+# Compiles and links a program that needs both libraries.
+function(twum_find_wasm_tools result)
+  set(probe ${CMAKE_BINARY_DIR}/CMakeFiles/wasm_probe)
+  file(WRITE ${probe}.cpp "#include <vector>\nint main() { return static_cast<int>(std::vector<int>(3).size()); }\n")
+  execute_process(
+    COMMAND ${TWUM_WASM_COMPILER} --target=wasm32-wasi -std=c++20 -fno-exceptions ${probe}.cpp -o ${probe}.wasm
+    RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
+  if(failed)
+    set(${result} OFF PARENT_SCOPE)
+  else()
+    set(${result} ON PARENT_SCOPE)
+  endif()
+endfunction()
+
+set(can_build_designer OFF)
+if(TWUM_WASM_COMPILER AND NOT DEFINED TWUM_WITH_DESIGNER)
+  twum_find_wasm_tools(can_build_designer)
+endif()
+if(NOT can_build_designer AND NOT DEFINED TWUM_WITH_DESIGNER)
+  message(STATUS "Pages come without the designer: no Clang 14 for wasm32-wasi (scripts/install-deps.sh installs it)")
+endif()
+option(TWUM_WITH_DESIGNER "Compile the core for the designer in pages (twum explore, reports)" ${can_build_designer})
+if(TWUM_WITH_DESIGNER)
+  set(TWUM_DESIGNER_MODULE ${PROJECT_BINARY_DIR}/bindings/wasm/core.wasm.gz)
+endif()

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/studies/motor/motor_file.hpp>
+
+#include <string>
+
+namespace twum::studies {
+
+/// Whether this build carries the core for pages. Without it the page of designer_html() says what is missing.
+bool has_designer() noexcept;
+
+/// A page in which the motor answers while one moves its parameters: one file that needs no network.
+std::string designer_html(const MotorFile& motor);
+
+}  // namespace twum::studies

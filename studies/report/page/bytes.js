@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+'use strict';
+// Bytes that stand in the page as base64.
+
+function bytesOf(text) {
+  const letters = atob(text);
+  const bytes = new Uint8Array(letters.length);
+  for (let i = 0; i < letters.length; ++i) bytes[i] = letters.charCodeAt(i);
+  return bytes;
+}
+
+/** A typed array from the base64 of its little-endian bytes. */
+function numbers(text, Type) { return new Type(bytesOf(text).buffer); }

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: Apache-2.0
+'use strict';
+// The panel: what a person moves goes to the core, and what the core says is drawn, once a frame.
+
+const curvePoints = 161;
+const quickPoints = 61; // while a slider moves a motor that takes longer than a frame
+let panels = 0;
+const restDelay = 40; // [ms] without a move, after which the rest is computed
+
+class DesignerPanel {
+  /**
+   * @param {HTMLElement} node
+   * @param {any} tables  parameters, metrics, reasons, units, materials
+   * @param {Core} core
+   * @param {StatedMotor} motor
+   */
+  constructor(node, tables, core, motor, inAddress = false) {
+    this.id = String(++panels);
+    this.tables = tables;
+    this.core = core;
+    this.inAddress = inAddress;
+    this.state = new DesignState(motor);
+    this.rows = {};
+    this.tasks = [];
+    /** @type {{speed: number, torque: number}[] | null} */
+    this.measured = null;
+    this.changed = true;
+    this.moved = true;
+    this.playing = !matchMedia('(prefers-reduced-motion: reduce)').matches;
+    this.times = { compute: 0, frame: 0 };
+    if (inAddress) this.state.fromHash(location.hash, core, tables);
+    this.build(node);
+    requestAnimationFrame((now) => this.frame(now));
+  }
+
+  build(node) {
+    this.node = node;
+    this.say = el('p', { class: 'say', role: 'status' });
+    this.title = el('h1', {});
+    this.sliders = el('div', {});
+    const [tiles, torque, power, efficiency, wave, traction, velocity, section] = Array.from({ length: 8 }, () => el('div', {}));
+    this.tiles = new Tiles(el('div', { class: 'facts' }), this);
+    this.fieldsTitle = el('p', { class: 'read', 'data-fields': 'title' });
+    tiles.append(this.tiles.node);
+    this.limits = new LimitsEditor(this);
+    const panelCard = (title, width, ...children) => el('section', { class: 'card ' + width }, title ? el('h2', {}, title) : null, ...children);
+    node.append(
+      el('header', {}, this.title, designerTools(this), this.say),
+      el('div', { class: 'left' }, panelCard('Motor', '', this.goalChoice(), this.sliders)),
+      el('div', { class: 'right' },
+        panelCard(null, 'numbers', tiles),
+        panelCard(null, 'chief', torque),
+        el('div', { class: 'pair' }, panelCard(null, '', power), panelCard(null, '', efficiency)),
+        panelCard('In the contact', '', this.fieldsTitle, wave, zoneLegend(), el('div', { class: 'pair' }, traction, velocity)),
+        panelCard('Load, limits and a metric that stays', '', this.limits.node),
+        panelCard('Cross-section', '', section)));
+    this.buildCharts(torque, power, efficiency, wave, traction, velocity, section);
+    node.addEventListener('keydown', (event) => this.keys(event));
+  }
+
+  buildCharts(torque, power, efficiency, wave, traction, velocity, section) {
+    const { view } = this.state;
+    this.charts = [
+      new LiveChart(torque, { name: 'torque', unit: 'N.m', height: 300, lines: [{ column: 'torque', name: 'torque', colour: 'c0' }],
+        ground: (u, shown) => shown.curve && drawRegions(u, shown, this.state.view.limits), front: (u, shown) => this.drawOnTorque(u, shown) }, this),
+      new LiveChart(power, { name: 'power', unit: 'W', height: 240, lines: [{ column: 'output_power', name: 'output', colour: 'c0' }, { column: 'friction_power', name: 'friction loss', colour: 'c1' }, { column: 'layer_loss', name: 'layer loss', colour: 'c2' }, { column: 'stator_loss', name: 'stator loss', colour: 'c3' }] }, this),
+      new LiveChart(efficiency, { name: 'efficiency', unit: '%', top: 100, height: 240, lines: [{ column: 'efficiency', name: 'motor', colour: 'c0' }, { column: 'contact_efficiency', name: 'contact', colour: 'c1' }, { column: 'overall_efficiency', name: 'at the terminals', colour: 'c3' }] }, this),
+    ];
+    power.prepend(legend([{ name: 'output', colour: 'c0' }, { name: 'friction loss', colour: 'c1' }, { name: 'layer loss', colour: 'c2' }, { name: 'stator loss', colour: 'c3' }]));
+    efficiency.prepend(legend([{ name: 'motor', colour: 'c0' }, { name: 'contact alone', colour: 'c1' }, { name: 'at the terminals', colour: 'c3' }]));
+    torque.prepend(legend([{ name: 'torque', colour: 'c0' }, { name: 'load', colour: 'c6', kind: 'dash' }, { name: 'pinned motor: thin dashes', colour: 'soft', kind: 'dash' }]));
+    this.wave = new WaveView(wave);
+    this.fields = new FieldsView([traction, velocity]);
+    this.section = new SectionView(section);
+    this.limits.show(view);
+  }
+
+  drawOnTorque(u, shown) {
+    const { load } = this.state.view;
+    drawLoad(u, shown, load, this.meeting);
+    if (this.measured) drawMarks(u, this.measured.map((p) => ({ x: p.speed / rpm, y: p.torque / shown.unit.divisor, colour: 'c1', small: true })));
+  }
+
+  goalChoice() {
+    this.goal = el('select', { 'aria-label': 'metric of the effects', onchange: () => { this.state.remember(); this.state.view.goal = this.goal.value; this.changed = true; } });
+    return el('label', { class: 'goal' }, 'Effect of 1 % more on ', this.goal);
+  }
+
+  // What a person does.
+
+  setValue(name, value, moving = null) {
+    if (!Number.isFinite(value)) return;
+    this.state.remember(moving);
+    if (moving) this.dragging = true;
+    this.state.set(name, value, this.tables.parameters[name].twin);
+    this.changed = true;
+  }
+
+  /** A slider has come to rest. */
+  settled() {
+    this.dragging = false;
+    this.state.settle();
+    this.changed = true;
+  }
+
+  /** Gives the other of two parameters that say the same, with the value that it has now. */
+  swapTwin(name, twin) {
+    const value = this.now?.values[twin];
+    if (!Number.isFinite(value)) { this.tell(capital(shortName(twin)) + ' has no value here: the motor file has to give the modal data of the stator.', true); return; }
+    this.setValue(twin, value);
+    delete this.state.motor.values[name];
+  }
+
+  setSpeed(speed) {
+    this.state.view.speed = Math.min(Math.max(speed, 0), this.now ? this.now.last_speed : speed);
+    this.moved = true;
+  }
+
+  /** Arrow keys, Home and End on a chart move the speed. */
+  speedKey(event) {
+    if (!this.now) return;
+    const count = 201;
+    const at = Math.round((this.state.view.speed / this.now.last_speed) * (count - 1));
+    const next = keyStep(event, at, count);
+    if (next !== null) this.setSpeed((next / (count - 1)) * this.now.last_speed);
+  }
+
+  keys(event) {
+    if (!(event.ctrlKey || event.metaKey) || event.target instanceof HTMLInputElement && event.target.type === 'text') return;
+    if (event.key === 'z' || event.key === 'y') {
+      event.preventDefault();
+      this.stepTo(event.key === 'y' || event.shiftKey ? 'forth' : 'back');
+    }
+  }
+
+  stepTo(which) {
+    if (!this.state[which]()) return;
+    this.limits.show(this.state.view);
+    this.changed = true;
+  }
+
+  openMotor(motor) {
+    this.state.open(motor);
+    for (const row of Object.values(this.rows)) row.range = null;
+    this.changed = true;
+  }
+
+  pin() {
+    this.pinned = this.pinned ? null : { curve: this.curve, metrics: this.metrics };
+    this.changed = true;
+    return Boolean(this.pinned);
+  }
+
+  tell(text, bad = false) {
+    if (this.say.textContent !== text) this.say.textContent = text;
+    this.say.classList.toggle('bad', bad);
+  }
+
+  // A frame.
+
+  frame(now) {
+    const begin = performance.now();
+    const seconds = Math.min(0.05, (now - (this.last ?? now)) / 1000);
+    this.last = now;
+    const [changed, moved] = [this.changed, this.moved];
+    this.changed = this.moved = false;
+    if (changed) this.recompute();
+    if (changed || moved) this.showFields();
+    if (this.playing || changed || moved) this.wave.draw(this.playing ? seconds : 0);
+    if (changed || moved) this.times.frame = performance.now() - begin;
+    requestAnimationFrame((next) => this.frame(next));
+  }
+
+  /** Everything that follows from the motor at once; what takes longer waits until nothing moves. */
+  recompute() {
+    clearTimeout(this.waiting);
+    this.tasks = [];
+    try {
+      const begin = performance.now();
+      this.compute(this.dragging || this.state.motor.values.radial_slices !== 1);
+      this.times.compute = performance.now() - begin;
+      this.node.classList.remove('stale');
+    } catch (error) {
+      if (!(error instanceof CoreError)) throw error;
+      this.now = null;
+      this.waiting = null;
+      this.node.classList.add('stale');
+      this.tell(error.message.replaceAll('\n', '; '), true);
+      this.showControls();
+      return;
+    }
+    this.showControls();
+    this.waiting = setTimeout(() => this.rest(), restDelay);
+  }
+
+  /** @param {boolean} moving  then one slice stands for all, and what takes a search is left out */
+  compute(moving) {
+    const { motor, view } = this.state;
+    this.sketch = moving && motor.values.radial_slices !== 1;
+    const slices = this.sketch ? { radial_slices: 1 } : {};
+    if (view.lock) solveLock(this, slices);
+    this.now = this.core.motor(motor, slices);
+    const slow = moving && this.times.compute > 10;
+    this.curve = this.core.curve(slow ? quickPoints : curvePoints, this.now.last_speed);
+    this.metrics = { ...(moving ? this.metrics : {}), ...this.evaluate(this.metricList(moving)) };
+    this.meeting = meetingPoint(this.core, this.curve, view.load);
+    if (!(view.speed <= this.now.last_speed)) view.speed = this.usualSpeed();
+    for (const one of this.charts) one.show(this.curve, this.pinned?.curve);
+    this.tiles.show(this.metrics, this.pinned?.metrics);
+  }
+
+  /** At peak power a contact does everything it can. */
+  usualSpeed() {
+    const peak = this.metrics.speed_at_peak_power?.value;
+    return peak > 0 ? peak : 0.6 * this.now.last_speed;
+  }
+
+  /** The metrics that this motor has; while it moves those that take no search over voltages and frequencies. */
+  metricList(moving) {
+    const { values, inner_edge } = this.state.motor;
+    return Object.entries(this.tables.metrics).filter(([name, m]) => m.argument === 'none' && (!m.modes || this.now.modal) && (!m.geometry || inner_edge)
+      && (values.voltage !== undefined || !/^(pull_out_torque|start_frequency|pull_out_frequency)$/.test(name)) && !(moving && (m.modes || m.geometry))).map(([name]) => name);
+  }
+
+  evaluate(names) {
+    const found = this.core.metrics(names.map((metric) => ({ metric })));
+    return Object.fromEntries(names.map((name, i) => [name, found[i]]));
+  }
+
+  /** What was left out while the motor moved. */
+  computeAll() {
+    this.compute(false);
+    this.showControls();
+    this.showFields();
+  }
+
+  /** Nothing moves: all slices, derivatives, notes, address; then where each slider breaks a limit. */
+  rest() {
+    if (this.sketch || this.dragging) this.computeAll();
+    this.showEffects();
+    this.limits.judge();
+    const notes = this.core.notes(false);
+    this.tell(notes.map((note) => capital(note) + '.').join(' '));
+    if (this.inAddress) history.replaceState(null, '', this.state.toHash());
+    this.tasks = [() => this.showNotes(), ...Object.values(this.rows).filter((row) => !row.node.hidden).map((row) => () => showBroken(this, row))];
+    this.waiting = setTimeout(() => this.nextTask(), 150);
+    this.node.dataset.rested = String(Number(this.node.dataset.rested ?? 0) + 1);
+  }
+
+  nextTask() {
+    const task = this.tasks.shift();
+    this.waiting = null;
+    if (!task) return;
+    task();
+    this.waiting = setTimeout(() => this.nextTask(), 0);
+  }
+
+  showNotes() {
+    this.core.motor(this.state.motor);
+    this.tell(this.core.notes(true).map((note) => capital(note) + '.').join(' '));
+  }
+
+  showEffects() {
+    const { goal } = this.state.view;
+    const [found] = this.core.gradients([{ metric: goal }]);
+    for (const [name, row] of Object.entries(this.rows)) row.showEffect((found.gradient[this.core.places[name]] * this.now.values[name]) / found.value, goal);
+  }
+
+  // What is shown besides the charts.
+
+  showControls() {
+    const { motor, view } = this.state;
+    this.title.replaceChildren(motor.name || 'motor', el('small', {}, ' designer'));
+    if (this.inAddress) document.title = (motor.name || 'motor') + ' - twum designer';
+    this.placeRows();
+    for (const [name, row] of Object.entries(this.rows)) if (!row.node.hidden) row.show(motor.values[name], Boolean(this.now?.modal));
+    this.showGoals(view.goal);
+    this.section.show(motor);
+    this.node.dataset.sketch = this.sketch ? 'yes' : 'no';
+  }
+
+  /** One row for each parameter that the motor states. */
+  placeRows() {
+    const { values } = this.state.motor;
+    const used = (name) => name === 'radial_slices' || !this.now || this.now.used[name] || this.sketch;
+    const wanted = Object.keys(this.tables.parameters).filter((name) => values[name] !== undefined && used(name));
+    if (wanted.join() === this.placed) return;
+    this.placed = wanted.join();
+    for (const row of Object.values(this.rows)) row.node.hidden = true;
+    const parts = {};
+    for (const name of wanted) {
+      const row = (this.rows[name] ??= new ParameterRow(name, this.tables.parameters[name], this));
+      row.node.hidden = false;
+      const { part, entry } = this.tables.parameters[name];
+      (parts[entry.startsWith('stator.geometry') ? 'geometry' : part] ??= []).push(row.node);
+    }
+    this.sliders.replaceChildren(...Object.entries(parts).map(([part, nodes]) => el('details', part === 'geometry' ? {} : { open: '' }, el('summary', {}, partTitles[part] ?? 'Geometry of the stator'), ...nodes)));
+  }
+
+  showGoals(goal) {
+    const names = this.now ? this.metricList(false) : [];
+    if (names.length && names.join() !== this.goals) {
+      this.goals = names.join();
+      this.goal.replaceChildren(...names.map((name) => el('option', { value: name }, shortName(name))));
+    }
+    this.goal.value = goal;
+  }
+
+  showFields() {
+    if (!this.now) return;
+    const { speed } = this.state.view;
+    const fields = this.core.fields(speed, 361);
+    const half = fields.zones.length ? Math.max(...fields.zones.flatMap(([, from, to]) => [Math.abs(from), Math.abs(to)])) : this.now.half_angle;
+    this.wave.show({ zones: fields.zones, half, slip: speed / (this.now.crest_speed || 1) });
+    this.fields.show(fields, half, this.now.values.static_friction || 1);
+    const { point } = fields;
+    const words = point.status === 'ok' ? [engineering(point.torque, 'N.m'), engineering(point.output_power, 'W'), 'sticks over ' + percent(point.stick_fraction) + ' of its length'] : [this.tables.reasons[point.status] ?? point.status];
+    this.fieldsTitle.replaceChildren('at ', el('b', {}, engineering(speed, 'rad/s')), ': ' + words.join(', ') + (this.sketch ? ' (one slice while the slider moves)' : ''));
+    for (const one of this.charts) one.plot.redraw(false);
+  }
+}
+
+function zoneLegend() {
+  return legend([{ name: 'slip+: the stator drives', colour: 'slip-plus', kind: 'area' }, { name: 'stick', colour: 'stick', kind: 'area' }, { name: 'slip-: the stator brakes', colour: 'slip-minus', kind: 'area' },
+    { name: 'friction bound', colour: 'soft', kind: 'dash' }, { name: 'stator', colour: 'c0' }, { name: 'layer', colour: 'c1', kind: 'dash' }]);
+}

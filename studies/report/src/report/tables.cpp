@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/tables.hpp"
+
+#include <twum/core/design/parameters.hpp>
+#include <twum/core/performance/metrics.hpp>
+#include <twum/studies/materials/catalogue.hpp>
+#include <twum/studies/metrics/reasons.hpp>
+#include <twum/studies/text/value_error.hpp>
+#include <twum/studies/units/units.hpp>
+
+#include <cmath>
+#include <set>
+
+namespace twum::studies {
+namespace {
+
+// Units that people type besides the SI unit of a parameter with a prefix; each is tried for every dimension.
+constexpr const char* kOtherUnits[] = {"rpm",    "deg",    "cm",     "in",  "lbf",    "bar",
+                                       "psi",    "kgf.cm", "ozf.in", "%",   "g/cm^3", "W/cm^2",
+                                       "W/mm^2", "N/mm^2", "N.mm",   "pC/N"};
+constexpr const char* kPrefixes[] = {"", "T", "G", "M", "k", "m", "u", "n", "p"};
+
+void add_unit(Json& units, const std::string& text, std::string_view si_unit) {
+  try {
+    units[text] = parse_unit(text, {si_unit, ""}).factor();
+  } catch (const ValueError&) {
+    return;  // of another dimension
+  }
+}
+
+Json units_of(std::string_view si_unit) {
+  Json units = Json::object();
+  for (const char* prefix : kPrefixes) add_unit(units, prefix + std::string(si_unit), si_unit);
+  if (si_unit == "kg") add_unit(units, "g", si_unit), add_unit(units, "mg", si_unit);
+  for (const char* other : kOtherUnits) add_unit(units, other, si_unit);
+  return units;
+}
+
+const char* argument_word(Argument argument) {
+  switch (argument) {
+    case Argument::none: return "none";
+    case Argument::speed: return "speed";
+    case Argument::torque: return "torque";
+    case Argument::speed_or_torque: return "speed or torque";
+  }
+  return "none";
+}
+
+// The example of the table in SI; 0 for a word such as `auto`.
+double typical(const ParameterInfo& row) {
+  try {
+    return parse_quantity(row.example, {row.unit, row.example});
+  } catch (const ValueError&) {
+    return 0;
+  }
+}
+
+const char* word_of(stator::InnerEdge edge) {
+  switch (edge) {
+    case stator::InnerEdge::free: return "free";
+    case stator::InnerEdge::clamped: return "clamped";
+    case stator::InnerEdge::supported: return "supported";
+  }
+  return "free";
+}
+
+// Whether a motor file of the design would hold the parameter; those of a wide contact also where one slice does not look at them.
+bool stated(const MotorDesign& design, const MotorDesign& wide, Parameter parameter) {
+  return parameter == Parameter::radial_slices || in_use(design, parameter) ||
+         in_use(wide, parameter);
+}
+
+}  // namespace
+
+Json parameters_json() {
+  Json json = Json::object();
+  for (const ParameterInfo& row : parameter_table())
+    json[std::string(row.name)] = {
+        {"symbol", row.symbol},
+        {"unit", row.unit},
+        {"text", row.text},
+        {"integer", row.integer},
+        {"part", row.file_entry.substr(0, row.file_entry.find('.'))},
+        {"entry", row.file_entry},
+        {"min", row.min},
+        {"max", row.max},
+        {"typical", typical(row)},
+        {"required", row.required && row.file_entry.find("geometry") == std::string_view::npos},
+        {"twin", row.twin ? Json(std::string(info(*row.twin).name)) : Json(nullptr)}};
+  return json;
+}
+
+Json metrics_json() {
+  Json json = Json::object();
+  for (const MetricInfo& row : metric_table())
+    json[std::string(row.name)] = {{"unit", row.unit},
+                                   {"text", row.text},
+                                   {"argument", argument_word(row.argument)},
+                                   {"modes", row.needs_modes},
+                                   {"geometry", row.needs_geometry}};
+  return json;
+}
+
+Json reasons_json() {
+  Json json = Json::object();
+  for (const Reason& reason : reasons()) json[to_string(reason.status)] = reason.meaning;
+  return json;
+}
+
+Json units_json() {
+  std::set<std::string> si_units;
+  for (const ParameterInfo& row : parameter_table()) si_units.emplace(row.unit);
+  for (const MetricInfo& row : metric_table()) si_units.emplace(row.unit);
+  Json json = Json::object();
+  for (const std::string& unit : si_units)
+    if (unit != "1") json[unit] = units_of(unit);
+  return json;
+}
+
+Json materials_json() {
+  Json json = Json::object();
+  for (const Material& material : material_catalogue())
+    for (const MaterialValue& value : material.values)
+      json[material.name][value.name] = value.value;
+  return json;
+}
+
+Json stated_motor_json(const std::string& name, const MotorDesign& design) {
+  MotorDesign wide = design;
+  wide.stator.radial_slices = kAutoSlices;
+  Json values = Json::object();
+  for (const ParameterInfo& row : parameter_table()) {
+    const double value = get(design, row.parameter);
+    if (stated(design, wide, row.parameter) && std::isfinite(value))
+      values[std::string(row.name)] = value;
+  }
+  const Stator& stator = design.stator;
+  Json table = Json::array();
+  for (const auto& [radius, shape] : stator.radial_shape.table) table.push_back({radius, shape});
+  return {{"name", name},
+          {"values", std::move(values)},
+          {"branch", stator.branch == Branch::dead ? "dead" : "running"},
+          {"inner_edge", stator.geometry ? Json(word_of(stator.geometry->support)) : Json(nullptr)},
+          {"table", std::move(table)}};
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "results/answers.hpp"
+
+#include <twum/core/design/motor_design.hpp>
+
+#include <string>
+
+/// What pages know of parameters, metrics, units and materials; internal.
+namespace twum::studies {
+
+/// {name: {"symbol", "unit", "text", "integer", "part", "entry": in the motor file, "min", "max", "typical": the example of
+/// the table [SI], "required": in a motor file, "twin": name or null}}
+Json parameters_json();
+
+/// {name: {"unit", "text", "argument": "none", "speed", "torque" or "speed or torque", "modes", "geometry"}}
+Json metrics_json();
+
+/// {word: what it means} of missing answers
+Json reasons_json();
+
+/// {SI unit: {unit that one may type: SI value of it}} for the units of parameters and metrics.
+Json units_json();
+
+/// {material: {property: SI value}}
+Json materials_json();
+
+/// A motor as the designer keeps it: {"name", "values": {parameter: SI value} of what is stated, "branch", "inner_edge",
+/// "table": rows of the radial shape}
+Json stated_motor_json(const std::string& name, const MotorDesign& design);
+
+}  // namespace twum::studies
