@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-# cmake -DOUT=FILE.cpp -DPAGE=... -DSTYLES=a;b -DSCRIPTS=a;b -DDESIGNER_PAGE=... -DDESIGNER_STYLES=a;b -DDESIGNER_SCRIPTS=a;b
+# cmake -DOUT=FILE.cpp -DPAGE=... -DSTYLES=a;b -DSCRIPTS=a;b -DDESIGNER_PAGE=... -DDESIGNER_SCRIPTS=a;b
 #   [-DMODULE=core.wasm.gz] -P EmbedReport.cmake
 #
-# Writes the pages' templates, their styles and scripts, each kind in one piece, the hashes of those of the designer, and the
-# core for pages as functions of C++.
+# Writes the pages' templates, their styles and scripts, each kind in one piece and with its hash, and the core for pages as
+# functions of C++.
 function(write_bytes name bytes)
   string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${bytes}")
   string(REGEX REPLACE "(0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,)" "\\1\n"
@@ -36,10 +36,9 @@ endfunction()
 
 file(WRITE ${OUT} "#include \"report/assets.hpp\"\nnamespace twum::studies::assets {\n")
 embed(page ${PAGE})
-embed(style ${STYLES})
-embed(script ${SCRIPTS})
 embed(designer_page ${DESIGNER_PAGE})
-embed_with_hash(designer_style ${DESIGNER_STYLES})
+embed_with_hash(style ${STYLES})
+embed_with_hash(script ${SCRIPTS})
 embed_with_hash(designer_script ${DESIGNER_SCRIPTS})
 if(MODULE)
   file(READ ${MODULE} bytes HEX)

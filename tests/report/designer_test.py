@@ -262,6 +262,48 @@ class Pace(Designer):
                 self.assertLess(times[len(times) // 2], 16.7)
 
 
+class InReports(Designer):
+    """The panel in a report, opened on the motor that one chooses."""
+
+    def opened(self, name, button="p.explore button"):
+        summary = self.open(self.result(name))
+        self.browser.value(f"document.querySelector({json.dumps(button)}).click()")
+        until = time.monotonic() + 30
+        while not self.browser.value("insideReport.panel?.waiting === null && !insideReport.panel.changed"):
+            self.assertLess(time.monotonic(), until)
+            time.sleep(0.02)
+        self.clean(self.result(name))
+        return summary
+
+    def metric(self, name):
+        return self.browser.value(f"insideReport.panel.metrics.{name}.value")
+
+    def test_the_optimum_opens_with_its_metrics(self):
+        summary = self.opened("optimize-ring-60")
+        self.assertEqual(self.text(".designer h2"), "best design designer")
+        for name in ("peak_power", "no_load_speed", "max_pressure"):
+            # The page holds the design to the last digit; another libm rounds otherwise.
+            self.assertAlmostEqual(self.metric(name), summary["best"]["metrics"][name], delta=1e-9 * summary["best"]["metrics"][name])
+
+    def test_the_chosen_point_of_a_front_opens(self):
+        summary = self.opened("pareto-power-wear", "#chosen p.explore button")
+        chosen = self.browser.value("front.chosen")
+        self.assertAlmostEqual(self.metric("peak_power"), summary["front"][chosen]["metrics"]["peak_power"], delta=1e-9 * summary["front"][chosen]["metrics"]["peak_power"])
+
+    def test_a_sample_opens(self):
+        self.opened("sweep-sobol", "[data-design] p.explore button")
+        row = int(re.match(r"design (\d+)", self.text(".designer h2"))[1]) - 1
+        shown, own = self.browser.value(f"(c => [insideReport.panel.metrics[c.name].value, c.values[{row}]])(rows.columns.find(c => Object.hasOwn(insideReport.panel.metrics, c.name)))")
+        self.assertAlmostEqual(shown, own, delta=1e-9 * abs(own))
+
+    def test_a_report_grows_by_less_than_600_kilobytes(self):
+        page = (self.result("optimize-ring-60") / "report.html").read_text()
+        core = re.search(r'id="core">([^<]*)<', page)[1]
+        parts = sum(path.stat().st_size for path in (ROOT / "studies/report/page/designer").glob("*.*"))
+        tables = sum(len(json.dumps(json.loads(page.split('id="data">')[1].split("</script>")[0])[key])) for key in ("designer", "parameters", "metrics"))
+        self.assertLess(len(core) + parts + tables, 600e3)
+
+
 class Without(Designer):
     def test_a_page_without_the_core_says_what_is_missing(self):
         page = self.explore("ring-60")

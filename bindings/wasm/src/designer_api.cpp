@@ -5,6 +5,7 @@
 // buffers: ask where they are after it.
 #include "wasm/src/stated_design.hpp"
 
+#include <twum/base/error.hpp>
 #include <twum/core/design/parameters.hpp>
 #include <twum/core/performance/metrics.hpp>
 #include <twum/core/performance/motor.hpp>
@@ -26,6 +27,11 @@ std::vector<double> input;
 std::vector<double> output;
 std::string text;
 std::optional<Motor> motor;
+
+const Motor& current() {
+  TWUM_ASSERT(motor.has_value());
+  return *motor;
+}
 
 void put(double value) { output.push_back(value); }
 
@@ -114,15 +120,15 @@ TWUM_EXPORT(names) void names(int kind) {
   if (kind == 5) append_columns();
 }
 
-/// Takes the motor of the numbers in the input (design_of()). Writes the numbers of a motor, the value of every parameter, and
-/// for each whether it is in use.
+/// Takes the motor of the numbers in the input (design_of()); where they make none, the motor before stays. Writes the numbers
+/// of a motor, the value of every parameter, and for each whether it is in use.
 TWUM_EXPORT(motor) int take_motor() {
   return attempt([] {
-    motor.emplace(design_of(input));
+    motor = Motor(design_of(input));
+    const MotorDesign& design = motor->design();
     for (const MotorNumber& one : kMotorNumbers) put(one.value(*motor));
-    for (const ParameterInfo& row : parameter_table()) put(get(motor->design(), row.parameter));
-    for (const ParameterInfo& row : parameter_table())
-      put(in_use(motor->design(), row.parameter) ? 1 : 0);
+    for (const ParameterInfo& row : parameter_table()) put(get(design, row.parameter));
+    for (const ParameterInfo& row : parameter_table()) put(in_use(design, row.parameter) ? 1 : 0);
     return output.size();
   });
 }
@@ -131,8 +137,8 @@ TWUM_EXPORT(motor) int take_motor() {
 TWUM_EXPORT(curve) int curve(int points, double last) {
   return attempt([=] {
     for (int i = 0; i < points; ++i)
-      put_point(motor->operating_point(studies::curve_speed(last, static_cast<std::uint64_t>(i),
-                                                            static_cast<std::uint64_t>(points))));
+      put_point(current().operating_point(studies::curve_speed(
+          last, static_cast<std::uint64_t>(i), static_cast<std::uint64_t>(points))));
     return points;
   });
 }
@@ -140,7 +146,7 @@ TWUM_EXPORT(curve) int curve(int points, double last) {
 /// Metrics of the motor. The input has a metric, an argument (Argument) and its value for each; the output value and status.
 TWUM_EXPORT(metrics) int metrics(int count) {
   return attempt([=] {
-    for (const MetricValue& one : evaluate(*motor, requests(count)))
+    for (const MetricValue& one : evaluate(current(), requests(count)))
       put(one.value), put(static_cast<double>(one.status));
     return count;
   });
@@ -149,7 +155,7 @@ TWUM_EXPORT(metrics) int metrics(int count) {
 /// The same with derivatives: value, status, smoothness, and the derivative in every parameter.
 TWUM_EXPORT(gradients) int gradients(int count) {
   return attempt([=] {
-    for (const MetricDerivative& one : differentiate(*motor, requests(count))) {
+    for (const MetricDerivative& one : differentiate(current(), requests(count))) {
       put(one.value.value), put(static_cast<double>(one.value.status));
       put(static_cast<double>(one.smoothness));
       output.insert(output.end(), one.gradient.begin(), one.gradient.end());
@@ -161,7 +167,7 @@ TWUM_EXPORT(gradients) int gradients(int count) {
 /// Fields at the contact radius: the point's columns, how many zones, state and ends of each, then the samples.
 TWUM_EXPORT(fields) int fields(double speed, int samples) {
   return attempt([=] {
-    const ContactFields found = motor->fields(speed, samples);
+    const ContactFields found = current().fields(speed, samples);
     put_point(found.point);
     put(static_cast<double>(found.zones.size()));
     for (const Zone& zone : found.zones)
@@ -177,7 +183,7 @@ TWUM_EXPORT(fields) int fields(double speed, int samples) {
 /// The notes of `twum check` on the motor, a line each; `at_length` those that take some milliseconds too.
 TWUM_EXPORT(notes) int notes(int at_length) {
   return attempt([=] {
-    const MotorDesign& design = motor->design();
+    const MotorDesign& design = current().design();
     const auto list =
         at_length != 0 ? studies::model_notes_at_length(design) : studies::model_notes(design);
     text.clear();

@@ -64,4 +64,6 @@ function calibratePage() {
   card('The points', null, 'half').append(table('points', ['speed', 'measured', 'fitted', 'residual'], summary.data.map((p) => [quantity(p.speed, 'rad/s'), quantity(p.torque, 'N.m'), quantity(p.fitted, 'N.m'), quantity(p.residual, 'N.m', 3)]), ['speed [rad/s]', 'measured [N.m]', 'fitted [N.m]', 'residual [N.m]']));
   const fitted = curves.filter(Boolean);
   if (fitted.length) curveSection(fitted, ['fitted motor'], 'The fitted motor');
+  const explore = fitted.length ? designerButton(fitted[0].design, 'fitted motor', 'Explore the fitted motor') : null;
+  if (explore) card(null, null, 'wide').append(explore);
 }

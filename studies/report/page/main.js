@@ -63,7 +63,7 @@ function glossaryCard() {
 function motorCard() {
   const names = Object.keys(data.motor.design);
   const lines = names.map((n) => [named(n), words(data.parameters[n].symbol), quantity(data.motor.design[n], data.parameters[n].unit), words(data.parameters[n].text)]);
-  card('The motor of the study', data.motor.name, 'wide').append(table('motor', ['parameter', 'symbol', 'value', 'what it is'], lines));
+  card('The motor of the study', data.motor.name, 'wide', designerButton({}, data.motor.name)).append(table('motor', ['parameter', 'symbol', 'value', 'what it is'], lines));
 }
 
 function provenanceCard() {

@@ -78,6 +78,8 @@ function chosenMotor(node, i) {
   node.append(el('div', { class: 'pair' }, left, right));
   const curve = curves[i];
   if (curve) curvesChart(left, [curve], ['torque'], 'torque', 'torque', {});
+  const explore = designerButton(point.design, 'point ' + (i + 1));
+  if (explore) left.append(explore);
   right.append(valuesTable('point-' + (i + 1), 'parameter', Object.keys(point.design), [{ name: 'before', values: summary.before.design }, { name: 'this point', values: point.design }]));
   for (const { goals, report } of pointLimits(i)) {
     if (!report.constraints.length && !report.bounds.length) continue;

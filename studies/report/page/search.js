@@ -115,6 +115,8 @@ function searchPage() {
   const design = card('The design', 'What the search was free to change.', 'half');
   const columns = [{ name: 'before', values: summary.before.design }, { name: 'best', values: summary.best.design }];
   design.append(designTable(names, columns, summary.best.choice));
+  const explore = designerButton(summary.best.design, 'best design');
+  if (explore) design.append(explore);
   const metricNames = Object.keys(summary.best.metrics);
   const metrics = card('Metrics', metricsNote(metricNames), 'half');
   metrics.append(valuesTable('metrics', 'metric', metricNames, [{ name: 'before', values: summary.before.metrics }, { name: 'best', values: summary.best.metrics }]));

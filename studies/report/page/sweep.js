@@ -23,6 +23,8 @@ class DesignView {
     const lines = this.columns.map((c) => el('tr', {}, el('td', { title: describe(c.name) }, plain(c.name)), el('td', {}, engineering(c.values[i], c.unit))));
     const status = rows.statuses[rows.status[i]];
     this.body.replaceChildren(el('p', {}, 'Design ' + rowNumber(i) + (status === 'ok' ? '' : ': ' + status) + note), el('table', {}, el('tbody', {}, lines)));
+    const explore = designerButton(Object.fromEntries(this.columns.map((c) => [c.name, c.values[i]])), 'design ' + rowNumber(i));
+    if (explore) this.body.append(explore);
     this.curve(i);
   }
 

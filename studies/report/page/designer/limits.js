@@ -50,6 +50,7 @@ function showBroken(panel, row) {
   while (panel.state.view.limits.length && broken.length < bandPlaces && performance.now() - begin < longTask)
     broken.push(breaksLimit(panel, row.name, row.fromSlider((sliderSteps * (broken.length + 0.5)) / bandPlaces)));
   row.showBands(broken.length === bandPlaces ? broken : []);
+  if (broken.length) panel.core.motor(panel.state.motor); // the motor that is shown is asked next
 }
 
 /** A look at many motors takes one slice of each. */

@@ -14,7 +14,7 @@ class DesignerPanel {
    * @param {Core} core
    * @param {StatedMotor} motor
    */
-  constructor(node, tables, core, motor, inAddress = false) {
+  constructor(node, tables, core, motor, inAddress = false) { // the address is the whole page's, which a report shares
     this.id = String(++panels);
     this.tables = tables;
     this.core = core;
@@ -36,14 +36,15 @@ class DesignerPanel {
   build(node) {
     this.node = node;
     this.say = el('p', { class: 'say', role: 'status' });
-    this.title = el('h1', {});
+    this.title = el(this.inAddress ? 'h1' : 'h2', {});
     this.sliders = el('div', {});
     const [tiles, torque, power, efficiency, wave, traction, velocity, section] = Array.from({ length: 8 }, () => el('div', {}));
     this.tiles = new Tiles(el('div', { class: 'facts' }), this);
     this.fieldsTitle = el('p', { class: 'read', 'data-fields': 'title' });
     tiles.append(this.tiles.node);
     this.limits = new LimitsEditor(this);
-    const panelCard = (title, width, ...children) => el('section', { class: 'card ' + width }, title ? el('h2', {}, title) : null, ...children);
+    const level = this.inAddress ? 'h2' : 'h3';
+    const panelCard = (title, width, ...children) => el('section', { class: 'card ' + width }, title ? el(level, {}, title) : null, ...children);
     node.append(
       el('header', {}, this.title, designerTools(this), this.say),
       el('div', { class: 'left' }, panelCard('Motor', '', this.goalChoice(), this.sliders)),
@@ -195,6 +196,11 @@ class DesignerPanel {
 
   /** @param {boolean} moving  then one slice stands for all, and what takes a search is left out */
   compute(moving) {
+    this.computeCurve(moving);
+    this.computeMetrics(moving);
+  }
+
+  computeCurve(moving) {
     const { motor, view } = this.state;
     this.sketch = moving && motor.values.radial_slices !== 1;
     const slices = this.sketch ? { radial_slices: 1 } : {};
@@ -202,10 +208,14 @@ class DesignerPanel {
     this.now = this.core.motor(motor, slices);
     const slow = moving && this.times.compute > 10;
     this.curve = this.core.curve(slow ? quickPoints : curvePoints, this.now.last_speed);
-    this.metrics = { ...(moving ? this.metrics : {}), ...this.evaluate(this.metricList(moving)) };
     this.meeting = meetingPoint(this.core, this.curve, view.load);
-    if (!(view.speed <= this.now.last_speed)) view.speed = this.usualSpeed();
     for (const one of this.charts) one.show(this.curve, this.pinned?.curve);
+  }
+
+  computeMetrics(moving) {
+    const { view } = this.state;
+    this.metrics = { ...(moving ? this.metrics : {}), ...this.evaluate(this.metricList(moving)) };
+    if (!(view.speed <= this.now.last_speed)) view.speed = this.usualSpeed();
     this.tiles.show(this.metrics, this.pinned?.metrics);
   }
 
@@ -227,36 +237,33 @@ class DesignerPanel {
     return Object.fromEntries(names.map((name, i) => [name, found[i]]));
   }
 
-  /** What was left out while the motor moved. */
-  computeAll() {
-    this.compute(false);
-    this.showControls();
-    this.showFields();
-  }
-
-  /** Nothing moves: all slices, derivatives, notes, address; then where each slider breaks a limit. */
+  /** Nothing moves: what was left out, derivatives, limits, notes, and where each slider breaks a limit; a move ends it. */
   rest() {
-    if (this.sketch || this.dragging) this.computeAll();
-    this.showEffects();
-    this.limits.judge();
-    const notes = this.core.notes(false);
-    this.tell(notes.map((note) => capital(note) + '.').join(' '));
+    const whole = this.sketch || this.dragging;
+    const rows = Object.values(this.rows).filter((row) => !row.node.hidden);
+    this.tasks = [
+      ...(whole ? [() => { this.computeCurve(false); this.showControls(); this.showFields(); }, () => this.computeMetrics(false)] : []),
+      () => this.showEffects(), () => this.limits.judge(), () => this.showNotes(), ...rows.map((row) => () => showBroken(this, row)),
+    ];
     if (this.inAddress) history.replaceState(null, '', this.state.toHash());
-    this.tasks = [() => this.showNotes(), ...Object.values(this.rows).filter((row) => !row.node.hidden).map((row) => () => showBroken(this, row))];
-    this.waiting = setTimeout(() => this.nextTask(), 150);
-    this.node.dataset.rested = String(Number(this.node.dataset.rested ?? 0) + 1);
+    this.nextTask();
   }
 
   nextTask() {
     const task = this.tasks.shift();
     this.waiting = null;
     if (!task) return;
-    task();
-    this.waiting = setTimeout(() => this.nextTask(), 0);
+    try {
+      task();
+    } catch (error) {
+      if (!(error instanceof CoreError)) throw error;
+      this.tasks = [];
+      this.tell(error.message, true);
+    }
+    if (!this.changed) this.waiting = setTimeout(() => this.nextTask(), 0);
   }
 
   showNotes() {
-    this.core.motor(this.state.motor);
     this.tell(this.core.notes(true).map((note) => capital(note) + '.').join(' '));
   }
 

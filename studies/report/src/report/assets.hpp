@@ -6,15 +6,18 @@
 /// The parts of pages that are the same in all of them; made at build time by cmake/EmbedReport.cmake.
 namespace twum::studies::assets {
 
-std::string_view page();
-std::string_view style();
-std::string_view script();
-
-/// The page of `twum explore`. A hash is the SHA-256 of the text of that name.
+/// Templates: of a report, and of `twum explore`.
 /// @{
+std::string_view page();
 std::string_view designer_page();
-std::string_view designer_style();
-std::string_view designer_style_hash();
+/// @}
+
+/// Styles of both, and scripts of each, with the SHA-256 of the text.
+/// @{
+std::string_view style();
+std::string_view style_hash();
+std::string_view script();
+std::string_view script_hash();
 std::string_view designer_script();
 std::string_view designer_script_hash();
 /// @}

@@ -9,13 +9,6 @@
 #include <twum/base/version.hpp>
 
 namespace twum::studies {
-namespace {
-
-// What the browser compares a script or a style with before it uses it.
-std::string hash_source(std::string_view hash) { return "'sha256-" + base64(hash) + "'"; }
-
-}  // namespace
-
 bool has_designer() noexcept { return !assets::core_module().empty(); }
 
 std::string designer_html(const MotorFile& motor) {
@@ -27,11 +20,8 @@ std::string designer_html(const MotorFile& motor) {
                   {"materials", materials_json()},
                   {"motor", stated_motor_json(motor.name, motor.design)},
                   {"core", base64(assets::core_module())}};
-  std::string page =
-      filled(assets::designer_page(), "@SCRIPT_HASH@", hash_source(assets::designer_script_hash()));
-  page = filled(page, "@STYLE_HASH@", hash_source(assets::designer_style_hash()));
-  page = filled(page, "/*STYLE*/", assets::designer_style());
-  page = filled(page, "/*SCRIPT*/", assets::designer_script());
+  const std::string page = dressed(assets::designer_page(), {assets::style(), assets::style_hash()},
+                                   {assets::designer_script(), assets::designer_script_hash()});
   return filled(page, "/*DATA*/", embedded(data));
 }
 

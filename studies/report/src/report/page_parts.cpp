@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/page_parts.hpp"
 
+#include "report/encode.hpp"
+
 #include <twum/base/error.hpp>
 
 namespace twum::studies {
@@ -14,6 +16,14 @@ std::string embedded(const Json& json) {
       text += letter;
   }
   return text;
+}
+
+std::string dressed(std::string_view page, const HashedText& style, const HashedText& script) {
+  const auto source = [](std::string_view hash) { return "'sha256-" + base64(hash) + "'"; };
+  std::string text = filled(page, "@SCRIPT_HASH@", source(script.hash));
+  text = filled(text, "@STYLE_HASH@", source(style.hash));
+  text = filled(text, "/*STYLE*/", style.text);
+  return filled(text, "/*SCRIPT*/", script.text);
 }
 
 std::string filled(std::string_view page, std::string_view mark, std::string_view content) {

@@ -3,6 +3,7 @@
 
 #include "report/assets.hpp"
 #include "report/curves.hpp"
+#include "report/encode.hpp"
 #include "report/page_parts.hpp"
 #include "report/rows.hpp"
 #include "report/tables.hpp"
@@ -115,21 +116,24 @@ Json ranges_json(const StudyFile& study) {
 std::string report_html(const StudyFile& study, const std::string& text, const StudyResult& result,
                         const ResultStore& store) {
   const MotorDesign& base = study.motor.design;
-  Json data{{"summary", summary_value(result)},
-            {"study", text},
-            {"motor", {{"name", study.motor.name}, {"design", base_json(base)}}},
-            {"parameters", parameters_json()},
-            {"metrics", metrics_json()},
-            {"reasons", reasons_json()},
-            {"ranges", ranges_json(study)},
-            {"curves", std::visit(AnswerCurves{base}, result.answer)},
-            {"rows", rows_json(store)}};
+  Json data{
+      {"summary", summary_value(result)},
+      {"study", text},
+      {"motor", {{"name", study.motor.name}, {"design", base_json(base)}}},
+      {"parameters", parameters_json()},
+      {"metrics", metrics_json()},
+      {"reasons", reasons_json()},
+      {"designer", {{"motor", stated_motor_json(study.motor.name, base)}, {"units", units_json()}}},
+      {"ranges", ranges_json(study)},
+      {"curves", std::visit(AnswerCurves{base}, result.answer)},
+      {"rows", rows_json(store)}};
   if (study.kind() == StudyKind::sweep) data["row_curves"] = row_curves_json(store, base);
   if (const auto* fit = std::get_if<CalibrateResult>(&result.answer))
     data["fit"] = fit_json(*fit, base);
   // The data go in last: nothing in them is taken for a mark.
-  std::string page = filled(assets::page(), "/*STYLE*/", assets::style());
-  page = filled(page, "/*SCRIPT*/", assets::script());
+  std::string page = dressed(assets::page(), {assets::style(), assets::style_hash()},
+                             {assets::script(), assets::script_hash()});
+  page = filled(page, "/*CORE*/", base64(assets::core_module()));
   return filled(page, "/*DATA*/", embedded(data));
 }
 
