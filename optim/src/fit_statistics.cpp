@@ -2,6 +2,10 @@
 #include "fit_statistics.hpp"
 
 #include <Eigen/SVD>
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
@@ -12,8 +16,11 @@ namespace {
 using Eigen::Index;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 // In double precision throughout: long double differs from machine to machine, and valgrind has none.
-using StudentsT = boost::math::students_t_distribution<
-    double, boost::math::policies::policy<boost::math::policies::promote_double<false>>>;
+using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+using StudentsT = boost::math::students_t_distribution<double, InDouble>;
+using Normal = boost::math::normal_distribution<double, InDouble>;
+using FisherF = boost::math::fisher_f_distribution<double, InDouble>;
+using ChiSquare = boost::math::chi_squared_distribution<double, InDouble>;
 
 // Columns of unit length, so that rank does not depend on units.
 struct Scaled {
@@ -109,6 +116,59 @@ void fill_follows(const Eigen::JacobiSVD<Eigen::MatrixXd>& svd, const Eigen::Vec
   }
 }
 
+// Scatter of the residuals, and what follows from it for intervals of one parameter and of all together.
+void fill_scatter(std::size_t parameters, const LeastSquaresOptions& options,
+                  LeastSquaresResult& result) {
+  const double freedom = static_cast<double>(result.degrees_of_freedom);
+  const double count = static_cast<double>(parameters);
+  const bool known = std::isfinite(options.deviation);
+  result.scatter = known ? options.deviation : result.residual_deviation;
+  const double upper = 0.5 + 0.5 * options.confidence;
+  result.student_t = known           ? quantile(Normal(), upper)
+                     : freedom > 0.0 ? quantile(StudentsT(freedom), upper)
+                                     : kNan;
+  double joint = kNan;  // L2.2, in units of the squared scatter
+  if (parameters == 0)
+    joint = 0.0;
+  else if (known)
+    joint = quantile(ChiSquare(count), options.confidence);
+  else if (freedom > 0.0)
+    joint = count * quantile(FisherF(count, freedom), options.confidence);
+  result.joint_limit = result.sum_of_squares + joint * result.scatter * result.scatter;
+}
+
+// What a change of a parameter is measured by: its value, or its range where that is 0.
+double size_of(const Variable& parameter, double value) {
+  const double range = parameter.upper - parameter.lower;
+  return value != 0.0 ? std::abs(value) : std::isfinite(range) ? range : 1.0;
+}
+
+// L2.3: singular vectors of the columns for relative changes.
+void fill_directions(const Eigen::MatrixXd& columns, const FittedState& state,
+                     LeastSquaresResult& result) {
+  const Index n = columns.cols();
+  Eigen::MatrixXd relative = columns;
+  for (Index i = 0; i < n; ++i) {
+    const auto j = static_cast<std::size_t>(state.free[static_cast<std::size_t>(i)]);
+    relative.col(i) *= size_of(state.parameters[j], result.estimates[j].value);
+  }
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(relative, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  for (Index k = n - 1; k >= 0; --k) {
+    Eigen::VectorXd v = svd.matrixV().col(k);
+    Index largest = 0;
+    v.cwiseAbs().maxCoeff(&largest);
+    const double size = v[largest];
+    const std::vector<double> none(result.estimates.size(), 0.0);
+    Direction direction{none, none, svd.singularValues()[k] / std::abs(size)};
+    for (Index i = 0; i < n; ++i) {
+      const auto j = static_cast<std::size_t>(state.free[static_cast<std::size_t>(i)]);
+      direction.change[j] = v[i] / size;
+      direction.alone[j] = relative.col(i).norm() * std::abs(v[i] / size);
+    }
+    result.directions.push_back(std::move(direction));
+  }
+}
+
 Eigen::MatrixXd free_columns(const FittedState& state) {
   Eigen::MatrixXd columns(state.residuals.size(), static_cast<Index>(state.free.size()));
   for (std::size_t i = 0; i < state.free.size(); ++i)
@@ -126,10 +186,11 @@ void fit_statistics(const FittedState& state, const LeastSquaresOptions& options
   const double freedom = static_cast<double>(result.degrees_of_freedom);
   result.residual_deviation =
       freedom > 0.0 ? state.residuals.stableNorm() / std::sqrt(freedom) : kNan;
-  result.student_t =
-      freedom > 0.0 ? quantile(StudentsT(freedom), 0.5 + 0.5 * options.confidence) : kNan;
+  fill_scatter(state.free.size(), options, result);
   if (n == 0) return fill_estimates({}, state, result);
-  const Scaled scaled = scaled_columns(free_columns(state));
+  const Eigen::MatrixXd columns = free_columns(state);
+  fill_directions(columns, state, result);
+  const Scaled scaled = scaled_columns(columns);
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled.columns,
                                               Eigen::ComputeThinU | Eigen::ComputeThinV);
   Index rank = 0;
@@ -137,7 +198,7 @@ void fit_statistics(const FittedState& state, const LeastSquaresOptions& options
     ++rank;
   result.rank = static_cast<std::size_t>(rank);
   name_undetermined(svd.matrixV(), rank, state.free, result);
-  const double variance = result.residual_deviation * result.residual_deviation;
+  const double variance = result.scatter * result.scatter;
   const Eigen::MatrixXd covariance = variance * inverse_normal(svd, rank, scaled.size);
   fill_estimates(covariance, state, result);
   fill_follows(svd, scaled.size, state, result);

@@ -120,7 +120,7 @@ TEST_CASE("a fit in summary.json has its estimates, tests and starts", "[studies
   result.runs = RunsTest{3, 3, 1};
   result.estimates[1].bound = Bound::max;
   result.undetermined = {{{"kinetic_friction", "preload"}, -1}, {{"width"}, kNaN}};
-  result.optima = {{{0.2, 1.5e-6}, 0.001, 1}};
+  result.optima = {{{0.2, 1.5e-6}, 0.001, 1, true, {}}};
   start(result, optim::Outcome::optimal, {0.2, 1.5e-6});
   start(result, optim::Outcome::failed, {});
   const Json json = answer_json(result);
@@ -252,27 +252,85 @@ TEST_CASE("intervals are measured against the ranges that were searched",
   CHECK_FALSE(wider_than_range(result.estimates[1]));
 }
 
-TEST_CASE("an interval that reaches below zero is impossible where the range does not",
+TEST_CASE("an interval is of use if its ends are near each other, beside the value or the range",
+          "[studies][calibrate]") {
+  const auto of_use = [](double low, double high, double min, double max) {
+    CalibrateResult::Estimate e = estimate("x", "1", 0.5 * (low + high), low, high);
+    e.min = min;
+    e.max = max;
+    return CalibrateResult::of_use(e);
+  };
+  CHECK(of_use(0.1, 0.29, 0, 1));
+  CHECK_FALSE(of_use(0.1, 0.31, 0, 1));    // more than a factor of 3, and a fifth of the range
+  CHECK(of_use(-0.29, -0.1, -1, 1));       // of one sign
+  CHECK_FALSE(of_use(-0.1, 0.15, -1, 1));  // an eighth of the range
+  CHECK(of_use(-0.01, 0.02, -1, 1));       // near 0 the range is what counts
+  CHECK(of_use(0, 0.002, 0, 0.1));
+  CHECK_FALSE(of_use(0.2, std::numeric_limits<double>::infinity(), 0, 1));
+  CHECK_FALSE(of_use(kNaN, kNaN, 0, 1));
+  CalibrateResult::Estimate e = estimate("x", "1", 2, 1, 4);
+  e.log = true;
+  e.min = 1e-4;
+  e.max = 1e4;  // 8 decades: a factor of 4 is less than a tenth of them
+  CHECK(CalibrateResult::of_use(e));
+  e.high_cut = true;
+  CHECK(CalibrateResult::of_use(e));
+  e.low_cut = true;  // the range says it, not the data
+  CHECK_FALSE(CalibrateResult::of_use(e));
+}
+
+TEST_CASE("intervals of little use, and those that the range cuts off, are named",
           "[studies][calibrate][words]") {
   CalibrateResult result = fit();
-  result.estimates[0].low = -0.01;
+  CHECK(std::string(result.verdict()) == "fitted");
+  result.estimates[0].low = 0.06;
+  CHECK(
+      noted(result,
+            "The points say little about kinetic_friction: the ends of its interval differ by more "
+            "than a factor of 3."));
+  CHECK(std::string(result.verdict()) == "undetermined");
+  CHECK_THAT(answer_text(result), Contains("hardly determined\n"));
+  result.estimates[0].low_cut = true;
   CHECK(noted(result,
-              "The interval of kinetic_friction reaches below 0, which cannot be: with "
-              "scale: log it would not."));
-  result.estimates[0].min = -0.5;  // it may well be below 0
-  CHECK(note(result, "The interval of").empty());
-  result.estimates[0].min = 0;
-  result.estimates[1].low = -1e-6;
+              "The interval of kinetic_friction ends where the range does: the points allow values "
+              "beyond it."));
+  CHECK(answer_json(result)["estimates"]["kinetic_friction"]["cut_off"] == "low");
+  result.estimates[0].high_cut = true;
+  CHECK(
+      noted(result,
+            "The points hardly determine kinetic_friction: its interval is wider than its range."));
+  CHECK(answer_json(result)["estimates"]["kinetic_friction"]["cut_off"] == "both");
+}
+
+TEST_CASE("a combination that the data do not see is told as a change of the motor",
+          "[studies][calibrate][words]") {
+  CalibrateResult result = fit();
+  result.combinations = {{{{"youngs_modulus", -10}, {"amplitude", -3.214}}, 0.25, false}};
   CHECK(noted(result,
-              "The interval of kinetic_friction and amplitude reaches below 0, which cannot "
-              "be: with scale: log and a min above 0 it would not."));
-  result.estimates[0].log = result.estimates[1].log = true;  // then it does not, whatever is said
-  CHECK(note(result, "The interval of").empty());
+              "A softer layer (youngs_modulus -10 %) with a smaller wave (amplitude -3.2 %) fits "
+              "nearly as well: what was measured changes by 0.25 standard deviations (root mean "
+              "square)."));
+  CHECK(answer_json(result)["combinations"][0] ==
+        Json{{"words",
+              "a softer layer (youngs_modulus -10 %) with a smaller wave (amplitude -3.2 %)"},
+             {"percent", {{"youngs_modulus", -10.0}, {"amplitude", -3.214}}},
+             {"effect", 0.25},
+             {"unseen", false}});
+  result.combinations[0].effect = 2;
+  CHECK_THAT(note(result, "A softer layer"),
+             Contains("is what the data see least: what was measured"));
+  result.combinations[0].effect = kNaN;
+  CHECK_THAT(note(result, "A softer layer"), EndsWith("is what the data see least."));
+  result.combinations[0].unseen = true;
+  CHECK_THAT(note(result, "A softer layer"),
+             EndsWith("fits as well: to first order nothing that was measured changes."));
+  result.combinations[0].parts = {{"teeth_height", 10}, {"preload", 5}};
+  CHECK_FALSE(note(result, "More teeth_height (teeth_height +10 %) with more preload").empty());
 }
 
 TEST_CASE("starts are told by where they ended", "[studies][calibrate][words]") {
   CalibrateResult result = fit();
-  result.optima = {{{0.2, 1.5e-6}, 0.001, 3}};
+  result.optima = {{{0.2, 1.5e-6}, 0.001, 3, true, {}}};
   start(result, optim::Outcome::optimal, {0.2, 1.5e-6});
   CHECK(calibration_notes(result).empty());  // of one start there is nothing to tell
   start(result, optim::Outcome::optimal, {0.2, 1.5e-6});
@@ -283,14 +341,20 @@ TEST_CASE("starts are told by where they ended", "[studies][calibrate][words]") 
   start(result, optim::Outcome::budget, {});
   CHECK(note(result, "All ").empty());
   CHECK(noted(result, "1 of 3 starts did not reach an optimum; summary.json says why."));
-  result.optima.push_back({{0.3, 1e-6}, 0.002, 1});
+  result.optima.push_back({{0.3, 1e-6}, 0.002, 1, false, {}});
   CHECK(noted(result,
-              "3 starts ended in 2 different places; the one with the smallest residuals "
-              "is the answer."));
+              "3 starts ended in 2 different places; the first in the table has the smallest "
+              "residuals."));
+  CHECK(noted(result, "With so many places more starts may find a better one: try starts: 20."));
   CHECK_THAT(barred(answer_text(result)),
              EndsWith("\n\nstarts | residual rms | kinetic_friction | amplitude\n"
                       "3 | 1 mN.m | 0.2 | 1.5 um\n"
                       "1 | 2 mN.m | 0.3 | 1 um\n"));
+  CHECK(result.equals() == 1);
+  result.optima[1].fits_as_well = true;
+  CHECK(std::string(result.verdict()) == "several");
+  CHECK_FALSE(note(result, "The data cannot tell 2 different motors apart").empty());
+  CHECK_THAT(barred(answer_text(result)), EndsWith("1 | 2 mN.m | 0.3 | 1 um | fits as well\n"));
 }
 
 TEST_CASE("what leaves no doubt, or no way to tell, is said", "[studies][calibrate][words]") {

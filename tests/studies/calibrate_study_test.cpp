@@ -121,7 +121,7 @@ TEST_CASE("a parameter without influence is named alone", "[studies][calibrate]"
   CHECK_THAT(run.text(), Contains("The data say nothing about modal_damping"));
 }
 
-TEST_CASE("standard deviations weigh like 1 / s^2, and the scatter is tested against them",
+TEST_CASE("standard deviations weigh like 1 / s^2 (L1.1), and the scatter is tested against them",
           "[studies][calibrate][statistics]") {
   Case one;
   const std::string plain = points_of(with(one.design(), kTruth), 4e-3);
@@ -178,7 +178,8 @@ TEST_CASE("starts that end in different places are told apart", "[studies][calib
                                          {}},
                                         0.95);
   const auto& result = std::get<CalibrateResult>(answer.answer);
-  CHECK(answer.outcome == "fitted");
+  // The other place misses the points by 37 % of the largest torque: it is listed, and is no rival.
+  CHECK(result.equals() == 1);
   CHECK(result.estimates[0].parameter.value == 0.2);
   REQUIRE(result.optima.size() == 2);
   CHECK(result.optima[0].starts == 2);

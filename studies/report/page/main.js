@@ -20,7 +20,7 @@ function curvePage() {
 
 const pages = { curve: curvePage, sweep: sweepPage, sensitivity: sensitivityPage, optimize: searchPage, size: searchPage, pareto: paretoPage, uncertainty: uncertaintyPage, calibrate: calibratePage, frequency: frequencyPage };
 
-const outcomeWords = { feasible: 'keeps the limits, not shown to be best', infeasible: 'no design keeps the limits', budget: 'stopped by its budget', failed: 'nothing could be computed', done: 'complete', fitted: 'the motor follows the points', poor: 'the motor does not follow the points', 'at-bounds': 'every parameter at an end of its range', interrupted: 'interrupted' };
+const outcomeWords = { feasible: 'keeps the limits, not shown to be best', infeasible: 'no design keeps the limits', budget: 'stopped by its budget', failed: 'nothing could be computed', done: 'complete', fitted: 'the motor follows the points', poor: 'the motor does not follow the points', several: 'several motors fit equally well', undetermined: 'the points do not determine every parameter', 'at-bounds': 'every parameter at an end of its range', interrupted: 'interrupted' };
 
 function outcomeText() {
   if (summary.outcome === 'optimal') return summary.kind === 'pareto' ? 'every point certified' : 'certified local optimum';

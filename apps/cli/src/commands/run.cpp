@@ -27,7 +27,7 @@ constexpr const char* kRunExamples = R"text(Examples:
 
 DIR then holds study.yaml (the study in full), results.db (SQLite: every evaluation), results.csv,
 summary.json, report.html, and what was found as motor files: best.yaml, fitted.yaml, or those of a
-front in front/. A study that was interrupted, by Ctrl-C or in any other way, goes on
+front in front/, or of motors that fit equally well in optima/. A study that was interrupted, by Ctrl-C or in any other way, goes on
 where it was when the same command is given again, and ends with the same results.)text";
 
 struct StudyOptions {

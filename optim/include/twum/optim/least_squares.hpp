@@ -4,6 +4,8 @@
 #include <twum/optim/result.hpp>
 #include <twum/optim/solvers.hpp>
 
+#include <limits>
+
 namespace twum::optim {
 
 /// Residuals r_i(b) of a fit, already weighted, and their Jacobian.
@@ -30,7 +32,10 @@ struct LeastSquaresOptions {
       1e-13};  ///< relative decrease of the sum of squares, and step, that end the search
   double confidence{0.95};  ///< of the intervals
   double rank_tolerance{
-      1e-10};            ///< relative singular value below which a combination is undetermined
+      1e-10};  ///< relative singular value below which a combination is undetermined
+  /// Standard deviation of every residual where it is known, in units of the weights, more than 0; NaN: it is estimated
+  /// from the residuals.
+  double deviation{std::numeric_limits<double>::quiet_NaN()};
   std::stop_token stop;  ///< a request ends the search with what has been found
 };
 
@@ -45,6 +50,15 @@ struct Estimate {
   bool at_bound{false};  ///< held by a bound: then it counts as known
 };
 
+/// A change of the parameters together, and how much of it the residuals show, to first order (L2.3).
+struct Direction {
+  /// Of each parameter in parts of its value (of its range where the value is 0); the largest is 1. 0 for held ones.
+  std::vector<double> change;
+  std::vector<double>
+      alone;  ///< norm of what each parameter's part by itself does to the residuals, in their unit
+  double effect{0.0};  ///< norm of the change of the residuals that they make together
+};
+
 /// What a fit has found.
 struct LeastSquaresResult {
   Outcome outcome{Outcome::failed};   ///< optimal: the gradient test passes
@@ -54,14 +68,21 @@ struct LeastSquaresResult {
   double sum_of_squares{0.0};         ///< of the residuals
   double residual_deviation{0.0};     ///< sqrt(sum / degrees of freedom); NaN without freedom
   std::size_t degrees_of_freedom{0};  ///< residuals less free parameters
-  double student_t{0.0};              ///< half width of an interval in deviations; NaN likewise
+  /// Deviation of a residual that the intervals stand on: the known one, else the estimated one.
+  double scatter{0.0};
+  /// Half width of an interval in deviations: Student's t, or of the normal law if the scatter is known; NaN likewise.
+  double student_t{0.0};
+  /// Largest sum of squares in the joint confidence region of all free parameters (L2.2); NaN likewise.
+  double joint_limit{0.0};
   /// Parameters x parameters: by how much a free one (row) changes for each unit by which the bound of
   /// a held one (column) moves, to first order; 0 elsewhere, NaN where undetermined.
   std::vector<double> follows;
   double gradient{0.0};  ///< largest cosine between the residuals and a free Jacobian column
   std::size_t rank{0};   ///< of the Jacobian in the free parameters
   std::vector<std::vector<std::string>>
-      undetermined;   ///< each a set of parameters that only counts together
+      undetermined;  ///< each a set of parameters that only counts together
+  /// Directions in the free parameters, orthogonal in relative changes, the least visible first (L2.3).
+  std::vector<Direction> directions;
   Counters counters;  ///< calls of the residuals
   std::string word;   ///< how the search ended
 };
@@ -73,7 +94,7 @@ const std::vector<SolverInfo>& least_squares_solvers();
 /// Fits parameters within bounds by least squares; log scales are fitted in the logarithm, and linear systems are
 /// solved by QR. Whatever the solver, the answer is judged by the same gradient test. The covariance is
 /// s^2 (J^T J)^-1 at the optimum over the parameters that no bound holds; intervals are
-/// linearised. A failed evaluation shortens the step.
+/// linearised (L2.1); profile_end() says how far they are to be believed. A failed evaluation shortens the step.
 /// Variables without a start begin in the middle; bounds may be infinite where a start is given and
 /// the scale is linear.
 /// The residuals should be smooth in the parameters. Local: other starts may find other optima. Safe from

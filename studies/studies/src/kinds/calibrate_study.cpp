@@ -84,6 +84,9 @@ class Teller {
   double best_{std::numeric_limits<double>::quiet_NaN()};
 };
 
+// How often the search for intervals may find a better fit; more than one is rare.
+constexpr int kMostRounds = 4;
+
 class CalibrateRun final : public StudyKindRun {
  public:
   CalibrateRun(const CalibrateStudy& asked, AskedFit fit)
@@ -111,12 +114,18 @@ class CalibrateRun final : public StudyKindRun {
   KindAnswer run(RunContext& context) override {
     const auto starts = start_values();
     Teller teller(context);
-    std::vector<optim::LeastSquaresResult> fits;
-    run_indexed(
-        {0, starts_, context.jobs, [&] { return !context.stop.stop_requested(); }},
-        [&](std::uint64_t i) { return one_fit(context, i, starts[i], teller); },
-        [&](std::uint64_t, auto& found) { std::ranges::move(found, std::back_inserter(fits)); });
-    return calibration(fit_, fits, confidence_);
+    auto fits = in_order<optim::LeastSquaresResult>(
+        context, starts_, [&](std::uint64_t i) { return one_fit(context, i, starts[i], teller); });
+    std::vector<ProfiledInterval> found;
+    std::uint64_t stage = starts_;
+    for (int round = 0; round < kMostRounds && best_fit(fit_, fits); ++round) {
+      found = intervals(context, fits[*best_fit(fit_, fits)], stage, teller);
+      stage += 2 * variables();
+      const std::vector<double> better = better_place(found);
+      if (better.empty() || context.stop.stop_requested()) break;
+      fits.push_back(one_fit(context, stage++, better, teller));
+    }
+    return calibration(fit_, fits, confidence_, found);
   }
 
   std::optional<Row> recompute(const Row& stored) const override {
@@ -125,6 +134,103 @@ class CalibrateRun final : public StudyKindRun {
   }
 
  private:
+  // The evaluations of one stage: those that are stored, and on from where they end. A stage is a function of the study
+  // alone, so that it goes the same way again.
+  class StageLog {
+   public:
+    StageLog(const CalibrateRun& run, RunContext& context, std::uint64_t stage, Teller& teller)
+        : run_(run), context_(context), stage_(stage), teller_(teller) {
+      context.store.read(stage, [&](const Row& row) {
+        if (row.index == stored_.size()) stored_.push_back(row);
+      });
+    }
+
+    optim::Residuals residuals(std::span<const double> values) {
+      const std::uint64_t at = next_++;
+      const bool known = at < stored_.size();
+      if (known && !run_.same_design(stored_[at], values))
+        throw StoreError("the stored evaluations do not belong to this study");
+      optim::Residuals found = known ? run_.answer_of(stored_[at]) : run_.fit_.residuals(values);
+      const Row one = run_.row(stage_, at, values, found);
+      if (!known) context_.store.add(one);
+      teller_.see(one.values.back());
+      return found;
+    }
+
+   private:
+    const CalibrateRun& run_;
+    RunContext& context_;
+    std::uint64_t stage_;
+    Teller& teller_;
+    std::vector<Row> stored_;
+    std::uint64_t next_{0};
+  };
+
+  template <typename Item, typename Make>
+  static std::vector<Item> in_order(RunContext& context, std::uint64_t count, Make make) {
+    std::vector<Item> items;
+    run_indexed(
+        {0, count, context.jobs, [&] { return !context.stop.stop_requested(); }}, make,
+        [&](std::uint64_t, auto& found) { std::ranges::move(found, std::back_inserter(items)); });
+    return items;
+  }
+
+  optim::LeastSquaresOptions options(const RunContext& context) const {
+    optim::LeastSquaresOptions options;
+    options.solver = solver_;
+    options.confidence = confidence_;
+    options.stop = context.stop;
+    return options;
+  }
+
+  optim::LeastSquaresResult one_fit(RunContext& context, std::uint64_t stage,
+                                    std::span<const double> start, Teller& teller) const {
+    StageLog log(*this, context, stage, teller);
+    return optim::least_squares(
+        fit_.variables(start), [&](auto values) { return log.residuals(values); },
+        options(context));
+  }
+
+  // A place that the search for intervals met and that fits better than the fit.
+  static std::vector<double> better_place(const std::vector<ProfiledInterval>& intervals) {
+    for (const ProfiledInterval& one : intervals) {
+      for (const auto& end : {one.low, one.high})
+        if (end && !end->better.empty()) return end->better;
+    }
+    return {};
+  }
+
+  // Two stages for each parameter. Nothing is to be found where the residuals are
+  // rounding, nor for a parameter that is held or not determined.
+  std::vector<ProfiledInterval> intervals(RunContext& context,
+                                          const optim::LeastSquaresResult& best,
+                                          std::uint64_t stage, Teller& teller) const {
+    const std::size_t n = best.estimates.size();
+    std::vector<ProfiledInterval> list(n);
+    const bool ended =
+        best.outcome == optim::Outcome::optimal || best.outcome == optim::Outcome::feasible;
+    if (!ended || fit_.exact(root_mean(best, fit_))) return list;
+    const auto ends = in_order<std::optional<optim::ProfileEnd>>(
+        context, 2 * n, [&](std::uint64_t i) { return profiled(context, best, i, stage, teller); });
+    for (std::size_t i = 0; i < ends.size(); ++i)
+      (i % 2 == 0 ? list[i / 2].low : list[i / 2].high) = ends[i];
+    return list;
+  }
+
+  std::optional<optim::ProfileEnd> profiled(RunContext& context,
+                                            const optim::LeastSquaresResult& best,
+                                            std::uint64_t number, std::uint64_t stage,
+                                            Teller& teller) const {
+    const optim::Estimate& e = best.estimates[number / 2];
+    if (e.at_bound || !(e.standard_deviation > 0)) return {};
+    StageLog log(*this, context, stage + number, teller);
+    const optim::ProfileEnd end = optim::profile_end(
+        fit_.variables({}), [&](auto values) { return log.residuals(values); }, options(context),
+        best, number / 2, number % 2 == 0 ? optim::IntervalEnd::low : optim::IntervalEnd::high);
+    if (context.stop.stop_requested()) return {};  // unfinished
+    return end;
+  }
+
   // Empty for the first: where the study or the motor says.
   std::vector<std::vector<double>> start_values() const {
     std::vector<std::vector<double>> starts{{}};
@@ -171,33 +277,6 @@ class CalibrateRun final : public StudyKindRun {
 
   bool same_design(const Row& row, std::span<const double> values) const {
     return std::memcmp(row.values.data(), values.data(), values.size_bytes()) == 0;
-  }
-
-  // A fit is a function of its start: it goes the same way through the rows that are stored, and on
-  // from where they end.
-  optim::LeastSquaresResult one_fit(RunContext& context, std::uint64_t stage,
-                                    std::span<const double> start, Teller& teller) const {
-    std::vector<Row> stored;
-    context.store.read(stage, [&](const Row& row) {
-      if (row.index == stored.size()) stored.push_back(row);
-    });
-    std::uint64_t index = 0;
-    const auto residuals = [&](std::span<const double> values) {
-      const std::uint64_t at = index++;
-      const bool known = at < stored.size();
-      if (known && !same_design(stored[at], values))
-        throw StoreError("the stored evaluations do not belong to this study");
-      optim::Residuals found = known ? answer_of(stored[at]) : fit_.residuals(values);
-      const Row one = row(stage, at, values, found);
-      if (!known) context.store.add(one);
-      teller.see(one.values.back());
-      return found;
-    };
-    optim::LeastSquaresOptions options;
-    options.solver = solver_;
-    options.confidence = confidence_;
-    options.stop = context.stop;
-    return optim::least_squares(fit_.variables(start), residuals, options);
   }
 
   TorqueFit fit_;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/calibration.hpp"
 
-#include "results/calibration_notes.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,8 +12,10 @@ namespace {
 using optim::LeastSquaresResult;
 using optim::Outcome;
 
-// Residuals below this part of the torques are rounding.
-constexpr double kExact = 1e-9;
+// Root mean squares that agree as far as rounding and the search can tell.
+bool as_good(double a, double b, const TorqueFit& fit) {
+  return std::fabs(a - b) <= 1e-6 * std::max(a, b) + TorqueFit::kRounding * fit.torque_size();
+}
 
 class Calibration {
  public:
@@ -29,24 +29,30 @@ class Calibration {
     }
   }
 
-  KindAnswer answer() {
-    const LeastSquaresResult* best = find_best();
-    if (best == nullptr) return {"failed", std::move(result_)};
-    add_estimates(*best);
+  KindAnswer answer(const std::vector<ProfiledInterval>& intervals) {
+    const std::optional<std::size_t> number = best_fit(fit_, fits_);
+    if (!number) return {"failed", std::move(result_)};
+    const LeastSquaresResult& best = fits_[*number];
+    add_optima(*number);
+    add_estimates(best);
+    for (std::size_t j = 0; j < intervals.size(); ++j)
+      set_interval(intervals[j], result_.estimates[j]);
     const auto residuals = fit_.residuals(result_.optima.front().values);
     add_data(residuals);
     test_fit();
-    name_undetermined(*best, residuals);
-    std::string outcome = verdict(*best);
+    compare_optima(best, residuals);
+    name_undetermined(best, residuals);
+    if (!result_.determined()) name_combinations(best);
+    std::string outcome = outcome_of(best);
     return {std::move(outcome), std::move(result_)};
   }
 
  private:
-  // The least sum of squares is not yet a fit.
-  std::string verdict(const LeastSquaresResult& best) const {
-    if (best.outcome != Outcome::optimal) return optim::to_string(best.outcome);
-    if (result_.at_bounds()) return "at-bounds";
-    return result_.poor() ? "poor" : "fitted";
+  // The least sum of squares is not yet a fit; and a search that stopped short of it says so only where it would be one.
+  std::string outcome_of(const LeastSquaresResult& best) const {
+    const std::string verdict = result_.verdict();
+    const bool doubted = best.outcome == Outcome::feasible && verdict != "fitted";
+    return best.outcome == Outcome::optimal || doubted ? verdict : optim::to_string(best.outcome);
   }
 
   CalibrateResult::Start start_of(const LeastSquaresResult& one) const {
@@ -55,42 +61,16 @@ class Calibration {
     start.word = one.word;
     start.evaluations = one.counters.evaluations;
     if (one.estimates.empty()) return start;
-    start.residual_rms = std::sqrt(one.sum_of_squares / static_cast<double>(fit_.points().size()));
+    start.residual_rms = root_mean(one, fit_);
     for (const optim::Estimate& e : one.estimates) start.values.push_back(e.value);
     return start;
-  }
-
-  // Sums of squares that agree as far as rounding and the search can tell.
-  bool as_good(double a, double b) const {
-    return std::fabs(a - b) <= 1e-6 * std::max(a, b) + kExact * fit_.torque_size();
-  }
-
-  // The smallest residuals; of equals the first start's. An optimum goes before a fit that stopped
-  // short, unless that one is better.
-  const LeastSquaresResult* find_best() {
-    std::size_t best = fits_.size();
-    for (std::size_t s = 0; s < fits_.size(); ++s) {
-      const CalibrateResult::Start& start = result_.starts[s];
-      if (start.values.empty()) continue;
-      if (best == fits_.size()) {
-        best = s;
-        continue;
-      }
-      const CalibrateResult::Start& other = result_.starts[best];
-      const bool equal = as_good(start.residual_rms, other.residual_rms);
-      const bool finished = start.outcome == Outcome::optimal && other.outcome != Outcome::optimal;
-      if (equal ? finished : start.residual_rms < other.residual_rms) best = s;
-    }
-    if (best == fits_.size()) return nullptr;
-    add_optima(best);
-    return &fits_[best];
   }
 
   // Whether two starts ended in one place. Parameters that the data do not determine say nothing.
   bool same_place(const CalibrateResult::Start& a, const CalibrateResult::Optimum& b,
                   const LeastSquaresResult& fit) const {
     constexpr double kNear = 1e-3;  // of the range
-    if (!as_good(a.residual_rms, b.residual_rms)) return false;
+    if (!as_good(a.residual_rms, b.residual_rms, fit_)) return false;
     for (std::size_t j = 0; j < a.values.size(); ++j) {
       const DesignVariable& range = fit_.parameters()[j];
       const double part =
@@ -123,8 +103,50 @@ class Calibration {
       if (known != result_.optima.end())
         ++known->starts;
       else
-        result_.optima.push_back({start.values, start.residual_rms, 1});
+        result_.optima.push_back(
+            {start.values, start.residual_rms, 1, false, fit_.derived(start.values)});
     }
+  }
+
+  static void set_interval(const ProfiledInterval& found, CalibrateResult::Estimate& e) {
+    if (!found.low || !found.high) return;
+    e.low = found.low->linear ? e.low : found.low->value;
+    e.high = found.high->linear ? e.high : found.high->value;
+    e.profiled = !found.low->linear || !found.high->linear;
+    e.low_cut = found.low->cut_off;
+    e.high_cut = found.high->cut_off;
+  }
+
+  // Another optimum fits as well if its sum of squares is in the joint confidence region (L2.2), though it is not there
+  // itself: places that the linearised region of the best one holds belong to the same valley. Few points leave so large
+  // a region that a motor which misses them by far is in it; such a one does not fit.
+  void compare_optima(const LeastSquaresResult& best, const optim::Residuals& residuals) {
+    const double count = static_cast<double>(fit_.points().size());
+    for (std::size_t k = 0; k < result_.optima.size(); ++k) {
+      CalibrateResult::Optimum& other = result_.optima[k];
+      const double sum = other.residual_rms * other.residual_rms * count;
+      const bool equal = sum <= best.joint_limit ||
+                         as_good(other.residual_rms, result_.optima.front().residual_rms, fit_);
+      const bool near =
+          linear_increase(residuals, other.values) <= best.joint_limit - best.sum_of_squares;
+      const bool far =
+          !fit_.deviations_given() && result_.misfit_of(other) > CalibrateResult::kLarge;
+      other.fits_as_well = k == 0 || (equal && !near && !far);
+    }
+  }
+
+  // What the sum of squares would rise by on the way from the best place, were the residuals linear.
+  double linear_increase(const optim::Residuals& residuals,
+                         const std::vector<double>& values) const {
+    const std::vector<double>& from = result_.optima.front().values;
+    double sum = 0;
+    for (std::size_t i = 0; i < residuals.values.size(); ++i) {
+      double change = 0;
+      for (std::size_t j = 0; j < from.size(); ++j)
+        change += residuals.jacobian[i * from.size() + j] * (values[j] - from[j]);
+      sum += change * change;
+    }
+    return sum;
   }
 
   void add_estimates(const LeastSquaresResult& best) {
@@ -177,7 +199,7 @@ class Calibration {
       point.fitted = point.torque - point.residual;
     }
     result_.residual_rms = fit_.rms(residuals.values);
-    result_.exact = result_.residual_rms <= kExact * fit_.torque_size();
+    result_.exact = fit_.exact(result_.residual_rms);
   }
 
   void test_fit() {
@@ -189,7 +211,7 @@ class Calibration {
     std::vector<double> residuals;
     for (const CalibrateResult::Point* point : ordered) residuals.push_back(point->residual);
     result_.runs = runs_test(residuals);
-    if (!(fit_.points().front().deviation > 0)) return;
+    if (!fit_.deviations_given()) return;
     double sum = 0;
     for (std::size_t i = 0; i < result_.data.size(); ++i) {
       const double part = result_.data[i].residual / fit_.points()[i].deviation;
@@ -206,6 +228,44 @@ class Calibration {
       if (names.size() == 2) set.undone_by = undone_by(best, residuals, names);
       result_.undetermined.push_back(std::move(set));
     }
+  }
+
+  // Directions along which a confidence interval is half of the values wide, or more.
+  void name_combinations(const LeastSquaresResult& best) {
+    constexpr double kHalf = 0.5;
+    constexpr double kUnseen = 1e-10;  // as for the rank: of the best visible one
+    const double most = best.directions.empty() ? 0 : best.directions.back().effect;
+    for (const optim::Direction& direction : best.directions) {
+      const bool unseen = direction.effect <= kUnseen * most;
+      const double half_width = best.student_t * best.scatter / direction.effect;
+      const bool wide = !result_.exact && half_width > kHalf;
+      if (!unseen && !wide && !result_.combinations.empty()) break;
+      result_.combinations.push_back(combination(best, direction, unseen));
+      if (!unseen && !wide) break;  // the worst is told even where it is not bad
+    }
+  }
+
+  // A change of 10 % of what moves most, the first of the parameters upwards. Left out is what moves by less than a
+  // twentieth of that and does less than a tenth of what another part does.
+  CalibrateResult::Combination combination(const LeastSquaresResult& best,
+                                           const optim::Direction& direction, bool unseen) const {
+    constexpr double kStep = 0.1;
+    constexpr double kNotable = 0.05;
+    constexpr double kCounts = 0.1;
+    const double most = *std::max_element(direction.alone.begin(), direction.alone.end());
+    CalibrateResult::Combination result;
+    double percent = 0;
+    for (std::size_t j = 0; j < direction.change.size(); ++j) {
+      const bool counts = direction.alone[j] > kCounts * most;
+      if (!(std::fabs(direction.change[j]) >= kNotable) && !counts) continue;
+      if (percent == 0) percent = std::copysign(100 * kStep, direction.change[j]);
+      result.parts.push_back({best.estimates[j].name, percent * direction.change[j]});
+    }
+    const double count = static_cast<double>(fit_.points().size());
+    result.effect = kStep * direction.effect / std::sqrt(count) / best.scatter;
+    if (result_.exact) result.effect = std::numeric_limits<double>::quiet_NaN();
+    result.unseen = unseen;
+    return result;
   }
 
   // The change of b, in percent, that undoes 1 % more of a: their columns are parallel.
@@ -237,29 +297,31 @@ class Calibration {
 
 }  // namespace
 
-double CalibrateResult::misfit() const {
-  double largest = 0;
-  for (const Point& point : data) largest = std::max(largest, std::fabs(point.torque));
-  return largest > 0 && residual_rms > 0 ? residual_rms / largest : 0;
+double root_mean(const LeastSquaresResult& one, const TorqueFit& fit) {
+  return std::sqrt(one.sum_of_squares / static_cast<double>(fit.points().size()));
 }
 
-bool CalibrateResult::at_bounds() const {
-  return !estimates.empty() && std::all_of(estimates.begin(), estimates.end(),
-                                           [](const auto& e) { return e.bound != Bound::none; });
-}
-
-bool CalibrateResult::poor() const {
-  constexpr double kRare = 0.01;
-  constexpr double kNoticeable = 0.02;
-  constexpr double kLarge = 0.1;
-  const double chance = std::min(runs ? runs->p : 1.0, chi_square ? chi_square_p : 1.0);
-  return chance < kRare || (chance < kUnlikely && misfit() > kNoticeable) ||
-         (!chi_square && misfit() > kLarge);
+std::optional<std::size_t> best_fit(const TorqueFit& fit,
+                                    const std::vector<LeastSquaresResult>& fits) {
+  std::optional<std::size_t> best;
+  for (std::size_t s = 0; s < fits.size(); ++s) {
+    if (fits[s].estimates.empty()) continue;
+    if (!best) {
+      best = s;
+      continue;
+    }
+    const LeastSquaresResult& one = fits[s];
+    const LeastSquaresResult& other = fits[*best];
+    const bool equal = as_good(root_mean(one, fit), root_mean(other, fit), fit);
+    const bool finished = one.outcome == Outcome::optimal && other.outcome != Outcome::optimal;
+    if (equal ? finished : one.sum_of_squares < other.sum_of_squares) best = s;
+  }
+  return best;
 }
 
 KindAnswer calibration(const TorqueFit& fit, const std::vector<LeastSquaresResult>& fits,
-                       double confidence) {
-  return Calibration(fit, fits, confidence).answer();
+                       double confidence, const std::vector<ProfiledInterval>& intervals) {
+  return Calibration(fit, fits, confidence).answer(intervals);
 }
 
 }  // namespace twum::studies

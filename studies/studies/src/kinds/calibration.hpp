@@ -4,15 +4,31 @@
 #include "kinds/study_kind.hpp"
 #include "kinds/torque_fit.hpp"
 
-#include <twum/optim/least_squares.hpp>
+#include <twum/optim/fit_profile.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace twum::studies {
 
-/// What local fits from several starts say together: the best of them (of equals the first) with its
-/// statistics, the other places where starts ended, and whether the best one fits.
+/// Root of the weighted mean square of the residuals of a fit [N m].
+double root_mean(const optim::LeastSquaresResult& one, const TorqueFit& fit);
+
+/// The least sum of squares; of equals the first start's. An optimum goes before a fit that stopped short, unless
+/// that one is better. Nothing if no start could be evaluated.
+std::optional<std::size_t> best_fit(const TorqueFit& fit,
+                                    const std::vector<optim::LeastSquaresResult>& fits);
+
+/// Ends of a confidence interval, where they were looked for.
+struct ProfiledInterval {
+  std::optional<optim::ProfileEnd> low;
+  std::optional<optim::ProfileEnd> high;
+};
+
+/// What local fits from several starts say together: best_fit() with its statistics, the other places where starts
+/// ended, and whether the best one fits and is determined.
+/// @param intervals  one for each parameter, of the best fit; none: the linearised ones stand
 KindAnswer calibration(const TorqueFit& fit, const std::vector<optim::LeastSquaresResult>& fits,
-                       double confidence);
+                       double confidence, const std::vector<ProfiledInterval>& intervals = {});
 
 }  // namespace twum::studies

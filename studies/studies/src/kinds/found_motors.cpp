@@ -51,16 +51,36 @@ struct Finder {
   }
 
   std::vector<FoundMotor> operator()(const CalibrateResult& answer) const {
-    if (result.outcome != "fitted") return {};
-    std::vector<NamedValue> values;
-    for (const auto& estimate : answer.estimates) values.push_back(estimate.parameter);
-    values.insert(values.end(), answer.derived.begin(), answer.derived.end());
-    return {{"fitted.yaml", "fitted motor", motor_with(file, values, "fit of " + result.study)}};
+    if (result.outcome == "fitted")
+      return {
+          {"fitted.yaml", "fitted motor",
+           motor_with(file, values_at(answer, answer.optima.front()), "fit of " + result.study)}};
+    std::vector<FoundMotor> motors;
+    if (result.outcome != "several") return motors;
+    for (const CalibrateResult::Optimum& optimum : answer.optima) {
+      if (!optimum.fits_as_well) continue;
+      const std::string number = std::to_string(motors.size() + 1);
+      motors.push_back({optimum_file(motors.size() + 1), "motor " + number + " that fits",
+                        motor_with(file, values_at(answer, optimum), "fit " + number)});
+    }
+    return motors;
   }
 
   template <typename Other>
   std::vector<FoundMotor> operator()(const Other& /*answer*/) const {
     return {};
+  }
+
+ private:
+  static std::vector<NamedValue> values_at(const CalibrateResult& answer,
+                                           const CalibrateResult::Optimum& optimum) {
+    std::vector<NamedValue> values;
+    for (std::size_t j = 0; j < optimum.values.size(); ++j) {
+      values.push_back(answer.estimates[j].parameter);
+      values.back().value = optimum.values[j];
+    }
+    values.insert(values.end(), optimum.derived.begin(), optimum.derived.end());
+    return values;
   }
 };
 
@@ -102,6 +122,10 @@ std::string front_file(std::size_t number, std::size_t count) {
   const std::string text = std::to_string(number);
   const std::size_t digits = std::max(std::to_string(count).size(), std::size_t{2});
   return "front/" + std::string(digits - text.size(), '0') + text + ".yaml";
+}
+
+std::string optimum_file(std::size_t number) {
+  return "optima/" + std::string(number < 10 ? "0" : "") + std::to_string(number) + ".yaml";
 }
 
 std::vector<FoundMotor> found_motors(const StudyFile& file, const StudyResult& result) {

@@ -21,6 +21,9 @@ struct FoundMotor {
 /// @param number  of the point, from 1
 std::string front_file(std::size_t number, std::size_t count);
 
+/// Motor file of one of several motors that fit equally well: "optima/02.yaml".
+std::string optimum_file(std::size_t number);
+
 /// The best design, the points of a front, the fitted motor; none of a study that was interrupted or
 /// found no answer.
 std::vector<FoundMotor> found_motors(const StudyFile& file, const StudyResult& result);

@@ -8,7 +8,6 @@
 #include <utility>
 
 namespace twum::studies {
-
 TorqueFit::TorqueFit(const MotorDesign& motor, std::vector<DesignVariable> parameters,
                      std::vector<MeasuredPoint> points, std::vector<DerivedParameter> derived)
     : motor_(motor),

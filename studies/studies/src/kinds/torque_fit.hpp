@@ -16,10 +16,13 @@
 namespace twum::studies {
 
 /// The residuals of a calibration: torque of the motor less torque measured, at the speed measured,
-/// times the root of the point's weight [N m]. The speed is what a test stand sets, the torque what it
+/// times the root of the point's weight (L1.1) [N m]. The speed is what a test stand sets, the torque what it
 /// reads; so the error is one of torque. Constant, safe from any number of threads.
 class TorqueFit {
  public:
+  /// Residuals below this part of the torques are rounding.
+  static constexpr double kRounding = 1e-9;
+
   TorqueFit(const MotorDesign& motor, std::vector<DesignVariable> parameters,
             std::vector<MeasuredPoint> points, std::vector<DerivedParameter> derived = {});
 
@@ -30,6 +33,10 @@ class TorqueFit {
   optim::Residuals residuals(std::span<const double> values) const;
   /// Root of the weighted mean square [N m].
   double rms(std::span<const double> residuals) const;
+  /// A root mean square that is rounding beside the torques.
+  bool exact(double rms) const { return rms <= kRounding * torque_size(); }
+  /// Standard deviations were measured.
+  bool deviations_given() const { return points_.front().deviation > 0; }
   /// Root mean square of the torques measured [N m].
   double torque_size() const;
 

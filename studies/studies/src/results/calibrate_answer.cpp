@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/calibration_notes.hpp"
+#include "results/calibration_words.hpp"
 #include "results/search_words.hpp"
 
 #include <twum/studies/text/number.hpp>
@@ -28,7 +29,13 @@ bool undetermined(const CalibrateResult& result, const std::string& name) {
 std::string remark(const CalibrateResult& result, const CalibrateResult::Estimate& e) {
   if (e.bound != Bound::none) return std::string("held by its ") + end_word(e.bound);
   if (undetermined(result, e.parameter.name)) return "not determined";
-  return wider_than_range(e) ? "wider than its range" : "";
+  if (wider_than_range(e)) return "wider than its range";
+  return CalibrateResult::of_use(e) ? "" : "hardly determined";
+}
+
+Json cut_off_json(const CalibrateResult::Estimate& e) {
+  if (e.low_cut) return e.high_cut ? "both" : "low";
+  return e.high_cut ? Json("high") : Json(nullptr);
 }
 
 Json estimates_json(const CalibrateResult& result) {
@@ -39,6 +46,8 @@ Json estimates_json(const CalibrateResult& result) {
                               {"high", number_json(e.high)},
                               {"sd", number_json(e.deviation)},
                               {"at_bound", bound_json(e.bound)},
+                              {"interval", e.profiled ? "profile" : "linear"},
+                              {"cut_off", cut_off_json(e)},
                               {"remark", remark(result, e)}};
   }
   return json;
@@ -95,6 +104,7 @@ Json optima_json(const CalibrateResult& result) {
   for (const CalibrateResult::Optimum& optimum : result.optima) {
     json.push_back({{"residual_rms", number_json(optimum.residual_rms)},
                     {"starts", optimum.starts},
+                    {"fits_as_well", optimum.fits_as_well},
                     {"design", design_json(result, optimum.values)}});
   }
   return json;
@@ -104,6 +114,19 @@ Json undetermined_json(const CalibrateResult& result) {
   Json json = Json::array();
   for (const CalibrateResult::Undetermined& set : result.undetermined)
     json.push_back({{"parameters", set.names}, {"undone_by", number_json(set.undone_by)}});
+  return json;
+}
+
+Json combinations_json(const CalibrateResult& result) {
+  Json json = Json::array();
+  for (const CalibrateResult::Combination& combination : result.combinations) {
+    Json parts = Json::object();
+    for (const auto& part : combination.parts) parts[part.name] = part.percent;
+    json.push_back({{"words", combination_words(combination)},
+                    {"percent", std::move(parts)},
+                    {"effect", number_json(combination.effect)},
+                    {"unseen", combination.unseen}});
+  }
   return json;
 }
 
@@ -177,12 +200,15 @@ std::string optima_table(const CalibrateResult& result) {
   TextTable table;
   table.rows.push_back({"starts", "residual rms"});
   for (const auto& e : result.estimates) table.rows[0].push_back(e.parameter.name);
+  table.rows[0].emplace_back("");
   for (const CalibrateResult::Optimum& optimum : result.optima) {
     table.rows.push_back(
         {std::to_string(optimum.starts), engineering(optimum.residual_rms, "N.m", 3)});
     for (std::size_t j = 0; j < optimum.values.size(); ++j)
       table.rows.back().push_back(
           engineering(optimum.values[j], result.estimates[j].parameter.unit));
+    const bool answer = &optimum == &result.optima.front();
+    table.rows.back().emplace_back(answer ? "" : optimum.fits_as_well ? "fits as well" : "");
   }
   return "\n" + aligned(table);
 }
@@ -199,6 +225,7 @@ Json answer_json(const CalibrateResult& result) {
             {"student_t", number_json(result.student_t)},
             {"fit", tests_json(result)},
             {"undetermined", undetermined_json(result)},
+            {"combinations", combinations_json(result)},
             {"optima", optima_json(result)},
             {"starts", starts_json(result)},
             {"notes", calibration_notes(result)},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/calibration_notes.hpp"
 
+#include "results/calibration_words.hpp"
 #include "results/search_words.hpp"
 
 #include <twum/studies/text/number.hpp>
@@ -8,6 +9,7 @@
 #include <twum/studies/units/engineering.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace twum::studies {
@@ -83,6 +85,31 @@ void add_undetermined(const CalibrateResult::Undetermined& set, Notes& notes) {
   notes.push_back(std::move(text));
 }
 
+// What the data see least, as a change of the motor.
+void add_combination(const CalibrateResult::Combination& combination, Notes& notes) {
+  if (combination.parts.size() < 2 && combination.unseen) return;  // told with its name
+  std::string text = combination_words(combination);
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  constexpr double kNothing = 1e-3;  // standard deviations
+  if (combination.unseen || combination.effect < kNothing)
+    text += " fits as well: to first order nothing that was measured changes.";
+  else if (std::isfinite(combination.effect))
+    text += (combination.effect < 1 ? " fits nearly as well: " : " is what the data see least: ") +
+            std::string("what was measured changes by ") + rounded_text(combination.effect, 2) +
+            " standard deviations (root mean square).";
+  else
+    text += " is what the data see least.";
+  notes.push_back(std::move(text));
+}
+
+void add_several(const CalibrateResult& result, Notes& notes) {
+  if (result.equals() < 2) return;
+  notes.push_back(
+      "The data cannot tell " + std::to_string(result.equals()) +
+      " different motors apart, which the table of optima lists: measure where their curves "
+      "differ most, or narrow the ranges.");
+}
+
 // Pairs that are determined, but hardly apart.
 void add_correlated(const CalibrateResult& result, Notes& notes) {
   constexpr double kStrong = 0.95;
@@ -121,22 +148,27 @@ void add_held(const CalibrateResult& result, Notes& notes) {
 
 void add_wide(const CalibrateResult& result, Notes& notes) {
   std::vector<std::string> wide;
-  std::vector<std::string> impossible;
-  bool from_zero = false;  // a range that cannot have a log scale as it is
+  std::vector<std::string> little;
+  std::vector<std::string> cut;
   for (const CalibrateResult::Estimate& e : result.estimates) {
-    if (wider_than_range(e)) wide.push_back(e.parameter.name);
-    if (e.log || !(e.low < 0) || e.min < 0) continue;
-    impossible.push_back(e.parameter.name);
-    from_zero = from_zero || e.min == 0;
+    if (e.bound != Bound::none || !std::isfinite(e.low)) continue;
+    if (wider_than_range(e))
+      wide.push_back(e.parameter.name);
+    else if (!CalibrateResult::of_use(e))
+      little.push_back(e.parameter.name);
+    if (e.low_cut != e.high_cut) cut.push_back(e.parameter.name);
   }
   if (!wide.empty())
     notes.push_back("The points hardly determine " + enumeration(wide) + ": " +
                     (wide.size() == 1 ? "its interval is wider than its range."
                                       : "their intervals are wider than their ranges."));
-  if (!impossible.empty())
-    notes.push_back("The interval of " + enumeration(impossible) +
-                    " reaches below 0, which cannot be: with scale: log " +
-                    (from_zero ? "and a min above 0 " : "") + "it would not.");
+  if (!little.empty())
+    notes.push_back("The points say little about " + enumeration(little) + ": the ends of " +
+                    (little.size() == 1 ? "its interval" : "their intervals") +
+                    " differ by more than a factor of 3.");
+  if (!cut.empty())
+    notes.push_back("The interval of " + enumeration(cut) +
+                    " ends where the range does: the points allow values beyond it.");
 }
 
 void add_starts(const CalibrateResult& result, Notes& notes) {
@@ -150,7 +182,10 @@ void add_starts(const CalibrateResult& result, Notes& notes) {
   if (result.optima.size() > 1)
     notes.push_back(std::to_string(count) + " starts ended in " +
                     std::to_string(result.optima.size()) +
-                    " different places; the one with the smallest residuals is the answer.");
+                    " different places; the first in the table has the smallest residuals.");
+  if (count > 1 && 2 * result.optima.size() > count)
+    notes.push_back("With so many places more starts may find a better one: try starts: " +
+                    std::to_string(10 * result.optima.size()) + ".");
   if (short_of > 0)
     notes.push_back(std::to_string(short_of) + " of " + counted(count, "start") +
                     " did not reach an optimum; summary.json says why.");
@@ -172,6 +207,7 @@ const char* end_word(Bound bound) { return bound == Bound::min ? "min" : "max"; 
 
 bool wider_than_range(const CalibrateResult::Estimate& e) {
   if (e.bound != Bound::none || !std::isfinite(e.low)) return false;
+  if (e.low_cut && e.high_cut) return true;
   return e.log ? e.high / e.low > e.max / e.min : e.high - e.low > e.max - e.min;
 }
 
@@ -184,7 +220,9 @@ std::vector<std::string> calibration_notes(const CalibrateResult& result) {
         "units in the heading of the data file, then the ranges.");
   if (result.at_bounds() || result.poor()) add_unit_hints(result, notes);
   if (!result.at_bounds()) add_misfit(result, notes);
+  add_several(result, notes);
   for (const auto& set : result.undetermined) add_undetermined(set, notes);
+  for (const auto& combination : result.combinations) add_combination(combination, notes);
   add_wide(result, notes);
   add_correlated(result, notes);
   if (!result.at_bounds()) add_held(result, notes);

@@ -27,7 +27,8 @@ constexpr std::string_view kPart = ".part";
 constexpr std::array<std::string_view, 7> kResults{"study.yaml",  "results.csv", "summary.json",
                                                    "report.html", "best.yaml",   "fitted.yaml",
                                                    "results.db"};
-constexpr std::string_view kFront = "front";  // motor files of its points: 01.yaml
+// Folders of numbered motor files, such as 01.yaml: points of a front, motors that fit equally well.
+constexpr std::array<std::string_view, 2> kNumbered{"front", "optima"};
 
 [[noreturn]] void fail(const std::string& path, const std::string& what, int reason) {
   throw StoreError(path + ": " + what + ": " + std::strerror(reason));
@@ -85,7 +86,7 @@ namespace {
 }
 
 // "07.yaml", or what was to become of it
-bool is_front_point(const fs::path& path) {
+bool is_numbered_motor(const fs::path& path) {
   std::string name = path.filename().string();
   if (name.ends_with(kPart)) name.resize(name.size() - kPart.size());
   const std::size_t digits = name.find_first_not_of("0123456789");
@@ -94,35 +95,39 @@ bool is_front_point(const fs::path& path) {
 
 }  // namespace
 
-void ResultFolder::discard_front() const {
-  std::error_code error;
-  const fs::path front = file(kFront);
-  for (const auto& entry : fs::directory_iterator(front, error)) {
-    if (!is_front_point(entry.path())) continue;
-    fs::remove(entry.path(), error);
-    if (error) fail(entry.path().string(), "cannot be removed", error.value());
+void ResultFolder::discard_numbered() const {
+  for (const std::string_view name : kNumbered) {
+    std::error_code error;
+    const fs::path folder = file(name);
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+      if (!is_numbered_motor(entry.path())) continue;
+      fs::remove(entry.path(), error);
+      if (error) fail(entry.path().string(), "cannot be removed", error.value());
+    }
+    fs::remove(folder, error);  // stays if there is something else in it
   }
-  fs::remove(front, error);  // stays if there is something else in it
 }
 
 void ResultFolder::check_ours() const {
   std::error_code error;
-  const std::string front = file(kFront);
-  if (has(kFront) && !fs::is_directory(front, error)) refuse_foreign(front, "");
+  for (const std::string_view name : kNumbered)
+    if (has(name) && !fs::is_directory(file(name), error)) refuse_foreign(file(name), "");
   if (has_database() && is_our_database(file(kDatabase))) return;
   if (has_database()) refuse_foreign(file(kDatabase), "");
   const std::string alone = " (there is no results.db with it)";
   for (const std::string_view name : kResults) {
     if (has(name)) refuse_foreign(file(name), alone);
   }
-  for (const auto& entry : fs::directory_iterator(front, error)) {
-    if (is_front_point(entry.path())) refuse_foreign(entry.path().string(), alone);
+  for (const std::string_view name : kNumbered) {
+    for (const auto& entry : fs::directory_iterator(file(name), error)) {
+      if (is_numbered_motor(entry.path())) refuse_foreign(entry.path().string(), alone);
+    }
   }
 }
 
 void ResultFolder::discard() const {
   check_ours();
-  discard_front();
+  discard_numbered();
   std::error_code error;
   // The database last: with it the other files are known as ours.
   for (const std::string_view name : kResults) {

@@ -50,7 +50,7 @@ class ResultFolder {
   static constexpr std::string_view kReport = "report.html";
 
  private:
-  void discard_front() const;
+  void discard_numbered() const;
   void check_held() const;
 
   std::string path_;

@@ -29,9 +29,13 @@ struct CalibrateResult {
   struct Estimate {
     NamedValue parameter;  ///< which one, and its value
     double deviation{0};   ///< standard deviation; NaN if the data do not determine it
-    double low{0};   ///< confidence interval, Student's t with the scatter of the residuals; in the
-                     ///< logarithm where the variable has a log scale, so that it stays above 0
-    double high{0};  ///< its upper end
+    double low{0};  ///< confidence interval, Student's t with the scatter of the residuals; in the
+        ///< logarithm where the variable has a log scale; from the profile of the sum of
+        ///< squares where that differs, so that it holds admissible values only
+    double high{0};                   ///< its upper end
+    bool profiled{false};             ///< one of the ends comes from the profile
+    bool low_cut{false};              ///< the range ends there: the data allow smaller values
+    bool high_cut{false};             ///< likewise for larger ones
     Bound bound{Bound::none};         ///< held there: it counts as known, and has no interval
     double min{0};                    ///< range that was searched
     double max{0};                    ///< its upper end
@@ -55,11 +59,27 @@ struct CalibrateResult {
     double undone_by{std::numeric_limits<double>::quiet_NaN()};
   };
 
+  /// A change of several parameters together that the data hardly see, or do not see at all (L2.3).
+  struct Combination {
+    /// One parameter's share.
+    struct Part {
+      std::string name;   ///< of the parameter
+      double percent{0};  ///< change of its value, of its range where the value is 0
+    };
+    std::vector<Part> parts;  ///< the largest is 10 %
+    /// Change of what is measured, root mean square in standard deviations of its scatter; NaN if that is
+    /// not known.
+    double effect{0};
+    bool unseen{false};  ///< to first order nothing changes
+  };
+
   /// A place where starts ended; the first is the answer.
   struct Optimum {
-    std::vector<double> values;  ///< of the parameters, SI
-    double residual_rms{0};      ///< of the fit there [N m]
-    std::size_t starts{0};       ///< how many ended there
+    std::vector<double> values;       ///< of the parameters, SI
+    double residual_rms{0};           ///< of the fit there [N m]
+    std::size_t starts{0};            ///< how many ended there
+    bool fits_as_well{false};         ///< the data cannot tell this motor from the first
+    std::vector<NamedValue> derived;  ///< parameters that follow
   };
 
   /// One local fit.
@@ -85,20 +105,35 @@ struct CalibrateResult {
   std::optional<double> chi_square;        ///< where standard deviations were measured
   double chi_square_p{1};                  ///< how often chance gives as much or more
   std::vector<Undetermined> undetermined;  ///< none if the data determine all
-  std::vector<Optimum> optima;             ///< places where starts ended, best first
-  std::vector<Start> starts;               ///< every local fit
+  std::vector<Combination> combinations;  ///< least visible first; none if the intervals are of use
+  std::vector<Optimum> optima;            ///< places where starts ended, best first
+  std::vector<Start> starts;              ///< every local fit
   std::vector<Point> data;  ///< in the order of the file; fitted is NaN without estimates
 
   double static_ratio{1};  ///< static to kinetic friction, kept where only the latter is estimated
 
+  /// A misfit() that no unknown scatter excuses.
+  static constexpr double kLarge = 0.1;
+
   /// Root mean square of the residuals in parts of the largest torque measured; 0 without estimates.
   double misfit() const;
+  /// Likewise of one of the optima.
+  double misfit_of(const Optimum& optimum) const;
   /// Every parameter is held by an end of its range: nothing was fitted.
   bool at_bounds() const;
   /// A misfit that chance gives less often than one time in a hundred; or one time in twenty, if it is
   /// larger than 2 % of the largest torque; or, without standard deviations that would explain it, one
   /// larger than 10 % of that.
   bool poor() const;
+  /// How many of the optima the data cannot tell from the best, that one included.
+  std::size_t equals() const;
+  /// An interval says something: its ends differ by a factor of 3 at most, or by a tenth of the range that was
+  /// searched; and the range is not what cuts off both ends. A held parameter has none.
+  static bool of_use(const Estimate& estimate);
+  /// Every parameter has an interval of use.
+  bool determined() const;
+  /// What a finished search has come to: "at-bounds", "poor", "several", "undetermined" or "fitted".
+  const char* verdict() const;
 };
 
 }  // namespace twum::studies

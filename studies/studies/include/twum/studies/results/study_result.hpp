@@ -39,9 +39,10 @@ struct StudyResult {
   std::string motor;                 ///< name of the motor
   std::string outcome;  ///< "optimal", "feasible", "infeasible", "budget", "failed" of a search;
                         ///< of a calibration "fitted", "poor" (the motor does not follow the
-                        ///< points), "at-bounds" (every parameter is), or as a search;
-                        ///< "done" or "failed" (nothing could be evaluated) of the others;
-                        ///< "interrupted" if it was asked to stop
+  ///< points), "at-bounds" (every parameter is), "several" (motors fit equally
+  ///< well), "undetermined" (by the points), or as a search;
+  ///< "done" or "failed" (nothing could be evaluated) of the others;
+  ///< "interrupted" if it was asked to stop
   std::uint64_t evaluations{0};                   ///< rows of the store
   std::map<std::string, std::uint64_t> failures;  ///< count by reason
   std::vector<FailureRegion> failure_regions;     ///< one for each reason

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/optim/fit_profile.hpp>
+
+#include <twum/base/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace twum::optim {
+namespace {
+
+// The linearised end stands if the profile puts it this close, in half widths.
+constexpr double kAgrees = 0.1;
+// An end that is searched for, likewise: a thousandth of an interval nobody needs.
+constexpr double kFound = 1e-3;
+constexpr int kMostSteps = 40;
+// A sum of squares this much below that of the fit is no rounding.
+constexpr double kBetter = 1e-6;
+
+// The profile on one side of the fit, in half widths of the linearised interval: z(u) is the root of the increase of the
+// sum of squares in units of (t s)^2 when the parameter is u half widths away. Linear residuals give z = u.
+class Profile {
+ public:
+  Profile(const std::vector<Variable>& parameters, const ResidualFunction& residuals,
+          const LeastSquaresOptions& options, const LeastSquaresResult& fit, std::size_t parameter,
+          IntervalEnd end)
+      : parameters_(parameters),
+        residuals_(residuals),
+        options_(options),
+        fit_(fit),
+        which_(parameter),
+        sign_(end == IntervalEnd::high ? 1.0 : -1.0),
+        lowest_((1.0 - kBetter) * fit.sum_of_squares) {
+    const Estimate& e = fit.estimates[which_];
+    log_ = parameters[which_].scale == Scale::log;
+    width_ = fit.student_t * e.standard_deviation / (log_ ? e.value : 1.0);
+    const double bound =
+        end == IntervalEnd::high ? parameters[which_].upper : parameters[which_].lower;
+    farthest_ = std::abs(log_ ? std::log(bound / e.value) : bound - e.value) / width_;
+    if (std::isnan(farthest_)) farthest_ = kInfinity;
+  }
+
+  ProfileEnd find() {
+    double inside = 0.0;
+    double at = std::min(1.0, farthest_);
+    double z = height(at);
+    if (at == 1.0 && std::abs(z - 1.0) <= kAgrees) return answer(1.0, true, false);
+    while (z < 1.0) {
+      if (at == farthest_) return answer(at, false, true);
+      inside = at;
+      at = std::min(farthest_, at * std::clamp(1.1 / z, 1.5, 4.0));
+      z = height(at);
+    }
+    return answer(root(inside, at, z), false, false);
+  }
+
+ private:
+  double value(double u) const {
+    const double centre = fit_.estimates[which_].value;
+    if (u == farthest_) return sign_ > 0 ? parameters_[which_].upper : parameters_[which_].lower;
+    const double step = sign_ * u * width_;
+    return std::clamp(log_ ? centre * std::exp(step) : centre + step, parameters_[which_].lower,
+                      parameters_[which_].upper);
+  }
+
+  ProfileEnd answer(double u, bool linear, bool cut_off) const {
+    return {value(u), linear, cut_off, better_};
+  }
+
+  // The parameter held at u half widths, the others begin where the linear fit would have them.
+  std::vector<Variable> held_at(double u) const {
+    std::vector<Variable> list = parameters_;
+    const std::size_t n = list.size();
+    const double moved = value(u) - fit_.estimates[which_].value;
+    const double variance = fit_.covariance[which_ * n + which_];
+    for (std::size_t i = 0; i < n; ++i) {
+      Variable& v = list[i];
+      const double follows = fit_.covariance[i * n + which_] / variance * moved;
+      v.start = fit_.estimates[i].value + (std::isfinite(follows) ? follows : 0.0);
+      v.start = std::clamp(v.start, v.lower, v.upper);
+      if (i == which_) v.start = value(u);
+      if (i == which_ || fit_.estimates[i].at_bound) v.lower = v.upper = v.start;
+    }
+    return list;
+  }
+
+  // Infinite where nothing can be evaluated.
+  double height(double u) {
+    const LeastSquaresResult found = least_squares(held_at(u), residuals_, options_);
+    if (found.estimates.empty()) return kInfinity;
+    if (found.sum_of_squares < lowest_) {
+      lowest_ = found.sum_of_squares;
+      better_.clear();
+      for (const Estimate& e : found.estimates) better_.push_back(e.value);
+    }
+    const double unit = fit_.student_t * fit_.scatter;
+    return std::sqrt(std::max(found.sum_of_squares - fit_.sum_of_squares, 0.0)) / unit;
+  }
+
+  // z rises from below 1 at `low` to 1 or more at `high`: regula falsi, by halves where a side stays.
+  double root(double low, double high, double z_high) {
+    double z_low = low;  // of the linear fit; only its sign counts in the end
+    int kept = 0;
+    for (int step = 0; step < kMostSteps && high - low > kFound * high; ++step) {
+      const bool secant = std::isfinite(z_high) && std::abs(kept) < 2 && z_high > z_low;
+      const double part = secant ? (1.0 - z_low) / (z_high - z_low) : 0.5;
+      const double at = low + std::clamp(part, 0.02, 0.98) * (high - low);
+      const double z = height(at);
+      if (std::abs(z - 1.0) <= kFound) return at;
+      if (z < 1.0) {
+        low = at;
+        z_low = z;
+        kept = std::max(kept, 0) + 1;
+      } else {
+        high = at;
+        z_high = z;
+        kept = std::min(kept, 0) - 1;
+      }
+      if (options_.stop.stop_requested()) break;
+    }
+    return high;
+  }
+
+  const std::vector<Variable>& parameters_;
+  const ResidualFunction& residuals_;
+  const LeastSquaresOptions& options_;
+  const LeastSquaresResult& fit_;
+  std::size_t which_;
+  double sign_;
+  bool log_{false};
+  double width_{0.0};           // half, of the linearised interval, in the scale of the parameter
+  double farthest_{0.0};        // bound, in half widths
+  double lowest_;               // least sum of squares met, of those that count as better
+  std::vector<double> better_;  // where
+};
+
+}  // namespace
+
+ProfileEnd profile_end(const std::vector<Variable>& parameters, const ResidualFunction& residuals,
+                       const LeastSquaresOptions& options, const LeastSquaresResult& fit,
+                       std::size_t parameter, IntervalEnd end) {
+  TWUM_ASSERT(parameter < fit.estimates.size() &&
+              fit.estimates[parameter].standard_deviation > 0.0);
+  return Profile(parameters, residuals, options, fit, parameter, end).find();
+}
+
+}  // namespace twum::optim

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// When a calibration calls a fit a fit, and what it says where the points do not determine the motor (L2.3, L3.1).
+#include "calibrate_support.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+using namespace twum;
+using namespace twum::studies;
+using namespace twum::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+// Three points of a 60 mm motor, as a bench notes them.
+const char* const kThreePoints = "speed [rpm],torque [N.m]\n0,1.0\n100,0.5\n150,0\n";
+
+// Torques of a motor at some speeds, in SI.
+std::string torques_at(const MotorDesign& design, const std::vector<double>& rpm) {
+  const Motor motor(design);
+  std::string csv = "speed,torque\n";
+  for (const double speed : rpm)
+    csv += number(speed * kRpm) + "," + number(motor.operating_point(speed * kRpm).torque) + "\n";
+  return csv;
+}
+
+std::vector<double> slow() { return {1, 2, 4, 6, 8, 10, 12}; }  // [rpm]: all of the contact slips
+std::vector<double> all_speeds() {
+  std::vector<double> rpm;
+  for (int i = 1; i <= 28; ++i) rpm.push_back(5 * i);
+  return rpm;
+}
+
+}  // namespace
+
+TEST_CASE("three points do not make a fit, whatever is varied", "[studies][calibrate]") {
+  const std::string friction = "kinetic_friction: {min: 0.05, max: 0.5}";
+  const std::string modulus = "youngs_modulus: {min: 0.5 GPa, max: 20 GPa, scale: log}";
+  const std::string wave = "amplitude: {min: 1 um, max: 2.2 um}";
+  for (const std::string& variables :
+       {friction, friction + ", " + modulus, friction + ", " + wave, modulus + ", " + wave,
+        friction + ", " + modulus + ", " + wave, friction + ", preload: {min: 60 N, max: 300 N}"}) {
+    CAPTURE(variables);
+    Case one;
+    one.variables = variables;
+    one.more = "starts: 8";
+    const Run run(one.file(kThreePoints));
+    CHECK(run.answer.outcome != "fitted");
+    CHECK(run.answer.outcome != "feasible");  // which ends with the exit status 0
+    for (const auto& estimate : run.result().estimates) {
+      if (!std::isfinite(estimate.low)) continue;
+      CHECK(estimate.low >= estimate.min);
+      CHECK(estimate.high <= estimate.max);
+    }
+  }
+}
+
+TEST_CASE("two motors that fit two points to rounding are both named", "[studies][calibrate]") {
+  // Much friction under little preload or the other way round: beyond the plateau preload widens the
+  // contact, so that the torque falls again.
+  Case one;
+  one.variables = "kinetic_friction: {min: 0.05, max: 1}, preload: {min: 10 N, max: 500 N}";
+  one.more = "starts: 8";
+  const Run run(one.file("speed [rpm],torque [N.m]\n100,0.757\n130,0.43\n"));
+  CHECK(run.answer.outcome == "several");
+  REQUIRE(run.result().equals() == 2);
+  for (const auto& optimum : run.result().optima) {
+    if (!optimum.fits_as_well) continue;
+    const std::vector<ParameterValue> values{{Parameter::kinetic_friction, optimum.values[0]},
+                                             {Parameter::preload, optimum.values[1]}};
+    const MotorDesign design = with(one.design(), values);
+    // Each is a motor with these torques, computed without the fit. The search ends where its steps are below
+    // 1e-9 of the parameters; torques are of the order of 1 N m.
+    CHECK(Motor(design).operating_point(100 * kRpm).torque == Approx(0.757).margin(1e-8));
+    CHECK(Motor(design).operating_point(130 * kRpm).torque == Approx(0.43).margin(1e-8));
+  }
+  CHECK_THAT(run.text(), Contains("The data cannot tell 2 different motors apart"));
+  CHECK_THAT(run.text(), Contains("fits as well"));
+}
+
+TEST_CASE("combinations that the points cannot see are named, in ten cases",
+          "[studies][calibrate][closed-form]") {
+  // Of an elastic layer with G in proportion to E the torque depends on b E / h; while the whole contact slips it is
+  // mu F r.
+  struct Blind {
+    std::vector<std::string> varied;
+    bool plateau;
+    std::set<std::string> names;
+    const char* words;
+  };
+  const Blind cases[] = {
+      {{"E", "h", "mu"},
+       false,
+       {"youngs_modulus", "thickness"},
+       "with a thicker layer (thickness +10 %)"},
+      {{"b", "h", "mu"},
+       false,
+       {"contact_width", "thickness"},
+       "A wider contact (contact_width +10 %)"},
+      {{"b", "E", "mu"},
+       false,
+       {"contact_width", "youngs_modulus"},
+       "layer (youngs_modulus -10 %)"},
+      {{"b", "E", "h"}, false, {"contact_width", "youngs_modulus", "thickness"}, "fits as well"},
+      {{"mu", "F"}, true, {"kinetic_friction", "preload"}, "with less preload (preload -10 %)"},
+      {{"mu", "r"}, true, {"kinetic_friction", "contact_radius"}, "with a smaller contact radius"},
+      {{"F", "r"}, true, {"preload", "contact_radius"}, "with a smaller contact radius"},
+      {{"mu", "F", "r"}, true, {"kinetic_friction", "preload", "contact_radius"}, "fits as well"},
+      {{"mu", "d"}, false, {"modal_damping"}, "The data say nothing about modal_damping"},
+      {{"mu", "E"}, true, {"youngs_modulus"}, "The data say nothing about youngs_modulus"},
+  };
+  const std::map<std::string, std::string> ranges{
+      {"E", "youngs_modulus: {min: 1 GPa, max: 10 GPa}"},
+      {"h", "thickness: {min: 0.1 mm, max: 1 mm}"},
+      {"b", "contact_width: {min: 1 mm, max: 8 mm}"},
+      {"mu", "kinetic_friction: {min: 0.05, max: 0.5}"},
+      {"F", "preload: {min: 60 N, max: 300 N}"},
+      {"r", "contact_radius: {min: 20 mm, max: 35 mm}"},
+      {"d", "modal_damping: {min: 1 N.s/m, max: 99 N.s/m}"}};
+  for (const Blind& blind : cases) {
+    CAPTURE(blind.varied);
+    Case one;
+    one.motor = "elastic-layer";
+    one.set = "{poisson_ratio: 0.35}";
+    one.variables.clear();
+    for (const std::string& name : blind.varied)
+      one.variables += (one.variables.empty() ? "" : ", ") + ranges.at(name);
+    const Run run(one.file(torques_at(one.design(), blind.plateau ? slow() : all_speeds())));
+    CHECK(run.answer.outcome == "undetermined");
+    std::set<std::string> named;
+    for (const auto& set : run.result().undetermined)
+      named.insert(set.names.begin(), set.names.end());
+    CHECK(named == blind.names);
+    CAPTURE(run.text());
+    CHECK_THAT(run.text(), Contains(blind.words));
+  }
+}
+
+TEST_CASE(
+    "a parameter at the end of its range is not determined, though the curve follows the points",
+    "[studies][calibrate]") {
+  Case one;
+  one.variables = "kinetic_friction: {min: 0.05, max: 0.5}, amplitude: {min: 1.61 um, max: 2.2 um}";
+  const Run run(
+      one.file(points_of(one.design(), 40e-3)));  // the wave is 1.6 um, less than the range has
+  CHECK_FALSE(run.result().poor());
+  CHECK(run.result().estimates[1].bound == CalibrateResult::Bound::min);
+  CHECK(run.answer.outcome == "undetermined");
+}
