@@ -5,7 +5,8 @@
 #   scripts/install-deps.sh          to build twum and run it
 #   scripts/install-deps.sh test     the same and what scripts/test.sh needs
 #   scripts/install-deps.sh long     the same and what scripts/test-long.sh needs
-#   scripts/install-deps.sh --list [test|long]   prints the packages instead
+#   scripts/install-deps.sh mpi      what a build with TWUM_WITH_MPI=ON needs besides
+#   scripts/install-deps.sh --list [test|long|mpi]   prints the packages instead
 #
 # Runs as root, or through sudo. Says nothing when everything is there.
 set -euo pipefail
@@ -47,6 +48,7 @@ long_packages=(
   # the stator as a solid, in tests
   calculix-ccx
 )
+mpi_packages=(libopenmpi-dev openmpi-bin)
 
 list_only=false
 if [[ ${1:-} == --list ]]; then
@@ -57,8 +59,9 @@ case ${1:-build} in
   build) packages=("${build_packages[@]}") ;;
   test) packages=("${build_packages[@]}" "${test_packages[@]}") ;;
   long) packages=("${build_packages[@]}" "${test_packages[@]}" "${long_packages[@]}") ;;
+  mpi) packages=("${build_packages[@]}" "${mpi_packages[@]}") ;;
   *)
-    echo "install-deps.sh: unknown argument '$1'; use nothing, 'test' or 'long'" >&2
+    echo "install-deps.sh: unknown argument '$1'; use nothing, 'test', 'long' or 'mpi'" >&2
     exit 2
     ;;
 esac

@@ -9,7 +9,7 @@
 # Exits with an error if a step failed.
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-all_steps=(cases properties validation kill stop damage no-ipopt no-gsl shared asan tsan valgrind coverage clang fuzz package lint)
+all_steps=(cases properties validation kill stop damage no-ipopt no-gsl mpi shared asan tsan valgrind coverage clang fuzz package lint)
 
 build() {  # PRESET [CMAKE ARGUMENT...]
   configure "$@" && cmake --build --preset "$1" -j "$(jobs)"
@@ -65,6 +65,15 @@ step_no-ipopt() {
 step_no-gsl() {
   configure ci -B build/no-gsl -DTWUM_WITH_GSL=OFF && cmake --build build/no-gsl -j "$(jobs)" &&
     ! ldd build/no-gsl/bin/twum | grep -i gsl && all_tests build/no-gsl
+}
+
+# Several processes give the bytes of one: each example study, and a few of them with a process killed at 20 random moments.
+step_mpi() {
+  scripts/install-deps.sh mpi && configure ci -B build/mpi -DTWUM_WITH_MPI=ON -DTWUM_BUILD_PYTHON=OFF &&
+    cmake --build build/mpi --target twum -j "$(jobs)" && all_tests build/mpi -L cli &&
+    python3 tests/cli/mpi_study.py build/mpi/bin/twum examples/studies/*.yaml &&
+    python3 tests/cli/kill_study.py build/mpi/bin/twum --processes 3 --jobs 1 --count 20 \
+      examples/studies/{calibrate,optimize-ring-60-ipopt,pareto-driven,sensitivity-sobol,tolerances-driven}.yaml
 }
 
 # Libraries, program, Python module and other people's programs with shared libraries.

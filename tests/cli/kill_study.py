@@ -1,15 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """Kills `twum run` at random moments and runs it again: the results must be those of a run in peace.
 
-    kill_study.py TWUM STUDY.yaml [STUDY.yaml ...] [--count 50] [--jobs 2] [--seed 1]
+    kill_study.py TWUM STUDY.yaml [STUDY.yaml ...] [--count 50] [--jobs 2] [--seed 1] [--processes 3]
 
-Ends with exit status 0 and one line for each study, or says which bytes differ.
+With several processes mpirun starts them, one of them is killed, and the run in peace is that of one process. Ends with exit status 0 and one line for each study, or says which bytes differ.
 """
 import argparse
+import os
 import pathlib
 import random
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -17,6 +19,7 @@ import time
 
 TIMES = re.compile(rb'^  "(seconds|started)": .*\n', re.MULTILINE)
 ENDED = (0, 1)  # with an answer, or without one
+KILLED = (-9, 137, 130)  # by us; mpirun on behalf of the process killed; the first process, told to stop by mpirun
 
 
 def results(folder):
@@ -26,9 +29,23 @@ def results(folder):
     return (folder / "results.csv").read_bytes(), TIMES.sub(b"", summary)
 
 
-def start(program, study, folder, jobs):
-    return subprocess.Popen([program, "run", str(study), "-o", str(folder), "--jobs", str(jobs)],
-                            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+def start(program, study, folder, jobs, processes=1):
+    command = [program, "run", str(study), "-o", str(folder), "--jobs", str(jobs)]
+    if processes > 1:
+        command = ["mpirun", "-n", str(processes), "--oversubscribe", *command]
+    return subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                            env={**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"})
+
+
+def kill(process, processes, chance):
+    """Kills the program, or one of those that mpirun has started, if they are there yet."""
+    if processes == 1:
+        return process.kill()
+    children = pathlib.Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
+    if children:
+        os.kill(int(chance.choice(children)), signal.SIGKILL)
+    else:
+        process.kill()
 
 
 def finish(process):
@@ -38,31 +55,33 @@ def finish(process):
     return process.returncode
 
 
-def kill_often(program, study, count, jobs=2, seed=1):
+def kill_often(program, study, count, jobs=2, seed=1, processes=1):
     """Number of runs that were killed before their end; raises AssertionError if results differ."""
     chance = random.Random(f"{seed} {study.name}")
     with tempfile.TemporaryDirectory(prefix="twum-kill-") as scratch:
         peace, war = pathlib.Path(scratch, "peace"), pathlib.Path(scratch, "war")
-        begin = time.monotonic()
         status = finish(start(program, study, peace, jobs))
+        begin = time.monotonic()
+        finish(start(program, study, war, jobs, processes))
         lasts = time.monotonic() - begin
+        shutil.rmtree(war)
         expected = results(peace)
         killed = 0
 
         def compare():
-            assert finish(start(program, study, war, jobs)) == status, f"{study}: another exit status"
+            assert finish(start(program, study, war, jobs, processes)) == status, f"{study}: another exit status"
             for name, ours, theirs in zip(("results.csv", "summary.json"), results(war), expected):
                 assert ours == theirs, f"{study}: {name} differs after {killed} kills (seed {seed})"
 
         for _ in range(count):
-            process = start(program, study, war, jobs)
+            process = start(program, study, war, jobs, processes)
             try:
                 process.wait(chance.uniform(0, lasts))
             except subprocess.TimeoutExpired:
-                process.kill()
+                kill(process, processes, chance)
                 killed += 1
             _, errors = process.communicate()
-            assert process.returncode in (*ENDED, -9), errors.decode(errors="replace")
+            assert process.returncode in (*ENDED, *KILLED), errors.decode(errors="replace")
             if process.returncode in ENDED:
                 compare()
                 shutil.rmtree(war)
@@ -77,9 +96,11 @@ def main():
     parser.add_argument("--count", type=int, default=50)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--processes", type=int, default=1)
     options = parser.parse_args()
     for study in options.studies:
-        killed = kill_often(options.program, study, options.count, options.jobs, options.seed)
+        killed = kill_often(options.program, study, options.count, options.jobs, options.seed,
+                            options.processes)
         print(f"{study.name}: {killed} of {options.count} runs killed, same results", flush=True)
 
 

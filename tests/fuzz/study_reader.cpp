@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fuzz/readers.hpp"
 #include "fuzz/targets.hpp"
-#include "kinds/study_kind.hpp"
+#include "kinds/executor.hpp"
 #include "study/resolved_study.hpp"
 
 #include <memory>
@@ -23,7 +23,8 @@ void run_stopped(StudyKindRun& kind) {
   ResultStore store(":memory:", kind.columns());
   std::stop_source stop;
   stop.request_stop();
-  RunContext context{store, 1, stop.get_token(), {}};
+  ThreadExecutor executor(kind);
+  RunContext context{store, executor, stop.get_token(), {}};
   kind.run(context);
 }
 

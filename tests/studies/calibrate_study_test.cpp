@@ -228,7 +228,8 @@ TEST_CASE("a calibration stopped at any evaluation goes on to the same end",
     const auto kind = make_kind(file);
     ResultStore store(":memory:", kind->columns());
     std::stop_source stop;
-    RunContext context{store, 1, stop.get_token(), [&](const RunProgress& now) {
+    ThreadExecutor executor(*kind);
+    RunContext context{store, executor, stop.get_token(), [&](const RunProgress& now) {
                          if (now.done == last) stop.request_stop();
                        }};
     kind->run(context);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "kinds/calibration.hpp"
-#include "kinds/study_kind.hpp"
+#include "kinds/executor.hpp"
 #include "results/answers.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -84,7 +84,8 @@ struct Run {
   explicit Run(const StudyFile& file, unsigned jobs = 1, const std::vector<Row>& stored = {})
       : kind(make_kind(file)), store(std::make_unique<ResultStore>(":memory:", kind->columns())) {
     for (const Row& row : stored) store->add(row);
-    RunContext context{*store, jobs, {}, {}};
+    ThreadExecutor executor(*kind, jobs);
+    RunContext context{*store, executor, {}, {}};
     answer = kind->run(context);
   }
   const CalibrateResult& result() const { return std::get<CalibrateResult>(answer.answer); }

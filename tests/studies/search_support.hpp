@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "kinds/study_kind.hpp"
+#include "kinds/executor.hpp"
 #include "results/answers.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -45,7 +45,8 @@ struct Search {
                   std::stop_token stop = {})
       : kind(make_search(file)), store(std::make_unique<ResultStore>(":memory:", kind->columns())) {
     for (const Row& row : stored) store->add(row);
-    RunContext context{*store, jobs, stop, {}};
+    ThreadExecutor executor(*kind, jobs);
+    RunContext context{*store, executor, stop, {}};
     answer = kind->run(context);
   }
 

@@ -10,6 +10,7 @@
 
 #include <twum/base/error.hpp>
 #include <twum/studies/diagnostics/diagnostics.hpp>
+#include <twum/studies/run/processes.hpp>
 #include <twum/studies/text/words.hpp>
 
 #include <CLI/CLI.hpp>
@@ -46,7 +47,9 @@ std::string with_colour(const std::string& text) {
   return out;
 }
 
+// Of several processes that were started together the first says what is wrong with their input.
 int complain(const std::string& text, int status) {
+  if (status == kWrongInput && studies::launched_number() > 0) return status;
   std::fprintf(stderr, "%s\n", text.c_str());
   return status;
 }
@@ -116,6 +119,17 @@ void refuse_empty_options(const CLI::App& app) {
   }
 }
 
+// Every other command would be done by each process, all writing the same files.
+void refuse_several_processes(const CLI::App& app) {
+  const std::string& name = app.get_subcommands().front()->get_name();
+  const unsigned processes = studies::launched_processes();
+  if (name == "run" || processes < 2) return;
+  throw InputError(name + ": started " + std::to_string(processes) +
+                   " times at once; only 'twum run' shares its work among processes: start "
+                   "'twum " +
+                   name + "' without mpirun");
+}
+
 int perform(const Action& action) {
   try {
     return action();
@@ -156,6 +170,7 @@ int run(int argc, char** argv) {
   }
   return perform([&] {
     refuse_empty_options(app);
+    refuse_several_processes(app);
     return action();
   });
 }

@@ -75,6 +75,11 @@ void install_interrupt_handler() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
+void ignore_interrupts() {
+  std::signal(SIGINT, SIG_IGN);
+  std::signal(SIGTERM, SIG_IGN);
+}
+
 bool interrupted() noexcept { return stop_asked; }
 
 // A signal handler may not request a stop: it would have to take locks. So a thread looks after it.

@@ -11,6 +11,9 @@ namespace twum::cli {
 /// second signal ends it at once. A closed pipe or a file size limit becomes an error of the write.
 void install_interrupt_handler();
 
+/// Leaves Ctrl-C and SIGTERM to another process, which ends this one when it has finished.
+void ignore_interrupts();
+
 /// True once the program was asked to stop.
 bool interrupted() noexcept;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "kinds/study_kind.hpp"
+#include "kinds/executor.hpp"
 #include "support/file_text.hpp"
 #include "support/scratch_folder.hpp"
 

@@ -57,7 +57,8 @@ struct Fit {
   }
 
   KindAnswer run(ResultStore& store) const {
-    RunContext context{store, 1, {}, {}};
+    ThreadExecutor executor(*kind);
+    RunContext context{store, executor, {}, {}};
     return kind->run(context);
   }
   std::vector<Row> rows() const {
@@ -226,7 +227,8 @@ TEST_CASE("a fit tells how far it is, and the least residuals so far", "[studies
   const Fit fit("kinetic_friction: {min: 0.1, max: 0.4}", "2");
   ResultStore store(":memory:", fit.kind->columns());
   std::vector<RunProgress> told;
-  RunContext context{store, 1, {}, [&](const RunProgress& now) { told.push_back(now); }};
+  ThreadExecutor executor(*fit.kind);
+  RunContext context{store, executor, {}, [&](const RunProgress& now) { told.push_back(now); }};
   fit.kind->run(context);
   REQUIRE(told.size() == store.rows());
   for (std::size_t i = 0; i < told.size(); ++i) CHECK(told[i].done == i + 1);
@@ -236,7 +238,8 @@ TEST_CASE("a fit tells how far it is, and the least residuals so far", "[studies
   const Fit none("static_friction: {min: 0.05, max: 0.15, start: 0.1}", "1");
   ResultStore empty(":memory:", none.kind->columns());
   std::string best = "none yet";
-  RunContext failing{empty, 1, {}, [&](const RunProgress& now) { best = now.best; }};
+  ThreadExecutor nobody(*none.kind);
+  RunContext failing{empty, nobody, {}, [&](const RunProgress& now) { best = now.best; }};
   CHECK(none.kind->run(failing).outcome == "failed");
   CHECK(best.empty());
 }

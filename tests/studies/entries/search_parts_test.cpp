@@ -94,7 +94,7 @@ TEST_CASE("a row holds what the solver saw, kinks and all", "[studies][problem]"
   CHECK(row.status == "ok");
   CHECK(row.values == std::vector<double>{100, 0.2, 0.5, 3e6});
   CHECK(rows.asked_gradient(row));
-  const optim::Evaluation back = rows.evaluation(row);
+  const optim::Evaluation back = evaluation_of(row);
   CHECK(back.ok());
   CHECK(back.values == seen.values);
   REQUIRE(back.jacobian.size() == 4);
@@ -119,8 +119,8 @@ TEST_CASE("a failure in a row is one when it is read back", "[studies][problem]"
   const Row row = rows.row(0, 0, std::vector<double>{100, 0.2}, true, failed);
   CHECK(row.status == "stall_torque: resonance");
   CHECK(std::isnan(row.values[2]));
-  CHECK(rows.evaluation(row).failure == "stall_torque: resonance");
-  CHECK(rows.evaluation(row).values.empty());
+  CHECK(evaluation_of(row).failure == "stall_torque: resonance");
+  CHECK(evaluation_of(row).values.empty());
 }
 
 TEST_CASE("a metric at a load that the motor does not carry has no value in a row",
@@ -149,11 +149,10 @@ TEST_CASE("stored evaluations that are too short are damage, wherever they end",
   seen.kinks = {{0, 1, optim::Slope::one_sided, -1, 1}};
   Row row = rows.row(0, 0, std::vector<double>{100, 0.2}, true, seen);
   const std::string whole = row.detail;
-  CHECK_NOTHROW(rows.evaluation(row));
+  CHECK_NOTHROW(evaluation_of(row));
   for (std::size_t size = 0; size < whole.size(); ++size) {
     row.detail = whole.substr(0, size);
-    CHECK_THROWS_WITH(rows.evaluation(row),
-                      "the stored evaluations are damaged: a row is too short");
+    CHECK_THROWS_WITH(evaluation_of(row), "the stored evaluations are damaged: a row is too short");
   }
   CHECK_THROWS_AS(rows.asked_gradient(Row{}), StoreError);
 }
@@ -174,7 +173,9 @@ TEST_CASE("a search tells the best feasible value so far", "[studies][problem]")
   problem.objectives = {{parse_metric("stall_torque"), maximize}};
   ResultStore store(":memory:", SearchRows(problem).columns());
   std::vector<RunProgress> told;
-  RunContext context{store, 1, {}, [&](const RunProgress& now) { told.push_back(now); }};
+  const ScriptedKind kind;
+  ThreadExecutor executor(kind);
+  RunContext context{store, executor, {}, [&](const RunProgress& now) { told.push_back(now); }};
   SearchLog log(problem, context);
   const optim::Observer observe = log.observer();
   std::uint64_t index = 0;
@@ -203,7 +204,9 @@ TEST_CASE("of several goals there is no best so far", "[studies][problem]") {
   problem.maximize("stall_torque").maximize("no_load_speed");
   ResultStore store(":memory:", SearchRows(problem).columns());
   std::string best = "none yet";
-  RunContext context{store, 1, {}, [&](const RunProgress& now) { best = now.best; }};
+  const ScriptedKind kind;
+  ThreadExecutor executor(kind);
+  RunContext context{store, executor, {}, [&](const RunProgress& now) { best = now.best; }};
   SearchLog log(problem, context);
   const std::vector<double> design{100, 0.2};
   optim::Evaluation evaluation;

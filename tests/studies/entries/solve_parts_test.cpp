@@ -70,7 +70,8 @@ struct Begun {
   explicit Begun(const StudyFile& file) {
     const auto kind = make_kind(file);
     ResultStore store(":memory:", kind->columns());
-    RunContext context{store, 1, {}, {}};
+    ThreadExecutor executor(*kind);
+    RunContext context{store, executor, {}, {}};
     best = std::get<OptimizeResult>(kind->run(context).answer).best.design;
     store.read([&](const Row& row) {
       if (first.empty()) first = row.values;

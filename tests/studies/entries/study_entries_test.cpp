@@ -223,7 +223,8 @@ TEST_CASE("a point of a curve without an answer is counted, and named by its sta
       with(file.motor.design, Parameter::inertia, 1.1e9 / (omega * omega));  // G is 1.1 GPa
   const auto kind = make_kind(file);
   ResultStore store(":memory:", kind->columns());
-  RunContext context{store, 1, {}, {}};
+  ThreadExecutor executor(*kind);
+  RunContext context{store, executor, {}, {}};
   const KindAnswer answer = kind->run(context);
   CHECK(answer.outcome == "done");
   const CurveResult::Member& member = std::get<CurveResult>(answer.answer).members.at(0);

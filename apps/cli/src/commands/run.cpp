@@ -6,6 +6,8 @@
 #include "output.hpp"
 #include "progress.hpp"
 
+#include <twum/base/error.hpp>
+#include <twum/studies/run/processes.hpp>
 #include <twum/studies/run/run_study.hpp>
 #include <twum/studies/study/study_file.hpp>
 
@@ -24,6 +26,7 @@ constexpr const char* kRunExamples = R"text(Examples:
   twum run study.yaml -o first --jobs 4
   twum run study.yaml --set "preload=140 N" -o first-140N
   twum run study.yaml -o first --fresh      discards what is in there and starts anew
+  mpirun -n 8 twum run study.yaml           shares the work among processes (a build with MPI)
 
 DIR then holds study.yaml (the study in full), results.db (SQLite: every evaluation), results.csv,
 summary.json, report.html, and what was found as motor files: best.yaml, fitted.yaml, or those of a
@@ -94,10 +97,8 @@ void say_motor_files(const studies::StudyResult& result, const std::string& dire
   std::fprintf(stderr, "motor file%s: %s\n", files.size() == 1 ? "" : "s", text.c_str());
 }
 
-int run_study(const StudyOptions& options) {
-  studies::RunOptions run;
-  if (!options.jobs.empty())
-    run.jobs = static_cast<unsigned>(parse_count("--jobs", options.jobs, 1, 1024));
+// Runs the study, alone or as the first of several processes.
+int run_first(const StudyOptions& options, studies::RunOptions run) {
   run.fresh = options.fresh;
   const studies::StudyFile file = studies::read_study_file(options.path, options.settings);
   const std::string directory = directory_of(options);
@@ -118,6 +119,29 @@ int run_study(const StudyOptions& options) {
   if (result.outcome == "interrupted")
     std::fprintf(stderr, "twum: interrupted; the same command goes on from here\n");
   return status_of(result);
+}
+
+// One of several processes, of which only the first says and writes anything.
+int run_together(const StudyOptions& options, studies::RunOptions run) {
+  if (options.path == "-")
+    throw InputError("run: only the first of " + std::to_string(studies::launched_processes()) +
+                     " processes could read the study from the standard input; give a file");
+  studies::Processes processes;
+  if (processes.first()) {
+    run.processes = &processes;
+    return run_first(options, std::move(run));
+  }
+  ignore_interrupts();
+  processes.serve(options.path, options.settings, run.jobs);
+  return kDone;
+}
+
+int run_study(const StudyOptions& options) {
+  studies::RunOptions run;
+  if (!options.jobs.empty())
+    run.jobs = static_cast<unsigned>(parse_count("--jobs", options.jobs, 1, 1024));
+  if (studies::launched_processes() > 1) return run_together(options, std::move(run));
+  return run_first(options, std::move(run));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/calibration.hpp"
+#include "kinds/executor.hpp"
 #include "kinds/metric_gradients.hpp"
 #include "kinds/study_kind.hpp"
 #include "kinds/torque_fit.hpp"
@@ -128,9 +129,9 @@ class CalibrateRun final : public StudyKindRun {
     return calibration(fit_, fits, confidence_, found);
   }
 
-  std::optional<Row> recompute(const Row& stored) const override {
-    const std::span values(stored.values.data(), variables());
-    return row(stored.stage, stored.index, values, fit_.residuals(values));
+  std::optional<Row> recompute(const Row& asked) const override {
+    const std::span values(asked.values.data(), variables());
+    return row(asked.stage, asked.index, values, fit_.residuals(values));
   }
 
  private:
@@ -150,11 +151,10 @@ class CalibrateRun final : public StudyKindRun {
       const bool known = at < stored_.size();
       if (known && !run_.same_design(stored_[at], values))
         throw StoreError("the stored evaluations do not belong to this study");
-      optim::Residuals found = known ? run_.answer_of(stored_[at]) : run_.fit_.residuals(values);
-      const Row one = run_.row(stage_, at, values, found);
+      const Row one = known ? stored_[at] : context_.executor.row(question(stage_, at, values));
       if (!known) context_.store.add(one);
       teller_.see(one.values.back());
-      return found;
+      return run_.answer_of(one);
     }
 
    private:
@@ -170,7 +170,7 @@ class CalibrateRun final : public StudyKindRun {
   static std::vector<Item> in_order(RunContext& context, std::uint64_t count, Make make) {
     std::vector<Item> items;
     run_indexed(
-        {0, count, context.jobs, [&] { return !context.stop.stop_requested(); }}, make,
+        {0, count, context.executor.lanes(), [&] { return !context.stop.stop_requested(); }}, make,
         [&](std::uint64_t, auto& found) { std::ranges::move(found, std::back_inserter(items)); });
     return items;
   }
@@ -257,6 +257,10 @@ class CalibrateRun final : public StudyKindRun {
     numbers.insert(numbers.end(), residuals.jacobian.begin(), residuals.jacobian.end());
     row.detail = packed(numbers);
     return row;
+  }
+
+  static Row question(std::uint64_t stage, std::uint64_t index, std::span<const double> values) {
+    return {stage, index, {values.begin(), values.end()}, "ok", {}};
   }
 
   optim::Residuals answer_of(const Row& row) const {

@@ -61,17 +61,16 @@ class CurveRun : public StudyKindRun {
     bool complete = true;
     std::uint64_t before = 0;
     for (std::size_t stage = 0; complete && stage < members_.size(); ++stage) {
-      complete = store_rows(
-          context, stage, points_, [&](std::uint64_t, Row& row) { fill(row); }, before, total);
+      complete = store_rows(context, stage, points_, before, total);
       before += points_;
     }
     return answer(context.store, complete);
   }
 
-  std::optional<Row> recompute(const Row& stored) const override {
-    if (stored.stage >= members_.size()) return {};
-    if (stored.index >= points_) return {};
-    Row row{stored.stage, stored.index, {}, "ok", {}};
+  std::optional<Row> recompute(const Row& asked) const override {
+    if (asked.stage >= members_.size()) return {};
+    if (asked.index >= points_) return {};
+    Row row{asked.stage, asked.index, {}, "ok", {}};
     fill(row);
     return row;
   }

@@ -98,18 +98,16 @@ class FrequencyRun : public StudyKindRun {
     const std::uint64_t total = points_ * sweeps_.size();
     bool complete = true;
     for (std::size_t stage = 0; complete && stage < sweeps_.size(); ++stage)
-      complete = store_rows(
-          context, stage, points_, [&](std::uint64_t, Row& row) { fill(row); }, points_ * stage,
-          total);
+      complete = store_rows(context, stage, points_, points_ * stage, total);
     const bool any =
         std::any_of(result_.members.begin(), result_.members.end(),
                     [](const FrequencyResult::Member& m) { return !m.branches.empty(); });
     return {!complete ? "interrupted" : any ? "done" : "failed", result_};
   }
 
-  std::optional<Row> recompute(const Row& stored) const override {
-    if (stored.stage >= sweeps_.size() || stored.index >= points_) return {};
-    Row row{stored.stage, stored.index, {}, "ok", {}};
+  std::optional<Row> recompute(const Row& asked) const override {
+    if (asked.stage >= sweeps_.size() || asked.index >= points_) return {};
+    Row row{asked.stage, asked.index, {}, "ok", {}};
     fill(row);
     return row;
   }

@@ -19,8 +19,7 @@ class LocalSensitivity : public SensitivityRun {
   }
 
   KindAnswer run(RunContext& context) override {
-    const bool complete =
-        store_rows(context, 0, 1, [&](std::uint64_t /*index*/, Row& row) { fill(row); });
+    const bool complete = store_rows(context, 0, 1);
     SensitivityResult result = frame("local");
     result.motor = motor_;
     context.store.read(0, [&](const Row& row) { answer(row, result); });
@@ -33,8 +32,8 @@ class LocalSensitivity : public SensitivityRun {
     return {std::move(word), std::move(result)};
   }
 
-  std::optional<Row> recompute(const Row& stored) const override {
-    if (stored.stage != 0 || stored.index != 0) return {};
+  std::optional<Row> recompute(const Row& asked) const override {
+    if (asked.stage != 0 || asked.index != 0) return {};
     Row row;
     fill(row);
     return row;

@@ -20,18 +20,17 @@ class MorrisSensitivity : public SensitivityRun {
   std::uint64_t seed() const override { return seed_; }
 
   KindAnswer run(RunContext& context) override {
-    const bool complete = store_rows(context, 0, trajectories_ * design_.trajectory_size(),
-                                     [&](std::uint64_t index, Row& row) { fill(index, row); });
+    const bool complete = store_rows(context, 0, trajectories_ * design_.trajectory_size());
     SensitivityResult result = answer(context.store);
     std::string word = outcome(result, complete);
     return {std::move(word), std::move(result)};
   }
 
-  std::optional<Row> recompute(const Row& stored) const override {
-    if (stored.stage != 0 || stored.index >= trajectories_ * design_.trajectory_size()) return {};
+  std::optional<Row> recompute(const Row& asked) const override {
+    if (asked.stage != 0 || asked.index >= trajectories_ * design_.trajectory_size()) return {};
     Row row;
-    row.index = stored.index;
-    fill(stored.index, row);
+    row.index = asked.index;
+    fill(asked.index, row);
     return row;
   }
 

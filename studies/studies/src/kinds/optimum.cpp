@@ -25,9 +25,15 @@ OptimumRun::OptimumRun(const StudyFile& file, DesignProblem asked, BuiltMotorsAs
                        optim::SolveOptions options, const std::string& start)
     : SearchRun(file, nominal(asked), std::move(options), start),
       goal_(asked.objectives.front()),
-      built_(std::move(built)) {
+      built_(std::move(built)),
+      motors_([this](const std::vector<double>& name) { return question_named(name); }) {
   // The rounds of a robust search are many, and each begins where the last one ended.
-  if (counts_slices() && built_.tolerances.empty()) use_slices(std::min(kFewSlices, slices()));
+  if (counts_slices() && built_.tolerances.empty())
+    begin_with_slices(std::min(kFewSlices, slices()));
+}
+
+std::optional<Row> OptimumRun::recompute(const Row& asked) const {
+  return asked.stage == kBuiltStage ? motors_.answer(asked) : SearchRun::recompute(asked);
 }
 
 std::optional<optim::Certificate> OptimumRun::certify(
@@ -66,6 +72,16 @@ DesignProblem OptimumRun::held(std::span<const double> design) const {
     if (info(variable.parameter).integer) variable.min = variable.max = design[j];
   }
   return question;
+}
+
+RobustQuestion OptimumRun::question_of(std::span<const double> design) const {
+  return {held(design), built_.tolerances, built_.statistics};
+}
+
+RobustQuestion OptimumRun::question_named(const std::vector<double>& name) const {
+  const bool of_file = name.back() != 0;
+  RobustQuestion question = question_of(std::span(name).first(name.size() - 1));
+  return of_file ? question_before(std::move(question), before()) : question;
 }
 
 // A design with every combination of whole numbers and sets, its own first; beyond kMostCombinations its own alone.
@@ -131,7 +147,7 @@ KindAnswer OptimumRun::run(RunContext& context) {
   if (built_.tolerances.empty() || !feasible || context.stop.stop_requested()) return plain;
   std::vector<RobustCandidate> candidates;
   for (std::vector<double>& design : combinations_at(found.design))
-    candidates.push_back({{held(design), built_.tolerances, built_.statistics}, design});
+    candidates.push_back({question_of(design), design});
   std::vector<std::vector<double>> valleys = log.valleys();
   if (!valleys.empty()) valleys.erase(valleys.begin());  // where the optimum without tolerances is
   return robust_optimum({std::move(candidates), problem(), before(), reporter(), options(context),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "kinds/built_motors.hpp"
 #include "kinds/search_study.hpp"
 
 #include <twum/studies/problem/robust_question.hpp>
@@ -17,6 +18,7 @@ struct BuiltMotorsAsked {
 class OptimumRun : public SearchRun {
  public:
   KindAnswer run(RunContext& context) override;
+  std::optional<Row> recompute(const Row& asked) const override;
   /// Under tolerances the certificate is one of the last round, which follows from the rows before it.
   std::optional<optim::Certificate> certify(std::span<const double> variables,
                                             std::span<const ParameterValue> design) const override;
@@ -29,10 +31,13 @@ class OptimumRun : public SearchRun {
   optim::Result refined(optim::Result found, RunContext& context);
   OptimizeResult answer(const optim::Result& found) const;
   DesignProblem held(std::span<const double> design) const;
+  RobustQuestion question_of(std::span<const double> design) const;
+  RobustQuestion question_named(const std::vector<double>& name) const;
   std::vector<std::vector<double>> combinations_at(const std::vector<double>& design) const;
 
   DesignObjective goal_;  // of problem() it has what a search without tolerances looks for
   BuiltMotorsAsked built_;
+  BuiltMotorRows motors_;
 };
 
 }  // namespace twum::studies

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "kinds/built_motors.hpp"
 #include "kinds/front_points.hpp"
 #include "kinds/robust_front.hpp"
 #include "kinds/search_study.hpp"
@@ -42,7 +43,12 @@ class ParetoRun : public SearchRun {
         points_(asked.points),
         goals_(asked.objectives),
         tolerances_(asked.tolerances),
-        statistics_(asked.statistics) {}
+        statistics_(asked.statistics),
+        motors_([this](const std::vector<double>&) { return question(); }) {}
+
+  std::optional<Row> recompute(const Row& asked) const override {
+    return asked.stage == kBuiltStage ? motors_.answer(asked) : SearchRun::recompute(asked);
+  }
 
   /// Under tolerances the certificates are those of rounds, which follow from the rows before them.
   std::optional<optim::Certificate> certify(std::span<const double> variables,
@@ -102,12 +108,16 @@ class ParetoRun : public SearchRun {
     return result;
   }
 
-  // Where no design has the wanted yield, it may be that not even one motor keeps the limits.
-  KindAnswer under_tolerances(SearchLog& log, RunContext& context) const {
+  RobustQuestion question() const {
     RobustQuestion question{problem(), tolerances_, statistics_};
     question.design.objectives = goals_;
+    return question;
+  }
+
+  // Where no design has the wanted yield, it may be that not even one motor keeps the limits.
+  KindAnswer under_tolerances(SearchLog& log, RunContext& context) const {
     KindAnswer found =
-        robust_front({question, problem(), reporter(), options(context), points_}, context);
+        robust_front({question(), problem(), reporter(), options(context), points_}, context);
     auto& result = std::get<ParetoResult>(found.answer);
     result.before_design = reporter().design_of(before());
     result.before_metrics = reporter().metrics_of(before());
@@ -138,6 +148,7 @@ class ParetoRun : public SearchRun {
   std::vector<DesignObjective> goals_;  // of problem() it has what has a value without tolerances
   std::vector<Tolerance> tolerances_;
   std::vector<StatisticLimit> statistics_;
+  BuiltMotorRows motors_;
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/robust_front.hpp"
 
+#include "kinds/built_motors.hpp"
 #include "kinds/front_points.hpp"
 #include "kinds/robust_log.hpp"
 #include "kinds/robust_report.hpp"
@@ -51,7 +52,8 @@ ParetoResult front_result(const RobustFrontBeginning& beginning, const optim::Ro
 }  // namespace
 
 KindAnswer robust_front(const RobustFrontBeginning& beginning, RunContext& context) {
-  const optim::RobustProblem posed = robust_problem(beginning.question);
+  const optim::RobustProblem posed =
+      shared_robust_problem(beginning.question, {}, context.executor);
   RobustLog log(beginning.asked, {}, 0, context);
   const optim::RobustOptions options = log.options(beginning.options);
   const optim::RobustFront front = optim::solve_robust_front(posed, beginning.points, options);

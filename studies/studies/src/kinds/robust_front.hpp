@@ -11,7 +11,7 @@ namespace twum::studies {
 
 /// What a front under tolerances begins with.
 struct RobustFrontBeginning {
-  const RobustQuestion& question;
+  RobustQuestion question;
   const DesignProblem& asked;  ///< the same without tolerances
   DesignReporter reports;
   optim::SolveOptions options;  ///< observer apart

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/robust_optimum.hpp"
 
+#include "kinds/built_motors.hpp"
 #include "kinds/robust_log.hpp"
 #include "kinds/robust_report.hpp"
 
@@ -46,7 +47,9 @@ optim::RobustResult searched(const RobustBeginning& beginning, std::size_t candi
   RobustLog log(beginning.asked, {one.design.begin() + free, one.design.end()}, number, context);
   optim::RobustOptions options = log.options(beginning.options);
   options.starts = starts_of(beginning, one);
-  return solve(robust_problem(one.question), options);
+  return solve(
+      shared_robust_problem(one.question, question_name(one.design, false), context.executor),
+      options);
 }
 
 // Smaller is better: outcome first, then the objective of the last round, or the largest yield there is.
@@ -103,23 +106,26 @@ optim::Verification others(const optim::RobustProblem& posed, std::span<const do
 
 // The motors of the file.
 optim::Verification motors_before(const RobustBeginning& beginning,
-                                  const optim::RobustOptions& options) {
-  RobustQuestion question = beginning.candidates.front().question;
-  question.design.motor = beginning.before;
+                                  const optim::RobustOptions& options, Executor& executor) {
+  const RobustCandidate& first = beginning.candidates.front();
+  const RobustQuestion question = question_before(first.question, beginning.before);
   std::vector<double> design;
   for (const DesignVariable& variable : question.design.variables)
     design.push_back(get(beginning.before, variable.parameter));
-  return others(robust_problem(question), design, options);
+  return others(shared_robust_problem(question, question_name(first.design, true), executor),
+                design, options);
 }
 
 NominalMotors compared_with(const RobustBeginning& beginning, const OptimizeResult& plain,
-                            const optim::RobustOptions& options) {
-  const RobustQuestion& question = beginning.candidates.front().question;
-  if (!has_nominal_value(question.design.objectives.front()))
-    return {kNoValue, plain.before_design, motors_before(beginning, options)};
+                            const optim::RobustOptions& options, Executor& executor) {
+  const RobustCandidate& first = beginning.candidates.front();
+  if (!has_nominal_value(first.question.design.objectives.front()))
+    return {kNoValue, plain.before_design, motors_before(beginning, options, executor)};
   const auto design = std::span(beginning.nominal.design).first(variables_of(beginning));
-  return {beginning.nominal.evaluation.values.front(), plain.best.design,
-          others(robust_problem(question), design, options)};
+  return {
+      beginning.nominal.evaluation.values.front(), plain.best.design,
+      others(shared_robust_problem(first.question, question_name(first.design, false), executor),
+             design, options)};
 }
 
 double objective_of(const OptimizeResult& result) {
@@ -131,6 +137,17 @@ double objective_of(const OptimizeResult& result) {
 
 }  // namespace
 
+std::vector<double> question_name(std::span<const double> design, bool before) {
+  std::vector<double> name(design.begin(), design.end());
+  name.push_back(before ? 1 : 0);
+  return name;
+}
+
+RobustQuestion question_before(RobustQuestion question, const MotorDesign& before) {
+  question.design.motor = before;
+  return question;
+}
+
 KindAnswer robust_optimum(const RobustBeginning& beginning, OptimizeResult plain,
                           RunContext& context) {
   const auto [candidate, found] = best_candidate(beginning, context);
@@ -140,11 +157,12 @@ KindAnswer robust_optimum(const RobustBeginning& beginning, OptimizeResult plain
   const optim::RobustProblem posed = robust_problem(question);
   optim::RobustOptions options;
   options.solve = beginning.options;
-  const NominalMotors nominal = compared_with(beginning, plain, options);
+  const NominalMotors nominal = compared_with(beginning, plain, options, context.executor);
   if (goal.statistic)
     plain.before_statistics = wanted_statistics(
         question, posed,
-        has_nominal_value(goal) ? motors_before(beginning, options) : nominal.seen);
+        has_nominal_value(goal) ? motors_before(beginning, options, context.executor)
+                                : nominal.seen);
   if (context.stop.stop_requested()) return {"interrupted", std::move(plain)};
 
   plain.solver = found.last.solver;

@@ -7,6 +7,7 @@
 #include <twum/optim/options.hpp>
 #include <twum/studies/problem/robust_question.hpp>
 
+#include <span>
 #include <vector>
 
 namespace twum::studies {
@@ -29,6 +30,11 @@ struct RobustBeginning {
   const optim::Result& nominal;             ///< the optimum without tolerances
   std::vector<std::vector<double>> starts;  ///< best designs of other valleys
 };
+
+/// Names the question of a candidate to BuiltMotorRows: its design, and whether the motor is that of the file instead.
+std::vector<double> question_name(std::span<const double> design, bool before);
+/// The question of a candidate about the motor as it was.
+RobustQuestion question_before(RobustQuestion question, const MotorDesign& before);
 
 /// Searches the best design under tolerances. Its rows follow those of the plain search. Each candidate is solved by first-order
 /// estimates; the best three of them are corrected and verified, and the best of these is the answer.

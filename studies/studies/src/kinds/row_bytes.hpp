@@ -40,6 +40,14 @@ class RowBytes {
     return list;
   }
 
+  std::string text() {
+    const auto size = take<std::uint64_t>();
+    if (size > bytes_.size() - at_)
+      throw StoreError("the stored evaluations are damaged: a row is too short");
+    at_ += size;
+    return bytes_.substr(at_ - size, size);
+  }
+
  private:
   const std::string& bytes_;
   std::size_t at_{0};
@@ -49,6 +57,12 @@ class RowBytes {
 inline void append_numbers(std::string& bytes, const std::vector<double>& list) {
   append_bytes(bytes, static_cast<std::uint32_t>(list.size()));
   for (const double value : list) append_bytes(bytes, value);
+}
+
+/// Appends a text with its length.
+inline void append_text(std::string& bytes, const std::string& text) {
+  append_bytes(bytes, static_cast<std::uint64_t>(text.size()));
+  bytes += text;
 }
 
 }  // namespace twum::studies

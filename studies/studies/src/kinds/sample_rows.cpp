@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/sample_rows.hpp"
 
+#include "kinds/executor.hpp"
+
 #include <twum/base/ordered.hpp>
 #include <twum/core/performance/batch.hpp>
 
@@ -27,22 +29,22 @@ std::string short_reason(const DesignFailure& failure) {
 
 }  // namespace
 
-bool store_rows(RunContext& context, std::uint64_t stage, std::uint64_t count,
-                const std::function<void(std::uint64_t index, Row& row)>& fill,
-                std::uint64_t offset, std::uint64_t total) {
-  const auto made = [&](std::uint64_t index) {
-    Row row = row_of(stage, index);
-    fill(index, row);
-    return row;
+bool store_rows(RunContext& context, std::uint64_t stage, std::uint64_t count, std::uint64_t offset,
+                std::uint64_t total) {
+  const auto proceed = [&] { return !context.stop.stop_requested(); };
+  const auto make = [&](std::uint64_t first, std::uint64_t end) {
+    std::vector<Row> asked;
+    for (std::uint64_t index = first; index < end; ++index) asked.push_back(row_of(stage, index));
+    return context.executor.rows(asked, proceed);
   };
   const auto store = [&](std::uint64_t first, const std::vector<Row>& rows) {
     for (const Row& row : rows) context.store.add(row);
     if (context.progress)
       context.progress({offset + first + rows.size(), total > 0 ? total : count, {}});
   };
-  const IndexRange missing{context.store.next_index(stage), count, context.jobs,
-                           [&] { return !context.stop.stop_requested(); }};
-  return run_indexed(missing, made, store) >= count;
+  const IndexRange missing{context.store.next_index(stage), count, context.executor.lanes(),
+                           proceed};
+  return run_blocks(missing, make, store) >= count;
 }
 
 RowEvaluator::RowEvaluator(VariedParameters varied, std::vector<MetricExpression> metrics)

@@ -8,18 +8,15 @@
 #include <twum/studies/metrics/expression.hpp>
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
 namespace twum::studies {
 
-/// Fills rows that are not stored yet of a stage of `count` rows, in order, on all threads; memory
-/// does not grow with the rows. `offset` is added to the progress shown, out of `total`.
-/// @param fill  any thread; sets values and status of row `index`; never throws for a design
+/// Computes and stores what is missing of a stage of `count` rows that stage and index alone decide, in order, on all lanes of
+/// the executor; memory does not grow with the rows. `offset` is added to the progress shown, out of `total`.
 /// @return true if the stage is complete, false if the run was asked to stop
 bool store_rows(RunContext& context, std::uint64_t stage, std::uint64_t count,
-                const std::function<void(std::uint64_t index, Row& row)>& fill,
                 std::uint64_t offset = 0, std::uint64_t total = 0);
 
 /// Metrics of a motor with some parameters replaced, as a row: variables first, then metrics; a design

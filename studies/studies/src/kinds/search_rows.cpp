@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/search_rows.hpp"
 
+#include "kinds/executor.hpp"
 #include "kinds/row_bytes.hpp"
 
 #include <twum/studies/units/engineering.hpp>
@@ -20,7 +21,10 @@ bool told_by_jacobian(const optim::Evaluation& evaluation, std::size_t variables
          !std::isfinite(evaluation.jacobian[kink.response * variables + kink.variable]);
 }
 
-std::string detail(const optim::Evaluation& evaluation, std::size_t variables, bool gradient) {
+}  // namespace
+
+std::string evaluation_bytes(const optim::Evaluation& evaluation, std::size_t variables,
+                             bool gradient) {
   std::string bytes;
   append_bytes(bytes, static_cast<std::uint8_t>(gradient));
   append_numbers(bytes, evaluation.values);
@@ -38,7 +42,27 @@ std::string detail(const optim::Evaluation& evaluation, std::size_t variables, b
   return bytes;
 }
 
-}  // namespace
+optim::Evaluation evaluation_of(const Row& row) {
+  optim::Evaluation evaluation;
+  if (row.status != "ok") {
+    evaluation.failure = row.status;
+    return evaluation;
+  }
+  RowBytes bytes(row.detail);
+  bytes.take<std::uint8_t>();
+  evaluation.values = bytes.numbers();
+  evaluation.jacobian = bytes.numbers();
+  while (bytes.take<std::uint8_t>() != 0) {
+    optim::KinkedEntry kink;
+    kink.response = bytes.take<std::uint32_t>();
+    kink.variable = bytes.take<std::uint32_t>();
+    kink.slope = static_cast<optim::Slope>(bytes.take<std::uint8_t>());
+    kink.left = bytes.take<double>();
+    kink.right = bytes.take<double>();
+    evaluation.kinks.push_back(kink);
+  }
+  return evaluation;
+}
 
 SearchRows::SearchRows(const DesignProblem& problem)
     : variables_(problem.variables.size() + problem.choices.size()), problem_(problem) {
@@ -94,7 +118,15 @@ Row SearchRows::row(std::uint64_t stage, std::uint64_t index, std::span<const do
     row.values.push_back(none ? kNoValue : evaluation.values[metric.response]);
   }
   if (!evaluation.ok()) row.status = evaluation.failure;
-  row.detail = detail(evaluation, variables_, gradient);
+  row.detail = evaluation_bytes(evaluation, variables_, gradient);
+  return row;
+}
+
+Row SearchRows::question(std::span<const double> design, bool gradient, int more_slices) {
+  Row row;
+  if (more_slices > 0) row.stage = first_stage_of_slices(more_slices);
+  row.values.assign(design.begin(), design.end());
+  append_bytes(row.detail, static_cast<std::uint8_t>(gradient));
   return row;
 }
 
@@ -114,28 +146,6 @@ bool SearchRows::asked_gradient(const Row& row) const {
   return RowBytes(row.detail).take<std::uint8_t>() != 0;
 }
 
-optim::Evaluation SearchRows::evaluation(const Row& row) const {
-  optim::Evaluation evaluation;
-  if (row.status != "ok") {
-    evaluation.failure = row.status;
-    return evaluation;
-  }
-  RowBytes bytes(row.detail);
-  bytes.take<std::uint8_t>();
-  evaluation.values = bytes.numbers();
-  evaluation.jacobian = bytes.numbers();
-  while (bytes.take<std::uint8_t>() != 0) {
-    optim::KinkedEntry kink;
-    kink.response = bytes.take<std::uint32_t>();
-    kink.variable = bytes.take<std::uint32_t>();
-    kink.slope = static_cast<optim::Slope>(bytes.take<std::uint8_t>());
-    kink.left = bytes.take<double>();
-    kink.right = bytes.take<double>();
-    evaluation.kinks.push_back(kink);
-  }
-  return evaluation;
-}
-
 std::string SearchRows::key(std::span<const double> design, bool gradient) {
   std::string bytes;
   for (const double value : design) append_bytes(bytes, value);
@@ -153,13 +163,15 @@ SearchLog::SearchLog(const DesignProblem& problem, RunContext& context, int more
   context.store.read([&](const Row& row) {
     if (row.stage >= kRobustStages || slices_of_stage(row.stage) != more_slices) return;
     const std::span design(row.values.data(), variables);
-    stored_.emplace(SearchRows::key(design, rows_.asked_gradient(row)), rows_.evaluation(row));
+    stored_.emplace(SearchRows::key(design, rows_.asked_gradient(row)), evaluation_of(row));
   });
-  if (stored_.empty()) return;
-  answering_.evaluate = [this, evaluate = answering_.evaluate](std::span<const double> design,
-                                                               bool gradient) {
-    const auto found = stored_.find(SearchRows::key(design, gradient));
-    return found != stored_.end() ? found->second : evaluate(design, gradient);
+  answering_.evaluate = [this, more_slices](std::span<const double> design, bool gradient) {
+    if (!stored_.empty()) {
+      const auto found = stored_.find(SearchRows::key(design, gradient));
+      if (found != stored_.end()) return found->second;
+    }
+    return evaluation_of(
+        context_.executor.row(SearchRows::question(design, gradient, more_slices)));
   };
 }
 

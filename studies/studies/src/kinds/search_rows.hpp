@@ -32,10 +32,15 @@ constexpr int slices_of_stage(std::uint64_t stage) {
 }
 /// @}
 
+/// What a solver saw (responses, Jacobian, kinks) as the detail of a row, and whether it asked for derivatives.
+std::string evaluation_bytes(const optim::Evaluation& evaluation, std::size_t variables,
+                             bool gradient);
+/// The evaluation that a row holds.
+optim::Evaluation evaluation_of(const Row& row);
+
 /// How the evaluations of a search stand in the store: one row each, its variables, the numbers of its sets, then every
 /// distinct metric of the question. A metric at a load that the motor cannot carry has no value there,
-/// and the row is no failure: the design is infeasible. The bytes of `detail` hold
-/// what the solver saw (responses, Jacobian, kinks) and whether it asked for derivatives.
+/// and the row is no failure: the design is infeasible. The detail is evaluation_bytes().
 class SearchRows {
  public:
   explicit SearchRows(const DesignProblem& problem);
@@ -43,8 +48,9 @@ class SearchRows {
   const std::vector<Column>& columns() const noexcept { return columns_; }
   Row row(std::uint64_t stage, std::uint64_t index, std::span<const double> design, bool gradient,
           const optim::Evaluation& evaluation) const;
-  /// What a row answered, and to which question: see key().
-  optim::Evaluation evaluation(const Row& row) const;
+  /// The row that asks for an evaluation: StudyKindRun::recompute() answers it.
+  static Row question(std::span<const double> design, bool gradient, int more_slices = 0);
+  /// Whether a row answered, or asks for, derivatives as well: see key().
   bool asked_gradient(const Row& row) const;
 
   /// Names a question to the evaluator: the bits of the design, and whether derivatives were wanted.

@@ -2,6 +2,7 @@
 #include "kinds/search_study.hpp"
 
 #include "kinds/earlier_result.hpp"
+#include "kinds/executor.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/core/performance/motor.hpp>
@@ -48,15 +49,21 @@ SearchRun::SearchRun(const StudyFile& file, DesignProblem asked, optim::SolveOpt
   problem_.motor = before_;
   if (!start.empty()) start_from((std::filesystem::path(file.folder) / start).string());
   counts_slices_ = leaves_slices();
+  first_slices_ = slices();
   if (!counts_slices_) return;
   besides_.push_back(Parameter::radial_slices);  // said with each design
-  use_slices(Motor(problem_.motor).radial_slices());
+  begin_with_slices(Motor(problem_.motor).radial_slices());
 }
 
 bool SearchRun::leaves_slices() const {
   const auto varied = parameters_of(problem_.variables);
   return problem_.motor.stator.radial_slices == kAutoSlices &&
          std::find(varied.begin(), varied.end(), Parameter::radial_slices) == varied.end();
+}
+
+void SearchRun::begin_with_slices(int slices) {
+  first_slices_ = slices;
+  use_slices(slices);
 }
 
 void SearchRun::use_slices(int slices) {
@@ -113,7 +120,7 @@ optim::SolveOptions SearchRun::options(SearchLog& log, const RunContext& context
 
 optim::SolveOptions SearchRun::options(const RunContext& context) const {
   optim::SolveOptions options = options_;
-  options.threads = context.jobs;
+  options.threads = context.executor.lanes();
   options.stop = context.stop;
   return options;
 }
@@ -166,22 +173,28 @@ std::string SearchRun::outcome(optim::Outcome outcome, const RunContext& context
   return context.stop.stop_requested() ? "interrupted" : optim::to_string(outcome);
 }
 
-std::optional<Row> SearchRun::recompute(const Row& stored) const {
-  const int more = slices_of_stage(stored.stage);
-  const DesignProblem asked = more > 0 ? asked_with(more) : problem_;
-  const SearchRows rows(asked);
-  const std::span design(stored.values.data(), variables());
-  if (stored.stage >=
+const SearchRun::Answers& SearchRun::answers(std::uint64_t stage) const {
+  const int more = slices_of_stage(stage);
+  const std::lock_guard lock(answers_mutex_);
+  const auto found = answers_.find(more);
+  if (found != answers_.end()) return found->second;
+  const DesignProblem asked = asked_with(more > 0 ? more : first_slices_);
+  return answers_.emplace(more, Answers{SearchRows(asked), MotorResponses(asked)}).first->second;
+}
+
+std::optional<Row> SearchRun::recompute(const Row& asked) const {
+  const auto& [rows, motors] = answers(asked.stage);
+  const std::span design(asked.values.data(), variables());
+  if (asked.stage >=
       kRobustStages) {  // whether a round has a value there follows from the rows before it
-    Row row = rows.row(stored.stage, stored.index, design, false,
-                       MotorResponses(asked).evaluate(design, false));
-    row.status = stored.status;
+    Row row = rows.row(asked.stage, asked.index, design, false, motors.evaluate(design, false));
+    row.status = asked.status;
     return row;
   }
-  const bool gradient = rows.asked_gradient(stored);
-  optim::Evaluation evaluation = MotorResponses(asked).evaluate(design, gradient);
+  const bool gradient = rows.asked_gradient(asked);
+  optim::Evaluation evaluation = motors.evaluate(design, gradient);
   if (evaluation.ok() && !finite(evaluation)) evaluation.failure = "not-finite";
-  return rows.row(stored.stage, stored.index, design, gradient, evaluation);
+  return rows.row(asked.stage, asked.index, design, gradient, evaluation);
 }
 
 std::optional<optim::Certificate> SearchRun::certify(std::span<const double> variables,

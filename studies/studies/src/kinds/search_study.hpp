@@ -7,6 +7,9 @@
 
 #include <twum/optim/options.hpp>
 
+#include <map>
+#include <mutex>
+#include <optional>
 #include <vector>
 
 namespace twum::studies {
@@ -22,7 +25,7 @@ class SearchRun : public StudyKindRun {
   std::optional<Pace> pace() const override;
   std::vector<std::string> notes() const override;
   std::vector<std::string> notes_before() const override;
-  std::optional<Row> recompute(const Row& stored) const override;
+  std::optional<Row> recompute(const Row& asked) const override;
   std::optional<optim::Certificate> certify(std::span<const double> variables,
                                             std::span<const ParameterValue> design) const override;
 
@@ -44,6 +47,8 @@ class SearchRun : public StudyKindRun {
   /// @{
   bool counts_slices() const { return counts_slices_; }
   int slices() const { return problem_.motor.stator.radial_slices; }
+  /// The slices that the search begins with.
+  void begin_with_slices(int slices);
   /// All that is asked from now on is asked of so many slices.
   void use_slices(int slices);
   /// As many as `auto` takes for a design.
@@ -55,6 +60,13 @@ class SearchRun : public StudyKindRun {
   static std::string outcome(optim::Outcome outcome, const RunContext& context);
 
  private:
+  // Made by the first who asks: not every question can be posed.
+  struct Answers {
+    SearchRows rows;
+    MotorResponses motors;
+  };
+  const Answers& answers(std::uint64_t stage) const;
+
   bool leaves_slices() const;
   DesignProblem asked_with(int slices) const;
   void start_from(const std::string& folder);
@@ -65,7 +77,10 @@ class SearchRun : public StudyKindRun {
   std::string limits_entry_;        // where a study of this kind has its limits
   std::vector<Parameter> besides_;  // not variables here: changed by the start, or counted slices
   bool counts_slices_;
+  int first_slices_;
   optim::SolveOptions options_;
+  mutable std::mutex answers_mutex_;
+  mutable std::map<int, Answers> answers_;  // by slices_of_stage()
 };
 
 }  // namespace twum::studies

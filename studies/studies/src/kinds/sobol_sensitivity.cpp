@@ -42,16 +42,15 @@ class SobolSensitivity : public SensitivityRun {
     return {std::move(word), std::move(result)};
   }
 
-  std::optional<Row> recompute(const Row& stored) const override {
+  std::optional<Row> recompute(const Row& asked) const override {
     constexpr std::uint64_t kStages = 32;  // more never fit the sequence
-    if (stored.stage >= kStages ||
-        stored.index >= (end_of(stored.stage) - begin_of(stored.stage)) * design_.block_size())
+    if (asked.stage >= kStages ||
+        asked.index >= (end_of(asked.stage) - begin_of(asked.stage)) * design_.block_size())
       return {};
     Row row;
-    row.stage = stored.stage;
-    row.index = stored.index;
-    fill(stored.stage, stored.index, row);
-    row.detail.clear();
+    row.stage = asked.stage;
+    row.index = asked.index;
+    fill(asked.stage, asked.index, row);
     return row;
   }
 
@@ -64,10 +63,8 @@ class SobolSensitivity : public SensitivityRun {
 
   bool store_round(RunContext& context, std::uint64_t stage) const {
     const std::uint64_t size = design_.block_size();
-    return store_rows(
-        context, stage, (end_of(stage) - begin_of(stage)) * size,
-        [&](std::uint64_t index, Row& row) { fill(stage, index, row); }, begin_of(stage) * size,
-        end_of(stage) * size);
+    return store_rows(context, stage, (end_of(stage) - begin_of(stage)) * size,
+                      begin_of(stage) * size, end_of(stage) * size);
   }
 
   void fill(std::uint64_t stage, std::uint64_t index, Row& row) const {

@@ -24,10 +24,12 @@ struct RunProgress {
   std::string best;        ///< "peak_power 4.31 W"; empty if there is no best
 };
 
+class Executor;
+
 /// What a kind works with.
 struct RunContext {
   ResultStore& store;
-  unsigned jobs{1};
+  Executor& executor;    ///< who computes its rows
   std::stop_token stop;  ///< a request: finish what is in flight, and return with what there is
   std::function<void(const RunProgress&)> progress;  ///< may be called from any thread, cheap
 };
@@ -66,13 +68,13 @@ class StudyKindRun {
   /// @throws StoreError
   virtual KindAnswer run(RunContext& context) = 0;
 
-  /// What a stored row must be, for `twum verify`: values and status computed anew from the study and
-  /// from the row's variables (the first variables() of its values), as run() computed them, to the
-  /// bit. Where stage and index alone decide the variables (sweep, samples) they are drawn anew too,
-  /// and those stored are not looked at. Looks at no other row and not at the other stored values.
-  /// Columns that run() left without a value are NaN. Nothing: this row cannot be computed by itself.
+  /// A row by itself: values, status and detail, computed from the study and from the row's variables (the first
+  /// variables() of its values). run() has its rows from here, on any thread or in another process (Executor), and
+  /// `twum verify` compares them with those stored. Where stage and index alone decide the variables (sweep, samples) those
+  /// of the row are not looked at. Looks at no other row and not at the other values. Columns without a value are NaN.
+  /// Nothing: this row cannot be computed by itself.
   /// Constant, safe from any number of threads; never throws for a design.
-  virtual std::optional<Row> recompute(const Row& stored) const;
+  virtual std::optional<Row> recompute(const Row& asked) const;
   /// The certificate of a design (its variables in their order, SI) as a solution of this study, for
   /// `twum verify`: feasibility and stationarity measured again. Nothing: this kind has no optimum.
   /// @param design  all that the report says of the design, the variables included
@@ -83,7 +85,7 @@ class StudyKindRun {
   StudyKindRun() = default;
 };
 
-inline std::optional<Row> StudyKindRun::recompute(const Row& /*stored*/) const { return {}; }
+inline std::optional<Row> StudyKindRun::recompute(const Row& /*asked*/) const { return {}; }
 inline std::optional<optim::Certificate> StudyKindRun::certify(
     std::span<const double> /*variables*/, std::span<const ParameterValue> /*design*/) const {
   return {};

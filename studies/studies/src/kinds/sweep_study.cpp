@@ -23,18 +23,17 @@ class SweepRun : public StudyKindRun {
   std::uint64_t seed() const override { return sampler_.seed(); }
 
   KindAnswer run(RunContext& context) override {
-    const bool complete = store_rows(context, 0, sampler_.count(),
-                                     [&](std::uint64_t index, Row& row) { fill(index, row); });
+    const bool complete = store_rows(context, 0, sampler_.count());
     SweepResult result = answer(context.store);
     bool any = false;
     for (const SweepResult::Metric& metric : result.metrics) any = any || metric.count > 0;
     return {!complete ? "interrupted" : any ? "done" : "failed", std::move(result)};
   }
 
-  std::optional<Row> recompute(const Row& stored) const override {
-    if (stored.stage != 0 || stored.index >= sampler_.count()) return {};
-    Row row{0, stored.index, {}, "ok", {}};
-    fill(stored.index, row);
+  std::optional<Row> recompute(const Row& asked) const override {
+    if (asked.stage != 0 || asked.index >= sampler_.count()) return {};
+    Row row{0, asked.index, {}, "ok", {}};
+    fill(asked.index, row);
     return row;
   }
 

@@ -109,19 +109,18 @@ class UncertaintyRun : public StudyKindRun {
   }
 
   KindAnswer run(RunContext& context) override {
-    const bool complete =
-        store_rows(context, 0, samples_, [&](std::uint64_t index, Row& row) { fill(index, row); });
+    const bool complete = store_rows(context, 0, samples_);
     UncertaintyResult result = answer(context.store);
     const bool any = std::any_of(result.metrics.begin(), result.metrics.end(),
                                  [](const auto& metric) { return metric.count > 0; });
     return {!complete ? "interrupted" : any ? "done" : "failed", std::move(result)};
   }
 
-  std::optional<Row> recompute(const Row& stored) const override {
-    if (stored.stage != 0 || stored.index >= samples_) return {};
+  std::optional<Row> recompute(const Row& asked) const override {
+    if (asked.stage != 0 || asked.index >= samples_) return {};
     Row row;
-    row.index = stored.index;
-    fill(stored.index, row);
+    row.index = asked.index;
+    fill(asked.index, row);
     return row;
   }
 

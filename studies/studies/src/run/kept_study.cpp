@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run/kept_study.hpp"
 
+#include "kinds/executor.hpp"
 #include "kinds/found_motors.hpp"
 #include "kinds/study_kind.hpp"
 #include "results/provenance.hpp"
@@ -10,8 +11,8 @@
 #include "study/resolved_study.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/base/ordered.hpp>
 #include <twum/base/version.hpp>
+#include <twum/studies/run/processes.hpp>
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/text/words.hpp>
 
@@ -42,11 +43,18 @@ std::function<void(const RunProgress&)> forwarded(const RunOptions& options) {
   };
 }
 
+std::unique_ptr<Executor> executor_of(const StudyFile& file, const StudyKindRun& kind,
+                                      const RunOptions& options) {
+  if (options.processes == nullptr) return std::make_unique<ThreadExecutor>(kind, options.jobs);
+  return options.processes->executor(kind, resolve(file).hash(), options.jobs);
+}
+
 // Runs a kind on a store. What was stored after a request to stop is not all of it, whatever the kind
 // makes of it.
 StudyResult run_on(const StudyFile& file, StudyKindRun& kind, ResultStore& store,
                    const RunOptions& options) {
-  RunContext context{store, job_count(options.jobs), options.stop, forwarded(options)};
+  const std::unique_ptr<Executor> executor = executor_of(file, kind, options);
+  RunContext context{store, *executor, options.stop, forwarded(options)};
   KindAnswer answer = kind.run(context);
   store.flush();
   if (options.stop.stop_requested()) answer.outcome = "interrupted";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run/stored_study.hpp"
 
+#include "kinds/executor.hpp"
 #include "results/stored_summary.hpp"
 #include "run/kept_study.hpp"
 
@@ -96,7 +97,8 @@ StudyResult StoredStudy::answer() {
                      ": the study was interrupted; run it again to complete its result");
   }
   const std::uint64_t rows = store_.rows();
-  RunContext context{store_, 1, {}, {}};
+  ThreadExecutor executor(*kind_);
+  RunContext context{store_, executor, {}, {}};
   StudyResult result = result_of(file_, *kind_, store_, kind_->run(context));
   store_.flush();
   if (store_.rows() != rows) {

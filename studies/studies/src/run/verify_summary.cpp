@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "kinds/executor.hpp"
 #include "results/answers.hpp"
 #include "run/verify_checks.hpp"
 
@@ -179,7 +180,8 @@ void verify_designs(const StudyFile& file, const StudyKindRun& kind, const Json&
 KindAnswer verify_answer(StudyKindRun& kind, ResultStore& store, const Json& summary,
                          Verification& found) {
   const std::uint64_t before = store.rows();
-  RunContext context{store, 1, {}, {}};
+  ThreadExecutor executor(kind);
+  RunContext context{store, executor, {}, {}};
   KindAnswer answer = kind.run(context);
   store.flush();
   found.answer_checked = true;

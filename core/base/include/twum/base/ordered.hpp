@@ -155,19 +155,20 @@ struct IndexRange {
   std::function<bool()> proceed;  ///< asked between items, on any thread; false ends the run
 };
 
-/// Makes an item for each index on several threads, and takes them in the order of the indices, without gaps: the same
+/// Makes items in blocks of indices on several threads, and takes them in the order of the indices, without gaps: the same
 /// for any number of threads. No more than some hundred items for each thread exist at a time.
 ///
-///     Item make(std::uint64_t index)                      on any thread, several at a time
-///     void take(std::uint64_t first, vector<Item>& items)  one call at a time, of indices that follow one another
+///     vector<Item> make(std::uint64_t first, std::uint64_t end)  on any thread, several at a time; fewer items than asked for
+///                                                                 end the run behind them
+///     void take(std::uint64_t first, vector<Item>& items)         one call at a time, of indices that follow one another
 ///
 /// @return the first index not taken: `end`, unless the run was told to end
 /// @throws whatever the first callback to throw did, once every block of items before is taken
 template <typename Make, typename Take>
-std::uint64_t run_indexed(const IndexRange& range, Make make, Take take) {
+std::uint64_t run_blocks(const IndexRange& range, Make make, Take take) {
   struct Block {
     std::uint64_t first{0}, end{0};
-    std::vector<std::invoke_result_t<Make&, std::uint64_t>> items;
+    std::invoke_result_t<Make&, std::uint64_t, std::uint64_t> items;
   };
   // Enough blocks for every thread to have its share, and items enough in one to be worth the handing on.
   constexpr std::uint64_t kMostAtATime = 256;
@@ -175,26 +176,37 @@ std::uint64_t run_indexed(const IndexRange& range, Make make, Take take) {
   const std::uint64_t threads = std::min<std::uint64_t>(job_count(range.jobs), count);
   const std::uint64_t at_a_time =
       std::clamp<std::uint64_t>(count / std::max<std::uint64_t>(8 * threads, 1), 1, kMostAtATime);
-  const auto proceeds = [&range] { return !range.proceed || range.proceed(); };
   std::uint64_t next = range.first, taken = range.first;
   run_ordered<Block>(
       static_cast<unsigned>(threads),
       [&](Block& block) {
-        if (next >= range.end || !proceeds()) return false;
+        if (next >= range.end || (range.proceed && !range.proceed())) return false;
         block.first = next;
         next = block.end = std::min(next + at_a_time, range.end);
         return true;
       },
-      [&](Block& block) {
-        for (std::uint64_t i = block.first; i < block.end && proceeds(); ++i)
-          block.items.push_back(make(i));
-      },
+      [&](Block& block) { block.items = make(block.first, block.end); },
       [&](Block& block) {
         if (block.first != taken) return;  // behind a gap
         take(block.first, block.items);
         taken += block.items.size();
       });
   return taken;
+}
+
+/// run_blocks() for items that are made one by one:
+///
+///     Item make(std::uint64_t index)                      on any thread, several at a time
+///     void take(std::uint64_t first, vector<Item>& items)  one call at a time, of indices that follow one another
+template <typename Make, typename Take>
+std::uint64_t run_indexed(const IndexRange& range, Make make, Take take) {
+  const auto made = [&](std::uint64_t first, std::uint64_t end) {
+    std::vector<std::invoke_result_t<Make&, std::uint64_t>> items;
+    for (std::uint64_t i = first; i < end && (!range.proceed || range.proceed()); ++i)
+      items.push_back(make(i));
+    return items;
+  };
+  return run_blocks(range, made, std::move(take));
 }
 
 }  // namespace twum

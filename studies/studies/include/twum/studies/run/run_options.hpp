@@ -11,11 +11,14 @@
 
 namespace twum::studies {
 
+class Processes;
+
 /// How to run a study.
 struct RunOptions {
-  unsigned jobs{0};      ///< threads; 0: one for each processor. The result does not depend on it
-  bool fresh{false};     ///< discard what the directory holds of this study and start anew
-  std::stop_token stop;  ///< a request ends the run, resumable, with what has been found
+  unsigned jobs{0};   ///< threads; 0: one for each processor. The result does not depend on it
+  bool fresh{false};  ///< discard what the directory holds of this study and start anew
+  Processes* processes{nullptr};  ///< in the first of several: the others that compute rows
+  std::stop_token stop;           ///< a request ends the run, resumable, with what has been found
   /// Told now and then how far the run is: evaluations, their total (0: unknown), the best so far.
   std::function<void(std::uint64_t done, std::uint64_t total, const std::string& best)> progress;
 };

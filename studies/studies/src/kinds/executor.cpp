@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinds/executor.hpp"
+
+#include <twum/base/ordered.hpp>
+
+namespace twum::studies {
+
+ThreadExecutor::ThreadExecutor(const StudyKindRun& kind, unsigned jobs)
+    : kind_(kind), jobs_(job_count(jobs)) {}
+
+std::vector<Row> ThreadExecutor::rows(const std::vector<Row>& asked,
+                                      const std::function<bool()>& proceed) {
+  std::vector<Row> made;
+  for (const Row& one : asked) {
+    if (!proceed()) break;
+    made.push_back(kind_.recompute(one).value());
+  }
+  return made;
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/studies/store/result_store.hpp>
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace twum::studies {
+
+/// Rows as the bytes of a message between processes of one program; numbers arrive to the bit.
+std::string row_message(std::span<const Row> rows);
+/// The rows that a message holds.
+std::vector<Row> rows_of(const std::string& message);
+
+}  // namespace twum::studies
