@@ -147,6 +147,24 @@ class Numbers(Designer):
         self.assertIn("torque_at(10.47197551196597", study)
 
 
+class Sizing(Designer):
+    def test_a_motor_sized_by_hand_and_by_the_study_of_the_page_meet(self):
+        # One parameter is free and one limit binds: the largest peak power is where the limit is met exactly, which the page's
+        # solver finds by moving the preload until the pressure has its limit, and the study by its own search.
+        self.explore("ring-60")
+        self.browser.value(f"""(() => {{ const p = {PANEL}; p.state.view.lock = {{ metric: 'max_pressure', parameter: 'preload', value: 3e6 }}; p.changed = true; }})()""")
+        self.browser.settle()
+        self.rest()
+        by_hand = self.browser.value(f"{PANEL}.state.motor.values.preload")
+        study = self.browser.value(f"""studyYaml({PANEL}.state.opened, {PANEL}.tables, [{{ name: 'preload', min: 60, max: 600 }}], {{ sense: 'maximize', metric: 'peak_power' }},
+            [{{ metric: 'max_pressure', argument: 'none', at: 0, sense: '<=', value: 3e6 }}])""")
+        (self.folder / "sized.yaml").write_text(study)
+        twum("run", self.folder / "sized.yaml", "-o", self.folder / "sized")
+        best = json.loads((self.folder / "sized/summary.json").read_text())["best"]["design"]["preload"]
+        # The study keeps a limit to a millionth; preload grows with pressure no faster than to its power of 3/2.
+        self.assertAlmostEqual(best, by_hand, delta=2e-6 * by_hand)
+
+
 class Hands(Designer):
     def test_a_slider_moves_the_motor_and_steps_back(self):
         self.explore("ring-60")

@@ -116,6 +116,7 @@ function drawForbidden(u, left, right, low, high) {
   ctx.beginPath();
   ctx.rect(x0, y0, x1 - x0, y1 - y0);
   ctx.clip();
+  ctx.setLineDash([]);
   ctx.strokeStyle = colour('bad');
   ctx.globalAlpha = 0.45;
   ctx.lineWidth = 1.2 * devicePixelRatio;
