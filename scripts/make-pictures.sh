@@ -4,7 +4,7 @@
 #
 #   scripts/make-pictures.sh [TWUM]    default: build/release/bin/twum
 #
-# Needs gnuplot and, for the pictures of the report, chromium: scripts/install-deps.sh test.
+# Needs gnuplot and, for the pictures of pages, chromium: scripts/install-deps.sh test.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 twum=${1:-$root/build/release/bin/twum}
@@ -19,4 +19,5 @@ trap 'rm -rf "$scratch"' EXIT
 for study in optimize-ring-60 pareto-power-wear sweep-sobol paper-figure-4 tolerances; do
   "$twum" run "$root/examples/studies/$study.yaml" -o "$scratch/$study" >/dev/null
 done
+"$twum" explore "$ring" -o "$scratch/designer.html" >/dev/null
 python3 "$root/tests/report/take_pictures.py" "$scratch" "$pictures"

@@ -76,6 +76,25 @@ class Looks(Designer):
             self.assertLessEqual(self.browser.value("document.documentElement.scrollWidth"), width)
 
 
+    def test_every_control_has_a_name_and_every_id_is_one(self):
+        # What a reader of the screen says, and what it cannot do without; axe-core 4 found nothing else to say of these pages.
+        for name in ("ring-60", "plate-60"):
+            self.explore(name)
+            nameless = self.browser.value("""[...document.querySelectorAll('button, input:not([type=file]), select, canvas[role], svg[role], [role=img]')].filter((n) =>
+                !(n.getAttribute('aria-label') || n.textContent.trim() && n.tagName === 'BUTTON' || n.labels?.length && [...n.labels].every((l) => l.textContent.trim()))).map((n) => n.outerHTML.slice(0, 120))""")
+            self.assertEqual(nameless, [])
+            self.assertEqual(self.browser.value("(ids => ids.length - new Set(ids).size)([...document.querySelectorAll('[id]')].map(n => n.id))"), 0)
+            self.assertEqual(self.browser.value("document.querySelectorAll('h1').length"), 1)
+
+    def test_the_torque_curve_stays_in_sight_on_a_phone(self):
+        self.explore("ring-60", width=360, height=740)
+        self.browser.value("document.querySelector('[data-parameter=preload]').scrollIntoView()")
+        self.browser.settle()
+        top, bottom = self.browser.value("(r => [r.top, r.bottom])(document.querySelector('.chief').getBoundingClientRect())")
+        self.assertGreaterEqual(top, 0)
+        self.assertLess(bottom, 0.6 * 740)
+
+
 class Numbers(Designer):
     def test_curves_and_metrics_are_those_of_the_command(self):
         for name in MOTORS:
@@ -242,6 +261,23 @@ class Hands(Designer):
         self.rest()
         self.assertEqual(json.loads(self.browser.value(f"{PANEL}.state.snapshot()"))["motor"], json.loads(before)["motor"])
         self.assertEqual(self.lines(".limits li span"), ["stall torque at least 500 mN.m"])
+
+    def test_a_wide_contact_takes_one_slice_while_a_slider_moves_and_all_at_rest(self):
+        self.explore("ring-60")
+        self.set("radial_slices", 0)
+        self.rest()
+        whole = self.browser.value(f"{PANEL}.metrics.peak_power.value")
+        self.browser.value(f"{PANEL}.setValue('preload', 160.5, 'drag'); true")
+        self.browser.settle()
+        self.assertIn("one slice while the slider moves", self.text("[data-fields]"))
+        self.assertEqual(self.browser.value("document.getElementById('page').dataset.sketch"), "yes")
+        took = self.browser.value(f"""new Promise(done => {{ const p = {PANEL}; p.setValue('preload', 160, 'drag'); p.settled(); const begin = performance.now();
+            const look = () => (p.waiting !== null || p.changed || p.sketch ? setTimeout(look, 1) : done(performance.now() - begin)); setTimeout(look, 30); }})""")
+        print(f"ring-60 with all slices, derivatives and notes after {took:.0f} ms of rest")
+        self.assertNotIn("one slice", self.text("[data-fields]"))
+        self.assertEqual(self.browser.value(f"{PANEL}.metrics.peak_power.value"), whole)
+        told = json.loads(twum("curve", ROOT / "examples/motors/ring-60.yaml", "--set", "radial_slices=auto", "--points", 2, "--format", "json").stdout)
+        self.assertAlmostEqual(whole, told["metrics"]["peak_power"], delta=1e-9 * whole)
 
     def test_keys_move_the_speed(self):
         self.explore("ring-60")

@@ -70,7 +70,7 @@ function provenanceCard() {
   const build = summary.build || {};
   const lines = [['twum', summary.version], ['started', summary.started], ['time', rounded(summary.seconds, 3) + ' s'], ['seed', String(summary.seed)], ['hash of the study', summary.hash], ['compiler', build.compiler], ...Object.entries(build.libraries || {})]
     .filter(([, v]) => v !== undefined && v !== null && v !== '').map(([n, v]) => [words(n), words(String(v))]);
-  card('Where this comes from', null, 'half').append(table('provenance', ['', ''], lines));
+  card('Where this comes from', null, 'half').append(table('provenance', ['what', 'value'], lines));
   card('The study', 'As it was run, every default written out.', 'half').append(el('pre', { tabindex: '0' }, data.study));
 }
 

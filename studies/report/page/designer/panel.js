@@ -5,7 +5,7 @@
 const curvePoints = 161;
 const quickPoints = 61; // while a slider moves a motor that takes longer than a frame
 let panels = 0;
-const restDelay = 40; // [ms] without a move, after which the rest is computed
+const restDelay = 40; // [ms] that a slider which is held stands still before the rest is computed
 
 class DesignerPanel {
   /**
@@ -191,7 +191,7 @@ class DesignerPanel {
       return;
     }
     this.showControls();
-    this.waiting = setTimeout(() => this.rest(), restDelay);
+    this.waiting = setTimeout(() => this.rest(), this.dragging ? restDelay : 0);
   }
 
   /** @param {boolean} moving  then one slice stands for all, and what takes a search is left out */
