@@ -264,7 +264,7 @@ class DesignerPanel {
   }
 
   showNotes() {
-    this.tell(this.core.notes(true).map((note) => capital(note) + '.').join(' '));
+    this.tell(this.core.notes(true).map((note) => 'Note: ' + note + '.').join(' '));
   }
 
   showEffects() {
