@@ -185,7 +185,7 @@ std::optional<Parameter> find_parameter(std::string_view name_or_symbol) {
 double get(const MotorDesign& design, Parameter parameter) {
   const Stator& stator = design.stator;
   const ContactLayer& layer = design.layer;
-  const bool used = in_use(design, parameter);
+  const auto used = [&] { return in_use(design, parameter); };
   const auto from_plate = plate_number_of(parameter);
   if (from_plate && stator.geometry) return plate_numbers(design)[index_of(*from_plate)];
   switch (parameter) {
@@ -195,15 +195,15 @@ double get(const MotorDesign& design, Parameter parameter) {
     case P::neutral_plane_distance: return stator.neutral_plane_distance;
     case P::frequency: return drive_frequency(design);
     case P::frequency_ratio:
-      return used ? *stator.frequency_ratio
-                  : stator.frequency / get(design, P::resonance_frequency);
-    case P::amplitude: return used ? stator.amplitude : kNaN;
+      return used() ? *stator.frequency_ratio
+                    : stator.frequency / get(design, P::resonance_frequency);
+    case P::amplitude: return used() ? stator.amplitude : kNaN;
     case P::voltage: return or_nan(stator.voltage);
     case P::modal_damping: return modal_damping(design);
     case P::quality_factor:
-      return used ? *stator.quality_factor
-                  : modal_damping_of(stator.modal_damping, get(design, P::resonance_frequency),
-                                     get(design, P::modal_mass));
+      return used() ? *stator.quality_factor
+                    : modal_damping_of(stator.modal_damping, get(design, P::resonance_frequency),
+                                       get(design, P::modal_mass));
     case P::resonance_frequency: return or_nan(stator.resonance_frequency);
     case P::modal_mass: return or_nan(stator.modal_mass);
     case P::force_factor: return or_nan(stator.force_factor);
@@ -212,24 +212,24 @@ double get(const MotorDesign& design, Parameter parameter) {
     case P::voltage_ratio: return stator.imbalance.value_or(Imbalance{}).voltage_ratio;
     case P::phase_error: return stator.imbalance.value_or(Imbalance{}).phase_error;
     case P::mode_splitting: return stator.imbalance.value_or(Imbalance{}).mode_splitting;
-    case P::sensor_force_factor: return used ? stator.sensor->force_factor : kNaN;
-    case P::sensor_capacitance: return used ? stator.sensor->capacitance : kNaN;
-    case P::sensor_load_capacitance: return used ? stator.sensor->load_capacitance : kNaN;
-    case P::sensor_load_resistance: return used ? *stator.sensor->load_resistance : kNaN;
-    case P::sensor_position: return used ? stator.sensor->position : kNaN;
+    case P::sensor_force_factor: return used() ? stator.sensor->force_factor : kNaN;
+    case P::sensor_capacitance: return used() ? stator.sensor->capacitance : kNaN;
+    case P::sensor_load_capacitance: return used() ? stator.sensor->load_capacitance : kNaN;
+    case P::sensor_load_resistance: return used() ? *stator.sensor->load_resistance : kNaN;
+    case P::sensor_position: return used() ? stator.sensor->position : kNaN;
     case P::radial_slices: return stator.radial_slices;
     case P::shape_exponent: return stator.radial_shape.exponent;
     case P::shape_root: return stator.radial_shape.root;
     case P::thickness: return layer.thickness;
     case P::youngs_modulus: return layer.youngs_modulus;
     case P::poisson_ratio:
-      return used ? layer.poisson_ratio
-                  : poisson_ratio_of(layer.youngs_modulus, shear_modulus(design));
-    case P::density: return used ? layer.density : density_of(inertia(design), layer.thickness);
+      return used() ? layer.poisson_ratio
+                    : poisson_ratio_of(layer.youngs_modulus, shear_modulus(design));
+    case P::density: return used() ? layer.density : density_of(inertia(design), layer.thickness);
     case P::loss_factor:
-      return used ? layer.loss_factor
-                  : loss_factor_of(shear_viscosity(design), shear_modulus(design),
-                                   2 * std::numbers::pi * drive_frequency(design));
+      return used() ? layer.loss_factor
+                    : loss_factor_of(shear_viscosity(design), shear_modulus(design),
+                                     2 * std::numbers::pi * drive_frequency(design));
     case P::shear_modulus: return shear_modulus(design);
     case P::shear_viscosity: return shear_viscosity(design);
     case P::inertia: return inertia(design);

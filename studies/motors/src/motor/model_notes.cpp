@@ -167,10 +167,12 @@ void add_squeal(const Motor& motor, std::vector<ModelNote>& notes) {
 
 }  // namespace
 
-std::vector<ModelNote> model_notes(const MotorDesign& design) {
+std::vector<ModelNote> model_notes(const MotorDesign& design) { return model_notes(Motor(design)); }
+
+std::vector<ModelNote> model_notes(const Motor& motor) {
+  const MotorDesign& design = motor.design();
   std::vector<ModelNote> notes;
   for (const Range& range : kTested) add_range(design, range, notes);
-  const Motor motor(design);
   add_ratios(design, motor, notes);
   add_contact(design, motor, notes);
   add_modes(design, notes);
@@ -184,8 +186,8 @@ std::string thick_layer_note(const MotorDesign& design) {
 }
 
 std::vector<ModelNote> model_notes_at_length(const MotorDesign& design) {
-  std::vector<ModelNote> notes = model_notes(design);
   const Motor motor(design);
+  std::vector<ModelNote> notes = model_notes(motor);
   if (const auto drive = drive_note(motor)) notes.push_back(*drive);
   add_squeal(motor, notes);
   constexpr double kMatters = 0.02;

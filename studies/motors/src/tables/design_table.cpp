@@ -208,8 +208,11 @@ bool DesignTable::compute(std::string_view record, std::size_t line, Scratch& sc
     return false;
   }
   if (!read_values(line, scratch)) return false;
-  auto outcome = ask_design([&] { return scratch.design.emplace(with(base_, scratch.values)); },
-                            [&](const Motor& motor) { return evaluator_.evaluate(motor); });
+  auto outcome = ask_design([&] { return with(base_, scratch.values); },
+                            [&](const Motor& motor) {
+                              scratch.notes = model_notes(motor);
+                              return evaluator_.evaluate(motor);
+                            });
   if (const auto* failure = std::get_if<DesignFailure>(&outcome)) {
     const bool refused = failure->kind == DesignFailure::Kind::refused;
     scratch.reason = (refused ? at_line(line) : "") + failure->text;
@@ -234,7 +237,7 @@ void DesignTable::append_columns(const std::vector<std::string_view>& cells,
 bool DesignTable::append_result(std::string_view record, std::size_t line, Scratch& scratch,
                                 std::string& out) const {
   scratch.reason.clear();
-  scratch.design.reset();
+  scratch.notes.reset();
   scratch.metrics.assign(metrics_.size(), {0, MetricStatus::undefined});
   const bool ok = compute(record, line, scratch);
   append_columns(scratch.cells, out);

@@ -25,8 +25,7 @@ void evaluate_block(const DesignTable& table, Block& block) {
   for (std::size_t i = 0; i < block.rows.records.size(); ++i) {
     const std::size_t line = block.rows.records[i].line;
     const bool ok = table.append_result(block.rows.record(i), line, scratch, block.result);
-    if (scratch.design)
-      block.notes.add(model_notes(*scratch.design), "line " + std::to_string(line));
+    if (scratch.notes) block.notes.add(*scratch.notes, "line " + std::to_string(line));
     block.failed += ok ? 0 : 1;
     block.empty += table.any_answer(scratch) ? 0 : 1;
   }

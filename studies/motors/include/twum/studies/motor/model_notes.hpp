@@ -2,6 +2,7 @@
 #pragma once
 
 #include <twum/core/design/motor_design.hpp>
+#include <twum/core/performance/motor.hpp>
 
 #include <string>
 #include <vector>
@@ -19,6 +20,8 @@ struct ModelNote {
 /// solver is tested (often a wrong unit), a layer too thick for a foundation, a contact that never
 /// opens. Empty for a usual motor. About the time of one metric; throws nothing for a valid design.
 std::vector<ModelNote> model_notes(const MotorDesign& design);
+/// The same of a motor that is there already, which saves most of the time.
+std::vector<ModelNote> model_notes(const Motor& motor);
 
 /// The note on a layer too thick for a foundation; empty if it is thin, or does not touch.
 std::string thick_layer_note(const MotorDesign& design);

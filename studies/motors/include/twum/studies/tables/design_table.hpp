@@ -3,6 +3,7 @@
 
 #include <twum/core/design/motor_design.hpp>
 #include <twum/studies/metrics/expression.hpp>
+#include <twum/studies/motor/model_notes.hpp>
 #include <twum/studies/tables/csv.hpp>
 #include <twum/studies/units/units.hpp>
 
@@ -51,8 +52,9 @@ class DesignTable {
     std::vector<ParameterValue> values;   ///< of its parameter columns, SI
     std::vector<MetricValue> metrics;     ///< its answers
     std::string reason;                   ///< why it has none; empty: it has
-    std::optional<MotorDesign> design;    ///< what the row describes, if it is admissible
-    bool well_formed{true};               ///< its quotation marks stand where they may
+    std::optional<std::vector<ModelNote>>
+        notes;               ///< on the motor that the row describes, if there is one
+    bool well_formed{true};  ///< its quotation marks stand where they may
   };
 
   /// Evaluates one row and appends it to `out` with its metrics and status; true if its status is ok.
