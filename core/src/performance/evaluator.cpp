@@ -59,8 +59,16 @@ double Evaluator::of_plate(PlateNumber number) const {
   return plate_numbers(motor_.design())[index_of(number)];
 }
 
+// To find that out by a throw takes as long as several points.
+bool Evaluator::has_meaning(Metric metric) const {
+  if (!modes_ && info(metric).needs_modes) return false;
+  const bool of_stator =
+      metric == Metric::max_efficiency || metric == Metric::speed_at_max_efficiency;
+  return !of_stator || curve_->has_input();
+}
+
 MetricValue Evaluator::evaluate(const MetricRequest& request) {
-  if (!modes_ && info(request.metric).needs_modes) return {kNaN, MetricStatus::undefined};
+  if (!has_meaning(request.metric)) return {kNaN, MetricStatus::undefined};
   try {
     const double found = metric_row(*this, request);
     return std::isfinite(found) ? MetricValue{found, MetricStatus::ok}

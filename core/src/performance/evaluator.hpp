@@ -81,6 +81,7 @@ class Evaluator {
     SolvedPoint solved;
   };
 
+  bool has_meaning(Metric metric) const;
   void require_input(Metric metric, double speed);
   const Known& known(double speed);
 

@@ -41,7 +41,9 @@ struct ScriptedKind : StudyKindRun {
   std::size_t variables() const override { return 1; }
   KindAnswer run(RunContext& context) override { return answer(context); }
   std::optional<Row> recompute(const Row& stored) const override { return again(stored); }
-  std::optional<optim::Certificate> certify(std::span<const double> variables) const override {
+  std::optional<optim::Certificate> certify(
+      std::span<const double> variables,
+      std::span<const ParameterValue> /*design*/) const override {
     return evidence(variables);
   }
 };
