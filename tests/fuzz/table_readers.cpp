@@ -78,7 +78,7 @@ void expect_weights(const std::vector<MeasuredPoint>& points) {
   double sum = 0;
   for (const MeasuredPoint& point : points) {
     sum += point.weight;
-    if (!std::isfinite(point.speed) || !std::isfinite(point.torque) || !(point.weight >= 0))
+    if (!std::isfinite(point.value) || !(point.weight >= 0))
       throw BrokenLaw("a point that is no number");
   }
   // Rounding of a sum of positive numbers, of at most 1e6 of them.

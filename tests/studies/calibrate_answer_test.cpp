@@ -75,8 +75,8 @@ std::string note(const CalibrateResult& result, const std::string& beginning) {
 CalibrateResult fitted_by(double factor) {
   CalibrateResult result = fit();
   for (auto& point : result.data) {
-    point.fitted = factor * point.torque;
-    point.residual = point.torque - point.fitted;
+    point.fitted = factor * point.value;
+    point.residual = point.value - point.fitted;
   }
   result.residual_rms = 0.4;  // large against 0.5 N.m: poor
   return result;
@@ -175,7 +175,7 @@ TEST_CASE("torques of another unit are told by their size", "[studies][calibrate
     CHECK(note(fitted_by(factor), "The torques measured are ").empty());
   }
   CalibrateResult still = fitted_by(1);
-  for (auto& point : still.data) point.torque = 0;
+  for (auto& point : still.data) point.value = 0;
   still.runs = RunsTest{20, 2, 1e-4};
   CHECK(still.poor());
   CHECK(note(still, "The torques measured are ").empty());

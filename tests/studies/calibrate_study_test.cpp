@@ -72,7 +72,7 @@ TEST_CASE("points without noise give the parameters back", "[studies][calibrate]
   CHECK_FALSE(result.poor());
   CHECK(result.undetermined.empty());
   CHECK_THAT(run.text(), Contains("The points lie on the curve to rounding."));
-  for (const auto& point : result.data) CHECK_THAT(point.fitted, WithinAbs(point.torque, 1e-10));
+  for (const auto& point : result.data) CHECK_THAT(point.fitted, WithinAbs(point.value, 1e-10));
 }
 
 TEST_CASE("intervals cover the true parameters as often as they say",
@@ -159,7 +159,8 @@ TEST_CASE("standard deviations weigh like 1 / s^2 (L1.1), and the scatter is tes
 TEST_CASE("starts that end in different places are told apart", "[studies][calibrate]") {
   const DesignVariable range{Parameter::kinetic_friction, 0.05, 0.5};
   Case one;
-  const TorqueFit fit(one.design(), {range}, {{1, 0.8, 1, 0}, {2, 0.9, 1, 0}, {3, 0.85, 1, 0}});
+  const MeasuredFit fit(one.design(), {range},
+                        {torque_point(1, 0.8), torque_point(2, 0.9), torque_point(3, 0.85)});
   const auto ended = [](double value, double sum, optim::Outcome outcome) {
     optim::LeastSquaresResult result;
     result.outcome = outcome;

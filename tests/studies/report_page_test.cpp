@@ -170,7 +170,7 @@ TEST_CASE("a fit has its curve and its band, where something was estimated", "[s
   fit.estimates[1].parameter = {"amplitude", "m", std::numeric_limits<double>::quiet_NaN()};
   fit.correlation.assign(4, 0.0);
   fit.data.resize(2);
-  fit.data[0].speed = -1, fit.data[1].speed = 3;
+  fit.data[0].at = -1, fit.data[1].at = 3;
   const Json data = page_data(entries, fit);
   CHECK(labels(data) == Labels{"fitted"});
   CHECK(data["curves"][0]["design"]["preload"] == 120);

@@ -15,11 +15,22 @@ function fitBand() {
   });
 }
 
+/** The measured numbers that stand on the curve of the fitted motor: torques at speeds, with the motor as it is. */
+function torquePoints() {
+  return summary.data.filter((p) => !p.quantity && !p.set);
+}
+
+/** What a measured number is, and where it was read. */
+function readingText(p) {
+  const at = p.speed !== undefined ? ' at ' + engineering(p.speed, 'rad/s', 4) : p.quantity && p.torque !== undefined ? ' at ' + engineering(p.torque, 'N.m', 4) : '';
+  return plain(p.quantity || 'torque_at') + at + Object.entries(p.set || {}).map(([n, v]) => ', ' + plain(n) + ' ' + engineering(v, unitOf(n), 4)).join('');
+}
+
 function fitChart(node) {
   const speeds = scaled(numbers(data.fit.speed, Float64Array), Math.PI / 30);
   const torque = numbers(data.fit.torque, Float64Array);
   const band = fitBand();
-  const points = summary.data;
+  const points = torquePoints();
   const measuredSpeeds = points.map((p) => (p.speed * 30) / Math.PI);
   const unit = displayUnit(largest([torque, points.map((p) => p.torque)]), 'N.m');
   const low = torque.map((t, i) => (t - band[i]) / unit.divisor);
@@ -34,7 +45,7 @@ function fitChart(node) {
 }
 
 function residualChart(node) {
-  const points = [...summary.data].sort((a, b) => a.speed - b.speed);
+  const points = summary.data.filter((p) => !p.quantity).sort((a, b) => a.speed - b.speed);
   const unit = displayUnit(largest([points.map((p) => p.residual)]), 'N.m');
   const y = points.map((p) => (p.residual === null ? NaN : p.residual / unit.divisor));
   const top = 1.15 * largest([y]) || 1;
@@ -54,14 +65,16 @@ function correlationTable() {
 }
 
 function calibratePage() {
-  if (data.fit) fitChart(card('Measured and fitted', null, 'wide'));
+  const torques = summary.data.every((p) => !p.quantity && !p.set);
+  if (data.fit && torquePoints().length) fitChart(card('Measured and fitted', null, 'wide'));
   const list = Object.entries(summary.estimates);
   const held = list.some(([, e]) => e.remark);
   const line = ([n, e]) => [named(n), quantity(e.value, unitOf(n)), quantity(e.low, unitOf(n)), quantity(e.high, unitOf(n)), ...(held ? [words(e.remark, 'bad-word')] : [])];
   card('Estimates', percent(summary.confidence) + ' intervals.', 'half').append(table('estimates', ['parameter', 'value', 'low', 'high', ...(held ? [''] : [])], list.map(line)));
   card('Correlation of the estimates', 'Near 1 or -1: the data tell only a combination.', 'half').append(correlationTable());
-  residualChart(card('Residuals', 'They should scatter about zero without a pattern.', 'half'));
-  card('The points', null, 'half').append(table('points', ['speed', 'measured', 'fitted', 'residual'], summary.data.map((p) => [quantity(p.speed, 'rad/s'), quantity(p.torque, 'N.m'), quantity(p.fitted, 'N.m'), quantity(p.residual, 'N.m', 3)]), ['speed [rad/s]', 'measured [N.m]', 'fitted [N.m]', 'residual [N.m]']));
+  if (summary.data.some((p) => !p.quantity)) residualChart(card('Residuals', 'They should scatter about zero without a pattern.', 'half'));
+  if (!torques) card('The numbers', null, 'wide').append(table('points', ['what', 'measured', 'fitted', 'residual', 'in standard deviations'], summary.data.map((p) => { const unit = p.unit || 'N.m'; return [readingText(p), quantity(p.quantity ? p.value : p.torque, unit), quantity(p.fitted, unit), quantity(p.residual, unit, 3), p.sd ? rounded(p.residual / p.sd, 2) : '-']; })));
+  else card('The points', null, 'half').append(table('points', ['speed', 'measured', 'fitted', 'residual'], summary.data.map((p) => [quantity(p.speed, 'rad/s'), quantity(p.torque, 'N.m'), quantity(p.fitted, 'N.m'), quantity(p.residual, 'N.m', 3)]), ['speed [rad/s]', 'measured [N.m]', 'fitted [N.m]', 'residual [N.m]']));
   const fitted = curves.filter(Boolean);
   if (fitted.length) curveSection(fitted, ['fitted motor'], 'The fitted motor');
   const explore = fitted.length ? designerButton(fitted[0].design, 'fitted motor', 'Explore the fitted motor') : null;

@@ -159,7 +159,7 @@ function calibrateVerdict() {
   const known = (n, e) => (e.remark ? ' (' + e.remark + ')' : e.low === null ? '' : ' (' + engineering(e.low, unitOf(n), 4) + ' to ' + engineering(e.high, unitOf(n), 4) + ')');
   const begin = { fitted: 'The data say: ', poor: 'The motor does not follow these points; it comes nearest with ', several: 'Several motors fit equally well; one of them has ', undetermined: 'The points do not determine all of these; they are fitted best by ', 'at-bounds': 'Nothing was fitted: the search stopped at ' }[summary.outcome] || 'The search stopped short, at ';
   const lines = [sentence(begin, bold(entries.map(([n, e]) => plain(n) + ' ' + engineering(e.value, unitOf(n)) + known(n, e)).join(', ')), '.'),
-    sentence('What is left between motor and points: ' + engineering(summary.residual_rms, 'N.m', 3) + ' (root mean square).')];
+    sentence('What is left between motor and points: ' + (unitOf('residual_rms') === '1' ? rounded(summary.residual_rms, 3) + ' standard deviations' : engineering(summary.residual_rms, unitOf('residual_rms'), 3)) + ' (root mean square).')];
   if ((summary.notes || []).length) lines.push(bullets(summary.notes.map(plainNames)));
   return { look: summary.outcome !== 'fitted' || entries.some(([, e]) => e.remark) ? 'bad' : 'good', lines };
 }

@@ -2,7 +2,7 @@
 // Parts of a calibration: residuals of one motor, and what several local fits say together.
 #include "entries_support.hpp"
 #include "kinds/calibration.hpp"
-#include "kinds/torque_fit.hpp"
+#include "kinds/measured_fit.hpp"
 #include "kinds/unit_box.hpp"
 
 #include <twum/optim/random.hpp>
@@ -38,7 +38,7 @@ constexpr double kRadius = 0.0265;
 double plateau(double friction, double preload) { return friction * preload * kRadius; }
 
 std::vector<MeasuredPoint> two_points(double first, double second) {
-  return {{1 * kRpm, first, 1, 0}, {2 * kRpm, second, 1, 0}};
+  return {torque_point(1 * kRpm, first), torque_point(2 * kRpm, second)};
 }
 
 // A fit of three points that ended at a value of the kinetic friction with a root mean square.
@@ -99,8 +99,8 @@ TEST_CASE("the slope of a variable by its coordinate is its range, or that of it
 }
 
 TEST_CASE("residuals and their slopes are those of the plateau", "[studies][calibrate]") {
-  const TorqueFit fit(elastic(), {{P::kinetic_friction, 0.1, 0.4}, {P::preload, 50, 200}},
-                      {{1 * kRpm, 0.5, 4, 0}, {2 * kRpm, 0.6, 1, 0}});
+  const MeasuredFit fit(elastic(), {{P::kinetic_friction, 0.1, 0.4}, {P::preload, 50, 200}},
+                        {torque_point(1 * kRpm, 0.5, 4), torque_point(2 * kRpm, 0.6)});
   const std::vector<double> values{0.25, 100};
   const optim::Residuals r = fit.residuals(values);
   CHECK(r.failure.empty());
@@ -112,18 +112,18 @@ TEST_CASE("residuals and their slopes are those of the plateau", "[studies][cali
   CHECK(r.jacobian[1] == Approx(2 * plateau(0.25, 1)).epsilon(1e-9));
   CHECK(r.jacobian[3] == Approx(plateau(0.25, 1)).epsilon(1e-9));
   CHECK(fit.rms(std::vector<double>{3, 4}) == Approx(std::sqrt(12.5)));
-  CHECK(fit.torque_size() == Approx(std::sqrt((0.25 + 0.36) / 2)));
+  CHECK(fit.size() == Approx(std::sqrt((4 * 0.25 + 0.36) / 2)));
 }
 
 TEST_CASE("values that make no motor, and motors without a torque, are failures with a reason",
           "[studies][calibrate]") {
-  const TorqueFit fit(elastic(), {{P::static_friction, 0.05, 0.5}}, two_points(0.8, 0.8));
+  const MeasuredFit fit(elastic(), {{P::static_friction, 0.05, 0.5}}, two_points(0.8, 0.8));
   const optim::Residuals none = fit.residuals(std::vector<double>{0.1});  // below the kinetic 0.2
   CHECK_THAT(none.failure, StartsWith("not a motor: "));
   CHECK(none.values.empty());
   CHECK(fit.residuals(std::vector<double>{0.3}).failure.empty());
   // Faster backwards than the wave itself: there the model has no operating point.
-  const TorqueFit beyond(elastic(), {{P::preload, 50, 200}}, {{-1e6, 0.8, 1, 0}});
+  const MeasuredFit beyond(elastic(), {{P::preload, 50, 200}}, {torque_point(-1e6, 0.8)});
   CHECK(beyond.residuals(std::vector<double>{100}).failure == "torque: out-of-range");
 }
 
@@ -141,7 +141,7 @@ TEST_CASE("static friction that is estimated itself does not follow the kinetic 
         for (std::size_t i = 0; i < before; ++i) ranges.push_back({others[i], 1, 2});
         for (const P p : here) ranges.push_back({p, 0.1, 0.5});
         for (std::size_t i = before; i < before + after; ++i) ranges.push_back({others[i], 1, 2});
-        return TorqueFit(motor, ranges, two_points(0.8, 0.8)).static_ratio();
+        return MeasuredFit(motor, ranges, two_points(0.8, 0.8)).static_ratio();
       };
       CHECK(ratio({P::kinetic_friction}) == Approx(1.5).epsilon(1e-15));
       CHECK(ratio({P::kinetic_friction, P::static_friction}) == 1);
@@ -150,7 +150,8 @@ TEST_CASE("static friction that is estimated itself does not follow the kinetic 
     }
   }
   motor.friction = {0, 0.3};  // no ratio to keep
-  CHECK(TorqueFit(motor, {{P::kinetic_friction, 0.1, 0.5}}, two_points(1, 1)).static_ratio() == 1);
+  CHECK(MeasuredFit(motor, {{P::kinetic_friction, 0.1, 0.5}}, two_points(1, 1)).static_ratio() ==
+        1);
 }
 
 TEST_CASE("a fit begins where the study says, else at the motor if that is in the range",
@@ -159,7 +160,7 @@ TEST_CASE("a fit begins where the study says, else at the motor if that is in th
                                            {P::preload, 200, 300},           // 160 N
                                            {P::amplitude, 1e-7, 1e-6},       // 1.6 um
                                            {P::thickness, 1e-4, 1e-3, true, 5e-4}};
-  const TorqueFit fit(elastic(), ranges, two_points(0.8, 0.8));
+  const MeasuredFit fit(elastic(), ranges, two_points(0.8, 0.8));
   const auto own = fit.variables({});
   CHECK(own[0].start == 0.2);
   CHECK(std::isnan(own[1].start));  // below its range: the middle
@@ -174,8 +175,8 @@ TEST_CASE("a fit begins where the study says, else at the motor if that is in th
 TEST_CASE("the best fit is an optimum, unless one that stopped short is better",
           "[studies][calibrate]") {
   using optim::Outcome;
-  const TorqueFit fit(elastic(), {{P::kinetic_friction, 0.1, 0.5}},
-                      two_points(plateau(0.2, 160), plateau(0.2, 160)));
+  const MeasuredFit fit(elastic(), {{P::kinetic_friction, 0.1, 0.5}},
+                        two_points(plateau(0.2, 160), plateau(0.2, 160)));
   const auto chosen = [&](const std::vector<optim::LeastSquaresResult>& fits) {
     return result_of(calibration(fit, fits, 0.95)).estimates[0].parameter.value;
   };
@@ -193,8 +194,8 @@ TEST_CASE("the best fit is an optimum, unless one that stopped short is better",
 
 TEST_CASE("starts that ended in one place are counted together", "[studies][calibrate]") {
   using optim::Outcome;
-  const TorqueFit fit(elastic(), {{P::kinetic_friction, 0.1, 0.5}},
-                      two_points(plateau(0.2, 160), plateau(0.2, 160)));
+  const MeasuredFit fit(elastic(), {{P::kinetic_friction, 0.1, 0.5}},
+                        two_points(plateau(0.2, 160), plateau(0.2, 160)));
   const auto optima = [&](const std::vector<optim::LeastSquaresResult>& fits) {
     return result_of(calibration(fit, fits, 0.95)).optima;
   };
@@ -235,7 +236,7 @@ TEST_CASE("what undoes a change of one factor of a product is the other factor",
       ranges.push_back({P::kinetic_friction, 0.1, 0.5});
       for (std::size_t i = before; i < before + between; ++i) ranges.push_back(rest[i]);
       ranges.push_back({P::preload, 100, 300});
-      const TorqueFit fit(motor, ranges, two_points(0.8, 0.9));
+      const MeasuredFit fit(motor, ranges, two_points(0.8, 0.9));
       optim::LeastSquaresResult one;
       one.outcome = optim::Outcome::optimal;
       for (const DesignVariable& range : ranges)
@@ -285,9 +286,10 @@ TEST_CASE("points in any order of speed are tested in the order of speed", "[stu
     std::vector<MeasuredPoint> points;
     for (int i = 0; i < 20; ++i) {
       const int place = sorted ? i : (i % 2 == 0 ? i / 2 : 10 + i / 2);
-      points.push_back({(1 + 0.01 * place) * kRpm, torque + (i % 2 == 0 ? 0.01 : -0.01), 1, 0});
+      points.push_back(
+          torque_point((1 + 0.01 * place) * kRpm, torque + (i % 2 == 0 ? 0.01 : -0.01)));
     }
-    const TorqueFit fit(motor, {{P::kinetic_friction, 0.1, 0.5}}, points);
+    const MeasuredFit fit(motor, {{P::kinetic_friction, 0.1, 0.5}}, points);
     optim::LeastSquaresResult one = fit_at(0.2, 0.01, optim::Outcome::optimal);
     one.degrees_of_freedom = 19;
     return result_of(calibration(fit, {one}, 0.95)).runs->runs;
@@ -302,9 +304,9 @@ TEST_CASE("points in any order of speed are tested in the order of speed", "[stu
     for (std::size_t i = size; i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
     std::vector<MeasuredPoint> points;
     for (const std::size_t place : order)
-      points.push_back({(1 + 0.01 * static_cast<double>(place)) * kRpm,
-                        torque + (2 * place < size ? 0.01 : -0.01), 1, 0});
-    const TorqueFit fit(motor, {{P::kinetic_friction, 0.1, 0.5}}, points);
+      points.push_back(torque_point((1 + 0.01 * static_cast<double>(place)) * kRpm,
+                                    torque + (2 * place < size ? 0.01 : -0.01)));
+    const MeasuredFit fit(motor, {{P::kinetic_friction, 0.1, 0.5}}, points);
     optim::LeastSquaresResult one = fit_at(0.2, 0.01, optim::Outcome::optimal);
     one.degrees_of_freedom = size - 1;
     CHECK(result_of(calibration(fit, {one}, 0.95)).runs->runs == 2);
@@ -313,8 +315,8 @@ TEST_CASE("points in any order of speed are tested in the order of speed", "[stu
 
 TEST_CASE("an estimate at a bound tells who follows it, if that is known and notable",
           "[studies][calibrate]") {
-  const TorqueFit fit(elastic(), {{P::kinetic_friction, 0.1, 0.2}, {P::preload, 100, 300}},
-                      two_points(plateau(0.2, 160), plateau(0.2, 160)));
+  const MeasuredFit fit(elastic(), {{P::kinetic_friction, 0.1, 0.2}, {P::preload, 100, 300}},
+                        two_points(plateau(0.2, 160), plateau(0.2, 160)));
   optim::LeastSquaresResult one;
   one.outcome = optim::Outcome::optimal;
   one.estimates = {{"kinetic_friction", 0.2, 0, 0.2, 0.2, true},

@@ -42,10 +42,13 @@ struct Checked {
 std::string missing_data(const studies::StudyFile& study) {
   const auto* asked = std::get_if<studies::CalibrateStudy>(&study.asked);
   if (asked == nullptr) return "";
-  const std::filesystem::path path = std::filesystem::path(study.folder) / asked->data;
-  std::error_code error;
-  const auto type = std::filesystem::status(path, error).type();
-  return type == std::filesystem::file_type::not_found ? path.string() : "";
+  for (const std::string& name : asked->data) {
+    const std::filesystem::path path = std::filesystem::path(study.folder) / name;
+    std::error_code error;
+    if (std::filesystem::status(path, error).type() == std::filesystem::file_type::not_found)
+      return path.string();
+  }
+  return "";
 }
 
 // Throws what is wrong with the file. Standard input can be read only once.

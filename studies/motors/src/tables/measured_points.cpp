@@ -1,28 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tables/measured_points.hpp"
 
-#include "tables/heading.hpp"
+#include "tables/measured_columns.hpp"
 
+#include <twum/base/error.hpp>
 #include <twum/studies/diagnostics/diagnostics.hpp>
 #include <twum/studies/tables/csv.hpp>
-#include <twum/studies/text/value_error.hpp>
 #include <twum/studies/text/words.hpp>
-#include <twum/studies/units/units.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstring>
-#include <optional>
 #include <string_view>
+#include <utility>
 
 namespace twum::studies {
 namespace {
-
-enum Kind : std::size_t { kSpeedColumn, kTorqueColumn, kWeight, kDeviation };
-
-constexpr std::array<std::string_view, 4> kNames{"speed", "torque", "weight", "torque_sd"};
-constexpr std::array<Expected, 4> kExpected{
-    {{"rad/s", "100 rpm"}, {"N.m", "0.5 N.m"}, {"1", "2"}, {"N.m", "5 mN.m"}}};
 
 // More columns than a table of points can have; so many errors would help nobody.
 constexpr std::size_t kMostColumns = 100;
@@ -45,18 +37,10 @@ class PointReader {
     diagnostics_.throw_if_any();
     weigh();
     diagnostics_.throw_if_any();
-    std::vector<std::string> bare = without_unit();
-    return {std::move(points_), std::move(bare)};
+    return {std::move(points_), without_unit(columns_)};
   }
 
  private:
-  struct Column {
-    Kind kind;
-    Scale scale;
-    std::string unit;  // as typed
-    SourceMark mark;
-  };
-
   std::size_t bytes(char* to, std::size_t size) {
     const std::size_t got = std::min(size, source_.text().size() - taken_);
     std::memcpy(to, source_.text().data() + taken_, got);
@@ -91,73 +75,15 @@ class PointReader {
     }
     if (cells_.size() > kMostColumns) {
       diagnostics_.add({static_cast<int>(line), 1}, "", std::to_string(cells_.size()) + " columns",
-                       "expected speed, torque, and one more at most");
+                       "expected " + std::to_string(kMostColumns) + " at most");
       return;
     }
+    std::vector<ColumnHeading> headings;
     for (const std::string_view cell : cells_)
-      columns_.push_back(read_column(cell_text(cell), mark(record, line, cell)));
-    check_columns({static_cast<int>(line), 1});
-  }
-
-  std::optional<Column> read_column(const std::string& text, SourceMark mark) {
-    const Heading heading = split_heading(text);
-    const auto name = std::find(kNames.begin(), kNames.end(), heading.name);
-    if (name == kNames.end()) {
-      diagnostics_.add(mark, "", "unknown column " + quoted(text),
-                       did_you_mean(heading.name, kNames));
-      return {};
-    }
-    const auto kind = static_cast<Kind>(name - kNames.begin());
-    Column column{kind, {}, std::string(heading.unit), mark};
-    try {
-      if (heading.has_unit) column.scale = parse_unit(heading.unit, kExpected[kind]);
-    } catch (const ValueError& error) {
-      diagnostics_.add(mark, std::string(*name), error.found(), error.expected());
-    }
-    return column;
-  }
-
-  void check_columns(SourceMark begin) {
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        if (!columns_[i] || !columns_[j] || columns_[i]->kind != columns_[j]->kind) continue;
-        diagnostics_.add({columns_[i]->mark, std::string(kNames[columns_[i]->kind]),
-                          "the column is there twice", "leave one of them out", columns_[j]->mark,
-                          "first given here"});
-      }
-    }
-    for (const Kind needed : {kSpeedColumn, kTorqueColumn}) {
-      if (find(needed) != nullptr || unknown_column()) continue;
-      diagnostics_.add(begin, "", "no column '" + std::string(kNames[needed]) + "'",
-                       needed == kSpeedColumn ? "expected one such as 'speed [rpm]'"
-                                              : "expected one such as 'torque [N.m]'");
-    }
-    if (find(kWeight) != nullptr && find(kDeviation) != nullptr) {
-      diagnostics_.add({find(kDeviation)->mark, "torque_sd", "weights and standard deviations",
-                        "give one of the two", find(kWeight)->mark, "weights given here"});
-    }
-  }
-
-  std::vector<std::string> without_unit() const {
-    std::vector<std::string> headings;
-    for (const auto& column : columns_) {
-      const std::string_view unit = kExpected[column->kind].unit;
-      if (column->unit.empty() && unit != "1")
-        headings.push_back(std::string(kNames[column->kind]) + " [" + std::string(unit) + "]");
-    }
-    return headings;
-  }
-
-  // An unknown column may be the one that seems to be missing.
-  bool unknown_column() const {
-    return std::any_of(columns_.begin(), columns_.end(), [](const auto& c) { return !c; });
-  }
-
-  const Column* find(Kind kind) const {
-    for (const auto& column : columns_) {
-      if (column && column->kind == kind) return &*column;
-    }
-    return nullptr;
+      headings.push_back({cell_text(cell), mark(record, line, cell)});
+    columns_ = measured_columns(headings, {static_cast<int>(line), 1}, diagnostics_);
+    for (const MeasuredColumn& column : columns_)
+      measured_ += column.role == ColumnRole::measured ? 1 : 0;
   }
 
   void read_lines(const CsvChunk& chunk) {
@@ -182,43 +108,81 @@ class PointReader {
                        "the header has " + std::to_string(columns_.size()));
       return;
     }
-    MeasuredPoint point{};
-    point.weight = 1;
-    for (std::size_t i = 0; i < cells_.size(); ++i)
-      read_cell(*columns_[i], cells_[i], mark(record, line, cells_[i]), point);
-    points_.push_back(point);
-    weight_marks_.push_back(weight_mark_);
+    marks_.clear();
+    for (const std::string_view cell : cells_) marks_.push_back(mark(record, line, cell));
+    values_.assign(columns_.size(), {});
+    for (std::size_t i = 0; i < columns_.size(); ++i)
+      if (wanted(i)) values_[i] = read_cell(columns_[i], cells_[i], marks_[i]);
+    const std::size_t before = points_.size();
+    for (std::size_t i = 0; i < columns_.size(); ++i) add_point(i);
+    if (points_.size() == before && measured_ > 1 && diagnostics_.empty())
+      diagnostics_.add({static_cast<int>(line), 1}, "", "nothing was measured",
+                       "leave out the line");
   }
 
-  void read_cell(const Column& column, std::string_view cell, SourceMark mark,
-                 MeasuredPoint& point) {
+  // What was not read, though other columns are, has an empty cell, and so may its deviation.
+  bool wanted(std::size_t i) const {
+    const MeasuredColumn& column = columns_[i];
+    const bool read = column.role == ColumnRole::measured || column.role == ColumnRole::deviation;
+    if (!read || measured_ < 2) return true;
+    const std::size_t of = column.role == ColumnRole::measured ? i : column.of;
+    return !cell_text(cells_[of]).empty();
+  }
+
+  void add_point(std::size_t i) {
+    if (columns_[i].role != ColumnRole::measured || !values_[i]) return;
+    MeasuredPoint point{columns_[i].reading, *values_[i]};
+    weight_mark_ = {};
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      const MeasuredColumn& other = columns_[k];
+      if (!values_[k]) continue;
+      if (other.role == ColumnRole::argument) set_argument(point, other, *values_[k]);
+      if (other.role == ColumnRole::parameter) point.set.emplace_back(other.parameter, *values_[k]);
+      const bool weighs = other.role == ColumnRole::weight ||
+                          (other.role == ColumnRole::deviation && other.of == i);
+      if (!weighs) continue;
+      (other.role == ColumnRole::weight ? point.weight : point.deviation) = *values_[k];
+      weight_mark_ = marks_[k];
+      weight_name_ = other.name;
+    }
+    points_.push_back(std::move(point));
+    weight_marks_.emplace_back(weight_mark_, weight_name_);
+  }
+
+  static void set_argument(MeasuredPoint& point, const MeasuredColumn& column, double value) {
+    auto* request = std::get_if<MetricRequest>(&point.reading);
+    if (request != nullptr && request->argument == column.argument) request->at = value;
+  }
+
+  std::optional<double> read_cell(const MeasuredColumn& column, std::string_view cell,
+                                  SourceMark mark) {
     const std::string text = cell_text(cell);
-    const std::string name(kNames[column.kind]);
     const auto value = column.scale.read(text);
     if (!value) {
       const std::string of =
           column.unit.empty() ? "expected a number" : "expected a number of " + column.unit;
-      diagnostics_.add(mark, name, text.empty() ? "no number" : quoted(text) + " is no number", of);
-      return;
+      diagnostics_.add(mark, column.name,
+                       text.empty() ? "no number" : quoted(text) + " is no number", of);
+      return {};
     }
-    const bool positive = column.kind == kWeight || column.kind == kDeviation;
+    const bool positive = column.role == ColumnRole::weight || column.role == ColumnRole::deviation;
     if (positive && !(*value > 0)) {
-      diagnostics_.add(mark, name, quoted(text),
+      diagnostics_.add(mark, column.name, quoted(text),
                        "must be more than 0; to ignore a point leave out its line");
-      return;
+      return {};
     }
-    if (positive) weight_mark_ = mark;
-    if (column.kind == kSpeedColumn) point.speed = *value;
-    if (column.kind == kTorqueColumn) point.torque = *value;
-    if (column.kind == kWeight) point.weight = *value;
-    if (column.kind == kDeviation) point.deviation = *value;
+    if (column.role != ColumnRole::parameter) return value;
+    const std::string wrong = complaint(column.parameter, *value);
+    if (!wrong.empty()) diagnostics_.add(mark, column.name, quoted(text), wrong);
+    return value;
   }
 
-  // Weights of mean 1, so that a sum of squares stays one of torques.
+  // Weights of mean 1, so that a sum of squares stays one of what was measured.
   void weigh() {
     double least = 0;
     for (const MeasuredPoint& point : points_)
-      least = least == 0 ? point.deviation : std::min(least, point.deviation);
+      if (point.deviation > 0)
+        least = least == 0 ? point.deviation : std::min(least, point.deviation);
     for (MeasuredPoint& point : points_) {
       const double part = point.deviation > 0 ? least / point.deviation : 1;
       if (point.deviation > 0) point.weight = part * part;
@@ -233,10 +197,9 @@ class PointReader {
 
   // A point whose weight is below the smallest number beside that of another one.
   void refuse_weightless() {
-    const std::string name(kNames[find(kDeviation) != nullptr ? kDeviation : kWeight]);
     for (std::size_t i = 0; i < points_.size(); ++i) {
       if (points_[i].weight > 0) continue;
-      diagnostics_.add(weight_marks_[i], name,
+      diagnostics_.add(weight_marks_[i].first, weight_marks_[i].second,
                        "so far from the others that the point would count nothing",
                        "to ignore a point leave out its line");
     }
@@ -247,19 +210,74 @@ class PointReader {
   CsvReader reader_;
   std::size_t taken_{0};
   bool has_header_{false};
-  std::vector<std::string_view> cells_;
-  std::vector<std::optional<Column>> columns_;
+  std::size_t measured_{0};  // columns
+  std::vector<MeasuredColumn> columns_;
   std::vector<MeasuredPoint> points_;
-  SourceMark weight_mark_;                // of the row being read
-  std::vector<SourceMark> weight_marks_;  // of each point
+  // Of the row being read.
+  std::vector<std::string_view> cells_;
+  std::vector<SourceMark> marks_;
+  std::vector<std::optional<double>> values_;
+  SourceMark weight_mark_;
+  std::string weight_name_;
+  std::vector<std::pair<SourceMark, std::string>> weight_marks_;  // of each point
 };
 
+bool one_kind(const std::vector<MeasuredPoint>& points) {
+  return std::all_of(points.begin(), points.end(), [&](const MeasuredPoint& point) {
+    return same_kind(point.reading, points.front().reading);
+  });
+}
+
 }  // namespace
+
+std::string_view name_of(const Reading& reading) {
+  if (const auto* request = std::get_if<MetricRequest>(&reading)) return info(request->metric).name;
+  return info(std::get<CircuitPart>(reading)).name;
+}
+
+std::string_view unit_of(const Reading& reading) {
+  if (const auto* request = std::get_if<MetricRequest>(&reading)) return info(request->metric).unit;
+  return info(std::get<CircuitPart>(reading)).unit;
+}
+
+bool same_kind(const Reading& a, const Reading& b) { return name_of(a) == name_of(b); }
+
+MeasuredPoint torque_point(double speed, double torque, double weight, double deviation) {
+  return {MetricRequest{Metric::torque_at, Argument::speed, speed}, torque, weight, deviation};
+}
 
 MeasuredPoints read_measured_points(const Source& source) { return PointReader(source).read(); }
 
 MeasuredPoints read_measured_points(const std::string& path) {
   return read_measured_points(read_source(path));
+}
+
+MeasuredPoints joined(std::vector<MeasuredPoints> files) {
+  MeasuredPoints all;
+  for (MeasuredPoints& file : files) {
+    std::move(file.points.begin(), file.points.end(), std::back_inserter(all.points));
+    std::move(file.without_unit.begin(), file.without_unit.end(),
+              std::back_inserter(all.without_unit));
+  }
+  const bool alike = one_kind(all.points);
+  if (files.size() == 1 && alike) return all;
+  const auto bare = std::find_if(all.points.begin(), all.points.end(),
+                                 [](const MeasuredPoint& point) { return point.deviation == 0; });
+  const bool none = std::all_of(all.points.begin(), all.points.end(),
+                                [](const MeasuredPoint& point) { return point.deviation == 0; });
+  if (none && alike) return all;
+  if (bare != all.points.end()) {
+    const std::string name(name_of(bare->reading));
+    throw InputError(name + " has no standard deviation, which data of " +
+                     (alike ? "files that give some" : "several kinds") +
+                     " need; add the column '" + (name == "torque_at" ? "torque" : name) + "_sd'");
+  }
+  for (MeasuredPoint& point : all.points) point.weight = 1 / (point.deviation * point.deviation);
+  double sum = 0;
+  for (const MeasuredPoint& point : all.points) sum += point.weight;
+  const double mean = alike ? sum / static_cast<double>(all.points.size()) : 1;
+  for (MeasuredPoint& point : all.points) point.weight /= mean;
+  return all;
 }
 
 }  // namespace twum::studies

@@ -3,18 +3,39 @@
 
 #include <twum/studies/diagnostics/source.hpp>
 
+#include "metrics/circuit_quantity.hpp"
+
+#include <twum/core/design/parameters.hpp>
+#include <twum/core/performance/metrics.hpp>
+
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace twum::studies {
 
-/// A torque read at a rotor speed that the test stand sets.
+/// What a bench reads: a metric of the motor, or a part of the impedance of its free stator.
+using Reading = std::variant<MetricRequest, CircuitPart>;
+
+/// As in a heading, such as "torque_at" or "conductance"; static lifetime.
+std::string_view name_of(const Reading& reading);
+/// Its SI unit; static lifetime.
+std::string_view unit_of(const Reading& reading);
+/// The same kind of number, whatever it was read at.
+bool same_kind(const Reading& a, const Reading& b);
+
+/// One number that was read.
 struct MeasuredPoint {
-  double speed;         ///< [rad/s]
-  double torque;        ///< [N m], negative where the rotor is driven
-  double weight{1};     ///< of its squared residual; mean over all points 1
-  double deviation{0};  ///< standard deviation of the torque [N m]; 0: not given
+  Reading reading;      ///< what it is, and at which speed or torque
+  double value{0};      ///< SI
+  double weight{1};     ///< of its squared residual
+  double deviation{0};  ///< standard deviation, SI; 0: not given
+  std::vector<ParameterValue> set =
+      {};  ///< parameters that the bench had set, in place of the motor's
 };
+
+/// A torque read at a rotor speed that the test stand sets; SI.
+MeasuredPoint torque_point(double speed, double torque, double weight = 1, double deviation = 0);
 
 /// What a table of measured points holds.
 struct MeasuredPoints {
@@ -23,10 +44,23 @@ struct MeasuredPoints {
       without_unit;  ///< headings without a unit, and the SI unit they are read in: "torque [N.m]"
 };
 
-/// Reads a CSV file with the columns `speed`, `torque`, and at most one of `weight` and `torque_sd`,
-/// units in the header; lines that begin with # are remarks. A standard deviation s gives the weight 1 / s^2.
+/// Reads a CSV file of measurements, units in the header; lines that begin with # are remarks. Columns are
+///
+/// * `speed` or `torque`: what the bench sets, and metrics of a point such as electrical_power_at are read at;
+///   beside `speed`, `torque` is what it reads;
+/// * metrics by name, and conductance, susceptance, impedance and impedance_phase of a phase of the free stator: what
+///   it reads; an empty cell was not read where there is another;
+/// * `NAME_sd`: the standard deviation s of the column NAME, which gives the weight 1 / s^2; or `weight`;
+/// * parameters by name: what was set in place of the motor's.
+///
+/// The weights have the mean 1.
 /// @throws FileError with everything that is wrong in it; InputError if it cannot be read.
 MeasuredPoints read_measured_points(const std::string& path);
 MeasuredPoints read_measured_points(const Source& source);
+
+/// The points of several files as one table. Points of several kinds are weighed by 1 / s^2 as it stands, others so that
+/// the weights have the mean 1.
+/// @throws InputError if points of several kinds, or only some of the points, have no standard deviation
+MeasuredPoints joined(std::vector<MeasuredPoints> files);
 
 }  // namespace twum::studies

@@ -82,8 +82,9 @@ Json fit_json(const CalibrateResult& answer, const MotorDesign& base) {
   double first = 0;
   double last = 0;
   for (const CalibrateResult::Point& point : answer.data) {
-    first = std::min(first, point.speed);
-    last = std::max(last, point.speed);
+    if (point.argument != Argument::speed) continue;
+    first = std::min(first, point.at);
+    last = std::max(last, point.at);
   }
   return names.empty() ? Json(nullptr) : slopes_json(base, values, names, first, last);
 }

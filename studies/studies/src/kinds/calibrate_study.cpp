@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/calibration.hpp"
 #include "kinds/executor.hpp"
+#include "kinds/measured_fit.hpp"
 #include "kinds/metric_gradients.hpp"
 #include "kinds/study_kind.hpp"
-#include "kinds/torque_fit.hpp"
 #include "kinds/unit_box.hpp"
 
 #include <twum/base/error.hpp>
@@ -48,18 +48,47 @@ std::vector<std::string> unit_notes(const MeasuredPoints& table) {
 
 // The fit that is asked for, and what is to be said of its points.
 struct AskedFit {
-  TorqueFit fit;
+  MeasuredFit fit;
   std::vector<std::string> notes;
 };
 
+// What a column sets cannot be estimated as well.
+void refuse_set(const MeasuredPoints& table, const CalibrateStudy& asked, const std::string& path) {
+  std::vector<Parameter> given = parameters_of(asked.variables);
+  for (const DerivedParameter& rule : asked.derived) given.push_back(rule.parameter);
+  for (const MeasuredPoint& point : table.points) {
+    for (const auto& [parameter, value] : point.set) {
+      const ParameterInfo& row = info(parameter);
+      const bool twice = std::any_of(given.begin(), given.end(), [&](Parameter other) {
+        return other == row.parameter || row.twin == other;
+      });
+      if (twice)
+        throw InputError(path + ": the column '" + std::string(row.name) +
+                         "' sets what the study estimates; leave out the column, or the variable");
+    }
+  }
+}
+
 AskedFit fit_of(const CalibrateStudy& asked, const StudyFile& file) {
-  const std::string path = (std::filesystem::path(file.folder) / asked.data).string();
-  MeasuredPoints table = points_of(path);
+  std::vector<MeasuredPoints> tables;
+  std::string paths;
+  for (const std::string& name : asked.data) {
+    const std::string path = (std::filesystem::path(file.folder) / name).string();
+    paths += (paths.empty() ? "" : ", ") + path;
+    tables.push_back(points_of(path));
+    refuse_set(tables.back(), asked, path);
+  }
+  MeasuredPoints table = joined(std::move(tables));
   std::vector<MeasuredPoint>& points = table.points;
   if (points.size() < asked.variables.size())
-    throw InputError(path + ": " + counted(points.size(), "point") + " cannot determine " +
+    throw InputError(paths + ": " + counted(points.size(), "point") + " cannot determine " +
                      counted(asked.variables.size(), "parameter") +
                      "; measure more points or estimate fewer parameters");
+  if (points.front().deviation == 0 && asked.scatter == Scatter::stated)
+    throw InputError(
+        paths +
+        ": no standard deviations, on which 'scatter: stated' stands; add a column such "
+        "as 'torque_sd [mN.m]', or leave out 'scatter'");
   std::vector<std::string> notes = unit_notes(table);
   return {{file.motor.design, asked.variables, std::move(points), asked.derived}, std::move(notes)};
 }
@@ -67,19 +96,20 @@ AskedFit fit_of(const CalibrateStudy& asked, const StudyFile& file) {
 // How far the fits are, for the eye.
 class Teller {
  public:
-  explicit Teller(const RunContext& context) : context_(context) {}
+  Teller(const RunContext& context, std::string unit) : context_(context), unit_(std::move(unit)) {}
 
   void see(double rms) {
     const std::lock_guard lock(mutex_);
     ++done_;
     if (!(rms >= best_)) best_ = rms;
     if (!context_.progress) return;
-    const std::string text = std::isnan(best_) ? "" : "residual_rms " + engineering(best_, "N.m");
+    const std::string text = std::isnan(best_) ? "" : "residual_rms " + engineering(best_, unit_);
     context_.progress({done_, 0, text});
   }
 
  private:
   const RunContext& context_;
+  std::string unit_;
   std::mutex mutex_;
   std::uint64_t done_{0};
   double best_{std::numeric_limits<double>::quiet_NaN()};
@@ -96,7 +126,8 @@ class CalibrateRun final : public StudyKindRun {
         starts_(asked.starts),
         solver_(optim::least_squares_solvers()[static_cast<std::size_t>(asked.solver)].name),
         seed_(asked.seed),
-        confidence_(asked.confidence) {}
+        confidence_(asked.confidence),
+        stated_(asked.scatter == Scatter::stated) {}
 
   std::vector<Column> columns() const override {
     std::vector<Column> columns;
@@ -104,7 +135,7 @@ class CalibrateRun final : public StudyKindRun {
       const ParameterInfo& row = info(range.parameter);
       columns.push_back({std::string(row.name), std::string(row.unit)});
     }
-    columns.push_back({"residual_rms", "N.m"});
+    columns.push_back({"residual_rms", fit_.unit()});
     return columns;
   }
 
@@ -114,7 +145,7 @@ class CalibrateRun final : public StudyKindRun {
 
   KindAnswer run(RunContext& context) override {
     const auto starts = start_values();
-    Teller teller(context);
+    Teller teller(context, fit_.unit());
     auto fits = in_order<optim::LeastSquaresResult>(
         context, starts_, [&](std::uint64_t i) { return one_fit(context, i, starts[i], teller); });
     std::vector<ProfiledInterval> found;
@@ -179,6 +210,7 @@ class CalibrateRun final : public StudyKindRun {
     optim::LeastSquaresOptions options;
     options.solver = solver_;
     options.confidence = confidence_;
+    if (stated_) options.deviation = fit_.stated_deviation();
     options.stop = context.stop;
     return options;
   }
@@ -283,12 +315,13 @@ class CalibrateRun final : public StudyKindRun {
     return std::memcmp(row.values.data(), values.data(), values.size_bytes()) == 0;
   }
 
-  TorqueFit fit_;
+  MeasuredFit fit_;
   std::vector<std::string> notes_;
   std::uint64_t starts_;
   std::string solver_;
   std::uint64_t seed_;
   double confidence_;
+  bool stated_;  // the intervals stand on the standard deviations of the data
 };
 
 }  // namespace

@@ -13,20 +13,19 @@ using optim::LeastSquaresResult;
 using optim::Outcome;
 
 // Root mean squares that agree as far as rounding and the search can tell.
-bool as_good(double a, double b, const TorqueFit& fit) {
-  return std::fabs(a - b) <= 1e-6 * std::max(a, b) + TorqueFit::kRounding * fit.torque_size();
+bool as_good(double a, double b, const MeasuredFit& fit) {
+  return std::fabs(a - b) <= 1e-6 * std::max(a, b) + MeasuredFit::kRounding * fit.size();
 }
 
 class Calibration {
  public:
-  Calibration(const TorqueFit& fit, const std::vector<LeastSquaresResult>& fits, double confidence)
+  Calibration(const MeasuredFit& fit, const std::vector<LeastSquaresResult>& fits,
+              double confidence)
       : fit_(fit), fits_(fits) {
     result_.confidence = confidence;
     for (const LeastSquaresResult& one : fits_) result_.starts.push_back(start_of(one));
-    for (const MeasuredPoint& p : fit_.points()) {
-      constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-      result_.data.push_back({p.speed, p.torque, p.weight, kNone, kNone});
-    }
+    result_.unit = fit_.unit();
+    for (const MeasuredPoint& point : fit_.points()) result_.data.push_back(point_of(point));
   }
 
   KindAnswer answer(const std::vector<ProfiledInterval>& intervals) {
@@ -48,6 +47,21 @@ class Calibration {
   }
 
  private:
+  static CalibrateResult::Point point_of(const MeasuredPoint& measured) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    CalibrateResult::Point point{0, measured.value, measured.weight, kNone, kNone};
+    point.quantity = name_of(measured.reading);
+    point.unit = unit_of(measured.reading);
+    const auto* request = std::get_if<MetricRequest>(&measured.reading);
+    point.argument = request != nullptr ? request->argument : Argument::none;
+    if (request != nullptr) point.at = request->at;
+    point.deviation = measured.deviation;
+    for (const auto& [parameter, value] : measured.set)
+      point.set.push_back(
+          {std::string(info(parameter).name), std::string(info(parameter).unit), value});
+    return point;
+  }
+
   // The least sum of squares is not yet a fit; and a search that stopped short of it says so only where it would be one.
   std::string outcome_of(const LeastSquaresResult& best) const {
     const std::string verdict = result_.verdict();
@@ -174,6 +188,8 @@ class Calibration {
     result_.residual_deviation = best.residual_deviation;
     result_.degrees_of_freedom = best.degrees_of_freedom;
     result_.student_t = best.student_t;
+    // Known beforehand, it is not what the residuals say.
+    result_.stated = std::isfinite(best.scatter) && best.scatter != best.residual_deviation;
     result_.static_ratio = fit_.static_ratio();
   }
 
@@ -196,7 +212,7 @@ class Calibration {
     for (std::size_t i = 0; i < result_.data.size(); ++i) {
       CalibrateResult::Point& point = result_.data[i];
       point.residual = -residuals.values[i] / std::sqrt(point.weight);
-      point.fitted = point.torque - point.residual;
+      point.fitted = point.value - point.residual;
     }
     result_.residual_rms = fit_.rms(residuals.values);
     result_.exact = fit_.exact(result_.residual_rms);
@@ -205,12 +221,13 @@ class Calibration {
   void test_fit() {
     if (result_.exact || result_.degrees_of_freedom == 0) return;
     std::vector<const CalibrateResult::Point*> ordered;
-    for (const CalibrateResult::Point& point : result_.data) ordered.push_back(&point);
+    for (const CalibrateResult::Point& point : result_.data)
+      if (point.torque()) ordered.push_back(&point);
     std::stable_sort(ordered.begin(), ordered.end(),
-                     [](const auto* a, const auto* b) { return a->speed < b->speed; });
+                     [](const auto* a, const auto* b) { return a->at < b->at; });
     std::vector<double> residuals;
     for (const CalibrateResult::Point* point : ordered) residuals.push_back(point->residual);
-    result_.runs = runs_test(residuals);
+    if (!residuals.empty()) result_.runs = runs_test(residuals);
     if (!fit_.deviations_given()) return;
     double sum = 0;
     for (std::size_t i = 0; i < result_.data.size(); ++i) {
@@ -290,18 +307,18 @@ class Calibration {
     return -both / second * best.estimates[a].value / best.estimates[b].value;
   }
 
-  const TorqueFit& fit_;
+  const MeasuredFit& fit_;
   const std::vector<LeastSquaresResult>& fits_;
   CalibrateResult result_;
 };
 
 }  // namespace
 
-double root_mean(const LeastSquaresResult& one, const TorqueFit& fit) {
+double root_mean(const LeastSquaresResult& one, const MeasuredFit& fit) {
   return std::sqrt(one.sum_of_squares / static_cast<double>(fit.points().size()));
 }
 
-std::optional<std::size_t> best_fit(const TorqueFit& fit,
+std::optional<std::size_t> best_fit(const MeasuredFit& fit,
                                     const std::vector<LeastSquaresResult>& fits) {
   std::optional<std::size_t> best;
   for (std::size_t s = 0; s < fits.size(); ++s) {
@@ -319,7 +336,7 @@ std::optional<std::size_t> best_fit(const TorqueFit& fit,
   return best;
 }
 
-KindAnswer calibration(const TorqueFit& fit, const std::vector<LeastSquaresResult>& fits,
+KindAnswer calibration(const MeasuredFit& fit, const std::vector<LeastSquaresResult>& fits,
                        double confidence, const std::vector<ProfiledInterval>& intervals) {
   return Calibration(fit, fits, confidence).answer(intervals);
 }

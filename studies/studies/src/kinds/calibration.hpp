@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "kinds/measured_fit.hpp"
 #include "kinds/study_kind.hpp"
-#include "kinds/torque_fit.hpp"
 
 #include <twum/optim/fit_profile.hpp>
 
@@ -12,11 +12,11 @@
 namespace twum::studies {
 
 /// Root of the weighted mean square of the residuals of a fit [N m].
-double root_mean(const optim::LeastSquaresResult& one, const TorqueFit& fit);
+double root_mean(const optim::LeastSquaresResult& one, const MeasuredFit& fit);
 
 /// The least sum of squares; of equals the first start's. An optimum goes before a fit that stopped short, unless
 /// that one is better. Nothing if no start could be evaluated.
-std::optional<std::size_t> best_fit(const TorqueFit& fit,
+std::optional<std::size_t> best_fit(const MeasuredFit& fit,
                                     const std::vector<optim::LeastSquaresResult>& fits);
 
 /// Ends of a confidence interval, where they were looked for.
@@ -28,7 +28,7 @@ struct ProfiledInterval {
 /// What local fits from several starts say together: best_fit() with its statistics, the other places where starts
 /// ended, and whether the best one fits and is determined.
 /// @param intervals  one for each parameter, of the best fit; none: the linearised ones stand
-KindAnswer calibration(const TorqueFit& fit, const std::vector<optim::LeastSquaresResult>& fits,
+KindAnswer calibration(const MeasuredFit& fit, const std::vector<optim::LeastSquaresResult>& fits,
                        double confidence, const std::vector<ProfiledInterval>& intervals = {});
 
 }  // namespace twum::studies

@@ -130,14 +130,26 @@ Json combinations_json(const CalibrateResult& result) {
   return json;
 }
 
+// A torque at a speed has entries of these names; other numbers have a value, and what it was read at, if anything.
+Json point_json(const CalibrateResult::Point& point) {
+  Json json = Json::object();
+  if (point.argument != Argument::none)
+    json[point.argument == Argument::speed ? "speed" : "torque"] = point.at;
+  json[point.torque() ? "torque" : "value"] = point.value;
+  json["weight"] = point.weight;
+  json["fitted"] = number_json(point.fitted);
+  json["residual"] = number_json(point.residual);
+  if (!point.torque()) json["quantity"] = point.quantity;
+  if (!point.torque()) json["unit"] = point.unit;
+  if (point.deviation > 0) json["sd"] = point.deviation;
+  if (!point.set.empty()) json["set"] = values_json(point.set);
+  return json;
+}
+
 Json data_json(const CalibrateResult& result) {
   Json json = Json::array();
   for (const CalibrateResult::Point& point : result.data) {
-    json.push_back({{"speed", point.speed},
-                    {"torque", point.torque},
-                    {"weight", point.weight},
-                    {"fitted", number_json(point.fitted)},
-                    {"residual", number_json(point.residual)}});
+    json.push_back(point_json(point));
   }
   return json;
 }
@@ -148,8 +160,10 @@ Json units_json(const CalibrateResult& result) {
     json[e.parameter.name] = e.parameter.unit;
   add_units(json, result.derived);
   json["speed"] = "rad/s";
-  for (const char* torque : {"torque", "fitted", "residual", "residual_rms", "residual_sd"})
-    json[torque] = "N.m";
+  json["torque"] = "N.m";
+  for (const char* rms : {"fitted", "residual", "residual_rms", "residual_sd"})
+    json[rms] = result.unit;
+  for (const CalibrateResult::Point& point : result.data) add_units(json, point.set);
   return json;
 }
 
@@ -169,14 +183,54 @@ std::string estimates_table(const CalibrateResult& result) {
   return aligned(table);
 }
 
+// A root mean square in its unit, or in standard deviations.
+std::string rms_words(double rms, const std::string& unit) {
+  return unit == "1" ? rounded_text(rms, 3) + " standard deviations" : engineering(rms, unit, 3);
+}
+
+std::string argument_words(const CalibrateResult::Point& point) {
+  return engineering(point.at, point.argument == Argument::speed ? "rad/s" : "N.m", 4);
+}
+
+// " at 100 rpm" of a torque; " of no_load_speed" of what has no argument.
+std::string place_words(const CalibrateResult::Point& point) {
+  const std::string of = point.torque() ? "" : " of " + point.quantity;
+  return point.argument == Argument::none ? of : of + " at " + argument_words(point);
+}
+
 std::string residual_words(const CalibrateResult& result) {
-  const auto largest = std::max_element(
-      result.data.begin(), result.data.end(),
-      [](const auto& a, const auto& b) { return std::fabs(a.residual) < std::fabs(b.residual); });
+  const bool mixed = result.unit == "1";  // then the largest is that in standard deviations
+  const auto size = [&](const CalibrateResult::Point& point) {
+    return std::fabs(point.residual) * (mixed ? std::sqrt(point.weight) : 1);
+  };
+  const auto largest =
+      std::max_element(result.data.begin(), result.data.end(),
+                       [&](const auto& a, const auto& b) { return size(a) < size(b); });
   return counted(result.data.size(), "point") + ", residual rms " +
-         engineering(result.residual_rms, "N.m", 3) + ", largest " +
-         engineering(largest->residual + 0.0, "N.m", 3) + " at " +  // -0 + 0 is 0
-         engineering(largest->speed, "rad/s", 4) + " (measured - fitted)\n";
+         rms_words(result.residual_rms, result.unit) + ", largest " +
+         engineering(largest->residual + 0.0, largest->unit, 3) +  // -0 + 0 is 0
+         place_words(*largest) + " (measured - fitted)\n";
+}
+
+// Numbers that are not all torques, as measured and as fitted.
+std::string data_table(const CalibrateResult& result) {
+  const bool torques = std::all_of(result.data.begin(), result.data.end(),
+                                   [](const auto& point) { return point.torque(); });
+  constexpr std::size_t kMost = 20;  // more are read in summary.json or on the page
+  if (torques || result.data.size() > kMost) return {};
+  TextTable table;
+  table.rows.push_back({"what", "measured", "fitted", "deviations"});
+  for (const CalibrateResult::Point& point : result.data) {
+    std::string name = point.quantity;
+    if (point.argument != Argument::none) name += "(" + argument_words(point) + ")";
+    for (const NamedValue& set : point.set)
+      name += ", " + set.name + " " + engineering(set.value, set.unit, 4);
+    const double part = point.residual / point.deviation;
+    table.rows.push_back({name, engineering(point.value, point.unit, 4),
+                          engineering(point.fitted, point.unit, 4),
+                          point.deviation > 0 ? rounded_text(part, 2) : "-"});
+  }
+  return aligned(table) + "\n";
 }
 
 std::string test_words(const CalibrateResult& result) {
@@ -203,7 +257,7 @@ std::string optima_table(const CalibrateResult& result) {
   table.rows[0].emplace_back("");
   for (const CalibrateResult::Optimum& optimum : result.optima) {
     table.rows.push_back(
-        {std::to_string(optimum.starts), engineering(optimum.residual_rms, "N.m", 3)});
+        {std::to_string(optimum.starts), rms_words(optimum.residual_rms, result.unit)});
     for (std::size_t j = 0; j < optimum.values.size(); ++j)
       table.rows.back().push_back(
           engineering(optimum.values[j], result.estimates[j].parameter.unit));
@@ -218,6 +272,7 @@ std::string optima_table(const CalibrateResult& result) {
 Json answer_json(const CalibrateResult& result) {
   Json json{{"estimates", estimates_json(result)},
             {"confidence", result.confidence},
+            {"scatter", result.stated ? "stated" : "estimated"},
             {"correlation", correlation_json(result)},
             {"residual_rms", number_json(result.residual_rms)},
             {"residual_sd", number_json(result.residual_deviation)},
@@ -237,12 +292,15 @@ Json answer_json(const CalibrateResult& result) {
 
 std::string answer_text(const CalibrateResult& result) {
   if (result.estimates.empty())
-    return "No start could be evaluated: the motor has no torque at one of the speeds measured.\n";
+    return result.data.front().torque()
+               ? "No start could be evaluated: the motor has no torque at one of the speeds "
+                 "measured.\n"
+               : "No start could be evaluated: the motor lacks one of the numbers measured.\n";
   std::string text = "Estimates with intervals of " + percent(result.confidence) + "\n\n" +
                      estimates_table(result) + "\n";
   for (const NamedValue& value : result.derived)
     text += value.name + " follows: " + engineering(value.value, value.unit) + "\n";
-  text += residual_words(result) + test_words(result);
+  text += data_table(result) + residual_words(result) + test_words(result);
   for (const std::string& note : calibration_notes(result)) text += note + "\n";
   return text + optima_table(result);
 }

@@ -8,9 +8,13 @@ namespace twum::studies {
 
 namespace {
 
+// Of numbers of several kinds the standard deviations are the measure; there is no largest one.
 double part_of_largest(double rms, const std::vector<CalibrateResult::Point>& data) {
   double largest = 0;
-  for (const auto& point : data) largest = std::max(largest, std::fabs(point.torque));
+  for (const auto& point : data) {
+    if (point.quantity != data.front().quantity) return 0;
+    largest = std::max(largest, std::fabs(point.value));
+  }
   return largest > 0 && rms > 0 ? rms / largest : 0;
 }
 

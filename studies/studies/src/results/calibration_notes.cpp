@@ -27,7 +27,7 @@ struct Sizes {
 Sizes sizes_of(const CalibrateResult& result) {
   Sizes sizes;
   for (const CalibrateResult::Point& point : result.data) {
-    sizes.measured += point.torque * point.torque;
+    sizes.measured += point.value * point.value;
     sizes.fitted += point.fitted * point.fitted;
   }
   const auto count = static_cast<double>(result.data.size());
@@ -36,6 +36,9 @@ Sizes sizes_of(const CalibrateResult& result) {
 
 // A unit taken for another shows in sizes or in signs.
 void add_unit_hints(const CalibrateResult& result, Notes& notes) {
+  const bool torques = std::all_of(result.data.begin(), result.data.end(),
+                                   [](const auto& point) { return point.torque(); });
+  if (!torques) return;
   constexpr double kFar = 3;
   const Sizes sizes = sizes_of(result);
   const double ratio = sizes.measured / sizes.fitted;
@@ -47,7 +50,7 @@ void add_unit_hints(const CalibrateResult& result, Notes& notes) {
         "): check the unit of torque in the data file.");
   const auto opposite = static_cast<std::size_t>(
       std::count_if(result.data.begin(), result.data.end(),
-                    [](const auto& point) { return point.torque * point.fitted < 0; }));
+                    [](const auto& point) { return point.value * point.fitted < 0; }));
   if (2 * opposite > result.data.size())
     notes.push_back("At " + std::to_string(opposite) + " of " +
                     counted(result.data.size(), "point") +
@@ -64,10 +67,14 @@ void add_misfit(const CalibrateResult& result, Notes& notes) {
     text += " keep their sign over whole stretches of speed";
   else
     text += " are large";
-  notes.push_back(text + ", " + about(100 * result.misfit()) +
-                  " % of the largest torque (root mean square). The model lacks something, a "
-                  "parameter that was not estimated, or a point or a unit is wrong; the intervals "
-                  "mean little.");
+  if (result.misfit() > 0)
+    text += ", " + about(100 * result.misfit()) + " % of the largest " +
+            (result.data.front().torque() ? "torque" : result.data.front().quantity) +
+            " (root mean square)";
+  notes.push_back(
+      text +
+      ". The model lacks something, a parameter that was not estimated, or a point or a "
+      "unit is wrong; the intervals mean little.");
 }
 
 void add_undetermined(const CalibrateResult::Undetermined& set, Notes& notes) {

@@ -142,6 +142,29 @@ bool refuse_whole_numbers(CalibrateStudy& /*study*/, const Given& given, Diagnos
   return true;
 }
 
+// One file, or a list of files.
+Shape<std::vector<std::string>> data_files() {
+  const Shape<std::string> file = path(
+      "CSV file with columns such as speed [unit] and torque [unit]; of any metric by its name (a "
+      "metric of "
+      "a point is read at the speed of its row, or, in a table without speed, at the torque), or "
+      "conductance, "
+      "susceptance, impedance, impedance_phase of the free stator; of parameters that were set; "
+      "and, if "
+      "wanted, torque_sd [unit] and the like (standard deviation s: the weight is 1/s^2, and the "
+      "scatter is "
+      "tested against it) or weight (factor of the point's squared residual; only ratios count)",
+      "points.csv");
+  const auto one = shape_as<std::vector<std::string>, std::string>(
+      file, [](std::string name) { return std::vector<std::string>{std::move(name)}; },
+      [](const std::vector<std::string>& names) { return names.front(); });
+  Shape<std::vector<std::string>> shape = one_of<std::vector<std::string>>(
+      "table of measurements, or a list of tables", {one, list("tables of measurements", file)},
+      [](const std::vector<std::string>& names) { return names.size() == 1 ? 0U : 1U; });
+  shape.schema.example = file.schema.example;
+  return shape;
+}
+
 bool check_fit(CalibrateStudy& study, const Given& given, Diagnostics& diagnostics) {
   const optim::SolverInfo& solver =
       optim::least_squares_solvers()[static_cast<std::size_t>(study.solver)];
@@ -198,20 +221,18 @@ Shape<SizeStudy> SizeStudy::shape() {
 Shape<CalibrateStudy> CalibrateStudy::shape() {
   using S = CalibrateStudy;
   return mapping<S>(
-      "parameters from measured torque-speed points",
-      {kind_field<S>(),
-       needed<S>(
-           "data",
-           path("CSV file with the columns speed [unit] and torque [unit], and if wanted one of "
-                "weight (factor of the point's squared residual; only ratios count) and "
-                "torque_sd [unit] (standard deviation s of the torque: the weight is 1/s^2, and "
-                "the scatter is tested against it)",
-                "points.csv"),
-           &S::data),
+      "parameters from measurements",
+      {kind_field<S>(), needed<S>("data", data_files(), &S::data),
        needed<S>("variables", shapes::variables("what is estimated", kEstimates), &S::variables),
        derived_field<S>(),
        standard<S>("confidence", fraction("level of the confidence intervals", "0.95"),
                    &S::confidence),
+       standard<S>(
+           "scatter",
+           word<Scatter>("what the intervals stand on: the scatter of the residuals, or the "
+                         "standard deviations in the data",
+                         {"estimated", "stated"}),
+           &S::scatter),
        standard<S>("starts", count("local fits from different starts", "8", 1, 10000), &S::starts),
        standard<S>(
            "solver",

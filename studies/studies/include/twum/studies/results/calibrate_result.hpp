@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/core/performance/metrics.hpp>
 #include <twum/optim/result.hpp>
 #include <twum/studies/statistics/fit_tests.hpp>
 #include <twum/studies/store/column.hpp>
@@ -13,8 +14,8 @@
 
 namespace twum::studies {
 
-/// Answer of `calibrate`: parameters of a motor from measured torque-speed points, by least squares of
-/// the torques at the speeds measured. Torques and residuals in N m, speeds in rad/s.
+/// Answer of `calibrate`: parameters of a motor from measurements, by least squares. SI; residuals in the unit of what was
+/// measured, their root mean square in standard deviations where that is of several kinds.
 struct CalibrateResult {
   /// End of its range that holds a parameter.
   enum class Bound : unsigned char { none, min, max };
@@ -43,13 +44,21 @@ struct CalibrateResult {
     std::vector<Follower> followers;  ///< where held: what the free ones would do
   };
 
-  /// One measured point, and the fit there.
+  /// One measured number, and the fit there.
   struct Point {
-    double speed{0};     ///< of the rotor [rad/s]
-    double torque{0};    ///< measured
-    double weight{1};    ///< of its squared residual; mean 1
-    double fitted{0};    ///< torque of the motor with the estimates
+    double at{0};        ///< speed of the rotor [rad/s] or torque [N m] that it was read at
+    double value{0};     ///< measured
+    double weight{1};    ///< of its squared residual; mean 1 where all are of one kind
+    double fitted{0};    ///< of the motor with the estimates
     double residual{0};  ///< measured - fitted
+    std::string quantity{"torque_at"};   ///< what it is
+    std::string unit{"N.m"};             ///< its SI unit
+    Argument argument{Argument::speed};  ///< what `at` is
+    double deviation{0};                 ///< standard deviation; 0: not given
+    std::vector<NamedValue> set{};       ///< parameters that the bench had set
+
+    /// A torque at a speed.
+    bool torque() const { return quantity == "torque_at"; }
   };
 
   /// Parameters that only count together.
@@ -76,7 +85,7 @@ struct CalibrateResult {
   /// A place where starts ended; the first is the answer.
   struct Optimum {
     std::vector<double> values;       ///< of the parameters, SI
-    double residual_rms{0};           ///< of the fit there [N m]
+    double residual_rms{0};           ///< of the fit there
     std::size_t starts{0};            ///< how many ended there
     bool fits_as_well{false};         ///< the data cannot tell this motor from the first
     std::vector<NamedValue> derived;  ///< parameters that follow
@@ -91,7 +100,10 @@ struct CalibrateResult {
     std::vector<double> values;  ///< of the parameters, SI; empty: none
   };
 
-  double confidence{0.95};          ///< level of all intervals
+  double confidence{0.95};  ///< level of all intervals
+  std::string unit{
+      "N.m"};  ///< of residual_rms: that of the points, or "1" where they are of several kinds
+  bool stated{false};               ///< the intervals stand on the standard deviations of the data
   std::vector<Estimate> estimates;  ///< empty if no start could be evaluated
   std::vector<NamedValue> derived;  ///< parameters that follow from the estimates
   std::vector<double> correlation;  ///< row after row; NaN where undetermined

@@ -52,10 +52,10 @@ struct FrequencyStudy {
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
-  std::optional<CurveStudy::Family> family;        ///< none: the motor alone
-  std::optional<double> from;                      ///< [Hz]; none: below all resonances and jumps
-  std::optional<double> to;                        ///< [Hz]; none: above all jumps
-  std::uint64_t points{201};                       ///< of each sweep, at least 2
+  std::optional<CurveStudy::Family> family;  ///< none: the motor alone
+  std::optional<double> from;                ///< [Hz]; none: below all resonances and jumps
+  std::optional<double> to;                  ///< [Hz]; none: above all jumps
+  std::uint64_t points{201};                 ///< of each sweep, at least 2
   /// Load [N m]; more than one are a family over it; none: 0, unless a speed is given.
   std::optional<std::vector<double>> torque;
   std::optional<double> speed;                     ///< of the rotor [rad/s], in place of a torque
@@ -199,17 +199,21 @@ struct UncertaintyStudy {
 /// Who searches for the least sum of squares, in the order of optim::least_squares_solvers().
 enum class FitSolver : unsigned char { own, gsl };
 
-/// Parameters from measured torque-speed points.
+/// What the intervals of a calibration stand on: the scatter of the residuals, or the standard deviations in the data.
+enum class Scatter : unsigned char { estimated, stated };
+
+/// Parameters from measurements.
 struct CalibrateStudy {
   static constexpr std::string_view kName{"calibrate"};  ///< as in `kind:`
   static Shape<CalibrateStudy> shape();                  ///< its field list
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
-  std::string data;                       ///< path of the points
+  std::vector<std::string> data;          ///< paths of the tables of measurements, at least one
   std::vector<DesignVariable> variables;  ///< what is estimated
   std::vector<DerivedParameter> derived;  ///< what follows from the variables
   double confidence{0.95};                ///< level of the intervals
+  Scatter scatter{Scatter::estimated};    ///< what the intervals stand on
   std::uint64_t starts{8};                ///< local fits from different starts
   FitSolver solver{FitSolver::own};       ///< of each of them
   std::uint64_t seed{1};                  ///< of the starts

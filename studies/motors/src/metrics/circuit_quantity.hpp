@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/core/performance/metrics.hpp>
+
+#include <optional>
+#include <string_view>
+
+namespace twum::studies {
+
+/// What an impedance analyser reads of a phase of the free stator, the other one shorted, at the design's frequency (D4.4).
+enum class CircuitPart : unsigned char { conductance, susceptance, impedance, impedance_phase };
+
+/// Name and SI unit.
+struct CircuitPartInfo {
+  std::string_view name;
+  std::string_view unit;
+};
+const CircuitPartInfo& info(CircuitPart part);
+std::optional<CircuitPart> find_circuit_part(std::string_view name);
+
+/// Its value, with exact derivatives by every parameter; the status is `undefined` for a design without modal data.
+MetricDerivative differentiate(const MotorDesign& design, CircuitPart part,
+                               bool fixed_static_friction);
+
+}  // namespace twum::studies

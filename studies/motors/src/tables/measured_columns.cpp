@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tables/measured_columns.hpp"
+
+#include "tables/heading.hpp"
+
+#include <twum/studies/text/value_error.hpp>
+#include <twum/studies/text/words.hpp>
+
+#include <algorithm>
+#include <optional>
+
+namespace twum::studies {
+namespace {
+
+constexpr std::string_view kDeviation = "_sd";
+
+class ColumnReader {
+ public:
+  ColumnReader(const std::vector<ColumnHeading>& headings, Diagnostics& diagnostics)
+      : headings_(headings), diagnostics_(diagnostics) {
+    has_speed_ = has("speed");
+  }
+
+  std::vector<MeasuredColumn> read(SourceMark begin) {
+    for (const ColumnHeading& heading : headings_) add(heading);
+    check_repeats();
+    if (unknown_) return std::move(columns_);  // it may be the one that seems to be missing
+    for (MeasuredColumn& column : columns_) {
+      if (column.role == ColumnRole::deviation) find_owner(column);
+      if (column.role == ColumnRole::measured) find_argument(column, begin);
+    }
+    check_measured(begin);
+    check_weights();
+    return std::move(columns_);
+  }
+
+ private:
+  bool has(std::string_view name) const {
+    return std::any_of(headings_.begin(), headings_.end(),
+                       [&](const auto& h) { return split_heading(h.text).name == name; });
+  }
+
+  void add(const ColumnHeading& heading) {
+    const Heading parts = split_heading(heading.text);
+    std::optional<MeasuredColumn> column = column_of(std::string(parts.name));
+    if (!column) {
+      unknown_ = true;
+      diagnostics_.add(heading.mark, "", "unknown column " + quoted(heading.text),
+                       did_you_mean(parts.name, known_names()));
+      columns_.emplace_back();
+      return;
+    }
+    column->name = parts.name;
+    column->unit = parts.unit;
+    column->mark = heading.mark;
+    try {
+      if (parts.has_unit)
+        column->scale = parse_unit(parts.unit, {column->expected, example_of(*column)});
+    } catch (const ValueError& error) {
+      diagnostics_.add(heading.mark, column->name, error.found(), error.expected());
+    }
+    columns_.push_back(std::move(*column));
+  }
+
+  static std::string_view example_of(const MeasuredColumn& column) {
+    if (column.role == ColumnRole::parameter) return info(column.parameter).example;
+    if (column.expected == "N.m")
+      return column.role == ColumnRole::deviation ? "5 mN.m" : "0.5 N.m";
+    if (column.expected == "rad/s") return "100 rpm";
+    return "";
+  }
+
+  std::optional<MeasuredColumn> column_of(const std::string& name) const {
+    MeasuredColumn column;
+    if (name == "weight") {
+      column.role = ColumnRole::weight;
+      column.expected = "1";
+      return column;
+    }
+    if (name == "speed" || (name == "torque" && !has_speed_)) {
+      column.role = ColumnRole::argument;
+      column.argument = name == "speed" ? Argument::speed : Argument::torque;
+      column.expected = name == "speed" ? "rad/s" : "N.m";
+      return column;
+    }
+    if (name.ends_with(kDeviation) && has(name.substr(0, name.size() - kDeviation.size()))) {
+      const auto owner = column_of(name.substr(0, name.size() - kDeviation.size()));
+      if (owner) column.expected = owner->expected;
+      column.role = ColumnRole::deviation;
+      return owner ? std::optional(column) : std::nullopt;
+    }
+    if (name == "torque_sd") {  // of a column that is missing
+      column.role = ColumnRole::deviation;
+      column.expected = "N.m";
+      return column;
+    }
+    if (const auto reading = reading_of(name)) {
+      column.reading = *reading;
+      column.expected = unit_of(*reading);
+      return column;
+    }
+    const auto parameter = find_parameter(name);
+    if (!parameter) return {};
+    column.role = ColumnRole::parameter;
+    column.parameter = *parameter;
+    column.expected = info(*parameter).unit;
+    return column;
+  }
+
+  static std::optional<Reading> reading_of(const std::string& name) {
+    if (const auto part = find_circuit_part(name)) return *part;
+    const auto metric = name == "torque" ? Metric::torque_at : find_metric(name);
+    if (!metric) return {};
+    return MetricRequest{*metric, info(*metric).argument, 0};
+  }
+
+  static std::vector<std::string_view> known_names() {
+    std::vector<std::string_view> names{"speed", "torque", "weight", "torque_sd"};
+    for (const MetricInfo& row : metric_table()) names.push_back(row.name);
+    for (const CircuitPart part : {CircuitPart::conductance, CircuitPart::susceptance,
+                                   CircuitPart::impedance, CircuitPart::impedance_phase})
+      names.push_back(info(part).name);
+    for (const ParameterInfo& row : parameter_table()) names.push_back(row.name);
+    return names;
+  }
+
+  void check_repeats() {
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const MeasuredColumn& a = columns_[i];
+        const MeasuredColumn& b = columns_[j];
+        if (a.name.empty() || a.name != b.name) continue;
+        diagnostics_.add({a.mark, a.name, "the column is there twice", "leave one of them out",
+                          b.mark, "first given here"});
+      }
+    }
+  }
+
+  void find_owner(MeasuredColumn& column) {
+    const std::string name = column.name.substr(0, column.name.size() - kDeviation.size());
+    for (std::size_t k = 0; k < columns_.size(); ++k)
+      if (columns_[k].name == name) column.of = k;
+    if (columns_[column.of].name == name && columns_[column.of].role != ColumnRole::measured)
+      diagnostics_.add(column.mark, column.name, quoted(name) + " is set, not measured",
+                       "give standard deviations of what was measured");
+  }
+
+  // The argument that a metric of a point is read at.
+  void find_argument(MeasuredColumn& column, SourceMark begin) {
+    auto* request = std::get_if<MetricRequest>(&column.reading);
+    if (request == nullptr || request->argument == Argument::none) return;
+    const Argument takes = request->argument;
+    const bool torque = has("torque") && !has_speed_;
+    if (has_speed_ && takes != Argument::torque)
+      request->argument = Argument::speed;
+    else if (torque && takes != Argument::speed)
+      request->argument = Argument::torque;
+    else if (takes == Argument::torque)
+      diagnostics_.add(column.mark, column.name, "read at a torque that no column gives",
+                       has_speed_ ? "leave out 'speed', beside which 'torque' is measured"
+                                  : "expected a column such as 'torque [N.m]'");
+    else
+      diagnostics_.add(begin, "", "no column 'speed'", "expected one such as 'speed [rpm]'");
+  }
+
+  void check_measured(SourceMark begin) {
+    const bool measured = std::any_of(columns_.begin(), columns_.end(),
+                                      [](const auto& c) { return c.role == ColumnRole::measured; });
+    if (measured) return;
+    if (has_speed_)
+      diagnostics_.add(begin, "", "no column 'torque'", "expected one such as 'torque [N.m]'");
+    else if (has("torque"))
+      diagnostics_.add(begin, "", "no column 'speed'", "expected one such as 'speed [rpm]'");
+    else
+      diagnostics_.add(begin, "", "no column of what was measured",
+                       "expected one such as 'torque [N.m]' beside 'speed [rpm]', or "
+                       "'no_load_speed [rpm]'");
+  }
+
+  void check_weights() {
+    const MeasuredColumn* weight = nullptr;
+    const MeasuredColumn* deviation = nullptr;
+    std::size_t measured = 0;
+    for (const MeasuredColumn& column : columns_) {
+      if (column.role == ColumnRole::weight) weight = &column;
+      if (column.role == ColumnRole::deviation) deviation = &column;
+      measured += column.role == ColumnRole::measured ? 1 : 0;
+    }
+    if (weight == nullptr) return;
+    if (deviation != nullptr)
+      diagnostics_.add({deviation->mark, deviation->name, "weights and standard deviations",
+                        "give one of the two", weight->mark, "weights given here"});
+    else if (measured > 1)
+      diagnostics_.add(weight->mark, weight->name, "weights of several columns",
+                       "give standard deviations, such as 'torque_sd [N.m]'");
+  }
+
+  const std::vector<ColumnHeading>& headings_;
+  Diagnostics& diagnostics_;
+  bool has_speed_{false};
+  bool unknown_{false};
+  std::vector<MeasuredColumn> columns_;
+};
+
+}  // namespace
+
+std::vector<MeasuredColumn> measured_columns(const std::vector<ColumnHeading>& headings,
+                                             SourceMark begin, Diagnostics& diagnostics) {
+  return ColumnReader(headings, diagnostics).read(begin);
+}
+
+std::vector<std::string> without_unit(const std::vector<MeasuredColumn>& columns) {
+  std::vector<std::string> headings;
+  for (const MeasuredColumn& column : columns) {
+    if (column.unit.empty() && column.expected != "1")
+      headings.push_back(column.name + " [" + std::string(column.expected) + "]");
+  }
+  return headings;
+}
+
+}  // namespace twum::studies

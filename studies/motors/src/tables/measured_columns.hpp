@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "tables/measured_points.hpp"
+
+#include <twum/studies/diagnostics/diagnostics.hpp>
+#include <twum/studies/units/units.hpp>
+
+#include <string>
+#include <vector>
+
+namespace twum::studies {
+
+/// What a column of a table of measurements is for.
+enum class ColumnRole : unsigned char { argument, measured, deviation, weight, parameter };
+
+/// One column.
+struct MeasuredColumn {
+  ColumnRole role{ColumnRole::measured};
+  std::string name;                   ///< of its heading
+  Reading reading;                    ///< of a measured one
+  Argument argument{Argument::none};  ///< of an argument
+  Parameter parameter{};              ///< of a parameter
+  std::size_t of{0};                  ///< of a deviation: number of the column that it belongs to
+  Scale scale;                        ///< of its cells
+  std::string unit;                   ///< as typed
+  std::string_view expected;          ///< SI unit, static lifetime
+  SourceMark mark;                    ///< of its heading
+};
+
+/// A heading as typed, and where it stands.
+struct ColumnHeading {
+  std::string text;
+  SourceMark mark;
+};
+
+/// The columns of a table of measurements, in their order; as read_measured_points() has it. Says what is wrong, and then
+/// the result means nothing.
+std::vector<MeasuredColumn> measured_columns(const std::vector<ColumnHeading>& headings,
+                                             SourceMark begin, Diagnostics& diagnostics);
+
+/// Headings without a unit that have a dimension, with the SI unit they are read in: "torque [N.m]".
+std::vector<std::string> without_unit(const std::vector<MeasuredColumn>& columns);
+
+}  // namespace twum::studies

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinds/measured_fit.hpp"
+
+#include <twum/base/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace twum::studies {
+namespace {
+
+// A derivative that a residual may have.
+void require_value(const MetricDerivative& found, const std::string& name) {
+  if (found.value.status != MetricStatus::ok)
+    throw EvaluationError(name + ": " + to_string(found.value.status), "no " + name);
+  if (found.smoothness == Smoothness::undefined)
+    throw EvaluationError(name + ": no derivative", "no derivative");
+}
+
+// "torque" of the points that every bench reads; its failures have been counted by that name.
+std::string failure_name(const Reading& reading) {
+  const std::string name(name_of(reading));
+  return name == "torque_at" ? "torque" : name;
+}
+
+}  // namespace
+
+MeasuredFit::MeasuredFit(const MotorDesign& motor, std::vector<DesignVariable> parameters,
+                         std::vector<MeasuredPoint> points, std::vector<DerivedParameter> derived)
+    : motor_(motor),
+      parameters_(std::move(parameters)),
+      points_(std::move(points)),
+      varied_(motor_, parameters_of(parameters_), derived) {
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    Condition& condition = condition_of(points_[i], derived);
+    condition.points.push_back(i);
+    if (const auto* request = std::get_if<MetricRequest>(&points_[i].reading))
+      condition.requests.push_back(*request);
+    mixed_ = mixed_ || !same_kind(points_[i].reading, points_.front().reading);
+  }
+}
+
+MeasuredFit::Condition& MeasuredFit::condition_of(const MeasuredPoint& point,
+                                                  const std::vector<DerivedParameter>& derived) {
+  const auto known = std::find_if(conditions_.begin(), conditions_.end(),
+                                  [&](const Condition& c) { return c.set == point.set; });
+  if (known != conditions_.end()) return *known;
+  VariedParameters varied(with(motor_, point.set), parameters_of(parameters_), derived);
+  conditions_.push_back({point.set, std::move(varied), {}, {}});
+  return conditions_.back();
+}
+
+optim::Residuals MeasuredFit::residuals(std::span<const double> values) const {
+  optim::Residuals failed;
+  try {
+    return all_residuals(values);
+  } catch (const EvaluationError& error) {
+    failed.failure = error.reason();
+  } catch (const InputError& error) {  // a combination of values that is no motor
+    failed.failure = std::string("not a motor: ") + error.what();
+  }
+  return failed;
+}
+
+optim::Residuals MeasuredFit::all_residuals(std::span<const double> values) const {
+  optim::Residuals result;
+  result.values.resize(points_.size());
+  result.jacobian.resize(points_.size() * parameters_.size());
+  for (const Condition& condition : conditions_) add(condition, values, result);
+  return result;
+}
+
+void MeasuredFit::add(const Condition& condition, std::span<const double> values,
+                      optim::Residuals& result) const {
+  const MotorDesign motor = condition.varied.motor(values);
+  const auto slopes = condition.varied.slopes(motor);
+  const bool fixed = condition.varied.fixed_static_friction();
+  std::vector<MetricDerivative> metrics;
+  if (!condition.requests.empty()) metrics = differentiate(Motor(motor), condition.requests, fixed);
+  auto next = metrics.begin();
+  for (const std::size_t i : condition.points) {
+    const MeasuredPoint& point = points_[i];
+    const auto* part = std::get_if<CircuitPart>(&point.reading);
+    const MetricDerivative found = part != nullptr ? differentiate(motor, *part, fixed) : *next++;
+    require_value(found, failure_name(point.reading));
+    const double root = std::sqrt(point.weight);
+    result.values[i] = root * (found.value.value - point.value);
+    const auto by = condition.varied.derivatives(found.gradient, slopes);
+    for (std::size_t j = 0; j < by.size(); ++j) result.jacobian[i * by.size() + j] = root * by[j];
+  }
+}
+
+double MeasuredFit::rms(std::span<const double> residuals) const {
+  double sum = 0;
+  for (const double r : residuals) sum += r * r;
+  return std::sqrt(sum / static_cast<double>(residuals.size()));
+}
+
+std::string MeasuredFit::unit() const {
+  return mixed_ ? "1" : std::string(unit_of(points_.front().reading));
+}
+
+// The weights are 1 / s^2 times one factor.
+double MeasuredFit::stated_deviation() const {
+  return points_.front().deviation * std::sqrt(points_.front().weight);
+}
+
+double MeasuredFit::size() const {
+  double sum = 0;
+  for (const MeasuredPoint& point : points_) sum += point.weight * point.value * point.value;
+  return std::sqrt(sum / static_cast<double>(points_.size()));
+}
+
+std::vector<NamedValue> MeasuredFit::derived(std::span<const double> values) const {
+  if (varied_.derived().empty()) return {};
+  const MotorDesign motor = varied_.motor(values);
+  std::vector<NamedValue> list;
+  for (const DerivedParameter& rule : varied_.derived()) {
+    const ParameterInfo& row = info(rule.parameter);
+    list.push_back({std::string(row.name), std::string(row.unit), get(motor, rule.parameter)});
+  }
+  return list;
+}
+
+double MeasuredFit::static_ratio() const {
+  const bool estimated = std::any_of(
+      parameters_.begin(), parameters_.end(),
+      [](const DesignVariable& range) { return range.parameter == Parameter::kinetic_friction; });
+  const double kinetic = get(motor_, Parameter::kinetic_friction);
+  if (!estimated || varied_.fixed_static_friction() || !(kinetic > 0)) return 1;
+  return get(motor_, Parameter::static_friction) / kinetic;
+}
+
+std::vector<optim::Variable> MeasuredFit::variables(std::span<const double> start) const {
+  std::vector<optim::Variable> result;
+  for (std::size_t j = 0; j < parameters_.size(); ++j) {
+    const DesignVariable& range = parameters_[j];
+    const double own = get(motor_, range.parameter);
+    optim::Variable variable{std::string(info(range.parameter).name), range.min, range.max,
+                             range.start, range.log ? optim::Scale::log : optim::Scale::linear};
+    if (!start.empty())
+      variable.start = start[j];
+    else if (std::isnan(range.start) && own >= range.min && own <= range.max)
+      variable.start = own;
+    result.push_back(std::move(variable));
+  }
+  return result;
+}
+
+}  // namespace twum::studies
