@@ -147,8 +147,8 @@ class Calibration(Study):
 
     def test_one_point_leaves_nothing_undetermined_but_freedom(self):
         summary = self.calibrate("one", "60,0.84\n")
-        self.assertEqual([(e["remark"], e["low"]) for e in summary["estimates"].values()], [("", None)])
-        self.assertRegex(self.text(".verdict"), r"The data say: kinetic friction 0\.\d+\.")
+        self.assertEqual([(e["remark"], e["low"]) for e in summary["estimates"].values()], [("hardly determined", None)])
+        self.assertRegex(self.text(".verdict"), r"The points do not determine all of these; they are fitted best by kinetic friction 0\.\d+ \(hardly determined\)\.")
         # Without an interval there is no band either, rather than one without width.
         self.assertEqual(self.lines(".legend")[0], "measuredfit")
         self.assertEqual(self.browser.value("document.querySelector('[data-chart=fit]').plot.data.slice(2).flat().filter((v) => v !== null)"), [])

@@ -23,7 +23,7 @@ function torquePoints() {
 /** What a measured number is, and where it was read. */
 function readingText(p) {
   const at = p.speed !== undefined ? ' at ' + engineering(p.speed, 'rad/s', 4) : p.quantity && p.torque !== undefined ? ' at ' + engineering(p.torque, 'N.m', 4) : '';
-  return plain(p.quantity || 'torque_at') + at + Object.entries(p.set || {}).map(([n, v]) => ', ' + plain(n) + ' ' + engineering(v, unitOf(n), 4)).join('');
+  return plain((p.quantity || 'torque_at').replace(/_at$/, '')) + at + Object.entries(p.set || {}).map(([n, v]) => ', ' + plain(n) + ' ' + engineering(v, unitOf(n), 4)).join('');
 }
 
 function fitChart(node) {
