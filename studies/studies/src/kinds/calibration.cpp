@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/calibration.hpp"
 
+#include "kinds/answer_moves.hpp"
+#include "kinds/measurement_plan.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -42,26 +45,14 @@ class Calibration {
     compare_optima(best, residuals);
     name_undetermined(best, residuals);
     if (!result_.determined()) name_combinations(best);
+    const bool ended = best.outcome == Outcome::optimal || best.outcome == Outcome::feasible;
+    if (ended) result_.moves = moves_of(fit_, best);
+    if (ended) result_.plan = measurement_plan(fit_, best);
     std::string outcome = outcome_of(best);
     return {std::move(outcome), std::move(result_)};
   }
 
  private:
-  static CalibrateResult::Point point_of(const MeasuredPoint& measured) {
-    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    CalibrateResult::Point point{0, measured.value, measured.weight, kNone, kNone};
-    point.quantity = name_of(measured.reading);
-    point.unit = unit_of(measured.reading);
-    const auto* request = std::get_if<MetricRequest>(&measured.reading);
-    point.argument = request != nullptr ? request->argument : Argument::none;
-    if (request != nullptr) point.at = request->at;
-    point.deviation = measured.deviation;
-    for (const auto& [parameter, value] : measured.set)
-      point.set.push_back(
-          {std::string(info(parameter).name), std::string(info(parameter).unit), value});
-    return point;
-  }
-
   // The least sum of squares is not yet a fit; and a search that stopped short of it says so only where it would be one.
   std::string outcome_of(const LeastSquaresResult& best) const {
     const std::string verdict = result_.verdict();
@@ -313,6 +304,21 @@ class Calibration {
 };
 
 }  // namespace
+
+CalibrateResult::Point point_of(const MeasuredPoint& measured) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  CalibrateResult::Point point{0, measured.value, measured.weight, kNone, kNone};
+  point.quantity = name_of(measured.reading);
+  point.unit = unit_of(measured.reading);
+  const auto* request = std::get_if<MetricRequest>(&measured.reading);
+  point.argument = request != nullptr ? request->argument : Argument::none;
+  if (request != nullptr) point.at = request->at;
+  point.deviation = measured.deviation;
+  for (const auto& [parameter, value] : measured.set)
+    point.set.push_back(
+        {std::string(info(parameter).name), std::string(info(parameter).unit), value});
+  return point;
+}
 
 double root_mean(const LeastSquaresResult& one, const MeasuredFit& fit) {
   return std::sqrt(one.sum_of_squares / static_cast<double>(fit.points().size()));

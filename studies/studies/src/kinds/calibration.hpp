@@ -11,6 +11,9 @@
 
 namespace twum::studies {
 
+/// A measured point as a result shows it; fitted and residual are NaN.
+CalibrateResult::Point point_of(const MeasuredPoint& measured);
+
 /// Root of the weighted mean square of the residuals of a fit [N m].
 double root_mean(const optim::LeastSquaresResult& one, const MeasuredFit& fit);
 

@@ -51,6 +51,29 @@ MeasuredFit::Condition& MeasuredFit::condition_of(const MeasuredPoint& point,
   return conditions_.back();
 }
 
+bool MeasuredFit::sets(Parameter parameter) const {
+  const auto same = [&](Parameter other) {
+    return other == parameter || info(other).twin == parameter;
+  };
+  return std::any_of(varied_.varied().begin(), varied_.varied().end(), same) ||
+         std::any_of(varied_.derived().begin(), varied_.derived().end(),
+                     [&](const DerivedParameter& rule) { return same(rule.parameter); }) ||
+         std::any_of(conditions_.begin(), conditions_.end(), [&](const Condition& condition) {
+           return std::any_of(condition.set.begin(), condition.set.end(),
+                              [&](const ParameterValue& one) { return same(one.first); });
+         });
+}
+
+MeasuredFit MeasuredFit::varying(const std::vector<Parameter>& more) const {
+  std::vector<DesignVariable> all = parameters_;
+  for (const Parameter parameter : more) all.push_back({parameter});
+  return {motor_, std::move(all), points_, varied_.derived()};
+}
+
+MeasuredFit MeasuredFit::asking(std::vector<MeasuredPoint> points) const {
+  return {motor_, parameters_, std::move(points), varied_.derived()};
+}
+
 optim::Residuals MeasuredFit::residuals(std::span<const double> values) const {
   optim::Residuals failed;
   try {

@@ -29,6 +29,17 @@ class MeasuredFit {
   MeasuredFit(const MotorDesign& motor, std::vector<DesignVariable> parameters,
               std::vector<MeasuredPoint> points, std::vector<DerivedParameter> derived = {});
 
+  /// The motor as it is, before anything is fitted.
+  const MotorDesign& motor() const noexcept { return motor_; }
+  /// The motor with the parameters at these values.
+  MotorDesign motor_at(std::span<const double> values) const { return varied_.motor(values); }
+  /// The fit estimates or derives the parameter or its twin, or a point sets it.
+  bool sets(Parameter parameter) const;
+  /// The same with further parameters varied, behind its own.
+  MeasuredFit varying(const std::vector<Parameter>& more) const;
+  /// The same with other points.
+  MeasuredFit asking(std::vector<MeasuredPoint> points) const;
+
   const std::vector<DesignVariable>& parameters() const noexcept { return parameters_; }
   const std::vector<MeasuredPoint>& points() const noexcept { return points_; }
 

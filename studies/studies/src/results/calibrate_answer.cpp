@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/calibration_notes.hpp"
+#include "results/calibration_tables.hpp"
 #include "results/calibration_words.hpp"
 #include "results/search_words.hpp"
 
@@ -130,6 +131,36 @@ Json combinations_json(const CalibrateResult& result) {
   return json;
 }
 
+Json moves_json(const CalibrateResult& result) {
+  Json json = Json::object();
+  for (const CalibrateResult::Move& move : result.moves) {
+    Json slopes = Json::object();
+    for (std::size_t j = 0; j < move.slopes.size(); ++j)
+      slopes[result.estimates[j].parameter.name] = number_json(move.slopes[j]);
+    json[move.held.name] = {
+        {"value", move.held.value}, {"unit", move.held.unit}, {"slopes", std::move(slopes)}};
+  }
+  return json;
+}
+
+Json plan_json(const CalibrateResult& result) {
+  Json json = Json::array();
+  for (const CalibrateResult::Planned& planned : result.plan) {
+    Json one{{"quantity", planned.point.quantity}};
+    if (planned.point.argument != Argument::none)
+      one[planned.point.argument == Argument::speed ? "speed" : "torque"] = planned.point.at;
+    if (!planned.point.set.empty()) one["set"] = values_json(planned.point.set);
+    Json widths = Json::object();
+    for (std::size_t j = 0; j < planned.widths.size(); ++j)
+      widths[result.estimates[j].parameter.name] = planned.widths[j];
+    one["widths"] = std::move(widths);
+    one["volume"] = planned.volume;
+    one["mean"] = planned.mean;
+    json.push_back(std::move(one));
+  }
+  return json;
+}
+
 // A torque at a speed has entries of these names; other numbers have a value, and what it was read at, if anything.
 Json point_json(const CalibrateResult::Point& point) {
   Json json = Json::object();
@@ -188,16 +219,6 @@ std::string rms_words(double rms, const std::string& unit) {
   return unit == "1" ? rounded_text(rms, 3) + " standard deviations" : engineering(rms, unit, 3);
 }
 
-std::string argument_words(const CalibrateResult::Point& point) {
-  return engineering(point.at, point.argument == Argument::speed ? "rad/s" : "N.m", 4);
-}
-
-// " at 100 rpm" of a torque; " of no_load_speed" of what has no argument.
-std::string place_words(const CalibrateResult::Point& point) {
-  const std::string of = point.torque() ? "" : " of " + point.quantity;
-  return point.argument == Argument::none ? of : of + " at " + argument_words(point);
-}
-
 std::string residual_words(const CalibrateResult& result) {
   const bool mixed = result.unit == "1";  // then the largest is that in standard deviations
   const auto size = [&](const CalibrateResult::Point& point) {
@@ -210,27 +231,6 @@ std::string residual_words(const CalibrateResult& result) {
          rms_words(result.residual_rms, result.unit) + ", largest " +
          engineering(largest->residual + 0.0, largest->unit, 3) +  // -0 + 0 is 0
          place_words(*largest) + " (measured - fitted)\n";
-}
-
-// Numbers that are not all torques, as measured and as fitted.
-std::string data_table(const CalibrateResult& result) {
-  const bool torques = std::all_of(result.data.begin(), result.data.end(),
-                                   [](const auto& point) { return point.torque(); });
-  constexpr std::size_t kMost = 20;  // more are read in summary.json or on the page
-  if (torques || result.data.size() > kMost) return {};
-  TextTable table;
-  table.rows.push_back({"what", "measured", "fitted", "deviations"});
-  for (const CalibrateResult::Point& point : result.data) {
-    std::string name = point.quantity;
-    if (point.argument != Argument::none) name += "(" + argument_words(point) + ")";
-    for (const NamedValue& set : point.set)
-      name += ", " + set.name + " " + engineering(set.value, set.unit, 4);
-    const double part = point.residual / point.deviation;
-    table.rows.push_back({name, engineering(point.value, point.unit, 4),
-                          engineering(point.fitted, point.unit, 4),
-                          point.deviation > 0 ? rounded_text(part, 2) : "-"});
-  }
-  return aligned(table) + "\n";
 }
 
 std::string test_words(const CalibrateResult& result) {
@@ -284,6 +284,8 @@ Json answer_json(const CalibrateResult& result) {
             {"optima", optima_json(result)},
             {"starts", starts_json(result)},
             {"notes", calibration_notes(result)},
+            {"moves", moves_json(result)},
+            {"plan", plan_json(result)},
             {"data", data_json(result)},
             {"units", units_json(result)}};
   if (!result.derived.empty()) json["derived"] = values_json(result.derived);
@@ -302,7 +304,7 @@ std::string answer_text(const CalibrateResult& result) {
     text += value.name + " follows: " + engineering(value.value, value.unit) + "\n";
   text += data_table(result) + residual_words(result) + test_words(result);
   for (const std::string& note : calibration_notes(result)) text += note + "\n";
-  return text + optima_table(result);
+  return text + optima_table(result) + moves_table(result) + plan_table(result);
 }
 
 }  // namespace twum::studies

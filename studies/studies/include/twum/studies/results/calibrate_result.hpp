@@ -91,6 +91,21 @@ struct CalibrateResult {
     std::vector<NamedValue> derived;  ///< parameters that follow
   };
 
+  /// How the estimates move with a parameter that the study holds fixed (L5.1).
+  struct Move {
+    NamedValue held;  ///< which one, and its value
+    std::vector<double>
+        slopes;  ///< derivatives of the estimates by it, SI; NaN where the data do not determine all
+  };
+
+  /// A measurement worth making next, and what the estimates would be like after it and those before it in the plan.
+  struct Planned {
+    Point point;                 ///< what to read, and where; without values
+    std::vector<double> widths;  ///< of the intervals, in parts of those now, for each parameter
+    double volume{1};            ///< of the joint region of the estimates, likewise
+    double mean{1};  ///< root of the mean square of the widths in parts of the ranges, likewise
+  };
+
   /// One local fit.
   struct Start {
     optim::Outcome outcome{optim::Outcome::failed};                 ///< what its search came to
@@ -120,6 +135,9 @@ struct CalibrateResult {
   std::vector<Combination> combinations;  ///< least visible first; none if the intervals are of use
   std::vector<Optimum> optima;            ///< places where starts ended, best first
   std::vector<Start> starts;              ///< every local fit
+  std::vector<Move> moves;  ///< one for each held parameter that counts; none without estimates
+  std::vector<Planned>
+      plan;  ///< the next measurements in their order; empty where the scatter is unknown
   std::vector<Point> data;  ///< in the order of the file; fitted is NaN without estimates
 
   double static_ratio{1};  ///< static to kinetic friction, kept where only the latter is estimated

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinds/measurement_plan.hpp"
+
+#include "kinds/calibration.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace twum::studies {
+namespace {
+
+constexpr std::size_t kLength = 10;  // measurements of a plan
+constexpr int kGrid = 24;            // places of what is read at a speed or a torque
+
+// A number that may be measured next.
+struct Candidate {
+  MeasuredPoint point;
+  std::vector<double>
+      slope;  // of its weighted residual, by the parameters in parts of their ranges
+};
+
+// What the ranges say and the data have said, in parts of the ranges; grows by one measurement after another.
+class Knowledge {
+ public:
+  // Before any measurement each parameter is anywhere in its range: the variance of a uniform number.
+  Knowledge(std::size_t parameters, double scatter) : n_(parameters), scatter_(scatter) {
+    covariance_.assign(n_ * n_, 0.0);
+    for (std::size_t j = 0; j < n_; ++j) covariance_[j * n_ + j] = 1.0 / 12;
+  }
+
+  // ln of the factor by which the squared volume of the region shrinks (L6.1).
+  double gain(const std::vector<double>& slope) const {
+    return std::log1p(variance_along(slope) / (scatter_ * scatter_));
+  }
+
+  // L6.2: C - C g g^T C / (s^2 + g^T C g).
+  void add(const std::vector<double>& slope) {
+    const std::vector<double> v = times(slope);
+    const double below = scatter_ * scatter_ + variance_along(slope);
+    for (std::size_t i = 0; i < n_; ++i)
+      for (std::size_t j = 0; j < n_; ++j) covariance_[i * n_ + j] -= v[i] * v[j] / below;
+  }
+
+  double width(std::size_t j) const { return std::sqrt(covariance_[j * n_ + j]); }
+  double trace() const {
+    double sum = 0;
+    for (std::size_t j = 0; j < n_; ++j) sum += covariance_[j * n_ + j];
+    return sum;
+  }
+
+ private:
+  std::vector<double> times(const std::vector<double>& slope) const {
+    std::vector<double> v(n_, 0.0);
+    for (std::size_t i = 0; i < n_; ++i)
+      for (std::size_t j = 0; j < n_; ++j) v[i] += covariance_[i * n_ + j] * slope[j];
+    return v;
+  }
+  double variance_along(const std::vector<double>& slope) const {
+    const std::vector<double> v = times(slope);
+    double sum = 0;
+    for (std::size_t j = 0; j < n_; ++j) sum += slope[j] * v[j];
+    return sum;
+  }
+
+  std::size_t n_;
+  double scatter_;
+  std::vector<double> covariance_;
+};
+
+class Planner {
+ public:
+  Planner(const MeasuredFit& fit, const optim::LeastSquaresResult& best)
+      : fit_(fit), knowledge_(best.estimates.size(), best.scatter) {
+    for (const optim::Estimate& e : best.estimates) values_.push_back(e.value);
+    const optim::Residuals known = fit_.residuals(values_);
+    for (std::size_t i = 0; i < known.values.size(); ++i)
+      knowledge_.add(in_ranges(known.jacobian.data() + i * values_.size()));
+  }
+
+  std::vector<CalibrateResult::Planned> plan() {
+    const std::vector<Candidate> candidates = all_candidates();
+    std::vector<CalibrateResult::Planned> plan;
+    if (candidates.empty()) return plan;
+    const Knowledge first = knowledge_;
+    double volume = 0;
+    while (plan.size() < kLength) {
+      const auto best = std::max_element(
+          candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
+            return knowledge_.gain(a.slope) < knowledge_.gain(b.slope);
+          });
+      volume += knowledge_.gain(best->slope);
+      knowledge_.add(best->slope);
+      plan.push_back(planned(*best, first, volume));
+    }
+    return plan;
+  }
+
+ private:
+  // By a parameter in parts of its range, or of its logarithm's.
+  std::vector<double> in_ranges(const double* slope) const {
+    std::vector<double> scaled;
+    for (std::size_t j = 0; j < values_.size(); ++j) {
+      const DesignVariable& range = fit_.parameters()[j];
+      scaled.push_back(slope[j] * (range.log ? values_[j] * std::log(range.max / range.min)
+                                             : range.max - range.min));
+    }
+    return scaled;
+  }
+
+  CalibrateResult::Planned planned(const Candidate& one, const Knowledge& first,
+                                   double volume) const {
+    CalibrateResult::Planned planned;
+    planned.point = point_of(one.point);
+    planned.volume = std::exp(-0.5 * volume);
+    planned.mean = std::sqrt(knowledge_.trace() / first.trace());
+    for (std::size_t j = 0; j < values_.size(); ++j)
+      planned.widths.push_back(knowledge_.width(j) / first.width(j));
+    return planned;
+  }
+
+  // One kind after the other, of those that were measured; a candidate that the motor has no value for is none.
+  std::vector<Candidate> all_candidates() const {
+    std::vector<Candidate> list;
+    std::vector<const MeasuredPoint*> kinds;
+    for (const MeasuredPoint& point : fit_.points()) {
+      const bool known = std::any_of(kinds.begin(), kinds.end(), [&](const MeasuredPoint* k) {
+        return same_kind(k->reading, point.reading);
+      });
+      if (known) continue;
+      kinds.push_back(&point);
+      for (const auto& set : settings())
+        for (const Reading& reading : places(point.reading)) add(point, reading, set, list);
+    }
+    return list;
+  }
+
+  void add(const MeasuredPoint& like, const Reading& reading,
+           const std::vector<ParameterValue>& set, std::vector<Candidate>& list) const {
+    MeasuredPoint point{reading, 0, weight_of(like), like.deviation, set};
+    optim::Residuals found = fit_.asking({point}).residuals(values_);
+    if (!found.failure.empty()) return;
+    list.push_back({std::move(point), in_ranges(found.jacobian.data())});
+  }
+
+  // The mean weight of its kind: a further point is as good as those.
+  double weight_of(const MeasuredPoint& like) const {
+    double sum = 0;
+    double count = 0;
+    for (const MeasuredPoint& point : fit_.points()) {
+      if (!same_kind(point.reading, like.reading)) continue;
+      sum += point.weight;
+      ++count;
+    }
+    return sum / count;
+  }
+
+  // Speeds up to no load, or torques up to the largest; of the impedance the frequencies that were measured.
+  std::vector<Reading> places(const Reading& reading) const {
+    const auto* request = std::get_if<MetricRequest>(&reading);
+    if (request == nullptr || request->argument == Argument::none) return {reading};
+    const Metric end =
+        request->argument == Argument::speed ? Metric::no_load_speed : Metric::max_torque;
+    const MetricValue last = evaluate(Motor(fit_.motor_at(values_)), MetricRequest{end});
+    std::vector<Reading> list;
+    for (int i = 0; i <= kGrid && last.status == MetricStatus::ok; ++i) {
+      MetricRequest one = *request;
+      one.at = last.value * i / kGrid;
+      list.emplace_back(one);
+    }
+    return list;
+  }
+
+  // The motor as it is, with other preloads and voltages, and whatever was set.
+  std::vector<std::vector<ParameterValue>> settings() const {
+    std::vector<std::vector<ParameterValue>> list{{}};
+    for (const Parameter parameter : {Parameter::preload, Parameter::voltage}) {
+      if (!in_use(fit_.motor(), parameter) || fit_.sets(parameter)) continue;
+      for (const double factor : {0.75, 1.25})
+        list.push_back({{parameter, factor * get(fit_.motor(), parameter)}});
+    }
+    for (const MeasuredPoint& point : fit_.points())
+      if (std::find(list.begin(), list.end(), point.set) == list.end()) list.push_back(point.set);
+    return list;
+  }
+
+  const MeasuredFit& fit_;
+  std::vector<double> values_;
+  Knowledge knowledge_;
+};
+
+}  // namespace
+
+std::vector<CalibrateResult::Planned> measurement_plan(const MeasuredFit& fit,
+                                                       const optim::LeastSquaresResult& best) {
+  const bool scatter = std::isfinite(best.scatter) && !fit.exact(best.scatter);
+  return scatter ? Planner(fit, best).plan() : std::vector<CalibrateResult::Planned>{};
+}
+
+}  // namespace twum::studies
