@@ -13,7 +13,7 @@ namespace {
 constexpr double kAgrees = 0.1;
 // An end that is searched for, likewise: a thousandth of an interval nobody needs.
 constexpr double kFound = 1e-3;
-constexpr int kMostSteps = 40;
+constexpr int kMostSearchSteps = 40;
 // A sum of squares this much below that of the fit is no rounding.
 constexpr double kBetter = 1e-6;
 
@@ -101,7 +101,7 @@ class Profile {
   double root(double low, double high, double z_high) {
     double z_low = low;  // of the linear fit; only its sign counts in the end
     int kept = 0;
-    for (int step = 0; step < kMostSteps && high - low > kFound * high; ++step) {
+    for (int step = 0; step < kMostSearchSteps && high - low > kFound * high; ++step) {
       const bool secant = std::isfinite(z_high) && std::abs(kept) < 2 && z_high > z_low;
       const double part = secant ? (1.0 - z_low) / (z_high - z_low) : 0.5;
       const double at = low + std::clamp(part, 0.02, 0.98) * (high - low);
