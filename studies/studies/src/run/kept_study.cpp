@@ -26,7 +26,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kDifferencesShown = 8;
-constexpr std::uint64_t kRowsRepeated = 8;  // before a run goes on; tells another build at its first rows
+constexpr std::uint64_t kRowsRepeated =
+    8;  // before a run goes on; tells another build at its first rows
 
 std::string name_of(const StudyFile& file) {
   const std::string stem = std::filesystem::path(file.path).stem().string();
