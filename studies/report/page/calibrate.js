@@ -59,9 +59,26 @@ function correlationTable() {
   const names = Object.keys(summary.estimates);
   const shade = (v) => (v === null || v === undefined ? '' : 'background:color-mix(in srgb, var(--' + (v < 0 ? 'c1' : 'c0') + ') ' + Math.round(60 * Math.abs(v)) + '%, transparent)');
   const lines = names.map((a) => [named(a), ...names.map((b) => { const v = a === b ? 1 : (summary.correlation[a] || {})[b]; return { text: v === null || v === undefined ? '-' : v.toFixed(2), value: v }; })]);
-  const node = table('correlation', ['', ...names.map(plain)], lines);
+  const node = table('correlation', ['parameter', ...names.map(plain)], lines);
   node.querySelectorAll('td[data-value]').forEach((td) => { td.style.cssText = shade(Number(td.dataset.value)); });
   return node;
+}
+
+/** The estimates if a parameter that is held fixed were 1 % larger. */
+function movesTable() {
+  const names = Object.keys(summary.estimates);
+  const lines = Object.entries(summary.moves).map(([held, { value, unit, slopes }]) => {
+    const moved = (n) => summary.estimates[n].value + 0.01 * value * slopes[n];
+    return [named(held), quantity(1.01 * value, unit), ...names.map((n) => quantity(moved(n), unitOf(n)))];
+  });
+  return table('moves', ['held fixed', 'if it were', ...names.map(plain)], lines);
+}
+
+/** What to measure next, and the widths of the intervals after it in parts of those now. */
+function planTable() {
+  const names = Object.keys(summary.estimates).filter((n) => n in summary.plan[0].widths);
+  const lines = summary.plan.map((p) => [readingText(p), percent(p.mean), ...names.map((n) => percent(p.widths[n]))]);
+  return table('plan', ['measure next', 'all', ...names.map(plain)], lines);
 }
 
 function calibratePage() {
@@ -70,11 +87,19 @@ function calibratePage() {
   const list = Object.entries(summary.estimates);
   const held = list.some(([, e]) => e.remark);
   const line = ([n, e]) => [named(n), quantity(e.value, unitOf(n)), quantity(e.low, unitOf(n)), quantity(e.high, unitOf(n)), ...(held ? [words(e.remark, 'bad-word')] : [])];
-  card('Estimates', percent(summary.confidence) + ' intervals.', 'half').append(table('estimates', ['parameter', 'value', 'low', 'high', ...(held ? [''] : [])], list.map(line)));
+  card('Estimates', percent(summary.confidence) + ' intervals.', 'half').append(table('estimates', ['parameter', 'value', 'low', 'high', ...(held ? ['remark'] : [])], list.map(line)));
   card('Correlation of the estimates', 'Near 1 or -1: the data tell only a combination.', 'half').append(correlationTable());
   if (summary.data.some((p) => !p.quantity)) residualChart(card('Residuals', 'They should scatter about zero without a pattern.', 'half'));
   if (!torques) card('The numbers', null, 'wide').append(table('points', ['what', 'measured', 'fitted', 'residual', 'in standard deviations'], summary.data.map((p) => { const unit = p.unit || 'N.m'; return [readingText(p), quantity(p.quantity ? p.value : p.torque, unit), quantity(p.fitted, unit), quantity(p.residual, unit, 3), p.sd ? rounded(p.residual / p.sd, 2) : '-']; })));
   else card('The points', null, 'half').append(table('points', ['speed', 'measured', 'fitted', 'residual'], summary.data.map((p) => [quantity(p.speed, 'rad/s'), quantity(p.torque, 'N.m'), quantity(p.fitted, 'N.m'), quantity(p.residual, 'N.m', 3)]), ['speed [rad/s]', 'measured [N.m]', 'fitted [N.m]', 'residual [N.m]']));
+  if (Object.keys(summary.moves || {}).length) {
+    const text = 'Each row has one parameter 1 % larger and the rest as it is.';
+    card('What the estimates would be with other values of what is held fixed', text, 'wide').append(movesTable());
+  }
+  if ((summary.plan || []).length) {
+    const text = 'The measurement that narrows the intervals most comes first; widths are those after it, in parts of those now.';
+    card('The next measurements', text, 'wide').append(planTable());
+  }
   const fitted = curves.filter(Boolean);
   if (fitted.length) curveSection(fitted, ['fitted motor'], 'The fitted motor');
   const explore = fitted.length ? designerButton(fitted[0].design, 'fitted motor', 'Explore the fitted motor') : null;
