@@ -110,9 +110,11 @@ std::vector<std::vector<double>> OptimumRun::combinations_at(
 }
 
 // Where a search with few slices ended, another goes on with as many as the motor there needs, until no more are needed. Whole
-// numbers and sets stay.
+// numbers and sets stay. One budget serves all.
 optim::Result OptimumRun::refined(optim::Result found, RunContext& context) {
-  while (counts_slices() && !found.design.empty() && found.stop == optim::StopReason::finished) {
+  const optim::Budget budget = this->options(context).budget;
+  while (counts_slices() && !found.design.empty() && found.stop == optim::StopReason::finished &&
+         found.counters.evaluations < budget.evaluations) {
     const int needed = slices_needed(found.design);
     if (needed <= slices()) break;
     use_slices(needed);
@@ -126,8 +128,10 @@ optim::Result OptimumRun::refined(optim::Result found, RunContext& context) {
     optim::SolveOptions options = this->options(log, context);
     options.starts = 1;
     options.first_stage = first_stage_of_slices(needed);
+    options.budget.evaluations -= found.counters.evaluations;
     optim::Result finer = optim::solve(there, options);
     finer.scan = found.scan;
+    finer.counters.add(found.counters);
     finer.stages.insert(finer.stages.begin(), found.stages.begin(), found.stages.end());
     found = std::move(finer);
   }
