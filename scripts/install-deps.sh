@@ -16,7 +16,7 @@ build_packages=(
   # tools
   g++ cmake ninja-build pkg-config ccache python3
   # linked into twum
-  libeigen3-dev libgsl-dev libnlopt-dev libnlopt-cxx-dev coinor-libipopt-dev libyaml-cpp-dev
+  libeigen3-dev libspectra-dev libgsl-dev libnlopt-dev libnlopt-cxx-dev coinor-libipopt-dev libyaml-cpp-dev
   libudunits2-dev libcli11-dev nlohmann-json3-dev libfmt-dev libsqlite3-dev libboost-dev
   # the Python module
   pybind11-dev python3-dev python3-numpy

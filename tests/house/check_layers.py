@@ -56,10 +56,10 @@ ONLY_IN_SOURCES = {
 # Public headers are installed, and a program that uses them has none of our third-party headers.
 # A browser build has no file, thread or solver library: core stands on the standard library, on that
 # part of it which every toolchain of ours has, and inside its .cpp files on header-only Boost; the stator's
-# eigenvalue problems on Eigen besides, which is header-only too.
+# eigenvalue problems on Eigen and Spectra besides, which are header-only too.
 CORE_INCLUDES = re.compile(r"(twum/|[a-z_]+$)")  # ours or standard
 CORE_SOURCE_INCLUDES = re.compile(r"(twum/|[a-z_]+$|boost/(math|numeric|random)/)")
-STATOR_SOURCE_INCLUDES = re.compile(r"(twum/|[a-z_]+$|boost/math/|Eigen/)")
+STATOR_SOURCE_INCLUDES = re.compile(r"(twum/|[a-z_]+$|boost/math/|Eigen/|Spectra/)")
 CORE_LACKS = re.compile(r"<(format|source_location|stop_token|ranges|print|expected)>|std::views|"
                         r"std::(to|from)_chars")
 
@@ -119,7 +119,7 @@ def check(path):
         in_source = STATOR_SOURCE_INCLUDES if here == "core/stator" else CORE_SOURCE_INCLUDES
         admitted = in_source if path.suffix == ".cpp" else CORE_INCLUDES
         if here.startswith("core") and not admitted.match(spelled):
-            also = "Boost and Eigen" if here == "core/stator" else "Boost"
+            also = "Boost, Eigen and Spectra" if here == "core/stator" else "Boost"
             yield f"{place}: core stands on the standard library (and {also} in a .cpp), not on <{spelled}>"
         elif "include" in path.parts[:-1] and not CORE_INCLUDES.match(spelled):
             yield f"{place}: a public header stands on the standard library, not on <{spelled}>"

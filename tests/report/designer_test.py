@@ -76,8 +76,14 @@ class Looks(Designer):
             self.assertLessEqual(self.browser.value("document.documentElement.scrollWidth"), width)
 
 
+    def test_axe_finds_no_barrier(self):
+        for name, width, dark in (("ring-60", 1400, False), ("ring-60", 360, True), ("plate-60", 1400, True), ("drive-60", 400, False)):
+            with self.subTest(name, width=width, dark=dark):
+                self.explore(name, width=width, dark=dark)
+                self.assertEqual(self.barriers(), [])
+
     def test_every_control_has_a_name_and_every_id_is_one(self):
-        # What a reader of the screen says, and what it cannot do without; axe-core 4 found nothing else to say of these pages.
+        # What a reader of the screen says, and what it cannot do without.
         for name in ("ring-60", "plate-60"):
             self.explore(name)
             nameless = self.browser.value("""[...document.querySelectorAll('button, input:not([type=file]), select, canvas[role], svg[role], [role=img]')].filter((n) =>
@@ -132,7 +138,7 @@ class Numbers(Designer):
         for name in MOTORS:
             with self.subTest(name):
                 text = (ROOT / "examples/motors" / f"{name}.yaml").read_text()
-                read = self.browser.value(f"readMotorYaml({json.dumps(text)}, {PANEL}.tables)")
+                read = self.browser.value(f"readMotorYaml({json.dumps(text)}, {PANEL}.tables, {PANEL}.core)")
                 page = self.folder / f"{name}.html"
                 twum("explore", ROOT / "examples/motors" / f"{name}.yaml", "-o", page)
                 told = json.loads(page.read_text().split('id="data">')[1].split("</script>")[0])["motor"]
@@ -141,13 +147,32 @@ class Numbers(Designer):
                     self.assertEqual(told["values"].get(parameter), value, parameter)
                 self.assertEqual({k: v for k, v in read.items() if k != "values"}, {k: v for k, v in told.items() if k != "values"})
 
+    def test_an_equivalent_circuit_is_read_as_the_command_reads_it(self):
+        self.explore("ring-30")
+        modal = r"(?m)^    (resonance_frequency|modal_mass|quality_factor|force_factor|blocked_capacitance): .*\n"
+        circuit = "    equivalent_circuit: {motional_resistance: 132.5 ohm, motional_inductance: 82.7 mH, motional_capacitance: 0.2014 nF, blocked_capacitance: 8.5 nF, force_factor: 0.55 N/V}\n"
+        given = (ROOT / "examples/motors/drive-60.yaml").read_text()
+        text = re.sub(modal, "", given).replace("    loss_tangent", circuit + "    loss_tangent")
+        (self.folder / "circuit.yaml").write_text(text)
+        told = json.loads(twum("curve", self.folder / "circuit.yaml", "--points", 2, "--format", "json").stdout)["motor"]
+        read = self.browser.value(f"readMotorYaml({json.dumps(text)}, {PANEL}.tables, {PANEL}.core).values")
+        for name in ("resonance_frequency", "modal_mass", "quality_factor", "force_factor", "blocked_capacitance"):
+            # A root and four products, each rounded once.
+            self.assertAlmostEqual(read[name], told[name], delta=1e-15 * told[name], msg=name)
+        for wrong, words in ((text.replace("132.5 ohm", "132.5 V"), "stator.equivalent_circuit.motional_resistance: 132.5 V has the unit V"),
+                             (text.replace("82.7 mH", "0 H"), "motional_inductance: 0 H has to be above 0"),
+                             (text.replace(", force_factor: 0.55 N/V", ""), "stator.equivalent_circuit.force_factor: missing"),
+                             (given.replace("    loss_tangent", circuit + "    loss_tangent"), "follows from equivalent_circuit; give the circuit or the modal data, not both")):
+            said = self.browser.value(f"(() => {{ try {{ readMotorYaml({json.dumps(wrong)}, {PANEL}.tables, {PANEL}.core); return 'accepted'; }} catch (e) {{ return e.message; }} }})()")
+            self.assertIn(words, said)
+
     def test_wrong_motor_files_are_refused_with_their_entry(self):
         self.explore("ring-60")
         text = (ROOT / "examples/motors/ring-60.yaml").read_text()
         for change, words in (((" 1.6 um", " 1.6 kg"), "stator.amplitude: 1.6 kg has the unit kg"), (("  preload: 160 N", ""), "missing preload"),
                               (("thickness", "thicknes"), "contact_layer.thicknes: this page does not read"), (("twum: 1", "twum: 2"), "begins with \"twum: 1\""),
                               (("kinetic: 0.2 ", "kinetic: [ "), "")):
-            said = self.browser.value("(() => { try { readMotorYaml(%s, %s.tables); return 'accepted'; } catch (e) { return e.constructor.name + ': ' + e.message; } })()" % (json.dumps(text.replace(*change, 1)), PANEL))
+            said = self.browser.value("(() => { try { readMotorYaml(%s, %s.tables, %s.core); return 'accepted'; } catch (e) { return e.constructor.name + ': ' + e.message; } })()" % (json.dumps(text.replace(*change, 1)), PANEL, PANEL))
             self.assertTrue(said.startswith("MotorFileError: "), said)
             self.assertIn(words, said)
 

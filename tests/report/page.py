@@ -54,6 +54,11 @@ class Page(unittest.TestCase):
         self.assertEqual([u for u in self.browser.requests() if not u.startswith(("blob:", "data:"))],
                          ["file://" + str(directory / "report.html")])
 
+    def barriers(self):
+        """What axe-core finds on the page that keeps people from using it: rules of WCAG 2.2 A and AA and of good practice."""
+        self.browser.value((ROOT / "third_party/axe-core/axe.min.js").read_text() + "; true")
+        return self.browser.value("axe.run(document).then(r => r.violations.map(v => [v.id, v.help, v.nodes.map(n => n.target.join(' ')).slice(0, 3)]))")
+
     def table(self, name):
         """{name as typed in the first cell: SI values of the others}"""
         return self.browser.value("""Object.fromEntries([...document.querySelectorAll(`[data-table="%s"] tbody tr`)].map(

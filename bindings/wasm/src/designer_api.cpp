@@ -7,6 +7,7 @@
 
 #include <twum/base/error.hpp>
 #include <twum/core/design/parameters.hpp>
+#include <twum/core/performance/equivalent_circuit.hpp>
 #include <twum/core/performance/metrics.hpp>
 #include <twum/core/performance/motor.hpp>
 #include <twum/studies/motor/curve_points.hpp>
@@ -130,6 +131,16 @@ TWUM_EXPORT(motor) int take_motor() {
     for (const ParameterInfo& row : parameter_table()) put(get(design, row.parameter));
     for (const ParameterInfo& row : parameter_table()) put(in_use(design, row.parameter) ? 1 : 0);
     return output.size();
+  });
+}
+
+/// The modal data of the circuit in the input, R_m, L_m, C_m, C_0 and Theta: a parameter and its value each.
+TWUM_EXPORT(circuit) int circuit_data() {
+  return attempt([] {
+    const auto data = modal_data({input[0], input[1], input[2], input[3], input[4]});
+    for (const auto& [parameter, value] : data)
+      put(static_cast<double>(index_of(parameter))), put(value);
+    return data.size();
   });
 }
 

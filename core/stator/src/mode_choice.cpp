@@ -12,7 +12,7 @@
 namespace twum::stator {
 namespace {
 
-constexpr std::size_t kLowest = 8;  // modes of an order that are looked at
+constexpr int kLowest = 8;  // modes of an order that are looked at
 // Eigenvectors whose eigenvalues are nearer than this are known to rounding over the gap, 1e-12 / 1e-6,
 // at best, and their derivatives to the square of that.
 constexpr double kCrossing = 1e-6;
@@ -32,10 +32,10 @@ bool crosses(const Spectrum& spectrum, std::size_t mode) {
 Order solve_order(const StatorPlate<double>& plate, PlateTheory theory, InnerEdge support,
                   int nodal_diameters, double contact_radius) {
   Order order{make_mesh(plate.segments, theory, support, nodal_diameters), {}, {}};
-  order.spectrum = solve(order.mesh, plate.segments);
+  order.spectrum = solve(order.mesh, plate.segments, kLowest);
   const double inner = plate.segments.front().inner;
   const double outer = plate.segments.back().outer;
-  for (std::size_t i = 0; i < std::min(kLowest, order.spectrum.vectors.size()); ++i) {
+  for (std::size_t i = 0; i < order.spectrum.vectors.size(); ++i) {
     const auto shape = deflection(order.mesh, plate.segments, order.spectrum.vectors[i]);
     const double at_contact = shape(contact_radius);
     order.modes.push_back({nodal_diameters, shape.sign_changes(inner, outer),

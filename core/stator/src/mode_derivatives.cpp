@@ -32,24 +32,25 @@ Derived derived_eigenvalue(const Mesh& mesh, const std::vector<SegmentOf<Derived
   return eigenvalue;
 }
 
-Solution<Derived> derived_solution(const Mesh& mesh,
-                                   const std::vector<SegmentOf<Derived>>& segments,
+// (K - lambda M) dc = (dlambda M - dK + lambda dM) c, with c' M dc = -c' dM c / 2 from c' M c = 1.
+Solution<Derived> derived_solution(const Mesh& mesh, const std::vector<Segment>& segments,
+                                   const std::vector<SegmentOf<Derived>>& dual_segments,
                                    const Spectrum& spectrum, std::size_t mode) {
   const Vector& c = spectrum.vectors[mode];
   const double lambda = spectrum.eigenvalues[mode];
-  const auto change = forces(mesh, segments, c, lambda);
+  const auto change = forces(mesh, dual_segments, c, lambda);
   Solution<Derived> solution{Derived(lambda), {c.begin(), c.end()}};
+  std::vector<ModeLoad> loads(kDimensions);
   for (std::size_t k = 0; k < kDimensions; ++k) {
-    const Vector residual = direction(change.residual, k);
-    solution.eigenvalue.d[k] = product(c, residual);
-    for (std::size_t j = 0; j < spectrum.vectors.size(); ++j) {
-      const Vector& other = spectrum.vectors[j];
-      const double share = j == mode
-                               ? -0.5 * product(c, direction(change.inertia, k))
-                               : product(other, residual) / (lambda - spectrum.eigenvalues[j]);
-      for (std::size_t i = 0; i < c.size(); ++i) solution.coefficients[i].d[k] += share * other[i];
-    }
+    ModeLoad& load = loads[k];
+    load = {direction(change.residual, k), -0.5 * product(c, direction(change.inertia, k))};
+    const double slope = solution.eigenvalue.d[k] = product(c, load.force);
+    for (std::size_t i = 0; i < c.size(); ++i)
+      load.force[i] = slope * change.inertia[i].v - load.force[i];
   }
+  const auto motions = answers_beside_mode(mesh, segments, c, lambda, loads);
+  for (std::size_t k = 0; k < kDimensions; ++k)
+    for (std::size_t i = 0; i < c.size(); ++i) solution.coefficients[i].d[k] = motions[k][i];
   return solution;
 }
 

@@ -20,10 +20,9 @@ struct Solution {
 Derived derived_eigenvalue(const Mesh& mesh, const std::vector<SegmentOf<Derived>>& segments,
                            const Spectrum& spectrum, std::size_t mode);
 
-/// Derivatives of eigenvalue and eigenvector, the latter in terms of all other modes (P5.1, P5.2, P5.3). The
-/// eigenvalue must be simple.
-Solution<Derived> derived_solution(const Mesh& mesh,
-                                   const std::vector<SegmentOf<Derived>>& segments,
+/// Derivatives of eigenvalue and eigenvector (P5.1, P5.2, P5.3). The eigenvalue must be simple.
+Solution<Derived> derived_solution(const Mesh& mesh, const std::vector<Segment>& segments,
+                                   const std::vector<SegmentOf<Derived>>& dual_segments,
                                    const Spectrum& spectrum, std::size_t mode);
 
 }  // namespace twum::stator

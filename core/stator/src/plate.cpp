@@ -22,7 +22,7 @@ S function_at(const std::vector<RadialFunction::Piece>& pieces, const S& radius)
       [&](const RadialFunction::Piece& piece) { return value_of(radius) <= piece.outer; });
   const double middle = 0.5 * (beyond->inner + beyond->outer);
   const S x = (radius - middle) / (0.5 * (beyond->outer - beyond->inner));
-  return legendre_sum<S>({beyond->coefficients.begin(), beyond->coefficients.end()}, x);
+  return legendre_sum(beyond->coefficients, x);
 }
 
 }  // namespace
@@ -109,10 +109,9 @@ std::vector<PlateMode> plate_modes(const std::vector<Segment>& segments, PlateTh
                                    InnerEdge inner_edge, int nodal_diameters, int count) {
   check(segments, theory, nodal_diameters, count);
   const Mesh mesh = make_mesh(segments, theory, inner_edge, nodal_diameters);
-  const Spectrum spectrum = solve(mesh, segments);
+  const Spectrum spectrum = solve(mesh, segments, count);
   std::vector<PlateMode> modes;
-  for (std::size_t i = 0; i < spectrum.vectors.size() && static_cast<int>(modes.size()) < count;
-       ++i) {
+  for (std::size_t i = 0; i < spectrum.vectors.size(); ++i) {
     RadialFunction shape = deflection(mesh, segments, spectrum.vectors[i]);
     const int circles = shape.sign_changes(segments.front().inner, segments.back().outer);
     modes.push_back({frequency_of(spectrum.eigenvalues[i], segments), std::move(shape), circles});

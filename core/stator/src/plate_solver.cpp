@@ -3,7 +3,10 @@
 
 #include <twum/base/error.hpp>
 
-#include <Eigen/Eigenvalues>
+#include <Spectra/MatOp/DenseCholesky.h>
+#include <Spectra/MatOp/DenseSymMatProd.h>
+#include <Spectra/SymGEigsSolver.h>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <limits>
@@ -13,6 +16,7 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
 // Eigenvalues mu below this share of the largest are rounding: modes of very narrow rings, whose frequencies
 // are some 1e7 times the lowest. They are left out; no other mode feels them.
@@ -22,6 +26,12 @@ struct Matrices {
   MatrixXd stiffness;
   MatrixXd mass;
 };
+
+// Of Lanczos' method: vectors beyond those of twice the modes, restarts, and what is left of a residual in parts of the
+// eigenvalue. An eigenvalue is good to the square of it, a vector to it over the gap to the next eigenvalue.
+constexpr Index kSpare = 20;
+constexpr Index kRestarts = 1000;
+constexpr double kConverged = 1e-14;
 
 // Rows of linear forms in the functions of an element at a Gauss point, field after field.
 MatrixXd form_matrix(const Element& element, std::size_t q, double half, Index rows,
@@ -102,23 +112,57 @@ double unit_eigenvalue(const std::vector<Segment>& segments) {
   return smallest / std::pow(segments.back().outer, 4);
 }
 
-Spectrum solve(const Mesh& mesh, const std::vector<Segment>& segments) {
+// P3.4, M c = mu (K + sigma M) c with mu = 1 / (lambda + sigma): rounding is a share of the largest mu, so that the lowest
+// modes are the most accurate ones, and rigid-body modes do no harm.
+Spectrum solve(const Mesh& mesh, const std::vector<Segment>& segments, int count) {
+  using Spectra::DenseCholesky;
+  using Spectra::DenseSymMatProd;
   const Matrices plate = assembled(mesh, segments);
-  // P3.4, M c = mu (K + sigma M) c with mu = 1 / (lambda + sigma): rounding is a share of the largest mu, so that
-  // the lowest modes are the most accurate ones, and rigid-body modes do no harm.
   const double sigma = unit_eigenvalue(segments);
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(
-      plate.mass, plate.stiffness + sigma * plate.mass);
-  TWUM_ASSERT(solver.info() == Eigen::Success);
+  const MatrixXd shifted = plate.stiffness + sigma * plate.mass;
+  DenseSymMatProd<double> mass(plate.mass);
+  DenseCholesky<double> stiffness(shifted);
+  TWUM_ASSERT(stiffness.info() == Spectra::CompInfo::Successful);
+  const Index wanted = std::min<Index>(count, mesh.unknowns - 1);
+  Spectra::SymGEigsSolver<DenseSymMatProd<double>, DenseCholesky<double>,
+                          Spectra::GEigsMode::Cholesky>
+      solver(mass, stiffness, wanted, std::min<Index>(mesh.unknowns, 2 * wanted + kSpare));
+  solver.init();
+  solver.compute(Spectra::SortRule::LargestAlge, kRestarts, kConverged);
+  const VectorXd mu = solver.eigenvalues();
+  const MatrixXd vectors = solver.eigenvectors();
   Spectrum spectrum;
-  for (Index i = mesh.unknowns - 1; i >= 0; --i) {
-    const double mu = solver.eigenvalues()(i);
-    if (mu < kUnknown * solver.eigenvalues()(mesh.unknowns - 1)) break;
-    const Eigen::VectorXd vector = solver.eigenvectors().col(i) / std::sqrt(mu);
-    spectrum.eigenvalues.push_back(1 / mu - sigma);
+  for (Index i = 0; i < mu.size() && mu(i) >= kUnknown * mu(0); ++i) {
+    const VectorXd vector = vectors.col(i) / std::sqrt(mu(i));
+    spectrum.eigenvalues.push_back(1 / mu(i) - sigma);
     spectrum.vectors.emplace_back(vector.begin(), vector.end());
   }
   return spectrum;
+}
+
+// Bordered by c' M x, the system has one solution.
+std::vector<std::vector<double>> answers_beside_mode(const Mesh& mesh,
+                                                     const std::vector<Segment>& segments,
+                                                     const std::vector<double>& mode,
+                                                     double eigenvalue,
+                                                     const std::vector<ModeLoad>& loads) {
+  const Matrices plate = assembled(mesh, segments);
+  const Index n = mesh.unknowns;
+  const VectorXd momentum = plate.mass * Eigen::Map<const VectorXd>(mode.data(), n);
+  MatrixXd system = MatrixXd::Zero(n + 1, n + 1);
+  system.topLeftCorner(n, n) = plate.stiffness - eigenvalue * plate.mass;
+  system.topRightCorner(n, 1) = momentum;
+  system.bottomLeftCorner(1, n) = momentum.transpose();
+  MatrixXd right(n + 1, static_cast<Index>(loads.size()));
+  for (Index k = 0; k < right.cols(); ++k) {
+    const ModeLoad& load = loads[static_cast<std::size_t>(k)];
+    right.col(k) << Eigen::Map<const VectorXd>(load.force.data(), n), load.share;
+  }
+  const MatrixXd solved = system.partialPivLu().solve(right);
+  std::vector<std::vector<double>> answers;
+  for (Index k = 0; k < solved.cols(); ++k)
+    answers.emplace_back(solved.col(k).begin(), solved.col(k).end() - 1);
+  return answers;
 }
 
 }  // namespace twum::stator

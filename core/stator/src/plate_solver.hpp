@@ -7,7 +7,7 @@
 
 namespace twum::stator {
 
-/// All solutions of K c = lambda M c that rounding leaves, smallest eigenvalue first, c' M c = 1 (P3.1).
+/// Solutions of K c = lambda M c, smallest eigenvalue first, c' M c = 1 (P3.1).
 struct Spectrum {
   std::vector<double> eigenvalues;           ///< omega^2 [1/s^2]
   std::vector<std::vector<double>> vectors;  ///< coefficients of the mesh's functions
@@ -17,7 +17,21 @@ struct Spectrum {
 /// it, apart from those of very narrow rings; rigid-body modes are zero but for rounding.
 double unit_eigenvalue(const std::vector<Segment>& segments);
 
-Spectrum solve(const Mesh& mesh, const std::vector<Segment>& segments);
+/// The lowest solutions; fewer than `count` where rounding leaves fewer.
+Spectrum solve(const Mesh& mesh, const std::vector<Segment>& segments, int count);
+
+/// A force on a plate that vibrates in a mode c, and the share of c in the answer.
+struct ModeLoad {
+  std::vector<double> force;  ///< r, with c' r = 0
+  double share;               ///< c' M x
+};
+
+/// Solutions x of (K - lambda M) x = r with a given c' M x, for each load: K - lambda M alone has no inverse.
+std::vector<std::vector<double>> answers_beside_mode(const Mesh& mesh,
+                                                     const std::vector<Segment>& segments,
+                                                     const std::vector<double>& mode,
+                                                     double eigenvalue,
+                                                     const std::vector<ModeLoad>& loads);
 
 /// (K - lambda M) c and M c of a plate in numbers of the kind S. With dual numbers and a solution c the
 /// derivatives are (dK - lambda dM) c and dM c, which is all that derivatives of modes need.

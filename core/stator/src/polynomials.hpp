@@ -7,8 +7,8 @@
 namespace twum::stator {
 
 /// Sum of coefficients times Legendre polynomials P_0, P_1, ... at x.
-template <typename S>
-S legendre_sum(const std::vector<S>& coefficients, const S& x) {
+template <typename C, typename S>
+S legendre_sum(const std::vector<C>& coefficients, const S& x) {
   S sum(0.0);
   S previous(0.0);
   S current(1.0);

@@ -82,6 +82,14 @@ class Core {
     };
   }
 
+  /** The modal data that an equivalent circuit stands for; R_m, L_m, C_m, C_0 and Theta in. @returns {Object<string, number>} */
+  modalData(circuit) {
+    this.write(circuit);
+    const count = this.call('circuit');
+    const found = this.output(2 * count);
+    return Object.fromEntries(Array.from({ length: count }, (_, i) => [this.parameters[found[2 * i]], found[2 * i + 1]]));
+  }
+
   /** Columns of the curve from rest to a speed; a point without an answer has a status. */
   curve(points, last) {
     this.call('curve', points, last);

@@ -76,6 +76,32 @@ function shapeTable(rows, tables) {
   return table;
 }
 
+const circuitUnits = { motional_resistance: 'ohm', motional_inductance: 'H', motional_capacitance: 'F', blocked_capacitance: 'F', force_factor: 'N/V' };
+const circuitPath = 'stator.equivalent_circuit.';
+
+/** One number of a motor file in SI. */
+function entryNumber(path, value, unit, tables) {
+  const found = readQuantity(tables, String(value), unit, unit === '1' ? 1 : undefined);
+  if (found.error) throw new MotorFileError(path + ': ' + String(value).slice(0, 40) + ' ' + found.error);
+  return found.value;
+}
+
+/** The modal data behind an equivalent circuit take its place. */
+function takeCircuit(motor, entries, tables, core) {
+  const circuit = Object.entries(circuitUnits).map(([name, unit]) => {
+    const path = circuitPath + name;
+    if (entries[path] === undefined) throw new MotorFileError(path + ': missing');
+    const value = entryNumber(path, entries[path], unit, tables);
+    if (!(value > 0)) throw new MotorFileError(path + ': ' + entries[path] + ' has to be above 0');
+    return value;
+  });
+  const data = core.modalData(circuit);
+  for (const name of [...Object.keys(data), 'modal_damping']) {
+    if (motor.values[name] !== undefined) throw new MotorFileError('stator.' + name + ': follows from equivalent_circuit; give the circuit or the modal data, not both');
+  }
+  Object.assign(motor.values, data);
+}
+
 /** Enters one value of a motor file. */
 function takeEntry(motor, path, value, tables, byEntry) {
   if (path === 'name') { motor.name = String(value); return; }
@@ -87,10 +113,7 @@ function takeEntry(motor, path, value, tables, byEntry) {
   const name = byEntry[path];
   if (name === undefined) throw new MotorFileError(path.slice(0, 60) + ': this page does not read that entry; run "twum explore" with the file, which reads all of them');
   if (name === 'radial_slices' && value === 'auto') { motor.values[name] = 0; return; }
-  const row = tables.parameters[name];
-  const found = readQuantity(tables, String(value), row.unit, row.unit === '1' ? 1 : undefined);
-  if (found.error) throw new MotorFileError(path + ': ' + String(value).slice(0, 40) + ' ' + found.error);
-  motor.values[name] = found.value;
+  motor.values[name] = entryNumber(path, value, tables.parameters[name].unit, tables);
 }
 
 /** Values that a file may leave out and the page needs to name. */
@@ -109,8 +132,8 @@ function missingEntries(motor, tables) {
     && (row.twin === null || motor.values[row.twin] === undefined) && !(drawn && name === 'neutral_plane_distance')).map(([, row]) => row.entry);
 }
 
-/** Reads a motor file. @returns {StatedMotor} */
-function readMotorYaml(text, tables) {
+/** Reads a motor file. @param {Core} core  @returns {StatedMotor} */
+function readMotorYaml(text, tables, core) {
   let file;
   try {
     file = jsyaml.load(text);
@@ -122,7 +145,10 @@ function readMotorYaml(text, tables) {
   if (file.motor === null || typeof file.motor !== 'object') throw new MotorFileError('motor: expected the motor with its entries');
   const motor = { name: '', values: {}, branch: 'running', inner_edge: null, table: [] };
   const byEntry = Object.fromEntries(Object.entries(tables.parameters).map(([name, row]) => [row.entry, name]));
-  for (const [path, value] of leaves(file.motor)) takeEntry(motor, path, value, tables, byEntry);
+  const entries = Object.fromEntries(leaves(file.motor));
+  const ofCircuit = (path) => path.startsWith(circuitPath) && Object.hasOwn(circuitUnits, path.slice(circuitPath.length));
+  for (const [path, value] of Object.entries(entries)) if (!ofCircuit(path)) takeEntry(motor, path, value, tables, byEntry);
+  if (Object.keys(entries).some(ofCircuit)) takeCircuit(motor, entries, tables, core);
   const missing = missingEntries(motor, tables);
   if (missing.length) throw new MotorFileError('motor: missing ' + missing.join(', '));
   fillDefaults(motor);

@@ -3,7 +3,8 @@
 // The panel: what a person moves goes to the core, and what the core says is drawn, once a frame.
 
 const curvePoints = 161;
-const quickPoints = 61; // while a slider moves a motor that takes longer than a frame
+const quickPoints = 61; // of a motor that takes longer than a frame, until there is time for more
+const slowCurve = 50; // [ms] a curve of all slices that takes longer comes with fewer points first
 let panels = 0;
 const restDelay = 40; // [ms] that a slider which is held stands still before the rest is computed
 
@@ -27,7 +28,7 @@ class DesignerPanel {
     this.changed = true;
     this.moved = true;
     this.playing = !matchMedia('(prefers-reduced-motion: reduce)').matches;
-    this.times = { compute: 0, frame: 0 };
+    this.times = { compute: 0, frame: 0, whole: 0 };
     if (inAddress) this.state.fromHash(location.hash, core, tables);
     this.build(node);
     requestAnimationFrame((now) => this.frame(now));
@@ -68,7 +69,9 @@ class DesignerPanel {
       new LiveChart(efficiency, { name: 'efficiency', unit: '%', top: 100, height: 240, lines: [{ column: 'efficiency', name: 'motor', colour: 'c0' }, { column: 'contact_efficiency', name: 'contact', colour: 'c1' }, { column: 'overall_efficiency', name: 'at the terminals', colour: 'c3' }] }, this),
     ];
     power.prepend(legend([{ name: 'output', colour: 'c0' }, { name: 'friction loss', colour: 'c1' }, { name: 'layer loss', colour: 'c2' }, { name: 'stator loss', colour: 'c3' }]));
-    efficiency.prepend(legend([{ name: 'motor', colour: 'c0' }, { name: 'contact alone', colour: 'c1' }, { name: 'at the terminals', colour: 'c3' }]));
+    const efficiencies = legend([{ name: 'motor', colour: 'c0' }, { name: 'contact alone', colour: 'c1' }, { name: 'at the terminals', colour: 'c3' }]);
+    this.ofTerminals = efficiencies.lastElementChild;
+    efficiency.prepend(efficiencies);
     torque.prepend(legend([{ name: 'torque', colour: 'c0' }, { name: 'load', colour: 'c6', kind: 'dash' }, { name: 'pinned motor: thin dashes', colour: 'soft', kind: 'dash' }]));
     this.wave = new WaveView(wave);
     this.fields = new FieldsView([traction, velocity]);
@@ -196,18 +199,22 @@ class DesignerPanel {
 
   /** @param {boolean} moving  then one slice stands for all, and what takes a search is left out */
   compute(moving) {
-    this.computeCurve(moving);
+    this.computeCurve(moving, moving && this.times.compute > 10 ? quickPoints : curvePoints);
     this.computeMetrics(moving);
   }
 
-  computeCurve(moving) {
+  computeCurve(moving, points) {
     const { motor, view } = this.state;
     this.sketch = moving && motor.values.radial_slices !== 1;
     const slices = this.sketch ? { radial_slices: 1 } : {};
     if (view.lock) solveLock(this, slices);
     this.now = this.core.motor(motor, slices);
-    const slow = moving && this.times.compute > 10;
-    this.curve = this.core.curve(slow ? quickPoints : curvePoints, this.now.last_speed);
+    this.drawCurve(points);
+  }
+
+  drawCurve(points) {
+    const { view } = this.state;
+    this.curve = this.core.curve(points, this.now.last_speed);
     this.meeting = meetingPoint(this.core, this.curve, view.load);
     for (const one of this.charts) one.show(this.curve, this.pinned?.curve);
   }
@@ -241,12 +248,24 @@ class DesignerPanel {
   rest() {
     const whole = this.sketch || this.dragging;
     const rows = Object.values(this.rows).filter((row) => !row.node.hidden);
+    const slow = this.times.whole > slowCurve; // of the last time
     this.tasks = [
-      ...(whole ? [() => { this.computeCurve(false); this.showControls(); this.showFields(); }, () => this.computeMetrics(false)] : []),
-      () => this.showEffects(), () => this.limits.judge(), () => this.showNotes(), ...rows.map((row) => () => showBroken(this, row)),
+      ...(whole ? [() => this.showWhole(slow ? quickPoints : curvePoints)] : []),
+      () => this.showEffects(),
+      ...(whole ? [() => this.computeMetrics(false), ...(slow ? [() => this.drawCurve(curvePoints)] : [])] : []),
+      () => this.limits.judge(), () => this.showNotes(), ...rows.map((row) => () => showBroken(this, row)),
     ];
     if (this.inAddress) history.replaceState(null, '', this.state.toHash());
     this.nextTask();
+  }
+
+  /** The curve and the fields of all slices. */
+  showWhole(points) {
+    const begin = performance.now();
+    this.computeCurve(false, points);
+    this.times.whole = (performance.now() - begin) * (curvePoints / points);
+    this.showControls();
+    this.showFields();
   }
 
   nextTask() {
@@ -279,6 +298,7 @@ class DesignerPanel {
     const { motor, view } = this.state;
     this.title.replaceChildren(motor.name || 'motor', el('small', {}, ' designer'));
     if (this.inAddress) document.title = (motor.name || 'motor') + ' - twum designer';
+    /** @type {HTMLElement} */ (this.ofTerminals).hidden = !this.now?.modal;
     this.placeRows();
     for (const [name, row] of Object.entries(this.rows)) if (!row.node.hidden) row.show(motor.values[name], Boolean(this.now?.modal));
     this.showGoals(view.goal);

@@ -36,7 +36,7 @@ function designerTools(panel) {
     button('Undo', () => panel.stepTo('back'), { title: 'Ctrl+Z' }), button('Redo', () => panel.stepTo('forth'), { title: 'Ctrl+Shift+Z' }), pin, play,
     button('As opened', () => { panel.state.remember(); panel.state.motor = structuredClone(panel.state.opened); panel.changed = true; }),
     button('Save motor.yaml', () => save('motor.yaml', motorYaml(panel.state.motor, panel.tables), 'application/yaml')),
-    typeof jsyaml === 'undefined' ? null : openButton('Open motor.yaml', '.yaml,.yml', panel, (text) => panel.openMotor(readMotorYaml(text, panel.tables))),
+    typeof jsyaml === 'undefined' ? null : openButton('Open motor.yaml', '.yaml,.yml', panel, (text) => panel.openMotor(readMotorYaml(text, panel.tables, panel.core))),
     openButton('Measured points', '.csv,.txt', panel, (text) => { panel.measured = readPoints(text, panel.tables); panel.changed = true; }),
     panel.inAddress ? button('Copy link', () => copyLink(panel)) : null);
 }

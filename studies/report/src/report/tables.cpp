@@ -108,7 +108,7 @@ Json reasons_json() {
 }
 
 Json units_json() {
-  std::set<std::string> si_units;
+  std::set<std::string> si_units{"ohm", "H"};  // of an equivalent circuit
   for (const ParameterInfo& row : parameter_table()) si_units.emplace(row.unit);
   for (const MetricInfo& row : metric_table()) si_units.emplace(row.unit);
   Json json = Json::object();

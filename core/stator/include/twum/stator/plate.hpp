@@ -72,7 +72,7 @@ struct PlateMode {
 /// Polynomials of high degree on each segment, more than one where its radii differ by more than a factor
 /// of 2. With n up to 12 the three lowest frequencies of thin plates are good to 1e-7; those of Mindlin's
 /// plate to 2e-6, where the layers at its free edges, a third of the thickness wide, are hardest.
-/// Cost: a dense eigenproblem with 30 to 40 unknowns for each segment (Mindlin).
+/// Cost: the lowest solutions of a dense eigenproblem with 30 to 40 unknowns for each segment (Mindlin).
 /// @param segments  from the inside to the outside, without gaps
 /// @throws InputError for a segment without width or with a section that is not positive, a gap, n < 0,
 /// count < 1, and for a segment narrower than 1e-9 of the plate's width (Mindlin) or 1e-3 (Kirchhoff), which

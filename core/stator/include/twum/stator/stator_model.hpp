@@ -57,7 +57,7 @@ enum class Derivatives { none, all };
 /// modes of n (identity), and a mode separation that is zero or has two nearest modes. Radii that coincide
 /// (joint_edges) can only be moved together: the sum of their derivatives is that of moving all of them, and
 /// one of them alone means nothing.
-/// Cost: five dense eigenproblems; with derivatives twice that.
+/// Cost: the eight lowest modes of five numbers of nodal diameters, some milliseconds.
 /// @param wavelengths     n, 1 or more
 /// @param contact_radius  r, where R = 1 [m]; it lies on the plate
 /// @param offsets         for shape_values: radii less the contact radius, with which they move [m]
