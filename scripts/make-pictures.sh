@@ -21,3 +21,4 @@ for study in optimize-ring-60 pareto-power-wear sweep-sobol paper-figure-4 toler
 done
 "$twum" explore "$ring" -o "$scratch/designer.html" >/dev/null
 python3 "$root/tests/report/take_pictures.py" "$scratch" "$pictures"
+python3 "$root/tests/validation/torque_figures.py" "$twum"

@@ -69,14 +69,14 @@ def elastic_motor(phi, compliance):
     return d
 
 
-def draw(name, script, data):
-    """An SVG of docs/figures; `data` is {file name: rows}."""
-    FIGURES.mkdir(parents=True, exist_ok=True)
+def draw(name, script, data, size="640,400", into=FIGURES):
+    """An SVG of docs/figures; `data` is {file name: rows}, an empty row is a blank line."""
+    into.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
         for file, rows in data.items():
             text = "\n".join(" ".join(f"{x:.6g}" for x in row) for row in rows)
             (pathlib.Path(folder) / file).write_text(text + "\n", encoding="utf-8")
-        head = (f"set terminal svg size 640,400 font 'Arial,13' background '#ffffff'\nset output '{FIGURES / name}'\n"
+        head = (f"set terminal svg size {size} font 'Arial,13' background '#ffffff'\nset output '{into / name}'\n"
                 "set encoding utf8\nset grid lc rgb '#dddddd'\nset key bottom left\n")
         subprocess.run(["gnuplot", "-d"], input=head + script, text=True, cwd=folder, check=True)
 
