@@ -11,7 +11,8 @@ commands print on standard output; a line ... in it stands for any lines (with -
 is kept with as many lines before and after it).
 
 A block marked ```python run is run likewise by Python, if the module twum was built. A ```yaml block that
-begins with `twum: 1` is a file beside examples/motors/*.yaml, and `twum check` has to find it right.
+begins with `twum: 1` is a file beside examples/motors/*.yaml, and `twum check` has to find it right. A block
+marked ```cpp file=PATH shows that file without its licence line; --update copies it.
 
 generated_pages.txt lists pages that are, as a whole, the output of a command.
 """
@@ -107,6 +108,24 @@ def run_page(page, program, update):
     return count, complaints
 
 
+def shown_files(page, update):
+    """Number of blocks that show a file, complaints."""
+    content = tree.text(page)
+    blocks = [(block, block["info"].split("file=", 1)[1]) for block in BLOCK.finditer(content)
+              if block["info"].startswith("cpp file=")]
+    complaints = []
+    for block, file in reversed(blocks):
+        shown = "".join(tree.text(tree.ROOT / file).splitlines(keepends=True)[1:])
+        if block["body"] == shown:
+            continue
+        place = f"{tree.name(page)}:{content.count(chr(10), 0, block.start()) + 1}"
+        complaints += [] if update else [f"{place}: is not {file}; build the target update-docs"]
+        content = content[:block.start("body")] + shown + content[block.end("body"):]
+    if update:
+        page.write_text(content, encoding="utf-8")
+    return len(blocks), complaints
+
+
 def generated_pages(program, update):
     """Number of pages compared, complaints."""
     listed = [line.split(": ", 1) for line in tree.text(tree.ROOT / "tests/house/generated_pages.txt").splitlines()
@@ -130,7 +149,8 @@ if __name__ == "__main__":
     twum = pathlib.Path(sys.argv[1]).resolve()
     counts, found = generated_pages(twum, "--update" in sys.argv)
     for markdown in tree.files("README.md", "CONTRIBUTING.md", "docs", "examples", suffixes={".md"}):
-        ran, wrong = run_page(markdown, twum, "--update" in sys.argv)
-        counts += ran
-        found += wrong
+        for ran, wrong in (shown_files(markdown, "--update" in sys.argv),
+                           run_page(markdown, twum, "--update" in sys.argv)):
+            counts += ran
+            found += wrong
     tree.finish(found, counts)

@@ -88,6 +88,7 @@ FAULTS = [
     ("commands", "docs/page.md", "by hand\n", "is not what"),
     ("commands", "examples/x", "6\n", "something else"),
     ("commands", "README.md", "\n```sh run\nfalse\n```\n", "exit 1, expected 0"),
+    ("commands", "README.md", "\n```cpp file=core/src/contact/a.cpp\nint a;\n```\n", "is not core/src/contact/a.cpp"),
 ]
 
 
