@@ -18,6 +18,7 @@ CLEAN = {
     "README.md": "# twum\n\nSee [theory](docs/theory/a.md#one).\n\n```sh run\ncat examples/x\n```\n\n```text output\n5\n```\n",
     "docs/theory/a.md": "# One\n\n    a = b        (T1.1)\n\n    c < d        (C1.1)\n",
     "docs/page.md": "# Page\n",
+    "docs/pages.css": "/* SPDX-License-Identifier: Apache-2.0 */\n",
     "docs/Doxyfile": re.sub(r"(INPUT|IMAGE_PATH)  (.*\\\n)*.*", "",
                             (HOUSE.parents[1] / "docs/Doxyfile").read_text(encoding="utf-8"))
                      + "INPUT = core/include optim/include\n",
