@@ -30,11 +30,6 @@ struct Probe {
   std::vector<double> speeds;  // in units of V0 / r
 };
 
-MotorDesign with_load(MotorDesign design, double load) {
-  design.preload = load * full_contact_load(design);
-  return design;
-}
-
 MotorDesign with_threshold(MotorDesign design, double ratio) {
   design.friction.static_ = ratio * design.friction.kinetic;
   return design;
@@ -44,19 +39,18 @@ MotorDesign with_threshold(MotorDesign design, double ratio) {
 MotorDesign locked_motor() {
   MotorDesign design = damped(ring_motor());
   design.layer.given_shear_modulus = 1e7;
-  return with_load(design, 8);
+  return at_load(design, 8);
 }
 
 std::vector<Probe> probes() {
   const std::vector<double> speeds{0.0, 0.8, 0.93, 1.1};
-  return {
-      {"inertial", ring_motor(), speeds},
-      {"damped", damped(ring_motor()), speeds},
-      {"elastic", elastic(ring_motor()), speeds},
-      {"inertial, threshold", with_threshold(with_load(ring_motor(), 0.3), 1.5), speeds},
-      {"damped, threshold", with_threshold(with_load(damped(ring_motor()), 0.3), 1.5), speeds},
-      {"elastic, threshold", with_threshold(with_load(elastic(ring_motor()), 0.15), 1.5), speeds},
-      {"full contact", with_load(ring_motor(), 1.5), {0.1, 0.5, 1.1}}};
+  return {{"inertial", ring_motor(), speeds},
+          {"damped", damped(ring_motor()), speeds},
+          {"elastic", elastic(ring_motor()), speeds},
+          {"inertial, threshold", with_threshold(at_load(ring_motor(), 0.3), 1.5), speeds},
+          {"damped, threshold", with_threshold(at_load(damped(ring_motor()), 0.3), 1.5), speeds},
+          {"elastic, threshold", with_threshold(at_load(elastic(ring_motor()), 0.15), 1.5), speeds},
+          {"full contact", at_load(ring_motor(), 1.5), {0.1, 0.5, 1.1}}};
 }
 
 template <typename Check>
@@ -354,70 +348,4 @@ TEST_CASE("a layer that rings on in free flight comes to the next entry as it is
     REQUIRE(after != samples.begin());
     CHECK(std::abs(after->displacement - std::prev(after)->displacement) <= 0.05 * largest);
   }
-}
-
-TEST_CASE("over a flat stator the layer hangs back evenly", "[core][fields][closed_form]") {
-  MotorDesign design = GENERATE(ring_motor(), damped(ring_motor()), elastic(ring_motor()));
-  design.stator.amplitude = 0;
-  const Motor motor(design);
-  for (const double speed : {-5.0, 5.0}) {
-    const ContactFields fields = motor.fields(speed, 10);
-    const ContactProblem problem = contact_problem(design, speed);
-    const double pressure = design.preload / problem.track_area;
-    const double traction = -std::copysign(design.friction.kinetic * pressure, speed);
-    REQUIRE(fields.zones.size() == 1);
-    CHECK(fields.zones[0].state == (speed > 0 ? ZoneState::slip_minus : ZoneState::slip_plus));
-    for (const FieldSample& s : fields.samples) {
-      // Products of a few numbers: a few eps.
-      CHECK(s.pressure == Approx(pressure).epsilon(1e-14));
-      CHECK(s.traction == Approx(traction).epsilon(1e-14));
-      // At rest in the layer nothing but its stiffness pulls.
-      CHECK(problem.stiffness * s.displacement / design.layer.thickness ==
-            Approx(traction).epsilon(1e-14));
-      CHECK(s.stator_velocity == 0);
-      CHECK(s.layer_velocity == Approx(problem.rotor_velocity).epsilon(1e-14));
-    }
-  }
-}
-
-TEST_CASE("a motor without preload has neither zones nor traction", "[core][fields][limit]") {
-  MotorDesign design = ring_motor();
-  design.preload = 0;
-  const ContactFields fields = Motor(design).fields(10.0, 10);
-  CHECK(fields.zones.empty());
-  for (const FieldSample& s : fields.samples) {
-    CHECK(s.pressure == 0);
-    CHECK(s.traction == 0);
-    CHECK(s.displacement == 0);
-  }
-}
-
-TEST_CASE("without friction the contact presses all the same (T3.1, T3.3)",
-          "[core][fields][limit]") {
-  for (const double load : {0.05, 0.5, 1.5}) {
-    MotorDesign design = with_load(ring_motor(), load);
-    const ContactFields rough = Motor(design).fields(10.0, 101);
-    design.friction = {0, 0};
-    const Motor motor(design);
-    const ContactFields smooth = motor.fields(10.0, 101);
-    REQUIRE(smooth.zones.size() == 1);
-    CHECK(smooth.zones[0].state != ZoneState::stick);
-    CHECK(smooth.zones[0].from == -motor.contact().half_angle);
-    CHECK(smooth.zones[0].to == motor.contact().half_angle);
-    for (std::size_t i = 0; i < smooth.samples.size(); ++i) {
-      const FieldSample& s = smooth.samples[i];
-      CHECK(s.pressure == rough.samples[i].pressure);
-      CHECK(s.stator_velocity == rough.samples[i].stator_velocity);
-      CHECK(s.traction == 0);
-      CHECK(s.displacement == 0);
-      CHECK(s.layer_velocity == 10.0 * design.stator.contact_radius);
-    }
-  }
-}
-
-TEST_CASE("fields of fewer than two samples are refused", "[core][fields][error]") {
-  const Motor motor(ring_motor());
-  for (const int samples : {1, 0, -3})
-    CHECK_THROWS_WITH(motor.fields(10.0, samples), Catch::Matchers::Contains("at least 2 samples"));
-  CHECK(motor.fields(10.0, 2).samples.size() == 2);
 }

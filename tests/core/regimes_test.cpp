@@ -29,11 +29,6 @@ double metric(const MotorDesign& design, Metric which) {
   return evaluate(Motor(design), MetricRequest{which}).value;
 }
 
-MotorDesign at_load(MotorDesign design, double load) {
-  design.preload = load * full_contact_load(design);
-  return design;
-}
-
 }  // namespace
 
 TEST_CASE("a 60 mm motor passes the four regimes of the paper", "[core][contact][published]") {

@@ -39,6 +39,11 @@ double full_contact_load(const MotorDesign& design) {
          (design.layer.thickness * wave_number);
 }
 
+MotorDesign at_load(MotorDesign design, double load) {
+  design.preload = load * full_contact_load(design);
+  return design;
+}
+
 double crest_speed_of(const MotorDesign& design) {
   const auto& s = design.stator;
   const double wave_number = s.wavelengths / s.contact_radius;

@@ -33,6 +33,8 @@ MotorDesign damped(MotorDesign design);
 
 /// Preload as a share of the load at which contact becomes full, q = F_N / (2 pi n b E A / (h kappa)).
 double full_contact_load(const MotorDesign& design);
+/// The motor with a preload in units of that at which contact becomes full.
+MotorDesign at_load(MotorDesign design, double load);
 
 /// A motor that someone might build: ring motors of 25 to 90 mm, partial contact.
 MotorDesign realistic_design(Uniform& random);
