@@ -3,7 +3,7 @@
 #   [-DMODULE=core.wasm.gz] -P EmbedReport.cmake
 #
 # Writes the pages' templates, their styles and scripts, each kind in one piece and with its hash, and the core for pages as
-# functions of C++.
+# functions of C++. Scripts are modules in the tree and one script in a page: their names are told apart without `import`.
 function(write_bytes name bytes)
   string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${bytes}")
   string(REGEX REPLACE "(0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,)" "\\1\n"
@@ -34,12 +34,25 @@ function(embed_with_hash name)
   write_bytes(${name}_hash ${hash})
 endfunction()
 
+# Modules become one script: `import` and `export` at the beginning of a line go. What begins otherwise stays as it is.
+function(embed_modules name)
+  set(bundle ${OUT}.${name}.js)
+  file(WRITE ${bundle} "'use strict';\n")
+  foreach(file ${ARGN})
+    file(READ ${file} part)
+    string(REGEX REPLACE "\nimport [^;]*;" "" part "${part}")
+    string(REPLACE "\nexport " "\n" part "${part}")
+    file(APPEND ${bundle} "${part}\n")
+  endforeach()
+  embed_with_hash(${name} ${bundle})
+endfunction()
+
 file(WRITE ${OUT} "#include \"report/assets.hpp\"\nnamespace twum::studies::assets {\n")
 embed(page ${PAGE})
 embed(designer_page ${DESIGNER_PAGE})
 embed_with_hash(style ${STYLES})
-embed_with_hash(script ${SCRIPTS})
-embed_with_hash(designer_script ${DESIGNER_SCRIPTS})
+embed_modules(script ${SCRIPTS})
+embed_modules(designer_script ${DESIGNER_SCRIPTS})
 if(MODULE)
   file(READ ${MODULE} bytes HEX)
   write_bytes(core_module ${bytes})

@@ -181,7 +181,7 @@ class Numbers(Designer):
         self.browser.value(f"""(() => {{ const {{ limits }} = {PANEL}; limits.metric.value = 'torque_at'; limits.metric.dispatchEvent(new Event('change'));
             limits.at.value = '100 rpm'; limits.value.value = '0.5 N.m'; limits.addLimit(); limits.metric.value = 'max_pressure'; limits.sense.value = '<='; limits.value.value = '10 MPa'; limits.addLimit(); }})()""")
         self.rest()
-        self.assertEqual(self.lines(".limits li span"), ["torque at 100 rpm at least 500 mN.m", "max pressure at most 10 MPa"])
+        self.assertEqual(self.lines(".limits li span"), ["torque at 100 rpm at least 500 mN·m", "max pressure at most 10 MPa"])
         self.assertRegex(self.lines(".limits li b")[0], r"holds: 8\d\d")
         self.browser.value("window.URL.createObjectURL = (blob) => { window.saved = blob; return 'blob:none'; }; document.querySelector('.study button').click()")
         study = self.browser.value("window.saved.text()")
@@ -285,7 +285,7 @@ class Hands(Designer):
         self.browser.open(str(page) + hash_)
         self.rest()
         self.assertEqual(json.loads(self.browser.value(f"{PANEL}.state.snapshot()"))["motor"], json.loads(before)["motor"])
-        self.assertEqual(self.lines(".limits li span"), ["stall torque at least 500 mN.m"])
+        self.assertEqual(self.lines(".limits li span"), ["stall torque at least 500 mN·m"])
 
     def test_a_wide_contact_takes_one_slice_while_a_slider_moves_and_all_at_rest(self):
         self.explore("ring-60")
@@ -366,7 +366,7 @@ class InReports(Designer):
 
     def test_the_chosen_point_of_a_front_opens(self):
         summary = self.opened("pareto-power-wear", "#chosen p.explore button")
-        chosen = self.browser.value("front.chosen")
+        chosen = self.browser.value("chosen.point")
         self.assertAlmostEqual(self.metric("peak_power"), summary["front"][chosen]["metrics"]["peak_power"], delta=1e-9 * summary["front"][chosen]["metrics"]["peak_power"])
 
     def test_a_sample_opens(self):

@@ -61,16 +61,14 @@ class Odd(Study):
         summary = self.study("no-peak", "kind: curve, points: 5", "set: {loss_factor: 0.001, static_friction: 0.4}\n")
         self.assertIsNone(summary["curves"][0]["metrics"]["peak_power"])
         self.assertGreater(summary["curves"][0]["metrics"]["stall_torque"], 0.5)
-        self.assertRegex(self.text(".verdict"), r"has no peak power that could be computed\. Its stall torque is \d+ mN\.m\.")
+        self.assertRegex(self.text(".verdict"), r"has no peak power that could be computed\. Its stall torque is \d+ mN·m\.")
         self.assertNotIn("drives no load", self.text(".verdict"))
         self.assertIn("Points without a full answer", self.lines("h2"))
-        # What a reason means is said with the words that the program has for it, names as one reads them.
+        # What a reason means is said with the words that the program has for it.
         meanings = self.browser.value("data.reasons")
         self.assertEqual(set(meanings), {"undefined", "unreachable", "no-periodic-state", "not-converged", "resonance", "unresolved", "inaccurate", "out-of-range",
                                         "pulled-out", "no-running-branch", "no-dead-branch", "unstable-amplitude", "backward-wave-unknown", "does-not-pull-out"})
         self.assertEqual(self.lines("[data-table=failures] td")[:2], ["no-periodic-state", meanings["no-periodic-state"]])
-        self.assertEqual(self.browser.value("failureText('stall_torque: unreachable; max_efficiency: undefined')"),
-                         meanings["unreachable"] + "; " + meanings["undefined"].replace("max_efficiency", "max efficiency").replace("modal_damping", "modal damping"))
 
     def test_points_of_curves_are_not_counted_as_motors(self):
         self.study("family", "kind: curve, points: 3, family: {preload: [100 N, 160 N, 220 N]}")
@@ -97,7 +95,7 @@ class ZeroLimit(Study):
     def test_it_is_kept_where_the_certificate_says_so(self):
         summary = self.study("zero", self.STUDY % "2.2 um")
         self.assertTrue(summary["best"]["certificate"]["passed"])
-        self.assertIn("torque at 120 rpm ≥ 0 N.m: moved to -", self.text(".verdict"))
+        self.assertIn("torque at 120 rpm ≥ 0 N·m: moved to -", self.text(".verdict"))
         # The best is among those that keep every limit, and the best of the chart: others within the same tolerance are
         # nearer than 1e-6 to it.
         inside = self.browser.value("""(() => { const at = (name) => rows.columns.find((c) => c.name === name).values; const best = summary.best.design;
@@ -107,23 +105,11 @@ class ZeroLimit(Study):
         self.assertNotIn(None, inside)
         best = self.browser.value("document.querySelector('[data-chart=convergence]').plot.data[3].at(-1)") * RPM
         self.assertAlmostEqual(best, summary["best"]["metrics"]["no_load_speed"], delta=1e-6 * best)
-        limit, certificate = summary["best"]["constraints"][0], summary["best"]["certificate"]
-        limit.update(value=-1e-9, violation=1e-9)
-        certificate["infeasibility"] = 1e-9
-        self.again("zero", summary)
-        self.assertEqual(self.shown()[:3], ["binds", -1e-9, 0])
-        self.assertIn("What stops it:torque at 120 rpm", self.text(".verdict"))
+        self.assertEqual(self.shown()[0], "binds")
 
-    def test_it_is_broken_where_the_certificate_says_so_or_says_nothing(self):
-        summary = self.study("nonzero", self.STUDY % "2.2 um")
-        limit, certificate = summary["best"]["constraints"][0], summary["best"]["certificate"]
-        limit.update(value=-1e-9, violation=1e-9)
-        for change in ({"infeasibility": 1.1e-8}, {"infeasibility": None}, {"infeasibility": 0, "weights": []}):
-            summary["best"]["certificate"] = {**certificate, **change}
-            self.again("nonzero", summary)
-            self.assertEqual(self.shown()[0].replace("\u00a0", " "), "broken by 1 nN.m")
+    def test_it_is_broken_by_as_much_as_the_motor_misses_it(self):
         unreachable = self.study("unreachable", self.STUDY % "1 um")
-        self.assertRegex(self.shown()[0], "broken by .*mN.m")
+        self.assertRegex(self.shown()[0], "broken by .*mN·m")
         self.assertEqual(self.shown()[2], -unreachable["best"]["constraints"][0]["violation"])
 
 
@@ -189,7 +175,7 @@ class Many(Study):
         self.assertIn("This page holds one in 2 of the 100003 motors that were computed; results.csv has all of them.", self.text(".verdict"))
         stored = self.stored("designs")
         self.assertEqual(self.browser.value("rows.count"), 50002)
-        self.browser.value("save = (name, text) => { window.saved = text; }; [...document.querySelectorAll('.save')].find((b) => b.parentNode.querySelector('[data-table=designs]')).click()")
+        self.browser.value("save = (name, text) => { window.saved = text; }; [...document.querySelectorAll('.save')].find((b) => b.textContent === 'Save as CSV' && b.closest('section').querySelector('[data-table=designs]')).click()")
         saved = list(csv.DictReader(self.browser.value("window.saved").splitlines()))
         self.assertEqual(len({row["design"] for row in saved}), 50002)
         for row in saved:
@@ -236,7 +222,7 @@ class Many(Study):
         summary = self.study("yield", "kind: uncertainty, samples: 100003, variables: {preload: {distribution: normal, mean: 160 N, sd: 8 N}}, "
                              "metrics: [max_pressure], limits: [max_pressure <= 2.15 MPa, contact_half_length >= 0.1 mm]")
         self.assertIn("one in 2 of the 100003 motors", self.text(".verdict"))
-        tight, idle = self.lines(".verdict li")[:2]
+        tight, idle = self.lines(".holders li")[:2]
         self.assertIn("kept by 100 % of the motors; loosening it by 1 % changes nothing", idle)
         pressures = [float(row["max_pressure"]) for row in self.stored("yield")]
         gain = sum(2.15e6 < p <= 1.01 * 2.15e6 for p in pressures) / len(pressures)

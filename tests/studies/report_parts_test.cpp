@@ -176,6 +176,7 @@ TEST_CASE("rows of a report are those of the store", "[studies][report]") {
   CHECK(rows["count"] == 3);
   CHECK(rows["total"] == 3);
   CHECK(rows["every"] == 1);
+  CHECK(rows["densities"].is_null());
   CHECK(rows["offsets"] == "");
   CHECK(rows["columns"][1] == Json{{"name", "stall_torque"}, {"unit", "N.m"}});
   CHECK(numbers<double>(rows["values"][0]) == std::vector<double>{100, 200, 300});
@@ -208,6 +209,35 @@ TEST_CASE("of more rows than a page holds one of each few is kept, from its plac
   if (total % 2 == 1) CHECK(offsets.back() == 0);  // there is no other row in it
   // Drawn by fair coins: 25000 of 50000, standard deviation sqrt(50000) / 2 = 112; five of them.
   CHECK_THAT(static_cast<double>(second), WithinAbs(25000, 560));
+}
+
+TEST_CASE("densities count every row once for each pair of its columns", "[studies][report]") {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  ResultStore store(":memory:", {{"preload", "N"},
+                                 {"stall_torque", "N.m"},
+                                 {"no_load_speed", "rad/s"},
+                                 {"wavelengths", "1"}});
+  // A hundred cells from 0 to 1000: one is 10 wide, and the last holds both its ends.
+  store.add({0, 0, {0, 1, 5, 9}, "ok", {}});
+  store.add({0, 1, {9.9, 1, 6, 9}, "ok", {}});
+  store.add({0, 2, {995, 2, 7, 9}, "ok", {}});
+  store.add({0, 3, {1000, 2, none, 9}, "a", {}});
+  const Json told = densities_json(store);
+  const auto cells = told["cells"].get<std::size_t>();
+  REQUIRE(cells == 100);
+  CHECK(told["ranges"][0] == Json::array({0.0, 1000.0}));
+  const auto pair = numbers<std::uint32_t>(told["counts"]["0,1"]);
+  REQUIRE(pair.size() == cells * cells);
+  CHECK(pair[0] == 2);
+  CHECK(pair[cells * cells - 1] == 2);
+  const auto sum = [](const std::vector<std::uint32_t>& counts) {
+    std::uint64_t total = 0;
+    for (const std::uint32_t count : counts) total += count;
+    return total;
+  };
+  CHECK(sum(pair) == 4);
+  CHECK(sum(numbers<std::uint32_t>(told["counts"]["0,2"])) == 3);  // one has no speed
+  CHECK_FALSE(told["counts"].contains("0,3"));                     // the same in all
 }
 
 TEST_CASE("small curves fall from the stall torque to nothing, and missing ones are nothing",

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-'use strict';
 // Bytes that stand in the page as base64.
 
-function bytesOf(text) {
+export function bytesOf(text) {
   const letters = atob(text);
   const bytes = new Uint8Array(letters.length);
   for (let i = 0; i < letters.length; ++i) bytes[i] = letters.charCodeAt(i);
@@ -10,4 +9,4 @@ function bytesOf(text) {
 }
 
 /** A typed array from the base64 of its little-endian bytes. */
-function numbers(text, Type) { return new Type(bytesOf(text).buffer); }
+export function numbers(text, Type) { return new Type(bytesOf(text).buffer); }

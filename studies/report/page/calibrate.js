@@ -1,6 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-'use strict';
 // Measured points with the fit and its band, residuals, correlation of the estimates.
+
+import {numbers} from './bytes.js';
+import {chart, paddedRange, scaled} from './chart.js';
+import {curveSection} from './curve.js';
+import {curves, data, summary, unitOf} from './data.js';
+import {designerButton} from './designer/inside.js';
+import {card, colour, legend} from './dom.js';
+import {named, quantity, table, words} from './table.js';
+import {displayUnit, engineering, largest, percent, rounded} from './units.js';
+import {axisLabel, plain} from './words.js';
 
 /** Half width of the band of the fitted torque: the factor of the estimates' own intervals, carried to the torque; NaN where they have none. */
 function fitBand() {
@@ -81,7 +90,7 @@ function planTable() {
   return table('plan', ['measure next', 'all', ...names.map(plain)], lines);
 }
 
-function calibratePage() {
+export function calibratePage() {
   const torques = summary.data.every((p) => !p.quantity && !p.set);
   if (data.fit && torquePoints().length) fitChart(card('Measured and fitted', null, 'wide'));
   const list = Object.entries(summary.estimates);

@@ -1,6 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-'use strict';
 // Torque, power and efficiency against speed, one curve or several over each other, and the fields under the cursor.
+
+import {paddedRange, scaled} from './chart.js';
+import {atTerminals, terminalColumns} from './data.js';
+import {card, colour, el, seriesColours, seriesDash, seriesEntry} from './dom.js';
+import {fieldsSection} from './fields.js';
+import {figure} from './figure.js';
+import {drawLimits, limitsOnCurve} from './limits.js';
+import {shortName} from './names.js';
+import {quantity, table, words} from './table.js';
+import {displayUnit, engineering, largest, rounded, rpm} from './units.js';
+import {axisLabel} from './words.js';
+
+export const percentUnit = {
+  text: '%',
+  typed: '%',
+  divisor: 0.01
+};
 
 /** Values of a curve at the speeds of a common axis: linear between its points, nothing beyond them. */
 function resampled(curve, name, speeds) {
@@ -19,161 +35,241 @@ function resampled(curve, name, speeds) {
 function commonSpeeds(list) {
   const last = Math.max(...list.map((c) => c.speed[c.speed.length - 1]));
   const count = list.length === 1 ? list[0].speed.length : 301;
-  return Float64Array.from({ length: count }, (_, i) => (last * i) / (count - 1));
+  return Float64Array.from({length: count}, (_, i) => (last * i) / (count - 1));
 }
 
-/** Marks of the metrics on the curve named. */
-function curveMarks(curve, name, speedUnit, unit, full) {
+/** Places that a curve of torque is known by, with their names: [speed, torque, text] */
+function torqueMarks(curve) {
   const m = curve.metrics;
-  const marks = [];
-  const at = (speed, value, text) => {
-    if (speed !== null && value !== null && Number.isFinite(value)) marks.push({ x: speed / speedUnit.divisor, y: value / unit.divisor, text: full ? text : '', small: !full });
-  };
-  if (name === 'torque') {
-    at(0, m.stall_torque, 'stall ' + engineering(m.stall_torque, 'N.m', 3));
-    const begin = curve.torque.findIndex(Number.isFinite);
-    if (begin > 0 && m.pull_out_torque) at(curve.speed[begin], curve.torque[begin], 'pull-out ' + engineering(m.pull_out_torque, 'N.m', 3));
-    if (m.plateau_speed > 0) at(m.plateau_speed, resampled(curve, 'torque', [m.plateau_speed])[0], 'plateau to ' + engineering(m.plateau_speed, 'rad/s', 3));
-    if (m.peak_power > 0) at(m.speed_at_peak_power, m.torque_at_peak_power, full ? 'peak power' : '');
-    if (m.no_load_speed > 0) at(m.no_load_speed, 0, 'no load ' + engineering(m.no_load_speed, 'rad/s', 3));
+  const places = [[0, m.stall_torque, 'stall ' + engineering(m.stall_torque, 'N.m', 3)]];
+  const begin = curve.torque.findIndex(Number.isFinite);
+  if (begin > 0 && m.pull_out_torque)
+    places.push([curve.speed[begin], curve.torque[begin], 'pull-out ' + engineering(m.pull_out_torque, 'N.m', 3)]);
+  if (m.plateau_speed > 0) {
+    const [torque] = resampled(curve, 'torque', [m.plateau_speed]);
+    places.push([m.plateau_speed, torque, 'plateau to ' + engineering(m.plateau_speed, 'rad/s', 3)]);
   }
-  if (name === 'output_power' && m.peak_power > 0) at(m.speed_at_peak_power, m.peak_power, 'peak ' + engineering(m.peak_power, 'W', 3) + ' at ' + engineering(m.speed_at_peak_power, 'rad/s', 3));
-  return marks;
+  if (m.peak_power > 0) places.push([m.speed_at_peak_power, m.torque_at_peak_power, 'peak power']);
+  if (m.no_load_speed > 0) places.push([m.no_load_speed, 0, 'no load ' + engineering(m.no_load_speed, 'rad/s', 3)]);
+  return places;
 }
 
-function readout(node, parts) {
-  node.replaceChildren(...parts.filter(([, value]) => value).flatMap(([name, value], i) => [(i ? ', ' : '') + name + ' ', el('b', {}, value)]));
+function powerMarks({metrics: m}) {
+  if (!(m.peak_power > 0)) return [];
+  const at = engineering(m.peak_power, 'W', 3) + ' at ' + engineering(m.speed_at_peak_power, 'rad/s', 3);
+  return [[m.speed_at_peak_power, m.peak_power, 'peak ' + at]];
 }
 
-/** One quantity of several curves over speed. */
-function curvesChart(node, list, names, name, label, options = {}) {
-  const speeds = commonSpeeds(list);
-  const speedUnit = displayUnit(1, 'rad/s');
-  const unit = options.unit || displayUnit(largest(list.map((c) => c[name])), unitOfCurve(name));
-  const series = list.map((c, i) => ({ name: names[i], y: scaled(resampled(c, name, speeds), unit.divisor), colour: seriesColours[i % 7], dash: seriesDash(i) }));
-  const marks = list.flatMap((c, i) => curveMarks(c, name, speedUnit, unit, list.length <= 2 && (list.length === 1 || i === 1)).map((m) => ({ ...m, colour: list.length > 1 ? seriesColours[i % 7] : null })));
-  const read = el('div', { class: 'read', 'aria-live': 'polite' });
-  const plot = chart(node, scaled(speeds, speedUnit.divisor), series, {
-    name: label, x: { label: 'speed [rpm]', range: [0, speeds[speeds.length - 1] / speedUnit.divisor] }, y: { label: axisLabel(label, unit), range: options.range || paddedRange(series.map((s) => s.y), true) },
-    marks, height: options.height || 300,
+/** Marks of the metrics on the curve of a column; full: with their names. */
+function curveMarks(curve, name, unit, full) {
+  const places = {torque: torqueMarks, output_power: powerMarks}[name]?.(curve) ?? [];
+  return places.filter(([x, y]) => x !== null && y !== null)
+      .map(([x, y, text]) => ({x: x / rpm, y: y / unit.divisor, text: full ? text : '', small: !full}));
+}
+
+function seriesOf(list, names, name, speeds, unit) {
+  return list.map((c, i) => ({
+                    name: names[i],
+                    y: scaled(resampled(c, name, speeds), unit.divisor),
+                    colour: seriesColours[i % 7],
+                    dash: seriesDash(i)
+                  }));
+}
+
+/**
+ * A chart over the speed.
+ * options: as of figure(); unit: of the values; onSpeed(speed): called with the speed under the cursor
+ */
+function speedChart(node, speeds, series, options) {
+  const x = scaled(speeds, rpm);
+  const {name, unit, tell, onSpeed} = options;
+  return figure(node, x, series, {
+    x: {label: 'speed [rpm]', range: [0, x[x.length - 1]]},
+    y: {label: axisLabel(name, unit), range: paddedRange(series.map((s) => s.y), true)},
+    height: 300,
+    ...options,
+    tell: (i) => [['at', engineering(speeds[i], 'rad/s')], ...tell(i)],
     onMove: (i) => {
-      if (i === null) { read.replaceChildren(); return; }
-      readout(read, [['at', engineering(speeds[i], 'rad/s')], ...series.filter((s) => Number.isFinite(s.y[i])).map((s) => [s.name, rounded(s.y[i]) + ' ' + unit.text])]);
-      if (options.onSpeed) options.onSpeed(speeds[i]);
-    },
+      if (i !== null && onSpeed) onSpeed(speeds[i]);
+    }
   });
-  node.append(read);
-  return plot;
 }
 
-function unitOfCurve(name) {
-  return { torque: 'N.m', amplitude: 'm', phase_lag: 'rad', voltage: 'V', phase_current: 'A', power_factor: '1', overall_efficiency: '1', wear_intensity: 'W/m^2', contact_efficiency: '1', efficiency: '1', stick_fraction: '1', speed: 'rad/s' }[name] || 'W';
+/** One quantity of several curves over speed; limits: those of a design, drawn where they lie on this chart. */
+export function curvesChart(node, list, names, name, label, options = {}) {
+  const speeds = commonSpeeds(list);
+  const unit = options.unit || displayUnit(largest(list.map((c) => c[name])), unitOfCurve(name));
+  const series = seriesOf(list, names, name, speeds, unit);
+  const last = list.length - 1;
+  const marks = list.flatMap(
+      (c, i) => curveMarks(c, name, unit, last < 2 && i === last)
+                    .map((m) => ({...m, colour: last > 0 ? seriesColours[i % 7] : null})));
+  const limits = limitsOnCurve(options.limits ?? [], name, list[last], unit);
+  const range = options.range ?? paddedRange([...series.map((s) => s.y), limits.map((l) => l.y)], true);
+  const told = (i) =>
+      series.filter((s) => Number.isFinite(s.y[i])).map((s) => [s.name, rounded(s.y[i]) + ' ' + unit.text]);
+  return speedChart(node, speeds, series, {
+    name: label,
+    unit,
+    marks,
+    title: options.title,
+    legend: last > 0 ? names.map(seriesEntry) : null,
+    height: options.height ?? 300,
+    y: {label: axisLabel(label, unit), range},
+    front: (u, taken) => drawLimits(u, limits, taken),
+    tell: told,
+    onSpeed: options.onSpeed
+  });
 }
 
-const percentUnit = { text: '%', divisor: 0.01 };
+const curveUnits = {
+  torque: 'N.m',
+  amplitude: 'm',
+  phase_lag: 'rad',
+  voltage: 'V',
+  phase_current: 'A',
+  wear_intensity: 'W/m^2',
+  speed: 'rad/s'
+};
+const shares = ['power_factor', 'overall_efficiency', 'contact_efficiency', 'efficiency', 'stick_fraction'];
+
+/** SI unit of a column of a curve. */
+function unitOfCurve(name) { return curveUnits[name] ?? (shares.includes(name) ? '1' : 'W'); }
 
 /** Output and losses of one curve. */
 function powerChart(node, curve, onSpeed) {
   /** @type {any[][]} */
-  const parts = [['output_power', 'output', 'c0'], ['friction_power', 'friction loss', 'c1', [7, 4]], ['layer_loss', 'layer loss', 'c2', [2, 3]]];
+  const parts = [
+    ['output_power', 'output', 'c0'], ['friction_power', 'friction loss', 'c1', [7, 4]],
+    ['layer_loss', 'layer loss', 'c2', [2, 3]]
+  ];
   if (largest([curve.stator_loss]) > 0) parts.push(['stator_loss', 'stator loss', 'c3', [10, 3, 2, 3]]);
   const unit = displayUnit(largest(parts.map(([name]) => curve[name])), 'W');
-  const series = parts.map(([name, label, c, dash]) => ({ name: label, y: scaled(curve[name], unit.divisor), colour: c, dash }));
-  const speeds = scaled(curve.speed, Math.PI / 30);
-  const read = el('div', { class: 'read', 'aria-live': 'polite' });
-  node.append(legend(series.map((s) => ({ name: s.name, colour: s.colour, kind: s.dash ? 'dash' : '' }))));
-  chart(node, speeds, series, {
-    name: 'power', x: { label: 'speed [rpm]', range: [0, speeds[speeds.length - 1]] }, y: { label: axisLabel('power', unit), range: paddedRange(series.map((s) => s.y), true) },
-    marks: curveMarks(curve, 'output_power', { divisor: Math.PI / 30 }, unit, true), height: 300,
-    onMove: (i) => {
-      if (i === null) { read.replaceChildren(); return; }
-      readout(read, [['at', rounded(speeds[i]) + ' rpm'], ...series.map((s) => [s.name, rounded(s.y[i]) + ' ' + unit.text])]);
-      if (onSpeed) onSpeed(curve.speed[i]);
-    },
+  const series =
+      parts.map(([name, label, c, dash]) => ({name: label, y: scaled(curve[name], unit.divisor), colour: c, dash}));
+  speedChart(node, curve.speed, series, {
+    name: 'power',
+    unit,
+    legend: series.map((s) => ({name: s.name, colour: s.colour, kind: s.dash ? 'dash' : ''})),
+    marks: curveMarks(curve, 'output_power', unit, true),
+    tell: (i) => series.map((s) => [s.name, rounded(s.y[i]) + ' ' + unit.text]),
+    onSpeed
   });
-  node.append(read);
 }
 
 /** Where the electrical power of one curve goes: output and losses stacked, up to no-load. */
 function terminalsChart(node, curve, onSpeed) {
-  const parts = [['output_power', 'output', 'c0'], ['friction_power', 'friction', 'c1'], ['layer_loss', 'layer', 'c2'], ['stator_loss', 'stator', 'c3'], ['dielectric_loss', 'ceramic', 'c6']];
+  const parts = [
+    ['output_power', 'output', 'c0'], ['friction_power', 'friction', 'c1'], ['layer_loss', 'layer', 'c2'],
+    ['stator_loss', 'stator', 'c3'], ['dielectric_loss', 'ceramic', 'c6']
+  ];
   const unit = displayUnit(largest([curve.electrical_power]), 'W');
   const sums = new Float64Array(curve.speed.length);
   const series = parts.map(([name, label, c], k) => {
     for (let i = 0; i < sums.length; ++i) sums[i] += curve.output_power[i] >= 0 ? curve[name][i] : NaN;
-    return { name: label, y: scaled(sums, unit.divisor), colour: c, area: k === 0, part: curve[name] };
+    return {name: label, y: scaled(sums, unit.divisor), colour: c, area: k === 0, part: curve[name]};
   });
-  const bands = series.slice(1).map((s, k) => ({ series: [k + 2, k + 1], fill: () => colour(s.colour) + 'aa' }));
-  const speeds = scaled(curve.speed, Math.PI / 30);
-  const read = el('div', { class: 'read', 'aria-live': 'polite' });
-  node.append(legend(series.map((s) => ({ name: s.name, colour: s.colour, kind: 'area' }))));
-  chart(node, speeds, series, {
-    name: 'electrical power', x: { label: 'speed [rpm]', range: [0, speeds[speeds.length - 1]] }, y: { label: axisLabel('electrical power', unit), range: paddedRange(series.map((s) => s.y), true) }, bands, height: 300,
-    onMove: (i) => {
-      if (i === null) { read.replaceChildren(); return; }
-      readout(read, [['at', rounded(speeds[i]) + ' rpm'], ...series.map((s) => [s.name, engineering(s.part[i], 'W')])]);
-      if (onSpeed) onSpeed(curve.speed[i]);
-    },
+  speedChart(node, curve.speed, series, {
+    name: 'electrical power',
+    unit,
+    legend: series.map((s) => ({name: s.name, colour: s.colour, kind: 'area'})),
+    bands: series.slice(1).map((s, k) => ({series: [k + 2, k + 1], fill: () => colour(s.colour) + 'aa'})),
+    tell: (i) => series.map((s) => [s.name, engineering(s.part[i], 'W')]),
+    onSpeed
   });
-  node.append(read);
 }
 
-function efficiencyChart(node, list, names, onSpeed) {
-  if (list.every(atTerminals)) { curvesChart(node, list, names, 'overall_efficiency', 'overall efficiency', { unit: percentUnit, range: [0, 100], onSpeed }); return; }
-  const damped = list.some((c) => largest([c.stator_loss]) > 0);
-  const name = damped ? 'efficiency' : 'contact_efficiency';
-  // Where the rotor is driven from outside nothing comes out: 0, as the overall efficiency has it, so that the line ends there.
-  const shown = list.map((c) => ({ ...c, [name]: Array.from(c[name], (value, i) => (c.output_power[i] <= 0 ? 0 : value)) }));
-  curvesChart(node, shown, names, name, damped ? 'efficiency' : 'contact efficiency', { unit: percentUnit, range: [0, 100], onSpeed });
-}
+const terminalCharts = [
+  ['amplitude', 'Wave amplitude', 'At the contact radius.'],
+  ['phase_current', 'Current of a phase', 'Root mean square.'],
+  ['phase_lag', 'Phase lag', 'Of the wave behind the voltage.'],
+  ['power_factor', 'Power factor', 'Electrical over apparent power of a phase.']
+];
 
-/** Everything about several curves: charts, fields, metrics. The first name of a family of one is the motor's. */
-function curveSection(list, names, title, note) {
-  const shown = list.length - 1;
-  const torque = card(title || 'Torque', note || 'Move along the curve with the mouse, a finger, or the arrow keys: the fields in the contact follow.', 'half');
-  let viewer = null;
-  const onSpeed = (speed) => viewer && viewer.show(speed);
-  if (list.length > 1) torque.append(legend(names.map(seriesEntry)));
-  curvesChart(torque, list, names, 'torque', 'torque', { onSpeed });
-  const terminals = list.every(atTerminals);
-  if (list.length === 1 && terminals) terminalsChart(card('Electrical power', 'What the terminals take and where it goes, between the beginning of the curve and no-load.', 'half'), list[0], onSpeed);
-  else if (list.length === 1) powerChart(card('Power and losses', 'What the contact gives to the rotor, and where the rest goes.', 'half'), list[0], onSpeed);
-  else {
-    const power = card('Output power', 'Peak power is marked.', 'half');
-    power.append(legend(names.map(seriesEntry)));
-    curvesChart(power, list, names, 'output_power', 'output power', { onSpeed });
+/**
+ * Charts of several curves with the fields in the contact, which follow the cursor. The last curve is the one asked.
+ */
+export class CurveSection {
+  constructor(list, names) {
+    this.list = list;
+    this.names = names;
+    this.viewer = null;
+    this.onSpeed = (speed) => this.viewer?.show(speed);
   }
-  const damped = list.some((c) => largest([c.stator_loss]) > 0);
-  const efficiency = terminals ? card('Overall efficiency', 'Output over electrical power, every loss counted but that of the driver.', 'half')
-    : card(damped ? 'Efficiency' : 'Contact efficiency', damped ? 'Of the whole motor: power lost in the vibrating stator is counted.' : 'Of the contact alone: the motor names no modal damping, so that the stator loses nothing.', 'half');
-  if (list.length > 1) efficiency.append(legend(names.map(seriesEntry)));
-  efficiencyChart(efficiency, list, names, onSpeed);
-  if (list.length > 1) {
-    const losses = card('Friction loss', 'Power that wears the contact.', 'half');
-    losses.append(legend(names.map(seriesEntry)));
-    curvesChart(losses, list, names, 'friction_power', 'friction loss', { onSpeed });
-  } else {
-    const wear = card('Wear intensity', 'Friction power for each area of the track.', 'half');
-    curvesChart(wear, list, names, 'wear_intensity', 'wear intensity', { onSpeed });
+
+  /** The torque alone; limits: those of the design of the last curve. */
+  torque(title, limits = []) {
+    const follow = 'The fields in the contact follow the mouse, a finger or the arrow keys; drag to zoom.';
+    const node = card(title, follow, 'wide');
+    this.limits = limits;
+    curvesChart(node, this.list, this.names, 'torque', 'torque', {title, limits, height: 360, onSpeed: this.onSpeed});
   }
-  if (terminals) terminalCards(list, names, onSpeed);
-  viewer = fieldsSection(list, names, shown);
-  card('Points of the curves', null, 'wide').append(el('details', {}, el('summary', {}, 'All ' + list.length * list[0].speed.length + ' points'), pointsTable(list, names)));
+
+  /** One quantity of all curves in half a row. */
+  half(name, title, note, options = {}) {
+    const shown = {title, limits: this.limits, onSpeed: this.onSpeed, ...options};
+    curvesChart(card(title, note, 'half'), options.list ?? this.list, this.names, name, title.toLowerCase(), shown);
+  }
+
+  power() {
+    if (this.list.length > 1) return this.half('output_power', 'Output power', 'Peak power is marked.');
+    const [curve] = this.list;
+    const losses = 'What the contact gives to the rotor, and where the rest goes.';
+    const taken = 'What the terminals take and where it goes, between the beginning of the curve and no-load.';
+    if (atTerminals(curve)) return terminalsChart(card('Electrical power', taken, 'half'), curve, this.onSpeed);
+    return powerChart(card('Power and losses', losses, 'half'), curve, this.onSpeed);
+  }
+
+  /** What comes out over what goes in, with what is counted said. */
+  efficiency() {
+    const share = {unit: percentUnit, range: [0, 100]};
+    if (this.list.every(atTerminals)) {
+      const note = 'Output over electrical power, every loss counted but that of the driver.';
+      return this.half('overall_efficiency', 'Overall efficiency', note, share);
+    }
+    const damped = this.list.some((c) => largest([c.stator_loss]) > 0);
+    const name = damped ? 'efficiency' : 'contact_efficiency';
+    // Where the rotor is driven from outside nothing comes out: 0, as the overall efficiency has it, so that the line
+    // ends there.
+    const ended = (c) => Array.from(c[name], (value, i) => (c.output_power[i] <= 0 ? 0 : value));
+    const list = this.list.map((c) => ({...c, [name]: ended(c)}));
+    const note = damped ?
+        'Output over all that the stator takes: the losses of contact and vibrating stator are counted.' :
+        'Output over the power given to the contact: without modal damping the stator loses nothing.';
+    return this.half(name, damped ? 'Efficiency' : 'Contact efficiency', note, {...share, list});
+  }
+
+  /** Powers, losses, fields and the table of points. */
+  others() {
+    this.power();
+    this.efficiency();
+    if (this.list.length > 1) this.half('friction_power', 'Friction loss', 'Power that wears the contact.');
+    this.half('wear_intensity', 'Wear intensity', 'Friction power for each area of the track.');
+    if (this.list.every(atTerminals))
+      for (const [name, title, note] of terminalCharts) this.half(name, title, note);
+    this.viewer = fieldsSection(this.list, this.names, this.list.length - 1);
+    this.points();
+  }
+
+  points() {
+    const own = [
+      'speed', 'torque', 'output_power', 'friction_power', 'layer_loss', 'stator_loss', 'contact_efficiency',
+      'wear_intensity', 'stick_fraction'
+    ];
+    const shown = this.list.every(atTerminals) ? [...own, ...terminalColumns] : own;
+    const line = (c, k, i) => [words(this.names[k]), ...shown.map((n) => quantity(c[n][i], unitOfCurve(n)))];
+    const lines = this.list.flatMap((c, k) => Array.from(c.speed, (_, i) => line(c, k, i)));
+    const header = ['curve', ...shown.map((n) => n + ' [' + unitOfCurve(n) + ']')];
+    card('Points of the curves', null, 'wide')
+        .append(
+            el('details', {}, el('summary', {}, 'All ' + lines.length + ' points'),
+               table('curve', ['curve', ...shown.map(shortName)], lines, header)));
+  }
 }
 
-/** The wave and the current, which follow from voltage and load. */
-function terminalCards(list, names, onSpeed) {
-  for (const [name, title, note] of [['amplitude', 'Wave amplitude', 'At the contact radius.'], ['phase_current', 'Current of a phase', 'Root mean square.'], ['phase_lag', 'Phase lag', 'Of the wave behind the voltage.'], ['power_factor', 'Power factor', 'Electrical over apparent power of a phase.']]) {
-    const node = card(title, note, 'half');
-    if (list.length > 1) node.append(legend(names.map(seriesEntry)));
-    curvesChart(node, list, names, name, title.toLowerCase(), { onSpeed });
-  }
-}
-
-function pointsTable(list, names) {
-  const own = ['speed', 'torque', 'output_power', 'friction_power', 'layer_loss', 'stator_loss', 'contact_efficiency', 'wear_intensity', 'stick_fraction'];
-  const shown = list.every(atTerminals) ? [...own, ...terminalColumns] : own;
-  const lines = [];
-  list.forEach((c, k) => c.speed.forEach((_, i) => lines.push([words(names[k]), ...shown.map((n) => quantity(c[n][i], unitOfCurve(n)))])));
-  return table('curve', ['curve', ...shown.map(plain)], lines, ['curve', ...shown.map((n) => n + ' [' + unitOfCurve(n) + ']')]);
+/** Everything about several curves: the torque, then the rest. */
+export function curveSection(list, names, title = 'Torque') {
+  const section = new CurveSection(list, names);
+  section.torque(title);
+  section.others();
 }

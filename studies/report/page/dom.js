@@ -1,61 +1,78 @@
 // SPDX-License-Identifier: Apache-2.0
-'use strict';
 // Elements of the page. Text from files enters as text nodes only, never as markup.
 
 /** An element with attributes and children; strings become text. */
-function el(tag, attributes = {}, ...children) {
+export function el(tag, attributes = {}, ...children) {
   const node = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
-    if (name.startsWith('on')) node.addEventListener(name.slice(2), value);
-    else if (value !== null && value !== undefined) node.setAttribute(name, value);
+    if (name.startsWith('on'))
+      node.addEventListener(name.slice(2), value);
+    else if (value !== null && value !== undefined)
+      node.setAttribute(name, value);
   }
   node.append(...children.flat().filter((c) => c !== null && c !== undefined));
   return node;
 }
 
-function svg(tag, attributes, ...children) {
+export function svg(tag, attributes, ...children) {
   const node = document.createElementNS('http://www.w3.org/2000/svg', tag);
   for (const [name, value] of Object.entries(attributes)) {
-    if (name === 'style') node.style.cssText = value; // as an attribute the page's policy refuses it
-    else node.setAttribute(name, value);
+    if (name === 'style')
+      node.style.cssText = value;  // as an attribute the page's policy refuses it
+    else
+      node.setAttribute(name, value);
   }
   node.append(...children);
   return node;
 }
 
+export function bold(text) { return el('b', {}, text); }
+export function sentence(...parts) { return el('p', {}, ...parts); }
+
+/** A list of lines, each of words and nodes. */
+export function bullets(lines) { return el('ul', {class: 'holders'}, lines.map((line) => el('li', {}, line))); }
+
 /** A card of the page. */
-function card(title, note, width, ...children) {
-  const node = el('section', { class: 'card ' + width }, title ? el('h2', {}, title) : null, note ? el('p', {}, note) : null, ...children);
+export function card(title, note, width, ...children) {
+  const node =
+      el('section', {class: 'card ' + width}, title ? el('h2', {}, title) : null, note ? el('p', {}, note) : null,
+         ...children);
   document.getElementById('page').append(node);
   return node;
 }
 
 /** A style's colour, as the theme of the moment has it. */
-function colour(name) {
-  return getComputedStyle(document.documentElement).getPropertyValue('--' + name).trim();
+export function colour(name) { return getComputedStyle(document.documentElement).getPropertyValue('--' + name).trim(); }
+
+export function isDark() {
+  return matchMedia('(prefers-color-scheme: dark)').matches && !document.documentElement.dataset.print;
 }
 
-function isDark() { return matchMedia('(prefers-color-scheme: dark)').matches && !document.documentElement.dataset.print; }
-
-const seriesColours = ['c0', 'c1', 'c2', 'c3', 'c4', 'c5', 'c6'];
+export const seriesColours = ['c0', 'c1', 'c2', 'c3', 'c4', 'c5', 'c6'];
 
 /** The first five colours are apart for every eye; what follows is dashed besides. */
-function seriesDash(i) { return i >= 5 ? [7, 4] : undefined; }
-function seriesEntry(name, i) { return { name, colour: seriesColours[i % 7], kind: i >= 5 ? 'dash' : '' }; }
+export function seriesDash(i) { return i >= 5 ? [7, 4] : undefined; }
+export function seriesEntry(name, i) { return {name, colour: seriesColours[i % 7], kind: i >= 5 ? 'dash' : ''}; }
 
-/** Offers a text as a file. */
-function save(name, text, type = 'text/csv') {
-  const url = URL.createObjectURL(new Blob([text], { type }));
-  el('a', { href: url, download: name }).click();
+/** Offers bytes as a file. */
+export function saveBlob(name, blob) {
+  const url = URL.createObjectURL(blob);
+  el('a', {href: url, download: name}).click();
   setTimeout(() => URL.revokeObjectURL(url), 1000);
 }
 
-function legend(entries) {
-  return el('div', { class: 'legend' }, entries.map((e) => {
-    const mark = el('i', { class: e.kind || '' });
+/** Offers a text as a file. */
+export function save(name, text, type = 'text/csv') { saveBlob(name, new Blob([text], {type})); }
+
+export function legend(entries) {
+  return el('div', {class: 'legend'}, entries.map((e) => {
+    const mark = el('i', {class: e.kind || ''});
     const paint = () => {
       const c = colour(e.colour);
-      if (e.kind === 'dot' || e.kind === 'area') mark.style.background = c; else mark.style.borderTopColor = c;
+      if (e.kind === 'dot' || e.kind === 'area')
+        mark.style.background = c;
+      else
+        mark.style.borderTopColor = c;
     };
     paint();
     onTheme(paint);
@@ -65,8 +82,26 @@ function legend(entries) {
 
 const themeListeners = [];
 /** Calls back when colours change: light, dark, print. */
-function onTheme(listener) { themeListeners.push(listener); }
-function themeChanged() { for (const listener of themeListeners) listener(); }
+export function onTheme(listener) { themeListeners.push(listener); }
+function themeChanged() {
+  for (const listener of themeListeners) listener();
+}
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', themeChanged);
-addEventListener('beforeprint', () => { document.documentElement.dataset.print = 'yes'; themeChanged(); });
-addEventListener('afterprint', () => { delete document.documentElement.dataset.print; themeChanged(); });
+function printColours(on) {
+  if (on)
+    document.documentElement.dataset.print = 'yes';
+  else
+    delete document.documentElement.dataset.print;
+  themeChanged();
+}
+addEventListener('beforeprint', () => printColours(true));
+addEventListener('afterprint', () => printColours(false));
+
+/** Does something while the page is drawn in light colours. */
+export async function inLightColours(work) {
+  const dark = isDark();
+  if (dark) printColours(true);
+  await Promise.resolve();  // charts draw when what is under way is done
+  work();
+  if (dark) printColours(false);
+}

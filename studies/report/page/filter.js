@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-'use strict';
 // Which rows are chosen: an interval for some columns, shared by all views of the same rows.
 
-class Filter {
+export class Filter {
   constructor(columns, count) {
     this.columns = columns;
     this.count = count;
@@ -16,8 +15,10 @@ class Filter {
 
   /** Keeps rows whose value lies between; null on a side leaves it open. */
   set(index, low, high) {
-    if ((low === null || low === -Infinity) && (high === null || high === Infinity)) this.intervals.delete(index);
-    else this.intervals.set(index, [low ?? -Infinity, high ?? Infinity]);
+    if ((low === null || low === -Infinity) && (high === null || high === Infinity))
+      this.intervals.delete(index);
+    else
+      this.intervals.set(index, [low ?? -Infinity, high ?? Infinity]);
     this.apply();
   }
 
@@ -27,13 +28,17 @@ class Filter {
     this.apply();
   }
 
-  clear() { this.intervals.clear(); this.apply(); }
+  clear() {
+    this.intervals.clear();
+    this.apply();
+  }
 
   apply() {
     this.chosen.fill(1);
     for (const [index, [low, high]] of this.intervals) {
       const values = this.columns[index].values;
-      for (let i = 0; i < this.count; ++i) if (!(values[i] >= low && values[i] <= high)) this.chosen[i] = 0;
+      for (let i = 0; i < this.count; ++i)
+        if (!(values[i] >= low && values[i] <= high)) this.chosen[i] = 0;
     }
     this.total = 0;
     for (let i = 0; i < this.count; ++i) this.total += this.chosen[i];

@@ -1,35 +1,72 @@
 // SPDX-License-Identifier: Apache-2.0
-'use strict';
-// The page, from top to bottom.
+// The page, from top to bottom: what came out, the picture, tables, background. The order of each kind is in pages.
 
-const kindWords = { curve: 'torque-speed curves', sweep: 'sweep of designs', sensitivity: 'sensitivity', optimize: 'optimization', size: 'sizing for a duty', pareto: 'trade-off front', uncertainty: 'spread under tolerances', calibrate: 'calibration', frequency: 'sweep of the frequency' };
+import {calibratePage} from './calibrate.js';
+import {CurveSection} from './curve.js';
+import {curves, data, rows, summary, tableRow, unitOf} from './data.js';
+import {designerButton} from './designer/inside.js';
+import {bold, bullets, card, el, sentence} from './dom.js';
+import {frequencySections} from './frequency.js';
+import {capital} from './names.js';
+import {paretoSections} from './pareto.js';
+import {metricsNote, searchSections} from './search.js';
+import {sensitivitySections} from './sensitivity.js';
+import {sweepSections} from './sweep.js';
+import {named, quantity, table, valuesTable, words} from './table.js';
+import {uncertaintySections} from './uncertainty.js';
+import {between, engineering, percent, rounded} from './units.js';
+import {verdicts} from './verdict.js';
+import {memberText, plain} from './words.js';
 
-/** Value of the family's parameter, all members in one unit. */
-function memberValue(c) {
-  const { parameter, unit } = summary.family;
-  const shown = displayUnit(largest([(summary.curves || summary.responses).map((m) => m[parameter])]), unit);
-  return rounded(c[parameter] / shown.divisor) + (shown.text ? noBreak + shown.text : '');
+function curveSections() {
+  const name = (c) =>
+      (summary.family ? plain(summary.family.parameter) + ' ' + memberText(c) : data.motor.name || 'motor');
+  const names = summary.curves.map(name);
+  const section = new CurveSection(curves.filter(Boolean), names);
+  const metrics = Object.keys(summary.curves[0].metrics);
+  const columns = summary.curves.map((c, i) => ({name: names[i] || String(i + 1), values: c.metrics}));
+  return [
+    () => section.torque('Torque'), () => section.others(),
+    () => card('Metrics', metricsNote(metrics), 'wide').append(valuesTable('metrics', 'metric', metrics, columns))
+  ];
 }
 
-function curvePage() {
-  const shown = summary.curves.map((c, i) => [c, curves[i]]).filter(([, c]) => c);
-  const names = shown.map(([c]) => (summary.family ? plain(summary.family.parameter) + ' ' + memberValue(c) : data.motor.name || 'motor'));
-  curveSection(shown.map(([, c]) => c), names);
-  card('Metrics', metricsNote(Object.keys(summary.curves[0].metrics)), 'wide').append(valuesTable('metrics', 'metric', Object.keys(summary.curves[0].metrics), summary.curves.map((c, i) => ({ name: names[i] || String(i + 1), values: c.metrics }))));
-}
+/** The kinds of study: in words, and what each shows, in this order. */
+const pages = {
+  curve: {words: 'torque-speed curves', sections: curveSections},
+  sweep: {words: 'sweep of designs', sections: sweepSections},
+  sensitivity: {words: 'sensitivity', sections: sensitivitySections},
+  optimize: {words: 'optimization', sections: searchSections},
+  size: {words: 'sizing for a duty', sections: searchSections},
+  pareto: {words: 'trade-off front', sections: paretoSections},
+  uncertainty: {words: 'spread under tolerances', sections: uncertaintySections},
+  calibrate: {words: 'calibration', sections: () => [calibratePage]},
+  frequency: {words: 'sweep of the frequency', sections: frequencySections}
+};
 
-const pages = { curve: curvePage, sweep: sweepPage, sensitivity: sensitivityPage, optimize: searchPage, size: searchPage, pareto: paretoPage, uncertainty: uncertaintyPage, calibrate: calibratePage, frequency: frequencyPage };
+/** What every page ends with. */
+const background = [notesCard, failuresCard, motorCard, glossaryCard, provenanceCard];
 
-const outcomeWords = { feasible: 'keeps the limits, not shown to be best', infeasible: 'no design keeps the limits', budget: 'stopped by its budget', failed: 'nothing could be computed', done: 'complete', fitted: 'the motor follows the points', poor: 'the motor does not follow the points', several: 'several motors fit equally well', undetermined: 'the points do not determine every parameter', 'at-bounds': 'every parameter at an end of its range', interrupted: 'interrupted' };
+const outcomeWords = {
+  feasible: 'keeps the limits, not shown to be best',
+  infeasible: 'no design keeps the limits',
+  budget: 'stopped by its budget',
+  failed: 'nothing could be computed',
+  done: 'complete',
+  fitted: 'the motor follows the points',
+  poor: 'the motor does not follow the points',
+  several: 'several motors fit equally well',
+  undetermined: 'the points do not determine every parameter',
+  'at-bounds': 'every parameter at an end of its range',
+  interrupted: 'interrupted'
+};
 
 function outcomeText() {
-  if (summary.outcome === 'optimal') return summary.kind === 'pareto' ? 'every point certified' : 'certified local optimum';
+  if (summary.outcome === 'optimal')
+    return summary.kind === 'pareto' ? 'every point certified' : 'certified local optimum';
   if (summary.outcome === 'done' && summary.yield) return percent(summary.yield.value, 4) + ' keep the limits';
   return outcomeWords[summary.outcome] || summary.outcome;
 }
-
-/** Of a kind that has no verdict of its own. */
-function plainVerdict() { return { look: summary.outcome === 'failed' ? 'bad' : 'good', lines: [sentence(bold(capital(outcomeText())), '.')] }; }
 
 /** What a row of the results is: a motor, or a point of a motor's curve. */
 function rowWord() { return summary.kind === 'curve' || summary.kind === 'frequency' ? 'points' : 'motors'; }
@@ -37,56 +74,124 @@ function rowWord() { return summary.kind === 'curve' || summary.kind === 'freque
 /** Said where the results are too many for a page. */
 function partNote() {
   if (rows.every === 1) return null;
-  return sentence('This page holds one in ' + rows.every + ' of the ' + rows.total + ' ' + rowWord() + ' that were computed; results.csv has all of them.');
+  return sentence(
+      'This page holds one in ' + rows.every + ' of the ' + rows.total + ' ' + rowWord() +
+      ' that were computed; results.csv has all of them.');
 }
 
 function facts() {
   const failed = Object.values(summary.failures).reduce((a, b) => a + b, 0);
-  const list = [['outcome', outcomeText()], [rowWord() + ' computed', String(summary.evaluations)], ['of these without a full answer', String(failed)]];
-  return el('div', { class: 'facts' }, list.map(([name, value]) => el('div', {}, el('span', {}, name), el('strong', {}, value))));
+  const notes = (summary.model_notes || []).length;
+  const list = [[rowWord() + ' computed', String(summary.evaluations)]];
+  if (failed) list.push(['of these without a full answer', String(failed)]);
+  const fact = ([name, value]) => el('div', {}, el('span', {}, name), el('strong', {}, value));
+  const limits = el('a', {href: '#notes'}, notes + (notes === 1 ? ' note' : ' notes') + ' on the limits of the model');
+  return el('div', {class: 'facts'}, list.map(fact), notes ? limits : null);
+}
+
+function verdictCard() {
+  const stopped = {
+    look: 'bad',
+    lines: [sentence(bold('This study was interrupted'), '; what is here is not all of it.')]
+  };
+  const verdict = summary.outcome === 'interrupted' ? stopped : verdicts[summary.kind]();
+  const pill = el('p', {class: 'pill'}, capital(outcomeText()));
+  card(null, null, 'wide verdict ' + verdict.look, pill, ...verdict.lines.filter(Boolean), facts(), partNote());
+}
+
+/** Reasons to doubt the model for these motors; names in them are as one types them. */
+function notesCard() {
+  const notes = summary.model_notes || [];
+  if (!notes.length) return;
+  card('Mind the model', null, 'wide', bullets(notes.map((note) => capital(note) + '.'))).id = 'notes';
 }
 
 function failuresCard() {
   if (!summary.failure_regions.length) return;
-  const where = (r) => Object.entries(r.where).filter(([, v]) => v.low !== null).map(([n, v]) => plain(n) + ' ' + (v.high > v.low ? between(v.low, v.high, unitOf(n)) : engineering(v.low, unitOf(n)))).join(', ');
-  card(capital(rowWord()) + ' without a full answer', 'A number that was asked for does not exist for these ' + rowWord() + ', or could not be computed. They are counted here and enter nothing else.', 'wide').append(table('failures', ['reason', 'meaning', 'count', 'where'], summary.failure_regions.map((r) => [words(r.reason), words(failureText(r.reason)), { text: String(r.count), value: r.count }, words(where(r))])));
+  const range = (n, v) => (v.high > v.low ? between(v.low, v.high, unitOf(n)) : engineering(v.low, unitOf(n)));
+  const end = (n, v) => (typeof v.low === 'string' ? v.low : range(n, v));
+  const where = (r) =>
+      Object.entries(r.where).filter(([, v]) => v.low !== null).map(([n, v]) => plain(n) + ' ' + end(n, v));
+  const note = 'A number that was asked for does not exist for these ' + rowWord() +
+      ', or could not be computed. They ' +
+      'are counted here and enter nothing else.';
+  const lines = summary.failure_regions.map(
+      (r) =>
+          [words(r.reason), words(data.failures[r.reason]), {text: String(r.count), value: r.count},
+           words(where(r).join(', '))]);
+  card(capital(rowWord()) + ' without a full answer', note, 'wide')
+      .append(table('failures', ['reason', 'meaning', 'count', 'where'], lines));
 }
 
-/** What the names on this page stand for. */
-function glossaryCard() {
-  const names = [...new Set([...rows.columns.map((c) => c.name), ...curves.filter(Boolean).flatMap((c) => Object.keys(c.metrics))].map((n) => n.replace(/\(.*$/s, '')))];
-  const lines = names.map((n) => [n, data.metrics[n] || data.parameters[n]]).filter(([, known]) => known).map(([n, known]) => [named(n), words(known.text), words(n)]);
-  if (!lines.length) return;
-  card('What the names mean', null, 'wide').append(el('details', {}, el('summary', {}, lines.length + ' names'), el('p', {}, efficiencyNote), table('names', ['name', 'what it is', 'as typed'], lines)));
+/** A card of which only the title shows until it is opened. */
+function foldedCard(title, note, width, ...children) {
+  const head = el('summary', {}, el('h2', {}, title), note ? el('span', {}, note) : null);
+  return card(null, null, width, el('details', {}, head, ...children));
 }
 
 function motorCard() {
-  const names = Object.keys(data.motor.design);
-  const lines = names.map((n) => [named(n), words(data.parameters[n].symbol), quantity(data.motor.design[n], data.parameters[n].unit), words(data.parameters[n].text)]);
-  card('The motor of the study', data.motor.name, 'wide', designerButton({}, data.motor.name)).append(table('motor', ['parameter', 'symbol', 'value', 'what it is'], lines));
+  const lines = Object.entries(data.motor.design).map(([n, value]) => {
+    const {symbol, unit, text} = data.parameters[n];
+    return [named(n), words(symbol), quantity(value, unit), words(text)];
+  });
+  foldedCard(
+      'The motor of the study', data.motor.name, 'wide', designerButton({}, data.motor.name),
+      table('motor', ['parameter', 'symbol', 'value', 'what it is'], lines));
+}
+
+const efficiencies = {
+  contact_efficiency: 'output over the power that the stator gives to the contact',
+  efficiency: 'output over that power and the loss of the vibrating stator',
+  overall_efficiency: 'output over the electrical power; every loss but that of the driver counts'
+};
+
+/** What the names on this page stand for. */
+function glossaryCard() {
+  const all = [...rows.columns.map((c) => c.name), ...curves.filter(Boolean).flatMap((c) => Object.keys(c.metrics))];
+  const names = [...new Set(all.map((n) => data.names[n]?.metric ?? n))].filter(tableRow);
+  const lines = [
+    ...names.map((n) => [named(n), words(tableRow(n).text), words(n)]),
+    ...Object.entries(efficiencies).map(([n, text]) => [words(n.replaceAll('_', ' ')), words(text), words(n)])
+  ];
+  foldedCard(
+      'What the names mean', lines.length + ' names', 'wide',
+      table('names', ['name', 'what it is', 'as typed'], lines));
 }
 
 function provenanceCard() {
   const build = summary.build || {};
-  const lines = [['twum', summary.version], ['started', summary.started], ['time', rounded(summary.seconds, 3) + ' s'], ['seed', String(summary.seed)], ['hash of the study', summary.hash], ['compiler', build.compiler], ...Object.entries(build.libraries || {})]
-    .filter(([, v]) => v !== undefined && v !== null && v !== '').map(([n, v]) => [words(n), words(String(v))]);
-  card('Where this comes from', null, 'half').append(table('provenance', ['what', 'value'], lines));
-  card('The study', 'As it was run, every default written out.', 'half').append(el('pre', { tabindex: '0' }, data.study));
+  const lines =
+      [
+        ['twum', summary.version], ['started', summary.started], ['time', rounded(summary.seconds, 3) + ' s'],
+        ['seed', String(summary.seed)], ['hash of the study', summary.hash], ['compiler', build.compiler],
+        ...Object.entries(build.libraries || {})
+      ].filter(([, v]) => v !== undefined && v !== null && v !== '')
+          .map(([n, v]) => [words(n), words(String(v))]);
+  foldedCard(
+      'Where this comes from', 'version, date, libraries', 'half', table('provenance', ['what', 'value'], lines));
+  foldedCard('The study', 'as it was run, every default written out', 'half', el('pre', {tabindex: '0'}, data.study));
+}
+
+/** Links to the cards with a title, once they are there. */
+function contents() {
+  const links = [...document.querySelectorAll('.card h2')].map((title, i) => {
+    const node = title.closest('.card');
+    node.id ||= 'part-' + (i + 1);
+    const open = () => node.querySelector(':scope > details')?.setAttribute('open', '');
+    return el('a', {href: '#' + node.id, onclick: open}, title.textContent);
+  });
+  return el('nav', {'aria-label': 'contents'}, links);
 }
 
 function build() {
+  const {words: kind, sections} = pages[summary.kind];
   document.title = summary.study + ' - twum';
   const page = document.getElementById('page');
-  page.append(el('header', {}, el('h1', {}, summary.study), el('p', { class: 'of' }, (kindWords[summary.kind] || summary.kind) + (summary.motor ? ' of ' + summary.motor : ''))));
-  const verdict = summary.outcome === 'interrupted' ? { look: 'bad', lines: [sentence(bold('This study was interrupted'), '; what is here is not all of it.')] } : (verdicts[summary.kind] || plainVerdict)();
-  (summary.model_notes || []).forEach((note) => verdict.lines.push(sentence(bold('Mind the model: '), plainNames(note), '.')));
-  const top = card(null, null, 'wide', ...verdict.lines, facts(), partNote());
-  top.classList.add('verdict', verdict.look);
-  pages[summary.kind]();
-  failuresCard();
-  motorCard();
-  glossaryCard();
-  provenanceCard();
+  const of = kind + (summary.motor ? ' of ' + summary.motor : '');
+  page.append(el('header', {}, el('h1', {}, summary.study), el('p', {class: 'of'}, of)));
+  verdictCard();
+  for (const section of [...sections(), ...background]) section();
+  page.querySelector('.verdict').after(contents());
   page.dataset.ready = 'yes';
 }
 

@@ -1,13 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-'use strict';
 // Names of parameters, metrics and zones as one reads them, and the colours of zones.
 
-const nameWords = { youngs_modulus: "Young's modulus", poisson_ratio: 'Poisson ratio', amplitude: 'wave amplitude', frequency: 'drive frequency', wavelengths: 'number of wavelengths', no_load_speed: 'no-load speed' };
+const nameWords = {
+  youngs_modulus: 'Young\'s modulus',
+  poisson_ratio: 'Poisson ratio',
+  amplitude: 'wave amplitude',
+  frequency: 'drive frequency',
+  wavelengths: 'number of wavelengths',
+  no_load_speed: 'no-load speed'
+};
 
-function shortName(name) { return Object.hasOwn(nameWords, name) ? nameWords[name] : name.replace(/_/g, ' '); }
+export function shortName(name) { return Object.hasOwn(nameWords, name) ? nameWords[name] : name.replace(/_/g, ' '); }
 
-function capital(text) { return text.charAt(0).toUpperCase() + text.slice(1); }
+export function capital(text) { return text.charAt(0).toUpperCase() + text.slice(1); }
 
-const zoneColours = { 1: 'slip-plus', 0: 'stick', '-1': 'slip-minus' };
-const zoneNames = { 1: 'slip+', 0: 'stick', '-1': 'slip-' };
-const degree = Math.PI / 180;
+export const zoneColours = {
+  1: 'slip-plus',
+  0: 'stick',
+  '-1': 'slip-minus'
+};
+export const zoneNames = {
+  1: 'slip+',
+  0: 'stick',
+  '-1': 'slip-'
+};
+export const degree = Math.PI / 180;

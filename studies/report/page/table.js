@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-'use strict';
 // Tables that can be taken along as CSV: engineering units on the page, SI values in the file.
+
+import {tableRow, unitOf} from './data.js';
+import {el, save} from './dom.js';
+import {engineering} from './units.js';
+import {plain} from './words.js';
+
+/** More rows than these are shown when asked for. */
+const rowsShown = 12;
 
 function csvCell(value) {
   if (value === null || value === undefined || Number.isNaN(value)) return '';
@@ -8,48 +15,77 @@ function csvCell(value) {
   return /[",\n\r]/.test(text) ? '"' + text.replace(/"/g, '""') + '"' : text;
 }
 
-function csvText(header, lines) {
+export function csvText(header, lines) {
   return [header, ...lines].map((line) => line.map(csvCell).join(',')).join('\n') + '\n';
 }
 
-function saveButton(file, make) {
-  return el('button', { class: 'save', type: 'button', onclick: () => save(file + '.csv', make()) }, 'Save as CSV');
+export function saveButton(file, make) {
+  return el('button', {class: 'save', type: 'button', onclick: () => save(file + '.csv', make())}, 'Save as CSV');
 }
 
 /** A cell of words. */
-function words(text, look) { return { text, value: text, words: true, look }; }
+export function words(text, look) { return {text, value: text, words: true, look}; }
 /** A cell with the name of a metric or parameter, which the file has as it is typed. */
-function named(name) { return { text: plain(name), value: name, words: true }; }
+export function named(name) { return {text: plain(name), value: name, words: true}; }
 /** A cell with a value in an SI unit. */
-function quantity(value, unit, digits) { return { text: engineering(value, unit, digits), value, unit }; }
+export function quantity(value, unit, digits) { return {text: engineering(value, unit, digits), value, unit}; }
 
-function cell(tag, c) {
-  if (typeof c === 'string') return el(tag, {}, c);
-  const node = el(tag, { class: c.words ? 'words' : null, 'data-value': c.words ? null : c.value, 'data-name': c.words && c.value !== c.text ? c.value : null, title: c.words && c.value !== c.text ? describe(c.value) : null }, c.look ? el('span', { class: c.look }, c.text) : c.text);
-  return node;
+function cell(c) {
+  if (typeof c === 'string') return el('td', {}, c);
+  const name = c.words && c.value !== c.text ? c.value : null;
+  const attributes = {
+    class: c.words ? 'words' : null,
+    'data-value': c.words ? null : c.value,
+    'data-name': name,
+    title: name === null ? null : describe(name)
+  };
+  return el('td', attributes, c.look ? el('span', {class: c.look}, c.text) : c.text);
 }
 
 /** What a name stands for, in one line. */
-function describe(name) {
-  const known = data.parameters[name] || data.metrics[name.replace(/\(.*$/s, '')];
+export function describe(name) {
+  const known = tableRow(name);
   return name + (known ? ': ' + known.text : '');
 }
 
-/** A table with its button. Each line begins with its name. */
-function table(file, header, lines, csvHeader) {
-  const head = el('tr', {}, header.map((h, i) => el('th', { scope: 'col', class: i > 0 && lines[0] && lines[0][i] && lines[0][i].words ? 'words' : null }, h)));
-  const body = lines.map((line) => el('tr', {}, line.map((c) => cell('td', c))));
+/** Shows the first rows of a long table, and a button that shows all; on paper all are there. */
+function folded(node, count) {
+  if (count <= rowsShown) return null;
+  node.classList.add('folded');
+  const button = el('button', {class: 'save', type: 'button'}, 'Show all ' + count + ' rows');
+  button.addEventListener('click', () => {
+    node.classList.remove('folded');
+    button.remove();
+  });
+  return button;
+}
+
+/** The markup of a table, its long part folded away. rows: elements */
+export function tableFrame(file, head, rows) {
+  const scroll =
+      el('div', {class: 'scroll', tabindex: '0', role: 'region', 'aria-label': file},
+         el('table', {'data-table': file}, el('thead', {}, head), el('tbody', {}, rows)));
+  return {scroll, more: folded(scroll, rows.length)};
+}
+
+/** A table with its buttons. Each line begins with its name. csvHeader: heads of the saved file, where others */
+export function table(file, header, lines, csvHeader) {
   const raw = (c) => (typeof c === 'string' ? c : c.value);
-  return el('div', {},
-    el('div', { class: 'scroll', tabindex: '0', role: 'region', 'aria-label': file }, el('table', { 'data-table': file }, el('thead', {}, head), el('tbody', {}, body))),
-    saveButton(file, () => csvText(csvHeader || header, lines.map((line) => line.map(raw)))));
+  return tableSaved(file, header, lines, () => csvText(csvHeader || header, lines.map((line) => line.map(raw))));
+}
+
+/** The same with a file that is made otherwise. */
+export function tableSaved(file, header, lines, make) {
+  const wordy = (i) => (i > 0 && lines[0]?.[i]?.words ? 'words' : null);
+  const head = el('tr', {}, header.map((h, i) => el('th', {scope: 'col', class: wordy(i)}, h)));
+  const {scroll, more} = tableFrame(file, head, lines.map((line) => el('tr', {}, line.map(cell))));
+  return el('div', {}, scroll, el('div', {class: 'table-tools'}, more, saveButton(file, make)));
 }
 
 /** Names with values in SI units, side by side: before and after, or several designs. */
-function valuesTable(file, first, names, columns) {
+export function valuesTable(file, first, names, columns) {
+  const titles = columns.map((c) => c.name);
   const lines = names.map((name) => [named(name), ...columns.map((c) => quantity(c.values[name], unitOf(name)))]);
   const csvLines = names.map((name) => [name, unitOf(name), ...columns.map((c) => c.values[name])]);
-  const node = table(file, [first, ...columns.map((c) => c.name)], lines);
-  node.lastChild.replaceWith(saveButton(file, () => csvText([first, 'SI unit', ...columns.map((c) => c.name)], csvLines)));
-  return node;
+  return tableSaved(file, [first, ...titles], lines, () => csvText([first, 'SI unit', ...titles], csvLines));
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-'use strict';
 // Torque, powers and efficiency over speed, drawn anew with every move.
 
-const rpm = Math.PI / 30;
+import {chart, drawMarks} from '../chart.js';
+import {colour, el} from '../dom.js';
+import {displayUnit, engineering, largest, noBreak, rounded, rpm} from '../units.js';
 
 /** Numbers as uPlot takes them: in the unit shown, gaps where there is no answer. */
 function drawn(values, divisor, shown = null) { return Array.from(values, (v, i) => (Number.isFinite(v) && (shown === null || shown[i] >= 0) ? v / divisor : null)); }
@@ -25,10 +26,10 @@ function curveAt(curve, name, speed) {
 }
 
 /** A chart whose lines follow the motor, and the pinned motor dashed beside it. */
-class LiveChart {
+export class LiveChart {
   /**
    * @param {{name: string, unit: string, lines: {column: string, name: string, colour: string}[], top?: number, height: number, ground?: Function, front?: Function}} shape
-   * @param {DesignerPanel} panel
+   * @param {import('./panel.js').DesignerPanel} panel
    */
   constructor(node, shape, panel) {
     this.shape = shape;
@@ -81,7 +82,7 @@ class LiveChart {
 }
 
 const percentShown = { text: '%', divisor: 0.01 };
-function axisText(name, unit) { return name + (unit.text ? ' [' + unit.text + ']' : ''); }
+export function axisText(name, unit) { return name + (unit.text ? ' [' + unit.text + ']' : ''); }
 
 /** Columns of a curve at the speeds of another. */
 function resampledCurve(curve, names, speeds) {
@@ -141,7 +142,7 @@ function forbiddenRegions(limits, curve) {
   });
 }
 
-function drawRegions(u, shown, limits) {
+export function drawRegions(u, shown, limits) {
   const [, top] = u.scales.y ? [u.scales.y.min, u.scales.y.max] : [0, 1];
   for (const [left, right, low, high] of forbiddenRegions(limits, shown.curve)) {
     const up = high === null ? 0.025 * top : high === Infinity ? top : high / shown.unit.divisor;
@@ -150,7 +151,7 @@ function drawRegions(u, shown, limits) {
 }
 
 /** The load and the point at which motor and load meet. */
-function drawLoad(u, shown, load, point) {
+export function drawLoad(u, shown, load, point) {
   if (!(load.rest || load.rise)) return;
   const ctx = u.ctx;
   const [a, b] = [u.scales.x.min, u.scales.x.max];

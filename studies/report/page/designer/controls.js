@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-'use strict';
 // Sliders with exact numbers, the numbers of the motor, and the editor of limits.
 
-const partTitles = { stator: 'Stator', rotor: 'Rotor', contact_layer: 'Contact layer', friction: 'Friction', preload: 'Preload' };
-const sliderSteps = 1000;
+import {colour, el} from '../dom.js';
+import {capital, shortName} from '../names.js';
+import {displayUnit, engineering, percent} from '../units.js';
+import {readQuantity, typedNumber} from './quantity.js';
+import {surface} from './wave.js';
+
+export const partTitles = { stator: 'Stator', rotor: 'Rotor', contact_layer: 'Contact layer', friction: 'Friction', preload: 'Preload' };
+export const sliderSteps = 1000;
 
 /** Where a slider reaches: about the value and what is usual, within what is admissible. */
 function sliderRange(row, value, modal) {
@@ -18,7 +23,7 @@ function sliderRange(row, value, modal) {
 }
 
 /** One parameter: name, number with unit, slider, what moving it does to the goal. */
-class ParameterRow {
+export class ParameterRow {
   constructor(name, row, panel) {
     this.name = name;
     this.row = row;
@@ -100,7 +105,7 @@ class ParameterRow {
 }
 
 /** The numbers of the motor, with their change since it was pinned. */
-class Tiles {
+export class Tiles {
   constructor(node, panel) {
     this.node = node;
     this.panel = panel;

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-'use strict';
 // The core of twum, compiled for pages: numbers in, numbers out. All values are SI.
 
-/** Thrown where the core has no answer for a motor; the message says why. */
-class CoreError extends Error {}
+import {bytesOf} from '../bytes.js';
 
-const coreArguments = { none: 0, speed: 1, torque: 2 };
+/** Thrown where the core has no answer for a motor; the message says why. */
+export class CoreError extends Error {}
+
+export const coreArguments = { none: 0, speed: 1, torque: 2 };
 const edgeNumbers = { free: 0, clamped: 1, supported: 2 };
 
 /** The compiled module from its base64. */
-async function compiledCore(text) {
+export async function compiledCore(text) {
   const unpacked = new Blob([bytesOf(text)]).stream().pipeThrough(new DecompressionStream('gzip'));
   return WebAssembly.compile(await new Response(unpacked).arrayBuffer());
 }
 
-class Core {
+export class Core {
   /** @param {WebAssembly.Module} module */
   constructor(module) {
     this.module = module;

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-'use strict';
 // The designer inside a report: opened on the motor that one chooses, and made when it is first asked for.
+
+import {data} from '../data.js';
+import {card, el} from '../dom.js';
+import {Core, compiledCore} from './core.js';
+import {DesignerPanel} from './panel.js';
+import {DesignState} from './state.js';
 
 const insideReport = { node: null, panel: null };
 
@@ -28,7 +33,7 @@ async function openInReport(design, name) {
 }
 
 /** A button that opens a design in the designer; null where the report was written without the core for pages. */
-function designerButton(design, name, text = 'Explore this motor') {
+export function designerButton(design, name, text = 'Explore this motor') {
   if (!document.getElementById('core').textContent) return null;
   return el('p', { class: 'explore' }, el('button', { type: 'button', onclick: () => openInReport(design, name) }, text));
 }

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-'use strict';
 // The load, limits, and a metric that stays while one parameter gives way.
+
+import {el, save} from '../dom.js';
+import {capital, shortName} from '../names.js';
+import {engineering, noBreak, rpm} from '../units.js';
+import {sliderSteps} from './controls.js';
+import {CoreError} from './core.js';
+import {studyYaml} from './motor.js';
+import {readQuantity, typedQuantity} from './quantity.js';
 
 const bandPlaces = 24;
 const longTask = 200; // [ms]
 
 /** Where motor and load meet, at the highest speed: there the motor runs. Null if they do not. */
-function meetingPoint(core, curve, load) {
+export function meetingPoint(core, curve, load) {
   if (!(load.rest || load.rise)) return null;
   const excess = (speed, torque) => torque - load.rest - load.rise * speed;
   for (let i = curve.speed.length - 1; i > 0; --i) {
@@ -44,7 +51,7 @@ function breaksLimit(panel, name, value) {
 }
 
 /** Paints along a slider where a limit is broken; nothing where a look takes so long that the page would stop for it. */
-function showBroken(panel, row) {
+export function showBroken(panel, row) {
   const broken = [];
   const begin = performance.now();
   while (panel.state.view.limits.length && broken.length < bandPlaces && performance.now() - begin < longTask)
@@ -57,7 +64,7 @@ function showBroken(panel, row) {
 function oneSlice(panel) { return panel.state.motor.values.radial_slices === 1 ? {} : { radial_slices: 1 }; }
 
 /** Moves the parameter that gives way until the locked metric has its value again. */
-function solveLock(panel, slices) {
+export function solveLock(panel, slices) {
   const { lock } = panel.state.view;
   const { values } = panel.state.motor;
   const start = values[lock.parameter];
@@ -75,7 +82,7 @@ function solveLock(panel, slices) {
   throw new CoreError('no ' + shortName(lock.parameter) + ' near this one keeps ' + shortName(lock.metric) + ' at ' + engineering(lock.value, panel.tables.metrics[lock.metric].unit) + '; move back, or release the metric');
 }
 
-class LimitsEditor {
+export class LimitsEditor {
   constructor(panel) {
     this.panel = panel;
     this.error = el('p', { class: 'wrong', role: 'alert' });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-'use strict';
 // Motors and studies as files: motor.yaml read and written, study.yaml written.
+
+import {plainUnit, readQuantity, typedQuantity, unitFactors} from './quantity.js';
 
 /** Lines of a nested mapping; values are texts that YAML reads as they stand. */
 function yamlLines(tree, indent) {
@@ -31,7 +32,7 @@ function motorTree(motor, tables) {
   return tree;
 }
 
-function motorYaml(motor, tables) { return yamlLines({ twum: '1', motor: motorTree(motor, tables) }, '').join('\n') + '\n'; }
+export function motorYaml(motor, tables) { return yamlLines({ twum: '1', motor: motorTree(motor, tables) }, '').join('\n') + '\n'; }
 
 /** "torque_at(100 rpm) >= 0.5 N.m" */
 function limitText(limit, tables) {
@@ -41,7 +42,7 @@ function limitText(limit, tables) {
 }
 
 /** A study that searches from this motor: what is free between the ends of its slider, the goal, and the limits. */
-function studyYaml(motor, tables, free, goal, limits) {
+export function studyYaml(motor, tables, free, goal, limits) {
   const variables = Object.fromEntries(free.map(({ name, min, max }) => [name, '{min: ' + typedQuantity(min, tables.parameters[name].unit) + ', max: ' + typedQuantity(max, tables.parameters[name].unit) + '}']));
   const head = { twum: '1', motor: motorTree(motor, tables), study: { kind: 'optimize', variables, [goal.sense]: goal.metric } };
   const lines = yamlLines(head, '');
@@ -49,7 +50,7 @@ function studyYaml(motor, tables, free, goal, limits) {
   return lines.join('\n') + '\n';
 }
 
-class MotorFileError extends Error {}
+export class MotorFileError extends Error {}
 
 /** Every value of a mapping with the path to it. */
 function leaves(tree, path = '') {
@@ -132,8 +133,8 @@ function missingEntries(motor, tables) {
     && (row.twin === null || motor.values[row.twin] === undefined) && !(drawn && name === 'neutral_plane_distance')).map(([, row]) => row.entry);
 }
 
-/** Reads a motor file. @param {Core} core  @returns {StatedMotor} */
-function readMotorYaml(text, tables, core) {
+/** Reads a motor file. @param {import('./core.js').Core} core  @returns {StatedMotor} */
+export function readMotorYaml(text, tables, core) {
   let file;
   try {
     file = jsyaml.load(text);
@@ -156,7 +157,7 @@ function readMotorYaml(text, tables, core) {
 }
 
 /** Reads measured points: a table with the columns speed and torque, units in brackets. */
-function readPoints(text, tables) {
+export function readPoints(text, tables) {
   const rows = text.split(/\r?\n/).map((line) => line.trim()).filter((line) => line !== '' && !line.startsWith('#')).map((line) => line.split(/[,;\t]/).map((cell) => cell.trim().replace(/^"|"$/g, '')));
   const column = (name, unit) => {
     const place = (rows[0] ?? []).findIndex((cell) => cell.replace(/\s*\[.*$/, '') === name);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-'use strict';
 // The page of `twum explore`.
+
+import {el} from '../dom.js';
+import {Core, compiledCore} from './core.js';
+import {DesignerPanel} from './panel.js';
 
 /** Says why the motor cannot be shown, and what can be done. */
 function sayMissing(page, text) {

@@ -1,6 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-'use strict';
 // The panel: what a person moves goes to the core, and what the core says is drawn, once a frame.
+
+import {drawMarks, keyStep} from '../chart.js';
+import {el, legend} from '../dom.js';
+import {capital, shortName} from '../names.js';
+import {engineering, percent, rpm} from '../units.js';
+import {LiveChart, drawLoad, drawRegions} from './charts.js';
+import {ParameterRow, Tiles, partTitles} from './controls.js';
+import {CoreError} from './core.js';
+import {LimitsEditor, meetingPoint, showBroken, solveLock} from './limits.js';
+import {SectionView} from './section.js';
+import {DesignState} from './state.js';
+import {designerTools} from './tools.js';
+import {FieldsView, WaveView} from './wave.js';
 
 const curvePoints = 161;
 const quickPoints = 61; // of a motor that takes longer than a frame, until there is time for more
@@ -8,12 +20,12 @@ const slowCurve = 50; // [ms] a curve of all slices that takes longer comes with
 let panels = 0;
 const restDelay = 40; // [ms] that a slider which is held stands still before the rest is computed
 
-class DesignerPanel {
+export class DesignerPanel {
   /**
    * @param {HTMLElement} node
    * @param {any} tables  parameters, metrics, reasons, units, materials
-   * @param {Core} core
-   * @param {StatedMotor} motor
+   * @param {import('./core.js').Core} core
+   * @param {import('./state.js').StatedMotor} motor
    */
   constructor(node, tables, core, motor, inAddress = false) { // the address is the whole page's, which a report shares
     this.id = String(++panels);

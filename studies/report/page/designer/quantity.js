@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-'use strict';
 // Numbers with units, as one types them. The units come with the page (units_json()).
 
+import {displayUnit} from '../units.js';
+
 /** A unit in letters that every keyboard has: "µm" and "N·m" as "um" and "N.m". */
-function plainUnit(text) {
+export function plainUnit(text) {
   return text.trim().replace(/[µμ]/g, 'u').replace(/[·⋅*]/g, '.').replace(/²/g, '^2').replace(/³/g, '^3').replace(/Ω/g, 'ohm');
 }
 
@@ -15,13 +16,13 @@ function scaledNumber(text, factor) {
 }
 
 /** The factors of the units that will do where this SI unit is right. */
-function unitFactors(tables, unit) { return unit === '1' ? { '%': 0.01 } : { ...(tables.units[unit] ?? { [unit]: 1 }) }; }
+export function unitFactors(tables, unit) { return unit === '1' ? { '%': 0.01 } : { ...(tables.units[unit] ?? { [unit]: 1 }) }; }
 
 /**
  * Reads "1.6 um", or a bare number in the unit shown beside the field.
  * @returns {{value: number, error: string}} SI; the error is empty, or says what would be right
  */
-function readQuantity(tables, text, unit, bare) {
+export function readQuantity(tables, text, unit, bare) {
   const found = /^\s*([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/s.exec(text);
   const factors = unitFactors(tables, unit);
   if (!found) return { value: NaN, error: 'is no number; expected one such as ' + (unit === '1' ? '0.3' : '1.5 ' + unit) };
@@ -32,7 +33,7 @@ function readQuantity(tables, text, unit, bare) {
 }
 
 /** The value in a unit, with as many digits as it takes to read the same number again. */
-function typedNumber(value, factor) {
+export function typedNumber(value, factor) {
   const power = Math.round(Math.log10(factor));
   if (Number('1e' + power) !== factor) return String(value / factor);
   const [mantissa, exponent] = value.toExponential().split('e');
@@ -41,9 +42,9 @@ function typedNumber(value, factor) {
 }
 
 /** "1.6 um": reads back as the same number. Speeds and other units that are no power of ten stay in SI. */
-function typedQuantity(value, unit) {
+export function typedQuantity(value, unit) {
   if (unit === '1') return String(value);
-  const shown = unit === 'rad/s' ? { text: unit, divisor: 1 } : displayUnit(value, unit);
+  const shown = unit === 'rad/s' ? { typed: unit, divisor: 1 } : displayUnit(value, unit);
   const text = typedNumber(value, shown.divisor);
-  return scaledNumber(text, shown.divisor) === value ? text + ' ' + shown.text : String(value) + ' ' + unit;
+  return scaledNumber(text, shown.divisor) === value ? text + ' ' + shown.typed : String(value) + ' ' + unit;
 }

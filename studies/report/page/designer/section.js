@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-'use strict';
 // The motor cut along its axis, to scale: one half, the axis at the left.
+
+import {el, legend, svg} from '../dom.js';
+import {engineering} from '../units.js';
 
 /** Rectangles of a motor: inner and outer radius, lower and upper height [m], colour, name. Height 0 is the stator's surface. */
 function sectionParts(motor) {
@@ -22,7 +24,7 @@ function sectionParts(motor) {
   return parts;
 }
 
-class SectionView {
+export class SectionView {
   constructor(node) {
     this.picture = svg('svg', { class: 'section', role: 'img', 'aria-label': 'Cross-section of the motor to scale' });
     this.legend = el('div', { class: 'legend' });

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-'use strict';
 // What a person has set: the motor, the speed that is looked at, load, limits, goal, lock. With steps back, and as an address.
+
+import {coreArguments} from './core.js';
 
 /**
  * @typedef {{metric: string, argument: string, at: number, sense: string, value: number}} Limit
  * @typedef {{name: string, values: Object<string, number>, branch: string, inner_edge: string | null, table: number[][]}} StatedMotor
  */
 
-class DesignState {
+export class DesignState {
   /** @param {StatedMotor} motor */
   constructor(motor) {
     this.opened = structuredClone(motor);

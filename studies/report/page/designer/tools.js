@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-'use strict';
 // The buttons of the panel.
+
+import {el, save} from '../dom.js';
+import {MotorFileError, motorYaml, readMotorYaml, readPoints} from './motor.js';
 
 function button(text, action, attributes = {}) { return el('button', { type: 'button', onclick: action, ...attributes }, text); }
 
@@ -27,7 +29,7 @@ function copyLink(panel) {
   said.then(() => panel.tell('The link is copied; it opens this page with this motor.'), () => panel.tell('The address line holds the link.'));
 }
 
-function designerTools(panel) {
+export function designerTools(panel) {
   const pin = button('Pin this motor', () => { const on = panel.pin(); pin.textContent = on ? 'Unpin' : 'Pin this motor'; pin.setAttribute('aria-pressed', String(on)); }, { 'aria-pressed': 'false' });
   const play = button('', () => { panel.playing = !panel.playing; name(); });
   const name = () => { play.textContent = panel.playing ? 'Pause the wave' : 'Move the wave'; };

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-'use strict';
 // One contact in slow motion: the wave that runs under the rotor, where the layer sticks and slips, and the fields of that moment.
 
+import {chart, paddedRange} from '../chart.js';
+import {colour, el, onTheme} from '../dom.js';
+import {degree, zoneColours} from '../names.js';
+import {displayUnit, largest} from '../units.js';
+import {nameZones, paintZones} from '../zones.js';
+import {axisText} from './charts.js';
+
 /** A canvas as sharp as the screen; its context, width and height in CSS pixels. */
-function surface(canvas) {
+export function surface(canvas) {
   const ratio = devicePixelRatio || 1;
   const [width, height] = [canvas.clientWidth, canvas.clientHeight];
   if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
@@ -19,7 +25,7 @@ function surface(canvas) {
 /** Colours are looked up once for a theme: a picture has hundreds of strokes. */
 function waveColours() { return Object.fromEntries(['ink', 'soft', 'grid', 'line', 'card', 'c1', 'slip-plus', 'stick', 'slip-minus', 'body', 'rotor'].map((name) => [name, colour(name)])); }
 
-class WaveView {
+export class WaveView {
   constructor(node) {
     this.canvas = el('canvas', { class: 'wave', role: 'img', 'aria-label': 'The travelling wave under the rotor, slowed down; the amplitude is enlarged' });
     node.append(this.canvas);
@@ -118,9 +124,10 @@ class WaveView {
 }
 
 /** Traction within its bounds, and the two surface velocities, over the phase of the wave. */
-class FieldsView {
+export class FieldsView {
   constructor(nodes) {
-    const common = { x: { label: 'phase of the wave, crest at 0 [deg]', range: () => this.xRange ?? [-180, 180] }, height: 200, ground: (u) => this.ground(u), front: (u) => this.names(u) };
+    this.zones = [];
+    const common = { x: { label: 'phase of the wave, crest at 0 [deg]', range: () => this.xRange ?? [-180, 180] }, height: 200, ground: (u) => paintZones(u, this.zones), front: (u) => nameZones(u, this.zones) };
     this.traction = chart(nodes[0], [], [{ name: 'bound', y: [], colour: 'soft', dash: [5, 4] }, { name: '-bound', y: [], colour: 'soft', dash: [5, 4] }, { name: 'traction', y: [], colour: 'c1' }],
       { ...common, name: 'traction', y: { label: 'traction', range: () => this.tractionRange ?? [-1, 1] } });
     this.velocity = chart(nodes[1], [], [{ name: 'stator', y: [], colour: 'c0' }, { name: 'layer', y: [], colour: 'c1', dash: [7, 4] }],
@@ -146,31 +153,5 @@ class FieldsView {
     this.velocity.axes[1].label = axisText('surface velocity', speed);
     this.traction.setData([phase, limit, limit.map((v) => -v), list(fields.traction, bound.divisor)]);
     this.velocity.setData([phase, stator, layer]);
-  }
-
-  ground(u) {
-    const ctx = u.ctx;
-    for (const [state, from, to] of this.zones ?? []) {
-      const [a, b] = this.ends(u, from, to);
-      ctx.fillStyle = colour(zoneColours[state]);
-      ctx.fillRect(a, u.bbox.top, b - a, u.bbox.height);
-    }
-  }
-
-  ends(u, from, to) { return [from, to].map((v) => u.valToPos(Math.min(Math.max(v / degree, u.scales.x.min), u.scales.x.max), 'x', true)); }
-
-  /** Names the zones that are wide enough for it: colours alone would not do for every eye. */
-  names(u) {
-    const ctx = u.ctx;
-    ctx.save();
-    ctx.font = 11 * devicePixelRatio + 'px system-ui, "Liberation Sans", Arial, sans-serif';
-    ctx.textAlign = 'center';
-    ctx.textBaseline = 'top';
-    ctx.fillStyle = colour('ink');
-    for (const [state, from, to] of this.zones ?? []) {
-      const [a, b] = this.ends(u, from, to);
-      if (b - a > ctx.measureText(zoneNames[state]).width + 4) ctx.fillText(zoneNames[state], (a + b) / 2, u.bbox.top + 3 * devicePixelRatio);
-    }
-    ctx.restore();
   }
 }

@@ -33,5 +33,6 @@ std::string base64(std::string_view bytes) { return encoded(std::as_bytes(std::s
 std::string base64(std::span<const double> values) { return encoded(std::as_bytes(values)); }
 std::string base64(std::span<const float> values) { return encoded(std::as_bytes(values)); }
 std::string base64(std::span<const std::uint16_t> values) { return encoded(std::as_bytes(values)); }
+std::string base64(std::span<const std::uint32_t> values) { return encoded(std::as_bytes(values)); }
 
 }  // namespace twum::studies

@@ -14,5 +14,6 @@ std::string base64(std::string_view bytes);
 std::string base64(std::span<const double> values);
 std::string base64(std::span<const float> values);
 std::string base64(std::span<const std::uint16_t> values);
+std::string base64(std::span<const std::uint32_t> values);
 
 }  // namespace twum::studies

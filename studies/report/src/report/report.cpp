@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/studies/report/report.hpp>
 
+#include "kinds/found_motors.hpp"
 #include "report/assets.hpp"
 #include "report/curves.hpp"
 #include "report/encode.hpp"
+#include "report/names.hpp"
 #include "report/page_parts.hpp"
 #include "report/rows.hpp"
+#include "report/standings.hpp"
 #include "report/tables.hpp"
 #include "results/answers.hpp"
 #include "run/stored_study.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/core/design/parameters.hpp>
+#include <twum/optim/solvers.hpp>
 
 #include <algorithm>
 
@@ -112,13 +116,39 @@ Json ranges_json(const StudyFile& study) {
   return json;
 }
 
+// Motor files of the answer, in the order of its points; none of an answer with a design that is no motor.
+Json files_json(const StudyFile& study, const StudyResult& result) {
+  Json json = Json::array();
+  try {
+    for (const FoundMotor& found : found_motors(study, result))
+      json.push_back({{"file", found.file}, {"text", found_motor_text(found, result)}});
+  } catch (const InputError&) {
+    return Json::array();
+  }
+  return json;
+}
+
+Json global_solvers_json() {
+  Json json = Json::array();
+  for (const optim::SolverInfo& solver : optim::solvers())
+    if (solver.global) json.push_back(solver.name);
+  return json;
+}
+
 }  // namespace
 
 std::string report_html(const StudyFile& study, const std::string& text, const StudyResult& result,
                         const ResultStore& store) {
   const MotorDesign& base = study.motor.design;
+  const Json summary = summary_value(result);
+  const Json rows = rows_json(store);
   Json data{
-      {"summary", summary_value(result)},
+      {"summary", summary},
+      {"names", names_json(summary, rows["columns"])},
+      {"standings", standings_json(result.answer)},
+      {"failures", failures_json(summary)},
+      {"files", files_json(study, result)},
+      {"global_solvers", global_solvers_json()},
       {"study", text},
       {"motor", {{"name", study.motor.name}, {"design", base_json(base)}}},
       {"parameters", parameters_json()},
@@ -127,7 +157,7 @@ std::string report_html(const StudyFile& study, const std::string& text, const S
       {"designer", {{"motor", stated_motor_json(study.motor.name, base)}, {"units", units_json()}}},
       {"ranges", ranges_json(study)},
       {"curves", std::visit(AnswerCurves{base}, result.answer)},
-      {"rows", rows_json(store)}};
+      {"rows", rows}};
   if (study.kind() == StudyKind::sweep) data["row_curves"] = row_curves_json(store, base);
   if (const auto* fit = std::get_if<CalibrateResult>(&result.answer))
     data["fit"] = fit_json(*fit, base);

@@ -122,7 +122,8 @@ Json rows_json(const ResultStore& store) {
             {"columns", Json::array()},
             {"values", Json::array()},
             {"statuses", words},
-            {"status", base64(status)}};
+            {"status", base64(status)},
+            {"densities", sample.every() > 1 ? densities_json(store) : Json(nullptr)}};
   for (std::size_t i = 0; i < columns.size(); ++i) {
     json["columns"].push_back({{"name", columns[i].name}, {"unit", columns[i].unit}});
     json["values"].push_back(base64(values[i]));

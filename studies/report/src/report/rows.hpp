@@ -12,8 +12,13 @@ namespace twum::studies {
 /// At most 100,000 rows: where there are more, one of each "every" of the "total", which one by
 /// "offsets": {"count", "every", "offsets": base64 of the place of each row among its "every",
 /// empty where all are there, "total", "columns", "values": base64 of each column, "statuses":
-/// words, "status": base64 of which}.
+/// words, "status": base64 of which, "densities": densities_json() where some are left out, else null}.
 Json rows_json(const ResultStore& store);
+
+/// How many of all rows lie where, for pictures of more rows than a page holds: {"cells": n along either side, "ranges":
+/// [[lowest, highest] of each column], "counts": {"i,j": base64 of n * n counts of the columns i < j, that of i slower}}.
+/// A row without a number in one of two columns is not counted for them; a column of one value has no counts.
+Json densities_json(const ResultStore& store);
 
 /// Small torque-speed curves of these rows, of every k-th one where there are many: {"every",
 /// "points", "speed": last speeds, "torque": largest torques, "shape": shares of it}.

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/encode.hpp"
+#include "report/rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace twum::studies {
+namespace {
+
+// A picture of 800 pixels has cells of eight: fine enough for a shape, and the counts of ten columns are 2 MB.
+constexpr std::size_t kCells = 100;
+
+struct Extent {
+  double low{std::numeric_limits<double>::infinity()};
+  double high{-std::numeric_limits<double>::infinity()};
+
+  void add(double value) {
+    if (!std::isfinite(value)) return;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+
+  // The cell of a value, kCells where it has none. The highest value belongs to the last cell.
+  std::size_t cell(double value) const {
+    if (!std::isfinite(value) || !(low < high)) return kCells;
+    const double place = (value - low) / (high - low) * static_cast<double>(kCells);
+    return std::min(static_cast<std::size_t>(place), kCells - 1);
+  }
+};
+
+std::vector<Extent> extents(const ResultStore& store) {
+  std::vector<Extent> list(store.columns().size());
+  store.read([&](const Row& row) {
+    for (std::size_t i = 0; i < list.size(); ++i) list[i].add(row.values[i]);
+  });
+  return list;
+}
+
+}  // namespace
+
+Json densities_json(const ResultStore& store) {
+  const std::vector<Extent> sides = extents(store);
+  const std::size_t columns = sides.size();
+  std::vector<std::vector<std::uint32_t>> counts(columns * columns);
+  for (std::size_t i = 0; i < columns; ++i)
+    for (std::size_t j = i + 1; j < columns; ++j)
+      if (sides[i].low < sides[i].high && sides[j].low < sides[j].high)
+        counts[i * columns + j].assign(kCells * kCells, 0);
+  std::vector<std::size_t> cells(columns);
+  store.read([&](const Row& row) {
+    for (std::size_t i = 0; i < columns; ++i) cells[i] = sides[i].cell(row.values[i]);
+    for (std::size_t i = 0; i < columns; ++i)
+      for (std::size_t j = i + 1; j < columns; ++j)
+        if (cells[i] < kCells && cells[j] < kCells)
+          ++counts[i * columns + j][cells[i] * kCells + cells[j]];
+  });
+  Json json{{"cells", kCells}, {"ranges", Json::array()}, {"counts", Json::object()}};
+  for (const Extent& side : sides)
+    json["ranges"].push_back({number_json(side.low), number_json(side.high)});
+  for (std::size_t i = 0; i < columns; ++i)
+    for (std::size_t j = i + 1; j < columns; ++j)
+      if (!counts[i * columns + j].empty())
+        json["counts"][std::to_string(i) + "," + std::to_string(j)] =
+            base64(counts[i * columns + j]);
+  return json;
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a report page is told of names and limits, so that it takes no text apart and judges nothing itself.
+#include "report/names.hpp"
+#include "report/standings.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+using namespace twum::studies;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kRpm = std::numbers::pi / 30;
+
+// torque_at(120 rpm) >= `limit` at a motor that has `value`.
+LimitState torque_limit(double limit, double value) {
+  LimitState state;
+  state.text = "torque_at(120 rpm) >= LIMIT";
+  state.metric = "torque_at(120 rpm)";
+  state.unit = "N.m";
+  state.at_least = true;
+  state.value = value;
+  state.limit = limit;
+  state.lower = limit;
+  state.upper = kInfinity;
+  state.violation = std::isnan(value) ? kNaN : std::max(limit - value, 0.0);
+  return state;
+}
+
+DesignReport report_of(std::vector<LimitState> limits, double infeasibility) {
+  DesignReport report;
+  report.constraints = std::move(limits);
+  report.certificate.infeasibility = infeasibility;
+  report.certificate.weights = {1};
+  report.certificate.prices = {1};
+  return report;
+}
+
+Goal most_power() { return {"peak_power", "W", true}; }
+Goal least_wear() { return {"wear_intensity_at(80 rpm)", "W/m^2", false}; }
+
+Json only(const DesignReport& report) {
+  const Json list = standings_json(report, {most_power()});
+  REQUIRE(list.size() == 1);
+  return list[0];
+}
+
+}  // namespace
+
+TEST_CASE("a limit at 0 is met as far as the certificate says", "[studies][report]") {
+  LimitState state = torque_limit(0, -1e-9);
+  state.active = true;
+  // A millionth of 0 is nothing: whether it is met is what the solver's tolerance (1e-8) says.
+  const Json met = only(report_of({state}, 1e-9));
+  CHECK(met["state"] == "binds");
+  CHECK(met["slack"] == 0);
+  CHECK(met["allowance"] == 1e-9);
+  for (const double infeasibility : {1.1e-8, kNaN}) {
+    const Json broken = only(report_of({state}, infeasibility));
+    CHECK(broken["state"] == "broken");
+    CHECK(broken["violation"] == 1e-9);
+    CHECK(broken["slack"] == -1e-9);
+  }
+}
+
+TEST_CASE("a limit that holds has room, and one without a value cannot be reached",
+          "[studies][report]") {
+  const Json holds = only(report_of({torque_limit(0.5, 0.8)}, 0));
+  CHECK(holds["state"] == "holds");
+  CHECK_THAT(holds["slack"].get<double>(), WithinRel(0.3, 1e-15));
+  CHECK(only(report_of({torque_limit(0.5, kNaN)}, 0))["state"] == "unreachable");
+}
+
+TEST_CASE("1 % of a limit changes the goal by the multiplier times that step",
+          "[studies][report]") {
+  LimitState state = torque_limit(0.5, 0.5);
+  state.active = true;
+  state.multiplier = 4;                // [W / N m]
+  state.one_percent_buys = 4 * 0.005;  // [W]
+  DesignReport report = report_of({state}, 0);
+  report.bounds = {{{"preload", "N"}, true, 300, 0.01, 0.03}};  // dearer: 30 mW for 3 N
+  const Json list = standings_json(report, {most_power()});
+  REQUIRE(list.size() == 2);
+  CHECK(list[0]["variable"] == "preload");  // the most valuable first
+  CHECK(list[0]["side"] == "at most");
+  CHECK(list[0]["moved"] == 303);
+  CHECK_THAT(list[0]["changes"][0].get<double>(), WithinRel(0.03, 1e-15));
+  CHECK_THAT(list[1]["moved"].get<double>(), WithinRel(0.495, 1e-15));
+  CHECK_THAT(list[1]["changes"][0].get<double>(), WithinRel(0.02, 1e-15));
+}
+
+TEST_CASE("along a front a limit improves each goal, in the direction that is wanted",
+          "[studies][report]") {
+  LimitState state = torque_limit(0.5, 0.5);
+  state.active = true;
+  state.multiplier = 4;
+  state.one_percent_buys = 0.02;
+  DesignReport report = report_of({state, torque_limit(0.5, 0.9)}, 0);
+  report.certificate.weights = {0.5, 0.5};
+  report.certificate.prices = {1, 1e-3};  // 1 kW/m^2 of wear is worth 1 W
+  const Json list = standings_json(report, {most_power(), least_wear()});
+  CHECK_THAT(list[0]["changes"][0].get<double>(), WithinRel(0.02, 1e-15));
+  CHECK_THAT(list[0]["changes"][1].get<double>(), WithinRel(-20.0, 1e-15));
+  CHECK(list[1]["changes"] == Json::array({nullptr, nullptr}));  // it holds nothing back
+  report.certificate.weights = {1, 0};  // at an end one goal does not trade
+  CHECK(standings_json(report, {most_power(), least_wear()})[0]["changes"][1].is_null());
+}
+
+TEST_CASE("a front has the standings of its points, and of its ends for their own goals",
+          "[studies][report]") {
+  ParetoResult front;
+  front.goals = {most_power(), least_wear()};
+  front.front.resize(3);
+  front.front[1].report = report_of({torque_limit(0.5, 0.8)}, 0);
+  front.alone.resize(2);
+  const Json json = standings_json(Answer(front));
+  CHECK(json["front"].size() == 3);
+  CHECK(json["front"][1][0]["changes"].size() == 2);
+  CHECK(json["alone"].size() == 2);
+  CHECK(standings_json(Answer(CurveResult{})).is_null());
+}
+
+TEST_CASE("the names in a summary are told with argument, statistic and limit",
+          "[studies][report]") {
+  const Json summary = Json::parse(R"json({
+      "objective": {"metric": "quantile(torque_at(80 rpm), 5 %)"},
+      "units": {"stall_torque": "N.m", "thickness / contact_half_length": "1",
+                "efficiency_at(0.5 N.m)": "1"},
+      "best": {"constraints": [{"text": "145 rpm <= no_load_speed <= 155 rpm"},
+                               {"text": "thickness <= 0.2 * contact_half_length"},
+                               {"text": "max_torque >= 0.5 N.m for efficiency_at(0.5 N.m)"}]},
+      "relaxation": {"conflict": ["probability(no_load_speed >= 100 rpm) >= 95 %"]}})json");
+  const Json columns = Json::parse(R"json([{"name": "speed_at(1 N.m)"}, {"name": "lining"}])json");
+  const Json names = names_json(summary, columns);
+  const Json& torque = names["torque_at(80 rpm)"];
+  CHECK(torque["metric"] == "torque_at");
+  CHECK(torque["argument"] == "speed");
+  CHECK_THAT(torque["at"].get<double>(), WithinRel(80 * kRpm, 1e-15));
+  CHECK(names["speed_at(1 N.m)"]["argument"] == "torque");
+  CHECK(names["efficiency_at(0.5 N.m)"]["at"] == 0.5);
+  CHECK(names["quantile(torque_at(80 rpm), 5 %)"] ==
+        Json{{"statistic", "quantile"}, {"of", "torque_at(80 rpm)"}, {"probability", 0.05}});
+  const Json& window = names["145 rpm <= no_load_speed <= 155 rpm"];
+  CHECK(window["of"] == "no_load_speed");
+  CHECK(window["unit"] == "rad/s");
+  CHECK_THAT(window["lower"].get<double>(), WithinRel(145 * kRpm, 1e-15));
+  CHECK_THAT(window["upper"].get<double>(), WithinRel(155 * kRpm, 1e-15));
+  CHECK(names["thickness <= 0.2 * contact_half_length"]["sides"] ==
+        Json::array({"thickness", "0.2 * contact_half_length"}));
+  const Json& sure = names["probability(no_load_speed >= 100 rpm) >= 95 %"];
+  CHECK(sure["of"] == "probability(no_load_speed >= 100 rpm)");
+  CHECK(sure["lower"] == 0.95);
+  CHECK(names[sure["of"].get<std::string>()]["of"] == "no_load_speed >= 100 rpm");
+  // What has no parts, or is none of the study's, has no entry.
+  for (const char* plain : {"stall_torque", "thickness / contact_half_length", "lining",
+                            "max_torque >= 0.5 N.m for efficiency_at(0.5 N.m)"})
+    CHECK_FALSE(names.contains(plain));
+}
+
+TEST_CASE("each reason of a missing answer is told once", "[studies][report]") {
+  const Json summary = Json::parse(
+      R"json({"failure_regions": [
+          {"reason": "speed_at(0.9 N.m): unreachable; stall_torque: unreachable"},
+          {"reason": "resonance"}, {"reason": "not admissible"}]})json");
+  const Json told = failures_json(summary);
+  CHECK(told["speed_at(0.9 N.m): unreachable; stall_torque: unreachable"] ==
+        "the motor cannot carry this load");
+  CHECK(told["resonance"].get<std::string>().find("resonance") != std::string::npos);
+  CHECK(told["not admissible"] == "");
+}
