@@ -3,6 +3,7 @@
 #include "report/curves.hpp"
 #include "report/encode.hpp"
 #include "report/rows.hpp"
+#include "report_numbers.hpp"
 #include "search_support.hpp"
 
 #include <twum/core/performance/motor.hpp>
@@ -13,7 +14,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -27,26 +27,6 @@ using Catch::Matchers::WithinRel;
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-// The numbers behind a text in base64.
-template <typename Number>
-std::vector<Number> numbers(const Json& text) {
-  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  unsigned bits = 0;
-  int held = 0;
-  for (const char c : text.get<std::string>()) {
-    if (c == '=') break;
-    bits = bits << 6U | static_cast<unsigned>(digits.find(c));
-    held += 6;
-    if (held < 8) continue;
-    held -= 8;
-    bytes += static_cast<char>(bits >> static_cast<unsigned>(held) & 0xFFU);
-  }
-  std::vector<Number> values(bytes.size() / sizeof(Number));
-  std::memcpy(values.data(), bytes.data(), values.size() * sizeof(Number));
-  return values;
-}
 
 MotorDesign elastic_motor() {
   return read_motor_file(TWUM_SOURCE_DIR "/examples/motors/elastic-layer.yaml").design;

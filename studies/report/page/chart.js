@@ -102,6 +102,7 @@ export function drawMarks(u, marks, taken = []) {
   ctx.beginPath();
   ctx.rect(u.bbox.left - 6 * ratio, u.bbox.top - 24 * ratio, u.bbox.width + 12 * ratio, u.bbox.height + 30 * ratio);
   ctx.clip();
+  ctx.setLineDash([]);
   for (const mark of there) {
     const x = u.valToPos(mark.x, 'x', true);
     const y = u.valToPos(mark.y, 'y', true);

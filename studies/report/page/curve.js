@@ -3,7 +3,7 @@
 
 import {paddedRange, scaled} from './chart.js';
 import {atTerminals, terminalColumns} from './data.js';
-import {card, colour, el, seriesColours, seriesDash, seriesEntry} from './dom.js';
+import {card, colour, el, seriesColours, seriesDash} from './dom.js';
 import {fieldsSection} from './fields.js';
 import {figure} from './figure.js';
 import {drawLimits, limitsOnCurve} from './limits.js';
@@ -41,7 +41,8 @@ function commonSpeeds(list) {
 /** Places that a curve of torque is known by, with their names: [speed, torque, text] */
 function torqueMarks(curve) {
   const m = curve.metrics;
-  const places = [[0, m.stall_torque, 'stall ' + engineering(m.stall_torque, 'N.m', 3)]];
+  const places =
+      m.stall_torque === undefined ? [] : [[0, m.stall_torque, 'stall ' + engineering(m.stall_torque, 'N.m', 3)]];
   const begin = curve.torque.findIndex(Number.isFinite);
   if (begin > 0 && m.pull_out_torque)
     places.push([curve.speed[begin], curve.torque[begin], 'pull-out ' + engineering(m.pull_out_torque, 'N.m', 3)]);
@@ -67,12 +68,13 @@ function curveMarks(curve, name, unit, full) {
       .map(([x, y, text]) => ({x: x / rpm, y: y / unit.divisor, text: full ? text : '', small: !full}));
 }
 
+/** Series of curves; one with a `tint` has the colour of the curve of that number, and is dashed. */
 function seriesOf(list, names, name, speeds, unit) {
   return list.map((c, i) => ({
                     name: names[i],
                     y: scaled(resampled(c, name, speeds), unit.divisor),
-                    colour: seriesColours[i % 7],
-                    dash: seriesDash(i)
+                    colour: seriesColours[(c.tint ?? i) % 7],
+                    dash: c.tint === undefined ? seriesDash(i) : [7, 4]
                   }));
 }
 
@@ -100,10 +102,11 @@ export function curvesChart(node, list, names, name, label, options = {}) {
   const speeds = commonSpeeds(list);
   const unit = options.unit || displayUnit(largest(list.map((c) => c[name])), unitOfCurve(name));
   const series = seriesOf(list, names, name, speeds, unit);
-  const last = list.length - 1;
-  const marks = list.flatMap(
-      (c, i) => curveMarks(c, name, unit, last < 2 && i === last)
-                    .map((m) => ({...m, colour: last > 0 ? seriesColours[i % 7] : null})));
+  const own = list.filter((c) => c.tint === undefined);
+  const last = own.length - 1;
+  const tinted = list.length > 1;
+  const marksOf = (c, i) => curveMarks(c, name, unit, last < 2 && i === last);
+  const marks = own.flatMap((c, i) => marksOf(c, i).map((m) => ({...m, colour: tinted ? seriesColours[i % 7] : null})));
   const limits = limitsOnCurve(options.limits ?? [], name, list[last], unit);
   const range = options.range ?? paddedRange([...series.map((s) => s.y), limits.map((l) => l.y)], true);
   const told = (i) =>
@@ -113,11 +116,12 @@ export function curvesChart(node, list, names, name, label, options = {}) {
     unit,
     marks,
     title: options.title,
-    legend: last > 0 ? names.map(seriesEntry) : null,
+    legend: tinted ? series.map((s) => ({name: s.name, colour: s.colour, kind: s.dash ? 'dash' : ''})) : null,
     height: options.height ?? 300,
     y: {label: axisLabel(label, unit), range},
     front: (u, taken) => drawLimits(u, limits, taken),
     tell: told,
+    buttons: options.buttons,
     onSpeed: options.onSpeed
   });
 }
@@ -200,9 +204,24 @@ export class CurveSection {
   /** The torque alone; limits: those of the design of the last curve. */
   torque(title, limits = []) {
     const follow = 'The fields in the contact follow the mouse, a finger or the arrow keys; drag to zoom.';
-    const node = card(title, follow, 'wide');
+    const holder = el('div', {});
+    card(title, follow, 'wide').append(holder);
     this.limits = limits;
-    curvesChart(node, this.list, this.names, 'torque', 'torque', {title, limits, height: 360, onSpeed: this.onSpeed});
+    this.drawTorque(holder, title, false);
+  }
+
+  /** compare: also with one slice, of the motors whose track has width */
+  drawTorque(holder, title, compare) {
+    const wide = this.list.flatMap((c, tint) => (c.one_slice_torque ? [{...c, tint}] : []));
+    const press = () => this.drawTorque(holder, title, !compare);
+    const button =
+        el('button', {type: 'button', 'aria-pressed': String(compare), onclick: press}, 'Compare with one slice');
+    const slices = compare ? wide.map((c) => ({...c, torque: c.one_slice_torque})) : [];
+    const names = slices.map((c) => this.names[c.tint] + ', one slice');
+    holder.replaceChildren();
+    curvesChart(
+        holder, [...this.list, ...slices], [...this.names, ...names], 'torque', 'torque',
+        {title, limits: this.limits, height: 360, onSpeed: this.onSpeed, buttons: wide.length ? [button] : []});
   }
 
   /** One quantity of all curves in half a row. */

@@ -38,6 +38,7 @@ export const curves = data.curves.map((c) => {
   if (!c) return null;
   const curve = {...c};
   for (const name of curveColumns) curve[name] = numbers(c[name], Float64Array);
+  if (c.one_slice_torque) curve.one_slice_torque = numbers(c.one_slice_torque, Float64Array);
   if (c.electrical_power)
     for (const name of terminalColumns) curve[name] = numbers(c[name], Float64Array);
   return curve;

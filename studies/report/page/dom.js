@@ -52,8 +52,6 @@ export const seriesColours = ['c0', 'c1', 'c2', 'c3', 'c4', 'c5', 'c6'];
 
 /** The first five colours are apart for every eye; what follows is dashed besides. */
 export function seriesDash(i) { return i >= 5 ? [7, 4] : undefined; }
-export function seriesEntry(name, i) { return {name, colour: seriesColours[i % 7], kind: i >= 5 ? 'dash' : ''}; }
-
 /** Offers bytes as a file. */
 export function saveBlob(name, blob) {
   const url = URL.createObjectURL(blob);

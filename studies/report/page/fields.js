@@ -6,6 +6,7 @@ import {paddedRange, scaled} from './chart.js';
 import {card, el, legend} from './dom.js';
 import {figure} from './figure.js';
 import {degree, zoneNames} from './names.js';
+import {trackMaps} from './track.js';
 import {displayUnit, engineering, largest} from './units.js';
 import {axisLabel} from './words.js';
 import {nameZones, paintZones} from './zones.js';
@@ -116,7 +117,12 @@ export function fieldsSection(list, names, chosen) {
   const choice = el('select', {'aria-label': 'curve'}, names.map((name, i) => el('option', {value: i}, name)));
   const body = el('div', {});
   let viewer = null;
+  let maps = null;
   let speed = null;
+  const showAt = (s) => {
+    viewer.show(s);
+    maps?.show(s);
+  };
   const at = () => {
     const f = viewer.fields.frames;
     return (f[f.length - 1].speed * slider.value) / 1000;
@@ -134,11 +140,14 @@ export function fieldsSection(list, names, chosen) {
     const panels = [el('div', {}), el('div', {}), el('div', {})];
     body.replaceChildren(el('div', {class: 'triple'}, panels[0], panels[1], panels[2]));
     viewer = new FieldsViewer(panels, all[k], title);
-    viewer.show(speed === null ? start(k) : speed);
+    const over = el('div', {});
+    body.append(over);
+    maps = trackMaps(over, list[k]);
+    showAt(speed === null ? start(k) : speed);
   };
   slider.addEventListener('input', () => {
     speed = at();
-    viewer.show(speed);
+    showAt(speed);
   });
   choice.addEventListener('change', () => build(Number(choice.value)));
   node.append(
@@ -159,7 +168,7 @@ export function fieldsSection(list, names, chosen) {
       speed = s;
       const f = viewer.fields.frames;
       slider.value = Math.round((1000 * s) / f[f.length - 1].speed);
-      viewer.show(s);
+      showAt(s);
     },
   };
 }

@@ -75,6 +75,7 @@ export function drawLimits(u, limits, taken) {
     const worse = (limit.least ? 1 : -1) * 6 * ratio;
     const [tx, ty] = limit.upright ? [-worse, 0] : [-Math.abs(worse) / 2, worse];
     ctx.save();
+    ctx.setLineDash([]);
     ctx.strokeStyle = colour(limit.broken ? 'bad' : 'ink');
     ctx.lineWidth = 2 * ratio;
     ctx.beginPath();

@@ -172,6 +172,19 @@ function provenanceCard() {
   foldedCard('The study', 'as it was run, every default written out', 'half', el('pre', {tabindex: '0'}, data.study));
 }
 
+/** The last of an odd number of cards of half a row takes the whole row, so that no hole is left beside it. */
+function evenHalves() {
+  let run = [];
+  for (const node of [...document.querySelectorAll('#page > .card'), null]) {
+    if (node?.classList.contains('half'))
+      run.push(node);
+    else {
+      if (run.length % 2) run[run.length - 1].classList.replace('half', 'wide');
+      run = [];
+    }
+  }
+}
+
 /** Links to the cards with a title, once they are there. */
 function contents() {
   const links = [...document.querySelectorAll('.card h2')].map((title, i) => {
@@ -191,6 +204,7 @@ function build() {
   page.append(el('header', {}, el('h1', {}, summary.study), el('p', {class: 'of'}, of)));
   verdictCard();
   for (const section of [...sections(), ...background]) section();
+  evenHalves();
   page.querySelector('.verdict').after(contents());
   page.dataset.ready = 'yes';
 }

@@ -71,7 +71,7 @@ function morrisCard(metric, effects) {
   const note =
       'Mean size of the change across each range (µ*), with its interval. A large σ means curvature or interaction.';
   const names = sortedNames(effects, (e) => e.mu_star);
-  const ends = (e) => (Array.isArray(e.mu_star_interval) ? e.mu_star_interval : [null, null]);
+  const ends = ({mu_star_interval: interval}) => (interval ? [interval.low, interval.high] : [null, null]);
   const top = Math.max(...names.map((n) => Math.max(effects[n].mu_star ?? 0, ends(effects[n])[1] ?? 0)), 1e-300);
   const bars = names.map((n) => {
     const [low, high] = ends(effects[n]);

@@ -81,7 +81,7 @@ export function sweepSections() {
       'One line for each design. Drag along an axis to keep an interval; click the axis to free it; Escape frees all.';
   const limits = 'Keep the designs within these limits, in the units shown; every view follows.';
   return [
-    () => scatterCard(filter, view, side), () => heatCard(view),
+    () => heatCard(view), () => scatterCard(filter, view, side),
     () => parallelChart(card('Every quantity at once', lines, 'wide'), rows.columns, filter, null),
     () => card('Filters', limits, 'half filters').append(filterBoxes(filter)),
     () => card('Spread of the metrics', null, 'half').append(spreadTable(), extremeLines()),

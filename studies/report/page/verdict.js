@@ -235,17 +235,21 @@ function sensitivityVerdict() {
     morris: (e, metric) => engineering(e.mu_star, unitOf(metric), 3) + ' across its range',
     local: (e) => rounded(e.elasticity, 3) + ' % for 1 % more'
   }[summary.method];
-  const lines = Object.entries(summary.indices).filter(([, effects]) => effects).map(([metric, effects]) => {
+  const known = Object.entries(summary.indices).filter(([, effects]) => effects).map(([metric, effects]) => {
     const names = sortedNames(effects, size);
-    const first = effects[names[0]];
-    const others = names.slice(1, 3).filter((n) => size(effects[n]) > 0.01 * size(first));
-    const rest = others.length ? ', then ' + others.map(plain).join(' and ') :
-        names.length > 1       ? '; the others hardly' :
-                                 '';
-    return sentence(
-        capital(plain(metric)) + ': ', bold(plain(names[0])), ' matters most (' + told(first, metric) + ')', rest, '.');
+    return {metric, effects, names, first: effects[names[0]]};
   });
-  return {look: 'plain', lines};
+  if (!known.length) return {look: 'bad', lines: [sentence(bold('No effects could be computed.'))]};
+  const [{metric, effects, names, first}, ...rest] = known;
+  const others = names.slice(1, 3).filter((n) => size(effects[n]) > 0.01 * size(first)).map(plain);
+  const then = others.length ? ', then ' + others.join(' and ') : names.length > 1 ? '; the others hardly' : '';
+  const answer = sentence(
+      capital(plain(metric)) + ': ', bold(plain(names[0])), ' matters most (' + told(first, metric) + ')', then, '.');
+  const also = rest.flatMap(
+      (k, i) =>
+          [(i ? '; ' : 'What matters most for the ') + plain(k.metric) + ': ', bold(plain(k.names[0])),
+           ' (' + told(k.first, k.metric) + ')']);
+  return {look: 'plain', lines: [answer, also.length ? sentence(...also, '.') : null]};
 }
 
 /** A yield from here on is shown in green, a lower one in the colour of a warning. */

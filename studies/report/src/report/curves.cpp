@@ -2,6 +2,7 @@
 #include "report/curves.hpp"
 
 #include "report/encode.hpp"
+#include "report/track.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/core/design/parameters.hpp>
@@ -120,9 +121,9 @@ Json curve_json(const MotorDesign& base, const DesignValues& values, const std::
                 Detail detail) {
   const std::optional<Motor> motor = motor_of(base, values);
   if (!motor) return nullptr;
+  const std::vector<double> speeds = curve_speeds(*motor, kCurvePoints);
   std::vector<OperatingPoint> points;
-  for (const double speed : curve_speeds(*motor, kCurvePoints))
-    points.push_back(motor->operating_point(speed));
+  for (const double speed : speeds) points.push_back(motor->operating_point(speed));
   Json json{{"label", label}, {"design", Json::object()}, {"metrics", metrics_json(*motor)}};
   for (const ParameterInfo& row : parameter_table()) {
     if (in_use(motor->design(), row.parameter))
@@ -136,7 +137,9 @@ Json curve_json(const MotorDesign& base, const DesignValues& values, const std::
   for (const CurveColumn& one : curve_columns(motor->design())) add(one.name, one.value);
   add("efficiency", [](const OperatingPoint& p) { return p.efficiency(); });
   add("stator_loss", [](const OperatingPoint& p) { return p.stator_loss; });
+  json["one_slice_torque"] = one_slice_torque_json(*motor, speeds);
   json["fields"] = detail == Detail::fields ? fields_json(*motor) : Json(nullptr);
+  json["track"] = detail == Detail::fields ? track_json(*motor) : Json(nullptr);
   return json;
 }
 
