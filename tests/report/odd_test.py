@@ -184,6 +184,21 @@ class Many(Study):
         self.fills_the_space("Array.from({length: rows.count}, (_, i) => i)", 50002)
         self.first_design(summary, stored)
         self.table_of_designs(stored)
+        self.densities_of_all(stored)
+
+    def densities_of_all(self, stored):
+        """The picture counts every design, not those on the page; what is chosen is of those, and the page says so."""
+        self.assertIn("The colours count all 100003 designs; what is chosen or pointed at is of the 50002 designs on this page", self.text("main"))
+        cells, lows = self.browser.value("(() => { const c = countsOf(0, 1); return [Array.from({length: c.n}, (_, i) => Array.from({length: c.n}, (_, j) => c.at(i, j))), [...c.x]]; })()")
+        preloads = [float(row["preload"]) for row in stored]
+        self.assertEqual(sum(map(sum, cells)), len(stored))
+        # A column of cells holds the designs between its edges; those on an edge by rounding may be in either.
+        for i in (0, 37, 99):
+            inside = sum(lows[i] <= p < lows[i + 1] or i == 99 and p == lows[100] for p in preloads)
+            self.assertAlmostEqual(sum(cells[i]), inside, delta=2)
+        turned = self.browser.value("(() => { const c = countsOf(1, 0); return c.at(3, 37); })()")
+        self.assertEqual(turned, cells[37][3])
+        self.assertGreater(self.colours("[data-chart=scatter] canvas")[0], 20)
 
     def fills_the_space(self, which, least):
         """As many rows in either half of each range, to 5 standard deviations of a fair coin."""

@@ -160,8 +160,11 @@ export function relaxationCard() {
 export function certificateText(certificate) {
   if (!certificate.passed)
     return 'Not certified as an optimum' + (certificate.reason ? ': ' + certificate.reason : '') + '.';
-  return 'Certified by exact derivatives, whatever the solver said: no small change within the limits improves it ' +
-      '(what is left of the slope, relative to the slope: ' + rounded(certificate.stationarity, 2) + ').';
+  const rounding = certificate.stationarity < 1e-10;  // of the slope itself
+  const left = rounding ? 'nothing but rounding is left of the slope' :
+                          'what is left of the slope, relative to the slope: ' + rounded(certificate.stationarity, 2);
+  return 'Certified by exact derivatives, whatever the solver said: no small change within the limits improves it (' +
+      left + ').';
 }
 
 /** How many runs came to the best value. */

@@ -55,9 +55,10 @@ function scatterCard(filter, view, side) {
   const metrics = Object.keys(summary.metrics).map((name) => rows.columns.findIndex((c) => c.name === name));
   const [x, y] = metrics.length > 1 ? metrics : [0, metrics[0]];
   const state = {x, y, colour: -1, log: {x: false, y: false}, near: false};
-  const note =
-      'Each point is a design. Drag to choose some; point at one, or step through them with the arrow keys, to ' +
-      'see its curve. Two variables and the colour of a metric make a map.';
+  const what = rows.densities ? 'The colours count designs. ' : 'Each point is a design. ';
+  const note = what +
+      'Drag to choose some; point at one, or step through them with the arrow keys, to see its curve. ' +
+      'Two variables and the colour of a metric make a map.';
   const holder = el('div', {});
   const tools = el('div', {class: 'tools'});
   card('Designs', note, 'wide').append(el('div', {class: 'main-and-side'}, el('div', {}, tools, holder), side));
