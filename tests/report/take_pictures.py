@@ -8,9 +8,9 @@ import time
 from browser import Browser
 
 # Name of the picture, the study, the height of the page's top that it shows at most [px]: it ends with a card.
-SHOTS = (("report-optimize", "optimize-ring-60", 1800), ("report-pareto", "pareto-power-wear", 1700),
-         ("report-sweep", "sweep-sobol", 1700), ("report-curve", "paper-figure-4", 1950),
-         ("report-uncertainty", "tolerances", 900))
+SHOTS = (("report-optimize", "optimize-ring-60", 1750), ("report-pareto", "pareto-power-wear", 2300),
+         ("report-sweep", "sweep-sobol", 1700), ("report-curve", "paper-figure-4", 1700),
+         ("report-uncertainty", "tolerances", 1000))
 
 
 # The designer with a pinned motor, a load and a limit, as someone would have it who has moved the preload.

@@ -161,6 +161,7 @@ TEST_CASE("engineering text reads as people say it", "[studies][units]") {
   CHECK(engineering(100 * kRpm, "rad/s") == "100 rpm");
   CHECK(engineering(0.35, "1") == "0.35");
   CHECK(engineering(1800, "kg/m^3") == "1800 kg/m^3");
+  CHECK(engineering(1800, "1/s") == "1800 1/s");
   CHECK(engineering(0, "N") == "0 N");
   CHECK(engineering(-0.0005, "N.m") == "-500 uN.m");
   CHECK(engineering(999.99999999, "W") == "1 kW");

@@ -41,7 +41,8 @@ function placeOn(standing, column, curve, unit) {
 
 /** "0.5 N·m at 100 rpm" of a duty or limit on the torque; otherwise the limit alone. */
 function boundText(standing) {
-  const sign = standing.side === 'at least' ? '≥ ' : '≤ ';
+  const own = {stall_torque: 'stall ', no_load_speed: 'no load '}[standing.metric] ?? '';
+  const sign = own + (standing.side === 'at least' ? '≥ ' : '≤ ');
   const named = data.names[standing.metric];
   const at = named && named.argument === 'speed' ? ' at ' + engineering(named.at, 'rad/s') : '';
   return sign + engineering(standing.limit, standing.unit) + at;
@@ -70,6 +71,7 @@ export function drawLimits(u, limits, taken) {
     if (!(x >= u.bbox.left - 1 && x <= u.bbox.left + u.bbox.width + 1 && y >= u.bbox.top &&
           y <= u.bbox.top + u.bbox.height + 1))
       continue;
+    const from = x - half < u.bbox.left && !limit.upright ? 0 : -half;  // beside the axis, not on its numbers
     // A bar across the direction of the quantity, teeth on the side of worse values.
     const [ux, uy] = limit.upright ? [0, 1] : [1, 0];
     const worse = (limit.least ? 1 : -1) * 6 * ratio;
@@ -79,9 +81,9 @@ export function drawLimits(u, limits, taken) {
     ctx.strokeStyle = colour(limit.broken ? 'bad' : 'ink');
     ctx.lineWidth = 2 * ratio;
     ctx.beginPath();
-    ctx.moveTo(x - ux * half, y - uy * half);
+    ctx.moveTo(x + ux * from, y + uy * from);
     ctx.lineTo(x + ux * half, y + uy * half);
-    for (let at = -half; at <= half; at += half / 2) {
+    for (let at = from; at <= half; at += half / 2) {
       ctx.moveTo(x + ux * at, y + uy * at);
       ctx.lineTo(x + ux * at + tx, y + uy * at + ty);
     }

@@ -116,12 +116,10 @@ class TrackMap {
 export function trackMaps(node, curve) {
   const track = readTrack(curve);
   if (!track) return null;
+  const note =
+      'The contact at every radius of the track, zones of stick outlined; the charts above are at the contact radius.';
   const [left, right] = [el('div', {}), el('div', {})];
-  node.append(
-      el('h3', {}, 'Over the track'),
-      el('p', {class: 'soft'},
-         'The contact at every radius of the track; zones of stick are outlined. The charts above are at the contact radius.'),
-      el('div', {class: 'pair'}, left, right));
+  node.append(el('h3', {}, 'Over the track'), el('p', {class: 'soft'}, note), el('div', {class: 'pair'}, left, right));
   const maps = [
     new TrackMap(
         left, track, {name: 'pressure', unit: 'Pa', most: largest([track.pressure]), values: () => track.pressure}),
