@@ -66,6 +66,16 @@ class Notation(Page):
                     return document.querySelector('main').innerText; })()""")
                 self.assertEqual(re.findall(r"\S*(?:\^\d|\bN\.m|[\d\xa0 ]um\b|\de[+-]\d)\S*", text), [])
 
+    def test_values_read_as_on_the_terminal(self):
+        said = twum("run", ROOT / "examples/studies/optimize-ring-60.yaml", "-o", self.folder / "said").stdout
+        self.open(self.folder / "said")
+        rows = self.browser.value("[...document.querySelectorAll('[data-table=metrics] tbody tr, [data-table=design] tbody tr')].map((r) => [r.cells[0].dataset.name ?? r.cells[0].textContent, r.cells[1].textContent, r.cells[2].textContent])")
+        self.assertGreater(len(rows), 15)
+        for name, *values in rows:
+            # Letters that the page has and not every terminal.
+            plain = [v.replace("\u00a0", " ").replace("µ", "u").replace("·", ".").replace("²", "^2") for v in values]
+            self.assertRegex(said, re.escape(name) + r"  +" + r"  +".join(map(re.escape, plain)) + r"( |\n)", name)
+
     def test_a_value_reads_back_to_four_digits(self):
         self.open(self.result("optimize-ring-60"))
         chance = random.Random(5)

@@ -187,7 +187,7 @@ class Zoom {
   }
 }
 
-/** Follows the width of its holder, the theme and the keyboard. */
+/** Follows the width of its holder and the keyboard. */
 function follow(plot, holder, height, options) {
   new ResizeObserver(() => {
     if (holder.clientWidth > 0 && Math.abs(holder.clientWidth - plot.width) > 1)
@@ -198,8 +198,12 @@ function follow(plot, holder, height, options) {
     plot.zoom?.key(plot, event.key);
   });
   if (plot.zoom) plot.over.addEventListener('dblclick', () => plot.zoom.reset(plot));
-  onTheme(() => plot.redraw(false));
 }
+
+/** Charts that are on the page; those that were replaced are let go. */
+onTheme(() => {
+  for (const holder of document.querySelectorAll('.chart')) Object(holder).plot?.redraw(false);
+});
 
 /**
  * Draws a chart into a node.

@@ -5,7 +5,7 @@ import {paddedRange, scaled} from './chart.js';
 import {atTerminals, terminalColumns} from './data.js';
 import {card, colour, el, seriesColours, seriesDash} from './dom.js';
 import {fieldsSection} from './fields.js';
-import {figure} from './figure.js';
+import {figure, keepFocus} from './figure.js';
 import {drawLimits, limitsOnCurve} from './limits.js';
 import {shortName} from './names.js';
 import {quantity, table, words} from './table.js';
@@ -213,9 +213,9 @@ export class CurveSection {
   /** compare: also with one slice, of the motors whose track has width */
   drawTorque(holder, title, compare) {
     const wide = this.list.flatMap((c, tint) => (c.one_slice_torque ? [{...c, tint}] : []));
-    const press = () => this.drawTorque(holder, title, !compare);
-    const button =
-        el('button', {type: 'button', 'aria-pressed': String(compare), onclick: press}, 'Compare with one slice');
+    const text = 'Compare with one slice';
+    const press = () => keepFocus(holder, text, () => this.drawTorque(holder, title, !compare));
+    const button = el('button', {type: 'button', 'aria-pressed': String(compare), onclick: press}, text);
     const slices = compare ? wide.map((c) => ({...c, torque: c.one_slice_torque})) : [];
     const names = slices.map((c) => this.names[c.tint] + ', one slice');
     holder.replaceChildren();

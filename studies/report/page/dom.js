@@ -62,18 +62,12 @@ export function saveBlob(name, blob) {
 /** Offers a text as a file. */
 export function save(name, text, type = 'text/csv') { saveBlob(name, new Blob([text], {type})); }
 
+/** entries: [{name, colour, kind: 'dot', 'area', 'dash' or a line}] */
 export function legend(entries) {
   return el('div', {class: 'legend'}, entries.map((e) => {
     const mark = el('i', {class: e.kind || ''});
-    const paint = () => {
-      const c = colour(e.colour);
-      if (e.kind === 'dot' || e.kind === 'area')
-        mark.style.background = c;
-      else
-        mark.style.borderTopColor = c;
-    };
-    paint();
-    onTheme(paint);
+    const filled = e.kind === 'dot' || e.kind === 'area';
+    mark.style[filled ? 'background' : 'borderTopColor'] = 'var(--' + e.colour + ')';
     return el('span', {}, mark, e.name);
   }));
 }

@@ -52,6 +52,12 @@ export async function savePicture(canvas, title, entries = []) {
   });
 }
 
+/** Does what a button asks for, which draws the buttons of a node anew, and leaves the focus on the button. */
+export function keepFocus(node, text, work) {
+  work();
+  [...node.querySelectorAll('button')].find((b) => b.textContent === text)?.focus();
+}
+
 /** Buttons that change an axis between linear and logarithmic; change(key, log) draws the figure anew. */
 export function logButtons(state, change) {
   return ['x', 'y'].map((key) => {

@@ -2,6 +2,7 @@
 // Parallel coordinates on a canvas: one line for each design, an interval on any axis chooses.
 
 import {colour, el, onTheme} from './dom.js';
+import {savePicture} from './figure.js';
 import {displayUnit, largest, rounded} from './units.js';
 import {axisLabel} from './words.js';
 
@@ -29,7 +30,8 @@ class Parallel {
            {class: 'chart', tabindex: '0', role: 'img', 'aria-label': 'parallel coordinates', 'data-chart': 'parallel'},
            this.canvas);
     this.note = el('div', {class: 'read'});
-    node.append(this.holder, this.note);
+    const save = el('button', {type: 'button', onclick: () => this.save(node)}, 'Save picture');
+    node.append(el('div', {class: 'figure-head'}, el('div', {class: 'figure-tools'}, save)), this.holder, this.note);
     this.holder.parallel = this;
     this.ranges = columns.map((c) => Parallel.range(c.values));
     this.units = columns.map((c) => displayUnit(largest([c.values]), c.unit));
@@ -38,6 +40,12 @@ class Parallel {
     filter.onChange(() => this.draw());
     this.listen();
     this.resize();
+  }
+
+  /** The picture under the title of its card. */
+  save(node) {
+    const title = node.querySelector('h2')?.textContent ?? 'parallel coordinates';
+    savePicture(this.canvas, title);
   }
 
   /** Ends of an axis; what differs by rounding only stands in the middle. */

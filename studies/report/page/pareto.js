@@ -6,7 +6,7 @@ import {curvesChart} from './curve.js';
 import {curves, data, summary, unitOf} from './data.js';
 import {designerButton} from './designer/inside.js';
 import {card, colour, el, sentence} from './dom.js';
-import {figure, logButtons} from './figure.js';
+import {figure, keepFocus, logButtons} from './figure.js';
 import {Filter} from './filter.js';
 import {savedMotor} from './motor.js';
 import {shortName} from './names.js';
@@ -107,7 +107,7 @@ class FrontChart {
     const positive = Math.min(...x, ...y) > 0;
     const toggle = (key, log) => {
       this.log[key] = log;
-      this.build();
+      keepFocus(this.holder, 'log ' + key, () => this.build());
     };
     const told = (i) => goals.map((g) => [plain(g.metric), goalText(g, goalValue(summary.front[i], g))]);
     this.holder.replaceChildren();
@@ -182,9 +182,10 @@ function chosenLimits(node, i) {
 /** What stops the knee and the ends, in words. */
 function stopsCard() {
   const node = card('What stops the front', 'At the knee and at its ends.', 'wide');
-  if (summary.knee !== null) node.append(...pointHolders(summary.knee));
-  for (const i of new Set(summary.ends))
-    node.append(el('h3', {}, 'The ' + frontRole(i) + ': ' + pointWords(i)), ...pointHolders(i, 2));
+  const part = (i, most) =>
+      node.append(el('h3', {}, 'The ' + frontRole(i) + ': ' + pointWords(i)), ...pointHolders(i, most));
+  if (summary.knee !== null) part(summary.knee, Infinity);
+  for (const i of new Set(summary.ends)) part(i, 2);
 }
 
 /** Goals, then the variables, as columns over the points. */

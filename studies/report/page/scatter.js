@@ -4,7 +4,7 @@
 import {drawMarks, keyStep, logRange, paddedRange, scaled} from './chart.js';
 import {rows} from './data.js';
 import {el, onTheme} from './dom.js';
-import {figure, logButtons} from './figure.js';
+import {figure, keepFocus, logButtons} from './figure.js';
 import {along, countsOf, DensityLayer, PointLayer, shadeOf} from './points.js';
 import {rampBar, rampLegend} from './ramp.js';
 import {displayUnit, largest} from './units.js';
@@ -79,11 +79,11 @@ export class Scatter {
     const {state} = this;
     const change = (key, log) => {
       state.log[key] = log;
-      this.build();
+      keepFocus(this.node, 'log ' + key, () => this.build());
     };
     const near = () => {
       state.near = !state.near;
-      this.build();
+      keepFocus(this.node, 'Zoom to choice', () => this.build());
     };
     const zoom = el('button', {type: 'button', 'aria-pressed': String(state.near), onclick: near}, 'Zoom to choice');
     const positive = [x, y].every(({values}) => values.every((v) => !(v <= 0)));

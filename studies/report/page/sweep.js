@@ -85,7 +85,8 @@ export function sweepSections() {
     () => heatCard(view), () => scatterCard(filter, view, side),
     () => parallelChart(card('Every quantity at once', lines, 'wide'), rows.columns, filter, null),
     () => card('Filters', limits, 'half filters').append(filterBoxes(filter)),
-    () => card('Spread of the metrics', null, 'half').append(spreadTable(), extremeLines()),
+    () => card('Spread of the metrics', null, 'half').append(spreadTable()),
+    () => card('The most and the least', 'The designs with them.', 'wide').append(extremeLines()),
     () => new DesignsTable(card('The designs', null, 'wide').appendChild(el('div', {})), filter, view)
   ];
 }

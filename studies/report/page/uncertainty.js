@@ -189,7 +189,10 @@ function histogram(node, column, info) {
       ...(limits.length ? broken : []), {name: 'quantile', colour: 'ink', kind: 'dash'}
     ],
     x: {label: axisLabel(column.name, unit), range},
-    y: {label: 'motors', range: [0, 1.3 * Math.max(...all.slice(0, bins.count))]},
+    y: {
+      label: rows.every > 1 ? 'motors on this page' : 'motors',
+      range: [0, 1.3 * Math.max(...all.slice(0, bins.count))]
+    },
     height: 250,
     ground: (u) => limits.forEach((l) => hatch(u, ...hatched(l))),
     front: (u) => histogramMarks(u, {unit, range, limits, quantiles}, column.unit),
