@@ -13,7 +13,7 @@
 namespace twum::studies {
 namespace {
 
-const char* word_of(StatisticRequest::Kind kind) {
+const char* statistic_word(StatisticRequest::Kind kind) {
   switch (kind) {
     case StatisticRequest::Kind::mean: return "mean";
     case StatisticRequest::Kind::sd: return "sd";
@@ -25,7 +25,7 @@ const char* word_of(StatisticRequest::Kind kind) {
 }
 
 Json statistic_name(const StatisticRequest& statistic) {
-  Json json{{"statistic", word_of(statistic.kind)}};
+  Json json{{"statistic", statistic_word(statistic.kind)}};
   if (!statistic.metric.text.empty()) json["of"] = statistic.metric.text;
   if (statistic.limit) json["of"] = statistic.limit->text;
   if (statistic.kind == StatisticRequest::Kind::quantile)

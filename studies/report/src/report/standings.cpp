@@ -10,7 +10,7 @@
 namespace twum::studies {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoGain = std::numeric_limits<double>::quiet_NaN();
 
 struct Standing {
   Json json;
@@ -47,7 +47,7 @@ std::vector<double> gains_of(double multiplier, bool active, const DesignReport&
   if (goals.size() == 1) return {multiplier};
   std::vector<double> list;
   if (active) list = gains(multiplier, report.certificate);
-  list.resize(goals.size(), kNone);
+  list.resize(goals.size(), kNoGain);
   return list;
 }
 

@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kRadii = 33;
 constexpr double kPhases = 81;
 constexpr std::size_t kSpeeds = 21;
-constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
 
 std::vector<double> radii_of(const MotorDesign& design) {
   const double middle = design.stator.contact_radius;
@@ -33,7 +33,7 @@ std::vector<double> radii_of(const MotorDesign& design) {
 }
 
 // Half the width of the window over the widest contact [rad].
-double window_of(const Motor& motor, std::span<const double> radii) {
+double track_window(const Motor& motor, std::span<const double> radii) {
   double widest = 0;
   for (const double radius : radii)
     for (const Zone& zone : motor.fields(0, 2, radius).zones)
@@ -58,9 +58,9 @@ Frame frame_of(const Motor& motor, double speed, std::span<const double> radii, 
       if (std::fabs(s.phase) > window) continue;
       const bool touches = s.pressure > 0;
       frame.phase.push_back(static_cast<float>(s.phase));
-      frame.pressure.push_back(touches ? static_cast<float>(s.pressure) : kNone);
+      frame.pressure.push_back(touches ? static_cast<float>(s.pressure) : kNoNumber);
       const double slip = std::fabs(s.layer_velocity - s.stator_velocity);
-      frame.slip.push_back(touches ? static_cast<float>(slip) : kNone);
+      frame.slip.push_back(touches ? static_cast<float>(slip) : kNoNumber);
     }
     Json row = Json::array();
     for (const Zone& zone : fields.zones)
@@ -75,7 +75,7 @@ Frame frame_of(const Motor& motor, double speed, std::span<const double> radii, 
 Json track_json(const Motor& motor) {
   if (motor.radial_slices() == 1) return nullptr;
   const std::vector<double> radii = radii_of(motor.design());
-  const double window = window_of(motor, radii);
+  const double window = track_window(motor, radii);
   if (!(window > 0)) return nullptr;
   Json json{{"radius", base64(std::vector<float>(radii.begin(), radii.end()))}};
   Json frames = Json::array();
