@@ -8,50 +8,12 @@ import struct
 import xml.etree.ElementTree as ElementTree
 
 import program
+from picture import BLUE, SVG, Picture, scale
 from program import DRIVE, RING, ROOT
 
-SVG = "{http://www.w3.org/2000/svg}"
 RPM = math.pi / 30
-BLUE = "rgb(  0, 114, 178)"
 HOSTILE = ("<script>alert(1)</script>", "it's '; system('touch hacked'); '", "a`touch hacked`b", "@x {/Bold y} ~z^2_3 \\n",
            '"quoted" & more', "größe 電動機 µ", "x" * 5000, "line\\nbreak", "%d %s $1", "set output 'hacked'", " ")
-
-
-class Picture:
-    """An SVG by gnuplot: its texts with their places, its lines by colour, in order."""
-
-    def __init__(self, path):
-        root = ElementTree.parse(path).getroot()
-        self.size = (int(root.get("width")), int(root.get("height")))
-        self.texts = []
-        for group in root.iter(SVG + "g"):
-            place = re.match(r"translate\(([\d.]+),([\d.]+)\)", group.get("transform") or "")
-            for text in group.findall(SVG + "text"):
-                if place:
-                    self.texts.append(("".join(text.itertext()).strip(), float(place[1]), float(place[2])))
-        self.lines = {}
-        for element in root.iter(SVG + "path"):
-            points = [tuple(map(float, p)) for p in re.findall(r"[ML]\s*(-?[\d.]+),(-?[\d.]+)", element.get("d"))]
-            if len(points) > 50:
-                self.lines.setdefault(element.get("stroke"), []).append(points)
-
-    def words(self):
-        return [text for text, _, _ in self.texts]
-
-    def numbers(self, along, least, most):
-        """{tic label: coordinate} of those whose other coordinate is within the limits."""
-        found = {}
-        for text, *place in self.texts:
-            if re.fullmatch(r"-?[\d.]+", text) and least <= place[1 - along] <= most:
-                found[float(text)] = place[along]
-        return found
-
-
-def scale(tics):
-    """Pixels for each unit of an axis, and the pixel of its zero."""
-    (low, at_low), (high, at_high) = min(tics.items()), max(tics.items())
-    per_unit = (at_high - at_low) / (high - low)
-    return per_unit, at_low - per_unit * low
 
 
 class Curve(program.Case):

@@ -67,9 +67,13 @@ TEST_CASE("a folder without a result has no report", "[studies][report][errors]"
     }
     return "accepted";
   };
-  CHECK(refused() == folder.folder() + ": holds no complete result: there is no study.yaml");
+  const std::string remedy =
+      "; complete the study with 'twum run STUDY -o " + folder.folder() + "'";
+  CHECK(refused() ==
+        folder.folder() + ": holds no complete result: there is no study.yaml" + remedy);
   std::ofstream(folder.path("study.yaml")) << "twum: 1\n";
-  CHECK(refused() == folder.folder() + ": holds no complete result: there is no summary.json");
+  CHECK(refused() ==
+        folder.folder() + ": holds no complete result: there is no summary.json" + remedy);
 }
 
 TEST_CASE("a report is written beside its result, and again the same", "[studies][report]") {

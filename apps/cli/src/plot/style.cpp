@@ -14,14 +14,15 @@ std::string with_unit(const std::string& quantity, const studies::DisplayUnit& u
 
 }  // namespace
 
-std::string plot_style(const std::string& title) {
+std::string plot_style(const std::string& title, int height) {
   return "set border 3 linewidth 1 linecolor rgb '#444444'\n"
          "set tics nomirror out scale 0.5\n"
          "set grid ytics linetype 1 linewidth 0.5 linecolor rgb '#dddddd'\n"
          "set key at graph 0, graph 1.02 left bottom horizontal Left reverse samplen 2.2 "
          "noenhanced\n"
          "set label 99 " +
-         title + " at screen 0.03, screen 0.972 left font 'Arial,15' noenhanced\n";
+         title + " at screen 0.03, screen " + plot_number(1 - 24.0 / height) +
+         " left font 'Arial,15' noenhanced\n";
 }
 
 std::string motor_title(const studies::MotorFile& file) {

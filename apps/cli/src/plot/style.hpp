@@ -18,8 +18,9 @@ inline constexpr const char* kGrey = "#666666";
 }  // namespace colour
 
 /// Borders, tics, grid and key that all panels share, and the title of the whole picture.
-/// @param title  already quoted by plot_text()
-std::string plot_style(const std::string& title);
+/// @param title   already quoted by plot_text()
+/// @param height  of the page [points]
+std::string plot_style(const std::string& title, int height = 860);
 
 /// The motor's name as a title, not too long for the page.
 std::string motor_title(const studies::MotorFile& file);

@@ -6,6 +6,7 @@
 #include "run/kept_study.hpp"
 
 #include <twum/base/error.hpp>
+#include <twum/studies/run/stored_result.hpp>
 #include <twum/studies/text/number.hpp>
 
 #include <cerrno>
@@ -27,7 +28,8 @@ const std::string& required_result(const std::string& directory) {
   for (const std::string_view name :
        {ResultFolder::kStudy, ResultFolder::kSummary, ResultFolder::kDatabase}) {
     if (!fs::exists(fs::path(directory) / name, ignored)) {
-      throw InputError(directory + ": holds no complete result: there is no " + std::string(name));
+      throw InputError(directory + ": holds no complete result: there is no " + std::string(name) +
+                       "; complete the study with 'twum run STUDY -o " + directory + "'");
     }
   }
   return directory;
@@ -112,6 +114,14 @@ StudyResult StoredStudy::answer() {
   result.seconds = parse_number(store_.fact(facts::kSeconds)).value_or(0);
   set_failures(result, failures_of(*kind_, store_));
   return result;
+}
+
+void read_result(
+    const std::string& directory,
+    const std::function<void(const StudyFile&, const StudyResult&, const ResultStore&)>& use) {
+  StoredStudy stored(directory);
+  const StudyResult result = stored.answer();
+  use(stored.file(), result, stored.store());
 }
 
 }  // namespace twum::studies

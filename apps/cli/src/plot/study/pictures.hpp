@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "plot/chart.hpp"
+
+#include <twum/studies/results/study_result.hpp>
+#include <twum/studies/store/result_store.hpp>
+#include <twum/studies/study/study_file.hpp>
+
+#include <string>
+#include <vector>
+
+namespace twum::cli {
+
+/// A finished study, from which its pictures are made.
+struct FinishedStudy {
+  const studies::StudyFile& file;
+  const studies::StudyResult& result;
+  const studies::ResultStore& store;
+
+  /// "study: what", the title of a picture.
+  std::string title(const std::string& what) const { return result.study + ": " + what; }
+};
+
+/// Everything that the page of a study draws, one picture each, in the order of the page.
+std::vector<Picture> study_pictures(const FinishedStudy& study);
+
+}  // namespace twum::cli

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "plot/chart.hpp"
+
+#include <twum/studies/store/result_store.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace twum::cli {
+
+/// The place of a column; nothing if there is none of this name.
+std::optional<std::size_t> column_of(const studies::ResultStore& store, const std::string& name);
+
+/// Values of one column, of all rows in their order, SI; NaN where there is none.
+std::vector<double> column_values(const studies::ResultStore& store, std::size_t column);
+
+/// The same of the column of this name; empty if there is none.
+std::vector<double> column_values(const studies::ResultStore& store, const studies::Column& column);
+
+/// The axis of a column.
+/// @param pad  room beyond the values, share of their span
+Axis axis_of(const studies::Column& column, double pad);
+
+/// Which rows a picture shows where there are more than can be told apart: one of each so many, drawn at random but always the
+/// same, since every k-th point of a grid or a sequence lies in a part of the space only.
+std::vector<std::size_t> shown_rows(std::size_t count);
+
+}  // namespace twum::cli

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/studies/results/study_result.hpp>
+#include <twum/studies/store/result_store.hpp>
+#include <twum/studies/study/study_file.hpp>
+
+#include <functional>
+#include <string>
+
+namespace twum::studies {
+
+/// Reads a finished study again from its directory: what was asked, the answer as it follows from the stored evaluations, and
+/// these. Nothing changes there. Takes the time of the study without its evaluations: milliseconds, under tolerances seconds.
+/// @param use  what to do with them; they do not outlive the call
+/// @throws InputError if the directory holds no result, or one of an interrupted study; StoreError if the result is damaged
+void read_result(
+    const std::string& directory,
+    const std::function<void(const StudyFile&, const StudyResult&, const ResultStore&)>& use);
+
+}  // namespace twum::studies

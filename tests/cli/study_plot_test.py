@@ -1,0 +1,255 @@
+# SPDX-License-Identifier: Apache-2.0
+"""twum plot: the pictures of every kind of study show the numbers of its results; what is refused."""
+import csv
+import json
+import math
+import os
+import pathlib
+import struct
+
+import program
+from picture import BLUE, GREEN, VERMILION, Picture, scale
+from program import DRIVE, RING, ROOT
+
+SWEEP = """twum: 1
+motor: %s
+study: {kind: sweep, sampling: grid, metrics: [stall_torque, no_load_speed], variables: {%s}}
+"""
+PRELOAD, AMPLITUDE = "preload: {min: 60 N, max: 300 N, points: 6}", "amplitude: {min: 1 um, max: 2 um, points: 4}"
+SEVERAL = """twum: 1
+motor: %s
+study: {kind: calibrate, data: points.csv, variables: {kinetic_friction: {min: 0.1, max: 0.4}, force_factor: {min: 0.3 N/V, max: 1 N/V}}}
+"""
+POINTS = """no_load_speed [rpm],no_load_speed_sd [rpm],holding_torque [N.m],holding_torque_sd [N.m],start_voltage [V],start_voltage_sd [V]
+146,1,1.04,0.01,56,3
+145,1,1.05,0.01,58,3
+"""
+
+
+def share(value, low, high):
+    return (value - low) / (high - low)
+
+
+class Pictures(program.Case):
+    def drawn(self, study, text=None):
+        """Pictures of a study by name, and its result directory."""
+        path = self.write(study + ".yaml", text) if text else ROOT / "examples/studies" / f"{study}.yaml"
+        directory = self.folder / study
+        done = program.twum("run", path, "-o", directory)
+        self.assertIn(done.returncode, (0, 1), done.stderr)
+        names = [pathlib.Path(line).relative_to(directory / "plots") for line in self.ok("plot", directory).splitlines()]
+        self.assertEqual(sorted(names), sorted(p.relative_to(directory / "plots") for p in (directory / "plots").iterdir()))
+        pictures = {name.stem: Picture(directory / "plots" / name) for name in names if name.suffix == ".svg"}
+        for name, picture in pictures.items():
+            head = (directory / "plots" / f"{name}.png").read_bytes()[:24]
+            self.assertEqual(struct.unpack(">II", head[16:24]), tuple(2 * side for side in picture.size), name)
+        self.summary = json.loads((directory / "summary.json").read_text())
+        with open(directory / "results.csv", newline="") as file:
+            lines = list(csv.reader(file))
+        self.columns = {name.split(" [")[0]: [float(line[i] or "nan") for line in lines[1:]] for i, name in enumerate(lines[0][:-1])}
+        return pictures
+
+    def assert_places(self, dots, xs, ys):
+        """Dots lie where values do, between the first and the last of them; places have two decimals."""
+        across = [x for x, _ in dots]
+        up = [y for _, y in dots]
+        for places, values in ((across, xs), (up, ys)):
+            low, high = values.index(min(values)), values.index(max(values))
+            size = abs(places[high] - places[low])
+            self.assertGreater(size, 100)
+            for place, value in zip(places, values, strict=True):
+                self.assertAlmostEqual(share(place, places[low], places[high]), share(value, values[low], values[high]), delta=0.02 / size)
+
+    def test_the_front_is_that_of_the_summary(self):
+        pictures = self.drawn("pareto-torque-speed")
+        self.assertEqual(set(pictures), {"front", "along-the-front", "curves"})
+        front = [point["metrics"] for point in self.summary["front"]]
+        picture = pictures["front"]
+        self.assert_places(picture.dots[BLUE], [p["stall_torque"] for p in front], [p["no_load_speed"] for p in front])
+        self.assertTrue({"stall torque [N.m]", "no-load speed [rpm]", "largest stall torque", "largest no-load speed"} <= set(picture.words()))
+        preload = [point["design"]["preload"] for point in self.summary["front"]]
+        count = len(preload)
+        self.assert_places(pictures["along-the-front"].dots[BLUE][count:2 * count], [p["stall_torque"] for p in front], preload)
+
+    def test_the_search_is_that_of_the_rows(self):
+        pictures = self.drawn("optimize-ring-60")
+        self.assertEqual(set(pictures), {"curves", "search"})
+        dots = pictures["search"].dots
+        power, count = self.columns["peak_power"], len(self.columns["peak_power"])
+        kept = [all(self.columns[c["metric"]][i] * sign >= sign * c["limit"] - 1e-6 * abs(c["limit"]) for c in self.summary["best"]["constraints"]
+                    for sign in ((1,) if c["sense"] == "at least" else (-1,))) for i in range(count)]
+        self.assertEqual(len(dots[GREEN]), sum(kept))
+        self.assertEqual(len(dots["rgb(187, 187, 187)"]), count - sum(kept))
+        self.assert_places(dots["rgb(187, 187, 187)"], [i for i in range(count) if not kept[i]], [p for p, k in zip(power, kept) if not k])
+        # The best is found early: the line ends as high as the highest green dot.
+        self.assertAlmostEqual(pictures["search"].lines[BLUE][-1][-1][1], min(y for _, y in dots[GREEN]), delta=0.02)
+
+    def test_curves_before_and_after_with_the_duty(self):
+        pictures = self.drawn("size-05Nm-100rpm")
+        picture = pictures["curves"]
+        self.assertTrue({"before", "best design", "at least", "torque [mN.m]", "speed [rpm]"} <= set(picture.words()))
+        # The best design carries the duty of 0.5 N.m at 100 rpm, and its speed falls from there: the triangle is on or below the line.
+        (x, y), = [dot for dot in picture.dots["rgb(  0,   0,   0)"]]
+        line = picture.lines[VERMILION][0]
+        above = [height for place, height in line if abs(place - x) < 2]
+        self.assertTrue(above and min(above) <= y + 1.5, (x, y, above))
+        # The duty is 0.5 N.m at 100 rpm. Labels of the vertical axis stand a constant below their tics: half a letter.
+        per_rpm, zero = scale(picture.numbers(0, 850, picture.size[1]))
+        self.assertAlmostEqual((x - zero) / per_rpm, 100, delta=0.02 / per_rpm)
+        picture.texts = [text for text in picture.texts if text[2] < 320]  # of the first panel
+        per_torque, zero = scale(picture.numbers(1, 50, 92))
+        self.assertAlmostEqual((y - zero) / per_torque, 500, delta=6 / abs(per_torque))
+
+    def test_histograms_count_every_motor(self):
+        pictures = self.drawn("tolerances")
+        self.assertTrue({"histogram-stall_torque", "histogram-peak_power", "curve", "fields"} <= set(pictures))
+        torque = self.columns["stall_torque"]
+        boxes = pictures["histogram-stall_torque"].boxes
+        heights = {colour: sum(low - high for _, _, high, low in boxes[colour]) for colour in (BLUE, VERMILION)}
+        kept = sum(value >= 0.75 for value in torque)
+        # Heights have two decimals, on some 30 bars of together 5000 points.
+        self.assertAlmostEqual(heights[BLUE] / (heights[BLUE] + heights[VERMILION]), kept / len(torque), delta=1e-3)
+        self.assertAlmostEqual(max(right for _, right, _, _ in boxes[VERMILION]), min(left for left, _, _, _ in boxes[BLUE]), delta=0.02)
+        self.assertTrue({"≥ 750 mN.m", "5 %", "50 %", "95 %", "keeps the limit", "breaks it"} <= set(pictures["histogram-stall_torque"].words()))
+
+    def test_bars_are_as_long_as_the_effects(self):
+        for study, size in (("sensitivity-sobol", lambda e: e["total"]["value"]), ("sensitivity-morris", lambda e: e["mu_star"]),
+                            ("sensitivity-local", lambda e: abs(e["elasticity"]))):
+            with self.subTest(study):
+                pictures = self.drawn(study)
+                effects = self.summary["indices"]["peak_power"]
+                sizes = sorted((size(e) for e in effects.values() if size(e) is not None), reverse=True)
+                picture = pictures["effects-peak_power"]
+                outer = {"sensitivity-sobol": ["rgb(140, 197, 227)"], "sensitivity-morris": [BLUE], "sensitivity-local": [BLUE, VERMILION]}[study]
+                bars = [(high, right - left) for colour in outer for left, right, high, low in picture.boxes.get(colour, []) if low - high > 15]
+                lengths = [length for _, length in sorted(bars)]
+                for length, value in zip(lengths, sizes):
+                    self.assertAlmostEqual(length / lengths[0], value / sizes[0], delta=0.05 / lengths[0])
+                self.assertIn("kinetic friction", picture.words())
+
+    def test_a_map_has_a_cell_for_each_design(self):
+        pictures = self.drawn("map", SWEEP % (RING, PRELOAD + ", " + AMPLITUDE))
+        self.assertEqual(set(pictures), {"map-stall_torque", "map-no_load_speed", "designs"})
+        cells = [box for boxes in pictures["map-stall_torque"].boxes.values() for box in boxes if box[1] - box[0] > 40 and box[3] - box[2] > 30]
+        self.assertEqual(len(cells), 24)
+        self.assert_places(pictures["designs"].dots[BLUE], self.columns["stall_torque"], self.columns["no_load_speed"])
+
+    def test_a_sweep_of_one_variable_is_a_line(self):
+        picture = self.drawn("line", SWEEP % (RING, PRELOAD))["lines"]
+        self.assert_places(picture.dots[BLUE][:6], self.columns["preload"], self.columns["stall_torque"])
+        self.assertTrue({"preload [N]", "stall torque [N.m]", "no-load speed [rpm]"} <= set(picture.words()))
+
+    def test_many_variables_are_shown_one_by_one(self):
+        picture = self.drawn("sweep-latin-hypercube")["designs-peak_power"]
+        count = len(self.columns["preload"])
+        self.assertEqual(len(picture.dots[BLUE]), 5 * count)
+        self.assert_places(picture.dots[BLUE][2 * count:3 * count], self.columns["preload"], self.columns["peak_power"])
+
+    def test_a_calibration_shows_points_fit_and_residuals(self):
+        pictures = self.drawn("calibrate")
+        self.assertEqual(set(pictures), {"fit", "residuals", "curve", "fields"})
+        data = self.summary["data"]
+        measured = pictures["fit"].dots["rgb(  0,   0,   0)"]
+        self.assert_places(measured, [p["speed"] for p in data], [p["torque"] for p in data])
+        self.assert_places(pictures["residuals"].dots[BLUE], [p["speed"] for p in data], [p["residual"] for p in data])
+        # The fitted line passes each point at the distance of its residual.
+        (x0, y0), (x1, y1) = measured[0], measured[-1]
+        per_torque = (y1 - y0) / (data[-1]["torque"] - data[0]["torque"])
+        line = pictures["fit"].lines[BLUE][-1]
+        for (x, y), point in zip(measured, data):
+            left, right = max(p for p in line if p[0] <= x + 0.01), min(p for p in line if p[0] >= x - 0.01)
+            here = left[1] if right[0] == left[0] else left[1] + (right[1] - left[1]) * (x - left[0]) / (right[0] - left[0])
+            # Straight between 161 places of a line some 600 points long: the sag of the steepest part is below half a point.
+            self.assertAlmostEqual(y - here, per_torque * point["residual"], delta=0.5)
+
+    def test_readings_of_several_kinds(self):
+        (self.folder / "points.csv").write_text(POINTS)
+        pictures = self.drawn("several", SEVERAL % DRIVE)
+        words = pictures["residuals"].words()
+        self.assertTrue({"residual in standard deviations", "no-load speed", "holding torque", "start voltage"} <= set(words))
+        self.assertNotIn("fit", pictures)
+
+    def test_families_of_curves_and_responses(self):
+        pictures = self.drawn("drive-voltages")
+        self.assertEqual(set(pictures), {"curves", "terminals"})
+        for picture in pictures.values():
+            self.assertTrue({"voltage 50 V", "voltage 90 V", "voltage 120 V"} <= set(picture.words()))
+        response = self.drawn("response", f"twum: 1\nmotor: {DRIVE}\nstudy: {{kind: frequency}}\n")
+        self.assertEqual(set(response), {"response"})
+        family = self.drawn("responses", f"twum: 1\nmotor: {DRIVE}\nstudy: {{kind: frequency, points: 21, "
+                                         "family: {voltage: [80 V, 120 V]}}\n")
+        self.assertTrue({"voltage 80 V", "voltage 120 V", "frequency [kHz]"} <= set(family["responses"].words()))
+
+    def test_tolerances_of_a_search(self):
+        pictures = self.drawn("robust-ring-60")
+        self.assertTrue({"curves", "density-stall_torque", "risk", "tolerances", "yield"} <= set(pictures))
+        gains = sorted((abs(t["gain_per_percent_tighter"]) for t in self.summary["robust"]["tolerances"]), reverse=True)
+        bars = [right - left for left, right, high, low in sorted(pictures["tolerances"].boxes[BLUE], key=lambda box: box[2])]
+        for bar, gain in zip(bars, gains):
+            self.assertAlmostEqual(bar / bars[0], gain / gains[0], delta=0.05 / bars[0])
+        density, = [d for d in self.summary["robust"]["densities"] if d["metric"] == "stall_torque"]
+        bars = pictures["density-stall_torque"].boxes[BLUE]
+        shares = [v for i, v in enumerate(density["motors"]) if v > 0 and density["first"] + (i + 0.5) * density["width"] >= density["lower"]]
+        tallest = max(low - high for _, _, high, low in bars)
+        for (_, _, high, low), value in zip(bars, shares):
+            # gnuplot draws no box lower than a fraction of a point.
+            self.assertAlmostEqual((low - high) / tallest, value / max(shares), delta=0.3 / tallest)
+
+
+class Command(program.Case):
+    def result(self, study="study: {kind: curve, points: 5}"):
+        path = self.write("s.yaml", f"twum: 1\nmotor: {RING}\n{study}\n")
+        self.ok("run", path, "-o", self.folder / "out")
+        return self.folder / "out"
+
+    def test_another_directory_and_the_same_bytes(self):
+        directory = self.result()
+        before = {p.name: p.read_bytes() for p in directory.iterdir()}
+        paths = self.ok("plot", directory, "-o", self.folder / "a/b").split("\n")[:-1]
+        self.assertEqual({str(p) for p in (self.folder / "a/b").iterdir()}, set(paths))
+        again = self.ok("plot", directory, "-o", self.folder / "c").split("\n")[:-1]
+        for one, other in zip(paths, again, strict=True):
+            self.assertEqual(pathlib.Path(one).read_bytes(), pathlib.Path(other).read_bytes())
+        self.assertEqual({p.name: p.read_bytes() for p in directory.iterdir()}, before)
+        self.ok("plot", directory)
+        self.ok("verify", directory)
+
+    def test_names_of_studies_are_text(self):
+        path = self.write("it's `touch hacked` $x_2.yaml", f"twum: 1\nmotor: {RING}\nstudy: {{kind: curve, family: {{preload: [100 N, 160 N]}}}}\n")
+        self.ok("run", path, "-o", self.folder / "out", cwd=self.folder)
+        self.ok("plot", self.folder / "out", cwd=self.folder)
+        self.assertIn("it's `touch hacked` $x_2: torque-speed curves", Picture(self.folder / "out/plots/curves.svg").words())
+        self.assertFalse(list(self.folder.glob("**/hacked")))
+
+    def test_what_is_no_finished_study_is_refused(self):
+        self.assertIn("no such directory", self.refused("plot", self.folder / "absent"))
+        empty = self.folder / "empty"
+        empty.mkdir()
+        text = self.refused("plot", empty)
+        self.assertIn("holds no complete result", text)
+        self.assertIn("'twum run STUDY -o ", text)
+        directory = self.result()
+        summary = json.loads((directory / "summary.json").read_text())
+        (directory / "summary.json").write_text(json.dumps({**summary, "outcome": "interrupted"}))
+        self.assertIn("run it again to complete its result", self.refused("plot", directory))
+        self.assertFalse((directory / "plots").exists())
+
+    def test_without_gnuplot(self):
+        text = self.refused("plot", self.result(), status=3, env={"PATH": str(self.folder)})
+        self.assertIn("gnuplot-nox", text)
+
+    def test_where_nothing_can_be_written(self):
+        directory = self.result()
+        (self.folder / "file").write_text("")
+        text = self.refused("plot", directory, "-o", self.folder / "file", status=3)
+        self.assertIn("choose another one with -o", text)
+        self.assertNotIn("Success", text)
+        os.chmod(directory, 0o555)
+        self.addCleanup(os.chmod, directory, 0o755)
+        if os.geteuid() != 0:
+            self.assertIn("cannot be made", self.refused("plot", directory, status=3))
+
+
+if __name__ == "__main__":
+    assert math.isclose(share(3, 2, 4), 0.5)
+    program.main()
