@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # cmake -DOUT=FILE.cpp -DPAGE=... -DSTYLES=a;b -DSCRIPTS=a;b -DDESIGNER_PAGE=... -DDESIGNER_SCRIPTS=a;b
-#   [-DMODULE=core.wasm.gz] -P EmbedReport.cmake
+#   -DDATASHEET=... [-DMODULE=core.wasm.gz] -P EmbedReport.cmake
 #
 # Writes the pages' templates, their styles and scripts, each kind in one piece and with its hash, and the core for pages as
 # functions of C++. Scripts are modules in the tree and one script in a page: their names are told apart without `import`.
@@ -50,6 +50,7 @@ endfunction()
 file(WRITE ${OUT} "#include \"report/assets.hpp\"\nnamespace twum::studies::assets {\n")
 embed(page ${PAGE})
 embed(designer_page ${DESIGNER_PAGE})
+embed(datasheet_page ${DATASHEET})
 embed_with_hash(style ${STYLES})
 embed_modules(script ${SCRIPTS})
 embed_modules(designer_script ${DESIGNER_SCRIPTS})

@@ -12,7 +12,7 @@ STUDIES = {
     "files": ["text", "units", "formula", "diagnostics", "yaml", "schema", "statistics", "store", "tables"],
     "motors": ["materials", "metrics", "motor", "tables"],
     "studies": ["problem", "study", "results", "kinds", "run"],
-    "report": ["report", "run"],
+    "report": ["report", "datasheet", "run"],
 }
 FOLDERS = [f"studies/{part}/{folder}" for part, folders in STUDIES.items() for folder in folders]
 ALL_STUDIES = CORE + ["core/stator", "optim"] + FOLDERS + ["studies/report"]

@@ -11,6 +11,7 @@ TEST_CASE("names are read as words", "[studies][names]") {
   CHECK(plain_name("torque_at(80 rpm)") == "torque at 80 rpm");
   CHECK(plain_name("thickness") == "contact layer thickness");
   CHECK(plain_name("youngs_modulus") == "contact layer Young's modulus");
+  CHECK(plain_name("glue_poisson_ratio") == "glue Poisson ratio");
   CHECK(plain_name("preload") == "preload");
   CHECK(plain_name("mean(peak_power)") == "mean peak power");
   CHECK(plain_name("sd(no_load_speed)") == "standard deviation of the no-load speed");

@@ -14,15 +14,19 @@ namespace {
 
 // Names that are not their words with underscores.
 const std::map<std::string, std::string, std::less<>> kPlainWords = {
-    {"youngs_modulus", "Young's modulus"},    {"poisson_ratio", "Poisson ratio"},
     {"amplitude", "wave amplitude"},          {"frequency", "drive frequency"},
-    {"wavelengths", "number of wavelengths"}, {"no_load_speed", "no-load speed"}};
+    {"wavelengths", "number of wavelengths"}, {"no_load_speed", "no-load speed"},
+    {"pull_out_torque", "pull-out torque"},   {"pull_out_frequency", "pull-out frequency"}};
 
 std::string plain_word(const std::string& name) {
   const auto known = kPlainWords.find(name);
   if (known != kPlainWords.end()) return known->second;
   std::string text = name;
   std::replace(text.begin(), text.end(), '_', ' ');
+  for (const auto& [typed, read] :
+       {std::pair{"youngs", "Young's"}, std::pair{"poisson", "Poisson"}})
+    if (const std::size_t at = text.find(typed); at != std::string::npos)
+      text.replace(at, std::string_view(typed).size(), read);
   return text;
 }
 

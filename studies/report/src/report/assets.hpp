@@ -6,10 +6,11 @@
 /// The parts of pages that are the same in all of them; made at build time by cmake/EmbedReport.cmake.
 namespace twum::studies::assets {
 
-/// Templates: of a report, and of `twum explore`.
+/// Templates: of a report, of `twum explore`, and of a data sheet with its style.
 /// @{
 std::string_view page();
 std::string_view designer_page();
+std::string_view datasheet_page();
 /// @}
 
 /// Styles of both, and scripts of each, with the SHA-256 of the text.
