@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """twum run: the result directory, resuming, refusing, and what goes wrong with disks and processes."""
 import json
+import fcntl
 import os
 import pty
+import re
 import resource
 import select
 import signal
 import sqlite3
+import struct
 import subprocess
+import termios
 import time
 
 import program
@@ -351,10 +355,12 @@ class Processes(Run):
     def test_a_killed_run_ends_with_the_same_bytes(self):
         self.assertGreater(kill_often(program.PROGRAM, self.study(LARGE), count=6), 0)
 
-    def test_the_terminal_shows_progress(self):
+    def on_terminal(self, width, *arguments):
+        """What a command shows on a terminal of so many columns."""
         ours, theirs = pty.openpty()
-        process = subprocess.Popen([program.PROGRAM, "run", self.study(LARGE), "-o", self.folder / "out"],
-                                   stdout=subprocess.DEVNULL, stderr=theirs, env={**os.environ, "TERM": "xterm"})
+        fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 24, width, 0, 0))
+        process = subprocess.Popen([program.PROGRAM, *map(str, arguments)], stdout=subprocess.DEVNULL, stderr=theirs,
+                                   env={**os.environ, "TERM": "xterm"})
         os.close(theirs)
         shown = b""
         while select.select([ours], [], [], 60)[0]:
@@ -367,7 +373,21 @@ class Processes(Run):
             shown += piece
         os.close(ours)
         self.assertEqual(process.wait(60), 0)
-        self.assertRegex(shown, rb"\d+ evaluations, \d+/s, \d+ s left")
+        return shown.decode()
+
+    def test_the_terminal_shows_progress(self):
+        shown = self.on_terminal(0, "run", self.study(LARGE), "-o", self.folder / "out")
+        self.assertRegex(shown, r"\[#*-*\] \d+ %, \d+ evaluations, \d+/s, \d+ s left")
+
+    def test_a_search_shows_its_budget_and_its_best_on_one_line(self):
+        study = program.ROOT / "examples/studies/size-driven.yaml"
+        for width, expected in ((120, r"\[#*-*\] \d+ % of the budget, \d+ evaluations, \d+/s, at most .* left, run \d+, best max_pressure [\d.]+ [kM]Pa"),
+                                (80, r"% of the budget, at most .* left, best max_pressure"), (60, r"% of the budget, best max_pressure"), (20, r"\[-+\] \d %")):
+            with self.subTest(width):
+                shown = self.on_terminal(width, "run", study, "-o", self.folder / "out", "--fresh", "--jobs", "1")
+                lines = [line for line in shown.split("\n")[0].split("\r\033[K") if line.strip()]
+                self.assertTrue(any(re.search(expected, line) for line in lines), lines)
+                self.assertLess(max(len(line) for line in lines if line.startswith("[")), width)
 
 
 if __name__ == "__main__":

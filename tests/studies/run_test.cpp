@@ -141,9 +141,10 @@ TEST_CASE("a study that was asked to stop goes on to the same bytes", "[studies]
   std::stop_source stop;
   RunOptions options = with_jobs(2);
   options.stop = stop.get_token();
-  options.progress = [&](std::uint64_t done, std::uint64_t total, const std::string& /*best*/) {
-    CHECK(done <= total);
-    if (done > 700) stop.request_stop();
+  options.progress = [&](const RunProgress& now) {
+    CHECK(now.done <= now.total);
+    CHECK_FALSE(now.budget);
+    if (now.done > 700) stop.request_stop();
   };
   const StudyResult part = run_study(file, folder.path("out"), options);
   CHECK(part.outcome == "interrupted");

@@ -1,48 +1,86 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "progress.hpp"
 
+#include "terminal.hpp"
+
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <vector>
 
 namespace twum::cli {
 namespace {
 
-bool dumb_terminal() {
-  const char* terminal = std::getenv("TERM");
-  return terminal == nullptr || std::string(terminal) == "dumb";
+std::string bar_text(const ProgressState& now) {
+  constexpr std::size_t kCells = 10;
+  const auto full = static_cast<std::size_t>(std::lround(kCells * now.fraction));
+  return "[" + std::string(full, '#') + std::string(kCells - full, '-') + "] " +
+         std::to_string(static_cast<int>(100 * now.fraction)) + " %" +
+         (now.budget ? " of the budget" : "");
+}
+
+// A part of the line; of several the one with the highest rank goes first where there is no room.
+struct Part {
+  int rank;
+  std::string text;
+};
+
+std::string joined(const std::vector<Part>& parts) {
+  std::string text;
+  for (const Part& part : parts) text += (text.empty() ? "" : ", ") + part.text;
+  return text;
+}
+
+std::string fitting(std::vector<Part> parts, std::size_t width) {
+  while (parts.size() > 1 && joined(parts).size() > width)
+    parts.erase(std::max_element(parts.begin(), parts.end(),
+                                 [](const Part& a, const Part& b) { return a.rank < b.rank; }));
+  return joined(parts).substr(0, width);
 }
 
 }  // namespace
 
-Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0), begin_(Clock::now()), last_(begin_) {}
+Progress::Progress() : begin_(Clock::now()), last_(begin_) {}
 
 Progress::~Progress() {
   if (shown_) std::fputs("\r\033[K", stderr);
 }
 
-void Progress::show(std::size_t done, double fraction, const std::string& best) {
-  const auto now = Clock::now();
+void Progress::show(const ProgressState& now) {
+  const auto time = Clock::now();
   if (!counting_) {
     counting_ = true;
-    done_before_ = done;
-    fraction_before_ = fraction;
+    done_before_ = now.done;
+    fraction_before_ = now.fraction;
   }
-  if (!terminal_ || dumb_terminal() || now - last_ < std::chrono::milliseconds(200)) return;
-  last_ = now;
+  if (time - last_ < std::chrono::milliseconds(200) || dumb_terminal()) return;
+  const std::optional<std::size_t> width = terminal_width(STDERR_FILENO);
+  if (!width) return;
+  last_ = time;
   shown_ = true;
-  const double seconds = std::chrono::duration<double>(now - begin_).count();
-  const double rate = static_cast<double>(done - std::min(done, done_before_)) / seconds;
-  std::string more;
-  if (fraction > fraction_before_ && fraction <= 1) {
-    const double left = seconds * (1 - fraction) / (fraction - fraction_before_);
-    more = ", " + duration_text(left) + " left";
-  }
-  if (!best.empty()) more += ", best so far: " + best;
-  std::fprintf(stderr, "\r\033[K%zu evaluations, %.0f/s%s", done, rate, more.c_str());
+  const double seconds = std::chrono::duration<double>(time - begin_).count();
+  // The last column stays free: some terminals go on to the next line after it.
+  std::fprintf(stderr, "\r\033[K%s", line(now, seconds, *width - 1).c_str());
   std::fflush(stderr);
+}
+
+std::string Progress::line(const ProgressState& now, double seconds, std::size_t width) const {
+  std::vector<Part> parts;
+  const bool known = now.fraction > 0 && now.fraction <= 1;
+  if (known) parts.push_back({0, bar_text(now)});
+  parts.push_back({known ? 3 : 0, std::to_string(now.done) + " evaluations"});
+  const double rate = static_cast<double>(now.done - std::min(now.done, done_before_)) / seconds;
+  parts.push_back({5, std::to_string(std::lround(rate)) + "/s"});
+  if (known && now.fraction > fraction_before_) {
+    const double left = seconds * (1 - now.fraction) / (now.fraction - fraction_before_);
+    parts.push_back({2, (now.budget ? "at most " : "") + duration_text(left) + " left"});
+  }
+  if (!now.stage.empty()) parts.push_back({4, now.stage});
+  if (!now.best.empty()) parts.push_back({1, "best " + now.best});
+  return fitting(std::move(parts), width);
 }
 
 bool may_colour_errors() {

@@ -7,8 +7,17 @@
 
 namespace twum::cli {
 
-/// A line on the terminal with what is done, the rate, and the time left; nothing at all if standard
-/// error is no terminal.
+/// How far a command is.
+struct ProgressState {
+  std::size_t done{0};  ///< evaluations, or rows
+  double fraction{0};   ///< of the whole that is done, 0 if unknown
+  bool budget{false};   ///< the whole is a budget, which need not be used up
+  std::string stage{};  ///< what it is at
+  std::string best{};   ///< the best so far
+};
+
+/// One line on the terminal: a bar with the share that is done, how many evaluations, their rate, the time left, the stage, and
+/// the best so far; where the terminal is narrow the less important is left out. Nothing at all if standard error is no terminal.
 class Progress {
  public:
   Progress();
@@ -16,14 +25,12 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// @param done      items so far, such as rows
-  /// @param fraction  of the whole that is done, 0 if unknown
-  /// @param best      what to say of the best so far
-  void show(std::size_t done, double fraction, const std::string& best = {});
+  void show(const ProgressState& now);
 
  private:
   using Clock = std::chrono::steady_clock;
-  bool terminal_;
+  std::string line(const ProgressState& now, double seconds, std::size_t width) const;
+
   bool shown_{false};
   Clock::time_point begin_;
   Clock::time_point last_;

@@ -73,8 +73,8 @@ py::tuple run_file(const std::string& path, const std::string& directory,
   studies::RunOptions options;
   options.jobs = jobs;
   options.fresh = fresh;
-  options.progress = [&](std::uint64_t done, std::uint64_t total, const std::string& best) {
-    mailbox.put({done, total, best});
+  options.progress = [&](const studies::RunProgress& now) {
+    mailbox.put({now.done, now.budget ? 0 : now.total, now.best});  // a budget is no total
   };
   const studies::StudyResult result = run_interruptible(
       [&](std::stop_token stop) {

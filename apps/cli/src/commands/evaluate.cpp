@@ -147,7 +147,7 @@ int run_evaluate(const EvaluateOptions& options) {
         reader, table, jobs, [&](std::string_view text) { output.write(text); },
         [] { return !interrupted(); },
         [&](const studies::DesignCounts& now) {
-          progress.show(now.rows, fraction_read(now.bytes, size));
+          progress.show({now.rows, fraction_read(now.bytes, size)});
         });
   }
   output.finish();

@@ -76,8 +76,8 @@ studies::StudyResult run_with_progress(const studies::StudyFile& file, const std
   const StopOnInterrupt stop;
   options.stop = stop.token();
   Progress progress;
-  options.progress = [&](std::uint64_t done, std::uint64_t total, const std::string& best) {
-    progress.show(done, fraction_of(done, total), best);
+  options.progress = [&](const studies::RunProgress& now) {
+    progress.show({now.done, fraction_of(now.done, now.total), now.budget, now.stage, now.best});
   };
   return studies::run_study(file, directory, options);
 }

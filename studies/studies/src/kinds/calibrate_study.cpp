@@ -104,7 +104,7 @@ class Teller {
     if (!(rms >= best_)) best_ = rms;
     if (!context_.progress) return;
     const std::string text = std::isnan(best_) ? "" : "residual_rms " + engineering(best_, unit_);
-    context_.progress({done_, 0, text});
+    context_.progress({.done = done_, .best = text});
   }
 
  private:

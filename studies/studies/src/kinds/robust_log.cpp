@@ -76,7 +76,7 @@ void RobustLog::observe(std::uint64_t round, const optim::Observation& observati
   append_numbers(row.detail, observation.evaluation.jacobian);
   context_.store.add(row);
   ++done_;
-  if (context_.progress) context_.progress({done_, 0, "under tolerances"});
+  if (context_.progress) context_.progress({.done = done_, .stage = "under tolerances"});
 }
 
 }  // namespace twum::studies

@@ -40,7 +40,7 @@ bool store_rows(RunContext& context, std::uint64_t stage, std::uint64_t count, s
   const auto store = [&](std::uint64_t first, const std::vector<Row>& rows) {
     for (const Row& row : rows) context.store.add(row);
     if (context.progress)
-      context.progress({offset + first + rows.size(), total > 0 ? total : count, {}});
+      context.progress({.done = offset + first + rows.size(), .total = total > 0 ? total : count});
   };
   const IndexRange missing{context.store.next_index(stage), count, context.executor.lanes(),
                            proceed};

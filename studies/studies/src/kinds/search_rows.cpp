@@ -175,7 +175,8 @@ SearchLog::SearchLog(const DesignProblem& problem, RunContext& context, int more
   };
 }
 
-optim::Observer SearchLog::observer() {
+optim::Observer SearchLog::observer(std::uint64_t budget) {
+  budget_ = budget;
   return [this](const optim::Observation& observation) { observe(observation); };
 }
 
@@ -186,7 +187,12 @@ void SearchLog::observe(const optim::Observation& observation) {
   note_run(observation);
   if (!context_.progress) return;
   note_best(observation);
-  context_.progress({done_, 0, best_text_});
+  seen_.insert(observation.stage);
+  context_.progress({.done = done_,
+                     .total = budget_,
+                     .budget = true,
+                     .best = best_text_,
+                     .stage = "run " + std::to_string(seen_.size())});
 }
 
 void SearchLog::note_run(const optim::Observation& observation) {

@@ -7,6 +7,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -93,7 +94,8 @@ class SearchLog {
 
   /// motor_problem(), answering from the store where it can.
   const optim::Problem& problem() const noexcept { return answering_; }
-  optim::Observer observer();
+  /// @param budget  evaluations that the search may take
+  optim::Observer observer(std::uint64_t budget);
 
   /// The best feasible design of each run of a solver, the best first, those near a better one left out; of a search for one
   /// goal.
@@ -116,6 +118,8 @@ class SearchLog {
   optim::Problem answering_;
   std::unordered_map<std::string, optim::Evaluation> stored_;
   std::map<std::uint64_t, RunsBest> runs_;  // by stage
+  std::set<std::uint64_t> seen_;            // stages
+  std::uint64_t budget_{0};
   std::uint64_t done_{0};
   double best_;
   std::string best_text_;

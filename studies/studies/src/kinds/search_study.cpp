@@ -114,7 +114,7 @@ bool SearchRun::is_chosen(Parameter parameter) const {
 
 optim::SolveOptions SearchRun::options(SearchLog& log, const RunContext& context) const {
   optim::SolveOptions options = this->options(context);
-  options.observer = log.observer();
+  options.observer = log.observer(options.budget.evaluations);
   return options;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <twum/optim/certificate.hpp>
+#include <twum/studies/results/run_progress.hpp>
 #include <twum/studies/results/study_result.hpp>
 #include <twum/studies/store/result_store.hpp>
 #include <twum/studies/study/study_file.hpp>
@@ -16,13 +17,6 @@
 #include <vector>
 
 namespace twum::studies {
-
-/// How far a study is, for the terminal.
-struct RunProgress {
-  std::uint64_t done{0};   ///< evaluations
-  std::uint64_t total{0};  ///< 0: not known beforehand
-  std::string best;        ///< "peak_power 4.31 W"; empty if there is no best
-};
 
 class Executor;
 

@@ -40,7 +40,7 @@ std::function<void(const RunProgress&)> forwarded(const RunOptions& options) {
   const auto mutex = std::make_shared<std::mutex>();
   return [mutex, tell = options.progress](const RunProgress& now) {
     const std::unique_lock lock(*mutex, std::try_to_lock);
-    if (lock) tell(now.done, now.total, now.best);
+    if (lock) tell(now);
   };
 }
 

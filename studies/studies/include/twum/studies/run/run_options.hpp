@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/studies/results/run_progress.hpp>
 #include <twum/studies/results/study_result.hpp>
 #include <twum/studies/study/study_file.hpp>
 
@@ -19,8 +20,7 @@ struct RunOptions {
   bool fresh{false};  ///< discard what the directory holds of this study and start anew
   Processes* processes{nullptr};  ///< in the first of several: the others that compute rows
   std::stop_token stop;           ///< a request ends the run, resumable, with what has been found
-  /// Told now and then how far the run is: evaluations, their total (0: unknown), the best so far.
-  std::function<void(std::uint64_t done, std::uint64_t total, const std::string& best)> progress;
+  std::function<void(const RunProgress&)> progress;  ///< told now and then how far the run is
 };
 
 /// Reads what a valid study file names besides its motor, such as measured points and earlier results.
