@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/optim/fit_moves.hpp>
 
+#include "huber_fit.hpp"
+
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <cmath>
@@ -19,7 +21,7 @@ class Moves {
  public:
   Moves(const ResidualFunction& residuals, const LeastSquaresResult& fit,
         std::span<const double> held)
-      : residuals_(residuals), held_(static_cast<Index>(held.size())) {
+      : residuals_(residuals), fit_(fit), held_(static_cast<Index>(held.size())) {
     for (const Estimate& e : fit.estimates) {
       if (!e.at_bound) free_.push_back(static_cast<Index>(at_.size()));
       at_.push_back(e.value);
@@ -48,7 +50,7 @@ class Moves {
   Eigen::VectorXd gradient(const std::vector<double>& at) const {
     Eigen::VectorXd g = Eigen::VectorXd::Constant(static_cast<Index>(free_.size()),
                                                   std::numeric_limits<double>::quiet_NaN());
-    const Residuals r = residuals_(at);
+    const Residuals r = softened_anew(residuals_(at), fit_);
     if (!r.failure.empty()) return g;
     g.setZero();
     for (std::size_t i = 0; i < r.values.size(); ++i)
@@ -81,6 +83,7 @@ class Moves {
   }
 
   const ResidualFunction& residuals_;
+  const LeastSquaresResult& fit_;
   Index held_;
   Index count_{0};           // parameters
   std::vector<double> at_;   // parameters, then held numbers

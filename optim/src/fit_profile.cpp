@@ -3,6 +3,8 @@
 
 #include <twum/base/error.hpp>
 
+#include "huber_fit.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -141,7 +143,12 @@ ProfileEnd profile_end(const std::vector<Variable>& parameters, const ResidualFu
                        std::size_t parameter, IntervalEnd end) {
   TWUM_ASSERT(parameter < fit.estimates.size() &&
               fit.estimates[parameter].standard_deviation > 0.0);
-  return Profile(parameters, residuals, options, fit, parameter, end).find();
+  const ResidualFunction as_fitted = [&](auto b) {
+    return softened(residuals(b), fit.bend, fit.share);
+  };
+  LeastSquaresOptions plain = options;
+  plain.loss = Loss::squares;
+  return Profile(parameters, as_fitted, plain, fit, parameter, end).find();
 }
 
 }  // namespace twum::optim

@@ -117,12 +117,14 @@ void fill_follows(const Eigen::JacobiSVD<Eigen::MatrixXd>& svd, const Eigen::Vec
 }
 
 // Scatter of the residuals, and what follows from it for intervals of one parameter and of all together.
-void fill_scatter(std::size_t parameters, const LeastSquaresOptions& options,
+void fill_scatter(const FittedState& state, const LeastSquaresOptions& options,
                   LeastSquaresResult& result) {
+  const std::size_t parameters = state.free.size();
   const double freedom = static_cast<double>(result.degrees_of_freedom);
   const double count = static_cast<double>(parameters);
-  const bool known = std::isfinite(options.deviation);
+  const bool known = result.scatter_known = std::isfinite(options.deviation);
   result.scatter = known ? options.deviation : result.residual_deviation;
+  if (std::isfinite(state.scatter)) result.scatter = state.scatter;
   const double upper = 0.5 + 0.5 * options.confidence;
   result.student_t = known           ? quantile(Normal(), upper)
                      : freedom > 0.0 ? quantile(StudentsT(freedom), upper)
@@ -186,7 +188,7 @@ void fit_statistics(const FittedState& state, const LeastSquaresOptions& options
   const double freedom = static_cast<double>(result.degrees_of_freedom);
   result.residual_deviation =
       freedom > 0.0 ? state.residuals.stableNorm() / std::sqrt(freedom) : kNan;
-  fill_scatter(state.free.size(), options, result);
+  fill_scatter(state, options, result);
   if (n == 0) return fill_estimates({}, state, result);
   const Eigen::MatrixXd columns = free_columns(state);
   fill_directions(columns, state, result);

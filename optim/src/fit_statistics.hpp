@@ -4,6 +4,7 @@
 #include <twum/optim/least_squares.hpp>
 
 #include <Eigen/Core>
+#include <limits>
 
 namespace twum::optim {
 
@@ -13,6 +14,8 @@ struct FittedState {
   const Eigen::VectorXd& residuals;
   const std::vector<Eigen::Index>& free;  // parameters that no bound holds
   const std::vector<Variable>& parameters;
+  double scatter{
+      std::numeric_limits<double>::quiet_NaN()};  // where it does not follow from the residuals
 };
 
 /// Fills rank, deviations, intervals, covariance, correlation, and what follows the held parameters.

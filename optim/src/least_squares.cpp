@@ -4,6 +4,7 @@
 #include <twum/base/error.hpp>
 
 #include "fit_space.hpp"
+#include "huber_fit.hpp"
 #include "optimizer.hpp"
 
 #include <Eigen/QR>
@@ -137,6 +138,7 @@ LeastSquaresResult least_squares(const std::vector<Variable>& parameters,
       if (parameters[j].name.empty() || (i < j && parameters[i].name == parameters[j].name))
         throw InputError("parameter '" + parameters[j].name +
                          "': the name is empty or there twice");
+  if (options.loss == Loss::huber) return huber_fit(parameters, residuals, options);
   FitSpace space(parameters, residuals, options);
   return space.result(search(space, options.solver));
 }

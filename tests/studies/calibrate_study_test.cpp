@@ -171,13 +171,11 @@ TEST_CASE("starts that end in different places are told apart", "[studies][calib
     return result;
   };
   using optim::Outcome;
-  const KindAnswer answer = calibration(fit,
-                                        {ended(0.4, 0.3, Outcome::optimal),
-                                         ended(0.2, 0.1, Outcome::optimal),
-                                         ended(0.2000001, 0.1, Outcome::optimal),
-                                         ended(0.1, 0.2, Outcome::budget),
-                                         {}},
-                                        0.95);
+  const KindAnswer answer = calibration({fit}, {ended(0.4, 0.3, Outcome::optimal),
+                                                ended(0.2, 0.1, Outcome::optimal),
+                                                ended(0.2000001, 0.1, Outcome::optimal),
+                                                ended(0.1, 0.2, Outcome::budget),
+                                                {}});
   const auto& result = std::get<CalibrateResult>(answer.answer);
   // The other place misses the points by 37 % of the largest torque: it is listed, and is no rival.
   CHECK(result.equals() == 1);
@@ -188,7 +186,7 @@ TEST_CASE("starts that end in different places are told apart", "[studies][calib
   const std::string text = answer_text(result);
   CHECK_THAT(text, Contains("5 starts ended in 2 different places"));
   CHECK_THAT(text, Contains("2 of 5 starts did not reach an optimum"));
-  CHECK(calibration(fit, {{}, {}}, 0.95).outcome == "failed");
+  CHECK(calibration({fit}, {{}, {}}).outcome == "failed");
 }
 
 TEST_CASE("threads and interruptions do not change a calibration",

@@ -15,12 +15,15 @@
 #include <twum/optim/certificate.hpp>
 #include <twum/optim/fit_moves.hpp>
 #include <twum/optim/fit_profile.hpp>
+#include <twum/optim/group_deviations.hpp>
 #include <twum/optim/hypervolume.hpp>
 #include <twum/optim/latin_hypercube.hpp>
 #include <twum/optim/least_squares.hpp>
 #include <twum/optim/library_versions.hpp>
 #include <twum/optim/low_discrepancy.hpp>
+#include <twum/optim/optimum_moves.hpp>
 #include <twum/optim/options.hpp>
+#include <twum/optim/outliers.hpp>
 #include <twum/optim/pareto.hpp>
 #include <twum/optim/problem.hpp>
 #include <twum/optim/random.hpp>

@@ -7,6 +7,7 @@ import {curveSection} from './curve.js';
 import {curves, data, summary, unitOf} from './data.js';
 import {designerButton} from './designer/inside.js';
 import {card, colour, legend} from './dom.js';
+import {movesCard} from './moves.js';
 import {named, quantity, table, words} from './table.js';
 import {displayUnit, engineering, largest, percent, rounded} from './units.js';
 import {axisLabel, plain} from './words.js';
@@ -53,15 +54,34 @@ function fitChart(node) {
   });
 }
 
-function residualChart(node) {
-  const points = summary.data.filter((p) => !p.quantity).sort((a, b) => a.speed - b.speed);
-  const unit = displayUnit(largest([points.map((p) => p.residual)]), 'N.m');
-  const y = points.map((p) => (p.residual === null ? NaN : p.residual / unit.divisor));
+/** Where a number was read: its speed, its load, its frequency, or else its place in the data. */
+function readAt(p, index) {
+  if (p.speed !== undefined) return { label: 'speed [rpm]', x: (p.speed * 30) / Math.PI };
+  if (p.quantity && p.torque !== undefined) return { label: 'torque [N.m]', x: p.torque };
+  const frequency = (p.set || {}).frequency;
+  return frequency === undefined ? { label: 'number in the data', x: index + 1 } : { label: 'frequency [kHz]', x: frequency / 1000 };
+}
+
+/** Residuals of one kind of data. */
+function residualChart(node, quantityName, points) {
+  const places = points.map(({ p, index }) => ({ p, ...readAt(p, index) })).sort((a, b) => a.x - b.x);
+  const unit = displayUnit(largest([places.map(({ p }) => p.residual)]), points[0].p.unit || 'N.m');
+  const y = places.map(({ p }) => (p.residual === null ? NaN : p.residual / unit.divisor));
   const top = 1.15 * largest([y]) || 1;
-  chart(node, points.map((p) => (p.speed * 30) / Math.PI), [{ name: 'residual', y, colour: 'c0', scatter: true }], {
-    name: 'residuals', x: { label: 'speed [rpm]', range: paddedRange([points.map((p) => (p.speed * 30) / Math.PI)]) }, y: { label: axisLabel('measured - fitted', unit), range: [-top, top] }, height: 240,
+  chart(node, places.map(({ x }) => x), [{ name: 'residual', y, colour: 'c0', scatter: true }], {
+    name: 'residuals' + (quantityName ? ' ' + quantityName : ''), x: { label: places[0].label, range: paddedRange([places.map(({ x }) => x)]) }, y: { label: axisLabel('measured - fitted', unit), range: [-top, top] }, height: 240,
     ground: (u) => { const at = u.valToPos(0, 'y', true); u.ctx.fillStyle = colour('soft'); u.ctx.fillRect(u.bbox.left, at, u.bbox.width, devicePixelRatio); },
   });
+}
+
+/** A chart of residuals for each kind of data with more than one number. */
+function residualCards() {
+  const kinds = new Map();
+  summary.data.forEach((p, index) => { const name = p.quantity || ''; kinds.set(name, [...(kinds.get(name) || []), { p, index }]); });
+  for (const [name, points] of kinds) {
+    if (name && points.length < 2) continue;
+    residualChart(card('Residuals' + (kinds.size > 1 ? ' of the ' + plain((name || 'torque_at').replace(/_at$/, '')) : ''), 'They should scatter about zero without a pattern.', 'half'), name, points);
+  }
 }
 
 function correlationTable() {
@@ -73,16 +93,6 @@ function correlationTable() {
   return node;
 }
 
-/** The estimates if a parameter that is held fixed were 1 % larger. */
-function movesTable() {
-  const names = Object.keys(summary.estimates);
-  const lines = Object.entries(summary.moves).map(([held, { value, unit, slopes }]) => {
-    const moved = (n) => summary.estimates[n].value + 0.01 * value * slopes[n];
-    return [named(held), quantity(1.01 * value, unit), ...names.map((n) => quantity(moved(n), unitOf(n)))];
-  });
-  return table('moves', ['held fixed', 'if it were', ...names.map(plain)], lines);
-}
-
 /** What to measure next, and the widths of the intervals after it in parts of those now. */
 function planTable() {
   const names = Object.keys(summary.estimates).filter((n) => n in summary.plan[0].widths);
@@ -90,7 +100,33 @@ function planTable() {
   return table('plan', ['measure next', 'all', ...names.map(plain)], lines);
 }
 
+/** The measured numbers beside the fitted ones, and which of them are outliers. */
+function pointsCard(torques) {
+  const outliers = new Map((summary.outliers || []).map((o) => [o.point, o]));
+  const remark = (i) => (outliers.size ? [outliers.has(i) ? words('outlier, p = ' + rounded(outliers.get(i).p, 2), 'bad-word') : ''] : []);
+  const heads = outliers.size ? [''] : [];
+  if (torques) {
+    const lines = summary.data.map((p, i) => [quantity(p.speed, 'rad/s'), quantity(p.torque, 'N.m'), quantity(p.fitted, 'N.m'), quantity(p.residual, 'N.m', 3), ...remark(i)]);
+    card('The points', null, 'half').append(table('points', ['speed', 'measured', 'fitted', 'residual', ...heads], lines, ['speed [rad/s]', 'measured [N.m]', 'fitted [N.m]', 'residual [N.m]', ...heads]));
+    return;
+  }
+  const lines = summary.data.map((p, i) => { const unit = p.unit || 'N.m'; return [readingText(p), quantity(p.quantity ? p.value : p.torque, unit), quantity(p.fitted, unit), quantity(p.residual, unit, 3), p.sd ? rounded(p.residual / p.sd, 2) : '-', ...remark(i)]; });
+  card('The numbers', null, 'wide').append(table('points', ['what', 'measured', 'fitted', 'residual', 'in standard deviations', ...heads], lines));
+}
+
+function planCard() {
+  if (!(summary.plan || []).length) return;
+  const first = !summary.data.length;
+  const text = 'The measurement that narrows the intervals most comes first; widths are those after it, in parts of ' + (first ? 'the ranges.' : 'those now.');
+  card(first ? 'The first measurements' : 'The next measurements', text, 'wide').append(planTable());
+}
+
 export function calibratePage() {
+  if (!summary.data.length) {
+    planCard();
+    if (curves.filter(Boolean).length) curveSection(curves.filter(Boolean), ['motor planned for'], 'The motor');
+    return;
+  }
   const torques = summary.data.every((p) => !p.quantity && !p.set);
   if (data.fit && torquePoints().length) fitChart(card('Measured and fitted', null, 'wide'));
   const list = Object.entries(summary.estimates);
@@ -98,17 +134,10 @@ export function calibratePage() {
   const line = ([n, e]) => [named(n), quantity(e.value, unitOf(n)), quantity(e.low, unitOf(n)), quantity(e.high, unitOf(n)), ...(held ? [words(e.remark, 'bad-word')] : [])];
   card('Estimates', percent(summary.confidence) + ' intervals.', 'half').append(table('estimates', ['parameter', 'value', 'low', 'high', ...(held ? ['remark'] : [])], list.map(line)));
   card('Correlation of the estimates', 'Near 1 or -1: the data tell only a combination.', 'half').append(correlationTable());
-  if (summary.data.some((p) => !p.quantity)) residualChart(card('Residuals', 'They should scatter about zero without a pattern.', 'half'));
-  if (!torques) card('The numbers', null, 'wide').append(table('points', ['what', 'measured', 'fitted', 'residual', 'in standard deviations'], summary.data.map((p) => { const unit = p.unit || 'N.m'; return [readingText(p), quantity(p.quantity ? p.value : p.torque, unit), quantity(p.fitted, unit), quantity(p.residual, unit, 3), p.sd ? rounded(p.residual / p.sd, 2) : '-']; })));
-  else card('The points', null, 'half').append(table('points', ['speed', 'measured', 'fitted', 'residual'], summary.data.map((p) => [quantity(p.speed, 'rad/s'), quantity(p.torque, 'N.m'), quantity(p.fitted, 'N.m'), quantity(p.residual, 'N.m', 3)]), ['speed [rad/s]', 'measured [N.m]', 'fitted [N.m]', 'residual [N.m]']));
-  if (Object.keys(summary.moves || {}).length) {
-    const text = 'Each row has one parameter 1 % larger and the rest as it is.';
-    card('What the estimates would be with other values of what is held fixed', text, 'wide').append(movesTable());
-  }
-  if ((summary.plan || []).length) {
-    const text = 'The measurement that narrows the intervals most comes first; widths are those after it, in parts of those now.';
-    card('The next measurements', text, 'wide').append(planTable());
-  }
+  residualCards();
+  pointsCard(torques);
+  movesCard((n) => summary.estimates[n].value);
+  planCard();
   const fitted = curves.filter(Boolean);
   if (fitted.length) curveSection(fitted, ['fitted motor'], 'The fitted motor');
   const explore = fitted.length ? designerButton(fitted[0].design, 'fitted motor', 'Explore the fitted motor') : null;

@@ -8,6 +8,7 @@ import {designerButton} from './designer/inside.js';
 import {card, sentence} from './dom.js';
 import {figure} from './figure.js';
 import {savedMotor} from './motor.js';
+import {movesCard} from './moves.js';
 import {robustCards} from './robust.js';
 import {csvText, named, quantity, table, tableSaved, valuesTable, words} from './table.js';
 import {between, displayUnit, engineering, rounded} from './units.js';
@@ -280,6 +281,7 @@ export function searchSections() {
   const title = list.length > 1 ? 'Torque: before and after' : 'Torque of the motor as it was';
   return [
     () => section?.torque(title, data.standings.best), relaxationCard, limitsCard, robustCards, designCards, trustCard,
+    () => summary.best && movesCard((n) => summary.best.design[n] ?? summary.best.metrics[n]),
     () => section?.others(), searchCard, startsCard
   ];
 }

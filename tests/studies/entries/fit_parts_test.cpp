@@ -178,7 +178,7 @@ TEST_CASE("the best fit is an optimum, unless one that stopped short is better",
   const MeasuredFit fit(elastic(), {{P::kinetic_friction, 0.1, 0.5}},
                         two_points(plateau(0.2, 160), plateau(0.2, 160)));
   const auto chosen = [&](const std::vector<optim::LeastSquaresResult>& fits) {
-    return result_of(calibration(fit, fits, 0.95)).estimates[0].parameter.value;
+    return result_of(calibration({fit}, fits)).estimates[0].parameter.value;
   };
   const auto optimal = Outcome::optimal;
   const auto budget = Outcome::budget;
@@ -188,8 +188,8 @@ TEST_CASE("the best fit is an optimum, unless one that stopped short is better",
   CHECK(chosen({fit_at(0.2, 1e-3, budget), fit_at(0.3, 1e-3, budget)}) == 0.2);
   CHECK(chosen({fit_at(0.2, 2e-3, optimal), fit_at(0.3, 1e-3, budget)}) == 0.3);
   CHECK(chosen({{}, fit_at(0.3, 1e-3, optimal)}) == 0.3);  // the first start could not be evaluated
-  CHECK(calibration(fit, {{}, {}}, 0.95).outcome == "failed");
-  CHECK(result_of(calibration(fit, {{}, {}}, 0.95)).data.size() == 2);
+  CHECK(calibration({fit}, {{}, {}}).outcome == "failed");
+  CHECK(result_of(calibration({fit}, {{}, {}})).data.size() == 2);
 }
 
 TEST_CASE("starts that ended in one place are counted together", "[studies][calibrate]") {
@@ -197,7 +197,7 @@ TEST_CASE("starts that ended in one place are counted together", "[studies][cali
   const MeasuredFit fit(elastic(), {{P::kinetic_friction, 0.1, 0.5}},
                         two_points(plateau(0.2, 160), plateau(0.2, 160)));
   const auto optima = [&](const std::vector<optim::LeastSquaresResult>& fits) {
-    return result_of(calibration(fit, fits, 0.95)).optima;
+    return result_of(calibration({fit}, fits)).optima;
   };
   const auto optimal = Outcome::optimal;
   // A thousandth of the range, 0.4, is near.
@@ -243,7 +243,7 @@ TEST_CASE("what undoes a change of one factor of a product is the other factor",
         one.estimates.push_back(
             {std::string(info(range.parameter).name), get(motor, range.parameter), 0, 0, 0, false});
       one.undetermined = {{"kinetic_friction", "preload"}, {"amplitude", "x", "y"}};
-      const CalibrateResult result = result_of(calibration(fit, {one}, 0.95));
+      const CalibrateResult result = result_of(calibration({fit}, {one}));
       REQUIRE(result.undetermined.size() == 2);
       CHECK(result.undetermined[0].undone_by == Approx(-1).epsilon(1e-9));
       CHECK(std::isnan(result.undetermined[1].undone_by));  // of three there is no such number
@@ -292,7 +292,7 @@ TEST_CASE("points in any order of speed are tested in the order of speed", "[stu
     const MeasuredFit fit(motor, {{P::kinetic_friction, 0.1, 0.5}}, points);
     optim::LeastSquaresResult one = fit_at(0.2, 0.01, optim::Outcome::optimal);
     one.degrees_of_freedom = 19;
-    return result_of(calibration(fit, {one}, 0.95)).runs->runs;
+    return result_of(calibration({fit}, {one})).runs->runs;
   };
   CHECK(runs(false) == 2);
   CHECK(runs(true) == 20);
@@ -309,7 +309,7 @@ TEST_CASE("points in any order of speed are tested in the order of speed", "[stu
     const MeasuredFit fit(motor, {{P::kinetic_friction, 0.1, 0.5}}, points);
     optim::LeastSquaresResult one = fit_at(0.2, 0.01, optim::Outcome::optimal);
     one.degrees_of_freedom = size - 1;
-    CHECK(result_of(calibration(fit, {one}, 0.95)).runs->runs == 2);
+    CHECK(result_of(calibration({fit}, {one})).runs->runs == 2);
   }
 }
 
@@ -322,7 +322,7 @@ TEST_CASE("an estimate at a bound tells who follows it, if that is known and not
   one.estimates = {{"kinetic_friction", 0.2, 0, 0.2, 0.2, true},
                    {"preload", 160, 1, 158, 162, false}};
   const auto followers = [&] {
-    return result_of(calibration(fit, {one}, 0.95)).estimates[0].followers;
+    return result_of(calibration({fit}, {one})).estimates[0].followers;
   };
   CHECK(followers().empty());  // nobody said by how much
   // The preload falls by 800 N for a friction of 1 more: 1 % of 0.2 is 1.6 N, 1 % of 160 N.
@@ -335,5 +335,5 @@ TEST_CASE("an estimate at a bound tells who follows it, if that is known and not
   one.follows = {0, 0, -800, 0};
   one.estimates[1].at_bound = true;  // it moves no more than the first
   CHECK(followers().empty());
-  CHECK(result_of(calibration(fit, {one}, 0.95)).estimates[0].bound == CalibrateResult::Bound::max);
+  CHECK(result_of(calibration({fit}, {one})).estimates[0].bound == CalibrateResult::Bound::max);
 }

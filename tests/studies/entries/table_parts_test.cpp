@@ -169,9 +169,10 @@ TEST_CASE("what is wrong with measured points is said at its place",
 
 TEST_CASE("weights have a mean of 1, and a deviation gives the inverse of its square",
           "[studies][calibrate]") {
-  const auto [points, without_unit] =
+  const auto [points, without_unit, set] =
       read_measured_points(Source("p", "speed,torque,torque_sd [mN.m]\n1,0.5,1\n# no\n2,0.4,2\n"));
   CHECK(without_unit == Lines{"speed [rad/s]", "torque [N.m]"});
+  CHECK(set.empty());
   REQUIRE(points.size() == 2);
   // 1 to 1/4, of mean 1.
   CHECK(points[0].weight == Approx(1.6).epsilon(1e-15));

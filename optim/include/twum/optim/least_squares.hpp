@@ -24,9 +24,16 @@ inline constexpr const char* kOwnFit = "twum:lm";
 inline constexpr const char* kGslFit = "gsl:lm";
 /// @}
 
+/// How residuals count.
+enum class Loss : unsigned char {
+  squares,  ///< by their squares
+  huber  ///< beyond 1.345 standard deviations by their size, so that a few that are far off move the fit little
+};
+
 /// How to fit.
 struct LeastSquaresOptions {
   std::string solver{kOwnFit};        ///< one of least_squares_solvers()
+  Loss loss{Loss::squares};           ///< what is the least
   std::size_t max_evaluations{2000};  ///< calls of the residuals
   double tolerance{
       1e-13};  ///< relative decrease of the sum of squares, and step, that end the search
@@ -65,11 +72,17 @@ struct LeastSquaresResult {
   std::vector<Estimate> estimates;    ///< in the order of the parameters
   std::vector<double> correlation;    ///< parameters x parameters; NaN where undetermined
   std::vector<double> covariance;     ///< likewise; 0 for parameters held by a bound
-  double sum_of_squares{0.0};         ///< of the residuals
+  double sum_of_squares{0.0};         ///< of the residuals; of Huber's, twice the loss over `share`
   double residual_deviation{0.0};     ///< sqrt(sum / degrees of freedom); NaN without freedom
   std::size_t degrees_of_freedom{0};  ///< residuals less free parameters
   /// Deviation of a residual that the intervals stand on: the known one, else the estimated one.
   double scatter{0.0};
+  bool scatter_known{false};  ///< it was given
+  /// Size of residual beyond which it counts linearly (L8.1), and the part of the residuals within it.
+  /// @{
+  double bend{kInfinity};
+  double share{1.0};
+  /// @}
   /// Half width of an interval in deviations: Student's t, or of the normal law if the scatter is known; NaN likewise.
   double student_t{0.0};
   /// Largest sum of squares in the joint confidence region of all free parameters (L2.2); NaN likewise.
@@ -99,7 +112,8 @@ const std::vector<SolverInfo>& least_squares_solvers();
 /// the scale is linear.
 /// The residuals should be smooth in the parameters. Local: other starts may find other optima. Safe from
 /// any number of threads if the residuals are. Cost: one evaluation a step, and m n^2 operations for m
-/// residuals of n parameters.
+/// residuals of n parameters. Under Huber's loss parameters and scatter are estimated in turn, about ten fits; covariance and
+/// intervals are those of (L8.3).
 /// @throws InputError for an unknown solver or one that this build lacks, for no parameters, names missing or twice, fewer residuals than free
 ///         parameters, a start without a value
 LeastSquaresResult least_squares(const std::vector<Variable>& parameters,

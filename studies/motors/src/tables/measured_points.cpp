@@ -37,7 +37,11 @@ class PointReader {
     diagnostics_.throw_if_any();
     weigh();
     diagnostics_.throw_if_any();
-    return {std::move(points_), without_unit(columns_)};
+    MeasuredPoints table{std::move(points_), without_unit(columns_)};
+    for (const MeasuredColumn& column : columns_)
+      if (column.role == ColumnRole::parameter)
+        table.set.emplace_back(column.parameter, column.mark);
+    return table;
   }
 
  private:
@@ -145,6 +149,8 @@ class PointReader {
       weight_mark_ = marks_[k];
       weight_name_ = other.name;
     }
+    point.cell = marks_[i];
+    point.heading = columns_[i].mark;
     points_.push_back(std::move(point));
     weight_marks_.emplace_back(weight_mark_, weight_name_);
   }
@@ -254,7 +260,9 @@ MeasuredPoints read_measured_points(const std::string& path) {
 
 MeasuredPoints joined(std::vector<MeasuredPoints> files) {
   MeasuredPoints all;
-  for (MeasuredPoints& file : files) {
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    MeasuredPoints& file = files[k];
+    for (MeasuredPoint& point : file.points) point.table = k;
     std::move(file.points.begin(), file.points.end(), std::back_inserter(all.points));
     std::move(file.without_unit.begin(), file.without_unit.end(),
               std::back_inserter(all.without_unit));

@@ -9,6 +9,7 @@
 #include <twum/core/performance/metrics.hpp>
 
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -31,7 +32,10 @@ struct MeasuredPoint {
   double weight{1};     ///< of its squared residual
   double deviation{0};  ///< standard deviation, SI; 0: not given
   std::vector<ParameterValue> set =
-      {};  ///< parameters that the bench had set, in place of the motor's
+      {};                ///< parameters that the bench had set, in place of the motor's
+  SourceMark cell{};     ///< where it stands in its table
+  SourceMark heading{};  ///< of its column
+  std::size_t table{0};  ///< number of its table among several
 };
 
 /// A torque read at a rotor speed that the test stand sets; SI.
@@ -42,6 +46,7 @@ struct MeasuredPoints {
   std::vector<MeasuredPoint> points;
   std::vector<std::string>
       without_unit;  ///< headings without a unit, and the SI unit they are read in: "torque [N.m]"
+  std::vector<std::pair<Parameter, SourceMark>> set{};  ///< columns of parameters that were set
 };
 
 /// Reads a CSV file of measurements, units in the header; lines that begin with # are remarks. Columns are

@@ -9,14 +9,6 @@
 namespace twum::studies {
 namespace {
 
-// Whole numbers have no derivative, and a parameter at 0 is mostly one that the motor does not have. Static friction keeps its
-// ratio to the kinetic one, below which it may not be.
-bool may_move(const MeasuredFit& fit, const ParameterInfo& row) {
-  return !row.integer && row.parameter != Parameter::static_friction &&
-         in_use(fit.motor(), row.parameter) && !fit.sets(row.parameter) &&
-         get(fit.motor(), row.parameter) != 0;
-}
-
 // Columns of the residuals' Jacobian that are not zero.
 std::vector<std::size_t> seen(const optim::Residuals& residuals, std::size_t begin,
                               std::size_t columns) {
@@ -32,11 +24,15 @@ std::vector<std::size_t> seen(const optim::Residuals& residuals, std::size_t beg
 
 }  // namespace
 
-std::vector<CalibrateResult::Move> moves_of(const MeasuredFit& fit,
-                                            const optim::LeastSquaresResult& best) {
+bool may_move(const MotorDesign& motor, const ParameterInfo& row) {
+  return !row.integer && row.parameter != Parameter::static_friction &&
+         in_use(motor, row.parameter) && get(motor, row.parameter) != 0;
+}
+
+std::vector<Move> moves_of(const MeasuredFit& fit, const optim::LeastSquaresResult& best) {
   std::vector<Parameter> held;
   for (const ParameterInfo& row : parameter_table())
-    if (may_move(fit, row)) held.push_back(row.parameter);
+    if (may_move(fit.motor(), row) && !fit.sets(row.parameter)) held.push_back(row.parameter);
   std::vector<double> at;
   for (const optim::Estimate& e : best.estimates) at.push_back(e.value);
   const std::size_t n = at.size();
@@ -51,10 +47,10 @@ std::vector<CalibrateResult::Move> moves_of(const MeasuredFit& fit,
   for (const Parameter parameter : used) values.push_back(get(fit.motor(), parameter));
   const std::vector<double> slopes = optim::answer_moves(
       [&](std::span<const double> b) { return wider.residuals(b); }, best, values);
-  std::vector<CalibrateResult::Move> moves;
+  std::vector<Move> moves;
   for (std::size_t k = 0; k < used.size(); ++k) {
     const ParameterInfo& row = info(used[k]);
-    CalibrateResult::Move move{{std::string(row.name), std::string(row.unit), values[k]}, {}};
+    Move move{{std::string(row.name), std::string(row.unit), values[k]}, {}};
     for (std::size_t j = 0; j < n; ++j) move.slopes.push_back(slopes[j * used.size() + k]);
     moves.push_back(std::move(move));
   }

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "kinds/asked_fit.hpp"
 #include "kinds/calibration.hpp"
 #include "kinds/executor.hpp"
 #include "kinds/measured_fit.hpp"
 #include "kinds/metric_gradients.hpp"
+#include "kinds/planned_calibration.hpp"
 #include "kinds/study_kind.hpp"
 #include "kinds/unit_box.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/base/ordered.hpp>
+#include <twum/optim/group_deviations.hpp>
 #include <twum/optim/low_discrepancy.hpp>
 #include <twum/studies/text/words.hpp>
 #include <twum/studies/units/engineering.hpp>
@@ -16,82 +19,12 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
 #include <iterator>
 #include <limits>
 #include <mutex>
 
 namespace twum::studies {
 namespace {
-
-// A path that leads nowhere is the study's mistake; what is wrong inside the file is the file's.
-MeasuredPoints points_of(const std::string& path) {
-  try {
-    return read_measured_points(path);
-  } catch (const FileError&) {
-    throw;
-  } catch (const InputError& error) {
-    throw InputError(std::string(error.what()) +
-                     "; expected measured points, from the folder of the study: a CSV file with "
-                     "the columns 'speed [rpm],torque [N.m]'");
-  }
-}
-
-std::vector<std::string> unit_notes(const MeasuredPoints& table) {
-  std::string names;
-  for (const std::string& heading : table.without_unit)
-    names += (names.empty() ? "" : ", ") + heading;
-  if (names.empty()) return {};
-  return {"the headings of the measured points have no unit, so that they are read in SI units: " +
-          names};
-}
-
-// The fit that is asked for, and what is to be said of its points.
-struct AskedFit {
-  MeasuredFit fit;
-  std::vector<std::string> notes;
-};
-
-// What a column sets cannot be estimated as well.
-void refuse_set(const MeasuredPoints& table, const CalibrateStudy& asked, const std::string& path) {
-  std::vector<Parameter> given = parameters_of(asked.variables);
-  for (const DerivedParameter& rule : asked.derived) given.push_back(rule.parameter);
-  for (const MeasuredPoint& point : table.points) {
-    for (const auto& [parameter, value] : point.set) {
-      const ParameterInfo& row = info(parameter);
-      const bool twice = std::any_of(given.begin(), given.end(), [&](Parameter other) {
-        return other == row.parameter || row.twin == other;
-      });
-      if (twice)
-        throw InputError(path + ": the column '" + std::string(row.name) +
-                         "' sets what the study estimates; leave out the column, or the variable");
-    }
-  }
-}
-
-AskedFit fit_of(const CalibrateStudy& asked, const StudyFile& file) {
-  std::vector<MeasuredPoints> tables;
-  std::string paths;
-  for (const std::string& name : asked.data) {
-    const std::string path = (std::filesystem::path(file.folder) / name).string();
-    paths += (paths.empty() ? "" : ", ") + path;
-    tables.push_back(points_of(path));
-    refuse_set(tables.back(), asked, path);
-  }
-  MeasuredPoints table = joined(std::move(tables));
-  std::vector<MeasuredPoint>& points = table.points;
-  if (points.size() < asked.variables.size())
-    throw InputError(paths + ": " + counted(points.size(), "point") + " cannot determine " +
-                     counted(asked.variables.size(), "parameter") +
-                     "; measure more points or estimate fewer parameters");
-  if (points.front().deviation == 0 && asked.scatter == Scatter::stated)
-    throw InputError(
-        paths +
-        ": no standard deviations, on which 'scatter: stated' stands; add a column such "
-        "as 'torque_sd [mN.m]', or leave out 'scatter'");
-  std::vector<std::string> notes = unit_notes(table);
-  return {{file.motor.design, asked.variables, std::move(points), asked.derived}, std::move(notes)};
-}
 
 // How far the fits are, for the eye.
 class Teller {
@@ -123,6 +56,9 @@ class CalibrateRun final : public StudyKindRun {
   CalibrateRun(const CalibrateStudy& asked, AskedFit fit)
       : fit_(std::move(fit.fit)),
         notes_(std::move(fit.notes)),
+        columns_(std::move(fit.columns)),
+        tables_(asked.data),
+        loss_(asked.loss == FitLoss::huber ? optim::Loss::huber : optim::Loss::squares),
         starts_(asked.starts),
         solver_(optim::least_squares_solvers()[static_cast<std::size_t>(asked.solver)].name),
         seed_(asked.seed),
@@ -146,18 +82,25 @@ class CalibrateRun final : public StudyKindRun {
   KindAnswer run(RunContext& context) override {
     const auto starts = start_values();
     Teller teller(context, fit_.unit());
-    auto fits = in_order<optim::LeastSquaresResult>(
-        context, starts_, [&](std::uint64_t i) { return one_fit(context, i, starts[i], teller); });
+    std::uint64_t stage = 0;
+    if (!columns_.empty()) {
+      find_deviations(context, starts, teller);
+      stage = starts_;
+    }
+    const MeasuredFit fit = columns_.empty() ? fit_ : fit_.in_parts(columns_, deviations_);
+    auto fits = in_order<optim::LeastSquaresResult>(context, starts_, [&](std::uint64_t i) {
+      return one_fit(context, stage + i, starts[i], teller);
+    });
+    stage += starts_;
     std::vector<ProfiledInterval> found;
-    std::uint64_t stage = starts_;
-    for (int round = 0; round < kMostRounds && best_fit(fit_, fits); ++round) {
-      found = intervals(context, fits[*best_fit(fit_, fits)], stage, teller);
+    for (int round = 0; round < kMostRounds && best_fit(fit, fits); ++round) {
+      found = intervals(context, fit, fits[*best_fit(fit, fits)], stage, teller);
       stage += 2 * variables();
       const std::vector<double> better = better_place(found);
       if (better.empty() || context.stop.stop_requested()) break;
       fits.push_back(one_fit(context, stage++, better, teller));
     }
-    return calibration(fit_, fits, confidence_, found);
+    return calibration({fit, tables_, confidence_, columns_}, fits, found);
   }
 
   std::optional<Row> recompute(const Row& asked) const override {
@@ -185,7 +128,9 @@ class CalibrateRun final : public StudyKindRun {
       const Row one = known ? stored_[at] : context_.executor.row(question(stage_, at, values));
       if (!known) context_.store.add(one);
       teller_.see(one.values.back());
-      return run_.answer_of(one);
+      optim::Residuals residuals = run_.answer_of(one);
+      if (run_.deviations_.empty()) return residuals;
+      return optim::in_deviations(std::move(residuals), run_.columns_, run_.deviations_);
     }
 
    private:
@@ -209,10 +154,29 @@ class CalibrateRun final : public StudyKindRun {
   optim::LeastSquaresOptions options(const RunContext& context) const {
     optim::LeastSquaresOptions options;
     options.solver = solver_;
+    options.loss = loss_;
     options.confidence = confidence_;
     if (stated_) options.deviation = fit_.stated_deviation();
     options.stop = context.stop;
     return options;
+  }
+
+  // Stages of their own; rows hold residuals in parts of the sizes of the columns, whatever their deviations are.
+  void find_deviations(RunContext& context, const std::vector<std::vector<double>>& starts,
+                       Teller& teller) {
+    const auto all = in_order<optim::GroupDeviations>(context, starts_, [&](std::uint64_t i) {
+      StageLog log(*this, context, i, teller);
+      return optim::group_deviations(
+          fit_.variables(starts[i]), [&](auto values) { return log.residuals(values); }, columns_,
+          options(context));
+    });
+    deviations_.assign(1 + *std::max_element(columns_.begin(), columns_.end()), 1.0);
+    double least = std::numeric_limits<double>::infinity();
+    for (const optim::GroupDeviations& one : all) {
+      if (one.fit.estimates.empty() || !(one.level < least)) continue;
+      least = one.level;
+      deviations_ = one.deviations;
+    }
   }
 
   optim::LeastSquaresResult one_fit(RunContext& context, std::uint64_t stage,
@@ -234,14 +198,14 @@ class CalibrateRun final : public StudyKindRun {
 
   // Two stages for each parameter. Nothing is to be found where the residuals are
   // rounding, nor for a parameter that is held or not determined.
-  std::vector<ProfiledInterval> intervals(RunContext& context,
+  std::vector<ProfiledInterval> intervals(RunContext& context, const MeasuredFit& fit,
                                           const optim::LeastSquaresResult& best,
                                           std::uint64_t stage, Teller& teller) const {
     const std::size_t n = best.estimates.size();
     std::vector<ProfiledInterval> list(n);
     const bool ended =
         best.outcome == optim::Outcome::optimal || best.outcome == optim::Outcome::feasible;
-    if (!ended || fit_.exact(root_mean(best, fit_))) return list;
+    if (!ended || fit.exact(root_mean(best, fit))) return list;
     const auto ends = in_order<std::optional<optim::ProfileEnd>>(
         context, 2 * n, [&](std::uint64_t i) { return profiled(context, best, i, stage, teller); });
     for (std::size_t i = 0; i < ends.size(); ++i)
@@ -317,17 +281,22 @@ class CalibrateRun final : public StudyKindRun {
 
   MeasuredFit fit_;
   std::vector<std::string> notes_;
+  std::vector<std::size_t> columns_;  // of the points, where each column has a scatter of its own
+  std::vector<std::string> tables_;   // of measurements, as typed
+  optim::Loss loss_;
   std::uint64_t starts_;
   std::string solver_;
   std::uint64_t seed_;
   double confidence_;
-  bool stated_;  // the intervals stand on the standard deviations of the data
+  std::vector<double> deviations_;  // of the columns, once they are known
+  bool stated_;                     // the intervals stand on the standard deviations of the data
 };
 
 }  // namespace
 
 std::unique_ptr<StudyKindRun> CalibrateStudy::run(const StudyFile& file) const {
-  return std::make_unique<CalibrateRun>(*this, fit_of(*this, file));
+  if (data.empty()) return planned_calibration(*this, file.motor.design);
+  return std::make_unique<CalibrateRun>(*this, asked_fit(*this, file));
 }
 
 }  // namespace twum::studies

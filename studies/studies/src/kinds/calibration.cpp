@@ -4,6 +4,8 @@
 #include "kinds/answer_moves.hpp"
 #include "kinds/measurement_plan.hpp"
 
+#include <twum/optim/outliers.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,13 +24,18 @@ bool as_good(double a, double b, const MeasuredFit& fit) {
 
 class Calibration {
  public:
-  Calibration(const MeasuredFit& fit, const std::vector<LeastSquaresResult>& fits,
-              double confidence)
-      : fit_(fit), fits_(fits) {
-    result_.confidence = confidence;
+  Calibration(const CalibrationAsked& asked, const std::vector<LeastSquaresResult>& fits)
+      : fit_(asked.fit), fits_(fits) {
+    result_.confidence = asked.confidence;
     for (const LeastSquaresResult& one : fits_) result_.starts.push_back(start_of(one));
     result_.unit = fit_.unit();
-    for (const MeasuredPoint& point : fit_.points()) result_.data.push_back(point_of(point));
+    for (const MeasuredPoint& point : fit_.points()) {
+      result_.data.push_back(point_of(point));
+      if (point.table < asked.tables.size())
+        result_.data.back().where =
+            asked.tables[point.table] + ":" + std::to_string(point.cell.line);
+    }
+    if (!asked.columns.empty()) add_columns(asked);
   }
 
   KindAnswer answer(const std::vector<ProfiledInterval>& intervals) {
@@ -41,6 +48,7 @@ class Calibration {
       set_interval(intervals[j], result_.estimates[j]);
     const auto residuals = fit_.residuals(result_.optima.front().values);
     add_data(residuals);
+    name_outliers(best, residuals);
     test_fit();
     compare_optima(best, residuals);
     name_undetermined(best, residuals);
@@ -53,6 +61,21 @@ class Calibration {
   }
 
  private:
+  void add_columns(const CalibrationAsked& asked) {
+    for (std::size_t i = 0; i < asked.columns.size(); ++i) {
+      const MeasuredPoint& point = fit_.points()[i];
+      if (asked.columns[i] == result_.columns.size())
+        result_.columns.push_back({std::string(name_of(point.reading)),
+                                   std::string(unit_of(point.reading)), asked.tables[point.table],
+                                   0, 0});
+      CalibrateResult::ColumnScatter& column = result_.columns[asked.columns[i]];
+      ++column.count;
+      column.deviation = std::hypot(column.deviation, point.deviation);
+    }
+    for (auto& column : result_.columns)
+      column.deviation /= std::sqrt(static_cast<double>(column.count));
+  }
+
   // The least sum of squares is not yet a fit; and a search that stopped short of it says so only where it would be one.
   std::string outcome_of(const LeastSquaresResult& best) const {
     const std::string verdict = result_.verdict();
@@ -179,8 +202,8 @@ class Calibration {
     result_.residual_deviation = best.residual_deviation;
     result_.degrees_of_freedom = best.degrees_of_freedom;
     result_.student_t = best.student_t;
-    // Known beforehand, it is not what the residuals say.
-    result_.stated = std::isfinite(best.scatter) && best.scatter != best.residual_deviation;
+    result_.stated = best.scatter_known;
+    result_.huber = std::isfinite(best.bend);
     result_.static_ratio = fit_.static_ratio();
   }
 
@@ -209,24 +232,42 @@ class Calibration {
     result_.exact = fit_.exact(result_.residual_rms);
   }
 
+  // Under a loss that lets them count little the rest of the points says how good the fit is.
+  void name_outliers(const LeastSquaresResult& best, const optim::Residuals& residuals) {
+    if (result_.exact) return;
+    const double deviation =
+        best.scatter_known ? fit_.stated_deviation() : std::numeric_limits<double>::quiet_NaN();
+    for (const optim::Outlier& one : optim::find_outliers(residuals, best, deviation)) {
+      CalibrateResult::Point& point = result_.data[one.residual];
+      point.outlier = true;
+      point.counts = !result_.huber;
+      // A residual of the fit is fitted - measured, one of a result the other way round.
+      result_.outliers.push_back({one.residual, -one.distance, one.p});
+    }
+    std::vector<double> counting;
+    for (std::size_t i = 0; i < result_.data.size(); ++i)
+      if (result_.data[i].counts) counting.push_back(residuals.values[i]);
+    result_.residual_rms = fit_.rms(counting);
+  }
+
   void test_fit() {
     if (result_.exact || result_.degrees_of_freedom == 0) return;
     std::vector<const CalibrateResult::Point*> ordered;
     for (const CalibrateResult::Point& point : result_.data)
-      if (point.torque()) ordered.push_back(&point);
+      if (point.torque() && point.counts) ordered.push_back(&point);
     std::stable_sort(ordered.begin(), ordered.end(),
                      [](const auto* a, const auto* b) { return a->at < b->at; });
     std::vector<double> residuals;
     for (const CalibrateResult::Point* point : ordered) residuals.push_back(point->residual);
     if (!residuals.empty()) result_.runs = runs_test(residuals);
-    if (!fit_.deviations_given()) return;
+    if (!fit_.deviations_given() || !result_.columns.empty()) return;
     double sum = 0;
-    for (std::size_t i = 0; i < result_.data.size(); ++i) {
-      const double part = result_.data[i].residual / fit_.points()[i].deviation;
-      sum += part * part;
-    }
+    for (const CalibrateResult::Point& point : result_.data)
+      if (point.counts) sum += std::pow(point.residual / point.deviation, 2);
+    const std::size_t freedom = result_.chi_square_freedom();
+    if (freedom == 0) return;
     result_.chi_square = sum;
-    result_.chi_square_p = chi_square_tail(sum, result_.degrees_of_freedom);
+    result_.chi_square_p = chi_square_tail(sum, freedom);
   }
 
   void name_undetermined(const LeastSquaresResult& best, const optim::Residuals& residuals) {
@@ -342,9 +383,9 @@ std::optional<std::size_t> best_fit(const MeasuredFit& fit,
   return best;
 }
 
-KindAnswer calibration(const MeasuredFit& fit, const std::vector<LeastSquaresResult>& fits,
-                       double confidence, const std::vector<ProfiledInterval>& intervals) {
-  return Calibration(fit, fits, confidence).answer(intervals);
+KindAnswer calibration(const CalibrationAsked& asked, const std::vector<LeastSquaresResult>& fits,
+                       const std::vector<ProfiledInterval>& intervals) {
+  return Calibration(asked, fits).answer(intervals);
 }
 
 }  // namespace twum::studies

@@ -11,6 +11,15 @@
 
 namespace twum::studies {
 
+/// What the answer of a calibration is made from, besides the fits.
+struct CalibrationAsked {
+  const MeasuredFit& fit;
+  std::vector<std::string> tables{};  ///< of the measurements, as typed
+  double confidence{0.95};            ///< level of the intervals
+  std::vector<std::size_t>
+      columns{};  ///< as AskedFit::columns; the fit is in parts of their deviations
+};
+
 /// A measured point as a result shows it; fitted and residual are NaN.
 CalibrateResult::Point point_of(const MeasuredPoint& measured);
 
@@ -31,7 +40,8 @@ struct ProfiledInterval {
 /// What local fits from several starts say together: best_fit() with its statistics, the other places where starts
 /// ended, and whether the best one fits and is determined.
 /// @param intervals  one for each parameter, of the best fit; none: the linearised ones stand
-KindAnswer calibration(const MeasuredFit& fit, const std::vector<optim::LeastSquaresResult>& fits,
-                       double confidence, const std::vector<ProfiledInterval>& intervals = {});
+KindAnswer calibration(const CalibrationAsked& asked,
+                       const std::vector<optim::LeastSquaresResult>& fits,
+                       const std::vector<ProfiledInterval>& intervals = {});
 
 }  // namespace twum::studies

@@ -74,6 +74,17 @@ MeasuredFit MeasuredFit::asking(std::vector<MeasuredPoint> points) const {
   return {motor_, parameters_, std::move(points), varied_.derived()};
 }
 
+MeasuredFit MeasuredFit::in_parts(const std::vector<std::size_t>& columns,
+                                  const std::vector<double>& deviations) const {
+  std::vector<MeasuredPoint> points = points_;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double part = deviations[columns[i]];
+    points[i].weight /= part * part;
+    points[i].deviation = 1 / std::sqrt(points[i].weight);
+  }
+  return asking(std::move(points));
+}
+
 optim::Residuals MeasuredFit::residuals(std::span<const double> values) const {
   optim::Residuals failed;
   try {

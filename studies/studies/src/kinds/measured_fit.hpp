@@ -37,6 +37,11 @@ class MeasuredFit {
   bool sets(Parameter parameter) const;
   /// The same with further parameters varied, behind its own.
   MeasuredFit varying(const std::vector<Parameter>& more) const;
+  /// The same with the residuals of each column in parts of a deviation.
+  /// @param columns     number of the column of each point
+  /// @param deviations  of the columns, in units of the residuals
+  MeasuredFit in_parts(const std::vector<std::size_t>& columns,
+                       const std::vector<double>& deviations) const;
   /// The same with other points.
   MeasuredFit asking(std::vector<MeasuredPoint> points) const;
 

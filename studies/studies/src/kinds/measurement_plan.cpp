@@ -69,9 +69,11 @@ class Knowledge {
 
 class Planner {
  public:
-  Planner(const MeasuredFit& fit, const optim::LeastSquaresResult& best)
-      : fit_(fit), knowledge_(best.estimates.size(), best.scatter) {
-    for (const optim::Estimate& e : best.estimates) values_.push_back(e.value);
+  Planner(const MeasuredFit& fit, std::vector<double> values, double scatter)
+      : fit_(fit), values_(std::move(values)), knowledge_(values_.size(), scatter) {}
+
+  // The points of the fit are known.
+  void learn() {
     const optim::Residuals known = fit_.residuals(values_);
     for (std::size_t i = 0; i < known.values.size(); ++i)
       knowledge_.add(in_ranges(known.jacobian.data() + i * values_.size()));
@@ -193,7 +195,39 @@ class Planner {
 std::vector<CalibrateResult::Planned> measurement_plan(const MeasuredFit& fit,
                                                        const optim::LeastSquaresResult& best) {
   const bool scatter = std::isfinite(best.scatter) && !fit.exact(best.scatter);
-  return scatter ? Planner(fit, best).plan() : std::vector<CalibrateResult::Planned>{};
+  if (!scatter) return {};
+  std::vector<double> values;
+  for (const optim::Estimate& e : best.estimates) values.push_back(e.value);
+  Planner planner(fit, std::move(values), best.scatter);
+  planner.learn();
+  return planner.plan();
+}
+
+std::vector<MeasuredPoint> first_readings(const MotorDesign& motor) {
+  std::vector<Metric> metrics{Metric::torque_at};
+  if (in_use(motor, Parameter::voltage))
+    metrics.insert(metrics.end(), {Metric::phase_current_at, Metric::electrical_power_at});
+  std::vector<MeasuredPoint> points;
+  const Motor at_work(motor);
+  const MetricValue last = evaluate(at_work, MetricRequest{Metric::no_load_speed});
+  for (const Metric metric : metrics) {
+    double largest = 0;
+    for (int i = 0; i <= kGrid; ++i) {
+      const MetricValue one =
+          evaluate(at_work, MetricRequest{metric, Argument::speed, last.value * i / kGrid});
+      if (one.status == MetricStatus::ok) largest = std::max(largest, std::fabs(one.value));
+    }
+    const double deviation = kFirstDeviation * largest;
+    if (largest > 0)
+      points.push_back(
+          {MetricRequest{metric, Argument::speed, 0}, 0, 1 / (deviation * deviation), deviation});
+  }
+  return points;
+}
+
+std::vector<CalibrateResult::Planned> first_plan(const MeasuredFit& readings,
+                                                 std::vector<double> values) {
+  return Planner(readings, std::move(values), 1).plan();
 }
 
 }  // namespace twum::studies

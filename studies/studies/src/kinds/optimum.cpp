@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/optimum.hpp"
 
+#include "kinds/optimum_moves.hpp"
 #include "kinds/robust_optimum.hpp"
 #include "problem/multi_start.hpp"
 
@@ -148,6 +149,8 @@ KindAnswer OptimumRun::run(RunContext& context) {
   KindAnswer plain{outcome(found.outcome, context), answer(found)};
   const bool feasible =
       found.outcome == optim::Outcome::optimal || found.outcome == optim::Outcome::feasible;
+  if (built_.tolerances.empty() && found.outcome == optim::Outcome::optimal)
+    add_moves(held(found.design), found, std::get<OptimizeResult>(plain.answer));
   if (built_.tolerances.empty() || !feasible || context.stop.stop_requested()) return plain;
   std::vector<RobustCandidate> candidates;
   for (std::vector<double>& design : combinations_at(found.design))

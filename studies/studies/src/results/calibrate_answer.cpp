@@ -2,6 +2,7 @@
 #include "results/calibration_notes.hpp"
 #include "results/calibration_tables.hpp"
 #include "results/calibration_words.hpp"
+#include "results/move_words.hpp"
 #include "results/search_words.hpp"
 
 #include <twum/studies/text/number.hpp>
@@ -75,7 +76,7 @@ Json tests_json(const CalibrateResult& result) {
         {"count", result.runs->count}, {"runs", result.runs->runs}, {"p", result.runs->p}};
   if (result.chi_square)
     json["chi_square"] = {{"value", *result.chi_square},
-                          {"degrees_of_freedom", result.degrees_of_freedom},
+                          {"degrees_of_freedom", result.chi_square_freedom()},
                           {"p", result.chi_square_p}};
   return json;
 }
@@ -131,18 +132,6 @@ Json combinations_json(const CalibrateResult& result) {
   return json;
 }
 
-Json moves_json(const CalibrateResult& result) {
-  Json json = Json::object();
-  for (const CalibrateResult::Move& move : result.moves) {
-    Json slopes = Json::object();
-    for (std::size_t j = 0; j < move.slopes.size(); ++j)
-      slopes[result.estimates[j].parameter.name] = number_json(move.slopes[j]);
-    json[move.held.name] = {
-        {"value", move.held.value}, {"unit", move.held.unit}, {"slopes", std::move(slopes)}};
-  }
-  return json;
-}
-
 Json plan_json(const CalibrateResult& result) {
   Json json = Json::array();
   for (const CalibrateResult::Planned& planned : result.plan) {
@@ -174,6 +163,14 @@ Json point_json(const CalibrateResult::Point& point) {
   if (!point.torque()) json["unit"] = point.unit;
   if (point.deviation > 0) json["sd"] = point.deviation;
   if (!point.set.empty()) json["set"] = values_json(point.set);
+  if (!point.where.empty()) json["where"] = point.where;
+  return json;
+}
+
+Json outliers_json(const CalibrateResult& result) {
+  Json json = Json::array();
+  for (const CalibrateResult::Outlier& one : result.outliers)
+    json.push_back({{"point", one.point}, {"distance", number_json(one.distance)}, {"p", one.p}});
   return json;
 }
 
@@ -182,6 +179,28 @@ Json data_json(const CalibrateResult& result) {
   for (const CalibrateResult::Point& point : result.data) {
     json.push_back(point_json(point));
   }
+  return json;
+}
+
+std::vector<NamedValue> estimated_values(const CalibrateResult& result) {
+  std::vector<NamedValue> values;
+  for (const CalibrateResult::Estimate& e : result.estimates) values.push_back(e.parameter);
+  return values;
+}
+
+const char* scatter_word(const CalibrateResult& result) {
+  if (!result.columns.empty()) return result.unmeasured ? "assumed" : "by-column";
+  return result.stated ? "stated" : "estimated";
+}
+
+Json columns_json(const CalibrateResult& result) {
+  Json json = Json::array();
+  for (const CalibrateResult::ColumnScatter& one : result.columns)
+    json.push_back({{"quantity", one.quantity},
+                    {"unit", one.unit},
+                    {"table", one.table},
+                    {"count", one.count},
+                    {"sd", one.deviation}});
   return json;
 }
 
@@ -222,23 +241,35 @@ std::string rms_words(double rms, const std::string& unit) {
 std::string residual_words(const CalibrateResult& result) {
   const bool mixed = result.unit == "1";  // then the largest is that in standard deviations
   const auto size = [&](const CalibrateResult::Point& point) {
+    if (!point.counts) return -1.0;
     return std::fabs(point.residual) * (mixed ? std::sqrt(point.weight) : 1);
   };
   const auto largest =
       std::max_element(result.data.begin(), result.data.end(),
                        [&](const auto& a, const auto& b) { return size(a) < size(b); });
-  return counted(result.data.size(), "point") + ", residual rms " +
+  const auto left_out = static_cast<std::size_t>(std::count_if(
+      result.data.begin(), result.data.end(), [](const auto& point) { return !point.counts; }));
+  return counted(result.data.size() - left_out, "point") +
+         (left_out > 0 ? " without " + counted(left_out, "outlier") : "") + ", residual rms " +
          rms_words(result.residual_rms, result.unit) + ", largest " +
          engineering(largest->residual + 0.0, largest->unit, 3) +  // -0 + 0 is 0
          place_words(*largest) + " (measured - fitted)\n";
 }
 
-std::string test_words(const CalibrateResult& result) {
+std::string column_words(const CalibrateResult& result) {
   std::string text;
+  for (const CalibrateResult::ColumnScatter& one : result.columns)
+    text += (text.empty() ? "Scatter of each column, from its residuals: " : ", ") + one.quantity +
+            " (" + one.table + ") " + engineering(one.deviation, one.unit, 3);
+  return text.empty() ? text : text + "\n";
+}
+
+std::string test_words(const CalibrateResult& result) {
+  std::string text = column_words(result);
   if (result.chi_square) {
     text += "Scatter against the standard deviations given: chi-square " +
             rounded_text(*result.chi_square, 4) + " with " +
-            counted(result.degrees_of_freedom, "degree") +
+            counted(result.chi_square_freedom(), "degree") +
             " of freedom, p = " + rounded_text(result.chi_square_p, 2) + "\n";
   }
   if (result.runs) {
@@ -272,7 +303,8 @@ std::string optima_table(const CalibrateResult& result) {
 Json answer_json(const CalibrateResult& result) {
   Json json{{"estimates", estimates_json(result)},
             {"confidence", result.confidence},
-            {"scatter", result.stated ? "stated" : "estimated"},
+            {"scatter", scatter_word(result)},
+            {"loss", result.huber ? "huber" : "squares"},
             {"correlation", correlation_json(result)},
             {"residual_rms", number_json(result.residual_rms)},
             {"residual_sd", number_json(result.residual_deviation)},
@@ -281,18 +313,21 @@ Json answer_json(const CalibrateResult& result) {
             {"fit", tests_json(result)},
             {"undetermined", undetermined_json(result)},
             {"combinations", combinations_json(result)},
+            {"outliers", outliers_json(result)},
             {"optima", optima_json(result)},
             {"starts", starts_json(result)},
-            {"notes", calibration_notes(result)},
-            {"moves", moves_json(result)},
+            {"notes", result.unmeasured ? std::vector<std::string>{} : calibration_notes(result)},
+            {"moves", moves_json(estimated_values(result), result.moves)},
             {"plan", plan_json(result)},
             {"data", data_json(result)},
             {"units", units_json(result)}};
+  if (!result.columns.empty()) json["columns"] = columns_json(result);
   if (!result.derived.empty()) json["derived"] = values_json(result.derived);
   return json;
 }
 
 std::string answer_text(const CalibrateResult& result) {
+  if (result.unmeasured) return first_plan_words(result);
   if (result.estimates.empty())
     return result.data.front().torque()
                ? "No start could be evaluated: the motor has no torque at one of the speeds "
@@ -304,7 +339,9 @@ std::string answer_text(const CalibrateResult& result) {
     text += value.name + " follows: " + engineering(value.value, value.unit) + "\n";
   text += data_table(result) + residual_words(result) + test_words(result);
   for (const std::string& note : calibration_notes(result)) text += note + "\n";
-  return text + optima_table(result) + moves_table(result) + plan_table(result);
+  return text + optima_table(result) +
+         moves_table(estimated_values(result), result.moves, result.estimates.size(), "estimated") +
+         plan_table(result);
 }
 
 }  // namespace twum::studies

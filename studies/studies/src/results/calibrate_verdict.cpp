@@ -20,7 +20,16 @@ double part_of_largest(double rms, const std::vector<CalibrateResult::Point>& da
 
 }  // namespace
 
-double CalibrateResult::misfit() const { return part_of_largest(residual_rms, data); }
+double CalibrateResult::misfit() const {
+  double part = 0;
+  for (const ColumnScatter& column : columns) {
+    double largest = 0;
+    for (const Point& point : data)
+      if (point.quantity == column.quantity) largest = std::max(largest, std::fabs(point.value));
+    if (largest > 0) part = std::max(part, column.deviation / largest);
+  }
+  return columns.empty() ? part_of_largest(residual_rms, data) : part;
+}
 
 double CalibrateResult::misfit_of(const Optimum& optimum) const {
   return part_of_largest(optimum.residual_rms, data);
@@ -37,6 +46,12 @@ bool CalibrateResult::poor() const {
   const double chance = std::min(runs ? runs->p : 1.0, chi_square ? chi_square_p : 1.0);
   return chance < kRare || (chance < kUnlikely && misfit() > kNoticeable) ||
          (!chi_square && misfit() > kLarge);
+}
+
+std::size_t CalibrateResult::chi_square_freedom() const {
+  const auto left_out = static_cast<std::size_t>(
+      std::count_if(data.begin(), data.end(), [](const Point& point) { return !point.counts; }));
+  return degrees_of_freedom > left_out ? degrees_of_freedom - left_out : 0;
 }
 
 std::size_t CalibrateResult::equals() const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/calibration_notes.hpp"
 
+#include "results/calibration_tables.hpp"
 #include "results/calibration_words.hpp"
 #include "results/search_words.hpp"
 
@@ -69,12 +70,44 @@ void add_misfit(const CalibrateResult& result, Notes& notes) {
     text += " are large";
   if (result.misfit() > 0)
     text += ", " + about(100 * result.misfit()) + " % of the largest " +
-            (result.data.front().torque() ? "torque" : result.data.front().quantity) +
+            (result.columns.size() > 1      ? "of a column"
+             : result.data.front().torque() ? "torque"
+                                            : result.data.front().quantity) +
             " (root mean square)";
   notes.push_back(
       text +
       ". The model lacks something, a parameter that was not estimated, or a point or a "
       "unit is wrong; the intervals mean little.");
+}
+
+// "its torque at 105 rpm", "its no_load_speed"
+std::string reading_of(const CalibrateResult::Point& point) {
+  return point.torque() ? "its torque" + place_words(point) : "its" + place_words(point).substr(3);
+}
+
+void add_outliers(const CalibrateResult& result, Notes& notes) {
+  constexpr std::size_t kMost = 5;
+  constexpr double kFar = 1000;
+  const std::string remedy =
+      result.huber
+          ? "It counts little under 'loss: huber'; check the reading."
+          : "Check the reading; then leave out its line, or write 'loss: huber', under which "
+            "outliers count little.";
+  for (std::size_t k = 0; k < std::min(kMost, result.outliers.size()); ++k) {
+    const CalibrateResult::Outlier& one = result.outliers[k];
+    const CalibrateResult::Point& point = result.data[one.point];
+    const double size = std::fabs(one.distance);
+    const std::string where =
+        point.where.empty() ? "point " + std::to_string(one.point + 1) : point.where;
+    notes.push_back("Outlier " + where + ": " + reading_of(point) + " is " +
+                    (size > kFar ? "more than 1000" : rounded_text(size, 2)) +
+                    " standard deviations " + (one.distance > 0 ? "above" : "below") +
+                    " the motor that the other points give (p = " + rounded_text(one.p, 2) + ")." +
+                    (k == 0 ? " " + remedy : ""));
+  }
+  if (result.outliers.size() > kMost)
+    notes.push_back(counted(result.outliers.size() - kMost, "more outlier") +
+                    ": see 'outliers' in summary.json.");
 }
 
 void add_undetermined(const CalibrateResult::Undetermined& set, Notes& notes) {
@@ -227,6 +260,7 @@ std::vector<std::string> calibration_notes(const CalibrateResult& result) {
         "units in the heading of the data file, then the ranges.");
   if (result.at_bounds() || result.poor()) add_unit_hints(result, notes);
   if (!result.at_bounds()) add_misfit(result, notes);
+  add_outliers(result, notes);
   add_several(result, notes);
   for (const auto& set : result.undetermined) add_undetermined(set, notes);
   for (const auto& combination : result.combinations) add_combination(combination, notes);

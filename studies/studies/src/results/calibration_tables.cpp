@@ -24,21 +24,6 @@ std::string reading_words(const CalibrateResult::Point& point) {
   return words;
 }
 
-// Percent of an estimate for 1 % of a held parameter.
-double percent(const CalibrateResult& result, const CalibrateResult::Move& move, std::size_t j) {
-  return move.slopes[j] * move.held.value / result.estimates[j].parameter.value;
-}
-
-// The largest of them; 0 where there is none.
-double weight(const CalibrateResult& result, const CalibrateResult::Move& move) {
-  double most = 0;
-  for (std::size_t j = 0; j < move.slopes.size(); ++j) {
-    const double size = std::fabs(percent(result, move, j));
-    if (std::isfinite(size)) most = std::max(most, size);
-  }
-  return most;
-}
-
 }  // namespace
 
 std::string place_words(const CalibrateResult::Point& point) {
@@ -62,47 +47,49 @@ std::string data_table(const CalibrateResult& result) {
   return aligned(table) + "\n";
 }
 
-std::string moves_table(const CalibrateResult& result) {
-  constexpr std::size_t kMost = 6;   // summary.json and the page have all
-  constexpr double kNotable = 0.01;  // percent
-  std::vector<const CalibrateResult::Move*> order;
-  for (const CalibrateResult::Move& move : result.moves)
-    if (weight(result, move) >= kNotable) order.push_back(&move);
-  if (order.empty()) return {};
-  std::stable_sort(order.begin(), order.end(), [&](const auto* a, const auto* b) {
-    return weight(result, *a) > weight(result, *b);
-  });
-  TextTable table;
-  table.rows.push_back({"held fixed", "if it were"});
-  for (const auto& e : result.estimates) table.rows[0].push_back(e.parameter.name);
-  order.resize(std::min(order.size(), kMost));
-  for (const CalibrateResult::Move* move : order) {
-    const double value = 1.01 * move->held.value;
-    table.rows.push_back({move->held.name + " " + engineering(move->held.value, move->held.unit, 4),
-                          engineering(value, move->held.unit, 4)});
-    for (std::size_t j = 0; j < move->slopes.size(); ++j) {
-      const NamedValue& estimate = result.estimates[j].parameter;
-      const double moved = estimate.value + move->slopes[j] * (value - move->held.value);
-      table.rows.back().push_back(std::isfinite(moved) ? engineering(moved, estimate.unit) : "-");
-    }
-  }
-  return "\nWhat the estimates would be with another value of what is held fixed\n\n" +
-         aligned(table);
-}
+namespace {
 
-std::string plan_table(const CalibrateResult& result) {
-  if (result.plan.empty()) return {};
+std::string plan_rows(const CalibrateResult& result, const char* heading) {
   TextTable table;
-  table.rows.push_back({"measure next", "all"});
+  table.rows.push_back({heading, "all"});
   for (const auto& e : result.estimates) table.rows[0].push_back(e.parameter.name);
   for (const CalibrateResult::Planned& planned : result.plan) {
     const auto shown = [](double part) { return rounded_text(100 * part, 3) + " %"; };
     table.rows.push_back({reading_words(planned.point), shown(planned.mean)});
     for (const double width : planned.widths) table.rows.back().push_back(shown(width));
   }
+  return aligned(table);
+}
+
+}  // namespace
+
+std::string plan_table(const CalibrateResult& result) {
+  if (result.plan.empty()) return {};
   return "\nThe next measurements, and the widths of the intervals after each, in parts of those "
          "now\n\n" +
-         aligned(table);
+         plan_rows(result, "measure next");
+}
+
+std::string first_plan_words(const CalibrateResult& result) {
+  if (result.plan.empty()) return "No measurement can be planned: the motor has no value at any.\n";
+  std::string text =
+      "The first measurements, and the widths of the intervals after each, in parts of the "
+      "ranges\n\n" +
+      plan_rows(result, "measure") + "\nPlanned for the motor with";
+  const char* comma = " ";
+  for (const CalibrateResult::Estimate& e : result.estimates) {
+    text += comma + e.parameter.name + " " + engineering(e.parameter.value, e.parameter.unit, 4);
+    comma = ", ";
+  }
+  text += "; standard deviations assumed, 1 % of the largest value of each kind:";
+  comma = " ";
+  for (const CalibrateResult::ColumnScatter& one : result.columns) {
+    text += comma + one.quantity + " " + engineering(one.deviation, one.unit, 3);
+    comma = ", ";
+  }
+  return text +
+         ".\nMeasure a few of them, name their table under 'data:', and run the study again: the "
+         "plan then follows what was measured.\n";
 }
 
 }  // namespace twum::studies

@@ -12,9 +12,9 @@ namespace twum::studies {
 std::string place_words(const CalibrateResult::Point& point);
 /// Numbers that are not all torques, as measured and as fitted.
 std::string data_table(const CalibrateResult& result);
-/// What the estimates would be, were held parameters 1 % larger: those that count most.
-std::string moves_table(const CalibrateResult& result);
 /// The next measurements, and the widths of the intervals after them.
 std::string plan_table(const CalibrateResult& result);
+/// The same where nothing was measured, with what it stands on.
+std::string first_plan_words(const CalibrateResult& result);
 
 }  // namespace twum::studies

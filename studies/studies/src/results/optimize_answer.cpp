@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "results/move_words.hpp"
 #include "results/robust_answer.hpp"
 #include "results/search_words.hpp"
 
@@ -159,6 +160,12 @@ Json scan_json(const optim::Scan& scan) {
           {"before", number_json(scan.before)}};
 }
 
+// Of the numbers that move, those of the design: the goal comes last, if it is none of them.
+std::size_t chosen_count(const OptimizeResult& result) {
+  const std::size_t count = result.moving.size();
+  return count > 0 && result.moving.back().name == result.goal.metric ? count - 1 : count;
+}
+
 }  // namespace
 
 Json answer_json(const OptimizeResult& result) {
@@ -171,6 +178,8 @@ Json answer_json(const OptimizeResult& result) {
     json["before"]["statistics"] = values_json(result.before_statistics);
   if (result.robust) json["robust"] = robust_json(*result.robust);
   json["idle_variables"] = result.idle;
+  json["moves"] = moves_json(result.moving, result.moves);
+  if (!result.unmoved.empty()) json["moves_missing"] = result.unmoved;
   json["scan"] = scan_json(result.scan);
   json["solver"] = result.solver;
   json["stages"] = stages_json(result.stages);
@@ -196,7 +205,12 @@ std::string answer_text(const OptimizeResult& result) {
   if (infeasible) return text + solver_words(result);
   text += verdict(result) + scan_words(result);
   if (!result.idle.empty()) text += "Without influence here: " + enumeration(result.idle) + ".\n";
-  return text + finding_words(result.best.certificate) + solver_words(result);
+  text += finding_words(result.best.certificate) + solver_words(result) +
+          moves_table(result.moving, result.moves, chosen_count(result), "best");
+  if (!result.unmoved.empty())
+    text +=
+        "How the optimum moves with what is held fixed cannot be said: " + result.unmoved + ".\n";
+  return text;
 }
 
 }  // namespace twum::studies

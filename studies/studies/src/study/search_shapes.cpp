@@ -172,6 +172,10 @@ bool check_fit(CalibrateStudy& study, const Given& given, Diagnostics& diagnosti
     diagnostics.add(given.find("solver")->mark, given.path("solver"),
                     "'" + solver.name + "' cannot be used: " + solver.description,
                     "one of those that 'twum solvers' lists as available");
+  if (study.loss == FitLoss::huber && study.scatter == Scatter::by_column)
+    diagnostics.add(given.find("loss")->mark, given.path("loss"),
+                    "'huber' beside 'scatter: by-column'",
+                    "one of them: the scatter of a column is estimated from squares");
   return refuse_whole_numbers(study, given, diagnostics);
 }
 
@@ -222,7 +226,8 @@ Shape<CalibrateStudy> CalibrateStudy::shape() {
   using S = CalibrateStudy;
   return mapping<S>(
       "parameters from measurements",
-      {kind_field<S>(), needed<S>("data", data_files(), &S::data),
+      {kind_field<S>(),
+       optional<S>("data", data_files(), &S::data, "none: the first ten measurements are planned"),
        needed<S>("variables", shapes::variables("what is estimated", kEstimates), &S::variables),
        derived_field<S>(),
        standard<S>("confidence", fraction("level of the confidence intervals", "0.95"),
@@ -230,9 +235,15 @@ Shape<CalibrateStudy> CalibrateStudy::shape() {
        standard<S>(
            "scatter",
            word<Scatter>("what the intervals stand on: the scatter of the residuals, or the "
-                         "standard deviations in the data",
-                         {"estimated", "stated"}),
+                         "standard deviations in the data, or the scatter of each column of each "
+                         "table",
+                         {"estimated", "stated", "by-column"}),
            &S::scatter),
+       standard<S>("loss",
+                   word<FitLoss>("how residuals count: by their squares; or by their size where "
+                                 "they are large, so that outliers move the fit little",
+                                 {"squares", "huber"}),
+                   &S::loss),
        standard<S>("starts", count("local fits from different starts", "8", 1, 10000), &S::starts),
        standard<S>(
            "solver",

@@ -3,6 +3,7 @@
 
 #include <twum/core/performance/metrics.hpp>
 #include <twum/optim/result.hpp>
+#include <twum/studies/results/move.hpp>
 #include <twum/studies/statistics/fit_tests.hpp>
 #include <twum/studies/store/column.hpp>
 
@@ -56,9 +57,28 @@ struct CalibrateResult {
     Argument argument{Argument::speed};  ///< what `at` is
     double deviation{0};                 ///< standard deviation; 0: not given
     std::vector<NamedValue> set{};       ///< parameters that the bench had set
+    std::string where{};  ///< table and line, such as "points.csv:12"; empty: not from a table
+    bool outlier{false};  ///< one of CalibrateResult::outliers
+    bool counts{true};    ///< in residual_rms and in the tests of the fit
 
     /// A torque at a speed.
     bool torque() const { return quantity == "torque_at"; }
+  };
+
+  /// A point that chance does not explain (L7.1, L7.2).
+  struct Outlier {
+    std::size_t point{0};  ///< its number in the data
+    double distance{0};  ///< from the fit of the others, in standard deviations; > 0: measured more
+    double p{1};         ///< how often chance puts one of the points so far away
+  };
+
+  /// The scatter of what one column of a table holds, from its residuals.
+  struct ColumnScatter {
+    std::string quantity;  ///< what it is
+    std::string unit;      ///< its SI unit
+    std::string table;     ///< as typed
+    std::size_t count{0};  ///< numbers in it
+    double deviation{0};   ///< their standard deviation, SI
   };
 
   /// Parameters that only count together.
@@ -91,13 +111,6 @@ struct CalibrateResult {
     std::vector<NamedValue> derived;  ///< parameters that follow
   };
 
-  /// How the estimates move with a parameter that the study holds fixed (L5.1).
-  struct Move {
-    NamedValue held;  ///< which one, and its value
-    std::vector<double>
-        slopes;  ///< derivatives of the estimates by it, SI; NaN where the data do not determine all
-  };
-
   /// A measurement worth making next, and what the estimates would be like after it and those before it in the plan.
   struct Planned {
     Point point;                 ///< what to read, and where; without values
@@ -118,12 +131,15 @@ struct CalibrateResult {
   double confidence{0.95};  ///< level of all intervals
   std::string unit{
       "N.m"};  ///< of residual_rms: that of the points, or "1" where they are of several kinds
+  bool huber{false};       ///< large residuals count by their size, not by their square (L8.1)
+  bool unmeasured{false};  ///< there are no data, and the plan is of first measurements
+  std::vector<ColumnScatter> columns;  ///< where each column has a scatter of its own
   bool stated{false};               ///< the intervals stand on the standard deviations of the data
   std::vector<Estimate> estimates;  ///< empty if no start could be evaluated
   std::vector<NamedValue> derived;  ///< parameters that follow from the estimates
   std::vector<double> correlation;  ///< row after row; NaN where undetermined
-  double residual_rms{
-      std::numeric_limits<double>::quiet_NaN()};  ///< root of the weighted mean square
+  double residual_rms{std::numeric_limits<
+      double>::quiet_NaN()};  ///< root of the weighted mean square, of points that count
   double residual_deviation{std::numeric_limits<double>::quiet_NaN()};  ///< by degrees of freedom
   std::size_t degrees_of_freedom{0};       ///< points less free parameters
   double student_t{0};                     ///< half width of an interval in standard deviations
@@ -131,11 +147,12 @@ struct CalibrateResult {
   std::optional<RunsTest> runs;            ///< of the residuals in order of speed
   std::optional<double> chi_square;        ///< where standard deviations were measured
   double chi_square_p{1};                  ///< how often chance gives as much or more
+  std::vector<Outlier> outliers;           ///< the farthest first
   std::vector<Undetermined> undetermined;  ///< none if the data determine all
   std::vector<Combination> combinations;  ///< least visible first; none if the intervals are of use
   std::vector<Optimum> optima;            ///< places where starts ended, best first
   std::vector<Start> starts;              ///< every local fit
-  std::vector<Move> moves;  ///< one for each held parameter that counts; none without estimates
+  std::vector<Move> moves;                ///< of the estimates, by each held parameter that counts
   std::vector<Planned>
       plan;  ///< the next measurements in their order; empty where the scatter is unknown
   std::vector<Point> data;  ///< in the order of the file; fitted is NaN without estimates
@@ -155,6 +172,8 @@ struct CalibrateResult {
   /// larger than 2 % of the largest torque; or, without standard deviations that would explain it, one
   /// larger than 10 % of that.
   bool poor() const;
+  /// Degrees of freedom of the chi-square: less those of the points that do not count.
+  std::size_t chi_square_freedom() const;
   /// How many of the optima the data cannot tell from the best, that one included.
   std::size_t equals() const;
   /// An interval says something: its ends differ by a factor of 3 at most, or by a tenth of the range that was

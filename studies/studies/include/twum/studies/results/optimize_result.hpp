@@ -2,6 +2,7 @@
 #pragma once
 
 #include <twum/optim/result.hpp>
+#include <twum/studies/results/move.hpp>
 #include <twum/studies/results/robust_result.hpp>
 #include <twum/studies/store/column.hpp>
 
@@ -132,7 +133,10 @@ struct OptimizeResult {
   optim::Scan scan;                        ///< what a sample of the whole range said of it
   std::string solver;                      ///< whose answer it is
   std::vector<optim::StageReport> stages;  ///< what each solver run said of itself
-  std::optional<RobustReport> robust;      ///< under tolerances; `best` is then the robust optimum
+  std::vector<NamedValue> moving;          ///< what moves: the variables that may, then the goal
+  std::vector<Move> moves;                 ///< of these, by each held parameter that counts
+  std::string unmoved;  ///< why there are no moves; empty: there are, or none were looked for
+  std::optional<RobustReport> robust;  ///< under tolerances; `best` is then the robust optimum
 };
 
 }  // namespace twum::studies

@@ -199,8 +199,12 @@ struct UncertaintyStudy {
 /// Who searches for the least sum of squares, in the order of optim::least_squares_solvers().
 enum class FitSolver : unsigned char { own, gsl };
 
-/// What the intervals of a calibration stand on: the scatter of the residuals, or the standard deviations in the data.
-enum class Scatter : unsigned char { estimated, stated };
+/// How the residuals of a calibration count: by their squares, or as Huber has it.
+enum class FitLoss : unsigned char { squares, huber };
+
+/// What the intervals of a calibration stand on: the scatter of the residuals, the standard deviations in the data,
+/// or a scatter for each column of each table, from its residuals.
+enum class Scatter : unsigned char { estimated, stated, by_column };
 
 /// Parameters from measurements.
 struct CalibrateStudy {
@@ -209,11 +213,12 @@ struct CalibrateStudy {
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
-  std::vector<std::string> data;          ///< paths of the tables of measurements, at least one
+  std::vector<std::string> data;  ///< paths of the tables of measurements; none: a plan is wanted
   std::vector<DesignVariable> variables;  ///< what is estimated
   std::vector<DerivedParameter> derived;  ///< what follows from the variables
   double confidence{0.95};                ///< level of the intervals
   Scatter scatter{Scatter::estimated};    ///< what the intervals stand on
+  FitLoss loss{FitLoss::squares};         ///< how residuals count
   std::uint64_t starts{8};                ///< local fits from different starts
   FitSolver solver{FitSolver::own};       ///< of each of them
   std::uint64_t seed{1};                  ///< of the starts

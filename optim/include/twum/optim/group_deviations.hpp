@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/optim/least_squares.hpp>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace twum::optim {
+
+/// What a fit says of residuals in groups, each with a standard deviation of its own.
+struct GroupDeviations {
+  std::vector<double> deviations;  ///< of the groups, in units of the residuals
+  LeastSquaresResult fit;          ///< of the residuals in parts of these; its scatter is 1
+  /// Comparable among fits from different starts: the logarithm of the geometric mean of the deviations, each counted by the
+  /// degrees of freedom of its group. The least fits best.
+  double level{0.0};
+};
+
+/// Residuals in parts of the deviations of their groups.
+/// @throws InputError if not every residual has a group
+Residuals in_deviations(Residuals raw, std::span<const std::size_t> groups,
+                        std::span<const double> deviations);
+
+/// Estimates parameters and the deviation of each group of residuals in turn until both stay (L9.1). A group that a fit can go
+/// through has no scatter to estimate: each needs more residuals than there are parameters.
+/// @param groups   number of the group of each residual, from 0
+/// @param options  with the loss of squares and no known deviation
+/// @throws InputError as least_squares(); for other options
+/// Cost: about ten fits.
+GroupDeviations group_deviations(const std::vector<Variable>& parameters,
+                                 const ResidualFunction& residuals,
+                                 const std::vector<std::size_t>& groups,
+                                 const LeastSquaresOptions& options = {});
+
+}  // namespace twum::optim

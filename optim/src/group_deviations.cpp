@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/optim/group_deviations.hpp>
+
+#include <twum/base/error.hpp>
+
+#include "fitted_space.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
+namespace twum::optim {
+namespace {
+
+using Eigen::Index;
+
+class GroupedFit {
+ public:
+  GroupedFit(const std::vector<Variable>& parameters, const ResidualFunction& residuals,
+             const std::vector<std::size_t>& groups, const LeastSquaresOptions& options)
+      : parameters_(parameters), residuals_(residuals), groups_(groups), options_(options) {
+    result_.deviations.assign(1 + *std::max_element(groups_.begin(), groups_.end()), 1.0);
+  }
+
+  GroupDeviations run() {
+    constexpr int kMostRounds = 60;
+    for (int round = 0; round < kMostRounds; ++round) {
+      step();
+      const bool over = options_.max_evaluations <= counters_.evaluations;
+      if (result_.fit.estimates.empty() || over || options_.stop.stop_requested()) break;
+      if (settled()) break;
+    }
+    result_.fit.counters = counters_;
+    return result_;
+  }
+
+ private:
+  void step() {
+    std::vector<Variable> from = parameters_;
+    const auto& before = result_.fit.estimates;
+    for (std::size_t j = 0; j < before.size(); ++j) from[j].start = before[j].value;
+    LeastSquaresOptions rest = options_;
+    rest.max_evaluations -= std::min(rest.max_evaluations, counters_.evaluations);
+    result_.fit = least_squares(
+        from, [&](auto b) { return in_deviations(residuals_(b), groups_, result_.deviations); },
+        rest);
+    counters_.add(result_.fit.counters);
+  }
+
+  // Sum of squares and degrees of freedom of each group, as the fit counts them.
+  struct Shares {
+    std::vector<double> squares;
+    std::vector<double> freedom;
+  };
+
+  Shares shares() {
+    std::vector<double> b;
+    std::vector<Index> free;
+    for (const Estimate& e : result_.fit.estimates) {
+      if (!e.at_bound) free.push_back(static_cast<Index>(b.size()));
+      b.push_back(e.value);
+    }
+    const Residuals here = in_deviations(residuals_(b), groups_, result_.deviations);
+    ++counters_.evaluations;
+    ++counters_.gradients;
+    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    const Eigen::Map<const RowMajor> jacobian(
+        here.jacobian.data(), static_cast<Index>(groups_.size()), static_cast<Index>(b.size()));
+    const Eigen::MatrixXd q = fitted_space(jacobian(Eigen::all, free));
+    const std::size_t count = result_.deviations.size();
+    Shares found{std::vector<double>(count, 0.0), std::vector<double>(count, 0.0)};
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+      found.squares[groups_[i]] += here.values[i] * here.values[i];
+      found.freedom[groups_[i]] += 1.0 - q.row(static_cast<Index>(i)).squaredNorm();
+    }
+    return found;
+  }
+
+  // True if the residuals have the deviations that the fit was made with (L9.1); else these change.
+  bool settled() {
+    constexpr double kSettled = 1e-9;
+    const Shares found = shares();
+    std::vector<double> next = result_.deviations;
+    bool same = true;
+    double weight = 0.0;
+    result_.level = 0.0;
+    for (std::size_t k = 0; k < next.size(); ++k) {
+      weight += found.freedom[k];
+      result_.level += found.freedom[k] * std::log(next[k]);
+      if (!(found.squares[k] > 0.0) || !(found.freedom[k] > 0.0)) continue;
+      const double factor = std::sqrt(found.squares[k] / found.freedom[k]);
+      next[k] *= factor;
+      same = same && std::abs(factor - 1.0) <= kSettled;
+    }
+    result_.level /= weight;
+    if (!same) result_.deviations = next;
+    return same;
+  }
+
+  const std::vector<Variable>& parameters_;
+  const ResidualFunction& residuals_;
+  const std::vector<std::size_t>& groups_;
+  const LeastSquaresOptions& options_;
+  GroupDeviations result_;
+  Counters counters_;
+};
+
+}  // namespace
+
+Residuals in_deviations(Residuals raw, std::span<const std::size_t> groups,
+                        std::span<const double> deviations) {
+  if (!raw.failure.empty()) return raw;
+  if (raw.values.size() != groups.size())
+    throw InputError("least squares: not every residual has a group");
+  const std::size_t n = raw.jacobian.size() / raw.values.size();
+  for (std::size_t i = 0; i < raw.values.size(); ++i) {
+    const double unit = 1.0 / deviations[groups[i]];
+    raw.values[i] *= unit;
+    for (std::size_t j = 0; j < n; ++j) raw.jacobian[i * n + j] *= unit;
+  }
+  return raw;
+}
+
+GroupDeviations group_deviations(const std::vector<Variable>& parameters,
+                                 const ResidualFunction& residuals,
+                                 const std::vector<std::size_t>& groups,
+                                 const LeastSquaresOptions& options) {
+  if (options.loss != Loss::squares || std::isfinite(options.deviation) || groups.empty())
+    throw InputError("least squares: groups need the loss of squares and a scatter to estimate");
+  return GroupedFit(parameters, residuals, groups, options).run();
+}
+
+}  // namespace twum::optim

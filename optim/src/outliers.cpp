@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/optim/outliers.hpp>
+
+#include "fitted_space.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <numeric>
+
+namespace twum::optim {
+namespace {
+
+using Eigen::Index;
+using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+
+// How often a number of this law is as far from 0, or farther, to either side.
+double two_tails(double t, bool normal, double freedom) {
+  using boost::math::complement;
+  if (normal)
+    return 2.0 * cdf(complement(boost::math::normal_distribution<double, InDouble>(), std::abs(t)));
+  return 2.0 * cdf(complement(boost::math::students_t_distribution<double, InDouble>(freedom),
+                              std::abs(t)));
+}
+
+class OutlierSearch {
+ public:
+  OutlierSearch(const Residuals& at, const LeastSquaresResult& fit, double deviation)
+      : deviation_(deviation), rows_(at.values.size()) {
+    const std::size_t n = fit.estimates.size();
+    std::vector<std::size_t> free;
+    for (std::size_t j = 0; j < n; ++j)
+      if (!fit.estimates[j].at_bound) free.push_back(j);
+    const auto m = static_cast<Index>(rows_.size());
+    residuals_ = Eigen::Map<const Eigen::VectorXd>(at.values.data(), m);
+    jacobian_.resize(m, static_cast<Index>(free.size()));
+    for (std::size_t k = 0; k < free.size(); ++k)
+      for (std::size_t i = 0; i < rows_.size(); ++i)
+        jacobian_(static_cast<Index>(i), static_cast<Index>(k)) = at.jacobian[i * n + free[k]];
+    std::iota(rows_.begin(), rows_.end(), Index{0});
+  }
+
+  // The farthest residuals in the order in which they are taken out; of these all up to the last unlikely one count: two
+  // that hide each other are unlikely only when the first is gone.
+  std::vector<Outlier> find(double level) {
+    std::vector<Outlier> list;
+    std::size_t unlikely = 0;
+    const std::size_t most = 1 + freedom() / 10;
+    while (list.size() < most && freedom() >= (known() ? 1 : 3)) {
+      const auto [place, outlier] = farthest();
+      if (outlier.distance == 0.0) break;
+      rows_.erase(rows_.begin() + place);
+      list.push_back(outlier);
+      if (outlier.p < level) unlikely = list.size();
+    }
+    list.resize(unlikely);
+    return list;
+  }
+
+ private:
+  struct Found {
+    std::ptrdiff_t place;  // among the rows that remain
+    Outlier outlier;
+  };
+
+  bool known() const { return std::isfinite(deviation_); }
+  std::size_t freedom() const {
+    const auto n = static_cast<std::size_t>(jacobian_.cols());
+    return rows_.size() > n ? rows_.size() - n : 0;
+  }
+
+  // L7.1 for every row that remains, and L7.2 for the largest.
+  Found farthest() const {
+    const Eigen::MatrixXd q = fitted_space(jacobian_(rows_, Eigen::all));
+    const Eigen::VectorXd r = residuals_(rows_);
+    const Eigen::VectorXd e = r - q * (q.transpose() * r);
+    const double freedom = static_cast<double>(static_cast<Index>(rows_.size()) - q.cols());
+    Found found{0, {}};
+    for (Index i = 0; i < e.size(); ++i) {
+      const double own = 1.0 - q.row(i).squaredNorm();
+      if (own < kOwn) continue;
+      const double rest = (e.squaredNorm() - e[i] * e[i] / own) / (freedom - 1.0);
+      const double scatter = known() ? deviation_ : std::sqrt(std::max(rest, 0.0));
+      const double t = e[i] == 0.0 ? 0.0 : e[i] / (scatter * std::sqrt(own));
+      if (std::abs(t) <= std::abs(found.outlier.distance)) continue;
+      found = {i, {static_cast<std::size_t>(rows_[static_cast<std::size_t>(i)]), t, 1.0}};
+    }
+    const double each = two_tails(found.outlier.distance, known(), freedom - 1.0);
+    found.outlier.p = std::min(1.0, static_cast<double>(rows_.size()) * each);
+    return found;
+  }
+
+  // A row with less of its own than this decides parameters alone: the fit goes through it, wherever it is.
+  static constexpr double kOwn = 1e-8;
+
+  double deviation_;
+  std::vector<Index> rows_;  // that remain
+  Eigen::VectorXd residuals_;
+  Eigen::MatrixXd jacobian_;  // by the free parameters
+};
+
+}  // namespace
+
+std::vector<Outlier> find_outliers(const Residuals& at, const LeastSquaresResult& fit,
+                                   double deviation, double level) {
+  return OutlierSearch(at, fit, deviation).find(level);
+}
+
+}  // namespace twum::optim

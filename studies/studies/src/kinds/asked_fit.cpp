@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinds/asked_fit.hpp"
+
+#include <twum/base/error.hpp>
+#include <twum/studies/diagnostics/diagnostics.hpp>
+#include <twum/studies/text/words.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+namespace twum::studies {
+namespace {
+
+// A path that leads nowhere is the study's mistake; what is wrong inside the file is the file's.
+MeasuredPoints points_of(const std::string& path) {
+  try {
+    return read_measured_points(path);
+  } catch (const FileError&) {
+    throw;
+  } catch (const InputError& error) {
+    throw InputError(std::string(error.what()) +
+                     "; expected measured points, from the folder of the study: a CSV file with "
+                     "the columns 'speed [rpm],torque [N.m]'");
+  }
+}
+
+std::vector<std::string> unit_notes(const MeasuredPoints& table) {
+  std::string names;
+  for (const std::string& heading : table.without_unit)
+    names += (names.empty() ? "" : ", ") + heading;
+  if (names.empty()) return {};
+  return {"the headings of the measured points have no unit, so that they are read in SI units: " +
+          names};
+}
+
+// What a column sets cannot be estimated as well.
+void refuse_set(const MeasuredPoints& table, const CalibrateStudy& asked,
+                Diagnostics& diagnostics) {
+  std::vector<Parameter> given = parameters_of(asked.variables);
+  for (const DerivedParameter& rule : asked.derived) given.push_back(rule.parameter);
+  for (const auto& [parameter, mark] : table.set) {
+    const ParameterInfo& row = info(parameter);
+    const bool twice = std::any_of(given.begin(), given.end(), [&](Parameter other) {
+      return other == row.parameter || row.twin == other;
+    });
+    if (twice)
+      diagnostics.add(mark, std::string(row.name), "set here, and estimated by the study",
+                      "leave out the column, or the variable");
+  }
+}
+
+// Intervals that stand on standard deviations need them; one place for each column that has none.
+void refuse_bare(const MeasuredPoints& table, Diagnostics& diagnostics) {
+  std::vector<std::string_view> said;
+  for (const MeasuredPoint& point : table.points) {
+    const std::string_view quantity = name_of(point.reading);
+    if (point.deviation > 0 || std::find(said.begin(), said.end(), quantity) != said.end())
+      continue;
+    said.push_back(quantity);
+    const std::string name(quantity == "torque_at" ? "torque" : quantity);
+    diagnostics.add(point.heading, name, "no standard deviation, on which 'scatter: stated' stands",
+                    "add the column '" + name + "_sd', or leave out 'scatter'");
+  }
+}
+
+// Points of one kind in one table.
+bool same_column(const MeasuredPoint& a, const MeasuredPoint& b) {
+  return a.table == b.table && same_kind(a.reading, b.reading);
+}
+
+// The scatter of as many numbers as there are parameters, or fewer, is what the fit leaves of it.
+void refuse_short(const MeasuredPoints& table, std::size_t parameters, Diagnostics& diagnostics) {
+  std::vector<const MeasuredPoint*> said;
+  for (const MeasuredPoint& point : table.points) {
+    const auto like = [&](const MeasuredPoint& other) { return same_column(point, other); };
+    if (std::any_of(said.begin(), said.end(), [&](const auto* other) { return like(*other); }))
+      continue;
+    said.push_back(&point);
+    const auto count =
+        static_cast<std::size_t>(std::count_if(table.points.begin(), table.points.end(), like));
+    if (count > parameters) continue;
+    diagnostics.add(
+        point.heading, std::string(name_of(point.reading)),
+        counted(count, "number") +
+            ", of which 'scatter: by-column' cannot estimate the "
+            "scatter beside " +
+            counted(parameters, "parameter"),
+        "measure more, or give standard deviations of all columns and leave out 'scatter'");
+  }
+}
+
+MeasuredPoints checked_table(const CalibrateStudy& asked, const std::string& path) {
+  MeasuredPoints table = points_of(path);
+  const Source source = read_source(path);
+  Diagnostics diagnostics(source);
+  refuse_set(table, asked, diagnostics);
+  if (asked.scatter == Scatter::stated) refuse_bare(table, diagnostics);
+  if (asked.scatter == Scatter::by_column) refuse_short(table, asked.variables.size(), diagnostics);
+  diagnostics.throw_if_any();
+  return table;
+}
+
+// A measure of each number that has no standard deviation, for a first fit: the root mean square of its column.
+void give_sizes(std::vector<MeasuredPoint>& points) {
+  std::vector<double> sizes;
+  for (const MeasuredPoint& point : points) {
+    double squares = 0;
+    double count = 0;
+    for (const MeasuredPoint& other : points) {
+      if (!same_column(point, other)) continue;
+      squares += other.value * other.value;
+      ++count;
+    }
+    sizes.push_back(squares > 0 ? std::sqrt(squares / count) : 1);
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i].deviation == 0) points[i].deviation = sizes[i];
+}
+
+std::vector<std::size_t> columns_of(const std::vector<MeasuredPoint>& points) {
+  std::vector<const MeasuredPoint*> firsts;
+  std::vector<std::size_t> columns;
+  for (const MeasuredPoint& point : points) {
+    const auto known = std::find_if(firsts.begin(), firsts.end(),
+                                    [&](const auto* first) { return same_column(*first, point); });
+    columns.push_back(static_cast<std::size_t>(known - firsts.begin()));
+    if (known == firsts.end()) firsts.push_back(&point);
+  }
+  return columns;
+}
+
+}  // namespace
+
+AskedFit asked_fit(const CalibrateStudy& asked, const StudyFile& file) {
+  std::vector<MeasuredPoints> tables;
+  std::string paths;
+  for (const std::string& name : asked.data) {
+    const std::string path = (std::filesystem::path(file.folder) / name).string();
+    paths += (paths.empty() ? "" : ", ") + path;
+    tables.push_back(checked_table(asked, path));
+    if (asked.scatter == Scatter::by_column) give_sizes(tables.back().points);
+  }
+  MeasuredPoints table = joined(std::move(tables));
+  std::vector<MeasuredPoint>& points = table.points;
+  if (points.size() < asked.variables.size())
+    throw InputError(paths + ": " + counted(points.size(), "point") + " cannot determine " +
+                     counted(asked.variables.size(), "parameter") +
+                     "; measure more points or estimate fewer parameters");
+  std::vector<std::string> notes = unit_notes(table);
+  std::vector<std::size_t> columns;
+  if (asked.scatter == Scatter::by_column) columns = columns_of(points);
+  return {{file.motor.design, asked.variables, std::move(points), asked.derived},
+          std::move(notes),
+          std::move(columns)};
+}
+
+}  // namespace twum::studies

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "kinds/measured_fit.hpp"
+
+#include <twum/studies/study/study.hpp>
+#include <twum/studies/study/study_file.hpp>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace twum::studies {
+
+/// The fit that a calibration asks for.
+struct AskedFit {
+  MeasuredFit fit;
+  std::vector<std::string> notes;  ///< what is to be said of its points
+  /// Number of the column of each point, from 0, where each column has a scatter of its own; else empty.
+  std::vector<std::size_t> columns;
+};
+
+/// Reads the tables of a calibration.
+/// @throws InputError, or FileError with the places in a table, if they do not make a fit
+AskedFit asked_fit(const CalibrateStudy& asked, const StudyFile& file);
+
+}  // namespace twum::studies

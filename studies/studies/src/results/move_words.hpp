@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "results/answers.hpp"
+
+#include <twum/studies/results/move.hpp>
+
+#include <string>
+#include <vector>
+
+/// How an answer moves with what its study holds fixed: what optimize, size and calibrate say of it. Internal.
+namespace twum::studies {
+
+/// {held: {value, unit, slopes: {name: slope}}}
+/// @param answer  the numbers that move, in the order of the slopes
+Json moves_json(const std::vector<NamedValue>& answer, const std::vector<Move>& moves);
+
+/// What the numbers of the answer would be, were held parameters 1 % larger: those that count most, and one of them in words.
+/// Empty where none counts.
+/// @param chosen  how many of the numbers, from the first, are values of parameters
+/// @param word    what these are: "best"
+std::string moves_table(const std::vector<NamedValue>& answer, const std::vector<Move>& moves,
+                        std::size_t chosen, const std::string& word);
+
+}  // namespace twum::studies

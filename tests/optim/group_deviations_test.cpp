@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Residuals in groups with deviations of their own (L9.1).
+#include <twum/optim/group_deviations.hpp>
+#include <twum/optim/random.hpp>
+
+#include <twum/base/error.hpp>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+using namespace twum::optim;
+
+namespace {
+
+// Readings of one level by instruments.
+struct Readings {
+  std::vector<double> y;
+  std::vector<std::size_t> instrument;
+
+  ResidualFunction residuals() const {
+    return [this](std::span<const double> b) {
+      Residuals r;
+      for (const double value : y) r.values.push_back(b[0] - value);
+      r.jacobian.assign(y.size(), 1.0);
+      return r;
+    };
+  }
+  GroupDeviations found() const {
+    return group_deviations({{"level", -100, 100, 0}}, residuals(), instrument);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a level read by two instruments has the likeliest deviations (L9.1)",
+          "[optim][least_squares]") {
+  // The restricted likelihood of a level with two deviations, searched by hand: the data's probability with the level integrated
+  // out, exp(-sum (y - b)^2 / (2 d^2)) / (product of d) / sqrt(sum 1 / d^2).
+  const Readings readings{{1.1, 0.9, 1.3, 0.8, 1.0, 2.0, 0.2, 1.9, -0.4},
+                          {0, 0, 0, 0, 0, 1, 1, 1, 1}};
+  const auto likelihood = [&](double first, double second) {
+    double weights = 0, sum = 0, logs = 0;
+    for (std::size_t i = 0; i < readings.y.size(); ++i) {
+      const double d = readings.instrument[i] == 0 ? first : second;
+      weights += 1 / (d * d);
+      sum += readings.y[i] / (d * d);
+      logs += std::log(d);
+    }
+    double squares = 0;
+    for (std::size_t i = 0; i < readings.y.size(); ++i)
+      squares += std::pow(
+          (readings.y[i] - sum / weights) / (readings.instrument[i] == 0 ? first : second), 2);
+    return -0.5 * squares - logs - 0.5 * std::log(weights);
+  };
+  double best[2] = {0.5, 0.5};
+  for (double step = 0.1; step > 1e-9;) {
+    bool moved = false;
+    for (const int which : {0, 1}) {
+      for (const double sign : {-1.0, 1.0}) {
+        double next[2] = {best[0], best[1]};
+        next[which] += sign * step;
+        if (next[which] <= 0 || likelihood(next[0], next[1]) <= likelihood(best[0], best[1]))
+          continue;
+        best[0] = next[0];
+        best[1] = next[1];
+        moved = true;
+      }
+    }
+    if (!moved) step /= 2;
+  }
+  const GroupDeviations found = readings.found();
+  // The likelihood is flat to rounding over the root of it.
+  CHECK(found.deviations[0] == Approx(best[0]).epsilon(1e-6));
+  CHECK(found.deviations[1] == Approx(best[1]).epsilon(1e-6));
+  CHECK(found.fit.residual_deviation == Approx(1.0).epsilon(1e-7));
+}
+
+TEST_CASE("deviations of groups are found, and the better instrument counts more",
+          "[optim][least_squares][statistics]") {
+  constexpr std::size_t kCount = 400;
+  Random random(7, 0, 0);
+  Readings readings;
+  for (std::size_t i = 0; i < 2 * kCount; ++i) {
+    const double radius = std::sqrt(-2 * std::log(1 - random.uniform()));
+    const double normal = radius * std::cos(2 * std::numbers::pi * random.uniform());
+    readings.instrument.push_back(i / kCount);
+    readings.y.push_back(3 + (i < kCount ? 1.0 : 0.1) * normal);
+  }
+  const GroupDeviations found = readings.found();
+  // Of a deviation from 400 numbers the relative error is 1 / sqrt(800), 3.5 %; of the level 0.1 / sqrt(400). Four of each.
+  CHECK(found.deviations[0] == Approx(1.0).epsilon(0.15));
+  CHECK(found.deviations[1] == Approx(0.1).epsilon(0.15));
+  CHECK(found.fit.estimates[0].value == Approx(3).margin(0.02));
+}
+
+TEST_CASE("groups that do not fit the options are refused", "[optim][least_squares][errors]") {
+  const Readings readings{{1, 2, 3}, {0, 0}};
+  CHECK_THROWS_AS(readings.found(), twum::InputError);
+  LeastSquaresOptions options;
+  options.loss = Loss::huber;
+  CHECK_THROWS_AS(group_deviations({{"level", -1, 1, 0}}, readings.residuals(), {0, 0, 0}, options),
+                  twum::InputError);
+}
