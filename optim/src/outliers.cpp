@@ -80,7 +80,7 @@ class OutlierSearch {
     Found found{0, {}};
     for (Index i = 0; i < e.size(); ++i) {
       const double own = 1.0 - q.row(i).squaredNorm();
-      if (own < kOwn) continue;
+      if (own < kLeastOwn) continue;
       const double rest = (e.squaredNorm() - e[i] * e[i] / own) / (freedom - 1.0);
       const double scatter = known() ? deviation_ : std::sqrt(std::max(rest, 0.0));
       const double t = e[i] == 0.0 ? 0.0 : e[i] / (scatter * std::sqrt(own));
@@ -93,7 +93,7 @@ class OutlierSearch {
   }
 
   // A row with less of its own than this decides parameters alone: the fit goes through it, wherever it is.
-  static constexpr double kOwn = 1e-8;
+  static constexpr double kLeastOwn = 1e-8;
 
   double deviation_;
   std::vector<Index> rows_;  // that remain

@@ -101,6 +101,14 @@ TEST_CASE("optima of motors move as solving again says (L5.2, L5.3)",
               {{"kinetic_friction", ""}, {"force_factor", "N/V"}});
 }
 
+TEST_CASE("sets that were chosen and whole numbers stay as they are", "[studies][optimize]") {
+  const Search s(example_study("choose-lining.yaml"));
+  REQUIRE(s.answer.outcome == "optimal");
+  CHECK(s.optimum().unmoved.empty());
+  CHECK(find_move(s.optimum(), "density") != nullptr);  // what the set gives is held
+  for (const NamedValue& one : s.optimum().moving) CHECK(one.name != "lining");
+}
+
 TEST_CASE("an optimum without a derivative says why", "[studies][optimize]") {
   // Plateau torque does not depend on the amplitude: the best design is a valley.
   const Search s(

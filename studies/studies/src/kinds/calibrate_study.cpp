@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <iterator>
 #include <limits>
 #include <mutex>
@@ -51,13 +52,21 @@ class Teller {
 // How often the search for intervals may find a better fit; more than one is rare.
 constexpr int kMostRounds = 4;
 
+// Without folders: a result directory has other paths to the same tables.
+std::vector<std::string> file_names(const std::vector<std::string>& paths) {
+  std::vector<std::string> names;
+  for (const std::string& path : paths)
+    names.push_back(std::filesystem::path(path).filename().string());
+  return names;
+}
+
 class CalibrateRun final : public StudyKindRun {
  public:
   CalibrateRun(const CalibrateStudy& asked, AskedFit fit)
       : fit_(std::move(fit.fit)),
         notes_(std::move(fit.notes)),
         columns_(std::move(fit.columns)),
-        tables_(asked.data),
+        tables_(file_names(asked.data)),
         loss_(asked.loss == FitLoss::huber ? optim::Loss::huber : optim::Loss::squares),
         starts_(asked.starts),
         solver_(optim::least_squares_solvers()[static_cast<std::size_t>(asked.solver)].name),
@@ -282,7 +291,7 @@ class CalibrateRun final : public StudyKindRun {
   MeasuredFit fit_;
   std::vector<std::string> notes_;
   std::vector<std::size_t> columns_;  // of the points, where each column has a scatter of its own
-  std::vector<std::string> tables_;   // of measurements, as typed
+  std::vector<std::string> tables_;   // of measurements, without folders
   optim::Loss loss_;
   std::uint64_t starts_;
   std::string solver_;

@@ -14,7 +14,7 @@ namespace twum::studies {
 /// What the answer of a calibration is made from, besides the fits.
 struct CalibrationAsked {
   const MeasuredFit& fit;
-  std::vector<std::string> tables{};  ///< of the measurements, as typed
+  std::vector<std::string> tables{};  ///< of the measurements, without folders
   double confidence{0.95};            ///< level of the intervals
   std::vector<std::size_t>
       columns{};  ///< as AskedFit::columns; the fit is in parts of their deviations

@@ -64,13 +64,16 @@ bool value_there(const std::vector<NamedValue>& values, const std::string& name)
 }  // namespace
 
 void add_moves(const DesignProblem& question, const optim::Result& found, OptimizeResult& result) {
-  const MotorDesign motor = motor_of(question, found.design);
+  // The sets are in the motor, so that the design is that of the variables alone.
+  const auto count = static_cast<std::ptrdiff_t>(question.variables.size());
+  const std::vector<double> design(found.design.begin(), found.design.begin() + count);
+  const MotorDesign motor = motor_of(question, design);
   std::vector<Parameter> held = held_parameters(question, motor);
-  held = seen(motor_problem(widened(question, held, motor)), with_values(found.design, held, motor),
-              held);
+  held =
+      seen(motor_problem(widened(question, held, motor)), with_values(design, held, motor), held);
   const optim::OptimumMoves moves =
       optim::optimum_moves(motor_problem(widened(question, held, motor)),
-                           with_values(found.design, held, motor), held.size(), found.certificate);
+                           with_values(design, held, motor), held.size(), found.certificate);
   result.unmoved = moves.reason;
   if (moves.objective.empty()) return;
   std::vector<std::size_t> variables;
@@ -78,7 +81,7 @@ void add_moves(const DesignProblem& question, const optim::Result& found, Optimi
     const ParameterInfo& row = info(question.variables[j].parameter);
     if (row.integer) continue;
     variables.push_back(j);
-    result.moving.push_back({std::string(row.name), std::string(row.unit), found.design[j]});
+    result.moving.push_back({std::string(row.name), std::string(row.unit), design[j]});
   }
   const bool of_design = value_there(result.moving, result.goal.metric);
   if (!of_design)
