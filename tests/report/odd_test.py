@@ -147,6 +147,39 @@ class Calibration(Study):
         self.assertIn("kinetic friction 0.1 (held by its max)", self.text(".verdict"))
 
 
+    def test_an_outlier_is_marked_among_the_points(self):
+        speeds = range(10, 140, 10)
+        truth = [0.848, 0.848, 0.847, 0.846, 0.845, 0.843, 0.840, 0.834, 0.824, 0.806, 0.770, 0.690, 0.520]
+        wrong = "".join(f"{s},{t - (0.2 if s == 50 else 0)}\n" for s, t in zip(speeds, truth))
+        summary = self.calibrate("outlier", wrong)
+        self.assertEqual([summary["data"][o["point"]]["where"] for o in summary["outliers"]], ["outlier.csv:6"])
+        marked = [row for row in self.lines("[data-table=points] tr") if "outlier" in row]
+        self.assertEqual(len(marked), 1)
+        self.assertIn("50 rpm", marked[0])
+        self.assertIn("contact radius", " ".join(self.lines("[data-table=moves] tr")))
+
+    def test_each_kind_of_data_has_a_chart_of_residuals(self):
+        (self.folder / "kinds.csv").write_text("torque [N.m],speed_at [rpm],speed_at_sd [rpm],no_load_speed [rpm],no_load_speed_sd [rpm]\n"
+                                               "0.1,138,1,141,1\n0.3,133,1,140,1\n0.5,127,1,142,1\n")
+        self.study("kinds", "kind: calibrate, data: kinds.csv, starts: 1, variables: {amplitude: {min: 1 um, max: 2.2 um}}")
+        self.assertTrue(self.browser.value("['speed_at', 'no_load_speed'].every((n) => document.querySelector(`[data-chart='residuals ${n}']`))"))
+
+    def test_without_data_the_page_is_the_plan(self):
+        summary = self.study("first", "kind: calibrate, variables: {kinetic_friction: {min: 0.05, max: 0.5}}")
+        self.assertEqual(len(summary["plan"]), 10)
+        self.assertIn("Nothing is measured yet", self.text(".verdict"))
+        self.assertEqual(self.lines("[data-table=estimates]"), [])
+        self.assertIn("The first measurements", self.lines("h2"))
+
+
+class Moves(Study):
+    def test_an_optimum_says_how_it_moves(self):
+        summary = self.study("moves", "kind: size, variables: {preload: {min: 60 N, max: 300 N}}, duty: [{torque: 0.5 N.m, speed: 20 rpm}]")
+        row = next(row for row in self.lines("[data-table=moves] tr") if "kinetic friction" in row)
+        # Torque is mu F r: 1 % more friction takes 1 % less preload.
+        self.assertIn("%.4g N" % (0.99 * summary["best"]["design"]["preload"]), row)
+
+
 class TwoLimits(Study):
     def test_no_bar_of_a_histogram_is_on_both_sides_of_either_limit(self):
         windows = {"wide": (0.8, 0.9), "near": (0.84, 0.85), "least": (0.8, 5), "most": (0.1, 0.9), "none": (0.9, 0.8), "exact": None}
