@@ -18,15 +18,22 @@ import {between, engineering, percent, rounded} from './units.js';
 import {verdicts} from './verdict.js';
 import {memberText, plain} from './words.js';
 
+/** Members of the answer with their curves; one that makes no motor has none. */
+function membersWithCurves() {
+  const parameter = summary.family?.parameter;
+  const curveOf = (c) => curves.find((k) => k && (!parameter || k.design[parameter] === c[parameter]));
+  return summary.curves.map((c) => [c, curveOf(c)]).filter(([, curve]) => curve);
+}
+
 function curveSections() {
-  const name = (c) =>
-      (summary.family ? plain(summary.family.parameter) + ' ' + memberText(c) : data.motor.name || 'motor');
-  const names = summary.curves.map(name);
-  const section = new CurveSection(curves.filter(Boolean), names);
-  const metrics = Object.keys(summary.curves[0].metrics);
-  const columns = summary.curves.map((c, i) => ({name: names[i] || String(i + 1), values: c.metrics}));
+  const family = summary.family && plain(summary.family.parameter) + ' ';
+  const name = (c) => (family ? family + memberText(c) : data.motor.name || 'motor');
+  const shown = membersWithCurves();
+  const section = shown.length ? new CurveSection(shown.map(([, curve]) => curve), shown.map(([c]) => name(c))) : null;
+  const metrics = Object.keys(summary.curves[0]?.metrics ?? {});
+  const columns = summary.curves.map((c) => ({name: name(c), values: c.metrics}));
   return [
-    () => section.torque('Torque'), () => section.others(),
+    () => section?.torque('Torque'), () => section?.others(),
     () => card('Metrics', metricsNote(metrics), 'wide').append(valuesTable('metrics', 'metric', metrics, columns))
   ];
 }
@@ -191,7 +198,8 @@ function contents() {
     const node = title.closest('.card');
     node.id ||= 'part-' + (i + 1);
     const open = () => node.querySelector(':scope > details')?.setAttribute('open', '');
-    return el('a', {href: '#' + node.id, onclick: open}, title.textContent);
+    const text = node.id === 'chosen' ? 'The point chosen' : title.textContent;
+    return el('a', {href: '#' + node.id, onclick: open}, text);
   });
   return el('nav', {'aria-label': 'contents'}, links);
 }

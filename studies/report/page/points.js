@@ -54,21 +54,21 @@ class Layer {
 export class PointLayer extends Layer {
   /**
    * x, y: {values, range, log}; shade: colour of a chosen row as one pixel, or null for one colour;
-   * onTop: of densities, which show what is not chosen
+   * overlaid: of densities, which show what is not chosen
    */
-  constructor(filter, x, y, shade, onTop) {
+  constructor(filter, x, y, shade, overlaid) {
     super();
     this.filter = filter;
     this.x = x;
     this.y = y;
     this.shade = shade;
-    this.onTop = onTop;
+    this.overlaid = overlaid;
   }
 
   /** Which rows are painted, in order: those that are not chosen below. */
   passes() {
-    if (!this.filter.intervals.size) return this.onTop ? [] : [1];
-    return this.onTop ? [1] : [0, 1];
+    if (!this.filter.intervals.size) return this.overlaid ? [] : [1];
+    return this.overlaid ? [1] : [0, 1];
   }
 
   paint(ctx, width, height) {
@@ -78,7 +78,7 @@ export class PointLayer extends Layer {
     const pixels = new Uint32Array(image.data.buffer);
     const [px, py] = [pixelOf(this.x, width), pixelOf(this.y, height)];
     for (const pass of this.passes()) {
-      const onePaint = packed(colour(pass ? (this.onTop ? 'c1' : 'c0') : 'faint'));
+      const onePaint = packed(colour(pass ? (this.overlaid ? 'c1' : 'c0') : 'faint'));
       const shade = pass && this.shade ? this.shade() : null;
       for (let i = 0; i < count; ++i) {
         if (chosen[i] !== pass) continue;
