@@ -10,12 +10,10 @@ source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 format=$(command -v clang-format-14 || command -v clang-format)
 mapfile -t files < <(find core optim studies apps bench tests bindings examples -name '*.[ch]pp' 2>/dev/null | sort)
 mapfile -t scripts < <(find studies/report/page -name '*.js' | sort)
-# The designer and the page of a calibration are still to be formatted.
-mapfile -t formatted < <(printf '%s\n' "${scripts[@]}" | grep -v -e /designer/ -e /calibrate.js)
 if [[ ${1:-} == --fix ]]; then
-  exec "$format" -i "${files[@]}" "${formatted[@]}"
+  exec "$format" -i "${files[@]}" "${scripts[@]}"
 fi
-"$format" --dry-run --Werror "${files[@]}" "${formatted[@]}"
+"$format" --dry-run --Werror "${files[@]}" "${scripts[@]}"
 # The pages' modules: names, arguments and types, as far as they can be inferred.
 tsc --noEmit --allowJs --checkJs --noUnusedLocals --noUnusedParameters --target es2022 --module es2022 \
   --lib es2022,dom,dom.iterable studies/report/page/*.d.ts "${scripts[@]}"

@@ -6,13 +6,19 @@ import {colour, el} from '../dom.js';
 import {displayUnit, engineering, largest, noBreak, rounded, rpm} from '../units.js';
 
 /** Numbers as uPlot takes them: in the unit shown, gaps where there is no answer. */
-function drawn(values, divisor, shown = null) { return Array.from(values, (v, i) => (Number.isFinite(v) && (shown === null || shown[i] >= 0) ? v / divisor : null)); }
+function drawn(values, divisor, shown = null) {
+  return Array.from(values, (v, i) => (Number.isFinite(v) && (shown === null || shown[i] >= 0) ? v / divisor : null));
+}
 
 /** Range of an axis from 0 to a little above what is drawn. */
 function fromZero(lists) {
   let high = 0;
   let low = 0;
-  for (const list of lists) for (const v of list) { if (v !== null && v > high) high = v; if (v !== null && v < low) low = v; }
+  for (const list of lists)
+    for (const v of list) {
+      if (v !== null && v > high) high = v;
+      if (v !== null && v < low) low = v;
+    }
   return [low < 0 ? low * 1.05 : 0, high > 0 ? high * 1.12 : 1];
 }
 
@@ -28,18 +34,28 @@ function curveAt(curve, name, speed) {
 /** A chart whose lines follow the motor, and the pinned motor dashed beside it. */
 export class LiveChart {
   /**
-   * @param {{name: string, unit: string, lines: {column: string, name: string, colour: string}[], top?: number, height: number, ground?: Function, front?: Function}} shape
+   * @param {{name: string, unit: string, lines: {column: string, name: string, colour: string}[], top?: number, height:
+   *     number, ground?: Function, front?: Function}} shape
    * @param {import('./panel.js').DesignerPanel} panel
    */
   constructor(node, shape, panel) {
     this.shape = shape;
     this.panel = panel;
-    this.unit = { text: '', divisor: 1 };
-    const lines = shape.lines.flatMap((line) => [{ name: line.name, y: [], colour: line.colour }, { name: line.name + ', pinned', y: [], colour: line.colour, dash: [3, 5] }]);
-    this.read = el('div', { class: 'read' });
+    this.unit = {text: '', divisor: 1};
+    const lines = shape.lines.flatMap(
+        (line) =>
+            [{name: line.name, y: [], colour: line.colour},
+             {name: line.name + ', pinned', y: [], colour: line.colour, dash: [3, 5]}]);
+    this.read = el('div', {class: 'read'});
     this.plot = chart(node, [], lines, {
-      name: shape.name, height: shape.height, x: { label: 'speed [rpm]', range: () => this.xRange ?? [0, 1] }, y: { label: shape.name, range: () => this.yRange ?? [0, 1] },
-      ground: (u) => this.ground(u), front: (u) => this.front(u), onMove: (i) => this.readAt(i), onKey: (_, event) => panel.speedKey(event),
+      name: shape.name,
+      height: shape.height,
+      x: {label: 'speed [rpm]', range: () => this.xRange ?? [0, 1]},
+      y: {label: shape.name, range: () => this.yRange ?? [0, 1]},
+      ground: (u) => this.ground(u),
+      front: (u) => this.front(u),
+      onMove: (i) => this.readAt(i),
+      onKey: (_, event) => panel.speedKey(event),
     });
     node.append(this.read);
     this.follow();
@@ -48,32 +64,53 @@ export class LiveChart {
   /** A press or a drag on the chart chooses the speed of the fields. */
   follow() {
     const over = this.plot.over;
-    const go = (event) => { if (event.buttons || event.type === 'pointerdown') this.panel.setSpeed(this.plot.posToVal(event.clientX - over.getBoundingClientRect().left, 'x') * rpm); };
+    const go = (event) => {
+      if (event.buttons || event.type === 'pointerdown')
+        this.panel.setSpeed(this.plot.posToVal(event.clientX - over.getBoundingClientRect().left, 'x') * rpm);
+    };
     over.addEventListener('pointerdown', go);
     over.addEventListener('pointermove', go);
   }
 
   show(curve, pinned) {
-    const { lines, unit, top } = this.shape;
+    const {lines, unit, top} = this.shape;
     this.curve = curve;
-    this.unit = unit === '%' ? percentShown : displayUnit(largest([...lines.map((l) => curve[l.column]), ...(pinned ? lines.map((l) => pinned[l.column]) : [])]), unit);
+    this.unit = unit === '%' ?
+        percentShown :
+        displayUnit(
+            largest([...lines.map((l) => curve[l.column]), ...(pinned ? lines.map((l) => pinned[l.column]) : [])]),
+            unit);
     const of = (c, line) => drawn(c[line.column], this.unit.divisor, unit === '%' ? c.output_power : null);
     const other = pinned ? resampledCurve(pinned, lines.map((l) => l.column), curve.speed) : null;
-    const columns = lines.flatMap((line) => [of(curve, line), other ? of(other, line) : curve.speed.length ? new Array(curve.speed.length).fill(null) : []]);
+    const columns = lines.flatMap(
+        (line) =>
+            [of(curve, line),
+             other                  ? of(other, line) :
+                 curve.speed.length ? new Array(curve.speed.length).fill(null) :
+                                      []]);
     const speeds = Array.from(curve.speed, (v) => v / rpm);
     this.xRange = [0, speeds[speeds.length - 1] || 1];
     this.yRange = top ? [0, top] : fromZero(columns);
-    if (this.plot.axes[1].label !== axisText(this.shape.name, this.unit)) this.plot.axes[1].label = axisText(this.shape.name, this.unit);
+    if (this.plot.axes[1].label !== axisText(this.shape.name, this.unit))
+      this.plot.axes[1].label = axisText(this.shape.name, this.unit);
     this.plot.setData([speeds, ...columns]);
   }
 
   readAt(i) {
-    if (i === null || i === undefined || !this.curve) { this.read.replaceChildren(); return; }
-    const parts = this.shape.lines.map((line, k) => [line.name, this.plot.data[1 + 2 * k][i]]).filter(([, v]) => v !== null);
-    this.read.replaceChildren('at ', el('b', {}, rounded(this.plot.data[0][i]) + noBreak + 'rpm'), ...parts.flatMap(([name, v]) => [', ' + name + ' ', el('b', {}, rounded(v) + noBreak + this.unit.text)]));
+    if (i === null || i === undefined || !this.curve) {
+      this.read.replaceChildren();
+      return;
+    }
+    const parts =
+        this.shape.lines.map((line, k) => [line.name, this.plot.data[1 + 2 * k][i]]).filter(([, v]) => v !== null);
+    this.read.replaceChildren(
+        'at ', el('b', {}, rounded(this.plot.data[0][i]) + noBreak + 'rpm'),
+        ...parts.flatMap(([name, v]) => [', ' + name + ' ', el('b', {}, rounded(v) + noBreak + this.unit.text)]));
   }
 
-  ground(u) { if (this.shape.ground) this.shape.ground(u, this); }
+  ground(u) {
+    if (this.shape.ground) this.shape.ground(u, this);
+  }
 
   front(u) {
     drawSpeed(u, this.panel.state.view.speed / rpm);
@@ -81,13 +118,17 @@ export class LiveChart {
   }
 }
 
-const percentShown = { text: '%', divisor: 0.01 };
+const percentShown = {
+  text: '%',
+  divisor: 0.01
+};
 export function axisText(name, unit) { return name + (unit.text ? ' [' + unit.text + ']' : ''); }
 
 /** Columns of a curve at the speeds of another. */
 function resampledCurve(curve, names, speeds) {
   const all = [...new Set([...names, 'output_power'])];
-  return Object.fromEntries(all.map((name) => [name, Float64Array.from(speeds, (speed) => curveAt(curve, name, speed))]));
+  return Object.fromEntries(
+      all.map((name) => [name, Float64Array.from(speeds, (speed) => curveAt(curve, name, speed))]));
 }
 
 function drawSpeed(u, speed) {
@@ -108,8 +149,10 @@ function drawSpeed(u, speed) {
 
 /** A forbidden region: hatched, in the colour of warnings. */
 function drawForbidden(u, left, right, low, high) {
-  const [x0, x1] = [left, right].map((v) => Math.min(Math.max(u.valToPos(v, 'x', true), u.bbox.left), u.bbox.left + u.bbox.width));
-  const [y0, y1] = [high, low].map((v) => Math.min(Math.max(u.valToPos(v, 'y', true), u.bbox.top), u.bbox.top + u.bbox.height));
+  const [x0, x1] =
+      [left, right].map((v) => Math.min(Math.max(u.valToPos(v, 'x', true), u.bbox.left), u.bbox.left + u.bbox.width));
+  const [y0, y1] =
+      [high, low].map((v) => Math.min(Math.max(u.valToPos(v, 'y', true), u.bbox.top), u.bbox.top + u.bbox.height));
   if (!(x1 > x0 && y1 > y0)) return;
   const ctx = u.ctx;
   const step = 9 * devicePixelRatio;
@@ -123,7 +166,10 @@ function drawForbidden(u, left, right, low, high) {
   ctx.lineWidth = 1.2 * devicePixelRatio;
   ctx.strokeRect(x0, y0, x1 - x0, y1 - y0);
   ctx.beginPath();
-  for (let x = x0 - (y1 - y0); x < x1; x += step) { ctx.moveTo(x, y1); ctx.lineTo(x + (y1 - y0), y0); }
+  for (let x = x0 - (y1 - y0); x < x1; x += step) {
+    ctx.moveTo(x, y1);
+    ctx.lineTo(x + (y1 - y0), y0);
+  }
   ctx.stroke();
   ctx.restore();
 }
@@ -134,9 +180,12 @@ function forbiddenRegions(limits, curve) {
   const thin = 0.012;
   return limits.flatMap((l) => {
     const least = l.sense === '>=';
-    if (l.metric === 'torque_at' && l.argument === 'speed') return [least ? [0, l.at, 0, l.value] : [l.at, last, l.value, Infinity]];
-    if (l.metric === 'speed_at' && l.argument === 'torque') return [least ? [0, l.value, 0, l.at] : [l.value, last, l.at, Infinity]];
-    if (l.metric === 'stall_torque' || l.metric === 'max_torque') return [least ? [0, thin * last, 0, l.value] : [0, last, l.value, Infinity]];
+    if (l.metric === 'torque_at' && l.argument === 'speed')
+      return [least ? [0, l.at, 0, l.value] : [l.at, last, l.value, Infinity]];
+    if (l.metric === 'speed_at' && l.argument === 'torque')
+      return [least ? [0, l.value, 0, l.at] : [l.value, last, l.at, Infinity]];
+    if (l.metric === 'stall_torque' || l.metric === 'max_torque')
+      return [least ? [0, thin * last, 0, l.value] : [0, last, l.value, Infinity]];
     if (l.metric === 'no_load_speed') return [least ? [0, l.value, 0, null] : [l.value, last, 0, Infinity]];
     return [];
   });
@@ -168,5 +217,11 @@ export function drawLoad(u, shown, load, point) {
   ctx.lineTo(u.valToPos(b, 'x', true), y(b));
   ctx.stroke();
   ctx.restore();
-  if (point) drawMarks(u, [{ x: point.speed / rpm, y: point.torque / shown.unit.divisor, colour: 'c6', text: engineering(point.torque, 'N.m', 3) + ' at ' + engineering(point.speed, 'rad/s', 3) }]);
+  if (point)
+    drawMarks(u, [{
+                x: point.speed / rpm,
+                y: point.torque / shown.unit.divisor,
+                colour: 'c6',
+                text: engineering(point.torque, 'N.m', 3) + ' at ' + engineering(point.speed, 'rad/s', 3)
+              }]);
 }

@@ -6,8 +6,16 @@ import {bytesOf} from '../bytes.js';
 /** Thrown where the core has no answer for a motor; the message says why. */
 export class CoreError extends Error {}
 
-export const coreArguments = { none: 0, speed: 1, torque: 2 };
-const edgeNumbers = { free: 0, clamped: 1, supported: 2 };
+export const coreArguments = {
+  none: 0,
+  speed: 1,
+  torque: 2
+};
+const edgeNumbers = {
+  free: 0,
+  clamped: 1,
+  supported: 2
+};
 
 /** The compiled module from its base64. */
 export async function compiledCore(text) {
@@ -33,8 +41,8 @@ export class Core {
   restart() {
     /** @type {any} */
     const imports = {};
-    const notHere = () => 52; // what WASI answers to a call that does not exist
-    for (const { module, name } of WebAssembly.Module.imports(this.module)) (imports[module] ??= {})[name] = notHere;
+    const notHere = () => 52;  // what WASI answers to a call that does not exist
+    for (const {module, name} of WebAssembly.Module.imports(this.module)) (imports[module] ??= {})[name] = notHere;
     this.exports = /** @type {any} */ (new WebAssembly.Instance(this.module, imports).exports);
     this.exports._initialize();
   }
@@ -44,7 +52,10 @@ export class Core {
     return this.text().split(' ');
   }
 
-  text() { return new TextDecoder().decode(new Uint8Array(this.exports.memory.buffer, this.exports.text(), this.exports.text_size()).slice()); }
+  text() {
+    return new TextDecoder().decode(
+        new Uint8Array(this.exports.memory.buffer, this.exports.text(), this.exports.text_size()).slice());
+  }
 
   /** The memory may have moved with the last call, so a view is made for each look. */
   output(count) { return new Float64Array(this.exports.memory.buffer, this.exports.output(), count); }
@@ -60,18 +71,24 @@ export class Core {
     try {
       count = this.exports[name](...given);
     } catch (error) {
-      this.restart(); // after a trap nothing in the instance can be relied on
+      this.restart();  // after a trap nothing in the instance can be relied on
       throw new CoreError('internal error, please report it with this motor: ' + error.message);
     }
     if (count < 0) throw new CoreError(this.text());
     return count;
   }
 
-  /** @returns {any} Takes a motor as the state keeps it; its numbers, the values of all parameters, and which are in use. */
+  /**
+   * @returns {any} Takes a motor as the state keeps it; its numbers, the values of all parameters, and which are in
+   *     use.
+   */
   motor(stated, changes = {}) {
-    const values = { ...stated.values, ...changes };
+    const values = {...stated.values, ...changes};
     const list = this.parameters.map((name) => values[name] ?? NaN);
-    this.write([...list, stated.branch === 'dead' ? 1 : 0, edgeNumbers[stated.inner_edge] ?? 0, stated.table.length, ...stated.table.flat()]);
+    this.write([
+      ...list, stated.branch === 'dead' ? 1 : 0, edgeNumbers[stated.inner_edge] ?? 0, stated.table.length,
+      ...stated.table.flat()
+    ]);
     this.call('motor');
     const own = this.motorNumbers.length;
     const count = this.parameters.length;
@@ -83,12 +100,15 @@ export class Core {
     };
   }
 
-  /** The modal data that an equivalent circuit stands for; R_m, L_m, C_m, C_0 and Theta in. @returns {Object<string, number>} */
+  /**
+   * The modal data that an equivalent circuit stands for; R_m, L_m, C_m, C_0 and Theta in. @returns {Object<string,
+   * number>}
+   */
   modalData(circuit) {
     this.write(circuit);
     const count = this.call('circuit');
     const found = this.output(2 * count);
-    return Object.fromEntries(Array.from({ length: count }, (_, i) => [this.parameters[found[2 * i]], found[2 * i + 1]]));
+    return Object.fromEntries(Array.from({length: count}, (_, i) => [this.parameters[found[2 * i]], found[2 * i + 1]]));
   }
 
   /** Columns of the curve from rest to a speed; a point without an answer has a status. */
@@ -96,19 +116,21 @@ export class Core {
     this.call('curve', points, last);
     const width = this.columns.length;
     const found = this.output(points * width);
-    return Object.fromEntries(this.columns.map((name, k) => [name, Float64Array.from({ length: points }, (_, i) => found[i * width + k])]));
+    return Object.fromEntries(
+        this.columns.map((name, k) => [name, Float64Array.from({length: points}, (_, i) => found[i * width + k])]));
   }
 
   /** @param {{metric: string, argument?: string, at?: number}[]} asked */
   ask(asked) {
-    this.write(asked.flatMap((one) => [this.metricNames.indexOf(one.metric), coreArguments[one.argument ?? 'none'], one.at ?? 0]));
+    this.write(asked.flatMap(
+        (one) => [this.metricNames.indexOf(one.metric), coreArguments[one.argument ?? 'none'], one.at ?? 0]));
   }
 
   metrics(asked) {
     this.ask(asked);
     this.call('metrics', asked.length);
     const found = this.output(2 * asked.length);
-    return asked.map((_, i) => ({ value: found[2 * i], status: this.metricStatuses[found[2 * i + 1]] }));
+    return asked.map((_, i) => ({value: found[2 * i], status: this.metricStatuses[found[2 * i + 1]]}));
   }
 
   /** Values with their derivatives in every parameter. */
@@ -117,10 +139,16 @@ export class Core {
     this.call('gradients', asked.length);
     const width = 3 + this.parameters.length;
     const found = this.output(asked.length * width);
-    return asked.map((_, i) => ({ value: found[i * width], status: this.metricStatuses[found[i * width + 1]], gradient: found.slice(i * width + 3, (i + 1) * width) }));
+    return asked.map((_, i) => ({
+                       value: found[i * width],
+                       status: this.metricStatuses[found[i * width + 1]],
+                       gradient: found.slice(i * width + 3, (i + 1) * width)
+                     }));
   }
 
-  /** @returns {any} The contact at a speed: numbers of the point, zones [state, from, to], and samples along one wave. */
+  /**
+   * @returns {any} The contact at a speed: numbers of the point, zones [state, from, to], and samples along one wave.
+   */
   fields(speed, samples) {
     const count = this.call('fields', speed, samples);
     const width = this.columns.length;
@@ -128,11 +156,15 @@ export class Core {
     const point = Object.fromEntries(this.columns.map((name, i) => [name, head[i]]));
     const zones = head[width];
     const rest = this.output(width + 1 + 3 * zones + 5 * count).subarray(width + 1);
-    const sample = (k) => Float64Array.from({ length: count }, (_, i) => rest[3 * zones + 5 * i + k]);
+    const sample = (k) => Float64Array.from({length: count}, (_, i) => rest[3 * zones + 5 * i + k]);
     return {
-      point: { ...point, status: this.pointStatuses[point.status] },
-      zones: Array.from({ length: zones }, (_, i) => Array.from(rest.subarray(3 * i, 3 * i + 3))),
-      phase: sample(0), pressure: sample(1), traction: sample(2), stator: sample(3), layer: sample(4),
+      point: {...point, status: this.pointStatuses[point.status]},
+      zones: Array.from({length: zones}, (_, i) => Array.from(rest.subarray(3 * i, 3 * i + 3))),
+      phase: sample(0),
+      pressure: sample(1),
+      traction: sample(2),
+      stator: sample(3),
+      layer: sample(4),
     };
   }
 

@@ -5,7 +5,10 @@ import {plainUnit, readQuantity, typedQuantity, unitFactors} from './quantity.js
 
 /** Lines of a nested mapping; values are texts that YAML reads as they stand. */
 function yamlLines(tree, indent) {
-  return Object.entries(tree).flatMap(([key, value]) => (typeof value === 'object' ? [indent + key + ':', ...yamlLines(value, indent + '  ')] : [indent + key + ': ' + value]));
+  return Object.entries(tree).flatMap(
+      ([key, value]) =>
+          (typeof value === 'object' ? [indent + key + ':', ...yamlLines(value, indent + '  ')] :
+                                       [indent + key + ': ' + value]));
 }
 
 /** A text between double quotes, as YAML and JSON both read it. */
@@ -20,7 +23,7 @@ function putEntry(tree, path, value) {
 
 /** What stands below `motor:`, every value with its unit. */
 function motorTree(motor, tables) {
-  const tree = motor.name ? { name: quotedText(motor.name) } : {};
+  const tree = motor.name ? {name: quotedText(motor.name)} : {};
   for (const [name, row] of Object.entries(tables.parameters)) {
     if (motor.values[name] === undefined) continue;
     const slices = name === 'radial_slices' && motor.values[name] === 0;
@@ -28,11 +31,17 @@ function motorTree(motor, tables) {
   }
   if (motor.values.voltage !== undefined && motor.branch === 'dead') putEntry(tree, 'stator.branch', 'dead');
   if (motor.inner_edge) putEntry(tree, 'stator.geometry.support.inner_edge', motor.inner_edge);
-  if (motor.table.length && !motor.inner_edge) putEntry(tree, 'stator.radial_shape.table', '[' + motor.table.map(([radius, shape]) => '[' + typedQuantity(radius, 'm') + ', ' + shape + ']').join(', ') + ']');
+  if (motor.table.length && !motor.inner_edge)
+    putEntry(
+        tree, 'stator.radial_shape.table',
+        '[' + motor.table.map(([radius, shape]) => '[' + typedQuantity(radius, 'm') + ', ' + shape + ']').join(', ') +
+            ']');
   return tree;
 }
 
-export function motorYaml(motor, tables) { return yamlLines({ twum: '1', motor: motorTree(motor, tables) }, '').join('\n') + '\n'; }
+export function motorYaml(motor, tables) {
+  return yamlLines({twum: '1', motor: motorTree(motor, tables)}, '').join('\n') + '\n';
+}
 
 /** "torque_at(100 rpm) >= 0.5 N.m" */
 function limitText(limit, tables) {
@@ -43,8 +52,16 @@ function limitText(limit, tables) {
 
 /** A study that searches from this motor: what is free between the ends of its slider, the goal, and the limits. */
 export function studyYaml(motor, tables, free, goal, limits) {
-  const variables = Object.fromEntries(free.map(({ name, min, max }) => [name, '{min: ' + typedQuantity(min, tables.parameters[name].unit) + ', max: ' + typedQuantity(max, tables.parameters[name].unit) + '}']));
-  const head = { twum: '1', motor: motorTree(motor, tables), study: { kind: 'optimize', variables, [goal.sense]: goal.metric } };
+  const variables = Object.fromEntries(free.map(
+      ({name, min, max}) =>
+          [name,
+           '{min: ' + typedQuantity(min, tables.parameters[name].unit) +
+               ', max: ' + typedQuantity(max, tables.parameters[name].unit) + '}']));
+  const head = {
+    twum: '1',
+    motor: motorTree(motor, tables),
+    study: {kind: 'optimize', variables, [goal.sense]: goal.metric}
+  };
   const lines = yamlLines(head, '');
   if (limits.length) lines.push('  constraints:', ...limits.map((l) => '    - ' + limitText(l, tables)));
   return lines.join('\n') + '\n';
@@ -56,13 +73,17 @@ export class MotorFileError extends Error {}
 function leaves(tree, path = '') {
   return Object.entries(tree).flatMap(([key, value]) => {
     const here = path + key;
-    return value !== null && typeof value === 'object' && !Array.isArray(value) ? leaves(value, here + '.') : [[here, value]];
+    return value !== null && typeof value === 'object' && !Array.isArray(value) ? leaves(value, here + '.') :
+                                                                                  [[here, value]];
   });
 }
 
 /** The values of a material that an entry of the geometry names. */
 function setMaterial(values, block, material, tables) {
-  if (!Object.hasOwn(tables.materials, material)) throw new MotorFileError(block + '.material: ' + String(material).slice(0, 40) + ' is not in the catalogue; expected one of ' + Object.keys(tables.materials).join(', '));
+  if (!Object.hasOwn(tables.materials, material))
+    throw new MotorFileError(
+        block + '.material: ' + String(material).slice(0, 40) + ' is not in the catalogue; expected one of ' +
+        Object.keys(tables.materials).join(', '));
   for (const [property, value] of Object.entries(tables.materials[material])) {
     const name = block + '_' + property;
     if (Object.hasOwn(tables.parameters, name)) values[name] ??= value;
@@ -73,11 +94,18 @@ function setMaterial(values, block, material, tables) {
 function shapeTable(rows, tables) {
   const read = (text, unit) => readQuantity(tables, String(text), unit, unit === '1' ? 1 : undefined);
   const table = (Array.isArray(rows) ? rows : []).map((row) => [read(row[0], 'm').value, read(row[1], '1').value]);
-  if (!table.length || !table.flat().every(Number.isFinite)) throw new MotorFileError('stator.radial_shape.table: expected rows such as [24 mm, 0.9]');
+  if (!table.length || !table.flat().every(Number.isFinite))
+    throw new MotorFileError('stator.radial_shape.table: expected rows such as [24 mm, 0.9]');
   return table;
 }
 
-const circuitUnits = { motional_resistance: 'ohm', motional_inductance: 'H', motional_capacitance: 'F', blocked_capacitance: 'F', force_factor: 'N/V' };
+const circuitUnits = {
+  motional_resistance: 'ohm',
+  motional_inductance: 'H',
+  motional_capacitance: 'F',
+  blocked_capacitance: 'F',
+  force_factor: 'N/V'
+};
 const circuitPath = 'stator.equivalent_circuit.';
 
 /** One number of a motor file in SI. */
@@ -98,28 +126,51 @@ function takeCircuit(motor, entries, tables, core) {
   });
   const data = core.modalData(circuit);
   for (const name of [...Object.keys(data), 'modal_damping']) {
-    if (motor.values[name] !== undefined) throw new MotorFileError('stator.' + name + ': follows from equivalent_circuit; give the circuit or the modal data, not both');
+    if (motor.values[name] !== undefined)
+      throw new MotorFileError(
+          'stator.' + name + ': follows from equivalent_circuit; give the circuit or the modal data, not both');
   }
   Object.assign(motor.values, data);
 }
 
 /** Enters one value of a motor file. */
 function takeEntry(motor, path, value, tables, byEntry) {
-  if (path === 'name') { motor.name = String(value); return; }
-  if (path === 'stator.branch') { motor.branch = value === 'dead' ? 'dead' : 'running'; return; }
-  if (path === 'stator.geometry.support.inner_edge') { motor.inner_edge = String(value); return; }
-  if (path === 'stator.radial_shape.table') { motor.table = shapeTable(value, tables); return; }
+  if (path === 'name') {
+    motor.name = String(value);
+    return;
+  }
+  if (path === 'stator.branch') {
+    motor.branch = value === 'dead' ? 'dead' : 'running';
+    return;
+  }
+  if (path === 'stator.geometry.support.inner_edge') {
+    motor.inner_edge = String(value);
+    return;
+  }
+  if (path === 'stator.radial_shape.table') {
+    motor.table = shapeTable(value, tables);
+    return;
+  }
   const material = /^stator\.geometry\.(\w+)\.material$/.exec(path);
-  if (material) { setMaterial(motor.values, material[1], value, tables); return; }
+  if (material) {
+    setMaterial(motor.values, material[1], value, tables);
+    return;
+  }
   const name = byEntry[path];
-  if (name === undefined) throw new MotorFileError(path.slice(0, 60) + ': this page does not read that entry; run "twum explore" with the file, which reads all of them');
-  if (name === 'radial_slices' && value === 'auto') { motor.values[name] = 0; return; }
+  if (name === undefined)
+    throw new MotorFileError(
+        path.slice(0, 60) +
+        ': this page does not read that entry; run "twum explore" with the file, which reads all of them');
+  if (name === 'radial_slices' && value === 'auto') {
+    motor.values[name] = 0;
+    return;
+  }
   motor.values[name] = entryNumber(path, value, tables.parameters[name].unit, tables);
 }
 
 /** Values that a file may leave out and the page needs to name. */
 function fillDefaults(motor) {
-  const { values } = motor;
+  const {values} = motor;
   if (values.static_friction === undefined) values.static_friction = values.kinetic_friction;
   if (values.modal_damping === undefined && values.quality_factor === undefined) values.modal_damping = 0;
   values.radial_slices ??= 1;
@@ -128,9 +179,13 @@ function fillDefaults(motor) {
 
 /** What has to be in a motor file and is not. */
 function missingEntries(motor, tables) {
-  const drawn = motor.values.substrate_thickness !== undefined; // gives the neutral plane
-  return Object.entries(tables.parameters).filter(([name, row]) => row.required && motor.values[name] === undefined
-    && (row.twin === null || motor.values[row.twin] === undefined) && !(drawn && name === 'neutral_plane_distance')).map(([, row]) => row.entry);
+  const drawn = motor.values.substrate_thickness !== undefined;  // gives the neutral plane
+  return Object.entries(tables.parameters)
+      .filter(
+          ([name, row]) => row.required && motor.values[name] === undefined &&
+              (row.twin === null || motor.values[row.twin] === undefined) &&
+              !(drawn && name === 'neutral_plane_distance'))
+      .map(([, row]) => row.entry);
 }
 
 /** Reads a motor file. @param {import('./core.js').Core} core  @returns {StatedMotor} */
@@ -138,17 +193,19 @@ export function readMotorYaml(text, tables, core) {
   let file;
   try {
     file = jsyaml.load(text);
-  } catch (error) {
-    throw new MotorFileError(String(error.message).split('\n')[0]);
-  }
-  if (file === null || typeof file !== 'object' || file.twum !== 1) throw new MotorFileError('twum: expected a motor file, which begins with "twum: 1"');
+  } catch (error) { throw new MotorFileError(String(error.message).split('\n')[0]); }
+  if (file === null || typeof file !== 'object' || file.twum !== 1)
+    throw new MotorFileError('twum: expected a motor file, which begins with "twum: 1"');
   if (file.study !== undefined) throw new MotorFileError('study: this is a study file; expected a motor file');
-  if (file.motor === null || typeof file.motor !== 'object') throw new MotorFileError('motor: expected the motor with its entries');
-  const motor = { name: '', values: {}, branch: 'running', inner_edge: null, table: [] };
+  if (file.motor === null || typeof file.motor !== 'object')
+    throw new MotorFileError('motor: expected the motor with its entries');
+  const motor = {name: '', values: {}, branch: 'running', inner_edge: null, table: []};
   const byEntry = Object.fromEntries(Object.entries(tables.parameters).map(([name, row]) => [row.entry, name]));
   const entries = Object.fromEntries(leaves(file.motor));
-  const ofCircuit = (path) => path.startsWith(circuitPath) && Object.hasOwn(circuitUnits, path.slice(circuitPath.length));
-  for (const [path, value] of Object.entries(entries)) if (!ofCircuit(path)) takeEntry(motor, path, value, tables, byEntry);
+  const ofCircuit = (path) =>
+      path.startsWith(circuitPath) && Object.hasOwn(circuitUnits, path.slice(circuitPath.length));
+  for (const [path, value] of Object.entries(entries))
+    if (!ofCircuit(path)) takeEntry(motor, path, value, tables, byEntry);
   if (Object.keys(entries).some(ofCircuit)) takeCircuit(motor, entries, tables, core);
   const missing = missingEntries(motor, tables);
   if (missing.length) throw new MotorFileError('motor: missing ' + missing.join(', '));
@@ -158,17 +215,24 @@ export function readMotorYaml(text, tables, core) {
 
 /** Reads measured points: a table with the columns speed and torque, units in brackets. */
 export function readPoints(text, tables) {
-  const rows = text.split(/\r?\n/).map((line) => line.trim()).filter((line) => line !== '' && !line.startsWith('#')).map((line) => line.split(/[,;\t]/).map((cell) => cell.trim().replace(/^"|"$/g, '')));
+  const rows = text.split(/\r?\n/)
+                   .map((line) => line.trim())
+                   .filter((line) => line !== '' && !line.startsWith('#'))
+                   .map((line) => line.split(/[,;\t]/).map((cell) => cell.trim().replace(/^"|"$/g, '')));
   const column = (name, unit) => {
     const place = (rows[0] ?? []).findIndex((cell) => cell.replace(/\s*\[.*$/, '') === name);
-    if (place < 0) throw new MotorFileError('no column ' + name + '; expected a first line such as: speed [rpm], torque [N.m]');
+    if (place < 0)
+      throw new MotorFileError('no column ' + name + '; expected a first line such as: speed [rpm], torque [N.m]');
     const typed = /\[(.*)\]/.exec(rows[0][place])?.[1] ?? unit;
     const factor = unitFactors(tables, unit)[plainUnit(typed)];
-    if (factor === undefined) throw new MotorFileError('column ' + name + ': this page does not know the unit ' + typed.slice(0, 20) + ' here');
-    return { place, factor };
+    if (factor === undefined)
+      throw new MotorFileError('column ' + name + ': this page does not know the unit ' + typed.slice(0, 20) + ' here');
+    return {place, factor};
   };
   const [speed, torque] = [column('speed', 'rad/s'), column('torque', 'N.m')];
-  const points = rows.slice(1).map((row) => ({ speed: parseFloat(row[speed.place]) * speed.factor, torque: parseFloat(row[torque.place]) * torque.factor }));
+  const points = rows.slice(1).map(
+      (row) => (
+          {speed: parseFloat(row[speed.place]) * speed.factor, torque: parseFloat(row[torque.place]) * torque.factor}));
   const good = points.filter((p) => Number.isFinite(p.speed) && Number.isFinite(p.torque));
   if (!good.length) throw new MotorFileError('no row has a number for both speed and torque');
   return good;

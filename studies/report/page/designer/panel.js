@@ -5,8 +5,9 @@ import {drawMarks, keyStep} from '../chart.js';
 import {el, legend} from '../dom.js';
 import {capital, shortName} from '../names.js';
 import {engineering, percent, rpm} from '../units.js';
-import {LiveChart, drawLoad, drawRegions} from './charts.js';
-import {ParameterRow, Tiles, partTitles} from './controls.js';
+
+import {drawLoad, drawRegions, LiveChart} from './charts.js';
+import {ParameterRow, partTitles, Tiles} from './controls.js';
 import {CoreError} from './core.js';
 import {LimitsEditor, meetingPoint, showBroken, solveLock} from './limits.js';
 import {SectionView} from './section.js';
@@ -15,10 +16,10 @@ import {designerTools} from './tools.js';
 import {FieldsView, WaveView} from './wave.js';
 
 const curvePoints = 161;
-const quickPoints = 61; // of a motor that takes longer than a frame, until there is time for more
-const slowCurve = 50; // [ms] a curve of all slices that takes longer comes with fewer points first
+const quickPoints = 61;  // of a motor that takes longer than a frame, until there is time for more
+const slowCurve = 50;    // [ms] a curve of all slices that takes longer comes with fewer points first
 let panels = 0;
-const restDelay = 40; // [ms] that a slider which is held stands still before the rest is computed
+const restDelay = 40;  // [ms] that a slider which is held stands still before the rest is computed
 
 export class DesignerPanel {
   /**
@@ -27,7 +28,7 @@ export class DesignerPanel {
    * @param {import('./core.js').Core} core
    * @param {import('./state.js').StatedMotor} motor
    */
-  constructor(node, tables, core, motor, inAddress = false) { // the address is the whole page's, which a report shares
+  constructor(node, tables, core, motor, inAddress = false) {  // the address is the whole page's, which a report shares
     this.id = String(++panels);
     this.tables = tables;
     this.core = core;
@@ -40,7 +41,7 @@ export class DesignerPanel {
     this.changed = true;
     this.moved = true;
     this.playing = !matchMedia('(prefers-reduced-motion: reduce)').matches;
-    this.times = { compute: 0, frame: 0, whole: 0 };
+    this.times = {compute: 0, frame: 0, whole: 0};
     if (inAddress) this.state.fromHash(location.hash, core, tables);
     this.build(node);
     requestAnimationFrame((now) => this.frame(now));
@@ -48,43 +49,85 @@ export class DesignerPanel {
 
   build(node) {
     this.node = node;
-    this.say = el('p', { class: 'say', role: 'status' });
+    this.say = el('p', {class: 'say', role: 'status'});
     this.title = el(this.inAddress ? 'h1' : 'h2', {});
     this.sliders = el('div', {});
-    const [tiles, torque, power, efficiency, wave, traction, velocity, section] = Array.from({ length: 8 }, () => el('div', {}));
-    this.tiles = new Tiles(el('div', { class: 'facts' }), this);
-    this.fieldsTitle = el('p', { class: 'read', 'data-fields': 'title' });
+    const [tiles, torque, power, efficiency, wave, traction, velocity, section] =
+        Array.from({length: 8}, () => el('div', {}));
+    this.tiles = new Tiles(el('div', {class: 'facts'}), this);
+    this.fieldsTitle = el('p', {class: 'read', 'data-fields': 'title'});
     tiles.append(this.tiles.node);
     this.limits = new LimitsEditor(this);
     const level = this.inAddress ? 'h2' : 'h3';
-    const panelCard = (title, width, ...children) => el('section', { class: 'card ' + width }, title ? el(level, {}, title) : null, ...children);
+    const panelCard = (title, width, ...children) =>
+        el('section', {class: 'card ' + width}, title ? el(level, {}, title) : null, ...children);
     node.append(
-      el('header', {}, this.title, designerTools(this), this.say),
-      el('div', { class: 'left' }, panelCard('Motor', '', this.goalChoice(), this.sliders)),
-      el('div', { class: 'right' },
-        panelCard(null, 'numbers', tiles),
-        panelCard(null, 'chief', torque),
-        el('div', { class: 'pair' }, panelCard(null, '', power), panelCard(null, '', efficiency)),
-        panelCard('In the contact', '', this.fieldsTitle, wave, zoneLegend(), el('div', { class: 'pair' }, traction, velocity)),
-        panelCard('Load, limits and a metric that stays', '', this.limits.node),
-        panelCard('Cross-section', '', section)));
+        el('header', {}, this.title, designerTools(this), this.say),
+        el('div', {class: 'left'}, panelCard('Motor', '', this.goalChoice(), this.sliders)),
+        el('div', {class: 'right'}, panelCard(null, 'numbers', tiles), panelCard(null, 'chief', torque),
+           el('div', {class: 'pair'}, panelCard(null, '', power), panelCard(null, '', efficiency)),
+           panelCard(
+               'In the contact', '', this.fieldsTitle, wave, zoneLegend(),
+               el('div', {class: 'pair'}, traction, velocity)),
+           panelCard('Load, limits and a metric that stays', '', this.limits.node),
+           panelCard('Cross-section', '', section)));
     this.buildCharts(torque, power, efficiency, wave, traction, velocity, section);
     node.addEventListener('keydown', (event) => this.keys(event));
   }
 
   buildCharts(torque, power, efficiency, wave, traction, velocity, section) {
-    const { view } = this.state;
+    const {view} = this.state;
     this.charts = [
-      new LiveChart(torque, { name: 'torque', unit: 'N.m', height: 300, lines: [{ column: 'torque', name: 'torque', colour: 'c0' }],
-        ground: (u, shown) => shown.curve && drawRegions(u, shown, this.state.view.limits), front: (u, shown) => this.drawOnTorque(u, shown) }, this),
-      new LiveChart(power, { name: 'power', unit: 'W', height: 240, lines: [{ column: 'output_power', name: 'output', colour: 'c0' }, { column: 'friction_power', name: 'friction loss', colour: 'c1' }, { column: 'layer_loss', name: 'layer loss', colour: 'c2' }, { column: 'stator_loss', name: 'stator loss', colour: 'c3' }] }, this),
-      new LiveChart(efficiency, { name: 'efficiency', unit: '%', top: 100, height: 240, lines: [{ column: 'efficiency', name: 'motor', colour: 'c0' }, { column: 'contact_efficiency', name: 'contact', colour: 'c1' }, { column: 'overall_efficiency', name: 'at the terminals', colour: 'c3' }] }, this),
+      new LiveChart(
+          torque, {
+            name: 'torque',
+            unit: 'N.m',
+            height: 300,
+            lines: [{column: 'torque', name: 'torque', colour: 'c0'}],
+            ground: (u, shown) => shown.curve && drawRegions(u, shown, this.state.view.limits),
+            front: (u, shown) => this.drawOnTorque(u, shown)
+          },
+          this),
+      new LiveChart(
+          power, {
+            name: 'power',
+            unit: 'W',
+            height: 240,
+            lines: [
+              {column: 'output_power', name: 'output', colour: 'c0'},
+              {column: 'friction_power', name: 'friction loss', colour: 'c1'},
+              {column: 'layer_loss', name: 'layer loss', colour: 'c2'},
+              {column: 'stator_loss', name: 'stator loss', colour: 'c3'}
+            ]
+          },
+          this),
+      new LiveChart(
+          efficiency, {
+            name: 'efficiency',
+            unit: '%',
+            top: 100,
+            height: 240,
+            lines: [
+              {column: 'efficiency', name: 'motor', colour: 'c0'},
+              {column: 'contact_efficiency', name: 'contact', colour: 'c1'},
+              {column: 'overall_efficiency', name: 'at the terminals', colour: 'c3'}
+            ]
+          },
+          this),
     ];
-    power.prepend(legend([{ name: 'output', colour: 'c0' }, { name: 'friction loss', colour: 'c1' }, { name: 'layer loss', colour: 'c2' }, { name: 'stator loss', colour: 'c3' }]));
-    const efficiencies = legend([{ name: 'motor', colour: 'c0' }, { name: 'contact alone', colour: 'c1' }, { name: 'at the terminals', colour: 'c3' }]);
+    power.prepend(legend([
+      {name: 'output', colour: 'c0'}, {name: 'friction loss', colour: 'c1'}, {name: 'layer loss', colour: 'c2'},
+      {name: 'stator loss', colour: 'c3'}
+    ]));
+    const efficiencies = legend([
+      {name: 'motor', colour: 'c0'}, {name: 'contact alone', colour: 'c1'}, {name: 'at the terminals', colour: 'c3'}
+    ]);
     this.ofTerminals = efficiencies.lastElementChild;
     efficiency.prepend(efficiencies);
-    torque.prepend(legend([{ name: 'torque', colour: 'c0' }, { name: 'load', colour: 'c6', kind: 'dash' }, { name: 'pinned motor: thin dashes', colour: 'soft', kind: 'dash' }]));
+    torque.prepend(legend([
+      {name: 'torque', colour: 'c0'}, {name: 'load', colour: 'c6', kind: 'dash'},
+      {name: 'pinned motor: thin dashes', colour: 'soft', kind: 'dash'}
+    ]));
     this.wave = new WaveView(wave);
     this.fields = new FieldsView([traction, velocity]);
     this.section = new SectionView(section);
@@ -92,14 +135,24 @@ export class DesignerPanel {
   }
 
   drawOnTorque(u, shown) {
-    const { load } = this.state.view;
+    const {load} = this.state.view;
     drawLoad(u, shown, load, this.meeting);
-    if (this.measured) drawMarks(u, this.measured.map((p) => ({ x: p.speed / rpm, y: p.torque / shown.unit.divisor, colour: 'c1', small: true })));
+    if (this.measured)
+      drawMarks(
+          u,
+          this.measured.map((p) => ({x: p.speed / rpm, y: p.torque / shown.unit.divisor, colour: 'c1', small: true})));
   }
 
   goalChoice() {
-    this.goal = el('select', { 'aria-label': 'metric of the effects', onchange: () => { this.state.remember(); this.state.view.goal = this.goal.value; this.changed = true; } });
-    return el('label', { class: 'goal' }, 'Effect of 1 % more on ', this.goal);
+    this.goal = el('select', {
+      'aria-label': 'metric of the effects',
+      onchange: () => {
+        this.state.remember();
+        this.state.view.goal = this.goal.value;
+        this.changed = true;
+      }
+    });
+    return el('label', {class: 'goal'}, 'Effect of 1 % more on ', this.goal);
   }
 
   // What a person does.
@@ -122,7 +175,12 @@ export class DesignerPanel {
   /** Gives the other of two parameters that say the same, with the value that it has now. */
   swapTwin(name, twin) {
     const value = this.now?.values[twin];
-    if (!Number.isFinite(value)) { this.tell(capital(shortName(twin)) + ' has no value here: the motor file has to give the modal data of the stator.', true); return; }
+    if (!Number.isFinite(value)) {
+      this.tell(
+          capital(shortName(twin)) + ' has no value here: the motor file has to give the modal data of the stator.',
+          true);
+      return;
+    }
     this.setValue(twin, value);
     delete this.state.motor.values[name];
   }
@@ -142,7 +200,8 @@ export class DesignerPanel {
   }
 
   keys(event) {
-    if (!(event.ctrlKey || event.metaKey) || event.target instanceof HTMLInputElement && event.target.type === 'text') return;
+    if (!(event.ctrlKey || event.metaKey) || event.target instanceof HTMLInputElement && event.target.type === 'text')
+      return;
     if (event.key === 'z' || event.key === 'y') {
       event.preventDefault();
       this.stepTo(event.key === 'y' || event.shiftKey ? 'forth' : 'back');
@@ -162,7 +221,7 @@ export class DesignerPanel {
   }
 
   pin() {
-    this.pinned = this.pinned ? null : { curve: this.curve, metrics: this.metrics };
+    this.pinned = this.pinned ? null : {curve: this.curve, metrics: this.metrics};
     this.changed = true;
     return Boolean(this.pinned);
   }
@@ -216,24 +275,24 @@ export class DesignerPanel {
   }
 
   computeCurve(moving, points) {
-    const { motor, view } = this.state;
+    const {motor, view} = this.state;
     this.sketch = moving && motor.values.radial_slices !== 1;
-    const slices = this.sketch ? { radial_slices: 1 } : {};
+    const slices = this.sketch ? {radial_slices: 1} : {};
     if (view.lock) solveLock(this, slices);
     this.now = this.core.motor(motor, slices);
     this.drawCurve(points);
   }
 
   drawCurve(points) {
-    const { view } = this.state;
+    const {view} = this.state;
     this.curve = this.core.curve(points, this.now.last_speed);
     this.meeting = meetingPoint(this.core, this.curve, view.load);
     for (const one of this.charts) one.show(this.curve, this.pinned?.curve);
   }
 
   computeMetrics(moving) {
-    const { view } = this.state;
-    this.metrics = { ...(moving ? this.metrics : {}), ...this.evaluate(this.metricList(moving)) };
+    const {view} = this.state;
+    this.metrics = {...(moving ? this.metrics : {}), ...this.evaluate(this.metricList(moving))};
     if (!(view.speed <= this.now.last_speed)) view.speed = this.usualSpeed();
     this.tiles.show(this.metrics, this.pinned?.metrics);
   }
@@ -246,26 +305,36 @@ export class DesignerPanel {
 
   /** The metrics that this motor has; while it moves those that take no search over voltages and frequencies. */
   metricList(moving) {
-    const { values, inner_edge } = this.state.motor;
-    return Object.entries(this.tables.metrics).filter(([name, m]) => m.argument === 'none' && (!m.modes || this.now.modal) && (!m.geometry || inner_edge)
-      && (values.voltage !== undefined || !/^(pull_out_torque|start_frequency|pull_out_frequency)$/.test(name)) && !(moving && (m.modes || m.geometry))).map(([name]) => name);
+    const {values, inner_edge} = this.state.motor;
+    return Object.entries(this.tables.metrics)
+        .filter(
+            ([name, m]) => m.argument === 'none' && (!m.modes || this.now.modal) && (!m.geometry || inner_edge) &&
+                (values.voltage !== undefined ||
+                 !/^(pull_out_torque|start_frequency|pull_out_frequency)$/.test(name)) &&
+                !(moving && (m.modes || m.geometry)))
+        .map(([name]) => name);
   }
 
   evaluate(names) {
-    const found = this.core.metrics(names.map((metric) => ({ metric })));
+    const found = this.core.metrics(names.map((metric) => ({metric})));
     return Object.fromEntries(names.map((name, i) => [name, found[i]]));
   }
 
-  /** Nothing moves: what was left out, derivatives, limits, notes, and where each slider breaks a limit; a move ends it. */
+  /**
+   * Nothing moves: what was left out, derivatives, limits, notes, and where each slider breaks a limit; a move ends
+   * it.
+   */
   rest() {
     const whole = this.sketch || this.dragging;
     const rows = Object.values(this.rows).filter((row) => !row.node.hidden);
-    const slow = this.times.whole > slowCurve; // of the last time
+    const slow = this.times.whole > slowCurve;  // of the last time
     this.tasks = [
       ...(whole ? [() => this.showWhole(slow ? quickPoints : curvePoints)] : []),
       () => this.showEffects(),
       ...(whole ? [() => this.computeMetrics(false), ...(slow ? [() => this.drawCurve(curvePoints)] : [])] : []),
-      () => this.limits.judge(), () => this.showNotes(), ...rows.map((row) => () => showBroken(this, row)),
+      () => this.limits.judge(),
+      () => this.showNotes(),
+      ...rows.map((row) => () => showBroken(this, row)),
     ];
     if (this.inAddress) history.replaceState(null, '', this.state.toHash());
     this.nextTask();
@@ -294,25 +363,25 @@ export class DesignerPanel {
     if (!this.changed) this.waiting = setTimeout(() => this.nextTask(), 0);
   }
 
-  showNotes() {
-    this.tell(this.core.notes(true).map((note) => 'Note: ' + note + '.').join(' '));
-  }
+  showNotes() { this.tell(this.core.notes(true).map((note) => 'Note: ' + note + '.').join(' ')); }
 
   showEffects() {
-    const { goal } = this.state.view;
-    const [found] = this.core.gradients([{ metric: goal }]);
-    for (const [name, row] of Object.entries(this.rows)) row.showEffect((found.gradient[this.core.places[name]] * this.now.values[name]) / found.value, goal);
+    const {goal} = this.state.view;
+    const [found] = this.core.gradients([{metric: goal}]);
+    for (const [name, row] of Object.entries(this.rows))
+      row.showEffect((found.gradient[this.core.places[name]] * this.now.values[name]) / found.value, goal);
   }
 
   // What is shown besides the charts.
 
   showControls() {
-    const { motor, view } = this.state;
+    const {motor, view} = this.state;
     this.title.replaceChildren(motor.name || 'motor', el('small', {}, ' designer'));
     if (this.inAddress) document.title = (motor.name || 'motor') + ' - twum designer';
     /** @type {HTMLElement} */ (this.ofTerminals).hidden = !this.now?.modal;
     this.placeRows();
-    for (const [name, row] of Object.entries(this.rows)) if (!row.node.hidden) row.show(motor.values[name], Boolean(this.now?.modal));
+    for (const [name, row] of Object.entries(this.rows))
+      if (!row.node.hidden) row.show(motor.values[name], Boolean(this.now?.modal));
     this.showGoals(view.goal);
     this.section.show(motor);
     this.node.dataset.sketch = this.sketch ? 'yes' : 'no';
@@ -320,7 +389,7 @@ export class DesignerPanel {
 
   /** One row for each parameter that the motor states. */
   placeRows() {
-    const { values } = this.state.motor;
+    const {values} = this.state.motor;
     const used = (name) => name === 'radial_slices' || !this.now || this.now.used[name] || this.sketch;
     const wanted = Object.keys(this.tables.parameters).filter((name) => values[name] !== undefined && used(name));
     if (wanted.join() === this.placed) return;
@@ -330,36 +399,53 @@ export class DesignerPanel {
     for (const name of wanted) {
       const row = (this.rows[name] ??= new ParameterRow(name, this.tables.parameters[name], this));
       row.node.hidden = false;
-      const { part, entry } = this.tables.parameters[name];
+      const {part, entry} = this.tables.parameters[name];
       (parts[entry.startsWith('stator.geometry') ? 'geometry' : part] ??= []).push(row.node);
     }
-    this.sliders.replaceChildren(...Object.entries(parts).map(([part, nodes]) => el('details', part === 'geometry' ? {} : { open: '' }, el('summary', {}, partTitles[part] ?? 'Geometry of the stator'), ...nodes)));
+    this.sliders.replaceChildren(...Object.entries(parts).map(
+        ([part, nodes]) =>
+            el('details', part === 'geometry' ? {} : {open: ''},
+               el('summary', {}, partTitles[part] ?? 'Geometry of the stator'), ...nodes)));
   }
 
   showGoals(goal) {
     const names = this.now ? this.metricList(false) : [];
     if (names.length && names.join() !== this.goals) {
       this.goals = names.join();
-      this.goal.replaceChildren(...names.map((name) => el('option', { value: name }, shortName(name))));
+      this.goal.replaceChildren(...names.map((name) => el('option', {value: name}, shortName(name))));
     }
     this.goal.value = goal;
   }
 
   showFields() {
     if (!this.now) return;
-    const { speed } = this.state.view;
+    const {speed} = this.state.view;
     const fields = this.core.fields(speed, 361);
-    const half = fields.zones.length ? Math.max(...fields.zones.flatMap(([, from, to]) => [Math.abs(from), Math.abs(to)])) : this.now.half_angle;
-    this.wave.show({ zones: fields.zones, half, slip: speed / (this.now.crest_speed || 1) });
+    const half = fields.zones.length ?
+        Math.max(...fields.zones.flatMap(([, from, to]) => [Math.abs(from), Math.abs(to)])) :
+        this.now.half_angle;
+    this.wave.show({zones: fields.zones, half, slip: speed / (this.now.crest_speed || 1)});
     this.fields.show(fields, half, this.now.values.static_friction || 1);
-    const { point } = fields;
-    const words = point.status === 'ok' ? [engineering(point.torque, 'N.m'), engineering(point.output_power, 'W'), 'sticks over ' + percent(point.stick_fraction) + ' of its length'] : [this.tables.reasons[point.status] ?? point.status];
-    this.fieldsTitle.replaceChildren('at ', el('b', {}, engineering(speed, 'rad/s')), ': ' + words.join(', ') + (this.sketch ? ' (one slice while the slider moves)' : ''));
+    const {point} = fields;
+    const words = point.status === 'ok' ?
+        [
+          engineering(point.torque, 'N.m'), engineering(point.output_power, 'W'),
+          'sticks over ' + percent(point.stick_fraction) + ' of its length'
+        ] :
+        [this.tables.reasons[point.status] ?? point.status];
+    this.fieldsTitle.replaceChildren(
+        'at ', el('b', {}, engineering(speed, 'rad/s')),
+        ': ' + words.join(', ') + (this.sketch ? ' (one slice while the slider moves)' : ''));
     for (const one of this.charts) one.plot.redraw(false);
   }
 }
 
 function zoneLegend() {
-  return legend([{ name: 'slip+: the stator drives', colour: 'slip-plus', kind: 'area' }, { name: 'stick', colour: 'stick', kind: 'area' }, { name: 'slip-: the stator brakes', colour: 'slip-minus', kind: 'area' },
-    { name: 'friction bound', colour: 'soft', kind: 'dash' }, { name: 'stator', colour: 'c0' }, { name: 'layer', colour: 'c1', kind: 'dash' }]);
+  return legend([
+    {name: 'slip+: the stator drives', colour: 'slip-plus', kind: 'area'},
+    {name: 'stick', colour: 'stick', kind: 'area'},
+    {name: 'slip-: the stator brakes', colour: 'slip-minus', kind: 'area'},
+    {name: 'friction bound', colour: 'soft', kind: 'dash'}, {name: 'stator', colour: 'c0'},
+    {name: 'layer', colour: 'c1', kind: 'dash'}
+  ]);
 }

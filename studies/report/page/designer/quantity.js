@@ -5,18 +5,26 @@ import {displayUnit} from '../units.js';
 
 /** A unit in letters that every keyboard has: "µm" and "N·m" as "um" and "N.m". */
 export function plainUnit(text) {
-  return text.trim().replace(/[µμ]/g, 'u').replace(/[·⋅*]/g, '.').replace(/²/g, '^2').replace(/³/g, '^3').replace(/Ω/g, 'ohm');
+  return text.trim()
+      .replace(/[µμ]/g, 'u')
+      .replace(/[·⋅*]/g, '.')
+      .replace(/²/g, '^2')
+      .replace(/³/g, '^3')
+      .replace(/Ω/g, 'ohm');
 }
 
 /** A decimal number times a factor; of a power of ten only the point moves, so that nothing is rounded twice. */
 function scaledNumber(text, factor) {
   const power = Math.round(Math.log10(factor));
   const [mantissa, exponent] = text.toLowerCase().split('e');
-  return Number('1e' + power) === factor ? Number(mantissa + 'e' + (Number(exponent ?? 0) + power)) : Number(text) * factor;
+  return Number('1e' + power) === factor ? Number(mantissa + 'e' + (Number(exponent ?? 0) + power)) :
+                                           Number(text) * factor;
 }
 
 /** The factors of the units that will do where this SI unit is right. */
-export function unitFactors(tables, unit) { return unit === '1' ? { '%': 0.01 } : { ...(tables.units[unit] ?? { [unit]: 1 }) }; }
+export function unitFactors(tables, unit) {
+  return unit === '1' ? {'%': 0.01} : {...(tables.units[unit] ?? {[unit]: 1})};
+}
 
 /**
  * Reads "1.6 um", or a bare number in the unit shown beside the field.
@@ -25,11 +33,17 @@ export function unitFactors(tables, unit) { return unit === '1' ? { '%': 0.01 } 
 export function readQuantity(tables, text, unit, bare) {
   const found = /^\s*([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/s.exec(text);
   const factors = unitFactors(tables, unit);
-  if (!found) return { value: NaN, error: 'is no number; expected one such as ' + (unit === '1' ? '0.3' : '1.5 ' + unit) };
+  if (!found)
+    return {value: NaN, error: 'is no number; expected one such as ' + (unit === '1' ? '0.3' : '1.5 ' + unit)};
   const typed = plainUnit(found[2]);
   const factor = typed === '' ? bare : typed === '1' && unit === '1' ? 1 : factors[typed];
-  if (factor === undefined) return { value: NaN, error: 'has the unit ' + found[2].slice(0, 20) + ' that this page does not know here; expected one of ' + (unit === '1' ? 'no unit, %' : Object.keys(factors).join(', ')) };
-  return { value: scaledNumber(found[1].replace(',', '.'), factor), error: '' };
+  if (factor === undefined)
+    return {
+      value: NaN,
+      error: 'has the unit ' + found[2].slice(0, 20) + ' that this page does not know here; expected one of ' +
+          (unit === '1' ? 'no unit, %' : Object.keys(factors).join(', '))
+    };
+  return {value: scaledNumber(found[1].replace(',', '.'), factor), error: ''};
 }
 
 /** The value in a unit, with as many digits as it takes to read the same number again. */
@@ -44,7 +58,7 @@ export function typedNumber(value, factor) {
 /** "1.6 um": reads back as the same number. Speeds and other units that are no power of ten stay in SI. */
 export function typedQuantity(value, unit) {
   if (unit === '1') return String(value);
-  const shown = unit === 'rad/s' ? { typed: unit, divisor: 1 } : displayUnit(value, unit);
+  const shown = unit === 'rad/s' ? {typed: unit, divisor: 1} : displayUnit(value, unit);
   const text = typedNumber(value, shown.divisor);
   return scaledNumber(text, shown.divisor) === value ? text + ' ' + shown.typed : String(value) + ' ' + unit;
 }

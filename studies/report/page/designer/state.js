@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a person has set: the motor, the speed that is looked at, load, limits, goal, lock. With steps back, and as an address.
+// What a person has set: the motor, the speed that is looked at, load, limits, goal, lock. With steps back, and as an
+// address.
 
 import {coreArguments} from './core.js';
 
 /**
  * @typedef {{metric: string, argument: string, at: number, sense: string, value: number}} Limit
- * @typedef {{name: string, values: Object<string, number>, branch: string, inner_edge: string | null, table: number[][]}} StatedMotor
+ * @typedef {{name: string, values: Object<string, number>, branch: string, inner_edge: string | null, table:
+ * number[][]}} StatedMotor
  */
 
 export class DesignState {
@@ -13,13 +15,18 @@ export class DesignState {
   constructor(motor) {
     this.opened = structuredClone(motor);
     this.motor = structuredClone(motor);
-    this.view = { speed: NaN, goal: 'peak_power', load: { rest: 0, rise: 0 }, /** @type {Limit[]} */ limits: [], lock: null };
+    this.view = {
+      speed: NaN, goal: 'peak_power', load: {rest: 0, rise: 0}, /** @type {Limit[]} */ limits: [], lock: null
+    };
     this.steps = [];
     this.undone = [];
   }
 
-  snapshot() { return JSON.stringify({ motor: this.motor, view: this.view }); }
-  restore(text) { Object.assign(this, JSON.parse(text)); this.view.speed ??= NaN; }
+  snapshot() { return JSON.stringify({motor: this.motor, view: this.view}); }
+  restore(text) {
+    Object.assign(this, JSON.parse(text));
+    this.view.speed ??= NaN;
+  }
 
   /** Remembers what is, before it changes; moves of one slider in one go are one step. */
   remember(what = null) {
@@ -45,8 +52,10 @@ export class DesignState {
 
   /** What another value of a parameter changes: mu_0 keeps its ratio to mu. */
   changes(name, value) {
-    const { kinetic_friction: kinetic, static_friction: static_ } = this.motor.values;
-    return name === 'kinetic_friction' ? { kinetic_friction: value, static_friction: kinetic > 0 ? Math.max((static_ / kinetic) * value, value) : value } : { [name]: value };
+    const {kinetic_friction: kinetic, static_friction: static_} = this.motor.values;
+    return name === 'kinetic_friction' ?
+        {kinetic_friction: value, static_friction: kinetic > 0 ? Math.max((static_ / kinetic) * value, value) : value} :
+        {[name]: value};
   }
 
   /** Another value of a parameter; its twin gives way. */
@@ -65,9 +74,10 @@ export class DesignState {
   /** What differs from the motor that was opened, and what is looked at, for the address. */
   toHash() {
     const query = new URLSearchParams();
-    const { values } = this.motor;
-    for (const name of Object.keys(values)) if (values[name] !== this.opened.values[name]) query.set(name, String(values[name]));
-    const { speed, goal, load, limits, lock } = this.view;
+    const {values} = this.motor;
+    for (const name of Object.keys(values))
+      if (values[name] !== this.opened.values[name]) query.set(name, String(values[name]));
+    const {speed, goal, load, limits, lock} = this.view;
     if (Number.isFinite(speed)) query.set('speed', String(Number(speed.toPrecision(6))));
     query.set('goal', goal);
     if (load.rest || load.rise) query.set('load', load.rest + ',' + load.rise);
@@ -80,18 +90,26 @@ export class DesignState {
   fromHash(hash, core, tables) {
     const query = new URLSearchParams(hash.replace(/^#/, ''));
     for (const [name, text] of query) {
-      if (core.places[name] !== undefined && text !== '' && Number.isFinite(Number(text))) this.set(name, Number(text), tables.parameters[name].twin);
+      if (core.places[name] !== undefined && text !== '' && Number.isFinite(Number(text)))
+        this.set(name, Number(text), tables.parameters[name].twin);
     }
-    if (query.has('static_friction') && Number.isFinite(Number(query.get('static_friction')))) this.motor.values.static_friction = Number(query.get('static_friction'));
+    if (query.has('static_friction') && Number.isFinite(Number(query.get('static_friction'))))
+      this.motor.values.static_friction = Number(query.get('static_friction'));
     const list = (text) => (text ?? '').split(',');
     const known = (metric) => Object.hasOwn(tables.metrics, metric);
     if (query.has('speed') && Number.isFinite(Number(query.get('speed')))) this.view.speed = Number(query.get('speed'));
-    if (known(query.get('goal')) && tables.metrics[query.get('goal')].argument === 'none') this.view.goal = query.get('goal');
+    if (known(query.get('goal')) && tables.metrics[query.get('goal')].argument === 'none')
+      this.view.goal = query.get('goal');
     const [rest, rise] = list(query.get('load')).map(Number);
-    if (Number.isFinite(rest) && Number.isFinite(rise)) this.view.load = { rest, rise };
-    const limits = query.getAll('limit').map(list).map(([metric, argument, at, sense, value]) => ({ metric, argument, at: Number(at), sense, value: Number(value) }));
-    this.view.limits = limits.filter((l) => known(l.metric) && Object.hasOwn(coreArguments, l.argument) && ['>=', '<='].includes(l.sense) && Number.isFinite(l.at) && Number.isFinite(l.value));
+    if (Number.isFinite(rest) && Number.isFinite(rise)) this.view.load = {rest, rise};
+    const limits = query.getAll('limit').map(list).map(
+        ([metric, argument, at, sense, value]) => ({metric, argument, at: Number(at), sense, value: Number(value)}));
+    this.view.limits = limits.filter(
+        (l) => known(l.metric) && Object.hasOwn(coreArguments, l.argument) && ['>=', '<='].includes(l.sense) &&
+            Number.isFinite(l.at) && Number.isFinite(l.value));
     const [metric, parameter, value] = list(query.get('lock'));
-    this.view.lock = known(metric) && core.places[parameter] !== undefined && Number.isFinite(Number(value)) ? { metric, parameter, value: Number(value) } : null;
+    this.view.lock = known(metric) && core.places[parameter] !== undefined && Number.isFinite(Number(value)) ?
+        {metric, parameter, value: Number(value)} :
+        null;
   }
 }

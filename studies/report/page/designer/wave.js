@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// One contact in slow motion: the wave that runs under the rotor, where the layer sticks and slips, and the fields of that moment.
+// One contact in slow motion: the wave that runs under the rotor, where the layer sticks and slips, and the fields of
+// that moment.
 
 import {chart, paddedRange} from '../chart.js';
 import {colour, el, onTheme} from '../dom.js';
 import {degree, zoneColours} from '../names.js';
 import {displayUnit, largest} from '../units.js';
 import {nameZones, paintZones} from '../zones.js';
+
 import {axisText} from './charts.js';
 
 /** A canvas as sharp as the screen; its context, width and height in CSS pixels. */
@@ -19,20 +21,30 @@ export function surface(canvas) {
   const ctx = canvas.getContext('2d');
   ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
   ctx.clearRect(0, 0, width, height);
-  return { ctx, width, height };
+  return {ctx, width, height};
 }
 
 /** Colours are looked up once for a theme: a picture has hundreds of strokes. */
-function waveColours() { return Object.fromEntries(['ink', 'soft', 'grid', 'line', 'card', 'c1', 'slip-plus', 'stick', 'slip-minus', 'body', 'rotor'].map((name) => [name, colour(name)])); }
+function waveColours() {
+  return Object.fromEntries([
+    'ink', 'soft', 'grid', 'line', 'card', 'c1', 'slip-plus', 'stick', 'slip-minus', 'body', 'rotor'
+  ].map((name) => [name, colour(name)]));
+}
 
 export class WaveView {
   constructor(node) {
-    this.canvas = el('canvas', { class: 'wave', role: 'img', 'aria-label': 'The travelling wave under the rotor, slowed down; the amplitude is enlarged' });
+    this.canvas = el('canvas', {
+      class: 'wave',
+      role: 'img',
+      'aria-label': 'The travelling wave under the rotor, slowed down; the amplitude is enlarged'
+    });
     node.append(this.canvas);
     this.phase = 0;
     this.shift = 0;
     this.colours = waveColours();
-    onTheme(() => { this.colours = waveColours(); });
+    onTheme(() => {
+      this.colours = waveColours();
+    });
   }
 
   /** @param {{zones: number[][], half: number, slip: number}} contact  slip: rotor speed over crest speed */
@@ -41,12 +53,13 @@ export class WaveView {
   /** Moves the wave on by some seconds and draws it. */
   draw(seconds) {
     if (!this.contact) return;
-    const { ctx, width, height } = surface(this.canvas);
+    const {ctx, width, height} = surface(this.canvas);
     if (!width) return;
     const waves = width < 520 ? 1.5 : 2.5;
     this.phase += 1.3 * seconds;
-    const place = { ctx, width, height, k: (2 * Math.PI * waves) / width, middle: 0.6 * height, rise: 0.19 * height };
-    // Where the crest at x = 0 moves to the right, a point of the contact at phase theta = omega t - kappa x is mirrored.
+    const place = {ctx, width, height, k: (2 * Math.PI * waves) / width, middle: 0.6 * height, rise: 0.19 * height};
+    // Where the crest at x = 0 moves to the right, a point of the contact at phase theta = omega t - kappa x is
+    // mirrored.
     this.drawLayer(place);
     this.drawStator(place);
     this.drawPoints(place, waves);
@@ -61,13 +74,14 @@ export class WaveView {
   surfaceAt(place, x) { return place.middle - place.rise * Math.cos(place.k * x - this.phase); }
 
   stateAt(angle) {
-    for (const [state, from, to] of this.contact.zones) if (angle >= from && angle <= to) return state;
+    for (const [state, from, to] of this.contact.zones)
+      if (angle >= from && angle <= to) return state;
     return null;
   }
 
   /** The layer hangs under the rotor and is pressed where the wave reaches it. */
   drawLayer(place) {
-    const { ctx, width } = place;
+    const {ctx, width} = place;
     const free = place.middle - place.rise * Math.cos(this.contact.half);
     for (let x = 0; x < width; x += 2) {
       const angle = this.phaseAt(place, x + 1);
@@ -79,7 +93,7 @@ export class WaveView {
   }
 
   drawStator(place) {
-    const { ctx, width, height } = place;
+    const {ctx, width, height} = place;
     ctx.fillStyle = this.colours.body;
     ctx.strokeStyle = this.colours.ink;
     ctx.lineWidth = 1.5;
@@ -93,7 +107,7 @@ export class WaveView {
 
   /** Points of the stator's surface on their ellipses: at a crest they move against the wave. */
   drawPoints(place, waves) {
-    const { ctx, width } = place;
+    const {ctx, width} = place;
     const count = Math.round(8 * waves);
     ctx.fillStyle = this.colours.c1;
     for (let i = 0; i <= count; ++i) {
@@ -106,14 +120,17 @@ export class WaveView {
   }
 
   drawRotor(place, seconds) {
-    const { ctx, width, height } = place;
+    const {ctx, width, height} = place;
     ctx.fillStyle = this.colours.rotor;
     ctx.fillRect(0, 4, width, 22);
     const gap = 42;
     this.shift = (this.shift - 1.3 * seconds * this.contact.slip * 0.35 * place.rise) % gap;
     ctx.strokeStyle = this.colours.soft;
     ctx.beginPath();
-    for (let x = this.shift + gap; x < width; x += gap) { ctx.moveTo(x, 6); ctx.lineTo(x, 24); }
+    for (let x = this.shift + gap; x < width; x += gap) {
+      ctx.moveTo(x, 6);
+      ctx.lineTo(x, 24);
+    }
     ctx.stroke();
     ctx.fillStyle = this.colours.ink;
     ctx.font = '12px system-ui, "Liberation Sans", Arial, sans-serif';
@@ -127,18 +144,31 @@ export class WaveView {
 export class FieldsView {
   constructor(nodes) {
     this.zones = [];
-    const common = { x: { label: 'phase of the wave, crest at 0 [deg]', range: () => this.xRange ?? [-180, 180] }, height: 200, ground: (u) => paintZones(u, this.zones), front: (u) => nameZones(u, this.zones) };
-    this.traction = chart(nodes[0], [], [{ name: 'bound', y: [], colour: 'soft', dash: [5, 4] }, { name: '-bound', y: [], colour: 'soft', dash: [5, 4] }, { name: 'traction', y: [], colour: 'c1' }],
-      { ...common, name: 'traction', y: { label: 'traction', range: () => this.tractionRange ?? [-1, 1] } });
-    this.velocity = chart(nodes[1], [], [{ name: 'stator', y: [], colour: 'c0' }, { name: 'layer', y: [], colour: 'c1', dash: [7, 4] }],
-      { ...common, name: 'velocity', y: { label: 'surface velocity', range: () => this.velocityRange ?? [-1, 1] } });
+    const common = {
+      x: {label: 'phase of the wave, crest at 0 [deg]', range: () => this.xRange ?? [-180, 180]},
+      height: 200,
+      ground: (u) => paintZones(u, this.zones),
+      front: (u) => nameZones(u, this.zones)
+    };
+    this.traction = chart(
+        nodes[0], [],
+        [
+          {name: 'bound', y: [], colour: 'soft', dash: [5, 4]}, {name: '-bound', y: [], colour: 'soft', dash: [5, 4]},
+          {name: 'traction', y: [], colour: 'c1'}
+        ],
+        {...common, name: 'traction', y: {label: 'traction', range: () => this.tractionRange ?? [-1, 1]}});
+    this.velocity = chart(
+        nodes[1], [], [{name: 'stator', y: [], colour: 'c0'}, {name: 'layer', y: [], colour: 'c1', dash: [7, 4]}],
+        {...common, name: 'velocity', y: {label: 'surface velocity', range: () => this.velocityRange ?? [-1, 1]}});
   }
 
   show(fields, half, friction) {
     this.zones = fields.zones;
     const reach = Math.min(Math.PI, 1.25 * half);
     const kept = [];
-    fields.phase.forEach((p, i) => { if (Math.abs(p) <= reach) kept.push(i); });
+    fields.phase.forEach((p, i) => {
+      if (Math.abs(p) <= reach) kept.push(i);
+    });
     const list = (values, divisor) => kept.map((i) => values[i] / divisor);
     const phase = list(fields.phase, degree);
     const bound = displayUnit(friction * largest([fields.pressure]), 'Pa');
