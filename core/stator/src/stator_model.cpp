@@ -156,7 +156,8 @@ StatorModel wave_numbers(const Modes& modes, const StatorGeometry& geometry, dou
   }
   const auto numbers = dual_numbers(geometry, contact_radius);
   const auto plate = make_plate(geometry, numbers);
-  const auto solution = derived_solution(order.mesh, modes.plate.segments, plate.segments, order.spectrum, mode);
+  const auto solution =
+      derived_solution(order.mesh, modes.plate.segments, plate.segments, order.spectrum, mode);
   StatorModel model = published(mode_numbers(order.mesh, plate, numbers, solution, waves, offsets));
   model.mode_separation = mode_separation(modes, &plate);
   return model;

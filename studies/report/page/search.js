@@ -281,7 +281,7 @@ export function searchSections() {
   const title = list.length > 1 ? 'Torque: before and after' : 'Torque of the motor as it was';
   return [
     () => section?.torque(title, data.standings.best), relaxationCard, limitsCard, robustCards, designCards, trustCard,
-    () => summary.best && movesCard((n) => summary.best.design[n] ?? summary.best.metrics[n]),
-    () => section?.others(), searchCard, startsCard
+    () => summary.best && movesCard((n) => summary.best.design[n] ?? summary.best.metrics[n]), () => section?.others(),
+    searchCard, startsCard
   ];
 }

@@ -128,8 +128,8 @@ Match match_unit(std::string_view unit, std::string_view whole, std::size_t at,
     std::string pointed(text);
     pointed[comma] = '.';
     if (number_prefix(pointed) > comma) {
-      throw ValueError(studies::quoted(text) + " has a decimal comma", "write " + studies::quoted(pointed),
-                       comma);
+      throw ValueError(studies::quoted(text) + " has a decimal comma",
+                       "write " + studies::quoted(pointed), comma);
     }
   }
   throw ValueError(quoted(text) + " is not a number", expectation(expected));
