@@ -36,7 +36,7 @@ class Certifier {
     if (!point) return std::nullopt;
     result_.point = std::move(*point);
     if (derivatives_exist()) {
-      worst_first_order(looks());
+      worst_first_order(candidate_gradients());
       if (stalled() && room()) look_for_kinks();
       name_dependent_limits();
       name_flat_objective();
@@ -94,7 +94,7 @@ class Certifier {
 
   // Gradients of the objective as the kinks that it tells leave it: some mixture of the columns of each matrix
   // has to be stationary, for every matrix.
-  std::vector<Eigen::MatrixXd> looks() {
+  std::vector<Eigen::MatrixXd> candidate_gradients() {
     const Eigen::MatrixXd g = objective_gradients(result_.point, objectives_);
     std::vector<KinkedEntry> kinks;
     std::set<std::size_t> kinked;
@@ -105,7 +105,7 @@ class Certifier {
       kinked.insert(kink.variable);
     }
     std::vector<Eigen::MatrixXd> all;
-    for (const KinkedEntry& kink : kinks) add_looks(kink, kinked.size() == 1, g, all);
+    for (const KinkedEntry& kink : kinks) add_candidates(kink, kinked.size() == 1, g, all);
     if (all.empty()) all.push_back(g);
     return all;
   }
@@ -113,8 +113,8 @@ class Certifier {
   // At a convex kink any slope between the two counts. At a concave one both sides have to be stationary, and
   // likewise with kinks in several variables, whose entries do not tell which sides go together. On a bound there
   // is one side.
-  void add_looks(const KinkedEntry& kink, bool mixes, const Eigen::MatrixXd& g,
-                 std::vector<Eigen::MatrixXd>& all) {
+  void add_candidates(const KinkedEntry& kink, bool mixes, const Eigen::MatrixXd& g,
+                      std::vector<Eigen::MatrixXd>& all) {
     std::size_t at = 0;
     while (scaling_.variable(at) != kink.variable) ++at;
     name_kink(variable_name(static_cast<Index>(at)));
@@ -146,17 +146,17 @@ class Certifier {
         {Degeneracy::kink, "one-sided derivatives of the objective differ", {variable}});
   }
 
-  void worst_first_order(const std::vector<Eigen::MatrixXd>& looks) {
+  void worst_first_order(const std::vector<Eigen::MatrixXd>& candidate_gradients) {
     const Eigen::MatrixXd* worst = nullptr;
     double largest = -1.0, complementarity = 0.0;
-    for (const Eigen::MatrixXd& each : looks) {
+    for (const Eigen::MatrixXd& each : candidate_gradients) {
       first_order(each);
       complementarity = std::max(complementarity, certificate().complementarity);
       if (certificate().stationarity <= largest) continue;
       largest = certificate().stationarity;
       worst = &each;
     }
-    if (looks.size() > 1 && worst != nullptr) first_order(*worst);
+    if (candidate_gradients.size() > 1 && worst != nullptr) first_order(*worst);
     certificate().complementarity = complementarity;
   }
 

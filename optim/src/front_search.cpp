@@ -11,49 +11,49 @@
 namespace twum::optim {
 
 double FrontSearch::sign(std::size_t k) const {
-  return campaign_.problem().objectives[k].sense == Sense::maximize ? -1.0 : 1.0;
+  return runner_.problem().objectives[k].sense == Sense::maximize ? -1.0 : 1.0;
 }
 
-std::optional<Solved> FrontSearch::solved(Attempt& attempt) {
-  if (!attempt.best || attempt.best->violation > campaign_.options().feasibility_tolerance)
+std::optional<Solved> FrontSearch::solved(SolverRun& run) {
+  if (!run.best || run.best->violation > runner_.options().feasibility_tolerance)
     return std::nullopt;
   Solved s;
-  s.unit.assign(attempt.best->z.begin(),
-                attempt.best->z.begin() + static_cast<std::ptrdiff_t>(campaign_.scaling().size()));
-  if (!fill(attempt, s)) return std::nullopt;
-  snap_to_bounds(attempt, s);
-  campaign_.book(attempt);
+  s.unit.assign(run.best->z.begin(),
+                run.best->z.begin() + static_cast<std::ptrdiff_t>(runner_.scaling().size()));
+  if (!fill(run, s)) return std::nullopt;
+  snap_to_bounds(run, s);
+  runner_.book(run);
   return s;
 }
 
 // Evaluates s.unit, which is usually still remembered.
-bool FrontSearch::fill(Attempt& attempt, Solved& s) {
-  s.design = campaign_.scaling().to_design(s.unit);
+bool FrontSearch::fill(SolverRun& run, Solved& s) {
+  s.design = runner_.scaling().to_design(s.unit);
   try {
-    if (attempt.session->left() == 0) campaign_.allow(attempt, 1);
-    s.evaluation = attempt.session->at(s.design, true);
+    if (run.session->left() == 0) runner_.allow(run, 1);
+    s.evaluation = run.session->at(s.design, true);
   } catch (const Stop&) {
     return false;
   }
   if (!s.evaluation.ok()) return false;
   s.scaled.clear();
-  for (std::size_t k = 0; k < campaign_.problem().objectives.size(); ++k)
-    s.scaled.push_back(sign(k) * campaign_.scaling().factor(k) * s.evaluation.values[k]);
+  for (std::size_t k = 0; k < runner_.problem().objectives.size(); ++k)
+    s.scaled.push_back(sign(k) * runner_.scaling().factor(k) * s.evaluation.values[k]);
   normalize(s);
   return true;
 }
 
 // A variable that stopped just short of its bound is put on it if that is no worse in anything:
 // where an objective is steep at the bound, the last 1e-9 of the box can matter.
-void FrontSearch::snap_to_bounds(Attempt& attempt, Solved& s) {
+void FrontSearch::snap_to_bounds(SolverRun& run, Solved& s) {
   constexpr double kNear = 1e-7;
   Solved snapped = s;
   for (double& u : snapped.unit) u = u < kNear ? 0.0 : u > 1.0 - kNear ? 1.0 : u;
-  if (snapped.unit == s.unit || !fill(attempt, snapped) || !dominates(snapped.y, s.y)) return;
-  const Problem& p = campaign_.problem();
+  if (snapped.unit == s.unit || !fill(run, snapped) || !dominates(snapped.y, s.y)) return;
+  const Problem& p = runner_.problem();
   for (std::size_t i = 0; i < p.constraints.size(); ++i) {
     const std::size_t r = p.objectives.size() + i;
-    const double room = campaign_.options().feasibility_tolerance / campaign_.scaling().factor(r);
+    const double room = runner_.options().feasibility_tolerance / runner_.scaling().factor(r);
     const double value = snapped.evaluation.values[r];
     if (value < p.constraints[i].lower - room || value > p.constraints[i].upper + room) return;
   }
@@ -75,10 +75,10 @@ std::optional<Solved> FrontSearch::best_of(const Formulation& formulation,
     if (exhausted()) break;
     std::vector<double> z = start;
     z.insert(z.end(), extra_start.begin(), extra_start.end());
-    Attempt attempt = campaign_.run(slsqp, formulation, z);
-    auto s = solved(attempt);
-    if (!s || !(attempt.best->f < least)) continue;
-    least = attempt.best->f;
+    SolverRun run = runner_.run(slsqp, formulation, z);
+    auto s = solved(run);
+    if (!s || !(run.best->f < least)) continue;
+    least = run.best->f;
     best = std::move(s);
     if (!all) break;
   }
@@ -88,9 +88,9 @@ std::optional<Solved> FrontSearch::best_of(const Formulation& formulation,
 // The other objectives, with the first held at its best. The room is far below what a front shows
 // and far above the solver's tolerance.
 Formulation FrontSearch::lexicographic(std::size_t objective, const Solved& first) const {
-  Formulation f = plain_formulation(campaign_.problem(), campaign_.scaling(), objective);
+  Formulation f = plain_formulation(runner_.problem(), runner_.scaling(), objective);
   f.objective.responses.clear();
-  for (std::size_t k = 0; k < campaign_.problem().objectives.size(); ++k)
+  for (std::size_t k = 0; k < runner_.problem().objectives.size(); ++k)
     if (k != objective) f.objective.responses.push_back({k, sign(k)});
   const double best = first.scaled[objective];
   f.rows.push_back(
@@ -103,7 +103,7 @@ Formulation FrontSearch::lexicographic(std::size_t objective, const Solved& firs
 std::optional<Solved> FrontSearch::best_alone(std::size_t objective,
                                               const std::vector<std::vector<double>>& starts) {
   constexpr double kSamePlace = 1e-6;  // of what the gradient at the start gains over the box
-  const Formulation f = plain_formulation(campaign_.problem(), campaign_.scaling(), objective);
+  const Formulation f = plain_formulation(runner_.problem(), runner_.scaling(), objective);
   std::vector<Solved> found;
   for (const auto& start : starts)
     if (auto one = best_of(f, {start}, {}, true)) found.push_back(std::move(*one));
@@ -113,38 +113,37 @@ std::optional<Solved> FrontSearch::best_alone(std::size_t objective,
   };
   const auto [least, most] = std::minmax_element(found.begin(), found.end(), less);
   const double apart = most->scaled[objective] - least->scaled[objective];
-  if (apart <= kSamePlace || campaign_.scaling().size() == 0) return std::move(*least);
-  return hopped(objective, std::move(*least));
+  if (apart <= kSamePlace || runner_.scaling().size() == 0) return std::move(*least);
+  return improved_by_hops(objective, std::move(*least));
 }
 
 // Monotonic basin hopping (Leary 2000): a kick by a random part of the box over two decades, then a
 // short local search; kept if it ends lower. Two kicks of three are to one variable with the others
 // held, which is cheap; the third moves more of them and lets all follow.
-Solved FrontSearch::hopped(std::size_t objective, Solved from) {
+Solved FrontSearch::improved_by_hops(std::size_t objective, Solved from) {
   constexpr std::size_t kCalls = 8;
-  const std::size_t n = campaign_.scaling().size();
-  Formulation f = plain_formulation(campaign_.problem(), campaign_.scaling(), objective);
-  Random random(campaign_.options().seed, campaign_.next_stage(), 0);
+  const std::size_t n = runner_.scaling().size();
+  Formulation f = plain_formulation(runner_.problem(), runner_.scaling(), objective);
+  Random random(runner_.options().seed, runner_.next_stage(), 0);
   std::size_t failed = 0;
   while (failed < options_.hops && !exhausted()) {
     std::vector<double> z = from.unit;
     const std::size_t first = random.below(n);
-    const bool alone = random.below(3) > 0;
+    const bool single = random.below(3) > 0;
     for (std::size_t k = 0; k < n; ++k) {
-      if (k != first && (alone || random.uniform() * static_cast<double>(n) >= 2.0)) continue;
+      if (k != first && (single || random.uniform() * static_cast<double>(n) >= 2.0)) continue;
       const double size = std::pow(10.0, -2.0 * random.uniform());
       z[k] = std::clamp(z[k] + (2.0 * random.uniform() - 1.0) * size, 0.0, 1.0);
     }
     f.unit_lower.assign(n, 0.0);
     f.unit_upper.assign(n, 1.0);
-    if (alone) {
+    if (single) {
       f.unit_lower = f.unit_upper = z;
       f.unit_lower[first] = 0.0;
       f.unit_upper[first] = 1.0;
     }
-    Attempt attempt =
-        campaign_.run(find_optimizer("nlopt:slsqp"), f, z, alone ? kCalls : kCalls + n);
-    auto s = solved(attempt);
+    SolverRun run = runner_.run(find_optimizer("nlopt:slsqp"), f, z, single ? kCalls : kCalls + n);
+    auto s = solved(run);
     const double least = from.scaled[objective];
     ++failed;
     if (!s || !(s->scaled[objective] < least - 1e-6 * std::abs(least))) continue;
@@ -155,7 +154,7 @@ Solved FrontSearch::hopped(std::size_t objective, Solved from) {
 }
 
 bool FrontSearch::find_ends(std::vector<std::vector<double>> starts) {
-  const std::size_t objectives = campaign_.problem().objectives.size();
+  const std::size_t objectives = runner_.problem().objectives.size();
   ends_.clear();
   for (std::size_t k = 0; k < objectives; ++k) {
     const auto first = best_alone(k, starts);
@@ -183,8 +182,8 @@ bool FrontSearch::find_ends(std::vector<std::vector<double>> starts) {
 void FrontSearch::add_to_pool(const std::vector<double>& unit, const Evaluation& evaluation) {
   Solved s;
   s.unit = unit;
-  for (std::size_t k = 0; k < campaign_.problem().objectives.size(); ++k)
-    s.scaled.push_back(sign(k) * campaign_.scaling().factor(k) * evaluation.values[k]);
+  for (std::size_t k = 0; k < runner_.problem().objectives.size(); ++k)
+    s.scaled.push_back(sign(k) * runner_.scaling().factor(k) * evaluation.values[k]);
   pool_.push_back(std::move(s));
 }
 
@@ -202,13 +201,13 @@ std::vector<double> FrontSearch::from_pool(const std::vector<double>& y) const {
 }
 
 Formulation FrontSearch::ray(const std::vector<double>& m, const std::vector<double>& n) const {
-  Formulation f = plain_formulation(campaign_.problem(), campaign_.scaling());
+  Formulation f = plain_formulation(runner_.problem(), runner_.scaling());
   f.objective.responses.clear();
   f.objective.extras = {{0, 1.0}};
   f.extra_lower = {-10.0};
   f.extra_upper = {10.0};
   for (std::size_t k = 0; k < m.size(); ++k) {
-    Row row;
+    LinearForm row;
     row.responses = {{k, sign(k) / span_[k]}};
     row.extras = {{0, -n[k]}};
     row.upper = m[k] + ideal_[k] / span_[k];
@@ -243,10 +242,10 @@ std::optional<Solved> FrontSearch::scalarize_within(const std::vector<double>& m
 // By the gradients in memory: how far a point of a front is from Pareto stationary, relative to the
 // gradients, in all variables; with the weights of the objectives there.
 std::optional<std::pair<double, std::vector<double>>> FrontSearch::stationarity(
-    Attempt& attempt, const Solved& s) const {
-  const auto point = kkt_point(*attempt.session, campaign_.scaling(), s.design);
+    SolverRun& run, const Solved& s) const {
+  const auto point = kkt_point(*run.session, runner_.scaling(), s.design);
   if (!point) return std::nullopt;
-  const std::size_t objectives = campaign_.problem().objectives.size();
+  const std::size_t objectives = runner_.problem().objectives.size();
   const Eigen::MatrixXd gradients = objective_gradients(*point, objectives);
   if (!gradients.allFinite()) return std::nullopt;
   const Multipliers found = find_multipliers(*point, gradients, objectives, 1e-6);
@@ -257,18 +256,18 @@ std::optional<std::pair<double, std::vector<double>>> FrontSearch::stationarity(
 }
 
 // True if the point is Pareto stationary in all variables, if need be after Newton steps.
-bool FrontSearch::settle(Attempt& attempt, Solved& s) {
+bool FrontSearch::settle(SolverRun& run, Solved& s) {
   constexpr double kSettled = 1e-5;
   constexpr double kNear = 0.1;
   try {
-    const auto before = stationarity(attempt, s);
+    const auto before = stationarity(run, s);
     if (!before || !(before->first < kNear)) return false;
     if (before->first <= kSettled) return true;
-    const auto better = polish(*attempt.session, campaign_.scaling(), s.design, before->second);
+    const auto better = polish(*run.session, runner_.scaling(), s.design, before->second);
     if (!better) return false;
-    s.unit = campaign_.scaling().to_unit(*better);
-    if (!fill(attempt, s)) return false;
-    const auto after = stationarity(attempt, s);
+    s.unit = runner_.scaling().to_unit(*better);
+    if (!fill(run, s)) return false;
+    const auto after = stationarity(run, s);
     return after && after->first <= kSettled;
   } catch (const Stop&) {
     return false;
@@ -292,11 +291,11 @@ std::optional<Solved> FrontSearch::scalarize_predicted(const std::vector<double>
   }
   if (held == 0 || exhausted()) return std::nullopt;
   z.push_back(0.0);
-  Attempt attempt = campaign_.run(find_optimizer("nlopt:slsqp"), f, z, kCalls);
-  auto s = solved(attempt);
-  if (s) campaign_.allow(attempt, attempt.session->left() + 4 * certificate_cost(a.unit.size()));
-  const bool good = s && settle(attempt, *s);
-  campaign_.book(attempt);
+  SolverRun run = runner_.run(find_optimizer("nlopt:slsqp"), f, z, kCalls);
+  auto s = solved(run);
+  if (s) runner_.allow(run, run.session->left() + 4 * certificate_cost(a.unit.size()));
+  const bool good = s && settle(run, *s);
+  runner_.book(run);
   return good ? std::move(s) : std::nullopt;
 }
 

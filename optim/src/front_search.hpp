@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "campaign.hpp"
 #include "front.hpp"
+#include "stage_runner.hpp"
 
 namespace twum::optim {
 
@@ -20,9 +20,9 @@ class FrontSearch {
  public:
   FrontSearch(const Problem& problem, const SolveOptions& solve, const ParetoOptions& options,
               const Deadline& deadline)
-      : campaign_(problem, solve, deadline), options_(options) {}
+      : runner_(problem, solve, deadline), options_(options) {}
 
-  Campaign& campaign() { return campaign_; }
+  StageRunner& runner() { return runner_; }
 
   /// Finds the lexicographic optimum of every objective, from the usual starts and those given.
   /// False if one of them has no feasible design.
@@ -52,7 +52,7 @@ class FrontSearch {
   std::vector<double> from_pool(const std::vector<double>& y) const;
 
   const std::vector<Solved>& ends() const { return ends_; }
-  bool exhausted() const { return campaign_.exhausted(); }
+  bool exhausted() const { return runner_.exhausted(); }
 
  private:
   std::optional<Solved> best_of(const Formulation& formulation,
@@ -61,18 +61,18 @@ class FrontSearch {
   Formulation ray(const std::vector<double>& m, const std::vector<double>& n) const;
   std::optional<Solved> best_alone(std::size_t objective,
                                    const std::vector<std::vector<double>>& starts);
-  Solved hopped(std::size_t objective, Solved from);
-  std::optional<std::pair<double, std::vector<double>>> stationarity(Attempt& attempt,
+  Solved improved_by_hops(std::size_t objective, Solved from);
+  std::optional<std::pair<double, std::vector<double>>> stationarity(SolverRun& run,
                                                                      const Solved& s) const;
-  bool settle(Attempt& attempt, Solved& s);
-  std::optional<Solved> solved(Attempt& attempt);
-  bool fill(Attempt& attempt, Solved& s);
-  void snap_to_bounds(Attempt& attempt, Solved& s);
+  bool settle(SolverRun& run, Solved& s);
+  std::optional<Solved> solved(SolverRun& run);
+  bool fill(SolverRun& run, Solved& s);
+  void snap_to_bounds(SolverRun& run, Solved& s);
   Formulation lexicographic(std::size_t objective, const Solved& first) const;
   void normalize(Solved& s) const;
   double sign(std::size_t k) const;
 
-  Campaign campaign_;
+  StageRunner runner_;
   const ParetoOptions& options_;
   std::vector<Solved> ends_;
   std::vector<Solved> pool_;

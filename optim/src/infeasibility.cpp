@@ -17,19 +17,19 @@ struct Elastic {
 };
 
 template <typename Soft>
-Elastic elastic_formulation(const Campaign& campaign, Soft soft) {
+Elastic elastic_formulation(const StageRunner& runner, Soft soft) {
   Elastic e;
-  e.formulation = plain_formulation(campaign.problem(), campaign.scaling());
+  e.formulation = plain_formulation(runner.problem(), runner.scaling());
   e.formulation.objective.responses.clear();
-  std::vector<Row> rows;
+  std::vector<LinearForm> rows;
   for (std::size_t i = 0; i < e.formulation.rows.size(); ++i) {
-    Row row = e.formulation.rows[i];
+    LinearForm row = e.formulation.rows[i];
     if (!soft(i)) {
       rows.push_back(row);
       continue;
     }
     const auto slack = [&](double sign, double lower, double upper) {
-      Row side = row;
+      LinearForm side = row;
       side.lower = lower;
       side.upper = upper;
       side.extras = {{e.rows.size(), sign}};
@@ -62,19 +62,19 @@ double total_violation(const KktPoint& p) {
 
 }  // namespace
 
-std::optional<Candidate> elastic_search(Campaign& campaign,
+std::optional<Candidate> elastic_search(StageRunner& runner,
                                         const std::vector<std::vector<double>>& starts) {
   const Optimizer& slsqp = find_optimizer("nlopt:slsqp");
   std::optional<Candidate> best;
   for (const auto& start : starts) {
-    if (campaign.exhausted()) break;
-    Elastic e = elastic_formulation(campaign, [](std::size_t) { return true; });
+    if (runner.exhausted()) break;
+    Elastic e = elastic_formulation(runner, [](std::size_t) { return true; });
     const std::vector<double> z = add_slacks(e, start);
-    const Attempt attempt = campaign.run(slsqp, e.formulation, z);
-    if (!attempt.best) continue;
-    Candidate c = *attempt.best;
-    c.z.resize(campaign.scaling().size());
-    if (!best || better(c, *best, campaign.options().feasibility_tolerance)) best = std::move(c);
+    const SolverRun run = runner.run(slsqp, e.formulation, z);
+    if (!run.best) continue;
+    Candidate c = *run.best;
+    c.z.resize(runner.scaling().size());
+    if (!best || better(c, *best, runner.options().feasibility_tolerance)) best = std::move(c);
   }
   return best;
 }
@@ -82,15 +82,15 @@ std::optional<Candidate> elastic_search(Campaign& campaign,
 namespace {
 
 // The smallest relaxation of one constraint while all others hold.
-double relaxation_alone(Campaign& campaign, std::size_t row, std::span<const double> unit) {
-  if (campaign.exhausted()) return std::nan("");
-  Elastic e = elastic_formulation(campaign, [&](std::size_t i) { return i == row; });
+double relaxation_alone(StageRunner& runner, std::size_t row, std::span<const double> unit) {
+  if (runner.exhausted()) return std::nan("");
+  Elastic e = elastic_formulation(runner, [&](std::size_t i) { return i == row; });
   const std::vector<double> z = add_slacks(e, unit);
-  const Attempt attempt = campaign.run(find_optimizer("nlopt:slsqp"), e.formulation, z);
-  const double tolerance = 100.0 * campaign.options().feasibility_tolerance;
-  if (!attempt.best || attempt.best->violation > tolerance) return std::nan("");
-  const std::size_t r = campaign.problem().objectives.size() + row;
-  return attempt.best->f / campaign.scaling().factor(r);
+  const SolverRun run = runner.run(find_optimizer("nlopt:slsqp"), e.formulation, z);
+  const double tolerance = 100.0 * runner.options().feasibility_tolerance;
+  if (!run.best || run.best->violation > tolerance) return std::nan("");
+  const std::size_t r = runner.problem().objectives.size() + row;
+  return run.best->f / runner.scaling().factor(r);
 }
 
 // Constraints and range ends that meet at a point of smallest summed violation.
@@ -147,22 +147,22 @@ Fight fighting(const Problem& problem, const Scaling& scaling, const KktPoint& p
 
 }  // namespace
 
-Infeasibility explain_infeasible(Campaign& campaign, std::span<const double> unit) {
+Infeasibility explain_infeasible(StageRunner& runner, std::span<const double> unit) {
   Infeasibility report;
-  const Problem& problem = campaign.problem();
-  report.design = campaign.scaling().to_design(unit);
-  Attempt look;
-  look.session = std::make_unique<Session>(problem, campaign.options(), campaign.deadline(),
-                                           campaign.take_stage(), campaign.left());
+  const Problem& problem = runner.problem();
+  report.design = runner.scaling().to_design(unit);
+  SolverRun look;
+  look.session = std::make_unique<Session>(problem, runner.options(), runner.deadline(),
+                                           runner.take_stage(), runner.left());
   std::optional<KktPoint> point;
   try {
-    point = kkt_point(*look.session, campaign.scaling(), report.design);
+    point = kkt_point(*look.session, runner.scaling(), report.design);
   } catch (const Stop&) {
   }
-  campaign.book(look);
+  runner.book(look);
   if (!point || total_violation(*point) == 0.0) return report;
-  const double tolerance = campaign.options().feasibility_tolerance;
-  Fight fight = fighting(problem, campaign.scaling(), *point, tolerance);
+  const double tolerance = runner.options().feasibility_tolerance;
+  Fight fight = fighting(problem, runner.scaling(), *point, tolerance);
   const auto& names = fight.constraints;
   report.certified = fight.stationary;
   report.ranges = std::move(fight.ranges);
@@ -172,8 +172,8 @@ Infeasibility explain_infeasible(Campaign& campaign, std::span<const double> uni
     const Constraint& c = problem.constraints[l.constraint];
     const std::size_t r = problem.objectives.size() + l.constraint;
     report.relaxations.push_back({c.name, l.side, l.side == Side::upper ? c.upper : c.lower,
-                                  l.excess / campaign.scaling().factor(r),
-                                  relaxation_alone(campaign, l.constraint, unit)});
+                                  l.excess / runner.scaling().factor(r),
+                                  relaxation_alone(runner, l.constraint, unit)});
   }
   return report;
 }

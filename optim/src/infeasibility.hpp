@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "campaign.hpp"
+#include "stage_runner.hpp"
 
 namespace twum::optim {
 
 /// Looks for a feasible design, or failing that the least infeasible one, by an elastic solve: each
 /// limit may give way at a price. Returns the best design in the unit box; nothing if no run got
 /// anywhere. @throws what the evaluator throws
-std::optional<Candidate> elastic_search(Campaign& campaign,
+std::optional<Candidate> elastic_search(StageRunner& runner,
                                         const std::vector<std::vector<double>>& starts);
 
 /// Explains a problem without a feasible design, at the least infeasible one.
-Infeasibility explain_infeasible(Campaign& campaign, std::span<const double> unit);
+Infeasibility explain_infeasible(StageRunner& runner, std::span<const double> unit);
 
 }  // namespace twum::optim

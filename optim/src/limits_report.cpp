@@ -35,7 +35,7 @@ void set_multiplier(Activity& a, double lambda, double objective_factor, double 
   // Scaled: d f / d c = lambda. An equality's target raised moves along +c, where f grows by lambda.
   const double per_unit = lambda * limit_factor / objective_factor;
   a.multiplier = a.side == Side::equal ? -per_unit : per_unit;
-  a.one_percent_buys =
+  a.gain_per_percent =
       improvement_sign(problem) * a.multiplier * one_percent(a.limit, 1.0 / limit_factor);
 }
 

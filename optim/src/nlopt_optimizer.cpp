@@ -163,7 +163,7 @@ void split_rows(Bridge& b, const NloptAlgorithm& a, const RunSettings& settings)
   std::vector<OneSide> others;
   std::vector<OneSide>& inequalities = a.inequality ? b.inequalities : others;
   for (std::size_t i = 0; i < b.nlp.rows(); ++i) {
-    const Row& row = b.nlp.row(i);
+    const LinearForm& row = b.nlp.row(i);
     if (b.nlp.equality(i)) {
       (a.equality ? b.equalities : others).push_back({i, 1.0, row.lower, true});
       continue;

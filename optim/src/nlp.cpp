@@ -53,7 +53,7 @@ void Nlp::restrict_box(std::span<const double> centre, double radius) {
   }
 }
 
-double Nlp::row_value(const Row& row, const Evaluation& e, std::span<const double> z) const {
+double Nlp::row_value(const LinearForm& row, const Evaluation& e, std::span<const double> z) const {
   double sum = 0.0;
   for (const Term& t : row.responses)
     sum += t.factor * scaling_.factor(t.index) * e.values[t.index];
@@ -61,7 +61,7 @@ double Nlp::row_value(const Row& row, const Evaluation& e, std::span<const doubl
   return without_dust(sum);
 }
 
-void Nlp::row_gradient(const Row& row, const Evaluation& e, double* out) const {
+void Nlp::row_gradient(const LinearForm& row, const Evaluation& e, double* out) const {
   std::fill_n(out, size(), 0.0);
   for (const Term& t : row.responses)
     for (std::size_t k = 0; k < units(); ++k)

@@ -15,7 +15,7 @@ struct Term {
 };
 
 /// lower <= sum of factors times scaled responses, plus sum of factors times extra unknowns <= upper.
-struct Row {
+struct LinearForm {
   std::vector<Term> responses;
   std::vector<Term> extras;
   double lower{-kInfinity};
@@ -25,8 +25,8 @@ struct Row {
 /// What one solver run is asked: everything is linear in the scaled responses and a few extra
 /// unknowns. That covers the plain problem, the elastic one, and every point of a front.
 struct Formulation {
-  Row objective;  ///< to be minimized; its limits are not used
-  std::vector<Row> rows;
+  LinearForm objective;  ///< to be minimized; its limits are not used
+  std::vector<LinearForm> rows;
   std::vector<double> extra_lower;
   std::vector<double> extra_upper;
   std::vector<double> unit_lower;  ///< a smaller box for the unit variables; empty: all of it
@@ -66,7 +66,7 @@ class Nlp {
   std::size_t size() const { return lower_.size(); }
   std::size_t units() const { return scaling_.size(); }
   std::size_t rows() const { return formulation_.rows.size(); }
-  const Row& row(std::size_t i) const { return formulation_.rows[i]; }
+  const LinearForm& row(std::size_t i) const { return formulation_.rows[i]; }
   const std::vector<double>& lower() const { return lower_; }
   const std::vector<double>& upper() const { return upper_; }
   bool equality(std::size_t i) const { return row(i).lower == row(i).upper; }
@@ -92,8 +92,8 @@ class Nlp {
  private:
   bool fill(const Evaluation& e, std::span<const double> z, bool gradient);
   bool usable(bool gradient) const;
-  double row_value(const Row& row, const Evaluation& e, std::span<const double> z) const;
-  void row_gradient(const Row& row, const Evaluation& e, double* out) const;
+  double row_value(const LinearForm& row, const Evaluation& e, std::span<const double> z) const;
+  void row_gradient(const LinearForm& row, const Evaluation& e, double* out) const;
   void keep(std::span<const double> z);
 
   Session& session_;

@@ -16,12 +16,11 @@
 namespace twum::optim {
 namespace {
 
-std::vector<std::vector<double>> usual_starts(Campaign& campaign, std::size_t count) {
-  std::vector<std::vector<double>> starts{campaign.unit_start()};
-  const std::size_t n = campaign.scaling().size();
+std::vector<std::vector<double>> usual_starts(StageRunner& runner, std::size_t count) {
+  std::vector<std::vector<double>> starts{runner.unit_start()};
+  const std::size_t n = runner.scaling().size();
   if (n == 0 || count < 2) return starts;
-  for (auto& u : sobol_points(n, count - 1, campaign.options().seed))
-    starts.push_back(std::move(u));
+  for (auto& u : sobol_points(n, count - 1, runner.options().seed)) starts.push_back(std::move(u));
   return starts;
 }
 
@@ -29,12 +28,12 @@ std::vector<std::vector<double>> usual_starts(Campaign& campaign, std::size_t co
 void ask_population(const Problem& problem, const ParetoOptions& options, FrontSearch& search,
                     std::vector<std::vector<double>>& starts) {
   if (options.population_evaluations == 0) return;
-  Campaign& campaign = search.campaign();
+  StageRunner& runner = search.runner();
   Nsga2Options population;
-  population.solve = campaign.options();
-  population.solve.first_stage = campaign.next_stage();
-  population.solve.budget.evaluations = campaign.left();
-  population.solve.budget.seconds -= campaign.deadline().elapsed();
+  population.solve = runner.options();
+  population.solve.first_stage = runner.next_stage();
+  population.solve.budget.evaluations = runner.left();
+  population.solve.budget.seconds -= runner.deadline().elapsed();
   const std::size_t in_all = options.population_evaluations / population.population;
   population.generations =
       std::max<std::size_t>(in_all, 1) - 1;  // the first population costs as much
@@ -43,10 +42,10 @@ void ask_population(const Problem& problem, const ParetoOptions& options, FrontS
   used.counters = front.counters;
   used.stages_used = front.stages_used;
   used.stop = front.stop;
-  campaign.book(used);
+  runner.book(used);
   const std::size_t step = std::max<std::size_t>(1, front.points.size() / 8);
   for (std::size_t i = 0; i < front.points.size(); ++i) {
-    const auto unit = campaign.scaling().to_unit(front.points[i].design);
+    const auto unit = runner.scaling().to_unit(front.points[i].design);
     search.add_to_pool(unit, front.points[i].evaluation);
     if (i % step == 0 || i + 1 == front.points.size()) starts.push_back(unit);
   }
@@ -102,23 +101,22 @@ FrontPoint finished(Session& session, const Scaling& scaling, FrontPoint point) 
 }
 
 void certify_points(FrontSearch& search, const std::vector<Solved>& solved, Front& front) {
-  Campaign& campaign = search.campaign();
-  Attempt stage;
-  stage.session =
-      std::make_unique<Session>(campaign.problem(), campaign.options(), campaign.deadline(),
-                                campaign.take_stage(), campaign.left());
+  StageRunner& runner = search.runner();
+  SolverRun stage;
+  stage.session = std::make_unique<Session>(runner.problem(), runner.options(), runner.deadline(),
+                                            runner.take_stage(), runner.left());
   for (const Solved& s : solved) {
     stage.session->remember(s.design, s.evaluation);
     FrontPoint point{s.design, s.evaluation, {}};
     try {
-      point = certified(*stage.session, campaign.scaling(), s.design, s.evaluation);
-      point = finished(*stage.session, campaign.scaling(), point);
+      point = certified(*stage.session, runner.scaling(), s.design, s.evaluation);
+      point = finished(*stage.session, runner.scaling(), point);
     } catch (const Stop& stop) {
       stage.report.stop = stop.reason;
     }
     front.points.push_back(std::move(point));
   }
-  campaign.book(stage);
+  runner.book(stage);
 }
 
 // Finishing moves points a little: none may end up behind another.
@@ -137,44 +135,44 @@ void drop_dominated(const Problem& problem, Front& front) {
 bool find_ends(FrontSearch& search, const std::vector<std::vector<double>>& starts,
                std::optional<Candidate>& least) {
   if (search.find_ends(starts)) return true;
-  Campaign& campaign = search.campaign();
-  least = elastic_search(campaign, usual_starts(campaign, campaign.options().starts));
-  const double tolerance = campaign.options().feasibility_tolerance;
+  StageRunner& runner = search.runner();
+  least = elastic_search(runner, usual_starts(runner, runner.options().starts));
+  const double tolerance = runner.options().feasibility_tolerance;
   if (!least || least->f > tolerance || least->violation > tolerance) return false;
   return search.find_ends({least->z});
 }
 
-void explain(Campaign& campaign, const std::optional<Candidate>& least, Front& front) {
+void explain(StageRunner& runner, const std::optional<Candidate>& least, Front& front) {
   front.outcome = Outcome::infeasible;
-  if (least && campaign.options().analyse_infeasible)
-    front.infeasibility = explain_infeasible(campaign, least->z);
-  if (campaign.counters().all_failed() ||
-      (campaign.exhausted() && front.infeasibility.relaxations.empty()))
-    front.outcome = campaign.without_design();
+  if (least && runner.options().analyse_infeasible)
+    front.infeasibility = explain_infeasible(runner, least->z);
+  if (runner.counters().all_failed() ||
+      (runner.exhausted() && front.infeasibility.relaxations.empty()))
+    front.outcome = runner.without_design();
   if (front.infeasibility.relaxations.empty()) return;
-  SolveOptions rest = campaign.options();
-  rest.first_stage = campaign.next_stage();
+  SolveOptions rest = runner.options();
+  rest.first_stage = runner.next_stage();
   Causes causes =
-      find_causes(campaign.problem(), rest, campaign.deadline(),
-                  cost_of_causes(campaign.counters(), rest.budget), std::move(front.infeasibility));
+      find_causes(runner.problem(), rest, runner.deadline(),
+                  cost_of_causes(runner.counters(), rest.budget), std::move(front.infeasibility));
   front.infeasibility = std::move(causes.infeasibility);
   front.counters.add(causes.counters);
   front.stages_used = causes.stages_used;
 }
 
-void conclude(Campaign& campaign, Front& front) {
+void conclude(StageRunner& runner, Front& front) {
   const bool all = std::all_of(front.points.begin(), front.points.end(),
                                [](const FrontPoint& p) { return p.certificate.passed; });
   if (!front.points.empty()) {
     front.outcome = all ? Outcome::optimal : Outcome::feasible;
-    if (campaign.exhausted()) front.outcome = Outcome::budget;
+    if (runner.exhausted()) front.outcome = Outcome::budget;
   }
   if (front.outcome == Outcome::budget)
-    front.stop = campaign.stop_reason() == StopReason::finished ? StopReason::evaluations
-                                                                : campaign.stop_reason();
-  front.counters.add(campaign.counters());
-  front.stages_used += campaign.next_stage() - campaign.options().first_stage;
-  front.seconds = campaign.deadline().elapsed();
+    front.stop = runner.stop_reason() == StopReason::finished ? StopReason::evaluations
+                                                              : runner.stop_reason();
+  front.counters.add(runner.counters());
+  front.stages_used += runner.next_stage() - runner.options().first_stage;
+  front.seconds = runner.deadline().elapsed();
 }
 
 }  // namespace
@@ -186,14 +184,14 @@ Front pareto_front(const Problem& problem, const ParetoOptions& options) {
   SolveOptions solve = options.solve;
   const Deadline deadline(solve.budget.seconds);
   FrontSearch search(problem, solve, options, deadline);
-  Campaign& campaign = search.campaign();
+  StageRunner& runner = search.runner();
   Front front;
-  if (!campaign.scale()) {
-    front.outcome = campaign.without_design();
-    conclude(campaign, front);
+  if (!runner.scale()) {
+    front.outcome = runner.without_design();
+    conclude(runner, front);
     return front;
   }
-  auto starts = usual_starts(campaign, solve.starts);
+  auto starts = usual_starts(runner, solve.starts);
   ask_population(problem, options, search, starts);
   std::optional<Candidate> least;
   if (find_ends(search, starts, least)) {
@@ -203,9 +201,9 @@ Front pareto_front(const Problem& problem, const ParetoOptions& options) {
     drop_dominated(problem, front);
     measure(front, problem, options.reference);
   } else {
-    explain(campaign, least, front);
+    explain(runner, least, front);
   }
-  conclude(campaign, front);
+  conclude(runner, front);
   return front;
 }
 

@@ -55,7 +55,7 @@ std::vector<Solved> three_objective_front(FrontSearch& search, const ParetoOptio
   std::vector<Solved> known = search.ends();
   // More candidates than points: the best of them are chosen by hypervolume.
   const auto directions = lattice(5 * options.points / 2);
-  const std::size_t n = search.campaign().scaling().size();
+  const std::size_t n = search.runner().scaling().size();
   if (n == 0) return {known.front()};
   const auto far =
       sobol_points(n, options.coarse * options.coarse_starts + 1, options.solve.seed + 7);

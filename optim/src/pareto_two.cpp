@@ -33,7 +33,7 @@ class TwoObjectives {
   // Points all over the front, each from several starts: a piece that warm starts would not reach
   // is found here.
   void coarse() {
-    const std::size_t n = search_.campaign().scaling().size();
+    const std::size_t n = search_.runner().scaling().size();
     const auto far =
         sobol_points(n, options_.coarse * options_.coarse_starts + 1, options_.solve.seed + 7);
     for (std::size_t i = 1; i <= options_.coarse && !search_.exhausted(); ++i) {
@@ -116,7 +116,7 @@ class TwoObjectives {
 
   std::vector<std::vector<double>> elsewhere(const std::vector<double>& m) {
     constexpr std::size_t kStarts = 8;
-    const std::size_t n = search_.campaign().scaling().size();
+    const std::size_t n = search_.runner().scaling().size();
     auto starts = sobol_points(n, kStarts, options_.solve.seed + 100 + closed_.size());
     if (auto known = search_.from_pool(m); !known.empty()) starts.push_back(std::move(known));
     return starts;

@@ -80,10 +80,10 @@ class RobustFrontSearch {
     std::uint64_t replicate = 0;
     for (const std::uint64_t products : kProductsOfARayRound)
       at.solved = along_ray(at.solved, f, risks, search_.plan(products, replicate++));
-    for (int attempt = 0;; ++attempt) {
+    for (int run = 0;; ++run) {
       at.seen = search_.verified(at.solved, products_for_rarest(limited_risks()), next_stream_++);
       const bool holds = worst_verdict(problem_, at.seen) == YieldVerdict::holds;
-      if (holds || search_.stopped() || !options_.back_off || attempt == kMostStepsBack) break;
+      if (holds || search_.stopped() || !options_.back_off || run == kMostStepsBack) break;
       risks = backed_off(problem_, std::move(risks), at.seen);
       at.solved = along_ray(at.solved, f, risks, search_.plan(kProductsOfARayRound[1], 1));
     }

@@ -21,10 +21,10 @@ class ContinuousSolve {
  public:
   ContinuousSolve(const Problem& problem, const SolveOptions& options, const Deadline& deadline,
                   const Ladder& ladder)
-      : campaign_(problem, options, deadline), options_(options), ladder_(ladder) {}
+      : runner_(problem, options, deadline), options_(options), ladder_(ladder) {}
 
   Result run() {
-    if (campaign_.scale()) {
+    if (runner_.scale()) {
       if (options_.solver == "auto")
         automatic();
       else
@@ -36,30 +36,30 @@ class ContinuousSolve {
  private:
   static constexpr int kAgain = 5;
 
-  bool feasible(const Attempt& a) const {
+  bool feasible(const SolverRun& a) const {
     return a.best && a.best->violation <= options_.feasibility_tolerance;
   }
   bool passed() const { return best_.certified && best_.certified->certificate.passed; }
 
   void named(const Optimizer& optimizer) {
-    best_ = campaign_.run(optimizer, campaign_.unit_start(), true);
-    campaign_.finish(best_);
+    best_ = runner_.run(optimizer, runner_.unit_start(), true);
+    runner_.finish(best_);
     // A local solver that stopped short is begun again where it stopped: its memory of the way
     // (asymptotes, Hessian) is often what held it back.
     for (int again = 0; again < kAgain && !optimizer.info.global; ++again) {
       if (passed() || cut_short() || !best_.best) return;
-      Attempt attempt = campaign_.run(optimizer, campaign_.scaling().to_unit(best_.design), true);
-      campaign_.finish(attempt);
-      const bool better = attempt.best && clearly_better(*attempt.best, *best_.best);
-      offer(std::move(attempt));
+      SolverRun run = runner_.run(optimizer, runner_.scaling().to_unit(best_.design), true);
+      runner_.finish(run);
+      const bool better = run.best && clearly_better(*run.best, *best_.best);
+      offer(std::move(run));
       if (!better) return;
     }
   }
 
   void automatic() {
     if (!options_.global.empty()) globally();
-    Attempt first = best_of(campaign_.run_all(find_optimizer("nlopt:slsqp"), starts()));
-    campaign_.finish(first);
+    SolverRun first = best_of(runner_.run_all(find_optimizer("nlopt:slsqp"), starts()));
+    runner_.finish(first);
     offer(std::move(first));
     climb();
     if (!feasible(best_)) restore();
@@ -70,31 +70,31 @@ class ContinuousSolve {
     const Optimizer& optimizer = find_optimizer(options_.global);
     if (!optimizer.info.global)
       throw InputError("solver '" + options_.global + "' does not search globally");
-    const AttemptPlan plan{&optimizer, campaign_.take_stage(), campaign_.left() / 2,
-                           campaign_.unit_start()};
-    best_ = make_attempt(campaign_.problem(), options_, campaign_.deadline(), campaign_.scaling(),
-                         plain_formulation(campaign_.problem(), campaign_.scaling()), plan);
+    const SolverPlan plan{&optimizer, runner_.take_stage(), runner_.left() / 2,
+                          runner_.unit_start()};
+    best_ = run_solver(runner_.problem(), options_, runner_.deadline(), runner_.scaling(),
+                       plain_formulation(runner_.problem(), runner_.scaling()), plan);
     best_.report.stop = StopReason::finished;  // its share was used up, not the budget
-    campaign_.book(best_);
+    runner_.book(best_);
   }
 
   std::vector<std::vector<double>> starts() const {
-    std::vector<std::vector<double>> list{campaign_.unit_start()};
-    if (best_.best) list.insert(list.begin(), campaign_.scaling().to_unit(best_.design));
-    const std::size_t n = campaign_.scaling().size();
+    std::vector<std::vector<double>> list{runner_.unit_start()};
+    if (best_.best) list.insert(list.begin(), runner_.scaling().to_unit(best_.design));
+    const std::size_t n = runner_.scaling().size();
     if (n == 0) return list;
     const std::size_t more = std::max<std::size_t>(options_.starts, 1) - 1;
     for (auto& u : sobol_points(n, more, options_.seed)) list.push_back(std::move(u));
     return list;
   }
 
-  Attempt best_of(std::vector<Attempt> attempts) const {
+  SolverRun best_of(std::vector<SolverRun> runs) const {
     std::size_t best = 0;
-    for (std::size_t i = 1; i < attempts.size(); ++i) {
-      if (!attempts[i].best) continue;
-      if (!attempts[best].best || clearly_better(*attempts[i].best, *attempts[best].best)) best = i;
+    for (std::size_t i = 1; i < runs.size(); ++i) {
+      if (!runs[i].best) continue;
+      if (!runs[best].best || clearly_better(*runs[i].best, *runs[best].best)) best = i;
     }
-    return std::move(attempts[best]);
+    return std::move(runs[best]);
   }
 
   // Differences within the solvers' own accuracy do not count: the first of equals wins.
@@ -104,27 +104,27 @@ class ContinuousSolve {
     return better(a, b, t);
   }
 
-  void offer(Attempt attempt) {
-    if (!attempt.best) return;
+  void offer(SolverRun run) {
+    if (!run.best) return;
     const bool first = !best_.best;
-    const bool certifies = attempt.certified && attempt.certified->certificate.passed;
-    const bool equal = !first && !clearly_better(*best_.best, *attempt.best);
-    if (first || clearly_better(*attempt.best, *best_.best) || (certifies && !passed() && equal))
-      best_ = std::move(attempt);
+    const bool certifies = run.certified && run.certified->certificate.passed;
+    const bool equal = !first && !clearly_better(*best_.best, *run.best);
+    if (first || clearly_better(*run.best, *best_.best) || (certifies && !passed() && equal))
+      best_ = std::move(run);
   }
 
   // Each rung starts where the best design is; the first that can be certified ends the climb.
   void climb() {
     for (const std::string& name : ladder_.rungs) {
-      if (campaign_.exhausted() || campaign_.scaling().size() == 0) return;
+      if (runner_.exhausted() || runner_.scaling().size() == 0) return;
       if (passed() && !ladder_.to_the_top) return;
       const Optimizer& optimizer = find_optimizer(name);
       if (!optimizer.info.available) continue;
       const auto start =
-          best_.best ? campaign_.scaling().to_unit(best_.design) : campaign_.unit_start();
-      Attempt attempt = campaign_.run(optimizer, start, true);
-      campaign_.finish(attempt);
-      offer(std::move(attempt));
+          best_.best ? runner_.scaling().to_unit(best_.design) : runner_.unit_start();
+      SolverRun run = runner_.run(optimizer, start, true);
+      runner_.finish(run);
+      offer(std::move(run));
       const bool top = ladder_.to_the_top;
       if (!feasible(best_) && name == "ipopt" && !top) return;  // feasibility comes first
     }
@@ -132,22 +132,22 @@ class ContinuousSolve {
 
   // Nothing feasible yet: search for feasibility alone, and go on from there.
   void restore() {
-    if (campaign_.exhausted()) return;
+    if (runner_.exhausted()) return;
     auto from = starts();
-    if (best_.best) from.insert(from.begin(), campaign_.scaling().to_unit(best_.design));
-    const auto found = elastic_search(campaign_, from);
+    if (best_.best) from.insert(from.begin(), runner_.scaling().to_unit(best_.design));
+    const auto found = elastic_search(runner_, from);
     if (!found) return;
     least_infeasible_ = found->z;
-    if (campaign_.exhausted()) return;
-    Attempt attempt = campaign_.run(find_optimizer("nlopt:slsqp"), found->z, true);
-    if (!feasible(attempt)) return;
-    campaign_.finish(attempt);
-    offer(std::move(attempt));
+    if (runner_.exhausted()) return;
+    SolverRun run = runner_.run(find_optimizer("nlopt:slsqp"), found->z, true);
+    if (!feasible(run)) return;
+    runner_.finish(run);
+    offer(std::move(run));
     climb();
   }
 
   Outcome outcome() const {
-    if (!best_.best) return campaign_.without_design();
+    if (!best_.best) return runner_.without_design();
     const bool ok = feasible(best_) ||
                     (best_.certified &&
                      best_.certified->certificate.infeasibility <= options_.feasibility_tolerance);
@@ -157,16 +157,15 @@ class ContinuousSolve {
   }
 
   bool cut_short() const {
-    return campaign_.exhausted() ||
-           (options_.solver != "auto" && campaign_.stop_reason() != StopReason::finished);
+    return runner_.exhausted() ||
+           (options_.solver != "auto" && runner_.stop_reason() != StopReason::finished);
   }
 
   Result conclude() {
     Result result;
     result.outcome = outcome();
     if (result.outcome == Outcome::infeasible && options_.analyse_infeasible) explain(result);
-    result.stop =
-        result.outcome == Outcome::budget ? campaign_.stop_reason() : StopReason::finished;
+    result.stop = result.outcome == Outcome::budget ? runner_.stop_reason() : StopReason::finished;
     if (result.outcome == Outcome::budget && result.stop == StopReason::finished)
       result.stop = StopReason::evaluations;
     result.design = best_.design;
@@ -174,27 +173,27 @@ class ContinuousSolve {
       result.certificate = best_.certified->certificate;
       result.evaluation = best_.certified->point.evaluation;
     } else {
-      result.certificate.reason = best_.best || !campaign_.counters().all_failed()
+      result.certificate.reason = best_.best || !runner_.counters().all_failed()
                                       ? kCutShort
                                       : "no design could be evaluated";
     }
     if (best_.solver != nullptr) result.solver = best_.solver->name;
-    result.counters = campaign_.counters();
+    result.counters = runner_.counters();
     std::erase_if(result.counters.failures, [](const auto& f) { return f.second == 0; });
-    result.stages = campaign_.stages();
-    result.stages_used = campaign_.next_stage() - options_.first_stage;
-    result.seconds = campaign_.deadline().elapsed();
+    result.stages = runner_.stages();
+    result.stages_used = runner_.next_stage() - options_.first_stage;
+    result.seconds = runner_.deadline().elapsed();
     return result;
   }
 
   void explain(Result& result) {
     std::vector<double> unit = least_infeasible_;
     if (unit.empty()) {  // a named solver: its answer is where the elastic solve begins
-      const auto found = elastic_search(campaign_, {campaign_.scaling().to_unit(best_.design)});
+      const auto found = elastic_search(runner_, {runner_.scaling().to_unit(best_.design)});
       if (!found) return;
       unit = found->z;
     }
-    result.infeasibility = explain_infeasible(campaign_, unit);
+    result.infeasibility = explain_infeasible(runner_, unit);
     move_to(result.infeasibility.design);
     if (!result.infeasibility.relaxations.empty()) return;
     // The elastic solve found what the solver did not, or the budget ended before it could tell.
@@ -204,23 +203,23 @@ class ContinuousSolve {
 
   // The least infeasible design is the one to show, if the budget lets it be looked at.
   void move_to(const std::vector<double>& design) {
-    Attempt look;
-    look.session = std::make_unique<Session>(campaign_.problem(), options_, campaign_.deadline(),
-                                             campaign_.take_stage(), campaign_.left());
+    SolverRun look;
+    look.session = std::make_unique<Session>(runner_.problem(), options_, runner_.deadline(),
+                                             runner_.take_stage(), runner_.left());
     try {
-      if (auto certified = certify_in(*look.session, campaign_.scaling(), design)) {
+      if (auto certified = certify_in(*look.session, runner_.scaling(), design)) {
         best_.design = design;
         best_.certified = std::move(certified);
       }
     } catch (const Stop&) {
     }
-    campaign_.book(look);
+    runner_.book(look);
   }
 
-  Campaign campaign_;
+  StageRunner runner_;
   const SolveOptions& options_;
   const Ladder& ladder_;
-  Attempt best_;
+  SolverRun best_;
   std::vector<double> least_infeasible_;
 };
 

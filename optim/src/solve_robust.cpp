@@ -82,7 +82,7 @@ class RobustSolve {
   }
 
   // The goal at other yields, each searched from its neighbour and corrected by one sample. The largest yield comes first:
-  // to search for one that cannot be had costs more than all others together.
+  // to search for one that cannot be reached costs more than all others together.
   std::vector<YieldPrice> prices_of_yields(const SolvedRound& solved) {
     std::vector<YieldPrice> list;
     if (problem_.yields.empty() || is_goal(0) || !options_.price_yields) return list;
@@ -121,7 +121,7 @@ class RobustSolve {
 
   // U5.3, U5.4: fresh products decide; where they do not show that the yield holds, a smaller risk is aimed at.
   void verify(SolvedRound& solved, std::vector<double> risks) {
-    for (int attempt = 0;; ++attempt) {
+    for (int run = 0;; ++run) {
       if (!risks.empty()) result_.aimed.push_back(1.0 - risks.front());
       // A largest yield is verified as what it is, not as what was wanted.
       const bool largest = solved.round->seeks_yield();
@@ -129,11 +129,10 @@ class RobustSolve {
           largest
               ? std::min(kMostProductsOfALargest, products_for_rarest({search_.last_risk().any}))
               : products_for_rarest(wanted_);
-      result_.verification =
-          search_.verified(solved, products, static_cast<std::uint64_t>(attempt));
+      result_.verification = search_.verified(solved, products, static_cast<std::uint64_t>(run));
       result_.outcome = solved.result.outcome;
       if (search_.stopped()) result_.outcome = Outcome::budget;
-      if (search_.stopped() || judge() || attempt == kMostBackOffs || !options_.back_off) return;
+      if (search_.stopped() || judge() || run == kMostBackOffs || !options_.back_off) return;
       if (solved.round->seeks_yield() && !is_goal(0)) return;
       risks = backed_off(problem_, std::move(risks), result_.verification);
       SolvedRound next = search_.solve_again(solved, problem_.goals, risks);

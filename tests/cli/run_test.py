@@ -184,7 +184,7 @@ study:
         self.assertEqual(sum(summary["failures"].values()), 3)
         region = summary["failure_regions"][0]
         self.assertEqual(region["where"]["preload"], {"low": 100.0, "high": 220.0})
-        self.assertIn(b"3 without a full answer", done.stdout)
+        self.assertIn(b"3 failed or incomplete", done.stdout)
         self.assertIn(b"100 N to 220 N", done.stdout)
 
 

@@ -13,7 +13,7 @@
 #include <numbers>
 #include <vector>
 
-// Where the plateau ends (T7.17): beside the speeds a search looks at, and where mu_0 > mu ends it early.
+// Where the plateau ends (T7.17): beside the speeds a search radii_between_turns at, and where mu_0 > mu ends it early.
 namespace {
 
 using namespace twum;

@@ -21,7 +21,7 @@ using Catch::Matchers::StartsWith;
 
 namespace {
 
-const std::vector<Column> kColumns{{"preload", "N"}};
+const std::vector<StoredColumn> kColumns{{"preload", "N"}};
 
 std::string said(int code) {
   sqlite::Connection connection(":memory:", true);
@@ -121,10 +121,10 @@ TEST_CASE("columns of other names are those of another study", "[studies][store]
   const ScratchFolder folder;
   const std::string path = folder.path("results.db");
   { const ResultStore store(path, kColumns); }
-  for (const std::vector<Column>& other : {std::vector<Column>{{"prelaod", "N"}},
-                                           {{"preload", "m"}},
-                                           {},
-                                           {{"preload", "N"}, {"x", "1"}}})
+  for (const std::vector<StoredColumn>& other : {std::vector<StoredColumn>{{"prelaod", "N"}},
+                                                 {{"preload", "m"}},
+                                                 {},
+                                                 {{"preload", "N"}, {"x", "1"}}})
     CHECK_THROWS_WITH(ResultStore(path, other), Contains("with other columns"));
   CHECK_NOTHROW(ResultStore(path, kColumns));
 }
@@ -172,7 +172,7 @@ TEST_CASE("rows of many batches are all there", "[studies][store]") {
   const ResultStore store(folder.path("results.db"));
   CHECK(store.rows() == kCount);
   double sum = 0;
-  store.read([&](const Row& row) { sum += row.values[0]; });
+  store.read([&](const StoredRow& row) { sum += row.values[0]; });
   CHECK(sum ==
         0.5 * static_cast<double>(kCount) * static_cast<double>(kCount - 1));  // of 0 to n - 1
 }

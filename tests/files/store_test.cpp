@@ -19,11 +19,11 @@ using twum::test::ScratchFolder;
 
 namespace {
 
-const std::vector<Column> kColumns{{"preload", "N"}, {"stall_torque", "N.m"}};
+const std::vector<StoredColumn> kColumns{{"preload", "N"}, {"stall_torque", "N.m"}};
 
-Row row(std::uint64_t stage, std::uint64_t index, std::vector<double> values,
-        const std::string& status = "ok", const std::string& detail = "") {
-  Row result;
+StoredRow row(std::uint64_t stage, std::uint64_t index, std::vector<double> values,
+              const std::string& status = "ok", const std::string& detail = "") {
+  StoredRow result;
   result.stage = stage;
   result.index = index;
   result.values = std::move(values);
@@ -32,9 +32,9 @@ Row row(std::uint64_t stage, std::uint64_t index, std::vector<double> values,
   return result;
 }
 
-std::vector<Row> all_rows(const ResultStore& store) {
-  std::vector<Row> rows;
-  store.read([&](const Row& one) { rows.push_back(one); });
+std::vector<StoredRow> all_rows(const ResultStore& store) {
+  std::vector<StoredRow> rows;
+  store.read([&](const StoredRow& one) { rows.push_back(one); });
   return rows;
 }
 
@@ -78,7 +78,7 @@ TEST_CASE("the store gives back every double to the bit", "[studies][store]") {
     for (std::size_t i = 0; i < values.size(); ++i) store.add(row(3, i, {values[i], std::nan("")}));
   }
   ResultStore store(folder.path("results.db"), kColumns);
-  const std::vector<Row> rows = all_rows(store);
+  const std::vector<StoredRow> rows = all_rows(store);
   REQUIRE(rows.size() == values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
     CAPTURE(values[i]);
@@ -99,7 +99,7 @@ TEST_CASE("the store gives back texts and bytes as they were", "[studies][store]
     CHECK(store.fact("hash") == "12ab");
   }
   ResultStore store(folder.path("results.db"), kColumns);
-  const Row stored = all_rows(store).at(0);
+  const StoredRow stored = all_rows(store).at(0);
   CHECK(stored.status == status);
   CHECK(stored.detail == bytes);
   CHECK(stored.values[0] == 1);
@@ -116,10 +116,10 @@ TEST_CASE("rows come in the order of stage and index, however they were added",
   store.add(row(2, 0, {20}));
   store.add(row(0, 1, {1}));
   std::vector<double> seen;
-  store.read([&](const Row& one) { seen.push_back(one.values[0]); });
+  store.read([&](const StoredRow& one) { seen.push_back(one.values[0]); });
   CHECK(seen == std::vector<double>{1, 700, 20, 21});
   seen.clear();
-  store.read(2, [&](const Row& one) { seen.push_back(one.values[0]); });
+  store.read(2, [&](const StoredRow& one) { seen.push_back(one.values[0]); });
   CHECK(seen == std::vector<double>{20, 21});
 }
 
@@ -147,7 +147,7 @@ TEST_CASE("the next index is the first gap", "[studies][store]") {
 
 TEST_CASE("columns may have names that differ in capitals only", "[studies][store]") {
   const ScratchFolder folder;
-  const std::vector<Column> columns{{"A", "m"}, {"a", "m"}, {"A", "m"}, {"status", "1"}};
+  const std::vector<StoredColumn> columns{{"A", "m"}, {"a", "m"}, {"A", "m"}, {"status", "1"}};
   {
     ResultStore store(folder.path("results.db"), columns);
     store.add(row(0, 0, {1, 2, 3, 4}));
@@ -226,7 +226,7 @@ TEST_CASE("a flipped bit is never read as a number", "[studies][store]") {
   const ScratchFolder folder;
   const std::string path = folder.path("results.db");
   fill(path, 2000);
-  std::vector<Row> rows;
+  std::vector<StoredRow> rows;
   {
     ResultStore store(path, kColumns);
     rows = all_rows(store);
@@ -247,7 +247,7 @@ TEST_CASE("a flipped bit is never read as a number", "[studies][store]") {
     try {
       // Either the bit is in no row, and all rows are what they were, or it is noticed.
       const ResultStore store(copy, kColumns);
-      const std::vector<Row> found = all_rows(store);
+      const std::vector<StoredRow> found = all_rows(store);
       REQUIRE(found.size() == rows.size());
       for (std::size_t i = 0; i < rows.size(); ++i) REQUIRE(found[i].values == rows[i].values);
     } catch (const StoreError& error) {
@@ -309,7 +309,7 @@ TEST_CASE("a page of rows may be read while others are added", "[studies][store]
   ResultStore store(":memory:", kColumns);
   for (std::uint64_t i = 0; i < 2000; ++i) store.add(row(0, i, {1}));
   std::uint64_t seen = 0;
-  store.read(0, [&](const Row& one) {
+  store.read(0, [&](const StoredRow& one) {
     ++seen;
     store.add(row(1, one.index, {2}));
   });

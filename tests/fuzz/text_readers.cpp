@@ -2,8 +2,8 @@
 #include "fuzz/readers.hpp"
 #include "fuzz/targets.hpp"
 
-#include <twum/studies/metrics/constraint.hpp>
 #include <twum/studies/metrics/expression.hpp>
+#include <twum/studies/metrics/motor_limit.hpp>
 #include <twum/studies/text/value_error.hpp>
 #include <twum/studies/text/words.hpp>
 #include <twum/studies/units/units.hpp>
@@ -50,7 +50,7 @@ bool names(const ValueError& error, const MetricExpression& side) {
 void expect_refusal(std::string_view text, const MetricExpression& left,
                     const MetricExpression& right) {
   try {
-    parse_constraint(text);
+    parse_limit(text);
   } catch (const ValueError& error) {
     if (names(error, left) && names(error, right)) return;
     throw BrokenLaw("a refusal that does not name both sides: " + std::string(error.what()));
@@ -93,10 +93,10 @@ void feed_metrics(std::string_view text) {
     for (const MetricExpression& metric : *list) expect_same(metric);
   }
   expect_same_dimension(text);
-  const auto limit = accepted([&] { return parse_constraint(text); });
+  const auto limit = accepted([&] { return parse_limit(text); });
   if (!limit) return;
   expect_same(limit->metric);
-  const Constraint again = parse_constraint(limit->text);
+  const MotorLimit again = parse_limit(limit->text);
   if (std::isnan(limit->lower) || !(limit->lower <= limit->upper) || again.lower != limit->lower ||
       again.upper != limit->upper || again.metric.text != limit->metric.text)
     throw BrokenLaw("another limit: " + limit->text);

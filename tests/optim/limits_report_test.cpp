@@ -78,7 +78,7 @@ void check(const Activity& a, const Expected& e, double sign) {
   CHECK(a.violation == 0.0);
   CHECK(a.active == (e.multiplier > 0.0));
   CHECK(a.multiplier == Approx(kUnit * e.multiplier).epsilon(kRounding));
-  CHECK(a.one_percent_buys == Approx(sign * kUnit * e.multiplier * e.percent).epsilon(kRounding));
+  CHECK(a.gain_per_percent == Approx(sign * kUnit * e.multiplier * e.percent).epsilon(kRounding));
 }
 
 // a (x - centre)^2 with 3 x = 6.
@@ -135,7 +135,7 @@ TEST_CASE("a raised target of an equality helps or harms as the objective's slop
       REQUIRE(c.limits.size() == 1);
       CHECK(c.limits[0].side == Side::equal);
       CHECK(c.limits[0].multiplier == Approx(maximize ? slope : -slope).epsilon(kRounding));
-      CHECK(c.limits[0].one_percent_buys == Approx(0.06 * slope).epsilon(kRounding));
+      CHECK(c.limits[0].gain_per_percent == Approx(0.06 * slope).epsilon(kRounding));
     }
   }
 }
@@ -172,8 +172,8 @@ TEST_CASE("what a limit buys is a change towards the better side of the first ob
   REQUIRE(least.passed);
   REQUIRE(most.passed);
   CHECK(least.limits[0].multiplier > 0.0);
-  CHECK(least.limits[0].one_percent_buys < 0.0);
-  CHECK(most.limits[0].one_percent_buys == -least.limits[0].one_percent_buys);
+  CHECK(least.limits[0].gain_per_percent < 0.0);
+  CHECK(most.limits[0].gain_per_percent == -least.limits[0].gain_per_percent);
 }
 
 TEST_CASE("of limits that meet from both sides only the one that holds has a multiplier",

@@ -101,7 +101,7 @@ TEST_CASE("what a relaxed limit buys is what a new solve gets",
     const double gained = solve(relaxed).evaluation.values[0] - r.evaluation.values[0];
     // First order: the second-order term is at most 1/2 step^2 curvature / |a|^2, here below
     // 10 step^2.
-    CHECK(std::abs(gained - a.one_percent_buys) < 10.0 * step * step + 1e-9);
+    CHECK(std::abs(gained - a.gain_per_percent) < 10.0 * step * step + 1e-9);
   }
 }
 

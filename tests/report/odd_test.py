@@ -47,7 +47,7 @@ class Odd(Study):
                      "{minimize: max_pressure}], constraints: [no_load_speed >= 400 rpm]", "cannot be reached: the most found"),
         "free": ("optimize", "variables: {preload: {min: 60 N, max: 300 N}}, maximize: peak_power", "preload ≤ 300 N, the end of its range"),
         "one-variable": ("sweep", "sampling: grid, variables: {preload: {min: 0.001 N, max: 3 kN, points: 5}}, "
-                         "metrics: [speed_at(0.9 N.m)]", "5 designs, 1 of them without a full answer"),
+                         "metrics: [speed_at(0.9 N.m)]", "5 designs, 1 of them failed or incomplete"),
         "dead": ("curve", "points: 5", "drives no load"),
     }
 
@@ -63,7 +63,7 @@ class Odd(Study):
         self.assertGreater(summary["curves"][0]["metrics"]["stall_torque"], 0.5)
         self.assertRegex(self.text(".verdict"), r"has no peak power that could be computed\. Its stall torque is \d+ mN·m\.")
         self.assertNotIn("drives no load", self.text(".verdict"))
-        self.assertIn("Points without a full answer", self.lines("h2"))
+        self.assertIn("Points that failed or are incomplete", self.lines("h2"))
         # What a reason means is said with the words that the program has for it.
         meanings = self.browser.value("data.reasons")
         self.assertEqual(set(meanings), {"undefined", "unreachable", "no-periodic-state", "not-converged", "resonance", "unresolved", "inaccurate", "out-of-range",

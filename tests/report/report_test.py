@@ -49,8 +49,8 @@ class Numbers(Page):
             self.assertEqual(value, limit["value"])
             self.assertEqual(state == "binds", limit["active"])
         # Everything that binds, ends of ranges too, the most valuable first; first in the table as well.
-        binding = sorted([(c["one_percent_buys"], c["text"]) for c in summary["best"]["constraints"] if c["active"]] +
-                         [(b["one_percent_buys"], b["variable"]) for b in summary["best"]["bounds"]], reverse=True)
+        binding = sorted([(c["gain_per_percent"], c["text"]) for c in summary["best"]["constraints"] if c["active"]] +
+                         [(b["gain_per_percent"], b["variable"]) for b in summary["best"]["bounds"]], reverse=True)
         self.assertEqual(list(limits)[:len(binding)], [name for _, name in binding])
         listed = self.lines("section:has([data-table=limits]) .holders li")
         self.assertEqual(len(listed), len(binding))

@@ -195,7 +195,7 @@ TEST_CASE("threads and interruptions do not change a calibration",
   one.more = "starts: 5";
   const StudyFile file = one.file(points_of(with(one.design(), kTruth), 4e-3));
   const Run alone(file);
-  const std::vector<Row> rows = alone.rows();
+  const std::vector<StoredRow> rows = alone.rows();
   for (const unsigned jobs : {2U, 8U}) {
     const Run several(file, jobs);
     CHECK(several.json() == alone.json());
@@ -203,14 +203,14 @@ TEST_CASE("threads and interruptions do not change a calibration",
   }
   // What a kill leaves of each start is its first rows.
   for (const std::uint64_t kept : {0U, 1U, 4U, 1000U}) {
-    std::vector<Row> stored;
-    for (const Row& row : rows)
+    std::vector<StoredRow> stored;
+    for (const StoredRow& row : rows)
       if (row.index < kept + row.stage) stored.push_back(row);
     const Run resumed(file, 2, stored);
     CHECK(resumed.json() == alone.json());
     CHECK(same_rows(resumed.rows(), rows));
   }
-  for (const Row& row : rows) {
+  for (const StoredRow& row : rows) {
     const auto again = alone.kind->recompute(row);
     REQUIRE(again);
     CHECK(same_rows({*again}, {row}));
@@ -232,8 +232,8 @@ TEST_CASE("a calibration stopped at any evaluation goes on to the same end",
                          if (now.done == last) stop.request_stop();
                        }};
     kind->run(context);
-    std::vector<Row> rows;
-    store.read([&](const Row& row) { rows.push_back(row); });
+    std::vector<StoredRow> rows;
+    store.read([&](const StoredRow& row) { rows.push_back(row); });
     CHECK(rows.size() == last);  // what was in flight, and nothing begun after it
     CHECK(Run(file, 1, rows).json() == whole.json());
   }

@@ -81,9 +81,9 @@ struct Run {
   std::unique_ptr<ResultStore> store;
   KindAnswer answer;
 
-  explicit Run(const StudyFile& file, unsigned jobs = 1, const std::vector<Row>& stored = {})
+  explicit Run(const StudyFile& file, unsigned jobs = 1, const std::vector<StoredRow>& stored = {})
       : kind(make_kind(file)), store(std::make_unique<ResultStore>(":memory:", kind->columns())) {
-    for (const Row& row : stored) store->add(row);
+    for (const StoredRow& row : stored) store->add(row);
     ThreadExecutor executor(*kind, jobs);
     RunContext context{*store, executor, {}, {}};
     answer = kind->run(context);
@@ -91,14 +91,14 @@ struct Run {
   const CalibrateResult& result() const { return std::get<CalibrateResult>(answer.answer); }
   std::string json() const { return answer_json(result()).dump(); }
   std::string text() const { return answer_text(result()); }
-  std::vector<Row> rows() const {
-    std::vector<Row> rows;
-    store->read([&](const Row& row) { rows.push_back(row); });
+  std::vector<StoredRow> rows() const {
+    std::vector<StoredRow> rows;
+    store->read([&](const StoredRow& row) { rows.push_back(row); });
     return rows;
   }
 };
 
-inline bool same_rows(const std::vector<Row>& a, const std::vector<Row>& b) {
+inline bool same_rows(const std::vector<StoredRow>& a, const std::vector<StoredRow>& b) {
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (a[i].stage != b[i].stage || a[i].index != b[i].index || a[i].values != b[i].values ||

@@ -200,12 +200,12 @@ TEST_CASE("a choice goes together with whole numbers and derived parameters", "[
       "starts: "
       "1}}"));
   CHECK(search.answer.outcome == "optimal");
-  const std::vector<Column> columns = search.kind->columns();
+  const std::vector<StoredColumn> columns = search.kind->columns();
   REQUIRE(columns[2].name == "lining");
   CHECK(columns[2].words == std::vector<std::string>{"hard.yaml", "Soft"});
   CHECK(search.kind->variables() == 3);
   std::set<std::pair<double, double>> seen;
-  for (const Row& row : search.rows()) seen.insert({row.values[0], row.values[2]});
+  for (const StoredRow& row : search.rows()) seen.insert({row.values[0], row.values[2]});
   CHECK(seen.size() == 4);
   CHECK(test::value(search.optimum().best.design, "thickness") == 0.2 * 4e-3 / 4);
   CHECK_THAT(search.text(), Contains("lining, wavelengths held"));

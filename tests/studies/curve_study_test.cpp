@@ -27,7 +27,9 @@ struct Curves {
                         << entries;
     file = read_study_file(path);
     result = run_study(file, folder.path("out"), {});
-    ResultStore(folder.path("out/results.db")).read([&](const Row& row) { rows.push_back(row); });
+    ResultStore(folder.path("out/results.db")).read([&](const StoredRow& row) {
+      rows.push_back(row);
+    });
   }
   const CurveResult& answer() const { return std::get<CurveResult>(result.answer); }
   double metric(std::size_t member, const std::string& name) const {
@@ -40,7 +42,7 @@ struct Curves {
   test::ScratchFolder folder;
   StudyFile file{};
   StudyResult result;
-  std::vector<Row> rows;
+  std::vector<StoredRow> rows;
 };
 
 }  // namespace
@@ -49,7 +51,7 @@ TEST_CASE("each row of a family is an operating point of its member", "[studies]
   const Curves curves("ring-60.yaml", "  family: {h: [0.2 mm, 0.3 mm]}\n  points: 7\n");
   REQUIRE(curves.rows.size() == 14);
   CHECK(curves.answer().family->name == "thickness");
-  for (const Row& row : curves.rows) {
+  for (const StoredRow& row : curves.rows) {
     CAPTURE(row.stage, row.index);
     MotorDesign design = curves.file.motor.design;
     design.layer.thickness = row.stage == 0 ? 0.2e-3 : 0.3e-3;
@@ -80,14 +82,14 @@ TEST_CASE("a motor alone is a family of one", "[studies][curve]") {
 TEST_CASE("a driven motor's rows balance at the terminals", "[studies][curve]") {
   const Curves curves("drive-60.yaml", "  family: {voltage: [50 V, 120 V]}\n  points: 15\n");
   const ResultStore store(curves.folder.path("out/results.db"));
-  const auto at = [&](const Row& row, const std::string& name) {
+  const auto at = [&](const StoredRow& row, const std::string& name) {
     for (std::size_t i = 0; i < store.columns().size(); ++i)
       if (store.columns()[i].name == name) return row.values[i];
     FAIL("no column " << name);
     return 0.0;
   };
   std::size_t answers = 0;
-  for (const Row& row : curves.rows) {
+  for (const StoredRow& row : curves.rows) {
     if (row.status != "ok") continue;
     ++answers;
     const double parts = at(row, "output_power") + at(row, "friction_power") +
@@ -99,7 +101,7 @@ TEST_CASE("a driven motor's rows balance at the terminals", "[studies][curve]") 
   }
   CHECK(answers > 15);
   std::set<std::string> names;
-  for (const Column& column : store.columns()) CHECK(names.insert(column.name).second);
+  for (const StoredColumn& column : store.columns()) CHECK(names.insert(column.name).second);
   CHECK(curves.rows[0].status == "pulled-out");
   CHECK(curves.metric(1, "start_voltage") > curves.metric(1, "hold_voltage"));
 }

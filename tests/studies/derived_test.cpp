@@ -144,7 +144,7 @@ TEST_CASE("a search keeps what is tied, and shows it in rows, report and motor f
   CHECK(test::value(best, "contact_width") == 0.15 * test::value(best, "contact_radius"));
   // Pressure is preload over area: wider is better, and so the limit binds.
   CHECK(search.optimum().best.constraints[0].active);
-  for (const Row& row : search.rows()) CHECK(row.values[2] == 0.15 * row.values[0]);
+  for (const StoredRow& row : search.rows()) CHECK(row.values[2] == 0.15 * row.values[0]);
 }
 
 TEST_CASE("samples show what follows from their variables", "[studies][derived]") {
@@ -154,7 +154,7 @@ TEST_CASE("samples show what follows from their variables", "[studies][derived]"
       "{contact_width: 0.1 * contact_radius}, metrics: [max_pressure]}");
   const test::Search sweep(file);
   CHECK(sweep.kind->columns().back().name == "contact_width");
-  const std::vector<Row> rows = sweep.rows();
+  const std::vector<StoredRow> rows = sweep.rows();
   REQUIRE(rows.size() == 2);
   CHECK(rows[0].values.back() == 0.1 * 0.02);
   CHECK(rows[1].values.back() == 0.1 * 0.03);

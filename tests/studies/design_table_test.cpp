@@ -30,7 +30,7 @@ Result evaluate_text(const std::string& table_text, const std::string& metrics, 
   REQUIRE(reader.read(header, 1));
   const DesignTable table(reader, header, base, parse_metric_list(metrics));
   Result result;
-  result.counts = evaluate_designs(
+  result.counts = evaluate_table(
       reader, table, jobs, [&](std::string_view text) { result.text += text; }, [] { return true; },
       [](const DesignCounts&) {});
   result.warnings = table.warnings();

@@ -112,16 +112,16 @@ TEST_CASE("tolerances of resonance and voltage reach the terminals", "[studies][
   const Search s(file, 2);
   CHECK(s.answer.outcome == "done");
   const auto& columns = s.kind->columns();
-  const auto at = [&](const Row& row, const std::string& name) {
+  const auto at = [&](const StoredRow& row, const std::string& name) {
     for (std::size_t i = 0; i < columns.size(); ++i)
       if (columns[i].name == name) return row.values[i];
     FAIL("no column " << name);
     return 0.0;
   };
   double sum = 0, square = 0;
-  const std::vector<Row> rows = s.rows();
+  const std::vector<StoredRow> rows = s.rows();
   REQUIRE(rows.size() == 2000);
-  for (const Row& row : rows) {
+  for (const StoredRow& row : rows) {
     const double detuned = at(row, "resonance_frequency") / 39e3 - 1;
     sum += detuned, square += detuned * detuned;
     CHECK(std::fabs(at(row, "voltage") / 120 - 1) <= 0.05);

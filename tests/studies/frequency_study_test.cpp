@@ -26,14 +26,16 @@ struct Sweeps {
                         << entries;
     file = read_study_file(path);
     result = run_study(file, folder.path("out"), {});
-    ResultStore(folder.path("out/results.db")).read([&](const Row& row) { rows.push_back(row); });
+    ResultStore(folder.path("out/results.db")).read([&](const StoredRow& row) {
+      rows.push_back(row);
+    });
   }
   const FrequencyResult& answer() const { return std::get<FrequencyResult>(result.answer); }
 
   test::ScratchFolder folder;
   StudyFile file{};
   StudyResult result;
-  std::vector<Row> rows;
+  std::vector<StoredRow> rows;
 };
 
 }  // namespace
@@ -42,7 +44,7 @@ TEST_CASE("each row of a frequency study is a wave of its member", "[studies][fr
   const Sweeps sweeps("  family: {voltage: [65 V, 120 V]}\n  speed: 0 rpm\n  points: 9\n");
   CHECK(sweeps.result.outcome == "done");
   REQUIRE(sweeps.rows.size() == 2 * 2 * 9);  // members, directions, points
-  for (const Row& row : sweeps.rows) {
+  for (const StoredRow& row : sweeps.rows) {
     CAPTURE(row.stage, row.index);
     CHECK(row.values[0] == (row.stage < 2 ? 65 : 120));
     CHECK(row.values[1] == (row.stage % 2 == 0 ? 1 : -1));
@@ -63,7 +65,7 @@ TEST_CASE("a frequency study keeps to its range, direction and load", "[studies]
   const Sweeps sweeps(
       "  from: 40 kHz\n  to: 42 kHz\n  points: 5\n  torque: 0.3 N.m\n  direction: down\n");
   REQUIRE(sweeps.rows.size() == 5);
-  for (const Row& row : sweeps.rows) {
+  for (const StoredRow& row : sweeps.rows) {
     CHECK(row.values[0] == -1);
     CHECK(row.values[1] == Approx(42e3 - 500.0 * static_cast<double>(row.index)).epsilon(1e-15));
     CHECK(row.values[4] == 0.3);

@@ -91,7 +91,7 @@ TEST_CASE(
     "no design outside the ranges is stored, and a stored search is explained as the first was",
     "[studies][optimize][infeasible]") {
   const Search s = preload_study("0.8 N.m", "100 N");
-  for (const Row& row : s.rows()) CHECK((row.values[0] >= 60 && row.values[0] <= 100));
+  for (const StoredRow& row : s.rows()) CHECK((row.values[0] >= 60 && row.values[0] <= 100));
   auto stored = s.rows();
   stored.resize(stored.size() / 2);
   const Search again(study_of("ring-60", "",

@@ -70,7 +70,7 @@ TEST_CASE("a sweep that is not over counts what it has", "[studies][sweep][words
   SweepResult result = sweep();
   result.stored = 4;
   result.failed = 1;
-  CHECK_THAT(answer_text(result), StartsWith("4 of 6 designs (grid), 1 without a full answer\n"));
+  CHECK_THAT(answer_text(result), StartsWith("4 of 6 designs (grid), 1 failed or incomplete\n"));
   CHECK(answer_json(result)["stored"] == 4);
   result.stored = 0;
   CHECK(answer_text(result).empty());
@@ -107,7 +107,7 @@ TEST_CASE("a motor by itself has one column, and the metrics that curves are com
 
 TEST_CASE("a family says which of its curves lack something", "[studies][curve][words]") {
   CurveResult result;
-  result.family = Column{"amplitude", "m"};
+  result.family = StoredColumn{"amplitude", "m"};
   result.members = {member(1e-6, 0.5), member(2e-6, kNaN, "lift-off")};
   result.members[1].failed = 7;
   CHECK(barred(answer_text(result)) ==
@@ -125,7 +125,7 @@ TEST_CASE("a family says which of its curves lack something", "[studies][curve][
 
 TEST_CASE("of a large family the first eight curves are shown", "[studies][curve][words]") {
   CurveResult result;
-  result.family = Column{"preload", "N"};
+  result.family = StoredColumn{"preload", "N"};
   for (int i = 1; i <= 9; ++i) result.members.push_back(member(100 * i, 0.1 * i));
   const std::string text = answer_text(result);
   CHECK_THAT(barred(text), StartsWith("preload | 100 N | 200 N | 300 N | 400 N | 500 N | 600 N | "

@@ -70,22 +70,22 @@ TEST_CASE("the multiplier of a limit is what relaxing it buys", "[studies][optim
       s.exact.plateau_torque(s.exact.preload_slope(s.phi)) / -s.exact.no_load_slope(s.phi);
   CHECK(limit.active);
   CHECK_THAT(limit.multiplier, WithinRel(expected, 1e-5));
-  CHECK_THAT(limit.one_percent_buys, WithinRel(0.01 * s.speed * expected, 1e-5));
+  CHECK_THAT(limit.gain_per_percent, WithinRel(0.01 * s.speed * expected, 1e-5));
 }
 
 TEST_CASE("a limit is broken beyond a millionth of it and the tolerance of the search",
           "[studies][optimize]") {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  struct Row {
+  struct StoredRow {
     double limit, violation, infeasibility;
     bool broken;
   };
-  const Row rows[] = {
+  const StoredRow rows[] = {
       {0, 0, 0, false},          {0, 1e-8, 9e-9, false},     {0, 1e-8, 1.1e-8, true},
       {0, 1e-8, kUnknown, true}, {100, 9e-5, 1e-3, false},   {100, 2e-4, 1e-3, true},
       {100, 2e-4, 9e-9, false},  {-5, 6e-6, kUnknown, true}, {5, kUnknown, 0, true},
   };
-  for (const Row& row : rows) {
+  for (const StoredRow& row : rows) {
     CAPTURE(row.limit, row.violation, row.infeasibility);
     DesignReport report;
     report.certificate.infeasibility = row.infeasibility;
@@ -169,7 +169,7 @@ TEST_CASE("variables without influence are named", "[studies][optimize]") {
                           "{kind: optimize, variables: {preload: {min: 60 N, max: 200 N}, "
                           "amplitude: {min: 1.5 um, max: 2 um}}, maximize: stall_torque}"));
   CHECK(s.answer.outcome == "optimal");
-  CHECK(s.optimum().idle == std::vector<std::string>{"amplitude"});
+  CHECK(s.optimum().without_influence == std::vector<std::string>{"amplitude"});
   CHECK_THAT(value(s.optimum().best.design, "preload"), WithinRel(200.0, 1e-9));
 }
 
@@ -189,9 +189,9 @@ TEST_CASE("NLopt and Ipopt find the same motor, and no random one is better",
 
   const auto& question = std::get<OptimizeStudy>(file.asked);
   const std::vector<DesignVariable>& ranges = question.variables;
-  const std::vector<Constraint>& limits = question.constraints;
+  const std::vector<MotorLimit>& limits = question.constraints;
   std::vector<MetricExpression> asked{parse_metric("peak_power")};
-  for (const Constraint& limit : limits) asked.push_back(limit.metric);
+  for (const MotorLimit& limit : limits) asked.push_back(limit.metric);
   const ExpressionEvaluator evaluator(asked);
   int feasible = 0;
   for (std::uint64_t i = 0; feasible < 1000 && i < 200000; ++i) {
@@ -217,7 +217,7 @@ TEST_CASE("an optimize study is the same for any number of threads, however it w
           "[studies][optimize]") {
   const StudyFile file = example_study("optimize-ring-60.yaml");
   const Search whole(file, 1);
-  const std::vector<Row> rows = whole.rows();
+  const std::vector<StoredRow> rows = whole.rows();
   for (const unsigned jobs : {2U, 8U}) {
     const Search other(file, jobs);
     CHECK(other.json() == whole.json());
@@ -226,10 +226,10 @@ TEST_CASE("an optimize study is the same for any number of threads, however it w
   // What a killed run leaves: a beginning of each stage that had begun.
   for (std::uint64_t kill = 0; kill < 5; ++kill) {
     optim::Random random(3, 0, kill);
-    std::vector<Row> stored;
+    std::vector<StoredRow> stored;
     const std::uint64_t last_stage = random.below(rows.back().stage + 1);
     const std::uint64_t last_index = random.below(30);
-    for (const Row& row : rows) {
+    for (const StoredRow& row : rows) {
       if (row.stage < last_stage || (row.stage == last_stage && row.index < last_index))
         stored.push_back(row);
     }
@@ -252,7 +252,7 @@ TEST_CASE("a search that is asked to stop says so, and goes on from there", "[st
 
 TEST_CASE("rows of a search can be computed anew, to the bit", "[studies][optimize]") {
   const Search s(example_study("optimize-ring-60.yaml"), 2);
-  const std::vector<Row> rows = s.rows();
+  const std::vector<StoredRow> rows = s.rows();
   REQUIRE(rows.size() > 20);
   for (std::size_t i = 0; i < rows.size(); i += 7) {
     const auto again = s.kind->recompute(rows[i]);

@@ -16,7 +16,7 @@ using Catch::Matchers::StartsWith;
 
 namespace {
 
-LimitState pressure(bool active, double multiplier, double one_percent_buys) {
+LimitState pressure(bool active, double multiplier, double gain_per_percent) {
   LimitState state;
   state.text = "max_pressure <= 2 MPa";
   state.metric = "max_pressure";
@@ -24,7 +24,7 @@ LimitState pressure(bool active, double multiplier, double one_percent_buys) {
   state.limit = 2e6;
   state.active = active;
   state.multiplier = multiplier;
-  state.one_percent_buys = one_percent_buys;
+  state.gain_per_percent = gain_per_percent;
   return state;
 }
 
@@ -140,7 +140,7 @@ TEST_CASE("many limits are in order of what 1 % of them buys, equals in theirs",
         expected += "limit " + std::to_string(i) + " | +" + std::to_string(watts) + " W\n";
     }
   }
-  CHECK_THAT(barred(answer_text(result)), EndsWith(" buys | peak_power\n" + expected));
+  CHECK_THAT(barred(answer_text(result)), EndsWith(" | peak_power\n" + expected));
 }
 
 TEST_CASE("1 % of a limit is worth something of either goal, the most valuable first",
@@ -156,10 +156,10 @@ TEST_CASE("1 % of a limit is worth something of either goal, the most valuable f
     report.certificate.weights = report.certificate.prices = {1};
   result.alone[0].constraints = {pressure(true, 2e-6, 0.04)};
   CHECK_THAT(barred(answer_text(result)),
-             EndsWith("\n1 % looser at the knee buys one of | peak_power | stall_torque\n"
+             EndsWith("\nper 1 % looser at the knee, one of | peak_power | stall_torque\n"
                       "preload at its largest | +150 mW | -37.5 mN.m\n"
                       "max_pressure <= 2 MPa | +20 mW | -5 mN.m\n"
-                      "\n1 % looser for the largest peak_power buys | peak_power\n"
+                      "\nper 1 % looser for the largest peak_power | peak_power\n"
                       "max_pressure <= 2 MPa | +40 mW\n"));
   const Json json = answer_json(result);
   CHECK(json["front"][1]["constraints"][0]["gains"] == Json::array({1e-6, 1e-6 / 4}));
@@ -175,7 +175,7 @@ TEST_CASE("1 % of a limit is worth something of either goal, the most valuable f
   // Without a knee only the ends are asked.
   result.knee = 2;
   CHECK_THAT(answer_text(result), !Contains("at the knee"));
-  CHECK_THAT(answer_text(result), Contains("1 % looser for the largest peak_power buys"));
+  CHECK_THAT(answer_text(result), Contains("per 1 % looser for the largest peak_power"));
 }
 
 TEST_CASE("gains share a multiplier by the prices of the goals", "[studies][pareto]") {

@@ -117,7 +117,7 @@ TEST_CASE("a pareto study is the same for any number of threads, however it was 
           "[studies][pareto]") {
   const StudyFile file = study_of("elastic-layer", "", kElasticFront);
   const Search whole(file);
-  const std::vector<Row> rows = whole.rows();
+  const std::vector<StoredRow> rows = whole.rows();
   for (const unsigned jobs : {2U, 8U}) {
     const Search other(file, jobs);
     CHECK(other.json() == whole.json());
@@ -125,8 +125,8 @@ TEST_CASE("a pareto study is the same for any number of threads, however it was 
   }
   for (std::uint64_t kill = 0; kill < 3; ++kill) {
     const std::uint64_t stage = optim::Random(5, 0, kill).below(rows.back().stage + 1);
-    std::vector<Row> stored;
-    for (const Row& row : rows) {
+    std::vector<StoredRow> stored;
+    for (const StoredRow& row : rows) {
       if (row.stage < stage) stored.push_back(row);
     }
     const Search resumed(file, 2, stored);

@@ -111,7 +111,7 @@ TEST_CASE("no text of a study ends the data of the page", "[studies][report]") {
 
 TEST_CASE("a family has a curve for each member that is a motor", "[studies][report]") {
   CurveResult family;
-  family.family = Column{"preload", "N"};
+  family.family = StoredColumn{"preload", "N"};
   for (const double newtons : {100.0, 120.0, -1.0}) {
     family.members.emplace_back();
     family.members.back().value = newtons;

@@ -32,7 +32,7 @@ MotorDesign elastic_motor() {
   return read_motor_file(TWUM_SOURCE_DIR "/examples/motors/elastic-layer.yaml").design;
 }
 
-std::vector<Column> torque_columns() { return {{"preload", "N"}, {"stall_torque", "N.m"}}; }
+std::vector<StoredColumn> torque_columns() { return {{"preload", "N"}, {"stall_torque", "N.m"}}; }
 
 }  // namespace
 

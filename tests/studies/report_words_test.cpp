@@ -84,7 +84,7 @@ TEST_CASE("1 % of a limit changes the goal by the multiplier times that step",
   LimitState state = torque_limit(0.5, 0.5);
   state.active = true;
   state.multiplier = 4;                // [W / N m]
-  state.one_percent_buys = 4 * 0.005;  // [W]
+  state.gain_per_percent = 4 * 0.005;  // [W]
   DesignReport report = report_of({state}, 0);
   report.bounds = {{{"preload", "N"}, true, 300, 0.01, 0.03}};  // dearer: 30 mW for 3 N
   const Json list = standings_json(report, {most_power()});
@@ -102,7 +102,7 @@ TEST_CASE("along a front a limit improves each goal, in the direction that is wa
   LimitState state = torque_limit(0.5, 0.5);
   state.active = true;
   state.multiplier = 4;
-  state.one_percent_buys = 0.02;
+  state.gain_per_percent = 0.02;
   DesignReport report = report_of({state, torque_limit(0.5, 0.9)}, 0);
   report.certificate.weights = {0.5, 0.5};
   report.certificate.prices = {1, 1e-3};  // 1 kW/m^2 of wear is worth 1 W

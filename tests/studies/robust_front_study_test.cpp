@@ -34,7 +34,7 @@ TEST_CASE("a front of a quantile against a probability is that of the law", "[st
   const double sigma = std::sqrt(std::log(1.01) + std::log1p(9e-4));
   for (const ParetoResult::Point& point : front.front) {
     const double preload = value(point.report.design, "preload");
-    // C1 at 160 N. The quantile by 20,000 fresh motors: standard error sqrt(p (1 - p) / N) over the density, 0.0013 N.m; four.
+    // C1 at 160 N. The quantile by 20,000 new random motors: standard error sqrt(p (1 - p) / N) over the density, 0.0013 N.m; four.
     CHECK(point.goals[0] == Approx(0.710609334595 * preload / 160).margin(4 * 0.0013));
     const double median = std::log(0.2 * preload * 26.5e-3) - 0.5 * sigma * sigma;
     const double share = 0.5 * std::erfc(median / sigma / std::sqrt(2.0));
@@ -45,13 +45,13 @@ TEST_CASE("a front of a quantile against a probability is that of the law", "[st
     CHECK(point.goals[1] == point.yields[0].share.value);
   }
   // Interrupted half way and resumed on more threads: the same.
-  const std::vector<Row> rows = s.rows();
-  const std::vector<Row> half(rows.begin(),
-                              rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2));
+  const std::vector<StoredRow> rows = s.rows();
+  const std::vector<StoredRow> half(rows.begin(),
+                                    rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2));
   CHECK(Search(file, 3, half).json() == s.json());
 }
 
-TEST_CASE("a front whose yield cannot be had tells the largest one of a study",
+TEST_CASE("a front whose yield cannot be reached tells the largest one of a study",
           "[studies][robust]") {
   // Two ends, C9: the largest yield is 74.35 %.
   const Search s(torque_front("{maximize: preload}, {maximize: stall_torque}",
@@ -61,7 +61,7 @@ TEST_CASE("a front whose yield cannot be had tells the largest one of a study",
   CHECK(s.front().largest_yield->share.low <= 0.74350160751);
   CHECK(s.front().largest_yield->share.high >= 0.743487159677);
   CHECK(s.kind_json()["largest_yield"]["verdict"] == Json("broken"));
-  CHECK(s.text().find("The wanted yield cannot be had.") == 0);
+  CHECK(s.text().find("The wanted yield cannot be reached.") == 0);
 }
 
 TEST_CASE("every point of the example front holds 99 %", "[studies][robust]") {

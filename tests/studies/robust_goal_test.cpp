@@ -76,7 +76,7 @@ TEST_CASE("the smallest spread of a study is told as a standard deviation", "[st
   REQUIRE(robust.statistics.size() == 2);
   CHECK(robust.statistics[0].text == "sd(holding_torque)");
   CHECK(robust.statistics[0].unit == "N.m");
-  // 20,000 fresh motors know a spread within 0.5 %; four of these.
+  // 20,000 new random motors know a spread within 0.5 %; four of these.
   CHECK(robust.objective == Approx(kSpread * exact / 160).epsilon(0.02));
   // Both tolerances tighter by 1 %: the spread falls by more than 1 %, since the quantile gains too.
   const double gain = robust.tolerances[0].gain + robust.tolerances[1].gain;
@@ -104,14 +104,14 @@ TEST_CASE("a search for a mean is the same for any number of threads and however
   const Search whole(file);
   CHECK(whole.answer.outcome == "optimal");
   // The mean is proportional to the preload, so the limit decides: 95 % below 1 N.m is a preload of 160 N / q95, on the safe
-  // side by what fresh motors take: a risk of 4.6 % in place of 5 %, and up to three steps back.
+  // side by what new random motors take: a risk of 4.6 % in place of 5 %, and up to three steps back.
   const double exact = 160 / 1.00103378077;
   CHECK(value(whole.optimum().best.design, "preload") < exact);
   CHECK(value(whole.optimum().best.design, "preload") > exact * std::exp(-2 * 0.104 * 0.06));
   CHECK(Search(file, 7).json() == whole.json());
-  const std::vector<Row> rows = whole.rows();
-  const std::vector<Row> half(rows.begin(),
-                              rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2));
+  const std::vector<StoredRow> rows = whole.rows();
+  const std::vector<StoredRow> half(rows.begin(),
+                                    rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2));
   const Search resumed(file, 2, half);
   CHECK(resumed.json() == whole.json());
   CHECK(same_rows(resumed.rows(), rows));

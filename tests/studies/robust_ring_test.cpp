@@ -101,7 +101,7 @@ TEST_CASE("the example study of ring-60 holds 99 % (U5.4)", "[studies][robust]")
   CHECK(s.optimum().best.certificate.passed);
 }
 
-TEST_CASE("99.9 % of ring-60 cannot be had, and the largest yield is told (U3.6)",
+TEST_CASE("99.9 % of ring-60 cannot be reached, and the largest yield is told (U3.6)",
           "[studies][robust]") {
   optim::RobustOptions options;
   options.solve.threads = 2;

@@ -17,9 +17,9 @@ namespace {
 using Draw = std::function<std::vector<ParameterValue>(const MotorDesign&, std::mt19937_64&)>;
 
 // A motor built to a design keeps every limit.
-bool keeps(const MotorDesign& motor, const std::vector<Constraint>& limits) {
+bool keeps(const MotorDesign& motor, const std::vector<MotorLimit>& limits) {
   std::vector<MetricExpression> metrics;
-  for (const Constraint& limit : limits) metrics.push_back(limit.metric);
+  for (const MotorLimit& limit : limits) metrics.push_back(limit.metric);
   std::vector<MetricValue> values(metrics.size());
   try {
     ExpressionEvaluator(metrics).evaluate(Motor(motor), values);
@@ -37,7 +37,7 @@ struct Share {
 };
 
 // Of motors drawn on two threads, each with a generator of its own.
-Share share_of(const MotorDesign& design, const std::vector<Constraint>& limits, const Draw& draw,
+Share share_of(const MotorDesign& design, const std::vector<MotorLimit>& limits, const Draw& draw,
                int motors) {
   constexpr int kThreads = 2;
   int good[kThreads] = {};
@@ -62,7 +62,7 @@ MotorDesign best_motor(const StudyFile& file, const OptimizeResult& found) {
 
 // The yield that the study tells agrees with that of as many motors of our own: four standard errors of their difference,
 // the one of the study a quarter of its 95 % interval.
-void check_yield(const StudyFile& file, const std::vector<Constraint>& limits, const Draw& draw,
+void check_yield(const StudyFile& file, const std::vector<MotorLimit>& limits, const Draw& draw,
                  int motors) {
   const Search s(file, 2);
   CHECK(s.answer.outcome == "optimal");
@@ -135,9 +135,9 @@ void check_ring(int motors) {
   check_yield(file, std::get<OptimizeStudy>(file.asked).constraints, ring_motor, motors);
 }
 
-std::vector<Constraint> driven_limits(const StudyFile& file) {
+std::vector<MotorLimit> driven_limits(const StudyFile& file) {
   const auto& asked = std::get<SizeStudy>(file.asked);
-  std::vector<Constraint> limits = asked.duty;
+  std::vector<MotorLimit> limits = asked.duty;
   limits.insert(limits.end(), asked.limits.begin(), asked.limits.end());
   return limits;
 }

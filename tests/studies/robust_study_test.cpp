@@ -32,7 +32,7 @@ TEST_CASE("a study finds the exact preload of a wanted yield", "[studies][robust
   const Search s(largest_preload());
   CHECK(s.answer.outcome == "optimal");
   const double preload = value(s.optimum().best.design, "preload");
-  // The answer is on the safe side by what 40,000 fresh motors take: risk 0.85 % in place of 1 %, an index of 2.386 in
+  // The answer is on the safe side by what 40,000 new random motors take: risk 0.85 % in place of 1 %, an index of 2.386 in
   // place of 2.326, times the spread 0.104; as much again for up to three steps back.
   CHECK(preload < kExact);
   CHECK(preload > kExact * std::exp(-2 * 0.104 * 0.06));
@@ -53,10 +53,11 @@ TEST_CASE("a robust study is the same for any number of threads and however ofte
   const StudyFile file = largest_preload();
   const Search whole(file);
   CHECK(Search(file, 7).json() == whole.json());
-  const std::vector<Row> rows = whole.rows();
+  const std::vector<StoredRow> rows = whole.rows();
   REQUIRE(rows.size() > 20);
   for (const std::size_t kept : {rows.size() / 5, rows.size() / 2, rows.size() - 1}) {
-    const std::vector<Row> first(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(kept));
+    const std::vector<StoredRow> first(rows.begin(),
+                                       rows.begin() + static_cast<std::ptrdiff_t>(kept));
     const Search resumed(file, 2, first);
     CHECK(resumed.json() == whole.json());
     CHECK(same_rows(resumed.rows(), rows));
@@ -113,7 +114,7 @@ TEST_CASE("a size study takes tolerances, and its duty counts in the yield", "[s
   CHECK(robust.objective > robust.nominal_objective);  // more pressure
 }
 
-TEST_CASE("a limit on a quantile, and its value by fresh motors", "[studies][robust]") {
+TEST_CASE("a limit on a quantile, and its value by new random motors", "[studies][robust]") {
   // 99 % of the motors below 1 N.m is a 99 % quantile of at most 1 N.m: C8.
   const Search s(largest_preload("quantile(holding_torque, 99 %) <= 1 N.m"));
   CHECK(s.answer.outcome == "optimal");
@@ -145,7 +146,7 @@ TEST_CASE("every whole number is searched under tolerances", "[studies][robust]"
   CHECK(both.optimum().robust->objective == Approx(std::max(eight, nine)).epsilon(0.02 * 0.03));
   const RobustReport& robust = *both.optimum().robust;
   // Torque and pressure rise with the preload, so a lower one leaves room for the tolerance: 5 % are 1.64 deviations of
-  // 3 %, and as many more as fresh motors take to show it.
+  // 3 %, and as many more as new random motors take to show it.
   const double share =
       value(both.optimum().best.design, "preload") / value(robust.nominal_design, "preload");
   CHECK(share < 1 / (1 + 1.64 * 0.03));
@@ -176,8 +177,8 @@ TEST_CASE("the better set of a choice is found under tolerances", "[studies][rob
 TEST_CASE("rows of a robust search are what the design has", "[studies][robust]") {
   const Search s(largest_preload());
   std::size_t robust = 0;
-  for (const Row& row : s.rows()) {
-    const std::optional<Row> again = s.kind->recompute(row);
+  for (const StoredRow& row : s.rows()) {
+    const std::optional<StoredRow> again = s.kind->recompute(row);
     REQUIRE(again.has_value());
     CHECK(same_bits(again->values, row.values));
     robust += row.stage >= 1'000'000 ? 1 : 0;

@@ -28,10 +28,10 @@ LimitState limit(const std::string& text, double value, double bound, double vio
   return state;
 }
 
-LimitState active(LimitState state, double multiplier, double one_percent_buys) {
+LimitState active(LimitState state, double multiplier, double gain_per_percent) {
   state.active = true;
   state.multiplier = multiplier;
-  state.one_percent_buys = one_percent_buys;
+  state.gain_per_percent = gain_per_percent;
   return state;
 }
 
@@ -75,11 +75,11 @@ TEST_CASE("an optimum says what it is, what holds it, and who found it",
         "largest peak_power: 5 W (was 4 W)\n"
         "\n"
         "design | start | best\n"
-        "amplitude | 1.6 um | 2 um | at its largest; 1 % further buys +20 mW\n"
+        "amplitude | 1.6 um | 2 um | at its largest; +20 mW per 1 % more range\n"
         "preload | 160 N | 180 N\n"
         "thickness | - | 300 um | at its smallest\n"
         "\n"
-        "limit | best | 1 % looser buys\n"
+        "limit | best | per 1 % looser\n"
         "max_pressure <= 2 MPa | 2 MPa | binds | +20 mW\n"
         "contact_ratio <= 0.5 | 0.4 | holds\n"
         "\n"
@@ -135,7 +135,7 @@ TEST_CASE("an optimum in summary.json has its evidence beside it", "[studies][op
   OptimizeResult result = optimum();
   result.best.certificate.curvature = kNaN;
   result.best.certificate.findings = {{optim::Degeneracy::kink, "Derivatives differ", {"preload"}}};
-  result.idle = {"width"};
+  result.without_influence = {"width"};
   const Json json = answer_json(result);
   CHECK(json["objective"] == Json{{"metric", "peak_power"}, {"sense", "maximize"}});
   const Json& best = json["best"];
@@ -170,7 +170,7 @@ TEST_CASE("a design that is not certified says why, and what is odd about it",
   result.solver.clear();
   result.stages.clear();
   result.best.constraints.clear();
-  result.idle = {"width", "thickness"};
+  result.without_influence = {"width", "thickness"};
   result.best.certificate.findings = {
       {optim::Degeneracy::flat_direction, "unused", {"preload", "thickness", "width"}},
       {optim::Degeneracy::flat_direction, "unused", {"preload"}},

@@ -41,10 +41,10 @@ struct Search {
   std::unique_ptr<ResultStore> store;
   KindAnswer answer;
 
-  explicit Search(const StudyFile& file, unsigned jobs = 1, const std::vector<Row>& stored = {},
-                  std::stop_token stop = {})
+  explicit Search(const StudyFile& file, unsigned jobs = 1,
+                  const std::vector<StoredRow>& stored = {}, std::stop_token stop = {})
       : kind(make_search(file)), store(std::make_unique<ResultStore>(":memory:", kind->columns())) {
-    for (const Row& row : stored) store->add(row);
+    for (const StoredRow& row : stored) store->add(row);
     ThreadExecutor executor(*kind, jobs);
     RunContext context{*store, executor, stop, {}};
     answer = kind->run(context);
@@ -61,9 +61,9 @@ struct Search {
     if (const auto* front = std::get_if<ParetoResult>(&answer.answer)) return answer_text(*front);
     return answer_text(optimum());
   }
-  std::vector<Row> rows() const {
-    std::vector<Row> rows;
-    store->read([&](const Row& row) { rows.push_back(row); });
+  std::vector<StoredRow> rows() const {
+    std::vector<StoredRow> rows;
+    store->read([&](const StoredRow& row) { rows.push_back(row); });
     return rows;
   }
 };
@@ -83,7 +83,7 @@ inline bool same_bits(const std::vector<double>& a, const std::vector<double>& b
   return true;
 }
 
-inline bool same_rows(const std::vector<Row>& a, const std::vector<Row>& b) {
+inline bool same_rows(const std::vector<StoredRow>& a, const std::vector<StoredRow>& b) {
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (a[i].stage != b[i].stage || a[i].index != b[i].index || a[i].status != b[i].status ||

@@ -43,7 +43,7 @@ TEST_CASE("a start that cannot carry a load is no failure, and leads to one that
       with(file.motor.design, Parameter::preload, value(s.optimum().best.design, "preload"));
   CHECK_THAT(Motor(best).operating_point(limit.value).torque, WithinRel(0.5, 1e-6));
   // The first row: infeasible, without a speed, but not a failure.
-  const Row first = s.rows().front();
+  const StoredRow first = s.rows().front();
   CHECK(first.values.at(0) == 60);
   CHECK(std::isnan(first.values.at(1)));
   CHECK(first.status == "ok");

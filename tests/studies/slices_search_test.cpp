@@ -53,7 +53,7 @@ TEST_CASE("a search cut anywhere goes on to the same answer with more slices",
           "[studies][slices]") {
   const StudyFile file = narrow_ring("auto");
   const Search whole(file);
-  const std::vector<Row> rows = whole.rows();
+  const std::vector<StoredRow> rows = whole.rows();
   for (const std::size_t kept : {std::size_t{3}, rows.size() / 2, rows.size() - 2}) {
     const Search on(file, 1, {rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(kept)});
     CHECK(on.json() == whole.json());

@@ -80,7 +80,7 @@ TEST_CASE("failures say where in the box they were", "[studies][summary][words]"
               {{"preload", "N"}, 250, 250},
               {{"thickness", "m"}, kNaN, kNaN}});
   add_region(result, "not-periodic", 1, {{{"amplitude", "m"}, kNaN, kNaN}});
-  CHECK_THAT(summary_text(result), EndsWith("\n4 without a full answer:\n"
+  CHECK_THAT(summary_text(result), EndsWith("\n4 failed or incomplete:\n"
                                             "  3  lift-off\n"
                                             "     at amplitude 800 nm to 1 um, preload 250 N\n"
                                             "  1  not-periodic\n"));
@@ -96,7 +96,7 @@ TEST_CASE("failures say where in the box they were", "[studies][summary][words]"
 TEST_CASE("of many reasons the first five are shown", "[studies][summary][words]") {
   StudyResult result = study();
   for (int i = 0; i < 5; ++i) add_region(result, "reason " + std::to_string(i), 1);
-  CHECK_THAT(summary_text(result), EndsWith("\n5 without a full answer:\n  1  reason 0\n"
+  CHECK_THAT(summary_text(result), EndsWith("\n5 failed or incomplete:\n  1  reason 0\n"
                                             "  1  reason 1\n  1  reason 2\n  1  reason 3\n"
                                             "  1  reason 4\n"));
   add_region(result, "reason 5", 1);
@@ -129,7 +129,7 @@ TEST_CASE("failures are counted by reason, the most frequent first", "[studies][
 
 TEST_CASE("many reasons are in order of their counts, then of their names", "[studies][summary]") {
   // Reason i is met 1 + 17 i mod 40 times: each number from 1 to 40, and twenty of them once more.
-  FailureCount count(std::vector<Column>{{"preload", "N"}});
+  FailureCount count(std::vector<StoredColumn>{{"preload", "N"}});
   std::uint64_t index = 0;
   for (int i = 0; i < 60; ++i) {
     const std::string reason(1, static_cast<char>('A' + i));

@@ -32,14 +32,16 @@ struct Sweep {
     RunOptions options;
     options.jobs = jobs;
     result = run_study(file, folder.path("out"), options);
-    ResultStore(folder.path("out/results.db")).read([&](const Row& row) { rows.push_back(row); });
+    ResultStore(folder.path("out/results.db")).read([&](const StoredRow& row) {
+      rows.push_back(row);
+    });
   }
   const SweepResult& answer() const { return std::get<SweepResult>(result.answer); }
 
   test::ScratchFolder folder;
   StudyFile file{};
   StudyResult result;
-  std::vector<Row> rows;
+  std::vector<StoredRow> rows;
 };
 
 double metric(const MotorDesign& design, Metric metric) {
@@ -98,7 +100,7 @@ TEST_CASE("a grid is all combinations, the last variable fastest", "[studies][sw
   for (const double preload : {100.0, 160.0}) {
     for (const double amplitude : {1e-6, 1.5e-6, 2e-6}) {
       for (const double waves : {8.0, 9.0, 10.0}) {
-        const Row& row = sweep.rows[next++];
+        const StoredRow& row = sweep.rows[next++];
         CAPTURE(next);
         CHECK(row.values[0] == preload);
         CHECK(row.values[1] == Approx(amplitude).epsilon(1e-15));  // one rounding of the step
@@ -142,7 +144,7 @@ TEST_CASE("a hypercube sweep meets each part of every range once", "[studies][sw
   std::vector<double> logs;
   std::map<double, int> waves;
   std::map<double, int> amplitudes;
-  for (const Row& row : sweep.rows) {
+  for (const StoredRow& row : sweep.rows) {
     preloads.push_back((row.values[0] - 60) / 240 * 200);
     logs.push_back(std::log10(row.values[1] / 1e-4) * 200);
     ++waves[row.values[2]];
@@ -198,12 +200,12 @@ TEST_CASE("the answer of a sweep is that of its sorted rows", "[studies][sweep]"
       samples + "\n  metrics: [stall_torque, speed_at(0.5 N.m), contact_ratio]\n");
   CAPTURE(samples);
   std::uint64_t failed = 0;
-  for (const Row& row : sweep.rows) failed += row.status == "ok" ? 0 : 1;
+  for (const StoredRow& row : sweep.rows) failed += row.status == "ok" ? 0 : 1;
   CHECK(sweep.answer().failed == failed);
   CHECK(sweep.answer().stored == sweep.rows.size());
   for (std::size_t i = 0; i < 3; ++i) {
     std::vector<double> values;
-    for (const Row& row : sweep.rows)
+    for (const StoredRow& row : sweep.rows)
       if (!std::isnan(row.values[2 + i])) values.push_back(row.values[2 + i]);
     std::sort(values.begin(), values.end());
     const SweepResult::Metric& found = sweep.answer().metrics[i];
@@ -297,7 +299,7 @@ study:
 )text";
   run_study(read_study_file(folder.path("sweep.yaml")), folder.path("out"), {});
   std::vector<std::string> status;
-  ResultStore(folder.path("out/results.db")).read([&](const Row& row) {
+  ResultStore(folder.path("out/results.db")).read([&](const StoredRow& row) {
     status.push_back(row.status);
   });
   CHECK(status == std::vector<std::string>{"no-ring-mode", "ok"});

@@ -78,7 +78,7 @@ TEST_CASE("motors without an answer are counted where they are missed",
   result.failed = 40;
   result.metrics[0].count = 970;
   CHECK_THAT(answer_text(result), StartsWith("1000 motors drawn, 95 % intervals in parentheses; 40 "
-                                             "without a full answer\n"));
+                                             "failed or incomplete\n"));
   CHECK_THAT(answer_text(result), EndsWith("\nstall_torque: 30 motors have no value; the numbers "
                                            "are those of the others.\n"));
   CHECK(answer_json(result)["metrics"]["stall_torque"]["missing"] == 30);

@@ -3,7 +3,7 @@
 
 namespace twum::cli {
 
-/// The example of a motor under a voltage, as a file to start from; a text that lives for ever.
+/// The example of a motor under a voltage, as a file to start from; static lifetime.
 const char* driven_motor_text();
 
 }  // namespace twum::cli

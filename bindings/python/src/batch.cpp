@@ -21,13 +21,13 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // A column of values of one parameter; one value holds for every design.
-struct Column {
+struct ParameterColumn {
   Parameter parameter;
   Array values;
 };
 
 struct Designs {
-  std::vector<Column> columns;
+  std::vector<ParameterColumn> columns;
   std::size_t rows{1};
 };
 
@@ -46,8 +46,8 @@ Array column_values(Parameter parameter, const py::handle& value) {
   return values;
 }
 
-void refuse_twins(const std::vector<Column>& columns, const Column& one) {
-  for (const Column& other : columns) {
+void refuse_twins(const std::vector<ParameterColumn>& columns, const ParameterColumn& one) {
+  for (const ParameterColumn& other : columns) {
     const bool same = other.parameter == one.parameter;
     if (same || info(one.parameter).twin == other.parameter)
       throw InputError(std::string(info(other.parameter).name) + " and " +
@@ -60,7 +60,7 @@ Designs to_designs(const py::dict& arguments) {
   bool counted = false;
   for (const auto& [key, value] : arguments) {
     const Parameter parameter = studies::parse_parameter(py::cast<std::string>(key));
-    Column column{parameter, column_values(parameter, value)};
+    ParameterColumn column{parameter, column_values(parameter, value)};
     refuse_twins(designs.columns, column);
     const bool single = is_single(value);
     const auto size = static_cast<std::size_t>(column.values.size());
@@ -78,7 +78,7 @@ Designs to_designs(const py::dict& arguments) {
 class DesignRows {
  public:
   DesignRows(const MotorDesign& base, const Designs& designs) : base_(base), rows_(designs.rows) {
-    for (const Column& column : designs.columns)
+    for (const ParameterColumn& column : designs.columns)
       sources_.push_back(
           {column.parameter, column.values.data(), column.values.size() == 1 ? 0U : 1U});
   }

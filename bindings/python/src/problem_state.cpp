@@ -51,7 +51,7 @@ py::dict problem_state(const PyProblem& self) {
                                  return py::make_tuple(one.metric.text, one.maximize);
                                }),
       "limits"_a = list_of(problem.limits,
-                           [](const studies::Constraint& one) { return py::str(one.text); }));
+                           [](const studies::MotorLimit& one) { return py::str(one.text); }));
 }
 
 namespace {

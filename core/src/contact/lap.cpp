@@ -26,13 +26,13 @@ constexpr double kForgotten = 37;
 template <typename S, Ends kEnds = Ends::searched, bool kHasMeans = !std::is_same_v<S, StateDual>>
 class LapRunner {
  public:
-  LapRunner(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer, const Script* script,
-            std::vector<ZoneTrace>* trace, Lap<S>& lap)
+  LapRunner(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
+            const ZoneSequence* sequence, std::vector<ZoneTrace>* trace, Lap<S>& lap)
       : lap_(lap),
         n_(numbers),
         layer_(layer),
         start_(numbers, layer),
-        ends_(numbers, layer, script),
+        ends_(numbers, layer, sequence),
         trace_(trace),
         here_{-numbers.half_angle,
               {-numbers.edge.sin, numbers.edge.cos, numbers.edge.versine},
@@ -61,7 +61,7 @@ class LapRunner {
            1 + value_of(layer_.response) > 600 * value_of(n_.stick_rate) * size * size * size;
   }
 
-  int index() const { return lap_.script.count; }
+  int index() const { return lap_.sequence.count; }
 
   void begin(const ZoneBegin& zone) {
     zone_ = zone;
@@ -127,7 +127,7 @@ class LapRunner {
     const Harmonic<S> t{
         from.layer.e - s * from.at.sin + drift * from.theta + layer_.C * s * (1.0 - n_.speed_ratio),
         -drift, -(layer_.C * s), layer_.D * s};
-    const Script::End end = ends_.stick_end(t, zone_, here_, index());
+    const ZoneSequence::End end = ends_.stick_end(t, zone_, here_, index());
     if (std::isnan(end.length)) return fail();
     note(end);
     end.length == kNoZero ? reach_exit() : advance(ends_.settled_stick_end(t, here_, end));
@@ -166,9 +166,10 @@ class LapRunner {
     done_ = true;
   }
 
-  void note(const Script::End& end) {
-    if (lap_.script.count < Script::kCapacity) lap_.script.ends[lap_.script.count] = end;
-    ++lap_.script.count;
+  void note(const ZoneSequence::End& end) {
+    if (lap_.sequence.count < ZoneSequence::kCapacity)
+      lap_.sequence.ends[lap_.sequence.count] = end;
+    ++lap_.sequence.count;
   }
 
   void mark(std::uint64_t what) {
@@ -226,14 +227,15 @@ class LapRunner {
 
 template <typename S>
 Lap<S> run_lap(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
-               const LapEntry<S>& entry, const Script* script, std::vector<ZoneTrace>* trace) {
+               const LapEntry<S>& entry, const ZoneSequence* sequence,
+               std::vector<ZoneTrace>* trace) {
   Lap<S> lap;
-  LapRunner<S>(numbers, layer, script, trace, lap).run(entry);
+  LapRunner<S>(numbers, layer, sequence, trace, lap).run(entry);
   return lap;
 }
 
 void prove_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
-               const LapEntry<double>& entry, const Script& near, Lap<double>& lap) {
+               const LapEntry<double>& entry, const ZoneSequence& near, Lap<double>& lap) {
   lap.clear();
   if (near.count > 0 && near.complete()) {
     LapRunner<double, Ends::proven>(numbers, layer, &near, nullptr, lap).run(entry);
@@ -243,27 +245,27 @@ void prove_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>&
 }
 
 bool follow_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
-                const LayerState<double>& entry, Script& script, LayerState<double>& next) {
-  if (!script.complete()) return false;
+                const LayerState<double>& entry, ZoneSequence& sequence, LayerState<double>& next) {
+  if (!sequence.complete()) return false;
   Lap<double> lap;
-  LapRunner<double, Ends::followed, false>(numbers, layer, &script, nullptr, lap).run({entry});
-  if (lap.status != LapStatus::ok || lap.script.count != script.count) return false;
-  script = lap.script;
+  LapRunner<double, Ends::followed, false>(numbers, layer, &sequence, nullptr, lap).run({entry});
+  if (lap.status != LapStatus::ok || lap.sequence.count != sequence.count) return false;
+  sequence = lap.sequence;
   next = lap.next.layer;
   return true;
 }
 
 bool follow_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
-                const LapEntry<double>& entry, const Script& near, Lap<double>& lap) {
+                const LapEntry<double>& entry, const ZoneSequence& near, Lap<double>& lap) {
   if (!near.complete()) return false;
   lap.clear();
   LapRunner<double, Ends::followed>(numbers, layer, &near, nullptr, lap).run(entry);
-  return lap.status == LapStatus::ok && lap.script.count == near.count;
+  return lap.status == LapStatus::ok && lap.sequence.count == near.count;
 }
 
 #define TWUM_INSTANTIATE(S)                                                                    \
   template Lap<S> run_lap(const ContactNumbers<S>&, const LayerMotion<S>&, const LapEntry<S>&, \
-                          const Script*, std::vector<ZoneTrace>*);
+                          const ZoneSequence*, std::vector<ZoneTrace>*);
 TWUM_FOR_EACH_CONTACT_SCALAR(TWUM_INSTANTIATE)
 TWUM_FOR_EACH_WITH_STATE(TWUM_INSTANTIATE)
 #undef TWUM_INSTANTIATE

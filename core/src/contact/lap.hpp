@@ -27,17 +27,17 @@ struct ZoneTrace {
 };
 
 /// Where each zone of a lap ends, for following it again without a search.
-struct Script {
+struct ZoneSequence {
   struct End {
     double length;   ///< of the zone [rad]; kNoZero if it lasts to the exit
     float side;      ///< stick: sign of the traction at its threshold
     ZoneState zone;  ///< what it is the end of
   };
   static constexpr int kCapacity = 8;
-  Script() {}  // the ends are not initialised: laps are many
+  ZoneSequence() {}  // the ends are not initialised: laps are many
 
   End ends[kCapacity];
-  int count{0};  ///< zones of the lap; more than kCapacity: the script is not complete
+  int count{0};  ///< zones of the lap; more than kCapacity: the sequence is not complete
 
   bool complete() const { return count <= kCapacity; }
 };
@@ -56,7 +56,7 @@ struct Lap {
   double shortest;          ///< length of the shortest zone [rad]
   ZoneState first;          ///< state of the first zone
   LapStatus status;
-  Script script;  ///< of a search in double
+  ZoneSequence sequence;  ///< of a search in double
 
   Lap() { clear(); }
   /// Back to a lap that has not begun.
@@ -71,18 +71,18 @@ struct Lap {
     shortest = 2 * std::numbers::pi;
     first = ZoneState::stick;
     status = LapStatus::ok;
-    script.count = 0;
+    sequence.count = 0;
   }
 };
 
 /// Follows the layer through one turn; theory sections 4 and 5. Every zone is in closed form, its end
 /// a root found in double and given its derivatives by the implicit function theorem.
 ///
-/// @param script  ends of the zones if they are known from the same lap in double; else they are searched.
+/// @param sequence  ends of the zones if they are known from the same lap in double; else they are searched.
 /// @param trace   if not null, the zones are appended to it.
 template <typename S>
 Lap<S> run_lap(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
-               const LapEntry<S>& entry, const Script* script = nullptr,
+               const LapEntry<S>& entry, const ZoneSequence* sequence = nullptr,
                std::vector<ZoneTrace>* trace = nullptr);
 
 /// run_lap() where the ends of the zones are known from a lap nearby, if there is one, but not yet proven to be
@@ -91,21 +91,21 @@ Lap<S> run_lap(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
 /// @param near  not that of `lap`
 /// @param lap   what it held is gone: laps are large, and many
 void prove_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
-               const LapEntry<double>& entry, const Script& near, Lap<double>& lap);
+               const LapEntry<double>& entry, const ZoneSequence& near, Lap<double>& lap);
 
 /// The return map continued through the zones of a lap nearby: it does not search for their ends but
 /// follows them to where they have moved (E6.5). A quarter of the work of a lap, and no proof: what is found
 /// so has to be gone through by prove_lap().
 ///
-/// @param script  of the lap nearby; replaced by the ends of this one
+/// @param sequence  of the lap nearby; replaced by the ends of this one
 /// @return false if the zones are others here
 bool follow_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
-                const LayerState<double>& entry, Script& script, LayerState<double>& next);
+                const LayerState<double>& entry, ZoneSequence& sequence, LayerState<double>& next);
 
 /// The same with the means over the turn.
 /// @param near  not that of `lap`
 /// @param lap   what it held is gone
 bool follow_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
-                const LapEntry<double>& entry, const Script& near, Lap<double>& lap);
+                const LapEntry<double>& entry, const ZoneSequence& near, Lap<double>& lap);
 
 }  // namespace twum::contact

@@ -74,7 +74,7 @@ ContactMeans<Dual<double, N>> differentiated_means(const ContactNumbers<Dual<dou
   LapEntry<Wide> entry = constant_entry<Wide>(state.entry);
   entry.layer.e.d[N] = 1;
   entry.layer.rate.d[N + 1] = 1;
-  const Lap<Wide> lap = run_lap(n, {n.inertia, n.damping}, entry, &state.lap.script);
+  const Lap<Wide> lap = run_lap(n, {n.inertia, n.damping}, entry, &state.lap.sequence);
   const EntryMotion<N> motion(lap.next.layer);
   const ContactMeans<Wide>& m = lap.means;
   return {motion.along(m.traction),   motion.along(m.stator_power), motion.along(m.friction_power),
@@ -91,17 +91,17 @@ ContactMeans<S> periodic_means(const ContactNumbers<S>& numbers,
   } else {
     const LayerMotion<S> layer(numbers.inertia, numbers.damping);
     LapEntry<S> entry = constant_entry<S>(state.entry);
-    const Script* script = &state.lap.script;
-    if (!state.remembers) return run_lap(numbers, layer, entry, script).means;
+    const ZoneSequence* sequence = &state.lap.sequence;
+    if (!state.remembers) return run_lap(numbers, layer, entry, sequence).means;
     if constexpr (kDualDepth<S> == 1) {
       return differentiated_means(numbers, state);
     } else {
-      const Matrix2 j = return_jacobian(values, state.entry, script);
+      const Matrix2 j = return_jacobian(values, state.entry, sequence);
       for (int i = 0; i < kDualDepth<S>; ++i) {
-        const LayerState<S> next = run_lap(numbers, layer, entry, script).next.layer;
+        const LayerState<S> next = run_lap(numbers, layer, entry, sequence).next.layer;
         correct(j, next, entry.layer, state.entry.layer);
       }
-      return run_lap(numbers, layer, entry, script).means;
+      return run_lap(numbers, layer, entry, sequence).means;
     }
   }
 }

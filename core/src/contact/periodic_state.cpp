@@ -36,7 +36,7 @@ class Search {
 
   void run(const LapEntry<double>* guess) {
     if (layer_.response > kResonance) return give_up(PeriodicStatus::resonance);
-    turn(!unique_ ? kAtRest : guess ? *guess : after_slip(), Script());
+    turn(!unique_ ? kAtRest : guess ? *guess : after_slip(), ZoneSequence());
     while (s_.laps < kMaxLaps && s_.zones < kMaxZonesInAll && s_.lap.status == LapStatus::ok) {
       if (settled()) return finish();
       if (cycles()) break;
@@ -48,7 +48,7 @@ class Search {
 
  private:
   // What the last lap told beside the one before, to go back to.
-  struct Trail {
+  struct LapHistory {
     double gap{0}, progress{1};
     Turn before{};
     int repeats{0};
@@ -56,14 +56,14 @@ class Search {
   struct Standing {
     LapEntry<double> entry;
     Lap<double> lap;
-    Trail trail;
+    LapHistory history;
   };
 
-  Standing standing() const { return {s_.entry, s_.lap, trail_}; }
+  Standing standing() const { return {s_.entry, s_.lap, history_}; }
   void go_back(const Standing& where) {
     s_.entry = where.entry;
     s_.lap = where.lap;
-    trail_ = where.trail;
+    history_ = where.history;
   }
 
   // Entry of a layer that left the contact as if it had slipped all through, and long enough for its own
@@ -80,9 +80,9 @@ class Search {
   // What is left of the layer's motion after the free flight is less than a share.
   bool forgets(double share) const { return layer_.slowest_decay() * flight() > -std::log(share); }
 
-  void turn(const LapEntry<double>& entry) { turn(entry, Script(s_.lap.script)); }
+  void turn(const LapEntry<double>& entry) { turn(entry, ZoneSequence(s_.lap.sequence)); }
 
-  void turn(const LapEntry<double>& entry, const Script& near) {
+  void turn(const LapEntry<double>& entry, const ZoneSequence& near) {
     const Turn before = last_turn();
     const std::uint64_t itinerary = s_.lap.itinerary;
     s_.entry = entry;
@@ -90,8 +90,8 @@ class Search {
     ++s_.laps;
     s_.zones += s_.lap.zones;
     const double gap = distance(layer_, s_.entry.layer, s_.lap.next.layer);
-    trail_ = {gap, trail_.gap > 0 ? gap / trail_.gap : 1, before,
-              s_.lap.itinerary == itinerary ? trail_.repeats + 1 : 0};
+    history_ = {gap, history_.gap > 0 ? gap / history_.gap : 1, before,
+                s_.lap.itinerary == itinerary ? history_.repeats + 1 : 0};
   }
 
   Turn last_turn() const { return {s_.entry.layer, s_.lap.next.layer}; }
@@ -102,8 +102,8 @@ class Search {
 
   // Rounding of the closed forms sets the looser bound; in small contacts series do better.
   bool settled() const {
-    return same_zone() && (trail_.gap <= std::fmax(tight_, loose_) ||
-                           (trail_.gap <= tolerance_ && trail_.progress > 0.5));
+    return same_zone() && (history_.gap <= std::fmax(tight_, loose_) ||
+                           (history_.gap <= tolerance_ && history_.progress > 0.5));
   }
 
   void finish() {
@@ -126,8 +126,8 @@ class Search {
   // The last lap brought states closer to one another, to less than a share.
   bool contracts(double share) const {
     const Turn now = last_turn();
-    return s_.laps > 1 && distance(layer_, now.out, trail_.before.out) <=
-                              share * distance(layer_, now.in, trail_.before.in);
+    return s_.laps > 1 && distance(layer_, now.out, history_.before.out) <=
+                              share * distance(layer_, now.in, history_.before.in);
   }
 
   bool sticks() const { return s_.lap.means.stick_length > 0; }
@@ -136,7 +136,7 @@ class Search {
   // laps tell. With mu_0 > mu they must go through the same zones and seem to settle; in full contact a state
   // that is not quite one of the zone it is carried on in would be torn out of it.
   bool secants_may_help() const {
-    return !n_.full && sticks() && (monotone_ || (trail_.repeats > 0 && contracts(kFast)));
+    return !n_.full && sticks() && (monotone_ || (history_.repeats > 0 && contracts(kFast)));
   }
 
   // Laps of undamped layers may circle round a state without coming nearer.
@@ -144,7 +144,7 @@ class Search {
 
   LapEntry<double> after_secant() const {
     LapEntry<double> entry = s_.lap.next;
-    if (contracts(kFast)) entry.layer = secant(trail_.before, last_turn(), layer_);
+    if (contracts(kFast)) entry.layer = secant(history_.before, last_turn(), layer_);
     return entry;
   }
 
@@ -152,12 +152,12 @@ class Search {
   // from it. False if that goes through other zones or is no better: then nothing has happened.
   bool follow() {
     const Standing from = standing();
-    Script script = s_.lap.script;
-    const LapEntry<double> entry = followed(script);
-    turn(entry, script);
+    ZoneSequence sequence = s_.lap.sequence;
+    const LapEntry<double> entry = followed(sequence);
+    turn(entry, sequence);
     const bool kept = s_.lap.status == LapStatus::ok &&
                       (monotone_ || s_.lap.itinerary == from.lap.itinerary) &&
-                      trail_.gap <= 0.5 * from.trail.gap;
+                      history_.gap <= 0.5 * from.history.gap;
     if (kept) return true;
     follow_from_ = 2 * s_.laps;
     go_back(from);
@@ -165,14 +165,14 @@ class Search {
   }
 
   // (E6.5) The entry that secants over followed laps lead to, and the ends of the last of them.
-  LapEntry<double> followed(Script& script) {
+  LapEntry<double> followed(ZoneSequence& sequence) {
     Turn now = last_turn();
     LapEntry<double> entry = s_.lap.next;
-    double gap = trail_.gap;
+    double gap = history_.gap;
     for (int i = 0; i < kMaxFollowed; ++i) {
       const Turn before = now;
       now.in = entry.layer;
-      if (!follow_lap(n_, layer_, now.in, script, now.out)) break;
+      if (!follow_lap(n_, layer_, now.in, sequence, now.out)) break;
       ++s_.laps;
       entry.layer = secant(before, now, layer_);
       const double gap_before = gap;
@@ -187,14 +187,14 @@ class Search {
   // laps come first, until they seem to settle.
   bool newton_may_help() const {
     if (!same_zone()) return false;
-    if (!monotone_) return trail_.repeats >= (!sticks() && contracts(kFast) ? 1 : patience_);
+    if (!monotone_) return history_.repeats >= (!sticks() && contracts(kFast) ? 1 : patience_);
     return s_.laps > 1 || !forgets(kFast);
   }
 
   bool newton() {
     const Standing from = standing();
     const LayerState<double> at = from.entry.layer, next = from.lap.next.layer;
-    const Matrix2 j = return_jacobian(n_, s_.entry, &s_.lap.script);
+    const Matrix2 j = return_jacobian(n_, s_.entry, &s_.lap.sequence);
     ++s_.laps;
     const LayerState<double> step = resolvent(j) * difference(next, at);
     // Near a threshold that is just touched the full step overshoots: shorten it.
@@ -207,18 +207,19 @@ class Search {
       // A state that sticks all round drifts: it is no step towards one that slips as much as it drifts.
       const bool kept = (monotone_ && !sticks_all_round()) ||
                         (s_.lap.itinerary == from.lap.itinerary && attracts(j));
-      const double gap = from.trail.gap;
-      if (kept && (trail_.gap < (1 - 0.5 * share) * gap || trail_.gap <= tolerance_)) return true;
+      const double gap = from.history.gap;
+      if (kept && (history_.gap < (1 - 0.5 * share) * gap || history_.gap <= tolerance_))
+        return true;
       if (kept && gap <= kFloor * tolerance_) {
-        trail_.gap = 0;  // at the floor of rounding no step can do better
+        history_.gap = 0;  // at the floor of rounding no step can do better
         return true;
       }
       if (!monotone_) break;
     }
     patience_ = std::min(2 * patience_, kMaxLaps);
-    const int repeats = trail_.repeats;
+    const int repeats = history_.repeats;
     go_back(from);
-    trail_.repeats = repeats;  // a step through other zones is a reason to wait as well
+    history_.repeats = repeats;  // a step through other zones is a reason to wait as well
     return false;
   }
 
@@ -228,7 +229,7 @@ class Search {
   bool cycles() {
     if (monotone_) return false;
     const double back = distance(layer_, s_.entry.layer, checkpoint_);
-    if (s_.laps > 8 && back <= kSameState * tolerance_ && kMaxLaps * back <= trail_.gap)
+    if (s_.laps > 8 && back <= kSameState * tolerance_ && kMaxLaps * back <= history_.gap)
       return true;
     if ((s_.laps & (s_.laps - 1)) == 0 || s_.laps - checked_ > s_.laps / 2) {
       checkpoint_ = s_.entry.layer;
@@ -262,7 +263,7 @@ class Search {
   bool unique_;   // only where there is one periodic state may the search start anywhere
   double swing_;  // of the layer that the wave's pressure shakes
   double tolerance_, tight_, loose_;
-  Trail trail_;
+  LapHistory history_;
   int patience_{4}, follow_from_{0}, checked_{0};
   LayerState<double> checkpoint_{0, 0};
 };

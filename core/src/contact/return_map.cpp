@@ -53,12 +53,12 @@ static ContactNumbers<StateDual> constant(const ContactNumbers<double>& n) {
 }
 
 Matrix2 return_jacobian(const ContactNumbers<double>& numbers, const LapEntry<double>& at,
-                        const Script* script) {
+                        const ZoneSequence* sequence) {
   const ContactNumbers<StateDual> n = constant(numbers);
   LapEntry<StateDual> entry = constant_entry<StateDual>(at);
   entry.layer.e.d[0] = 1;
   entry.layer.rate.d[1] = 1;
-  const LayerState<StateDual> next = run_lap(n, {n.inertia, n.damping}, entry, script).next.layer;
+  const LayerState<StateDual> next = run_lap(n, {n.inertia, n.damping}, entry, sequence).next.layer;
   return {next.e.d[0], next.e.d[1], next.rate.d[0], next.rate.d[1]};
 }
 

@@ -35,7 +35,7 @@ LayerState<double> secant(const Turn& before, const Turn& now, const LayerMotion
 
 /// Derivative of the state at the next entry in the state at this one (E6.2).
 Matrix2 return_jacobian(const ContactNumbers<double>& numbers, const LapEntry<double>& at,
-                        const Script* script);
+                        const ZoneSequence* sequence);
 
 /// (I - J)^-1; NaN where the return map has no isolated fixed point.
 Matrix2 resolvent(const Matrix2& j);

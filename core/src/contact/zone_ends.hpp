@@ -9,9 +9,9 @@ namespace twum::contact {
 
 /// Where the ends of zones come from.
 enum class Ends : unsigned char {
-  searched,  ///< the first root of a function; given by a script, if there is one
-  proven,    ///< those near the ones of a script, once they are proven to be the first
-  followed   ///< those near the ones of a script, without proof
+  searched,  ///< the first root of a function; given by a sequence, if there is one
+  proven,    ///< those near the ones of a sequence, once they are proven to be the first
+  followed   ///< those near the ones of a sequence, without proof
 };
 
 /// Finds where zones end: the first zero of v_rel in slip, of the reserve to the threshold on either side in stick.
@@ -19,13 +19,16 @@ enum class Ends : unsigned char {
 template <typename S, Ends kEnds>
 class ZoneEnds {
  public:
-  ZoneEnds(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer, const Script* script)
-      : n_(numbers), layer_(layer), script_(script && script->complete() ? script : nullptr) {}
+  ZoneEnds(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
+           const ZoneSequence* sequence)
+      : n_(numbers),
+        layer_(layer),
+        sequence_(sequence && sequence->complete() ? sequence : nullptr) {}
 
   /// A lap that follows another goes through the same zones.
   bool expects(ZoneState zone, int index) const {
     if (kEnds != Ends::followed) return true;
-    return index < script_->count && script_->ends[index].zone == zone;
+    return index < sequence_->count && sequence_->ends[index].zone == zone;
   }
 
   /// @param slow   what v_rel is beside the layer's own motion
@@ -62,12 +65,13 @@ class ZoneEnds {
   /// The side that the traction would reach at the exit comes first. The other is mostly ruled out at a
   /// glance.
   /// @param t  traction of the zone
-  Script::End stick_end(const Harmonic<S>& t, const ZoneBegin& zone, const LapPlace<S>& from,
-                        int index) {
+  ZoneSequence::End stick_end(const Harmonic<S>& t, const ZoneBegin& zone, const LapPlace<S>& from,
+                              int index) {
     if (is_given(zone, index)) return known_end(zone, index);
     const Harmonic<double> traction = t.values();
     const double exit = value_of(n_.half_angle), length = exit - value_of(from.theta);
-    const Script::End known = kEnds == Ends::searched ? Script::End{} : known_end(zone, index);
+    const ZoneSequence::End known =
+        kEnds == Ends::searched ? ZoneSequence::End{} : known_end(zone, index);
     if constexpr (kEnds == Ends::followed) {
       return ended(find_zero(stick_curve(t, from, known.side), length, {}, known.length),
                    known.side);
@@ -85,7 +89,8 @@ class ZoneEnds {
   }
 
   /// As settled_slip_end().
-  S settled_stick_end(const Harmonic<S>& t, const LapPlace<S>& from, const Script::End& end) const {
+  S settled_stick_end(const Harmonic<S>& t, const LapPlace<S>& from,
+                      const ZoneSequence::End& end) const {
     const Harmonic<S> f = reserve(t, end.side);
     S length(end.length);
     for (int i = 0; i < kDualDepth<S>; ++i) {
@@ -103,20 +108,21 @@ class ZoneEnds {
     return {value_of(a.sin), value_of(a.cos), value_of(a.versine)};
   }
 
-  static Script::End ended(double length, double side) {
+  static ZoneSequence::End ended(double length, double side) {
     return {length, static_cast<float>(side), ZoneState::stick};
   }
 
-  // The script's end of a zone like this one, or none.
-  Script::End known_end(const ZoneBegin& zone, int index) const {
-    const bool known = script_ && index < script_->count && script_->ends[index].zone == zone.zone;
-    return known ? script_->ends[index] : Script::End{kNoZero, 0, zone.zone};
+  // The sequence's end of a zone like this one, or none.
+  ZoneSequence::End known_end(const ZoneBegin& zone, int index) const {
+    const bool known =
+        sequence_ && index < sequence_->count && sequence_->ends[index].zone == zone.zone;
+    return known ? sequence_->ends[index] : ZoneSequence::End{kNoZero, 0, zone.zone};
   }
 
   // True if the zone's end needs no search.
   bool is_given(const ZoneBegin& zone, int index) const {
     return kEnds == Ends::searched
-               ? script_ != nullptr
+               ? sequence_ != nullptr
                : kEnds == Ends::followed && known_end(zone, index).length == kNoZero;
   }
 
@@ -149,7 +155,7 @@ class ZoneEnds {
 
   double stick_end_on(double iota, const Harmonic<S>& t, const ZoneBegin& zone,
                       const LapPlace<S>& from, double length, const Trig<double>& end,
-                      const Script::End& known) {
+                      const ZoneSequence::End& known) {
     const StickCurve curve = stick_curve(t, from, iota);
     const StartOrder order = iota > 0 ? zone.plus_side : zone.minus_side;
     const double near = known.side == iota ? known.length : kNoZero;
@@ -161,7 +167,7 @@ class ZoneEnds {
 
   const ContactNumbers<S>& n_;
   const LayerMotion<S>& layer_;
-  const Script* script_;
+  const ZoneSequence* sequence_;
   long samples_{0};
 };
 

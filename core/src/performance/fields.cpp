@@ -74,7 +74,7 @@ LayerAt layer_at(const ContactNumbers<double>& n, const LayerMotion<double>& lay
 Trace trace_of(const ContactNumbers<double>& n, const LayerMotion<double>& layer,
                const contact::PeriodicState& state) {
   Trace trace;
-  trace.exit = contact::run_lap(n, layer, state.entry, &state.lap.script, &trace.zones).exit;
+  trace.exit = contact::run_lap(n, layer, state.entry, &state.lap.sequence, &trace.zones).exit;
   return trace;
 }
 

@@ -235,16 +235,17 @@ namespace {
 
 // Two turns of one slice, and one from where their secant leads (E6.4, E6.5), which is the lap. False if the zones are others.
 bool follow_slice(const contact::ContactNumbers<double>& n, const LayerMotion<double>& layer,
-                  WarmStart::Entry& entry, contact::Script script, contact::Lap<double>& lap) {
+                  WarmStart::Entry& entry, contact::ZoneSequence sequence,
+                  contact::Lap<double>& lap) {
   if (n.full) return false;
   if (layer.kind() == contact::LayerKind::elastic)  // it keeps nothing from turn to turn
-    return contact::follow_lap(n, layer, entry, script, lap);
+    return contact::follow_lap(n, layer, entry, sequence, lap);
   contact::Turn first{entry.layer, {}};
-  if (!contact::follow_lap(n, layer, first.in, script, first.out)) return false;
+  if (!contact::follow_lap(n, layer, first.in, sequence, first.out)) return false;
   contact::Turn second{first.out, {}};
-  if (!contact::follow_lap(n, layer, second.in, script, second.out)) return false;
+  if (!contact::follow_lap(n, layer, second.in, sequence, second.out)) return false;
   entry.layer = contact::secant(first, second, layer);
-  return contact::follow_lap(n, layer, entry, script, lap);
+  return contact::follow_lap(n, layer, entry, sequence, lap);
 }
 
 }  // namespace
@@ -262,7 +263,7 @@ std::optional<FollowedTurns> SolvedPoint::followed(const DrivenMotor<double>& m,
   for (std::size_t k = 0; k < size(); ++k) {
     WarmStart::Entry at = entry.of_slice(k);
     const contact::ContactNumbers<double> n = contact_numbers(m, slices[k], speed);
-    if (slice(k).locked || !follow_slice(n, layer, at, slice(k).state.lap.script, lap)) return {};
+    if (slice(k).locked || !follow_slice(n, layer, at, slice(k).state.lap.sequence, lap)) return {};
     result.numbers = result.numbers + slice_numbers(m, slices[k], lap, lap.means);
     result.gap = std::fmax(
         result.gap, contact::distance(layer, at.layer, lap.next.layer) / (n.static_ * n.peak));

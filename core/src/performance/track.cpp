@@ -207,7 +207,7 @@ template <typename S>
 S largest_pressure(const DrivenMotor<S>& m) {
   if (m.annulus.empty()) return m.contact.max_pressure;
   const DrivenMotor<double> values = values_of(m);
-  const std::vector<double> radii = looks(values);
+  const std::vector<double> radii = radii_between_turns(values);
   const double top = *std::max_element(radii.begin(), radii.end(), [&](double a, double b) {
     return crest_rise(values, a) < crest_rise(values, b);
   });

@@ -32,7 +32,7 @@ double clearance_zero(const DrivenMotor<double>& m, double indentation, double v
                       low, high);
 }
 
-std::vector<double> looks(const DrivenMotor<double>& m) {
+std::vector<double> radii_between_turns(const DrivenMotor<double>& m) {
   const double inner = m.r - 0.5 * m.b, outer = m.r + 0.5 * m.b;
   std::vector<double> radii{inner};
   if (m.track.table) {

@@ -31,7 +31,7 @@ double clearance_zero(const DrivenMotor<double>& m, double indentation, double v
                       double high);
 
 /// Radii from edge to edge between which neither clearance turns: then each has one zero at most between two of them.
-std::vector<double> looks(const DrivenMotor<double>& m);
+std::vector<double> radii_between_turns(const DrivenMotor<double>& m);
 
 /// A stretch of the track that touches. theta_L leaves 0 or pi like a square root where a partial contact begins or ends.
 template <typename R>
@@ -75,12 +75,12 @@ template <typename S>
 class Track {
  public:
   explicit Track(const DrivenMotor<S>& motor)
-      : m_(motor), values_(values_of(motor)), looks_(looks(values_)) {}
+      : m_(motor), values_(values_of(motor)), radii_(radii_between_turns(values_)) {}
 
   /// Least indentation at which nothing touches [m].
   double lift_off() const {
     double most = -std::numeric_limits<double>::infinity();
-    for (const double radius : looks_) most = std::max(most, crest_rise(values_, radius));
+    for (const double radius : radii_) most = std::max(most, crest_rise(values_, radius));
     return -most;
   }
 
@@ -126,13 +126,13 @@ class Track {
   std::vector<Piece<R>> pieces(const R& indentation) const {
     const double depth = value_of(indentation);
     std::vector<R> ends{R(m_.r - 0.5 * m_.b)};
-    for (std::size_t k = 1; k < looks_.size(); ++k) {
+    for (std::size_t k = 1; k < radii_.size(); ++k) {
       std::vector<R> breaks;
       for (const double versine : {kLiftOff, kFull}) {
         const auto gap = [&](double radius) { return clearance(values_, radius, depth, versine); };
-        if (gap(looks_[k - 1]) * gap(looks_[k]) < 0)
+        if (gap(radii_[k - 1]) * gap(radii_[k]) < 0)
           breaks.push_back(break_radius(
-              m_, values_, clearance_zero(values_, depth, versine, looks_[k - 1], looks_[k]),
+              m_, values_, clearance_zero(values_, depth, versine, radii_[k - 1], radii_[k]),
               indentation, versine));
       }
       if (breaks.size() == 2 && value_of(breaks[1]) < value_of(breaks[0]))
@@ -152,7 +152,7 @@ class Track {
 
   const DrivenMotor<S>& m_;
   DrivenMotor<double> values_;
-  std::vector<double> looks_;
+  std::vector<double> radii_;
 };
 
 }  // namespace twum::performance

@@ -239,14 +239,14 @@ Certificate RobustSearch::certified(const SolvedRound& solved) const {
 }
 
 Verification RobustSearch::verified(const SolvedRound& solved, std::uint64_t products,
-                                    std::uint64_t attempt) const {
-  Verification seen = verify_products(problem_, terms_, design(solved), plan(products, 0), attempt);
+                                    std::uint64_t run) const {
+  Verification seen = verify_products(problem_, terms_, design(solved), plan(products, 0), run);
   if (!wants_rare(problem_) || stopped()) return seen;
   const RobustRound& round = *solved.round;
   const auto& y = solved.result.design;
   return weighted(std::move(seen), terms_, [&](std::uint64_t scramble) {
     Centres centres(problem_, terms_, design(solved), round.betas(y), round.points(y));
-    return centres.sample(plan(kCoarse, kFreshScrambles + kScrambles * attempt + scramble));
+    return centres.sample(plan(kCoarse, kFreshScrambles + kScrambles * run + scramble));
   });
 }
 

@@ -62,8 +62,7 @@ class RobustSearch {
   Certificate certified(const SolvedRound& solved) const;
   /// Fresh products of a solved round's design; `attempt` names their stream. Where a yield above 99.99 % is wanted, weighted
   /// ones decide.
-  Verification verified(const SolvedRound& solved, std::uint64_t products,
-                        std::uint64_t attempt) const;
+  Verification verified(const SolvedRound& solved, std::uint64_t products, std::uint64_t run) const;
   /// The goal of the problem at a solved round, whatever its own goal is; NaN where it has no value.
   double goal_at(const SolvedRound& solved) const;
   /// p_any of the first target at a solved round, by the last sample drawn; and its standard error.

@@ -19,9 +19,9 @@ constexpr std::uint64_t kFreshStream =
     0x7E51F1ED00ULL;  // apart from the other random numbers of a seed
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-std::vector<double> fresh_normals(std::uint64_t seed, std::uint64_t attempt, std::uint64_t index,
+std::vector<double> fresh_normals(std::uint64_t seed, std::uint64_t run, std::uint64_t index,
                                   std::size_t count) {
-  Random random(seed, kFreshStream + attempt, index);
+  Random random(seed, kFreshStream + run, index);
   std::vector<double> z;
   for (std::size_t k = 0; k < count; ++k)
     z.push_back(normal_quantile(std::max(random.uniform(), 0x1.0p-54)));
@@ -73,8 +73,7 @@ class TighterYields {
 }  // namespace
 
 Verification verify_products(const RobustProblem& problem, const RobustTerms& terms,
-                             std::span<const double> x, const SamplePlan& plan,
-                             std::uint64_t attempt) {
+                             std::span<const double> x, const SamplePlan& plan, std::uint64_t run) {
   Verification found;
   std::vector<std::uint64_t> term_failures(terms.terms.size(), 0);
   found.values.resize(problem.limits.size());
@@ -99,13 +98,13 @@ Verification verify_products(const RobustProblem& problem, const RobustTerms& te
     }
     for (std::size_t s = 0; s < good.size(); ++s) good[s] += keeps[s] ? 1 : 0;
     if (!keeps.empty() && !keeps.front())
-      tighter.see_failing(fresh_normals(plan.seed, attempt, index, problem.inputs.size()));
+      tighter.see_failing(fresh_normals(plan.seed, run, index, problem.inputs.size()));
   };
   const std::uint64_t made = run_indexed(
       {0, plan.products, plan.jobs, plan.proceed},
       [&](std::uint64_t index) {
         return fresh_product(problem, x,
-                             fresh_normals(plan.seed, attempt, index, problem.inputs.size()));
+                             fresh_normals(plan.seed, run, index, problem.inputs.size()));
       },
       [&](std::uint64_t, std::vector<Evaluation>& answers) {
         for (const Evaluation& answer : answers) count(answer);

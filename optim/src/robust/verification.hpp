@@ -12,8 +12,7 @@ namespace twum::optim {
 /// Makes fresh products of a design, which no search has seen, and counts, U5.1.
 /// @param attempt  names the stream; a stream decides once
 Verification verify_products(const RobustProblem& problem, const RobustTerms& terms,
-                             std::span<const double> x, const SamplePlan& plan,
-                             std::uint64_t attempt);
+                             std::span<const double> x, const SamplePlan& plan, std::uint64_t run);
 
 /// A share of failing products below which plain ones cannot tell it.
 inline constexpr double kRareRisk = 1e-4;

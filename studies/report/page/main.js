@@ -90,7 +90,7 @@ function facts() {
   const failed = Object.values(summary.failures).reduce((a, b) => a + b, 0);
   const notes = (summary.model_notes || []).length;
   const list = [[rowWord() + ' computed', String(summary.evaluations)]];
-  if (failed) list.push(['of these without a full answer', String(failed)]);
+  if (failed) list.push(['of these failed or incomplete', String(failed)]);
   const fact = ([name, value]) => el('div', {}, el('span', {}, name), el('strong', {}, value));
   const limits = el('a', {href: '#notes'}, notes + (notes === 1 ? ' note' : ' notes') + ' on the limits of the model');
   return el('div', {class: 'facts'}, list.map(fact), notes ? limits : null);
@@ -126,7 +126,7 @@ function failuresCard() {
       (r) =>
           [words(r.reason), words(data.failures[r.reason]), {text: String(r.count), value: r.count},
            words(where(r).join(', '))]);
-  card(capital(rowWord()) + ' without a full answer', note, 'wide')
+  card(capital(rowWord()) + ' that failed or are incomplete', note, 'wide')
       .append(table('failures', ['reason', 'meaning', 'count', 'where'], lines));
 }
 

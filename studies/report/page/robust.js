@@ -13,7 +13,7 @@ import {upright} from './uncertainty.js';
 import {displayUnit, engineering, largest, percent, rounded} from './units.js';
 import {axisLabel, goalText, goalValue, limitWords, plain} from './words.js';
 
-/** "99.16 % of the motors keep all limits (99.06 % to 99.24 % by 40000 fresh motors)" */
+/** "99.16 % of the motors keep all limits (99.06 % to 99.24 % by 40000 new random motors)" */
 export function yieldWords(y) {
   const what = y.text === 'yield' ? 'all limits' : limitWords(y.text);
   const sure = {
@@ -32,7 +32,7 @@ export function yieldSentence() {
   const r = summary.robust;
   if (r.largest_yield === null) return sentence(yieldWords(r.yields[0]));
   const largest = '; the largest found is ' + percent(r.largest_yield, 4) + '. The design shown has it.';
-  return sentence(bold('The wanted yield cannot be had'), largest);
+  return sentence(bold('The wanted yield cannot be reached'), largest);
 }
 
 /** The other yields, and what the tolerances cost against the optimum without them. */

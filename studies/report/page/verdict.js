@@ -119,7 +119,7 @@ function tradeWords(i) {
 
 function noFrontVerdict() {
   const {largest_yield: largest} = summary;
-  const first = sentence(bold(largest ? 'The wanted yield cannot be had.' : 'No point of the front was found.'));
+  const first = sentence(bold(largest ? 'The wanted yield cannot be reached.' : 'No point of the front was found.'));
   return {
     look: 'bad',
     lines: largest ? [first, sentence('At the design of the largest one ' + yieldWords(largest))] : [first]
@@ -190,7 +190,7 @@ function curveVerdict() {
 }
 
 function sweepVerdict() {
-  const failed = summary.failed ? ', ' + summary.failed + ' of them without a full answer.' : '.';
+  const failed = summary.failed ? ', ' + summary.failed + ' of them failed or incomplete.' : '.';
   const first = sentence(bold(summary.stored + ' designs'), failed);
   const [name, m] = Object.entries(summary.metrics).find(([, m]) => m.count > 0) ?? [];
   if (!name) return {look: 'bad', lines: [first]};

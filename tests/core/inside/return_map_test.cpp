@@ -117,14 +117,14 @@ TEST_CASE("a lap that follows another (E6.5), or is proven beside it, is the lap
     };
 
     Lap<double> proven = lap;  // to be forgotten
-    prove_lap(n, layer, beside, lap.script, proven);
+    prove_lap(n, layer, beside, lap.sequence, proven);
     REQUIRE(proven.itinerary == marched.itinerary);
     CHECK(apart(proven.next.layer, marched.next.layer) <= tolerance);
     CHECK(std::fabs(proven.means.traction - marched.means.traction) <= tolerance);
 
-    Script script = lap.script;
+    ZoneSequence sequence = lap.sequence;
     LayerState<double> next{0, 0};
-    if (!follow_lap(n, layer, beside.layer, script, next)) {
+    if (!follow_lap(n, layer, beside.layer, sequence, next)) {
       ++refused;
       continue;
     }
@@ -133,7 +133,7 @@ TEST_CASE("a lap that follows another (E6.5), or is proven beside it, is the lap
       continue;
     }
     ++followed;
-    CHECK(script.count == marched.script.count);
+    CHECK(sequence.count == marched.sequence.count);
     CHECK(apart(next, marched.next.layer) <= tolerance);
   }
   CHECK(followed > 1500);

@@ -38,7 +38,7 @@ void check_same_return(const ContactNumbers<double>& n) {
       state.entry.carried,
       state.entry.zone};
   const LayerState<StateDual> next =
-      run_lap(k, {k.inertia, k.damping}, entry, &state.lap.script).next.layer;
+      run_lap(k, {k.inertia, k.damping}, entry, &state.lap.sequence).next.layer;
   CHECK(value_of(next.e) == state.lap.next.layer.e);
   CHECK(value_of(next.rate) == state.lap.next.layer.rate);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a stage adds to the counts of its solve, and how an answer that a solver left is finished.
-#include "campaign.hpp"
+#include "stage_runner.hpp"
 
 #include "optim/bank/posed.hpp"
 
@@ -34,19 +34,19 @@ struct Left {
       : problem(given), scaling(problem) {
     const Design start = start_design(problem);
     scaling.scale_responses(start, problem.evaluate(start, true));
-    attempt.session = std::make_unique<Session>(problem, options, deadline, 1, 1000);
-    attempt.design = design;
-    attempt.best = Candidate{scaling.to_unit(design), 0.0, 0.0};
-    if (!own_end.empty()) attempt.report.z = scaling.to_unit(own_end);
-    finish_attempt(attempt, scaling);
+    run.session = std::make_unique<Session>(problem, options, deadline, 1, 1000);
+    run.design = design;
+    run.best = Candidate{scaling.to_unit(design), 0.0, 0.0};
+    if (!own_end.empty()) run.report.z = scaling.to_unit(own_end);
+    finish_run(run, scaling);
   }
-  const Certificate& certificate() const { return attempt.certified->certificate; }
+  const Certificate& certificate() const { return run.certified->certificate; }
 
   Problem problem;
   SolveOptions options;
   Deadline deadline{kInfinity};
   Scaling scaling;
-  Attempt attempt;
+  SolverRun run;
 };
 
 }  // namespace
@@ -55,27 +55,27 @@ TEST_CASE("a stage that is booked again adds what it used since", "[optim][defin
   const Problem p = skewed();
   const SolveOptions options;
   const Deadline deadline(kInfinity);
-  Campaign campaign(p, options, deadline);
-  REQUIRE(campaign.scale());
-  const Counters before = campaign.counters();
-  Attempt attempt;
-  attempt.session = std::make_unique<Session>(p, options, deadline, campaign.take_stage(), 100);
+  StageRunner runner(p, options, deadline);
+  REQUIRE(runner.scale());
+  const Counters before = runner.counters();
+  SolverRun run;
+  run.session = std::make_unique<Session>(p, options, deadline, runner.take_stage(), 100);
   const auto used = [&](std::size_t evaluations, std::size_t gradients, std::size_t reused) {
-    campaign.book(attempt);
-    CHECK(campaign.counters().evaluations - before.evaluations == evaluations);
-    CHECK(campaign.counters().gradients - before.gradients == gradients);
-    CHECK(campaign.counters().reused - before.reused == reused);
+    runner.book(run);
+    CHECK(runner.counters().evaluations - before.evaluations == evaluations);
+    CHECK(runner.counters().gradients - before.gradients == gradients);
+    CHECK(runner.counters().reused - before.reused == reused);
   };
   used(0, 0, 0);
   const Design here{0.1, 0.1}, there{0.2, 0.1}, far{0.9, 0.1};
-  attempt.session->at(here, true);
-  attempt.session->at(here, true);
-  attempt.session->at(here, false);
+  run.session->at(here, true);
+  run.session->at(here, true);
+  run.session->at(here, false);
   used(1, 1, 2);
   used(1, 1, 2);
-  attempt.session->at(there, true);
-  attempt.session->at(far, false);
-  attempt.session->at(there, true);
+  run.session->at(there, true);
+  run.session->at(far, false);
+  run.session->at(there, true);
   used(3, 2, 3);
   used(3, 2, 3);
 }
@@ -88,10 +88,10 @@ TEST_CASE("an answer that passes but is not yet right to many digits is finished
   for (const double e : {1e-9, 2e-7, 5e-7, 1e-4}) {
     const Left left(skewed(), {e, e});
     CAPTURE(e);
-    REQUIRE(left.attempt.certified);
+    REQUIRE(left.run.certified);
     CHECK(left.certificate().passed);
     CHECK(left.certificate().stationarity <= 1e-8);
-    CHECK((left.attempt.design == Design{e, e}) == (e < 1e-8));
+    CHECK((left.run.design == Design{e, e}) == (e < 1e-8));
   }
 }
 
@@ -103,14 +103,14 @@ TEST_CASE("where the best design cannot be finished, the solver's own end may be
   const Left with(skewed(), {1.5, 1.0}, {1e-3, 1e-3});
   CHECK(with.certificate().passed);
   // The curvature in x is 1 in user units: a slope of 1e-6 / 4 * 16 is as far from the origin.
-  CHECK(std::abs(with.attempt.design[0]) < 4e-6);
+  CHECK(std::abs(with.run.design[0]) < 4e-6);
 }
 
 TEST_CASE("a nearer stationary point is taken even if it does not pass", "[optim][polish]") {
   // The saddle of x^2 - y^2, whose quadratic model is exact: one step leaves rounding alone.
   const Problem saddle = in_box([](const D* x, D* r) { r[0] = x[0] * x[0] - x[1] * x[1]; });
   const Left left(saddle, {0.01, 0.01});
-  REQUIRE(left.attempt.certified);
+  REQUIRE(left.run.certified);
   CHECK_FALSE(left.certificate().passed);
-  CHECK(std::abs(left.attempt.design[0]) < 1e-9);
+  CHECK(std::abs(left.run.design[0]) < 1e-9);
 }

@@ -141,7 +141,7 @@ TEST_CASE("the coarse points divide a straight front evenly, each from all its s
   s.options.coarse = GENERATE(2U, 5U, 12U);
   s.options.coarse_starts = GENERATE(0U, 3U);
   REQUIRE(s.front.find_ends({s.start()}));
-  const auto before = s.front.campaign().next_stage();
+  const auto before = s.front.runner().next_stage();
   const auto points = two_objective_front(s.front, s.options);
   const std::size_t coarse = s.options.coarse;
   CAPTURE(coarse, s.options.coarse_starts);
@@ -150,7 +150,7 @@ TEST_CASE("the coarse points divide a straight front evenly, each from all its s
     CHECK(points[i].design[0] ==
           Approx(static_cast<double>(i) / static_cast<double>(coarse + 1)).margin(1e-6));
   // One from the nearest known point, and the others.
-  CHECK(s.front.campaign().next_stage() - before == coarse * (1 + s.options.coarse_starts));
+  CHECK(s.front.runner().next_stage() - before == coarse * (1 + s.options.coarse_starts));
 }
 
 TEST_CASE("a front stops at both sides of a band that no design may be in",

@@ -65,7 +65,7 @@ std::vector<double> with_remains(std::vector<double> v, double remains) {
 
 struct Search {
   explicit Search(const Problem& p) : problem(p), front(problem, solve, options, deadline) {
-    front.campaign().scale();
+    front.runner().scale();
   }
   Problem problem;
   SolveOptions solve;
@@ -98,7 +98,7 @@ TEST_CASE("what stays of a set of points is what no other dominates, once",
 TEST_CASE("the ends of a front are where its objectives are 0 and 1",
           "[optim][pareto][definition]") {
   Search two(two_valleys());
-  REQUIRE(two.front.find_ends({two.front.campaign().unit_start()}));
+  REQUIRE(two.front.find_ends({two.front.runner().unit_start()}));
   REQUIRE(two.front.ends().size() == 2);
   CHECK(two.front.ends()[0].y == std::vector<double>{0.0, 1.0});
   CHECK(two.front.ends()[1].y == std::vector<double>{1.0, 0.0});
@@ -116,7 +116,7 @@ TEST_CASE("a pool gives the design that is nearest in normalized objectives",
     s.front.add_to_pool(units[i], e);
     values.push_back(e.values);
   }
-  REQUIRE(s.front.find_ends({s.front.campaign().unit_start()}));
+  REQUIRE(s.front.find_ends({s.front.runner().unit_start()}));
   // The valleys are at (1, 1) and (3, 2): the objectives run from 0 to 500 and from 5 down to 0.
   for (const auto& at : {std::vector<double>{0.1, 0.8}, {0.9, 0.2}, {0.5, 0.5}, {0.0, 1.0}}) {
     const auto distance = [&](const std::vector<double>& v) {
@@ -134,7 +134,7 @@ TEST_CASE("on a plane front the directions of three objectives are a full lattic
           "[optim][pareto][closed_form]") {
   Search s(slanted_plane());
   s.options.points = GENERATE(4U, 6U, 8U);
-  REQUIRE(s.front.find_ends({s.front.campaign().unit_start()}));
+  REQUIRE(s.front.find_ends({s.front.runner().unit_start()}));
   const auto found = three_objective_front(s.front, s.options);
   std::size_t h = 1;  // besides the lattice there are three ends, some of them also in it
   while ((h + 1) * (h + 2) / 2 + 3 < found.size()) ++h;
@@ -210,7 +210,7 @@ TEST_CASE("what neighbours agree in may differ between them: then nothing is pre
     r[1] = (x[0] - 1.0) * (x[0] - 1.0) + 0.3 * miss * miss;
   });
   Search s(p);
-  REQUIRE(s.front.find_ends({s.front.campaign().unit_start()}));
+  REQUIRE(s.front.find_ends({s.front.runner().unit_start()}));
   const Solved &a = s.front.ends()[0], &b = s.front.ends()[1];
   REQUIRE(a.design[1] == 0.0);
   REQUIRE(b.design[1] == 0.0);

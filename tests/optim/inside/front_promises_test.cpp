@@ -110,7 +110,7 @@ TEST_CASE("kicks go on after a success until as many as asked for fail in a row"
     options.hops = 1;
     const Deadline deadline(kInfinity);
     FrontSearch search(p, solve, options, deadline);
-    search.campaign().scale();
+    search.runner().scale();
     search.find_ends({{0.965}, {0.9}});
     // Stage 0 scales, 1 and 2 start, 3 is the first kick. After a success there has to be another.
     const double before = std::min(least[1], least[2]);

@@ -33,11 +33,11 @@ Problem limits_on(double lower, double upper, std::vector<Constraint> constraint
 Infeasibility explained(const Problem& p, double x) {
   const SolveOptions options;
   const Deadline deadline(kInfinity);
-  Campaign campaign(p, options, deadline);
-  REQUIRE(campaign.scale());
+  StageRunner runner(p, options, deadline);
+  REQUIRE(runner.scale());
   const Variable& v = p.variables[0];
   const std::vector<double> unit{(x - v.lower) / (v.upper - v.lower)};
-  return explain_infeasible(campaign, unit);
+  return explain_infeasible(runner, unit);
 }
 
 }  // namespace

@@ -53,9 +53,9 @@ Problem two_quarrels() {
 Infeasibility explained(const Problem& p, const std::vector<double>& unit) {
   const SolveOptions options;
   const Deadline deadline(kInfinity);
-  Campaign campaign(p, options, deadline);
-  campaign.scale();
-  return explain_infeasible(campaign, unit);
+  StageRunner runner(p, options, deadline);
+  runner.scale();
+  return explain_infeasible(runner, unit);
 }
 
 // -10 to 10 in the unit box.

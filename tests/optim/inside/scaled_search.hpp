@@ -12,10 +12,10 @@ using D3 = Dual<double, 3>;
 
 /// A search for a front of a problem, scaled at its start.
 struct ScaledSearch {
-  explicit ScaledSearch(optim::Problem p) : problem(std::move(p)) { front.campaign().scale(); }
+  explicit ScaledSearch(optim::Problem p) : problem(std::move(p)) { front.runner().scale(); }
 
-  std::vector<double> start() { return front.campaign().unit_start(); }
-  std::size_t calls() { return front.campaign().counters().evaluations; }
+  std::vector<double> start() { return front.runner().unit_start(); }
+  std::size_t calls() { return front.runner().counters().evaluations; }
 
   optim::Problem problem;
   optim::SolveOptions solve;

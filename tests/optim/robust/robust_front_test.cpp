@@ -71,7 +71,7 @@ TEST_CASE("a front between a goal and the yield is the price of the yield (U3.6)
   }
 }
 
-TEST_CASE("a front whose yield cannot be had tells the largest one (U3.6)", "[optim][robust]") {
+TEST_CASE("a front whose yield cannot be reached tells the largest one (U3.6)", "[optim][robust]") {
   RobustProblem problem = two_margins(0.99);
   problem.design.variables[0].upper = 2.0;
   problem.design.variables[1].upper = 2.0;  // Phi(2)^2 = 95.5 %

@@ -161,7 +161,8 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a yield that cannot be had is refused with the largest one (U3.6)", "[optim][robust]") {
+TEST_CASE("a yield that cannot be reached is refused with the largest one (U3.6)",
+          "[optim][robust]") {
   RobustProblem problem = torque_problem(Law::lognormal);
   problem.limits[0].lower = 0.75;
   problem.limits[0].upper = 0.95;

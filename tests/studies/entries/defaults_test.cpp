@@ -150,8 +150,8 @@ TEST_CASE("a study that a program asks is the study of the file that says the sa
       "MPa\"], variables: {preload: {min: 100 N, max: 200 N}}}");
   SizeStudy asked;
   asked.variables = {{twum::Parameter::preload, 100, 200}};
-  asked.duty = {parse_constraint("torque_at(10 rad/s) >= 0.5 N.m")};
-  asked.limits = {parse_constraint("max_pressure <= 10 MPa")};
+  asked.duty = {parse_limit("torque_at(10 rad/s) >= 0.5 N.m")};
+  asked.limits = {parse_limit("max_pressure <= 10 MPa")};
   const StudyFile own{file.motor, asked};
   CHECK(resolve(own).hash() == resolve(file).hash());
   // Its text is a study file that says so.

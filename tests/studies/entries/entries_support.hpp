@@ -31,16 +31,20 @@ inline StudyFile study_in(const ScratchFolder& folder, const std::string& study,
 
 /// A kind of study whose rows, answer and certificates are what the test says.
 struct ScriptedKind : StudyKindRun {
-  std::vector<Column> all{{"preload", "N"}, {"stall_torque", "N.m"}};
-  std::function<std::optional<Row>(const Row&)> again = [](const Row&) { return std::nullopt; };
+  std::vector<StoredColumn> all{{"preload", "N"}, {"stall_torque", "N.m"}};
+  std::function<std::optional<StoredRow>(const StoredRow&)> again = [](const StoredRow&) {
+    return std::nullopt;
+  };
   std::function<std::optional<optim::Certificate>(std::span<const double>)> evidence =
       [](std::span<const double>) { return std::nullopt; };
   std::function<KindAnswer(RunContext&)> answer;
 
-  std::vector<Column> columns() const override { return all; }
+  std::vector<StoredColumn> columns() const override { return all; }
   std::size_t variables() const override { return 1; }
   KindAnswer run(RunContext& context) override { return answer(context); }
-  std::optional<Row> recompute(const Row& stored) const override { return again(stored); }
+  std::optional<StoredRow> recompute(const StoredRow& stored) const override {
+    return again(stored);
+  }
   std::optional<optim::Certificate> certify(
       std::span<const double> variables,
       std::span<const ParameterValue> /*design*/) const override {

@@ -61,16 +61,16 @@ struct Fit {
     RunContext context{store, executor, {}, {}};
     return kind->run(context);
   }
-  std::vector<Row> rows() const {
+  std::vector<StoredRow> rows() const {
     ResultStore store(":memory:", kind->columns());
     run(store);
-    std::vector<Row> rows;
-    store.read([&](const Row& row) { rows.push_back(row); });
+    std::vector<StoredRow> rows;
+    store.read([&](const StoredRow& row) { rows.push_back(row); });
     return rows;
   }
-  std::string complaint(const std::vector<Row>& stored) const {
+  std::string complaint(const std::vector<StoredRow>& stored) const {
     ResultStore store(":memory:", kind->columns());
-    for (const Row& row : stored) store.add(row);
+    for (const StoredRow& row : stored) store.add(row);
     try {
       run(store);
     } catch (const StoreError& error) {
@@ -171,22 +171,23 @@ TEST_CASE("motors without a torque are rows of a fit, which goes on the same way
   const Fit fit(
       "kinetic_friction: {min: 0.1, max: 0.4, start: 0.3}, "
       "static_friction: {min: 0.05, max: 0.5, start: 0.1}");
-  const std::vector<Row> whole = fit.rows();
-  const auto failed = [](const Row& row) { return row.status.starts_with("not a motor: "); };
-  const Row& first = whole.front();
+  const std::vector<StoredRow> whole = fit.rows();
+  const auto failed = [](const StoredRow& row) { return row.status.starts_with("not a motor: "); };
+  const StoredRow& first = whole.front();
   CHECK(failed(first));
   CHECK(std::isnan(first.values.back()));
-  CHECK(std::any_of(whole.begin(), whole.end(), [](const Row& row) { return row.status == "ok"; }));
+  CHECK(std::any_of(whole.begin(), whole.end(),
+                    [](const StoredRow& row) { return row.status == "ok"; }));
   // Computed anew, and gone on with from any row, it is the same.
-  const Row again = fit.kind->recompute(first).value();
+  const StoredRow again = fit.kind->recompute(first).value();
   CHECK(again.status == first.status);
   CHECK(again.detail == first.detail);
   for (const std::size_t kept : {std::size_t{1}, whole.size() / 2, whole.size()}) {
     ResultStore store(":memory:", fit.kind->columns());
     for (std::size_t i = 0; i < kept; ++i) store.add(whole[i]);
     fit.run(store);
-    std::vector<Row> rows;
-    store.read([&](const Row& row) { rows.push_back(row); });
+    std::vector<StoredRow> rows;
+    store.read([&](const StoredRow& row) { rows.push_back(row); });
     REQUIRE(rows.size() == whole.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
       CHECK(rows[i].status == whole[i].status);
@@ -198,12 +199,12 @@ TEST_CASE("motors without a torque are rows of a fit, which goes on the same way
 TEST_CASE("stored evaluations of another fit, and damaged ones, are refused",
           "[studies][calibrate]") {
   const Fit fit("kinetic_friction: {min: 0.1, max: 0.4}", "2");
-  const std::vector<Row> whole = fit.rows();
+  const std::vector<StoredRow> whole = fit.rows();
   CHECK(fit.complaint(whole).empty());
-  std::vector<Row> other = whole;
+  std::vector<StoredRow> other = whole;
   other[0].values[0] += 1e-6;
   CHECK(fit.complaint(other) == "the stored evaluations do not belong to this study");
-  std::vector<Row> cut = whole;
+  std::vector<StoredRow> cut = whole;
   cut[0].detail.resize(cut[0].detail.size() - sizeof(double));
   CHECK(fit.complaint(cut) == "the stored evaluations are damaged: a row has a wrong length");
 }

@@ -28,7 +28,7 @@ std::vector<std::uint64_t> bits(const std::vector<double>& values) {
 
 TEST_CASE("rows arrive to the bit", "[studies][processes]") {
   using Limits = std::numeric_limits<double>;
-  const std::vector<Row> sent{
+  const std::vector<StoredRow> sent{
       {0, 0, {}, "ok", {}},
       {~0ULL,
        7,
@@ -40,7 +40,7 @@ TEST_CASE("rows arrive to the bit", "[studies][processes]") {
        {Limits::infinity()},
        "stall_torque: no-periodic-state",
        std::string("a\0b\xff", 4)}};
-  const std::vector<Row> there = rows_of(row_message(sent));
+  const std::vector<StoredRow> there = rows_of(row_message(sent));
   REQUIRE(there.size() == sent.size());
   for (std::size_t i = 0; i < sent.size(); ++i) {
     CHECK(there[i].stage == sent[i].stage);
@@ -53,7 +53,7 @@ TEST_CASE("rows arrive to the bit", "[studies][processes]") {
 }
 
 TEST_CASE("a message that was cut short is no rows", "[studies][processes]") {
-  const std::vector<Row> sent{{1, 2, {0.5, 1.5}, "a reason", "bytes"}};
+  const std::vector<StoredRow> sent{{1, 2, {0.5, 1.5}, "a reason", "bytes"}};
   const std::string message = row_message(sent);
   for (std::size_t size = 0; size < message.size(); ++size)
     CHECK_THROWS_AS(rows_of(message.substr(0, size)), StoreError);
@@ -62,33 +62,33 @@ TEST_CASE("a message that was cut short is no rows", "[studies][processes]") {
 TEST_CASE("an answer holds the rows in the order asked, or why there are none",
           "[studies][processes]") {
   ScriptedKind kind;
-  kind.again = [](const Row& asked) -> std::optional<Row> {
+  kind.again = [](const StoredRow& asked) -> std::optional<StoredRow> {
     if (asked.index == 13) throw std::runtime_error("no such number");
-    Row row = asked;
+    StoredRow row = asked;
     row.values = {static_cast<double>(asked.index), 0.5};
     return row;
   };
   ThreadExecutor executor(kind);
   const std::string good = answer_of(
-      row_message(std::vector<Row>{{0, 5, {}, "ok", {}}, {0, 2, {}, "ok", {}}}), executor);
+      row_message(std::vector<StoredRow>{{0, 5, {}, "ok", {}}, {0, 2, {}, "ok", {}}}), executor);
   CHECK(good.front() == 'r');
-  const std::vector<Row> rows = rows_of(good.substr(1));
+  const std::vector<StoredRow> rows = rows_of(good.substr(1));
   REQUIRE(rows.size() == 2);
   CHECK(rows[0].values == std::vector<double>{5, 0.5});
   CHECK(rows[1].values == std::vector<double>{2, 0.5});
-  CHECK(answer_of(row_message(std::vector<Row>{{0, 13, {}, "ok", {}}}), executor) ==
+  CHECK(answer_of(row_message(std::vector<StoredRow>{{0, 13, {}, "ok", {}}}), executor) ==
         "eno such number");
 }
 
 TEST_CASE("an executor of threads ends where it is told to", "[studies][processes]") {
   ScriptedKind kind;
-  kind.again = [](const Row& asked) { return std::optional<Row>(asked); };
+  kind.again = [](const StoredRow& asked) { return std::optional<StoredRow>(asked); };
   ThreadExecutor executor(kind, 3);
   CHECK(executor.lanes() == 3);
-  std::vector<Row> asked(10);
+  std::vector<StoredRow> asked(10);
   for (std::size_t i = 0; i < asked.size(); ++i) asked[i].index = i;
   int left = 4;
-  const std::vector<Row> made = executor.rows(asked, [&] { return left-- > 0; });
+  const std::vector<StoredRow> made = executor.rows(asked, [&] { return left-- > 0; });
   REQUIRE(made.size() == 4);
   for (std::size_t i = 0; i < made.size(); ++i) CHECK(made[i].index == i);
 }

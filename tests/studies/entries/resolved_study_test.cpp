@@ -184,8 +184,8 @@ TEST_CASE("rows of a program that computes other numbers are refused", "[studies
     ResultStore theirs(folder.path("other/results.db"), ours.columns());
     for (const char* fact : {"version", "study", "files", "started", "hash"})
       theirs.set_fact(fact, ours.fact(fact));
-    ours.read([&](const Row& row) {
-      Row other = row;
+    ours.read([&](const StoredRow& row) {
+      StoredRow other = row;
       if (row.index == 1) other.values.back() *= 1 + 1e-9;
       theirs.add(other);
     });

@@ -42,9 +42,9 @@ DesignProblem question() {
 
 bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
-std::vector<std::string> names(const std::vector<Column>& columns) {
+std::vector<std::string> names(const std::vector<StoredColumn>& columns) {
   std::vector<std::string> list;
-  for (const Column& column : columns) list.push_back(column.name);
+  for (const StoredColumn& column : columns) list.push_back(column.name);
   return list;
 }
 
@@ -88,7 +88,7 @@ TEST_CASE("a row holds what the solver saw, kinks and all", "[studies][problem]"
                 {1, 0, optim::Slope::undefined, 0, 0},   // told by the NaN above
                 {1, 1, optim::Slope::undefined, 7, 8}};  // not told by it
   const std::vector<double> design{100, 0.2};
-  const Row row = rows.row(3, 9, design, true, seen);
+  const StoredRow row = rows.row(3, 9, design, true, seen);
   CHECK(row.stage == 3);
   CHECK(row.index == 9);
   CHECK(row.status == "ok");
@@ -116,7 +116,7 @@ TEST_CASE("a failure in a row is one when it is read back", "[studies][problem]"
   const SearchRows rows(problem);
   optim::Evaluation failed;
   failed.failure = "stall_torque: resonance";
-  const Row row = rows.row(0, 0, std::vector<double>{100, 0.2}, true, failed);
+  const StoredRow row = rows.row(0, 0, std::vector<double>{100, 0.2}, true, failed);
   CHECK(row.status == "stall_torque: resonance");
   CHECK(std::isnan(row.values[2]));
   CHECK(evaluation_of(row).failure == "stall_torque: resonance");
@@ -147,14 +147,14 @@ TEST_CASE("stored evaluations that are too short are damage, wherever they end",
   seen.values = {0.5};
   seen.jacobian = {1, 2};
   seen.kinks = {{0, 1, optim::Slope::one_sided, -1, 1}};
-  Row row = rows.row(0, 0, std::vector<double>{100, 0.2}, true, seen);
+  StoredRow row = rows.row(0, 0, std::vector<double>{100, 0.2}, true, seen);
   const std::string whole = row.detail;
   CHECK_NOTHROW(evaluation_of(row));
   for (std::size_t size = 0; size < whole.size(); ++size) {
     row.detail = whole.substr(0, size);
     CHECK_THROWS_WITH(evaluation_of(row), "the stored evaluations are damaged: a row is too short");
   }
-  CHECK_THROWS_AS(rows.asked_gradient(Row{}), StoreError);
+  CHECK_THROWS_AS(rows.asked_gradient(StoredRow{}), StoreError);
 }
 
 TEST_CASE("a question to the evaluator is its design to the bit, and what was wanted",
@@ -296,7 +296,7 @@ TEST_CASE("a search starts from the best earlier design that keeps the limits", 
     return best_start(problem, designs).front().second;
   };
   problem.objectives = {{parse_metric("stall_torque"), true}};
-  problem.limits = {parse_constraint("preload <= 200 N")};
+  problem.limits = {parse_limit("preload <= 200 N")};
   CHECK(start({150, 180, 250}) == 180);  // the largest torque within the limit
   CHECK(start({180, 150}) == 180);
   CHECK(start({250, 220, 300}) == 220);  // the one that breaks it least
@@ -304,12 +304,12 @@ TEST_CASE("a search starts from the best earlier design that keeps the limits", 
   CHECK(start({-5, 100}) == 100);
   CHECK(start({100, -5}) == 100);
   problem.objectives = {{parse_metric("stall_torque"), false}};
-  problem.limits = {parse_constraint("preload >= 100 N")};
+  problem.limits = {parse_limit("preload >= 100 N")};
   CHECK(start({150, 180, 90}) == 150);
   CHECK(start({50, 90, 30}) == 90);
   // 0.9 N.m is carried from mu F_N r = 0.9 N.m on, which is 170 N; a motor that does not carry it has no
   // such speed, be it wanted or limited.
-  problem.limits = {parse_constraint("speed_at(0.9 N.m) >= 0 rpm")};
+  problem.limits = {parse_limit("speed_at(0.9 N.m) >= 0 rpm")};
   CHECK(start({100, 180, 120}) == 180);
   problem.limits.clear();
   problem.objectives = {{parse_metric("speed_at(0.9 N.m)"), true}};

@@ -73,7 +73,7 @@ struct Begun {
     ThreadExecutor executor(*kind);
     RunContext context{store, executor, {}, {}};
     best = std::get<OptimizeResult>(kind->run(context).answer).best.design;
-    store.read([&](const Row& row) {
+    store.read([&](const StoredRow& row) {
       if (first.empty()) first = row.values;
     });
   }
@@ -306,16 +306,17 @@ TEST_CASE("a report tells by how much a limit is broken, and which end of a rang
 
   // Idle is what moves neither the goal nor a limit that is active or broken.
   optim::Evaluation evaluation;
-  CHECK(reporter.idle(evaluation, report).empty());  // nothing is known without a Jacobian
+  CHECK(reporter.without_influence(evaluation, report)
+            .empty());  // nothing is known without a Jacobian
   const std::size_t rows = 1 + report.constraints.size();
   evaluation.jacobian.assign(2 * rows, 0);
   evaluation.jacobian[0] = 1;  // the goal by the preload
   DesignProblem wide = problem;
   wide.variables[1].max = 2e-6;
   const DesignReporter other(wide, {});
-  CHECK(other.idle(evaluation, report) == std::vector<std::string>{"amplitude"});
+  CHECK(other.without_influence(evaluation, report) == std::vector<std::string>{"amplitude"});
   evaluation.jacobian[2 * 3 + 1] = 1;  // an idle limit by the amplitude
-  CHECK(other.idle(evaluation, report) == std::vector<std::string>{"amplitude"});
+  CHECK(other.without_influence(evaluation, report) == std::vector<std::string>{"amplitude"});
   evaluation.jacobian[2 * 1 + 1] = 1e9;  // the broken limit by the amplitude
-  CHECK(other.idle(evaluation, report).empty());
+  CHECK(other.without_influence(evaluation, report).empty());
 }

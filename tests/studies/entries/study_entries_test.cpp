@@ -130,7 +130,7 @@ TEST_CASE("a row that no study asks for cannot be computed anew", "[studies][ver
   for (std::size_t i = 0; i < studies.size(); ++i) {
     CAPTURE(studies[i]);
     const auto kind = make_kind(study_in(folder, studies[i]));
-    Row row;
+    StoredRow row;
     row.index = rows[i] - 1;
     CHECK(kind->recompute(row).has_value());
     row.index = rows[i];
@@ -148,7 +148,7 @@ TEST_CASE("a design that is none is a row with the reason, without the values it
   const RowEvaluator rows({MotorDesign{}, {Parameter::preload, Parameter::static_friction}, {}},
                           {parse_metric("stall_torque")});
   const auto status = [&](double preload, double static_friction) {
-    Row row;
+    StoredRow row;
     rows.evaluate(std::vector<double>{preload, static_friction}, row);
     CHECK(row.values[0] == preload);
     CHECK(std::isnan(row.values[2]) == (row.status != "ok"));
@@ -234,7 +234,7 @@ TEST_CASE("a point of a curve without an answer is counted, and named by its sta
   CHECK(std::isnan(member.metrics[0].value));
   CHECK(member.statuses[0] != "ok");
   std::size_t row = 0;
-  store.read([&](const Row& one) {
+  store.read([&](const StoredRow& one) {
     CHECK((one.status == "ok") == (row++ > 0));
     CHECK(std::isnan(one.values[1]) == (one.status != "ok"));
   });

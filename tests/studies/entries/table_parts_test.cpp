@@ -104,7 +104,7 @@ TEST_CASE("a design counts as empty if none of its metrics has a value", "[studi
       CsvChunk header;
       reader.read(header, 1);
       const DesignTable table(reader, header, MotorDesign{}, parse_metric_list(metrics));
-      const DesignCounts counts = evaluate_designs(
+      const DesignCounts counts = evaluate_table(
           reader, table, 1, [](std::string_view) {}, [] { return true; },
           [](const DesignCounts&) {});
       CHECK(counts.rows == 1);

@@ -22,15 +22,15 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-Row row_of(std::uint64_t stage, std::uint64_t index, std::vector<double> values,
-           const std::string& status = "ok") {
+StoredRow row_of(std::uint64_t stage, std::uint64_t index, std::vector<double> values,
+                 const std::string& status = "ok") {
   return {stage, index, std::move(values), status, {}};
 }
 
 // What verify_rows() says of one stored row and what becomes of it now.
-Verification compared(const Row& there, const Row& now) {
+Verification compared(const StoredRow& there, const StoredRow& now) {
   ScriptedKind kind;
-  kind.again = [&](const Row&) { return now; };
+  kind.again = [&](const StoredRow&) { return now; };
   ResultStore store(":memory:", kind.all);
   store.add(there);
   Verification found;
@@ -80,7 +80,7 @@ TEST_CASE("numbers hold up to a relative 1e-12, and the largest deviation is not
 }
 
 TEST_CASE("a row that is another one now is named with both values", "[studies][verify]") {
-  const Row there = row_of(0, 7, {100, 0.53});
+  const StoredRow there = row_of(0, 7, {100, 0.53});
   CHECK(compared(there, there).holds());
   CHECK(compared(there, there).rows_checked == 1);
   const Verification other = compared(there, row_of(0, 7, {100, 0.54}));
@@ -107,8 +107,8 @@ TEST_CASE("a row with another status is named with both, whatever its values are
 
 TEST_CASE("a row that cannot be computed by itself is counted as skipped", "[studies][verify]") {
   ScriptedKind kind;
-  kind.again = [](const Row& row) {
-    return row.index % 2 == 0 ? std::optional<Row>(row) : std::nullopt;
+  kind.again = [](const StoredRow& row) {
+    return row.index % 2 == 0 ? std::optional<StoredRow>(row) : std::nullopt;
   };
   ResultStore store(":memory:", kind.all);
   for (std::uint64_t i = 0; i < 9; ++i) store.add(row_of(0, i, {1, 2}));
@@ -123,8 +123,8 @@ TEST_CASE("a row that cannot be computed by itself is counted as skipped", "[stu
 TEST_CASE("as many rows are drawn as asked for, and twenty complaints are kept",
           "[studies][verify]") {
   ScriptedKind kind;
-  kind.again = [](const Row& row) {
-    Row other = row;
+  kind.again = [](const StoredRow& row) {
+    StoredRow other = row;
     other.values[1] += 1;
     return other;
   };

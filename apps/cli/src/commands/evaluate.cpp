@@ -143,7 +143,7 @@ int run_evaluate(const EvaluateOptions& options) {
   studies::DesignCounts counts;
   {
     Progress progress;
-    counts = studies::evaluate_designs(
+    counts = studies::evaluate_table(
         reader, table, jobs, [&](std::string_view text) { output.write(text); },
         [] { return !interrupted(); },
         [&](const studies::DesignCounts& now) {

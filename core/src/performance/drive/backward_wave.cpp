@@ -32,7 +32,7 @@ std::vector<DisturbedZone<double>> zones_of(const DrivenMotor<double>& m, const 
     return {{state.lap.first, false, slip_sign(state.lap.first), -n.half_angle, n.half_angle}};
   if (!is_elastic(m) || n.full) return {};
   std::vector<contact::ZoneTrace> trace;
-  contact::run_lap(n, layer, state.entry, &state.lap.script, &trace);
+  contact::run_lap(n, layer, state.entry, &state.lap.sequence, &trace);
   std::vector<DisturbedZone<double>> zones;
   double before = 0;
   for (const contact::ZoneTrace& z : trace) {

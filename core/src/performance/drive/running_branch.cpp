@@ -72,8 +72,8 @@ std::optional<RunningBranch::Node> RunningBranch::first_node() const {
 
 // Newton's steps for H(A) = Theta u_0 near a guess, with the slope of the level curve (D2.9). Nodes are where other searches
 // begin: the last step is not solved again.
-RunningBranch::Attempt RunningBranch::node(double speed, double guess,
-                                           const WarmStart* start) const {
+RunningBranch::NodeSearch RunningBranch::node(double speed, double guess,
+                                              const WarmStart* start) const {
   double a = guess;
   long zones = 0;
   WarmStart from;
@@ -143,8 +143,8 @@ std::optional<BranchWave> RunningBranch::polished(double speed, double guess, do
 }
 
 // From the tangent, bent as between the two nodes before.
-RunningBranch::Attempt RunningBranch::stepped(const Node& from, double speed,
-                                              const Node* before) const {
+RunningBranch::NodeSearch RunningBranch::stepped(const Node& from, double speed,
+                                                 const Node* before) const {
   const double d = speed - from.speed;
   double guess = from.amplitude + from.slope * d;
   if (before && std::fabs(from.speed - before->speed) >= 0.5 * std::fabs(d))
@@ -167,10 +167,10 @@ BranchEnd RunningBranch::follow(double step, int steps) {
       const bool reaches = std::fabs(stride) >= std::fabs(target - last.speed);
       const double next = reaches ? target : last.speed + stride;
       const Node* before = nodes_.size() > 1 ? &nodes_[nodes_.size() - 2] : nullptr;
-      const Attempt attempt = stepped(last, next, before);
-      zones += attempt.zones;
-      if (attempt.node) {
-        nodes_.push_back(*attempt.node);
+      const NodeSearch search = stepped(last, next, before);
+      zones += search.zones;
+      if (search.node) {
+        nodes_.push_back(*search.node);
       } else {
         stride *= 0.5;
         if (std::fabs(stride) < kShortestStep * std::fabs(step)) return fold_beyond(last, next);

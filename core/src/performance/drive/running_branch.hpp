@@ -51,19 +51,19 @@ class RunningBranch {
     SolvedPoint solved;  // close to it
   };
 
-  struct Attempt {
+  struct NodeSearch {
     std::optional<Node> node;
     long zones;  // followed
   };
 
   std::optional<Node> first_node() const;
-  Attempt node(double speed, double guess, const WarmStart* start) const;
+  NodeSearch node(double speed, double guess, const WarmStart* start) const;
 
   std::optional<BranchWave> followed(double speed, double guess, double force_slope,
                                      const WarmStart& start, const SolvedPoint& node) const;
   std::optional<BranchWave> polished(double speed, double guess, double force_slope,
                                      const WarmStart& start) const;
-  Attempt stepped(const Node& from, double speed, const Node* before = nullptr) const;
+  NodeSearch stepped(const Node& from, double speed, const Node* before = nullptr) const;
   BranchEnd follow(double step, int steps);
   double fold_amplitude(double speed, double near) const;
   BranchEnd fold_beyond(const Node& last, double speed) const;

@@ -42,7 +42,7 @@ struct Activity {
   double multiplier{0.0};  ///< improvement of the objective per unit of relaxation, >= 0; for an
       ///< equality the improvement per unit that its target is raised, any sign. With several
       ///< objectives that of their weighted sum, see Certificate::prices
-  double one_percent_buys{0.0};  ///< first-order change of the objective's value when the limit is
+  double gain_per_percent{0.0};  ///< first-order change of the objective's value when the limit is
                                  ///< relaxed (an equality: raised) by 1 % of itself; by 1 % of the
                                  ///< response's span over the box where it is zero. With several
                                  ///< objectives that of their weighted sum, as the multiplier

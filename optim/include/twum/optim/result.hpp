@@ -14,7 +14,7 @@ enum class Outcome : std::uint8_t {
   failed       ///< no design could be evaluated
 };
 
-/// "optimal", "feasible", "infeasible", "budget" or "failed"; a text that lives for ever.
+/// "optimal", "feasible", "infeasible", "budget" or "failed"; static lifetime.
 const char* to_string(Outcome outcome);
 
 /// Why the last solver stopped.

@@ -90,9 +90,10 @@ struct RobustResult {
   std::vector<RobustRoundReport> rounds;  ///< in order
   std::vector<double> aimed;              ///< yields of the first target that were aimed at, U5.4
   std::vector<YieldPrice>
-      prices_of_yields;       ///< goal over yield, rising to the largest yield there is
-  double largest_yield{0.0};  ///< of the first target, where the wanted one cannot be had; else NaN
-  Counters counters;          ///< of problems in design and indices
+      prices_of_yields;  ///< goal over yield, rising to the largest yield there is
+  double largest_yield{
+      0.0};           ///< of the first target, where the wanted one cannot be reached; else NaN
+  Counters counters;  ///< of problems in design and indices
 };
 
 /// How to search. Of `solve` the tolerances, seed, stop and threads count, and its budget for each search.

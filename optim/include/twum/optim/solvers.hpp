@@ -31,7 +31,7 @@ struct SolverInfo {
 /// ever.
 const std::vector<SolverInfo>& solvers();
 
-/// The row of a name such as "nlopt:slsqp"; it lives for ever.
+/// The row of a name such as "nlopt:slsqp"; static lifetime.
 /// @throws InputError for a name that does not exist, with the nearest one and the list.
 const SolverInfo& find_solver(const std::string& name);
 

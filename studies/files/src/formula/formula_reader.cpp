@@ -244,9 +244,9 @@ class Reader {
     const std::string_view reference = text_.substr(begin, end - begin);
     at_ = end;
     skip_blanks();
-    const bool alone = ended() && trimmed(text_) == reference;
+    const bool whole_text = ended() && trimmed(text_) == reference;
     try {
-      return builder_.name(names_.read(reference, alone));
+      return builder_.name(names_.read(reference, whole_text));
     } catch (const ValueError& error) {
       throw ValueError(error.found(), error.expected(), begin + error.position());
     }

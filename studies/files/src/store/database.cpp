@@ -16,7 +16,7 @@ constexpr int kApplication = 0x7477756d;  // "twum", in the head of the file
 constexpr int kVersion = 2;
 constexpr int kFirstPlace = 3;  // place of a row's first value in an INSERT
 
-std::string heading(const Column& column) { return column.name + " [" + column.unit + "]"; }
+std::string heading(const StoredColumn& column) { return column.name + " [" + column.unit + "]"; }
 
 bool same_name(std::string_view a, std::string_view b) {  // to SQL, capitals make no difference
   const auto lower = [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c + 32) : c; };
@@ -25,9 +25,9 @@ bool same_name(std::string_view a, std::string_view b) {  // to SQL, capitals ma
 }
 
 // Headings as names of columns, which SQL wants to differ: "a [m]" after "A [m]" becomes "a [m] 2".
-std::vector<std::string> table_names(const std::vector<Column>& columns) {
+std::vector<std::string> table_names(const std::vector<StoredColumn>& columns) {
   std::vector<std::string> names;
-  for (const Column& column : columns) {
+  for (const StoredColumn& column : columns) {
     std::string name = heading(column);
     for (int n = 2; std::any_of(names.begin(), names.end(),
                                 [&](const std::string& other) { return same_name(name, other); });
@@ -39,15 +39,16 @@ std::vector<std::string> table_names(const std::vector<Column>& columns) {
   return names;
 }
 
-bool same(const std::vector<Column>& a, const std::vector<Column>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Column& x, const Column& y) {
-    return x.name == y.name && x.unit == y.unit;
-  });
+bool same(const std::vector<StoredColumn>& a, const std::vector<StoredColumn>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const StoredColumn& x, const StoredColumn& y) {
+                      return x.name == y.name && x.unit == y.unit;
+                    });
 }
 
 }  // namespace
 
-ResultStore::Database::Database(const std::string& path, const std::vector<Column>& columns)
+ResultStore::Database::Database(const std::string& path, const std::vector<StoredColumn>& columns)
     : connection_(path, true) {
   open(columns);
   if (!same(columns_, columns))
@@ -56,7 +57,7 @@ ResultStore::Database::Database(const std::string& path, const std::vector<Colum
 
 ResultStore::Database::Database(const std::string& path) : connection_(path, false) { open({}); }
 
-void ResultStore::Database::open(const std::vector<Column>& columns_of_new) {
+void ResultStore::Database::open(const std::vector<StoredColumn>& columns_of_new) {
   connection_.execute("PRAGMA busy_timeout = 5000");
   if (is_blank()) make_tables(columns_of_new);
   check_tables();
@@ -87,7 +88,7 @@ bool ResultStore::Database::is_blank() {
   return connection_.number_of("SELECT count(*) FROM sqlite_master") == 0;
 }
 
-void ResultStore::Database::make_tables(const std::vector<Column>& columns) {
+void ResultStore::Database::make_tables(const std::vector<StoredColumn>& columns) {
   std::string sql =
       "BEGIN IMMEDIATE; PRAGMA application_id = " + std::to_string(kApplication) +
       "; PRAGMA user_version = " + std::to_string(kVersion) +
@@ -127,8 +128,8 @@ void ResultStore::Database::check_tables() {
   if (found != "ok") fail_damaged(connection_.path(), found);
 }
 
-std::vector<Column> ResultStore::Database::stored_columns() {
-  std::vector<Column> columns;
+std::vector<StoredColumn> ResultStore::Database::stored_columns() {
+  std::vector<StoredColumn> columns;
   sqlite::Statement select(connection_, "SELECT name, unit FROM columns ORDER BY place");
   while (select.step())
     columns.push_back({std::string(select.text(0)), std::string(select.text(1))});
@@ -168,7 +169,7 @@ void ResultStore::Database::write(Write change) {
   }
 }
 
-void ResultStore::Database::insert(const Row& row) {
+void ResultStore::Database::insert(const StoredRow& row) {
   const std::uint64_t sum = checksum_of(row, columns_.size());
   insert_->bind(1, static_cast<std::int64_t>(row.stage));
   insert_->bind(2, static_cast<std::int64_t>(row.index));
@@ -214,7 +215,7 @@ void ResultStore::Database::commit_batch() {
   connection_.execute("COMMIT");
 }
 
-void ResultStore::Database::add(const Row& row) {
+void ResultStore::Database::add(const StoredRow& row) {
   TWUM_ASSERT(row.values.size() <= columns_.size());
   write([&] {
     if (batch_++ == 0) begin_batch();
@@ -265,12 +266,12 @@ std::optional<std::uint64_t> ResultStore::Database::stage_from(std::uint64_t sta
   return static_cast<std::uint64_t>(select.integer(0));
 }
 
-std::vector<Row> ResultStore::Database::page(std::uint64_t stage, std::uint64_t from) {
+std::vector<StoredRow> ResultStore::Database::page(std::uint64_t stage, std::uint64_t from) {
   const std::lock_guard lock(mutex_);
   sqlite::Statement select(connection_, select_page_);
   select.bind(1, static_cast<std::int64_t>(stage));
   select.bind(2, static_cast<std::int64_t>(from));
-  std::vector<Row> rows;
+  std::vector<StoredRow> rows;
   while (select.step()) rows.push_back(read_row(connection_, select, columns_.size()));
   return rows;
 }

@@ -24,42 +24,42 @@ namespace twum::studies {
 /// time. Every member function takes the lock.
 class ResultStore::Database {
  public:
-  Database(const std::string& path, const std::vector<Column>& columns);
+  Database(const std::string& path, const std::vector<StoredColumn>& columns);
   /// An existing database, with the columns it has.
   explicit Database(const std::string& path);
   ~Database();
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
 
-  const std::vector<Column>& columns() const noexcept { return columns_; }
-  void add(const Row& row);
+  const std::vector<StoredColumn>& columns() const noexcept { return columns_; }
+  void add(const StoredRow& row);
   void flush();
   std::uint64_t next_index(std::uint64_t stage);
   std::uint64_t rows();
   /// The first stage from this one on that has rows.
   std::optional<std::uint64_t> stage_from(std::uint64_t stage);
   /// Some rows of a stage from an index on; none if there are none.
-  std::vector<Row> page(std::uint64_t stage, std::uint64_t from);
+  std::vector<StoredRow> page(std::uint64_t stage, std::uint64_t from);
   std::string fact(const std::string& name);
   void set_fact(const std::string& name, const std::string& value);
 
  private:
-  void open(const std::vector<Column>& columns_of_new);
+  void open(const std::vector<StoredColumn>& columns_of_new);
   bool is_blank();
-  void make_tables(const std::vector<Column>& columns);
+  void make_tables(const std::vector<StoredColumn>& columns);
   void check_tables();
-  std::vector<Column> stored_columns();
+  std::vector<StoredColumn> stored_columns();
   void read_content();
   void prepare();
   template <typename Write>
   void write(Write change);
-  void insert(const Row& row);
+  void insert(const StoredRow& row);
   void begin_batch();
   void commit_batch();
   void commit_in_time(const std::stop_token& stop);
 
   sqlite::Connection connection_;
-  std::vector<Column> columns_;
+  std::vector<StoredColumn> columns_;
   Facts facts_;
   std::optional<sqlite::Statement> insert_;
   std::string select_page_;

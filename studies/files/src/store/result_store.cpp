@@ -5,16 +5,18 @@
 
 namespace twum::studies {
 
-ResultStore::ResultStore(const std::string& path, const std::vector<Column>& columns)
+ResultStore::ResultStore(const std::string& path, const std::vector<StoredColumn>& columns)
     : database_(std::make_unique<Database>(path, columns)) {}
 
 ResultStore::ResultStore(const std::string& path) : database_(std::make_unique<Database>(path)) {}
 
 ResultStore::~ResultStore() = default;
 
-const std::vector<Column>& ResultStore::columns() const noexcept { return database_->columns(); }
+const std::vector<StoredColumn>& ResultStore::columns() const noexcept {
+  return database_->columns();
+}
 
-void ResultStore::add(const Row& row) { database_->add(row); }
+void ResultStore::add(const StoredRow& row) { database_->add(row); }
 
 void ResultStore::flush() { database_->flush(); }
 
@@ -31,14 +33,15 @@ std::vector<std::uint64_t> ResultStore::stages() const {
   return stages;
 }
 
-void ResultStore::read(const std::function<void(const Row&)>& visit) const {
+void ResultStore::read(const std::function<void(const StoredRow&)>& visit) const {
   for (const std::uint64_t stage : stages()) read(stage, visit);
 }
 
-void ResultStore::read(std::uint64_t stage, const std::function<void(const Row&)>& visit) const {
-  for (std::vector<Row> page = database_->page(stage, 0); !page.empty();
+void ResultStore::read(std::uint64_t stage,
+                       const std::function<void(const StoredRow&)>& visit) const {
+  for (std::vector<StoredRow> page = database_->page(stage, 0); !page.empty();
        page = database_->page(stage, page.back().index + 1)) {
-    for (const Row& row : page) visit(row);
+    for (const StoredRow& row : page) visit(row);
   }
 }
 

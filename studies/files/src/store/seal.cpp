@@ -24,7 +24,7 @@ std::string bytes_of(double value) {
   return bytes;
 }
 
-std::string name_of(const Row& row) {
+std::string name_of(const StoredRow& row) {
   return "row " + std::to_string(row.index) + " of stage " + std::to_string(row.stage);
 }
 
@@ -46,7 +46,7 @@ Seal seal_of_rows(sqlite::Connection& connection, std::size_t columns) {
   sqlite::Statement select(connection, "SELECT * FROM evaluations ORDER BY stage, \"index\"");
   std::optional<std::pair<std::uint64_t, std::uint64_t>> last;
   while (select.step()) {
-    const Row row = read_row(connection, select, columns);
+    const StoredRow row = read_row(connection, select, columns);
     const std::pair key(row.stage, row.index);
     if (last && key <= *last) fail_damaged(connection.path(), name_of(row) + " is out of order");
     last = key;
@@ -63,7 +63,7 @@ void fail_damaged(const std::string& path, const std::string& what) {
                    "; restore it from a copy, or run the study again with --fresh");
 }
 
-std::uint64_t checksum_of(const Row& row, std::size_t columns) {
+std::uint64_t checksum_of(const StoredRow& row, std::size_t columns) {
   std::uint64_t sum = checksum(bytes_of(static_cast<double>(row.stage)));
   sum = checksum(bytes_of(static_cast<double>(row.index)), sum);
   for (std::size_t i = 0; i < columns; ++i) {
@@ -80,17 +80,17 @@ std::uint64_t checksum_of_fact(std::string_view name, std::string_view value) {
   return checksum(value, checksum(kEnd, checksum(name)));
 }
 
-std::uint64_t checksum_of(const std::vector<Column>& columns) {
+std::uint64_t checksum_of(const std::vector<StoredColumn>& columns) {
   std::uint64_t sum = checksum("columns");
-  for (const Column& column : columns)
+  for (const StoredColumn& column : columns)
     sum = checksum(kEnd, checksum(column.unit, checksum(kEnd, checksum(column.name, sum))));
   return sum;
 }
 
-Row read_row(const sqlite::Connection& connection, const sqlite::Statement& select,
-             std::size_t columns) {
+StoredRow read_row(const sqlite::Connection& connection, const sqlite::Statement& select,
+                   std::size_t columns) {
   const int after_values = kFirstValue + static_cast<int>(columns);
-  Row row;
+  StoredRow row;
   row.stage = static_cast<std::uint64_t>(select.integer(0));
   row.index = static_cast<std::uint64_t>(select.integer(1));
   row.values.reserve(columns);
@@ -109,7 +109,7 @@ Facts read_facts(sqlite::Connection& connection) {
   return facts;
 }
 
-Seal checked_seal(sqlite::Connection& connection, const std::vector<Column>& columns,
+Seal checked_seal(sqlite::Connection& connection, const std::vector<StoredColumn>& columns,
                   const Facts& facts) {
   const Seal stored = stored_seal(connection);
   Seal found = seal_of_rows(connection, columns.size());

@@ -28,14 +28,14 @@ struct Seal {
 using Facts = std::map<std::string, std::string>;
 
 /// Checksum of what a row says, for a table of so many columns.
-std::uint64_t checksum_of(const Row& row, std::size_t columns);
+std::uint64_t checksum_of(const StoredRow& row, std::size_t columns);
 std::uint64_t checksum_of_fact(std::string_view name, std::string_view value);
-std::uint64_t checksum_of(const std::vector<Column>& columns);
+std::uint64_t checksum_of(const std::vector<StoredColumn>& columns);
 
 /// The row where a SELECT * FROM evaluations stands.
 /// @throws StoreError if it is not what was written
-Row read_row(const sqlite::Connection& connection, const sqlite::Statement& select,
-             std::size_t columns);
+StoredRow read_row(const sqlite::Connection& connection, const sqlite::Statement& select,
+                   std::size_t columns);
 
 /// The facts of a database.
 Facts read_facts(sqlite::Connection& connection);
@@ -43,7 +43,7 @@ Facts read_facts(sqlite::Connection& connection);
 /// Reads the whole database. Costs about 1.2 us a row of eight columns.
 /// @return its seal
 /// @throws StoreError if its rows, facts and columns are not those of the seal
-Seal checked_seal(sqlite::Connection& connection, const std::vector<Column>& columns,
+Seal checked_seal(sqlite::Connection& connection, const std::vector<StoredColumn>& columns,
                   const Facts& facts);
 
 /// @throws StoreError that a file is damaged, and how to go on

@@ -83,13 +83,13 @@ void refuse_symbol(const ParameterInfo& row, std::string_view name) {
                        "'; a unit is written without blanks, such as '5 kW/m^2'");
 }
 
-Term parse_term(std::string_view text, bool alone) {
+Term parse_term(std::string_view text, bool whole_text) {
   const std::size_t open = text.find('(');
   const std::string_view name = trimmed(text.substr(0, open));
   if (const auto metric = find_metric(name)) return parse_request(info(*metric), text, open);
   const auto parameter = find_parameter(name);
   if (!parameter) unknown_name(name, 0);
-  if (!alone) refuse_symbol(info(*parameter), name);
+  if (!whole_text) refuse_symbol(info(*parameter), name);
   if (open != std::string_view::npos) {
     throw ValueError(quoted(name) + " is a parameter and takes nothing in parentheses",
                      "write it without them", open);
@@ -226,8 +226,8 @@ MetricExpression expression_of(Parameter parameter) { return parse_metric(info(p
 MetricExpression parse_side(std::string_view text) {
   MetricExpression expression;
   const FormulaNames names{
-      [&](std::string_view reference, bool alone) -> FormulaName {
-        const Term term = parse_term(reference, alone);
+      [&](std::string_view reference, bool whole_text) -> FormulaName {
+        const Term term = parse_term(reference, whole_text);
         return {long_text(term, reference), dimension_of(term), place_in(expression.terms, term)};
       },
       "expected a metric such as 'stall_torque' or 'torque_at(100 rpm)'"};

@@ -103,7 +103,7 @@ StatisticRequest parse_statistic(std::string_view text) {
     if (*kind == Kind::quantile)
       request = quantile_of(inside, begin);
     else if (*kind == Kind::probability)
-      request.limit = read_at(inside, begin, parse_constraint);
+      request.limit = read_at(inside, begin, parse_limit);
     else
       request.metric = read_at(inside, begin, parse_metric);
   }

@@ -25,18 +25,18 @@ const Shape<EquivalentCircuit>& circuit_shape() {
   static const Shape<C> shape = mapping<C>(
       "circuit of a phase of the free stator, as an impedance analyser gives it; instead of the "
       "modal data",
-      {needed<C>("motional_resistance", positive("R_m of the series branch", "ohm", "132 ohm"),
-                 &C::motional_resistance),
-       needed<C>("motional_inductance", positive("L_m of the series branch", "H", "82.6 mH"),
-                 &C::motional_inductance),
-       needed<C>("motional_capacitance", positive("C_m of the series branch", "F", "0.2015 nF"),
-                 &C::motional_capacitance),
-       needed<C>("blocked_capacitance", positive("C_0 in parallel with it", "F", "8.5 nF"),
-                 &C::blocked_capacitance),
-       needed<C>("force_factor",
-                 positive("modal force of a phase per volt; the impedance does not say it", "N/V",
-                          "0.55 N/V"),
-                 &C::force_factor)});
+      {required<C>("motional_resistance", positive("R_m of the series branch", "ohm", "132 ohm"),
+                   &C::motional_resistance),
+       required<C>("motional_inductance", positive("L_m of the series branch", "H", "82.6 mH"),
+                   &C::motional_inductance),
+       required<C>("motional_capacitance", positive("C_m of the series branch", "F", "0.2015 nF"),
+                   &C::motional_capacitance),
+       required<C>("blocked_capacitance", positive("C_0 in parallel with it", "F", "8.5 nF"),
+                   &C::blocked_capacitance),
+       required<C>("force_factor",
+                   positive("modal force of a phase per volt; the impedance does not say it", "N/V",
+                            "0.55 N/V"),
+                   &C::force_factor)});
   return shape;
 }
 

@@ -83,8 +83,8 @@ void add_thick_layer(const MotorDesign& design, const Motor& motor, std::vector<
     notes.push_back({"thick layer", part,
                      "thickness " + engineering(thickness, "m") + " is " + about(100 * part) +
                          " % of the contact length " + engineering(length, "m") +
-                         " (twice contact_half_length); beyond a tenth the layer is not the "
-                         "foundation of the model"});
+                         " (twice contact_half_length); the elastic-foundation "
+                         "assumption holds up to about 10 %"});
 }
 
 void add_contact(const MotorDesign& design, const Motor& motor, std::vector<ModelNote>& notes) {

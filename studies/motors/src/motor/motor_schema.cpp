@@ -378,7 +378,7 @@ const Shape<std::vector<ParameterValue>>& parameter_set_shape() {
 const Shape<MotorFile>& motor_file_shape() {
   static const Shape<MotorFile> shape = mapping<MotorFile>(
       "a motor for twum", {version_field<MotorFile>(),
-                           needed<MotorFile>(
+                           required<MotorFile>(
                                "motor", motor_shape(), [](auto& file) -> auto& { return file; })});
   return shape;
 }

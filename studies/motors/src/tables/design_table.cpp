@@ -35,8 +35,8 @@ std::string joined(const std::vector<std::string>& words) {
 
 // A cell as it stands, unless it could not stand there or a spreadsheet would run it.
 void append_copy(std::string& out, std::string_view cell) {
-  std::vector<std::string_view> alone;
-  const bool well_formed = split_record(cell, alone) && alone.size() == 1;
+  std::vector<std::string_view> parts;
+  const bool well_formed = split_record(cell, parts) && parts.size() == 1;
   if (well_formed && !is_formula(cell_text(cell))) {
     out += cell;
   } else {
@@ -80,9 +80,9 @@ DesignTable::DesignTable(const CsvReader& reader, const CsvChunk& header, const 
     }
   }
   check_twins(wrong);
-  for (Column& column : columns_) column.computed = is_computed(column.heading);
+  for (TableColumn& column : columns_) column.computed = is_computed(column.heading);
   add_column_warnings();
-  const auto is_parameter = [](const Column& c) { return c.parameter.has_value(); };
+  const auto is_parameter = [](const TableColumn& c) { return c.parameter.has_value(); };
   if (wrong.empty() && std::none_of(columns_.begin(), columns_.end(), is_parameter)) {
     wrong.emplace_back(
         "no column is a parameter; name columns like 'preload [N]' ('twum parameters' lists the "
@@ -97,7 +97,7 @@ DesignTable::DesignTable(const CsvReader& reader, const CsvChunk& header, const 
   throw InputError(text);
 }
 
-DesignTable::Column DesignTable::read_column(const std::string& text) {
+DesignTable::TableColumn DesignTable::read_column(const std::string& text) {
   const Heading heading = split_heading(text);
   const auto parameter = find_parameter(heading.name);
   if (!parameter) {
@@ -133,15 +133,15 @@ void DesignTable::add_column_warnings() {
     warnings_.push_back("columns without a unit are read in SI units: " + joined(without_unit_) +
                         "; a heading such as '" + without_unit_.front() + "' says so");
   std::vector<std::string> computed;
-  for (const Column& column : columns_)
+  for (const TableColumn& column : columns_)
     if (column.computed && !column.parameter) computed.push_back(quoted(column.heading));
   if (!computed.empty())
     warnings_.push_back("columns that are computed anew are not copied: " + joined(computed));
 }
 
 void DesignTable::check_twins(std::vector<std::string>& wrong) const {
-  std::map<Parameter, const Column*> first;
-  for (const Column& column : columns_) {
+  std::map<Parameter, const TableColumn*> first;
+  for (const TableColumn& column : columns_) {
     if (!column.parameter) continue;
     if (!first.emplace(*column.parameter, &column).second) {
       wrong.push_back("column " + quoted(column.name) +
@@ -162,7 +162,7 @@ bool DesignTable::any_answer(const Scratch& scratch) const {
 
 bool DesignTable::has(Parameter parameter) const {
   return std::any_of(columns_.begin(), columns_.end(),
-                     [&](const Column& c) { return c.parameter == parameter; });
+                     [&](const TableColumn& c) { return c.parameter == parameter; });
 }
 
 std::string DesignTable::result_header() const {
@@ -180,7 +180,7 @@ std::string DesignTable::result_header() const {
 bool DesignTable::read_values(std::size_t line, Scratch& scratch) const {
   scratch.values.clear();
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    const Column& column = columns_[i];
+    const TableColumn& column = columns_[i];
     if (!column.parameter) continue;
     std::string_view cell = trimmed(scratch.cells[i]);
     if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')

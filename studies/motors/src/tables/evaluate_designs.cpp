@@ -33,10 +33,10 @@ void evaluate_block(const DesignTable& table, Block& block) {
 
 }  // namespace
 
-DesignCounts evaluate_designs(CsvReader& reader, const DesignTable& table, unsigned jobs,
-                              const std::function<void(std::string_view)>& write,
-                              const std::function<bool()>& proceed,
-                              const std::function<void(const DesignCounts&)>& progress) {
+DesignCounts evaluate_table(CsvReader& reader, const DesignTable& table, unsigned jobs,
+                            const std::function<void(std::string_view)>& write,
+                            const std::function<bool()>& proceed,
+                            const std::function<void(const DesignCounts&)>& progress) {
   DesignCounts counts;
   WorstNotes notes;
   write(table.result_header());

@@ -14,8 +14,8 @@
 #include <twum/core.hpp>
 #include <twum/optim.hpp>
 #include <twum/studies/diagnostics/diagnostics.hpp>
-#include <twum/studies/metrics/constraint.hpp>
 #include <twum/studies/metrics/expression.hpp>
+#include <twum/studies/metrics/motor_limit.hpp>
 #include <twum/studies/motor/model_notes.hpp>
 #include <twum/studies/motor/motor_file.hpp>
 #include <twum/studies/motor/settings.hpp>

@@ -33,7 +33,7 @@ struct Extent {
 
 std::vector<Extent> extents(const ResultStore& store) {
   std::vector<Extent> list(store.columns().size());
-  store.read([&](const Row& row) {
+  store.read([&](const StoredRow& row) {
     for (std::size_t i = 0; i < list.size(); ++i) list[i].add(row.values[i]);
   });
   return list;
@@ -50,7 +50,7 @@ Json densities_json(const ResultStore& store) {
       if (sides[i].low < sides[i].high && sides[j].low < sides[j].high)
         counts[i * columns + j].assign(kCells * kCells, 0);
   std::vector<std::size_t> cells(columns);
-  store.read([&](const Row& row) {
+  store.read([&](const StoredRow& row) {
     for (std::size_t i = 0; i < columns; ++i) cells[i] = sides[i].cell(row.values[i]);
     for (std::size_t i = 0; i < columns; ++i)
       for (std::size_t j = i + 1; j < columns; ++j)

@@ -41,7 +41,7 @@ Json metric_name(const MetricExpression& expression) {
           {"at", request->at}};
 }
 
-Json limit_name(const Constraint& limit) {
+Json limit_name(const MotorLimit& limit) {
   Json json{{"of", limit.metric.text}, {"unit", limit.metric.unit()}};
   json["lower"] = number_json(limit.lower);
   json["upper"] = number_json(limit.upper);
@@ -93,7 +93,7 @@ class Names {
                       {"upper", number_json(limit.upper)}};
       add(limit.statistic.text);
     } else if (is_limit(text)) {
-      const Constraint limit = parse_constraint(text);
+      const MotorLimit limit = parse_limit(text);
       names_[text] = limit_name(limit);
       add(limit.metric.text);
       for (const MetricExpression& side : limit.sides) add(side.text);

@@ -82,10 +82,10 @@ class Sample {
   }
 
   // Calls back with each row and its number in the page.
-  void read(const std::function<void(const Row&, std::uint64_t)>& visit) const {
+  void read(const std::function<void(const StoredRow&, std::uint64_t)>& visit) const {
     std::uint64_t number = 0;
     std::uint64_t i = 0;
-    store_.read([&](const Row& row) {
+    store_.read([&](const StoredRow& row) {
       if (number++ != i * every_ + (i < count() ? offset(i) : 0)) return;
       visit(row, i++);
     });
@@ -100,14 +100,14 @@ class Sample {
 }  // namespace
 
 Json rows_json(const ResultStore& store) {
-  const std::vector<Column>& columns = store.columns();
+  const std::vector<StoredColumn>& columns = store.columns();
   std::vector<std::vector<double>> values(columns.size());
   std::vector<std::uint16_t> status;
   std::map<std::string, std::uint16_t> numbers;
   std::vector<std::string> words;
   std::vector<std::uint16_t> offsets;
   const Sample sample(store);
-  sample.read([&](const Row& row, std::uint64_t number) {
+  sample.read([&](const StoredRow& row, std::uint64_t number) {
     offsets.push_back(static_cast<std::uint16_t>(sample.offset(number)));
     for (std::size_t i = 0; i < columns.size(); ++i) values[i].push_back(row.values[i]);
     const auto [found, fresh] =
@@ -140,7 +140,7 @@ Json row_curves_json(const ResultStore& store, const MotorDesign& base) {
   const Sample sample(store);
   const std::uint64_t every = thinning(sample.count(), kMostCurves);
   std::vector<SmallCurve> curves;
-  sample.read([&](const Row& stored, std::uint64_t number) {
+  sample.read([&](const StoredRow& stored, std::uint64_t number) {
     if (number % every != 0) return;
     SmallCurve curve;
     for (const auto& [column, parameter] : variables)

@@ -24,11 +24,11 @@ template <typename State>
 Standing standing_of(const State& state, bool at_least, const std::vector<Goal>& goals,
                      const std::vector<double>& gain) {
   const bool known =
-      state.multiplier > 0 && state.one_percent_buys != 0 && std::isfinite(state.one_percent_buys);
+      state.multiplier > 0 && state.gain_per_percent != 0 && std::isfinite(state.gain_per_percent);
   const double step =
-      known ? std::fabs(state.one_percent_buys / state.multiplier) : 0.01 * std::fabs(state.limit);
+      known ? std::fabs(state.gain_per_percent / state.multiplier) : 0.01 * std::fabs(state.limit);
   Standing standing;
-  standing.worth = known ? std::fabs(state.one_percent_buys) : 0;
+  standing.worth = known ? std::fabs(state.gain_per_percent) : 0;
   standing.json = {{"side", at_least ? "at least" : "at most"},
                    {"limit", number_json(state.limit)},
                    {"step", number_json(step)},

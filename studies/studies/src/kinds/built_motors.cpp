@@ -11,9 +11,9 @@ namespace {
 
 constexpr std::uint64_t kAllResponses = ~std::uint64_t{0};
 
-Row built_question(const std::vector<double>& name, std::span<const double> built,
-                   std::optional<std::size_t> only, bool gradient) {
-  Row asked;
+StoredRow built_question(const std::vector<double>& name, std::span<const double> built,
+                         std::optional<std::size_t> only, bool gradient) {
+  StoredRow asked;
   asked.stage = kBuiltStage;
   asked.values = name;
   append_bytes(asked.detail, static_cast<std::uint8_t>(gradient));
@@ -42,7 +42,7 @@ BuiltMotorRows::Problem BuiltMotorRows::problem(const std::vector<double>& name)
   return known;
 }
 
-Row BuiltMotorRows::answer(const Row& asked) const {
+StoredRow BuiltMotorRows::answer(const StoredRow& asked) const {
   RowBytes bytes(asked.detail);
   const bool gradient = bytes.take<std::uint8_t>() != 0;
   const auto only = bytes.take<std::uint64_t>();
@@ -51,7 +51,7 @@ Row BuiltMotorRows::answer(const Row& asked) const {
       problem(asked.values)
           ->built(built, only == kAllResponses ? std::nullopt : std::optional<std::size_t>(only),
                   gradient);
-  Row row;
+  StoredRow row;
   row.stage = kBuiltStage;
   if (!evaluation.ok()) row.status = evaluation.failure;
   row.detail = evaluation_bytes(evaluation, built.size(), gradient);

@@ -28,7 +28,7 @@ class BuiltMotorRows {
   explicit BuiltMotorRows(std::function<RobustQuestion(const std::vector<double>&)> question)
       : question_(std::move(question)) {}
 
-  Row answer(const Row& asked) const;
+  StoredRow answer(const StoredRow& asked) const;
 
  private:
   using Problem = std::shared_ptr<const optim::RobustProblem>;

@@ -74,8 +74,8 @@ class CalibrateRun final : public StudyKindRun {
         confidence_(asked.confidence),
         stated_(asked.scatter == Scatter::stated) {}
 
-  std::vector<Column> columns() const override {
-    std::vector<Column> columns;
+  std::vector<StoredColumn> columns() const override {
+    std::vector<StoredColumn> columns;
     for (const DesignVariable& range : fit_.parameters()) {
       const ParameterInfo& row = info(range.parameter);
       columns.push_back({std::string(row.name), std::string(row.unit)});
@@ -112,7 +112,7 @@ class CalibrateRun final : public StudyKindRun {
     return calibration({fit, tables_, confidence_, columns_}, fits, found);
   }
 
-  std::optional<Row> recompute(const Row& asked) const override {
+  std::optional<StoredRow> recompute(const StoredRow& asked) const override {
     const std::span values(asked.values.data(), variables());
     return row(asked.stage, asked.index, values, fit_.residuals(values));
   }
@@ -124,7 +124,7 @@ class CalibrateRun final : public StudyKindRun {
    public:
     StageLog(const CalibrateRun& run, RunContext& context, std::uint64_t stage, Teller& teller)
         : run_(run), context_(context), stage_(stage), teller_(teller) {
-      context.store.read(stage, [&](const Row& row) {
+      context.store.read(stage, [&](const StoredRow& row) {
         if (row.index == stored_.size()) stored_.push_back(row);
       });
     }
@@ -134,7 +134,8 @@ class CalibrateRun final : public StudyKindRun {
       const bool known = at < stored_.size();
       if (known && !run_.same_design(stored_[at], values))
         throw StoreError("the stored evaluations do not belong to this study");
-      const Row one = known ? stored_[at] : context_.executor.row(question(stage_, at, values));
+      const StoredRow one =
+          known ? stored_[at] : context_.executor.row(question(stage_, at, values));
       if (!known) context_.store.add(one);
       teller_.see(one.values.back());
       optim::Residuals residuals = run_.answer_of(one);
@@ -147,7 +148,7 @@ class CalibrateRun final : public StudyKindRun {
     RunContext& context_;
     std::uint64_t stage_;
     Teller& teller_;
-    std::vector<Row> stored_;
+    std::vector<StoredRow> stored_;
     std::uint64_t next_{0};
   };
 
@@ -246,9 +247,9 @@ class CalibrateRun final : public StudyKindRun {
     return starts;
   }
 
-  Row row(std::uint64_t stage, std::uint64_t index, std::span<const double> values,
-          const optim::Residuals& residuals) const {
-    Row row;
+  StoredRow row(std::uint64_t stage, std::uint64_t index, std::span<const double> values,
+                const optim::Residuals& residuals) const {
+    StoredRow row;
     row.stage = stage;
     row.index = index;
     row.values.assign(values.begin(), values.end());
@@ -264,11 +265,12 @@ class CalibrateRun final : public StudyKindRun {
     return row;
   }
 
-  static Row question(std::uint64_t stage, std::uint64_t index, std::span<const double> values) {
+  static StoredRow question(std::uint64_t stage, std::uint64_t index,
+                            std::span<const double> values) {
     return {stage, index, {values.begin(), values.end()}, "ok", {}};
   }
 
-  optim::Residuals answer_of(const Row& row) const {
+  optim::Residuals answer_of(const StoredRow& row) const {
     optim::Residuals residuals;
     if (row.status != "ok") {
       residuals.failure = row.status;
@@ -284,7 +286,7 @@ class CalibrateRun final : public StudyKindRun {
     return residuals;
   }
 
-  bool same_design(const Row& row, std::span<const double> values) const {
+  bool same_design(const StoredRow& row, std::span<const double> values) const {
     return std::memcmp(row.values.data(), values.data(), values.size_bytes()) == 0;
   }
 

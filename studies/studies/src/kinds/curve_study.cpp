@@ -47,8 +47,8 @@ class CurveRun : public StudyKindRun {
                   [&](const CurveColumn& one) { return one.name == info(*family_).name; });
   }
 
-  std::vector<Column> columns() const override {
-    std::vector<Column> columns;
+  std::vector<StoredColumn> columns() const override {
+    std::vector<StoredColumn> columns;
     if (family_) columns.push_back(family_column());
     for (const CurveColumn& column : columns_) columns.push_back({column.name, column.unit});
     return columns;
@@ -67,10 +67,10 @@ class CurveRun : public StudyKindRun {
     return answer(context.store, complete);
   }
 
-  std::optional<Row> recompute(const Row& asked) const override {
+  std::optional<StoredRow> recompute(const StoredRow& asked) const override {
     if (asked.stage >= members_.size()) return {};
     if (asked.index >= points_) return {};
-    Row row{asked.stage, asked.index, {}, "ok", {}};
+    StoredRow row{asked.stage, asked.index, {}, "ok", {}};
     fill(row);
     return row;
   }
@@ -84,12 +84,12 @@ class CurveRun : public StudyKindRun {
     members_.push_back({value, std::move(motor), last_speed});
   }
 
-  Column family_column() const {
+  StoredColumn family_column() const {
     const ParameterInfo& row = info(*family_);
     return {std::string(row.name), std::string(row.unit)};
   }
 
-  void fill(Row& row) const {
+  void fill(StoredRow& row) const {
     const CurveMember& member = members_[row.stage];
     const OperatingPoint point =
         member.motor.operating_point(curve_speed(member.last_speed, row.index, points_));
@@ -115,7 +115,7 @@ class CurveRun : public StudyKindRun {
     CurveResult::Member answer;
     answer.value = member.value;
     answer.last_speed = curve_speed(member.last_speed, points_ - 1, points_);
-    store.read(stage, [&](const Row& row) {
+    store.read(stage, [&](const StoredRow& row) {
       ++answer.points;
       answer.failed += row.status == "ok" ? 0 : 1;
     });

@@ -27,8 +27,8 @@ std::vector<double> values_of(const MotorDesign& design,
   return values;
 }
 
-std::vector<Constraint> all_limits(const DesignProblem& problem) {
-  std::vector<Constraint> limits = problem.limits;
+std::vector<MotorLimit> all_limits(const DesignProblem& problem) {
+  std::vector<MotorLimit> limits = problem.limits;
   for (const ImpliedLimit& implied : implied_limits(problem)) {
     const char* metric = implied.load ? "max_torque" : "static_friction";
     limits.push_back({implied.name, parse_metric(metric), implied.load.value_or(0)});
@@ -46,7 +46,7 @@ const optim::Activity* activity_of(const optim::Certificate& certificate, const 
   return found;
 }
 
-double end_of(const Constraint& limit, bool at_least) {
+double end_of(const MotorLimit& limit, bool at_least) {
   return at_least ? limit.lower : limit.upper;
 }
 
@@ -55,14 +55,15 @@ void show_sides(LimitState& state, double left, double right, bool maximize) {
   state.value = left;
   state.limit = right;
   if (state.active)
-    state.one_percent_buys = (maximize ? 1 : -1) * state.multiplier * 0.01 * std::fabs(right);
+    state.gain_per_percent = (maximize ? 1 : -1) * state.multiplier * 0.01 * std::fabs(right);
 }
 
 }  // namespace
 
-DesignReporter::DesignReporter(const DesignProblem& problem, std::vector<Parameter> besides)
+DesignReporter::DesignReporter(const DesignProblem& problem,
+                               std::vector<Parameter> extra_parameters)
     : problem_(problem),
-      besides_(std::move(besides)),
+      extra_parameters_(std::move(extra_parameters)),
       metrics_(plain_metrics(problem.motor)),
       limits_(all_limits(problem)) {
   for (const DesignChoice& choice : problem.choices)
@@ -76,7 +77,7 @@ DesignReporter::DesignReporter(const DesignProblem& problem, std::vector<Paramet
     if (!known) metrics_.push_back(metric);
   };
   for (const DesignObjective& objective : problem.objectives) add(objective.metric);
-  for (const Constraint& limit : problem.limits) add(limit.metric);
+  for (const MotorLimit& limit : problem.limits) add(limit.metric);
 }
 
 std::vector<Goal> DesignReporter::goals() const {
@@ -95,7 +96,7 @@ std::vector<NamedValue> DesignReporter::design_of(const MotorDesign& motor) cons
     values.push_back(named(motor, rule.parameter));
   for (const Parameter parameter : chosen_)
     if (in_use(motor, parameter)) values.push_back(named(motor, parameter));
-  for (const Parameter parameter : besides_) values.push_back(named(motor, parameter));
+  for (const Parameter parameter : extra_parameters_) values.push_back(named(motor, parameter));
   return values;
 }
 
@@ -110,7 +111,7 @@ std::vector<NamedValue> DesignReporter::metrics_of(const MotorDesign& motor) con
 std::vector<LimitState> DesignReporter::limits(const MotorDesign& motor,
                                                const optim::Certificate& certificate) const {
   std::vector<LimitState> states;
-  for (const Constraint& limit : limits_) {
+  for (const MotorLimit& limit : limits_) {
     std::vector<MetricExpression> asked{limit.metric};
     asked.insert(asked.end(), limit.sides.begin(), limit.sides.end());
     const std::vector<double> values = values_of(motor, asked);
@@ -122,7 +123,7 @@ std::vector<LimitState> DesignReporter::limits(const MotorDesign& motor,
     if (const optim::Activity* a = activity_of(certificate, limit.text, false)) {
       state.active = a->active;
       state.multiplier = a->multiplier;
-      state.one_percent_buys = a->one_percent_buys;
+      state.gain_per_percent = a->gain_per_percent;
       if (a->active && a->side != optim::Side::equal)
         state.at_least = a->side == optim::Side::lower;
       if (states.size() >= problem_.limits.size() && std::isfinite(a->value))
@@ -148,7 +149,7 @@ std::vector<BoundState> DesignReporter::bounds(const optim::Certificate& certifi
                       a->side == optim::Side::upper,
                       a->limit,
                       a->multiplier,
-                      a->one_percent_buys});
+                      a->gain_per_percent});
   }
   return states;
 }
@@ -182,9 +183,9 @@ std::vector<ChosenSet> DesignReporter::choice_of(std::span<const double> design)
   return choice;
 }
 
-const Constraint* DesignReporter::limit_named(const std::string& text) const {
+const MotorLimit* DesignReporter::limit_named(const std::string& text) const {
   const auto at = std::find_if(limits_.begin(), limits_.end(),
-                               [&](const Constraint& limit) { return limit.text == text; });
+                               [&](const MotorLimit& limit) { return limit.text == text; });
   return at == limits_.end() ? nullptr : &*at;
 }
 
@@ -193,12 +194,12 @@ Explanation DesignReporter::explanation(const optim::Infeasibility& infeasibilit
   told.conflict = infeasibility.conflict;
   told.choice = choice_of(infeasibility.design);
   for (const optim::Relaxation& r : infeasibility.relaxations) {
-    if (const Constraint* limit = limit_named(r.name))
+    if (const MotorLimit* limit = limit_named(r.name))
       told.limits.push_back({limit->text, limit->metric.text, limit->metric.unit(),
                              r.side == optim::Side::lower, r.limit, r.amount, r.alone});
   }
   for (const optim::Impossible& i : infeasibility.impossible) {
-    if (const Constraint* limit = limit_named(i.name))
+    if (const MotorLimit* limit = limit_named(i.name))
       told.impossible.push_back({limit->text, limit->metric.unit(), i.side == optim::Side::lower,
                                  i.limit, i.best, i.certified, i.ends, choice_of(i.design)});
   }
@@ -213,8 +214,8 @@ Explanation DesignReporter::explanation(const optim::Infeasibility& infeasibilit
   return told;
 }
 
-std::vector<std::string> DesignReporter::idle(const optim::Evaluation& evaluation,
-                                              const DesignReport& report) const {
+std::vector<std::string> DesignReporter::without_influence(const optim::Evaluation& evaluation,
+                                                           const DesignReport& report) const {
   const std::size_t n = problem_.variables.size();
   const std::size_t width = n + problem_.choices.size();  // of a row of the Jacobian
   if (evaluation.jacobian.empty()) return {};

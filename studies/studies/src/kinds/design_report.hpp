@@ -15,7 +15,7 @@ namespace twum::studies {
 class DesignReporter {
  public:
   /// @param besides  parameters that were changed before the search, reported with each design
-  DesignReporter(const DesignProblem& problem, std::vector<Parameter> besides);
+  DesignReporter(const DesignProblem& problem, std::vector<Parameter> extra_parameters);
 
   DesignReport report(std::span<const double> design, const optim::Certificate& certificate) const;
   std::vector<Goal> goals() const;
@@ -29,21 +29,21 @@ class DesignReporter {
   std::vector<BoundState> whole_ends(std::span<const double> design) const;
   Explanation explanation(const optim::Infeasibility& infeasibility) const;
   /// Variables without influence on the goals or a limit that is active, by the Jacobian.
-  std::vector<std::string> idle(const optim::Evaluation& evaluation,
-                                const DesignReport& report) const;
+  std::vector<std::string> without_influence(const optim::Evaluation& evaluation,
+                                             const DesignReport& report) const;
 
  private:
   std::vector<LimitState> limits(const MotorDesign& motor,
                                  const optim::Certificate& certificate) const;
   std::vector<BoundState> bounds(const optim::Certificate& certificate) const;
-  const Constraint* limit_named(const std::string& text) const;
+  const MotorLimit* limit_named(const std::string& text) const;
   std::vector<ChosenSet> choice_of(std::span<const double> design) const;
 
   const DesignProblem& problem_;
-  std::vector<Parameter> besides_;
+  std::vector<Parameter> extra_parameters_;
   std::vector<Parameter> chosen_;  // what the sets give, each once
   std::vector<MetricExpression> metrics_;
-  std::vector<Constraint> limits_;  // those of the question, then those that follow
+  std::vector<MotorLimit> limits_;  // those of the question, then those that follow
 };
 
 }  // namespace twum::studies

@@ -46,7 +46,7 @@ std::vector<EarlierDesign> designs_from(const json& summary) {
 std::pair<double, double> merit(const DesignProblem& problem, const EarlierDesign& design) {
   constexpr double kWorst = std::numeric_limits<double>::infinity();
   std::vector<MetricExpression> metrics{problem.objectives.front().metric};
-  for (const Constraint& limit : problem.limits) metrics.push_back(limit.metric);
+  for (const MotorLimit& limit : problem.limits) metrics.push_back(limit.metric);
   std::vector<MetricValue> values(metrics.size());
   try {
     ExpressionEvaluator(metrics).evaluate(Motor(with(problem.motor, design)), values);
@@ -55,7 +55,7 @@ std::pair<double, double> merit(const DesignProblem& problem, const EarlierDesig
   }
   double broken = 0;
   for (std::size_t i = 0; i < problem.limits.size(); ++i) {
-    const Constraint& limit = problem.limits[i];
+    const MotorLimit& limit = problem.limits[i];
     if (values[i + 1].status != MetricStatus::ok) return {kWorst, kWorst};
     const double value = values[i + 1].value;
     const double end = limit.at_least(value) ? limit.lower : limit.upper;

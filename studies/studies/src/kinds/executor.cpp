@@ -8,10 +8,10 @@ namespace twum::studies {
 ThreadExecutor::ThreadExecutor(const StudyKindRun& kind, unsigned jobs)
     : kind_(kind), jobs_(job_count(jobs)) {}
 
-std::vector<Row> ThreadExecutor::rows(const std::vector<Row>& asked,
-                                      const std::function<bool()>& proceed) {
-  std::vector<Row> made;
-  for (const Row& one : asked) {
+std::vector<StoredRow> ThreadExecutor::rows(const std::vector<StoredRow>& asked,
+                                            const std::function<bool()>& proceed) {
+  std::vector<StoredRow> made;
+  for (const StoredRow& one : asked) {
     if (!proceed()) break;
     made.push_back(kind_.recompute(one).value());
   }

@@ -22,11 +22,11 @@ class Executor {
   /// The rows asked for as StudyKindRun::recompute() has them, in order: all, or those before `proceed` said no. Waits for
   /// them; safe from any number of threads.
   /// @throws what recompute() throws, and Error if another process fails
-  virtual std::vector<Row> rows(const std::vector<Row>& asked,
-                                const std::function<bool()>& proceed) = 0;
+  virtual std::vector<StoredRow> rows(const std::vector<StoredRow>& asked,
+                                      const std::function<bool()>& proceed) = 0;
 
   /// One of them.
-  Row row(const Row& asked) {
+  StoredRow row(const StoredRow& asked) {
     return std::move(rows({asked}, [] { return true; }).front());
   }
 
@@ -42,8 +42,8 @@ class ThreadExecutor final : public Executor {
   explicit ThreadExecutor(const StudyKindRun& kind, unsigned jobs = 1);
 
   unsigned lanes() const override { return jobs_; }
-  std::vector<Row> rows(const std::vector<Row>& asked,
-                        const std::function<bool()>& proceed) override;
+  std::vector<StoredRow> rows(const std::vector<StoredRow>& asked,
+                              const std::function<bool()>& proceed) override;
 
  private:
   const StudyKindRun& kind_;

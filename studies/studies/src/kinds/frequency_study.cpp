@@ -83,8 +83,8 @@ class FrequencyRun : public StudyKindRun {
     for (const SweptMotor& each : members) add_member(asked, each);
   }
 
-  std::vector<Column> columns() const override {
-    std::vector<Column> columns;
+  std::vector<StoredColumn> columns() const override {
+    std::vector<StoredColumn> columns;
     if (result_.family) columns.push_back(*result_.family);
     columns.push_back({"direction", "1"});
     for (const FrequencyColumn& column : frequency_columns())
@@ -105,19 +105,19 @@ class FrequencyRun : public StudyKindRun {
     return {!complete ? "interrupted" : any ? "done" : "failed", result_};
   }
 
-  std::optional<Row> recompute(const Row& asked) const override {
+  std::optional<StoredRow> recompute(const StoredRow& asked) const override {
     if (asked.stage >= sweeps_.size() || asked.index >= points_) return {};
-    Row row{asked.stage, asked.index, {}, "ok", {}};
+    StoredRow row{asked.stage, asked.index, {}, "ok", {}};
     fill(row);
     return row;
   }
 
  private:
-  static std::optional<Column> family_of(const FrequencyStudy& asked) {
-    if (over_loads(asked)) return Column{"load_torque", "N.m"};
+  static std::optional<StoredColumn> family_of(const FrequencyStudy& asked) {
+    if (over_loads(asked)) return StoredColumn{"load_torque", "N.m"};
     if (!asked.family) return {};
     const ParameterInfo& row = info(asked.family->parameter);
-    return Column{std::string(row.name), std::string(row.unit)};
+    return StoredColumn{std::string(row.name), std::string(row.unit)};
   }
 
   void add_member(const FrequencyStudy& asked, const SweptMotor& each) {
@@ -139,7 +139,7 @@ class FrequencyRun : public StudyKindRun {
     result_.members.push_back(std::move(member));
   }
 
-  void fill(Row& row) const {
+  void fill(StoredRow& row) const {
     const MemberSweep& one = sweeps_[row.stage];
     const std::optional<ResponsePoint>& wave = one.sweep.points[row.index];
     row.values.clear();

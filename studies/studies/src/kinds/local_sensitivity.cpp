@@ -22,7 +22,7 @@ class LocalSensitivity : public SensitivityRun {
     const bool complete = store_rows(context, 0, 1);
     SensitivityResult result = frame("local");
     result.motor = motor_;
-    context.store.read(0, [&](const Row& row) { answer(row, result); });
+    context.store.read(0, [&](const StoredRow& row) { answer(row, result); });
     for (MetricSensitivity& metric : result.metrics) {
       if (metric.samples + metric.dropped > 0) continue;
       metric.value = metric.sd = kNoValue;
@@ -32,15 +32,15 @@ class LocalSensitivity : public SensitivityRun {
     return {std::move(word), std::move(result)};
   }
 
-  std::optional<Row> recompute(const Row& asked) const override {
+  std::optional<StoredRow> recompute(const StoredRow& asked) const override {
     if (asked.stage != 0 || asked.index != 0) return {};
-    Row row;
+    StoredRow row;
     fill(row);
     return row;
   }
 
  private:
-  void fill(Row& row) const {
+  void fill(StoredRow& row) const {
     evaluator_.evaluate(motor_, row);
     std::vector<double> numbers;
     try {
@@ -54,7 +54,7 @@ class LocalSensitivity : public SensitivityRun {
     row.detail = packed(numbers);
   }
 
-  void answer(const Row& row, SensitivityResult& result) const {
+  void answer(const StoredRow& row, SensitivityResult& result) const {
     const std::vector<double> numbers = unpacked(row.detail);
     const std::size_t stride = variables() + 1;
     for (std::size_t i = 0; i < metrics_.size(); ++i) {

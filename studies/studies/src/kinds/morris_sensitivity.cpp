@@ -26,9 +26,9 @@ class MorrisSensitivity : public SensitivityRun {
     return {std::move(word), std::move(result)};
   }
 
-  std::optional<Row> recompute(const Row& asked) const override {
+  std::optional<StoredRow> recompute(const StoredRow& asked) const override {
     if (asked.stage != 0 || asked.index >= trajectories_ * design_.trajectory_size()) return {};
-    Row row;
+    StoredRow row;
     row.index = asked.index;
     fill(asked.index, row);
     return row;
@@ -41,7 +41,7 @@ class MorrisSensitivity : public SensitivityRun {
     return unit;
   }
 
-  void fill(std::uint64_t index, Row& row) const {
+  void fill(std::uint64_t index, StoredRow& row) const {
     evaluator_.evaluate(box_.values(unit_point(index)), row);
   }
 
@@ -51,7 +51,7 @@ class MorrisSensitivity : public SensitivityRun {
     std::vector<Moments> values(metrics_.size());
     std::vector<std::vector<double>> along(metrics_.size());  // values of one trajectory
     std::vector<double> points;
-    store.read(0, [&](const Row& row) {
+    store.read(0, [&](const StoredRow& row) {
       const auto coordinates = box_.coordinates(unit_point(row.index));
       points.insert(points.end(), coordinates.begin(), coordinates.end());
       for (std::size_t i = 0; i < metrics_.size(); ++i)

@@ -33,7 +33,7 @@ OptimumRun::OptimumRun(const StudyFile& file, DesignProblem asked, BuiltMotorsAs
     begin_with_slices(std::min(kFewSlices, slices()));
 }
 
-std::optional<Row> OptimumRun::recompute(const Row& asked) const {
+std::optional<StoredRow> OptimumRun::recompute(const StoredRow& asked) const {
   return asked.stage == kBuiltStage ? motors_.answer(asked) : SearchRun::recompute(asked);
 }
 
@@ -55,7 +55,7 @@ OptimizeResult OptimumRun::answer(const optim::Result& found) const {
   if (result.found) {
     result.best = reports.report(found.design, found.certificate);
     result.whole_ends = reports.whole_ends(found.design);
-    result.idle = reports.idle(found.evaluation, result.best);
+    result.without_influence = reports.without_influence(found.evaluation, result.best);
   }
   if (found.outcome == optim::Outcome::infeasible)
     result.explanation = reports.explanation(found.infeasibility);

@@ -18,7 +18,7 @@ struct BuiltMotorsAsked {
 class OptimumRun : public SearchRun {
  public:
   KindAnswer run(RunContext& context) override;
-  std::optional<Row> recompute(const Row& asked) const override;
+  std::optional<StoredRow> recompute(const StoredRow& asked) const override;
   /// Under tolerances the certificate is one of the last round, which follows from the rows before it.
   std::optional<optim::Certificate> certify(std::span<const double> variables,
                                             std::span<const ParameterValue> design) const override;

@@ -46,7 +46,7 @@ class ParetoRun : public SearchRun {
         statistics_(asked.statistics),
         motors_([this](const std::vector<double>&) { return question(); }) {}
 
-  std::optional<Row> recompute(const Row& asked) const override {
+  std::optional<StoredRow> recompute(const StoredRow& asked) const override {
     return asked.stage == kBuiltStage ? motors_.answer(asked) : SearchRun::recompute(asked);
   }
 

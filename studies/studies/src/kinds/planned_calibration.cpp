@@ -27,8 +27,8 @@ class PlanRun final : public StudyKindRun {
   PlanRun(const CalibrateStudy& asked, const MotorDesign& motor)
       : readings_(motor, asked.variables, readings_of(motor), asked.derived), seed_(asked.seed) {}
 
-  std::vector<Column> columns() const override {
-    std::vector<Column> columns;
+  std::vector<StoredColumn> columns() const override {
+    std::vector<StoredColumn> columns;
     for (const DesignVariable& range : readings_.parameters()) {
       const ParameterInfo& row = info(range.parameter);
       columns.push_back({std::string(row.name), std::string(row.unit)});

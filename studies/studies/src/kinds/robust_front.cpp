@@ -13,7 +13,7 @@
 namespace twum::studies {
 namespace {
 
-// The values of the goals: metrics of the design, statistics by fresh motors.
+// The values of the goals: metrics of the design, statistics by new random motors.
 std::vector<double> front_goals(const optim::RobustFrontPoint& point,
                                 const std::vector<Goal>& goals,
                                 const std::vector<NamedValue>& statistics) {

@@ -18,7 +18,7 @@ struct RobustFrontBeginning {
   std::uint64_t points{0};      ///< of the front, at most
 };
 
-/// Searches the front; each of its points says its yield by fresh motors.
+/// Searches the front; each of its points says its yield by new random motors.
 KindAnswer robust_front(const RobustFrontBeginning& beginning, RunContext& context);
 
 }  // namespace twum::studies

@@ -20,7 +20,7 @@ RobustLog::RobustLog(const DesignProblem& problem, std::vector<double> chosen, s
       rows_(problem),
       motors_(problem),
       done_(context.store.rows()) {
-  context.store.read([&](const Row& row) {
+  context.store.read([&](const StoredRow& row) {
     if (row.stage < kRobustStages) return;
     RowBytes bytes(row.detail);
     const bool gradient = bytes.take<std::uint8_t>() != 0;
@@ -65,8 +65,8 @@ void RobustLog::observe(std::uint64_t round, const optim::Observation& observati
   const auto x = observation.design.first(variables_);
   std::vector<double> design(x.begin(), x.end());
   design.insert(design.end(), chosen_.begin(), chosen_.end());
-  Row row = rows_.row(observation.stage, observation.index, design, false,
-                      motors_.evaluate(design, false));
+  StoredRow row = rows_.row(observation.stage, observation.index, design, false,
+                            motors_.evaluate(design, false));
   row.status = observation.evaluation.ok() ? "ok" : observation.evaluation.failure;
   row.detail.clear();
   append_bytes(row.detail, static_cast<std::uint8_t>(observation.gradient));

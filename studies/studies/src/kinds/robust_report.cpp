@@ -134,7 +134,7 @@ std::vector<RobustDensity> densities_of(const RobustQuestion& question,
   for (std::size_t r = 0; r < posed.limits.size(); ++r) {
     const optim::RandomLimit& limit = posed.limits[r];
     const auto asked = std::find_if(question.design.limits.begin(), question.design.limits.end(),
-                                    [&](const Constraint& c) { return c.text == limit.name; });
+                                    [&](const MotorLimit& c) { return c.text == limit.name; });
     if (asked == question.design.limits.end()) continue;
     const auto [low, high] = window_of(found.values[r], limit);
     if (!(high > low)) continue;
@@ -223,7 +223,7 @@ optim::Certificate design_certificate(optim::Certificate certificate,
       activity.side = end->side;
       activity.limit = end->value;
       activity.value = kNoValue;
-      activity.one_percent_buys = 0.01 * activity.multiplier * std::fabs(end->value);
+      activity.gain_per_percent = 0.01 * activity.multiplier * std::fabs(end->value);
     }
   return certificate;
 }
@@ -233,8 +233,8 @@ optim::Certificate goal_certificate(const optim::RobustResult& found, bool maxim
   optim::Certificate certificate = design_certificate(found.last.certificate, posed);
   for (optim::Activity& activity : certificate.limits) {
     activity.multiplier *= found.goal_per_objective;
-    activity.one_percent_buys =
-        (maximize ? 1 : -1) * std::fabs(found.goal_per_objective * activity.one_percent_buys);
+    activity.gain_per_percent =
+        (maximize ? 1 : -1) * std::fabs(found.goal_per_objective * activity.gain_per_percent);
   }
   return certificate;
 }

@@ -24,7 +24,7 @@ RobustReport robust_report(const RobustQuestion& question, const optim::RobustPr
 std::vector<RobustYield> yields_of(const optim::RobustProblem& posed,
                                    const optim::Verification& seen);
 
-/// The goals that are statistics, by fresh motors.
+/// The goals that are statistics, by new random motors.
 std::vector<NamedValue> wanted_statistics(const RobustQuestion& question,
                                           const optim::RobustProblem& posed,
                                           const optim::Verification& seen);

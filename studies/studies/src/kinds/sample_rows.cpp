@@ -13,8 +13,8 @@
 namespace twum::studies {
 namespace {
 
-Row row_of(std::uint64_t stage, std::uint64_t index) {
-  Row row;
+StoredRow row_of(std::uint64_t stage, std::uint64_t index) {
+  StoredRow row;
   row.stage = stage;
   row.index = index;
   return row;
@@ -33,12 +33,12 @@ bool store_rows(RunContext& context, std::uint64_t stage, std::uint64_t count, s
                 std::uint64_t total) {
   const auto proceed = [&] { return !context.stop.stop_requested(); };
   const auto make = [&](std::uint64_t first, std::uint64_t end) {
-    std::vector<Row> asked;
+    std::vector<StoredRow> asked;
     for (std::uint64_t index = first; index < end; ++index) asked.push_back(row_of(stage, index));
     return context.executor.rows(asked, proceed);
   };
-  const auto store = [&](std::uint64_t first, const std::vector<Row>& rows) {
-    for (const Row& row : rows) context.store.add(row);
+  const auto store = [&](std::uint64_t first, const std::vector<StoredRow>& rows) {
+    for (const StoredRow& row : rows) context.store.add(row);
     if (context.progress)
       context.progress({.done = offset + first + rows.size(), .total = total > 0 ? total : count});
   };
@@ -50,8 +50,8 @@ bool store_rows(RunContext& context, std::uint64_t stage, std::uint64_t count, s
 RowEvaluator::RowEvaluator(VariedParameters varied, std::vector<MetricExpression> metrics)
     : varied_(std::move(varied)), metrics_(std::move(metrics)), evaluator_(metrics_) {}
 
-std::vector<Column> RowEvaluator::columns() const {
-  std::vector<Column> columns;
+std::vector<StoredColumn> RowEvaluator::columns() const {
+  std::vector<StoredColumn> columns;
   for (const Parameter parameter : varied_.varied()) {
     columns.push_back({std::string(info(parameter).name), std::string(info(parameter).unit)});
   }
@@ -61,7 +61,7 @@ std::vector<Column> RowEvaluator::columns() const {
   return columns;
 }
 
-void RowEvaluator::evaluate(std::span<const double> variables, Row& row) const {
+void RowEvaluator::evaluate(std::span<const double> variables, StoredRow& row) const {
   row.values.assign(variables.begin(), variables.end());
   const auto outcome = ask_design([&] { return varied_.motor(variables); },
                                   [&](const Motor& motor) { return evaluator_.evaluate(motor); });

@@ -26,9 +26,9 @@ class RowEvaluator {
  public:
   RowEvaluator(VariedParameters varied, std::vector<MetricExpression> metrics);
   /// Columns of the rows.
-  std::vector<Column> columns() const;
+  std::vector<StoredColumn> columns() const;
   /// Sets row.values and row.status.
-  void evaluate(std::span<const double> variables, Row& row) const;
+  void evaluate(std::span<const double> variables, StoredRow& row) const;
 
  private:
   VariedParameters varied_;

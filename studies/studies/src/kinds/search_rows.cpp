@@ -42,7 +42,7 @@ std::string evaluation_bytes(const optim::Evaluation& evaluation, std::size_t va
   return bytes;
 }
 
-optim::Evaluation evaluation_of(const Row& row) {
+optim::Evaluation evaluation_of(const StoredRow& row) {
   optim::Evaluation evaluation;
   if (row.status != "ok") {
     evaluation.failure = row.status;
@@ -86,11 +86,11 @@ SearchRows::SearchRows(const DesignProblem& problem)
   const std::vector<ImpliedLimit> implied = implied_limits(problem);
   std::vector<MetricExpression> asked;
   for (const DesignObjective& objective : problem.objectives) asked.push_back(objective.metric);
-  for (const Constraint& limit : problem.limits) asked.push_back(limit.metric);
+  for (const MotorLimit& limit : problem.limits) asked.push_back(limit.metric);
   for (std::size_t i = 0; i < asked.size(); ++i) {
     const MetricExpression& metric = asked[i];
     const bool known = std::any_of(columns_.begin(), columns_.end(),
-                                   [&](const Column& c) { return c.name == metric.text; });
+                                   [&](const StoredColumn& c) { return c.name == metric.text; });
     if (known) continue;
     columns_.push_back({metric.text, std::string(metric.unit())});
     metrics_.push_back({i, {}});
@@ -102,9 +102,9 @@ SearchRows::SearchRows(const DesignProblem& problem)
   }
 }
 
-Row SearchRows::row(std::uint64_t stage, std::uint64_t index, std::span<const double> design,
-                    bool gradient, const optim::Evaluation& evaluation) const {
-  Row row;
+StoredRow SearchRows::row(std::uint64_t stage, std::uint64_t index, std::span<const double> design,
+                          bool gradient, const optim::Evaluation& evaluation) const {
+  StoredRow row;
   row.stage = stage;
   row.index = index;
   row.values.assign(design.begin(), design.end());
@@ -122,15 +122,15 @@ Row SearchRows::row(std::uint64_t stage, std::uint64_t index, std::span<const do
   return row;
 }
 
-Row SearchRows::question(std::span<const double> design, bool gradient, int more_slices) {
-  Row row;
+StoredRow SearchRows::question(std::span<const double> design, bool gradient, int more_slices) {
+  StoredRow row;
   if (more_slices > 0) row.stage = first_stage_of_slices(more_slices);
   row.values.assign(design.begin(), design.end());
   append_bytes(row.detail, static_cast<std::uint8_t>(gradient));
   return row;
 }
 
-void SearchRows::append_derived(std::span<const double> design, Row& row) const {
+void SearchRows::append_derived(std::span<const double> design, StoredRow& row) const {
   if (problem_.derived.empty()) return;
   std::optional<MotorDesign> motor;
   try {
@@ -142,7 +142,7 @@ void SearchRows::append_derived(std::span<const double> design, Row& row) const 
     row.values.push_back(motor ? get(*motor, rule.parameter) : kNoValue);
 }
 
-bool SearchRows::asked_gradient(const Row& row) const {
+bool SearchRows::asked_gradient(const StoredRow& row) const {
   return RowBytes(row.detail).take<std::uint8_t>() != 0;
 }
 
@@ -160,7 +160,7 @@ SearchLog::SearchLog(const DesignProblem& problem, RunContext& context, int more
       answering_(motor_problem(problem)),
       best_(kNoValue) {
   const std::size_t variables = answering_.variables.size();
-  context.store.read([&](const Row& row) {
+  context.store.read([&](const StoredRow& row) {
     if (row.stage >= kRobustStages || slices_of_stage(row.stage) != more_slices) return;
     const std::span design(row.values.data(), variables);
     stored_.emplace(SearchRows::key(design, rows_.asked_gradient(row)), evaluation_of(row));

@@ -37,7 +37,7 @@ constexpr int slices_of_stage(std::uint64_t stage) {
 std::string evaluation_bytes(const optim::Evaluation& evaluation, std::size_t variables,
                              bool gradient);
 /// The evaluation that a row holds.
-optim::Evaluation evaluation_of(const Row& row);
+optim::Evaluation evaluation_of(const StoredRow& row);
 
 /// How the evaluations of a search stand in the store: one row each, its variables, the numbers of its sets, then every
 /// distinct metric of the question. A metric at a load that the motor cannot carry has no value there,
@@ -46,19 +46,19 @@ class SearchRows {
  public:
   explicit SearchRows(const DesignProblem& problem);
 
-  const std::vector<Column>& columns() const noexcept { return columns_; }
-  Row row(std::uint64_t stage, std::uint64_t index, std::span<const double> design, bool gradient,
-          const optim::Evaluation& evaluation) const;
+  const std::vector<StoredColumn>& columns() const noexcept { return columns_; }
+  StoredRow row(std::uint64_t stage, std::uint64_t index, std::span<const double> design,
+                bool gradient, const optim::Evaluation& evaluation) const;
   /// The row that asks for an evaluation: StudyKindRun::recompute() answers it.
-  static Row question(std::span<const double> design, bool gradient, int more_slices = 0);
+  static StoredRow question(std::span<const double> design, bool gradient, int more_slices = 0);
   /// Whether a row answered, or asks for, derivatives as well: see key().
-  bool asked_gradient(const Row& row) const;
+  bool asked_gradient(const StoredRow& row) const;
 
   /// Names a question to the evaluator: the bits of the design, and whether derivatives were wanted.
   static std::string key(std::span<const double> design, bool gradient);
 
  private:
-  void append_derived(std::span<const double> design, Row& row) const;
+  void append_derived(std::span<const double> design, StoredRow& row) const;
 
   struct MetricColumn {
     /// A load that the metric is asked at.
@@ -79,7 +79,7 @@ class SearchRows {
   std::size_t variables_;  // choices among them
   DesignProblem problem_;
   std::vector<Combination> combinations_;  // for derived parameters
-  std::vector<Column> columns_;
+  std::vector<StoredColumn> columns_;
   std::vector<MetricColumn> metrics_;
 };
 

@@ -51,7 +51,7 @@ SearchRun::SearchRun(const StudyFile& file, DesignProblem asked, optim::SolveOpt
   counts_slices_ = leaves_slices();
   first_slices_ = slices();
   if (!counts_slices_) return;
-  besides_.push_back(Parameter::radial_slices);  // said with each design
+  extra_parameters_.push_back(Parameter::radial_slices);  // said with each design
   begin_with_slices(Motor(problem_.motor).radial_slices());
 }
 
@@ -98,7 +98,7 @@ void SearchRun::start_from(const std::string& folder) {
     if (is_chosen(parameter)) continue;
     if (parameter == Parameter::radial_slices && leaves_slices()) continue;
     if (variable == problem_.variables.end())
-      besides_.push_back(parameter);
+      extra_parameters_.push_back(parameter);
     else if (std::isnan(variable->start))
       variable->start = value;
   }
@@ -159,7 +159,7 @@ std::vector<std::string> SearchRun::notes() const {
 
 // A search goes where the layer is thick if nothing keeps it from there.
 std::vector<std::string> SearchRun::notes_before() const {
-  const auto kept = [](const Constraint& limit) { return asks_layer_aspect(limit.metric); };
+  const auto kept = [](const MotorLimit& limit) { return asks_layer_aspect(limit.metric); };
   if (std::any_of(problem_.limits.begin(), problem_.limits.end(), kept)) return {};
   std::string note = thick_layer_note(problem_.motor);
   if (note.empty()) return {};
@@ -182,12 +182,13 @@ const SearchRun::Answers& SearchRun::answers(std::uint64_t stage) const {
   return answers_.emplace(more, Answers{SearchRows(asked), MotorResponses(asked)}).first->second;
 }
 
-std::optional<Row> SearchRun::recompute(const Row& asked) const {
+std::optional<StoredRow> SearchRun::recompute(const StoredRow& asked) const {
   const auto& [rows, motors] = answers(asked.stage);
   const std::span design(asked.values.data(), variables());
   if (asked.stage >=
       kRobustStages) {  // whether a round has a value there follows from the rows before it
-    Row row = rows.row(asked.stage, asked.index, design, false, motors.evaluate(design, false));
+    StoredRow row =
+        rows.row(asked.stage, asked.index, design, false, motors.evaluate(design, false));
     row.status = asked.status;
     return row;
   }

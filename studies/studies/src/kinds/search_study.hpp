@@ -17,7 +17,7 @@ namespace twum::studies {
 /// What optimize, size and pareto share: a question about a motor, a solver, a start.
 class SearchRun : public StudyKindRun {
  public:
-  std::vector<Column> columns() const override { return SearchRows(problem_).columns(); }
+  std::vector<StoredColumn> columns() const override { return SearchRows(problem_).columns(); }
   std::size_t variables() const override {
     return problem_.variables.size() + problem_.choices.size();
   }
@@ -25,7 +25,7 @@ class SearchRun : public StudyKindRun {
   std::optional<Pace> pace() const override;
   std::vector<std::string> notes() const override;
   std::vector<std::string> notes_before() const override;
-  std::optional<Row> recompute(const Row& asked) const override;
+  std::optional<StoredRow> recompute(const StoredRow& asked) const override;
   std::optional<optim::Certificate> certify(std::span<const double> variables,
                                             std::span<const ParameterValue> design) const override;
 
@@ -41,7 +41,7 @@ class SearchRun : public StudyKindRun {
   optim::SolveOptions options(const RunContext& context) const;
   /// A design's certificate with these goals and limits, by the study's options; whole numbers are held.
   optim::Certificate certificate(const DesignProblem& asked, std::span<const double> design) const;
-  DesignReporter reporter() const { return {problem_, besides_}; }
+  DesignReporter reporter() const { return {problem_, extra_parameters_}; }
   /// @name The slices of a motor whose file leaves them to `auto`, in a search that does not vary them
   /// A number that changes with the design makes steps that a certificate sees: a search has one number.
   /// @{
@@ -73,9 +73,10 @@ class SearchRun : public StudyKindRun {
   bool is_chosen(Parameter parameter) const;
 
   DesignProblem problem_;
-  MotorDesign before_;              // the motor of the file, its slices those of the search
-  std::string limits_entry_;        // where a study of this kind has its limits
-  std::vector<Parameter> besides_;  // not variables here: changed by the start, or counted slices
+  MotorDesign before_;        // the motor of the file, its slices those of the search
+  std::string limits_entry_;  // where a study of this kind has its limits
+  std::vector<Parameter>
+      extra_parameters_;  // not variables here: changed by the start, or counted slices
   bool counts_slices_;
   int first_slices_;
   optim::SolveOptions options_;

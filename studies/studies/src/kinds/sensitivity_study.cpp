@@ -18,7 +18,7 @@ SensitivityResult SensitivityRun::frame(const char* method) const {
   SensitivityResult result;
   result.method = method;
   result.confidence = confidence_;
-  const std::vector<Column> all = columns();
+  const std::vector<StoredColumn> all = columns();
   const auto metrics = all.begin() + static_cast<std::ptrdiff_t>(variables());
   result.variables.assign(all.begin(), metrics);
   for (auto column = metrics; column != all.end(); ++column) {

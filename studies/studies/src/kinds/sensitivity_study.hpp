@@ -11,7 +11,7 @@ namespace twum::studies {
 /// What the methods of a sensitivity study share: entries, rows, and the frame of the answer.
 class SensitivityRun : public StudyKindRun {
  public:
-  std::vector<Column> columns() const override { return evaluator_.columns(); }
+  std::vector<StoredColumn> columns() const override { return evaluator_.columns(); }
   std::size_t variables() const override { return box_.size(); }
 
  protected:

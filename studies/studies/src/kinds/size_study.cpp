@@ -5,8 +5,8 @@ namespace twum::studies {
 namespace {
 
 // The duty comes first among the limits.
-std::vector<Constraint> limits_of(const SizeStudy& asked) {
-  std::vector<Constraint> limits = asked.duty;
+std::vector<MotorLimit> limits_of(const SizeStudy& asked) {
+  std::vector<MotorLimit> limits = asked.duty;
   limits.insert(limits.end(), asked.limits.begin(), asked.limits.end());
   return limits;
 }

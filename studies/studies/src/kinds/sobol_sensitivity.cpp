@@ -42,12 +42,12 @@ class SobolSensitivity : public SensitivityRun {
     return {std::move(word), std::move(result)};
   }
 
-  std::optional<Row> recompute(const Row& asked) const override {
+  std::optional<StoredRow> recompute(const StoredRow& asked) const override {
     constexpr std::uint64_t kStages = 32;  // more never fit the sequence
     if (asked.stage >= kStages ||
         asked.index >= (end_of(asked.stage) - begin_of(asked.stage)) * design_.block_size())
       return {};
-    Row row;
+    StoredRow row;
     row.stage = asked.stage;
     row.index = asked.index;
     fill(asked.stage, asked.index, row);
@@ -67,7 +67,7 @@ class SobolSensitivity : public SensitivityRun {
                       begin_of(stage) * size, end_of(stage) * size);
   }
 
-  void fill(std::uint64_t stage, std::uint64_t index, Row& row) const {
+  void fill(std::uint64_t stage, std::uint64_t index, StoredRow& row) const {
     const std::size_t member = index % design_.block_size();
     std::vector<double> unit(variables());
     design_.point(begin_of(stage) + index / design_.block_size(), member, unit);
@@ -95,7 +95,7 @@ class SobolSensitivity : public SensitivityRun {
     const std::size_t size = design_.block_size();
     std::vector<std::vector<double>> values(metrics_.size());  // of one block
     std::vector<double> slopes;
-    store.read(stage, [&](const Row& row) {
+    store.read(stage, [&](const StoredRow& row) {
       if (row.index % size == 0) slopes = unpacked(row.detail);
       for (std::size_t i = 0; i < metrics_.size(); ++i)
         values[i].push_back(row.values[variables() + i]);

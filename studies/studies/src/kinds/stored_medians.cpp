@@ -71,7 +71,7 @@ std::vector<double> stored_medians(const ResultStore& store, std::uint64_t stage
   for (unsigned shift = 64; shift > 0;) {
     shift -= kDigitBits;
     for (RankSearch& search : searches) search.begin_pass(shift);
-    store.read(stage, [&](const Row& row) {
+    store.read(stage, [&](const StoredRow& row) {
       for (std::size_t i = 0; i < searches.size(); ++i)
         searches[i].add(row.values[first_column + i]);
     });

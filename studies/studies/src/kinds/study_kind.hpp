@@ -49,7 +49,7 @@ class StudyKindRun {
   StudyKindRun& operator=(const StudyKindRun&) = delete;
 
   /// The columns of its rows: first the variables, then what is computed.
-  virtual std::vector<Column> columns() const = 0;
+  virtual std::vector<StoredColumn> columns() const = 0;
   /// How many of the columns are variables.
   virtual std::size_t variables() const = 0;
   virtual std::uint64_t seed() const { return 0; }
@@ -68,7 +68,7 @@ class StudyKindRun {
   /// of the row are not looked at. Looks at no other row and not at the other values. Columns without a value are NaN.
   /// Nothing: this row cannot be computed by itself.
   /// Constant, safe from any number of threads; never throws for a design.
-  virtual std::optional<Row> recompute(const Row& asked) const;
+  virtual std::optional<StoredRow> recompute(const StoredRow& asked) const;
   /// The certificate of a design (its variables in their order, SI) as a solution of this study, for
   /// `twum verify`: feasibility and stationarity measured again. Nothing: this kind has no optimum.
   /// @param design  all that the report says of the design, the variables included
@@ -79,7 +79,9 @@ class StudyKindRun {
   StudyKindRun() = default;
 };
 
-inline std::optional<Row> StudyKindRun::recompute(const Row& /*asked*/) const { return {}; }
+inline std::optional<StoredRow> StudyKindRun::recompute(const StoredRow& /*asked*/) const {
+  return {};
+}
 inline std::optional<optim::Certificate> StudyKindRun::certify(
     std::span<const double> /*variables*/, std::span<const ParameterValue> /*design*/) const {
   return {};

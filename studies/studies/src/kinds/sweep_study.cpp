@@ -18,7 +18,7 @@ class SweepRun : public StudyKindRun {
         evaluator_({motor, sampler_.variables(), asked.derived},
                    with_derived(asked.metrics, asked.derived)) {}
 
-  std::vector<Column> columns() const override { return evaluator_.columns(); }
+  std::vector<StoredColumn> columns() const override { return evaluator_.columns(); }
   std::size_t variables() const override { return sampler_.variables().size(); }
   std::uint64_t seed() const override { return sampler_.seed(); }
 
@@ -30,26 +30,26 @@ class SweepRun : public StudyKindRun {
     return {!complete ? "interrupted" : any ? "done" : "failed", std::move(result)};
   }
 
-  std::optional<Row> recompute(const Row& asked) const override {
+  std::optional<StoredRow> recompute(const StoredRow& asked) const override {
     if (asked.stage != 0 || asked.index >= sampler_.count()) return {};
-    Row row{0, asked.index, {}, "ok", {}};
+    StoredRow row{0, asked.index, {}, "ok", {}};
     fill(asked.index, row);
     return row;
   }
 
  private:
-  void fill(std::uint64_t index, Row& row) const {
+  void fill(std::uint64_t index, StoredRow& row) const {
     std::vector<double> design(variables());
     sampler_.design(index, design);
     evaluator_.evaluate(design, row);
   }
 
-  SweepResult::Design design_of(const Row& row) const {
+  SweepResult::Design design_of(const StoredRow& row) const {
     const auto metrics = row.values.begin() + static_cast<std::ptrdiff_t>(variables());
     return {row.index, {row.values.begin(), metrics}, {metrics, row.values.end()}};
   }
 
-  void note(SweepResult::Metric& metric, double value, const Row& row) const {
+  void note(SweepResult::Metric& metric, double value, const StoredRow& row) const {
     if (std::isnan(value)) return;
     const bool first = metric.count++ == 0;
     if (first || value < metric.min) {
@@ -66,12 +66,12 @@ class SweepRun : public StudyKindRun {
     SweepResult result;
     result.sampling = to_string(sampler_.sampling());
     result.designs = sampler_.count();
-    const std::vector<Column> all = columns();
+    const std::vector<StoredColumn> all = columns();
     const auto metrics = all.begin() + static_cast<std::ptrdiff_t>(variables());
     result.variables.assign(all.begin(), metrics);
     for (auto column = metrics; column != all.end(); ++column)
       result.metrics.push_back({*column, 0, kNoValue, kNoValue, kNoValue, {}, {}});
-    store.read(0, [&](const Row& row) {
+    store.read(0, [&](const StoredRow& row) {
       ++result.stored;
       result.failed += row.status == "ok" ? 0 : 1;
       for (std::size_t i = 0; i < result.metrics.size(); ++i)

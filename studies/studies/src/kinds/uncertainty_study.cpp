@@ -50,15 +50,15 @@ std::vector<double> sorted(std::vector<double> values) {
 
 // A limit and the metric it looks at.
 struct LimitPlace {
-  Constraint limit;
+  MotorLimit limit;
   std::size_t metric;
 };
 
 // Adds to the metrics what limits look at and the list does not have yet.
-std::vector<LimitPlace> place_limits(const std::vector<Constraint>& limits,
+std::vector<LimitPlace> place_limits(const std::vector<MotorLimit>& limits,
                                      std::vector<MetricExpression>& metrics) {
   std::vector<LimitPlace> places;
-  for (const Constraint& limit : limits) {
+  for (const MotorLimit& limit : limits) {
     const auto found = std::find_if(
         metrics.begin(), metrics.end(),
         [&](const MetricExpression& metric) { return metric.text == limit.metric.text; });
@@ -101,7 +101,7 @@ class UncertaintyRun : public StudyKindRun {
         samples_(asked.samples),
         start_(asked.start) {}
 
-  std::vector<Column> columns() const override { return evaluator_.columns(); }
+  std::vector<StoredColumn> columns() const override { return evaluator_.columns(); }
   std::size_t variables() const override { return variables_.size(); }
   std::uint64_t seed() const override { return seed_; }
   std::vector<std::string> notes() const override {
@@ -116,16 +116,16 @@ class UncertaintyRun : public StudyKindRun {
     return {!complete ? "interrupted" : any ? "done" : "failed", std::move(result)};
   }
 
-  std::optional<Row> recompute(const Row& asked) const override {
+  std::optional<StoredRow> recompute(const StoredRow& asked) const override {
     if (asked.stage != 0 || asked.index >= samples_) return {};
-    Row row;
+    StoredRow row;
     row.index = asked.index;
     fill(asked.index, row);
     return row;
   }
 
  private:
-  void fill(std::uint64_t index, Row& row) const {
+  void fill(std::uint64_t index, StoredRow& row) const {
     optim::Random random(seed_, 0, index);
     std::vector<double> design;
     for (const DrawnVariable& variable : variables_) {
@@ -139,7 +139,7 @@ class UncertaintyRun : public StudyKindRun {
     UncertaintyResult result;
     result.confidence = kConfidence;
     result.start = start_;
-    const std::vector<Column> all = columns();
+    const std::vector<StoredColumn> all = columns();
     const auto metrics = all.begin() + static_cast<std::ptrdiff_t>(variables());
     result.variables.assign(all.begin(), metrics);
     for (auto column = metrics; column != all.end(); ++column) {
@@ -160,7 +160,7 @@ class UncertaintyRun : public StudyKindRun {
     std::vector<std::vector<double>> values(metrics_.size());
     std::vector<std::uint64_t> kept(limits_.size(), 0);
     std::uint64_t good = 0;
-    store.read(0, [&](const Row& row) {
+    store.read(0, [&](const StoredRow& row) {
       ++result.samples;
       if (row.status != "ok") ++result.failed;
       const double* metrics = row.values.data() + variables();
@@ -180,7 +180,7 @@ class UncertaintyRun : public StudyKindRun {
     });
     for (std::size_t i = 0; i < metrics_.size(); ++i) describe(values[i], result.metrics[i]);
     for (std::size_t i = 0; i < limits_.size(); ++i) {
-      const Constraint& limit = limits_[i].limit;
+      const MotorLimit& limit = limits_[i].limit;
       result.limits.push_back({limit.text, limit.metric.text, limit.lower, limit.upper,
                                proportion_estimate(kept[i], result.samples, kConfidence)});
     }

@@ -62,7 +62,7 @@ void refuse_wrong_choices(const DesignProblem& problem) {
   if (!wrong.empty()) throw InputError(wrong.front().found + "; " + wrong.front().expected);
 }
 
-optim::Constraint limit_of(const Constraint& limit) {
+optim::Constraint limit_of(const MotorLimit& limit) {
   return {limit.text, limit.lower, limit.upper};
 }
 
@@ -87,7 +87,7 @@ DesignProblem& DesignProblem::minimize(std::string_view metric) {
 }
 
 DesignProblem& DesignProblem::limit(std::string_view text) {
-  limits.push_back(parse_constraint(text));
+  limits.push_back(parse_limit(text));
   return *this;
 }
 
@@ -129,7 +129,7 @@ optim::Problem posed_problem(const DesignProblem& problem) {
                                                             ? optim::Sense::maximize
                                                             : optim::Sense::minimize});
   }
-  for (const Constraint& limit : problem.limits) result.constraints.push_back(limit_of(limit));
+  for (const MotorLimit& limit : problem.limits) result.constraints.push_back(limit_of(limit));
   const auto responses = std::make_shared<const MotorResponses>(problem);
   for (const ImpliedLimit& limit : responses->implied())
     result.constraints.push_back({limit.name, limit.load.value_or(0)});

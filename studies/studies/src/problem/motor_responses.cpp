@@ -42,7 +42,7 @@ bool orders_friction(const DesignProblem& problem) {
 std::vector<MetricExpression> asked(const DesignProblem& problem) {
   std::vector<MetricExpression> list;
   for (const DesignObjective& objective : problem.objectives) list.push_back(objective.metric);
-  for (const Constraint& limit : problem.limits) list.push_back(limit.metric);
+  for (const MotorLimit& limit : problem.limits) list.push_back(limit.metric);
   return list;
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 using Kind = StatisticRequest::Kind;
 
-bool has_metric(const Constraint& limit) {
+bool has_metric(const MotorLimit& limit) {
   return std::any_of(limit.metric.terms.begin(), limit.metric.terms.end(),
                      [](const Term& term) { return std::holds_alternative<MetricRequest>(term); });
 }
@@ -82,12 +82,12 @@ std::vector<DesignVariable> built_variables(const RobustQuestion& question) {
 class BuiltMotors {
  public:
   explicit BuiltMotors(DesignProblem asked) : all_(asked) {
-    const auto one = [&](Constraint limit) {
+    const auto one = [&](MotorLimit limit) {
       DesignProblem alone = asked;
       alone.limits = {std::move(limit)};
       alone_.emplace_back(std::move(alone));
     };
-    for (const Constraint& limit : asked.limits) one(limit);
+    for (const MotorLimit& limit : asked.limits) one(limit);
     for (const ImpliedLimit& limit : all_.implied())
       if (limit.load) one({"max_torque", parse_metric("max_torque")});
   }
@@ -132,7 +132,7 @@ class RobustBuilder {
       problem.inputs.push_back(input_of(question_, tolerance));
     for (const StatisticRequest* statistic : statistics_of(question_)) ask(*statistic);
     const auto motors = std::make_shared<const BuiltMotors>(asked_);
-    for (const Constraint& limit : asked_.limits)
+    for (const MotorLimit& limit : asked_.limits)
       problem.limits.push_back({limit.text, limit.lower, limit.upper});
     for (const ImpliedLimit& limit : motors->implied())
       problem.limits.push_back({limit.name, limit.load.value_or(0)});
@@ -152,10 +152,10 @@ class RobustBuilder {
   }
 
   // Position of a response, which is added if it is not there.
-  std::size_t response(const Constraint& limit) {
+  std::size_t response(const MotorLimit& limit) {
     auto& limits = asked_.limits;
     const auto found = std::find_if(limits.begin(), limits.end(),
-                                    [&](const Constraint& c) { return c.text == limit.text; });
+                                    [&](const MotorLimit& c) { return c.text == limit.text; });
     if (found != limits.end()) return static_cast<std::size_t>(found - limits.begin());
     if (limit.lower == limit.upper)
       throw InputError(limit.text +
@@ -168,7 +168,7 @@ class RobustBuilder {
   std::vector<std::size_t> limits_of(const StatisticRequest& statistic) {
     if (statistic.kind == Kind::probability) return {response(*statistic.limit)};
     std::vector<std::size_t> list;
-    for (const Constraint& limit : question_.design.limits)
+    for (const MotorLimit& limit : question_.design.limits)
       if (has_metric(limit)) list.push_back(response(limit));
     return list;
   }
@@ -267,7 +267,7 @@ bool has_nominal_value(const DesignObjective& goal) {
          goal.statistic->kind == Kind::quantile;
 }
 
-DesignObjective nominal_goal(const DesignObjective& goal, const std::vector<Constraint>& limits) {
+DesignObjective nominal_goal(const DesignObjective& goal, const std::vector<MotorLimit>& limits) {
   if (!goal.statistic) return goal;
   const StatisticRequest& statistic = *goal.statistic;
   if (statistic.kind == Kind::yield || statistic.kind == Kind::probability) {

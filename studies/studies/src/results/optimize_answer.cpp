@@ -44,8 +44,8 @@ std::string bound_words(const OptimizeResult& result, const std::string& name) {
   for (const BoundState& bound : result.best.bounds) {
     if (bound.variable.name != name) continue;
     if (bound.multiplier == 0) return end_words(bound);
-    return end_words(bound) + "; 1 % further buys " +
-           goal_change_words(bound.one_percent_buys, result.goal);
+    return end_words(bound) + "; " + goal_change_words(bound.gain_per_percent, result.goal) +
+           " per 1 % more range";
   }
   return whole_end_words(result, name);
 }
@@ -85,12 +85,12 @@ std::string state_words(const LimitState& limit, const DesignReport& report) {
 
 std::string limit_table(const OptimizeResult& result) {
   if (result.best.constraints.empty()) return {};
-  TextTable table{{{"limit", "best", "", "1 % looser buys"}}};
+  TextTable table{{{"limit", "best", "", "per 1 % looser"}}};
   for (const LimitState& limit : result.best.constraints)
     table.rows.push_back({limit.text, cell(limit.value, limit.unit),
                           state_words(limit, result.best),
                           limit.active && !broken(limit, result.best)
-                              ? goal_change_words(limit.one_percent_buys, result.goal)
+                              ? goal_change_words(limit.gain_per_percent, result.goal)
                               : ""});
   return "\n" + aligned(table);
 }
@@ -177,7 +177,7 @@ Json answer_json(const OptimizeResult& result) {
   if (!result.before_statistics.empty())
     json["before"]["statistics"] = values_json(result.before_statistics);
   if (result.robust) json["robust"] = robust_json(*result.robust);
-  json["idle_variables"] = result.idle;
+  json["idle_variables"] = result.without_influence;
   json["moves"] = moves_json(result.moving, result.moves);
   if (!result.unmoved.empty()) json["moves_missing"] = result.unmoved;
   json["scan"] = scan_json(result.scan);
@@ -204,7 +204,8 @@ std::string answer_text(const OptimizeResult& result) {
   if (result.robust) text += robust_words(*result.robust, result.goal) + "\n";
   if (infeasible) return text + solver_words(result);
   text += verdict(result) + scan_words(result);
-  if (!result.idle.empty()) text += "Without influence here: " + enumeration(result.idle) + ".\n";
+  if (!result.without_influence.empty())
+    text += "Without influence here: " + enumeration(result.without_influence) + ".\n";
   text += finding_words(result.best.certificate) + solver_words(result) +
           moves_table(result.moving, result.moves, chosen_count(result), "best");
   if (!result.unmoved.empty())

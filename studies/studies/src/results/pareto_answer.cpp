@@ -48,7 +48,7 @@ std::string front_table(const ParetoResult& result) {
   }
   for (std::size_t s = 0; s < columns.front().point->yields.size(); ++s) {
     if (columns.front().point->yields[s].verdict.empty()) continue;
-    table.rows.push_back({columns.front().point->yields[s].text + ", fresh motors"});
+    table.rows.push_back({columns.front().point->yields[s].text + ", new random motors"});
     for (const Shown& column : columns)
       table.rows.back().push_back(percent_words(column.point->yields[s].share.value));
   }
@@ -81,7 +81,7 @@ std::vector<Holder> holders(const DesignReport& report) {
   const auto add = [&](const std::string& name, const auto& state) {
     if (state.multiplier > 0)
       list.push_back(
-          {name, state.multiplier, std::fabs(state.one_percent_buys / state.multiplier)});
+          {name, state.multiplier, std::fabs(state.gain_per_percent / state.multiplier)});
   };
   for (const LimitState& limit : report.constraints) {
     if (limit.active) add(limit.text, limit);
@@ -114,11 +114,11 @@ std::string worth_text(const ParetoResult& result) {
   if (result.alone.empty()) return {};
   std::string text;
   if (result.has_knee())
-    text += worth_table("1 % looser at the knee buys one of", result.front[result.knee].report,
+    text += worth_table("per 1 % looser at the knee, one of", result.front[result.knee].report,
                         result.goals);
   for (std::size_t k = 0; k < result.alone.size(); ++k)
-    text += worth_table("1 % looser for the " + goal_words(result.goals[k]) + " buys",
-                        result.alone[k], {result.goals[k]});
+    text += worth_table("per 1 % looser for the " + goal_words(result.goals[k]), result.alone[k],
+                        {result.goals[k]});
   return text;
 }
 
@@ -172,7 +172,7 @@ std::string yields_words(const ParetoResult& result) {
                       [s](const auto& point) { return point.yields[s].verdict == "holds"; });
     text += first[s].text + " >= " + percent_words(first[s].target) + " holds at " +
             std::to_string(holds) + " of " + counted(result.front.size(), "point") +
-            ", by fresh motors of each.\n";
+            ", by new random motors of each.\n";
   }
   return text;
 }
@@ -181,7 +181,7 @@ std::string yields_words(const ParetoResult& result) {
 std::string no_front_words(const ParetoResult& result) {
   if (!result.explanation.empty()) return relaxation_words(result.explanation);
   if (!result.largest_yield) return "No point of the front was found.\n";
-  return "The wanted yield cannot be had. At the design of the largest one " +
+  return "The wanted yield cannot be reached. At the design of the largest one " +
          yield_words(*result.largest_yield) + "Tighten a tolerance or loosen a limit.\n";
 }
 

@@ -155,11 +155,11 @@ Json robust_yield_json(const RobustYield& yield) {
 
 std::string yield_words(const RobustYield& yield) {
   const std::string what = yield.text == "yield" ? "all limits" : yield.text;
-  std::string text =
-      percent_words(yield.share.value) + " of the motors keep " + what + ": " +
-      percent_words(yield.share.low) + " to " + percent_words(yield.share.high) + " by " +
-      std::to_string(yield.samples) +
-      (yield.weighted ? " fresh motors about the worst points, weighted" : " fresh motors");
+  std::string text = percent_words(yield.share.value) + " of the motors keep " + what + ": " +
+                     percent_words(yield.share.low) + " to " + percent_words(yield.share.high) +
+                     " by " + std::to_string(yield.samples) +
+                     (yield.weighted ? " new random motors about the worst points, weighted"
+                                     : " new random motors");
   if (std::isfinite(yield.target))
     text += "; " + percent_words(yield.target) + " wanted: " + yield.verdict;
   return text + ".\n";
@@ -235,14 +235,14 @@ Json robust_json(const RobustReport& report) {
 std::string robust_words(const RobustReport& report, const Goal& goal) {
   std::string text;
   if (std::isfinite(report.largest_yield))
-    text += "The wanted yield cannot be had: the largest found is " +
+    text += "The wanted yield cannot be reached: the largest found is " +
             percent_words(report.largest_yield) +
             ". The design that has it follows; tighten a tolerance or loosen a limit.\n";
   for (const RobustYield& yield : report.yields) text += yield_words(yield);
   for (const RobustStatistic& one : report.statistics)
     text += one.text + " is " + engineering(one.value.value, one.unit) + " (" +
             engineering(one.value.low, one.unit) + " to " + engineering(one.value.high, one.unit) +
-            " by fresh motors).\n";
+            " by new random motors).\n";
   if (std::isfinite(report.nominal_objective)) text += price_words(report, goal);
   const std::string failing = failing_words(report);
   if (!failing.empty()) text += "Of the failing motors " + failing + ".\n";
@@ -256,7 +256,8 @@ std::string robust_words(const RobustReport& report, const Goal& goal) {
             ".\n";
   std::uint64_t lost = 0;
   for (const auto& [reason, count] : report.lost) lost += count;
-  if (lost > 0) text += counted(lost, "fresh motor") + " without an answer, counted as failing.\n";
+  if (lost > 0)
+    text += counted(lost, "new random motor") + " without an answer, counted as failing.\n";
   return text + risk_table(report) + tolerance_table(report, goal) + price_table(report, goal);
 }
 

@@ -13,16 +13,16 @@ namespace {
 
 constexpr std::size_t kPiece = std::size_t{1} << 16U;  // bytes written at a time
 
-std::string header(const std::vector<Column>& columns, bool stages) {
+std::string header(const std::vector<StoredColumn>& columns, bool stages) {
   std::string line = stages ? "stage," : "";
-  for (const Column& column : columns) {
+  for (const StoredColumn& column : columns) {
     append_cell(line, column.words.empty() ? column.name + " [" + column.unit + "]" : column.name);
     line += ',';
   }
   return line + "status\n";
 }
 
-void append_line(const Row& row, const std::vector<Column>& columns, bool stages,
+void append_line(const StoredRow& row, const std::vector<StoredColumn>& columns, bool stages,
                  std::string& out) {
   if (stages) out += std::to_string(row.stage) + ",";
   for (std::size_t i = 0; i < row.values.size(); ++i) {
@@ -38,13 +38,14 @@ void append_line(const Row& row, const std::vector<Column>& columns, bool stages
 
 }  // namespace
 
-void FailureCount::see(const Row& row) {
+void FailureCount::see(const StoredRow& row) {
   if (row.status == "ok") return;
   FailureRegion& region = by_reason_[row.status];
   if (region.count++ == 0) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     region.reason = row.status;
-    for (const Column& variable : variables_) region.where.push_back({variable, kNone, kNone});
+    for (const StoredColumn& variable : variables_)
+      region.where.push_back({variable, kNone, kNone});
   }
   for (std::size_t i = 0; i < variables_.size() && i < row.values.size(); ++i) {
     region.where[i].low = std::fmin(region.where[i].low, row.values[i]);
@@ -61,13 +62,13 @@ std::vector<FailureRegion> FailureCount::regions() const {
   return regions;
 }
 
-FailureCount write_rows(const ResultStore& store, const std::vector<Column>& columns,
+FailureCount write_rows(const ResultStore& store, const std::vector<StoredColumn>& columns,
                         std::size_t variables, const std::function<void(std::string_view)>& put) {
   FailureCount failures(
       {columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(variables)});
   const bool stages = store.stages().size() > 1;
   std::string piece = header(columns, stages);
-  store.read([&](const Row& row) {
+  store.read([&](const StoredRow& row) {
     failures.see(row);
     append_line(row, columns, stages, piece);
     if (piece.size() < kPiece) return;

@@ -13,17 +13,17 @@
 
 namespace twum::studies {
 
-/// Counts rows without a full answer by reason, and where the variables were.
+/// Counts rows failed or incomplete by reason, and where the variables were.
 class FailureCount {
  public:
   /// @param variables  the first columns of the rows
-  explicit FailureCount(std::vector<Column> variables) : variables_(std::move(variables)) {}
-  void see(const Row& row);
+  explicit FailureCount(std::vector<StoredColumn> variables) : variables_(std::move(variables)) {}
+  void see(const StoredRow& row);
   /// The most frequent first.
   std::vector<FailureRegion> regions() const;
 
  private:
-  std::vector<Column> variables_;
+  std::vector<StoredColumn> variables_;
   std::map<std::string, FailureRegion> by_reason_;
 };
 
@@ -33,7 +33,7 @@ class FailureCount {
 /// @param columns    those of the store, with their words
 /// @param variables  how many of them are variables
 /// @param put  takes the text piece by piece
-FailureCount write_rows(const ResultStore& store, const std::vector<Column>& columns,
+FailureCount write_rows(const ResultStore& store, const std::vector<StoredColumn>& columns,
                         std::size_t variables, const std::function<void(std::string_view)>& put);
 
 }  // namespace twum::studies

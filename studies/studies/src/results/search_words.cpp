@@ -34,7 +34,8 @@ Json limit_json(const LimitState& state, const optim::Certificate& certificate) 
             {"violation", number_json(state.violation)},
             {"active", state.active},
             {"multiplier", number_json(state.multiplier)},
-            {"one_percent_buys", number_json(state.one_percent_buys)}};
+            {"gain_per_percent", number_json(state.gain_per_percent)},
+            {"one_percent_buys", number_json(state.gain_per_percent)}};  // its name before 0.2
   if (state.active) add_gains(json, state.multiplier, certificate);
   return json;
 }
@@ -44,7 +45,8 @@ Json bound_json(const BoundState& state, const optim::Certificate& certificate) 
             {"side", state.upper ? "upper" : "lower"},
             {"limit", number_json(state.limit)},
             {"multiplier", number_json(state.multiplier)},
-            {"one_percent_buys", number_json(state.one_percent_buys)}};
+            {"gain_per_percent", number_json(state.gain_per_percent)},
+            {"one_percent_buys", number_json(state.gain_per_percent)}};
   add_gains(json, state.multiplier, certificate);
   return json;
 }

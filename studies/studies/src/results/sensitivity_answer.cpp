@@ -95,7 +95,7 @@ std::string with_unit(const Estimate& e, const std::string& unit) {
   return text(e.value) + "  (" + text(e.low) + " to " + text(e.high) + ")";
 }
 
-std::string idle_sentence(const std::vector<std::string>& names) {
+std::string without_influence_sentence(const std::vector<std::string>& names) {
   if (names.empty()) return {};
   return enumeration(names) + (names.size() == 1 ? " does" : " do") + " not matter.\n";
 }
@@ -111,12 +111,12 @@ class MetricText {
   std::string operator()(const MetricSensitivity::Sobol& shares) const {
     const auto order = ranking(shares.size(), [&](std::size_t j) { return shares[j].total.value; });
     TextTable table{{{"variable", "first order", "total"}}};
-    std::vector<std::string> idle;
+    std::vector<std::string> without_influence;
     double alone = 0;
     double doubt = 0;  // how much more first indices might explain
     for (const std::size_t j : order) {
       table.rows.push_back({name(j), fixed(shares[j].first), fixed(shares[j].total)});
-      if (shares[j].total.high < kNegligible) idle.push_back(name(j));
+      if (shares[j].total.high < kNegligible) without_influence.push_back(name(j));
       alone += shares[j].first.value;
       doubt += shares[j].first.high - shares[j].first.value;
     }
@@ -129,7 +129,7 @@ class MetricText {
     text += ".\n";
     if (1 - alone > std::max(kNegligible, doubt))
       text += "Interactions explain " + share_text(1 - alone) + ".\n";
-    return text + idle_sentence(idle);
+    return text + without_influence_sentence(without_influence);
   }
 
   std::string operator()(const MetricSensitivity::Morris& effects) const {
@@ -137,16 +137,17 @@ class MetricText {
         ranking(effects.size(), [&](std::size_t j) { return effects[j].mu_star.value; });
     const ElementaryEffect& most = effects[order.front()];
     TextTable table{{{"variable", "mu*", "sigma"}}};
-    std::vector<std::string> idle;
+    std::vector<std::string> without_influence;
     for (const std::size_t j : order) {
       table.rows.push_back({name(j), with_unit(effects[j].mu_star, metric_.metric.unit),
                             with_unit(effects[j].sigma, metric_.metric.unit)});
-      if (effects[j].mu_star.high <= kNegligible * most.mu_star.value) idle.push_back(name(j));
+      if (effects[j].mu_star.high <= kNegligible * most.mu_star.value)
+        without_influence.push_back(name(j));
     }
     if (most.mu_star.value == 0) return aligned(table) + "No variable changes it.\n";
     return aligned(table) + name(order.front()) + " matters most: across its range it changes " +
            metric_.metric.name + " by " + engineering(most.mu_star.value, metric_.metric.unit, 3) +
-           " on average.\n" + idle_sentence(idle);
+           " on average.\n" + without_influence_sentence(without_influence);
   }
 
   std::string operator()(const MetricSensitivity::Local& effects) const {
@@ -205,7 +206,7 @@ std::string heading(const SensitivityResult& result, const MetricSensitivity& me
 
 std::string whole_numbers_text(const SensitivityResult& result) {
   std::string text;
-  for (const Column& variable : result.variables) {
+  for (const StoredColumn& variable : result.variables) {
     const auto parameter = find_parameter(variable.name);
     if (parameter && info(*parameter).integer)
       text += variable.name + " takes whole numbers only; its derivative is that between them.\n";

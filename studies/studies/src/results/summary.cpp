@@ -17,12 +17,12 @@ namespace {
 constexpr std::size_t kReasonsShown = 5;
 
 // A number, or the set that it stands for.
-Json end_json(const Column& variable, double value) {
+Json end_json(const StoredColumn& variable, double value) {
   const std::string* word = variable.word(value);
   return word == nullptr ? number_json(value) : Json(*word);
 }
 
-std::string end_text(const Column& variable, double value) {
+std::string end_text(const StoredColumn& variable, double value) {
   const std::string* word = variable.word(value);
   return word == nullptr ? engineering(value, variable.unit) : printable(*word);
 }
@@ -56,7 +56,7 @@ std::string failures_text(const StudyResult& result) {
   if (result.failures.empty()) return {};
   std::uint64_t count = 0;
   for (const auto& [reason, times] : result.failures) count += times;
-  std::string text = std::to_string(count) + " without a full answer:\n";
+  std::string text = std::to_string(count) + " failed or incomplete:\n";
   std::size_t shown = 0;
   for (const FailureRegion& region : result.failure_regions) {
     if (shown++ == kReasonsShown) break;

@@ -62,7 +62,7 @@ Json answer_json(const SweepResult& result) {
   Json json{{"sampling", result.sampling}, {"designs", result.designs},
             {"stored", result.stored},     {"failed", result.failed},
             {"units", Json::object()},     {"metrics", Json::object()}};
-  for (const Column& column : result.variables) json["units"][column.name] = column.unit;
+  for (const StoredColumn& column : result.variables) json["units"][column.name] = column.unit;
   for (const SweepResult::Metric& metric : result.metrics) {
     json["units"][metric.column.name] = metric.column.unit;
     json["metrics"][metric.column.name] = {{"count", metric.count},
@@ -80,7 +80,7 @@ std::string answer_text(const SweepResult& result) {
   std::string text =
       (result.stored < result.designs ? std::to_string(result.stored) + " of " : "") +
       counted(result.designs, "design") + " (" + result.sampling + ")";
-  if (result.failed > 0) text += ", " + std::to_string(result.failed) + " without a full answer";
+  if (result.failed > 0) text += ", " + std::to_string(result.failed) + " failed or incomplete";
   return text + "\n\n" + spread_table(result) + "\n" + ends_table(result);
 }
 

@@ -125,7 +125,8 @@ Json answer_json(const UncertaintyResult& result) {
   if (!result.start.empty()) json["start"] = result.start;
   json["metrics"] = Json::object();
   json["units"] = Json::object();
-  for (const Column& variable : result.variables) json["units"][variable.name] = variable.unit;
+  for (const StoredColumn& variable : result.variables)
+    json["units"][variable.name] = variable.unit;
   for (const UncertaintyResult::Metric& metric : result.metrics) {
     json["units"][metric.column.name] = metric.column.unit;
     json["metrics"][metric.column.name] = metric_json(metric, result.samples);
@@ -154,7 +155,7 @@ std::string answer_text(const UncertaintyResult& result) {
   if (result.samples == 0) return {};
   std::string text = counted(result.samples, "motor") + " drawn, " +
                      rounded_text(100 * result.confidence, 3) + " % intervals in parentheses";
-  if (result.failed > 0) text += "; " + std::to_string(result.failed) + " without a full answer";
+  if (result.failed > 0) text += "; " + std::to_string(result.failed) + " failed or incomplete";
   return text + "\n\n" + spread_table(result) + missing_text(result) + yield_text(result);
 }
 

@@ -274,10 +274,10 @@ void set_failures(StudyResult& result, const FailureCount& failures) {
 }
 
 FailureCount failures_of(const StudyKindRun& kind, const ResultStore& store) {
-  const std::vector<Column> columns = kind.columns();
+  const std::vector<StoredColumn> columns = kind.columns();
   FailureCount failures(
       {columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(kind.variables())});
-  store.read([&](const Row& row) { failures.see(row); });
+  store.read([&](const StoredRow& row) { failures.see(row); });
   return failures;
 }
 

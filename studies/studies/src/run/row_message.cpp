@@ -5,10 +5,10 @@
 
 namespace twum::studies {
 
-std::string row_message(std::span<const Row> rows) {
+std::string row_message(std::span<const StoredRow> rows) {
   std::string bytes;
   append_bytes(bytes, static_cast<std::uint64_t>(rows.size()));
-  for (const Row& row : rows) {
+  for (const StoredRow& row : rows) {
     append_bytes(bytes, row.stage);
     append_bytes(bytes, row.index);
     append_numbers(bytes, row.values);
@@ -18,10 +18,10 @@ std::string row_message(std::span<const Row> rows) {
   return bytes;
 }
 
-std::vector<Row> rows_of(const std::string& message) {
+std::vector<StoredRow> rows_of(const std::string& message) {
   RowBytes bytes(message);
-  std::vector<Row> rows(bytes.take<std::uint64_t>());
-  for (Row& row : rows) {
+  std::vector<StoredRow> rows(bytes.take<std::uint64_t>());
+  for (StoredRow& row : rows) {
     row.stage = bytes.take<std::uint64_t>();
     row.index = bytes.take<std::uint64_t>();
     row.values = bytes.numbers();

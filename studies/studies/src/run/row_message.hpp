@@ -10,8 +10,8 @@
 namespace twum::studies {
 
 /// Rows as the bytes of a message between processes of one program; numbers arrive to the bit.
-std::string row_message(std::span<const Row> rows);
+std::string row_message(std::span<const StoredRow> rows);
 /// The rows that a message holds.
-std::vector<Row> rows_of(const std::string& message);
+std::vector<StoredRow> rows_of(const std::string& message);
 
 }  // namespace twum::studies

@@ -50,8 +50,8 @@ void SharedExecutor::give_back(std::size_t lane) {
   returned_.notify_one();
 }
 
-std::vector<Row> SharedExecutor::rows(const std::vector<Row>& asked,
-                                      const std::function<bool()>& proceed) {
+std::vector<StoredRow> SharedExecutor::rows(const std::vector<StoredRow>& asked,
+                                            const std::function<bool()>& proceed) {
   struct Taken {
     SharedExecutor& executor;
     std::size_t lane;
@@ -62,10 +62,10 @@ std::vector<Row> SharedExecutor::rows(const std::vector<Row>& asked,
   return rows_of_lane(elsewhere_[taken.lane], asked, proceed);
 }
 
-std::vector<Row> SharedExecutor::rows_of_lane(Lane& lane, const std::vector<Row>& asked,
-                                              const std::function<bool()>& proceed) {
+std::vector<StoredRow> SharedExecutor::rows_of_lane(Lane& lane, const std::vector<StoredRow>& asked,
+                                                    const std::function<bool()>& proceed) {
   using Clock = std::chrono::steady_clock;
-  std::vector<Row> made;
+  std::vector<StoredRow> made;
   while (made.size() < asked.size() && proceed()) {
     const std::size_t count = std::min(lane.at_a_time, asked.size() - made.size());
     const auto begin = Clock::now();

@@ -27,12 +27,12 @@ class SharedExecutor final : public Executor {
                  std::vector<Lane> elsewhere);
 
   unsigned lanes() const override;
-  std::vector<Row> rows(const std::vector<Row>& asked,
-                        const std::function<bool()>& proceed) override;
+  std::vector<StoredRow> rows(const std::vector<StoredRow>& asked,
+                              const std::function<bool()>& proceed) override;
 
  private:
-  std::vector<Row> rows_of_lane(Lane& lane, const std::vector<Row>& asked,
-                                const std::function<bool()>& proceed);
+  std::vector<StoredRow> rows_of_lane(Lane& lane, const std::vector<StoredRow>& asked,
+                                      const std::function<bool()>& proceed);
   std::size_t take_lane();
   void give_back(std::size_t lane);
 

@@ -14,14 +14,14 @@ namespace {
 constexpr std::size_t kMostComplaints = 20;
 constexpr std::uint64_t kDrawStage = 0x7E21F7;
 
-std::string name_of(const Row& row) {
+std::string name_of(const StoredRow& row) {
   return "row " + std::to_string(row.index) +
          (row.stage > 0 ? " of stage " + std::to_string(row.stage) : "");
 }
 
 std::string shown(double value) { return std::isnan(value) ? "no value" : number_text(value); }
 
-void compare(const std::vector<Column>& columns, const Row& there, const Row& now,
+void compare(const std::vector<StoredColumn>& columns, const StoredRow& there, const StoredRow& now,
              Verification& found) {
   if (there.status != now.status) {
     complain(found, name_of(there) + ": status " + studies::quoted(there.status) + " there, " +
@@ -58,12 +58,12 @@ void verify_rows(const StudyKindRun& kind, const ResultStore& store, const Verif
   optim::Random random(options.seed, kDrawStage, 0);
   std::uint64_t left = found.rows;
   std::uint64_t wanted = std::min(options.samples, found.rows);
-  store.read([&](const Row& row) {
+  store.read([&](const StoredRow& row) {
     const bool drawn = left > 0 && random.below(left) < wanted;
     if (left > 0) --left;
     if (!drawn) return;
     --wanted;
-    const std::optional<Row> again = kind.recompute(row);
+    const std::optional<StoredRow> again = kind.recompute(row);
     ++(again ? found.rows_checked : found.rows_skipped);
     if (again) compare(store.columns(), row, *again, found);
   });

@@ -91,7 +91,7 @@ class DesignCheck {
   }
 
   // The value of a variable of a report, or the number of the set that it names; nothing if it has none.
-  static std::optional<double> variable_of(const Json& report, const Column& column) {
+  static std::optional<double> variable_of(const Json& report, const StoredColumn& column) {
     if (column.words.empty()) {
       if (!report["design"].contains(column.name)) return {};
       return number_of(report["design"][column.name]);
@@ -108,7 +108,7 @@ class DesignCheck {
     const bool passed = there.is_object() && there.value("passed", false);
     if (!passed) return;  // nothing is claimed
     std::vector<double> variables;
-    const std::vector<Column> columns = kind_.columns();
+    const std::vector<StoredColumn> columns = kind_.columns();
     for (std::size_t i = 0; i < kind_.variables(); ++i) {
       const std::optional<double> value = variable_of(report, columns[i]);
       if (!value) return;

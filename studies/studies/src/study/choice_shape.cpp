@@ -19,8 +19,8 @@ Shape<ParameterSet> set_of_file() {
       [](const ParameterSet& set) { return set.file; });
   const Shape<ParameterSet> with_name = mapping<ParameterSet>(
       "a file and its name",
-      {needed<ParameterSet>("file", file, &ParameterSet::file),
-       needed<ParameterSet>("name", path("what results call it", "PEEK"), &ParameterSet::name)});
+      {required<ParameterSet>("file", file, &ParameterSet::file),
+       required<ParameterSet>("name", path("what results call it", "PEEK"), &ParameterSet::name)});
   return one_of<ParameterSet>("the file of a set", {plain, with_name}, [](const ParameterSet& set) {
     return set.name == set.file ? std::size_t{0} : 1;
   });

@@ -28,7 +28,7 @@ bool check_range(DesignVariable& range, const Given& given, Diagnostics& diagnos
 
 Shape<DesignVariable> range(const ParameterInfo& parameter) {
   const Shape<double> value = value_of(parameter);
-  Field<DesignVariable> start = needed<DesignVariable>("start", value, &DesignVariable::start);
+  Field<DesignVariable> start = required<DesignVariable>("start", value, &DesignVariable::start);
   start.entry.required = false;
   start.entry.fallback = "the motor's own value";
   start.write = [write = value.write](const DesignVariable& from) {
@@ -36,8 +36,8 @@ Shape<DesignVariable> range(const ParameterInfo& parameter) {
   };
   return mapping<DesignVariable>(
       std::string(parameter.text),
-      {needed<DesignVariable>("min", value, &DesignVariable::min),
-       needed<DesignVariable>("max", value, &DesignVariable::max),
+      {required<DesignVariable>("min", value, &DesignVariable::min),
+       required<DesignVariable>("max", value, &DesignVariable::max),
        standard<DesignVariable>("scale", word<bool>("spacing", {"linear", "log"}),
                                 &DesignVariable::log),
        std::move(start)},
@@ -97,10 +97,10 @@ Shape<std::vector<MetricExpression>> metrics() {
   return shape;
 }
 
-Shape<std::vector<Constraint>> constraints() {
+Shape<std::vector<MotorLimit>> constraints() {
   auto shape = list("limits that must hold",
-                    text_of<Constraint>("a limit", "stall_torque >= 0.8 N.m", parse_constraint,
-                                        [](const Constraint& value) { return value.text; }));
+                    text_of<MotorLimit>("a limit", "stall_torque >= 0.8 N.m", parse_limit,
+                                        [](const MotorLimit& value) { return value.text; }));
   shape.schema.sample = "- no_load_speed >= 100 rpm\n- max_pressure <= 10 MPa";
   return shape;
 }

@@ -27,7 +27,7 @@ Field<S> kind_field() {
 
 Shape<MetricExpression> metric(std::string text, std::string example = "peak_power");
 Shape<std::vector<MetricExpression>> metrics();
-Shape<std::vector<Constraint>> constraints();
+Shape<std::vector<MotorLimit>> constraints();
 Shape<std::uint64_t> samples();
 Shape<std::uint64_t> seed();
 Shape<std::string> folder();  ///< result directory of another study
@@ -40,7 +40,7 @@ Shape<DesignObjective> wanted(std::string text, bool maximize, std::string examp
 template <typename T>
 std::vector<Field<T>> goal(DesignObjective T::*member) {
   const auto field = [member](const char* name, const char* text, const char* twin, bool maximize) {
-    Field<T> one = needed<T>(name, wanted(text, maximize), member);
+    Field<T> one = required<T>(name, wanted(text, maximize), member);
     one.entry.required = maximize;
     one.entry.twin = twin;
     one.write = [write = one.write, member, maximize](const T& from) {

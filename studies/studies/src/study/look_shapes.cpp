@@ -56,8 +56,8 @@ Shape<Variable> sweep_variable(const ParameterInfo& row) {
   points.entry.fallback = std::to_string(Variable{}.points) + ", for a grid";
   const auto limits = mapping<Variable>(
       std::string(row.text),
-      {needed<Variable>("min", value, &Variable::min),
-       needed<Variable>("max", value, &Variable::max), std::move(points),
+      {required<Variable>("min", value, &Variable::min),
+       required<Variable>("max", value, &Variable::max), std::move(points),
        standard<Variable>("scale", word<bool>("spacing", {"linear", "log"}), &Variable::log)},
       [](Variable& range, const Given& given, Diagnostics& diagnostics) {
         if (given.right("min") != nullptr && given.right("max") != nullptr)
@@ -318,13 +318,13 @@ Shape<SweepStudy> SweepStudy::shape() {
   return mapping<S>(
       "a grid, list or sample of designs",
       {kind_field<S>(),
-       needed<S>("variables", by_parameter<Variable>(sweep_variable, "what is varied", kSweep),
-                 &S::variables),
+       required<S>("variables", by_parameter<Variable>(sweep_variable, "what is varied", kSweep),
+                   &S::variables),
        derived_field<S>(),
-       needed<S>("sampling",
-                 word<Sampling>("how designs are chosen", {kSamplings.begin(), kSamplings.end()}),
-                 &S::sampling),
-       needed<S>("metrics", shapes::metrics(), &S::metrics),
+       required<S>("sampling",
+                   word<Sampling>("how designs are chosen", {kSamplings.begin(), kSamplings.end()}),
+                   &S::sampling),
+       required<S>("metrics", shapes::metrics(), &S::metrics),
        of_drawn(standard<S>("samples", shapes::samples(), &S::samples)),
        of_drawn(standard<S>("seed", shapes::seed(), &S::seed))},
       [](S& study, const Given& given, Diagnostics& diagnostics) {
@@ -341,9 +341,9 @@ Shape<SensitivityStudy> SensitivityStudy::shape() {
   method.schema.example = "sobol";
   return mapping<S>(
       "which parameter matters",
-      {kind_field<S>(), needed<S>("method", method, &S::method),
-       needed<S>("variables", shapes::variables("what is varied", kRanges), &S::variables),
-       derived_field<S>(), needed<S>("metrics", shapes::metrics(), &S::metrics),
+      {kind_field<S>(), required<S>("method", method, &S::method),
+       required<S>("variables", shapes::variables("what is varied", kRanges), &S::variables),
+       derived_field<S>(), required<S>("metrics", shapes::metrics(), &S::metrics),
        sensitivity_samples(),
        standard<S>("confidence", fraction("level of the confidence intervals", "0.95"),
                    &S::confidence),

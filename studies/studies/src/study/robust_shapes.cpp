@@ -12,7 +12,7 @@ namespace {
 
 StudyLimit parse_study_limit(std::string_view text) {
   if (is_statistic(text)) return {{}, parse_statistic_limit(text)};
-  return {parse_constraint(text), {}};
+  return {parse_limit(text), {}};
 }
 
 std::string study_limit_text(const StudyLimit& limit) {

@@ -12,7 +12,7 @@ namespace twum::studies::shapes {
 
 /// A limit of a search: on the motor, or on a statistic of the built motors.
 struct StudyLimit {
-  std::optional<Constraint> plain;
+  std::optional<MotorLimit> plain;
   std::optional<StatisticLimit> statistic;
 };
 
@@ -21,7 +21,7 @@ Shape<std::vector<StudyLimit>> study_limits();
 
 /// The entry for the limits of a study S, which has `statistics` for those on statistics.
 template <typename S>
-Field<S> limits_field(const char* name, std::vector<Constraint> S::*member) {
+Field<S> limits_field(const char* name, std::vector<MotorLimit> S::*member) {
   const Shape<std::vector<StudyLimit>> shape = study_limits();
   Field<S> field = optional<S>(name, constraints(), member, "none");
   field.entry.schema = shape.schema;
@@ -37,7 +37,7 @@ Field<S> limits_field(const char* name, std::vector<Constraint> S::*member) {
   };
   field.write = [write = shape.write, member](const S& from) {
     std::vector<StudyLimit> limits;
-    for (const Constraint& limit : from.*member) limits.push_back({limit, {}});
+    for (const MotorLimit& limit : from.*member) limits.push_back({limit, {}});
     for (const StatisticLimit& limit : from.statistics) limits.push_back({{}, limit});
     return limits.empty() ? std::nullopt : std::optional<YamlNode>(write(limits));
   };

@@ -22,7 +22,7 @@ constexpr const char* kEstimates =
 
 template <typename T>
 Field<T> variables_field(const char* text) {
-  return needed<T>("variables", variables(text, kRanges), &T::variables);
+  return required<T>("variables", variables(text, kRanges), &T::variables);
 }
 
 // `auto`, and with it the options of a fresh study.
@@ -109,11 +109,11 @@ struct Duty {
   std::string text;
 };
 
-Shape<Constraint> duty_point() {
+Shape<MotorLimit> duty_point() {
   const auto point = mapping<Duty>(
       "one operating point",
-      {needed<Duty>("torque", quantity("load torque", "N.m", "0.5 N.m"), &Duty::torque),
-       needed<Duty>("speed", quantity("rotor speed", "rad/s", "100 rpm"), &Duty::speed)},
+      {required<Duty>("torque", quantity("load torque", "N.m", "0.5 N.m"), &Duty::torque),
+       required<Duty>("speed", quantity("rotor speed", "rad/s", "100 rpm"), &Duty::speed)},
       [](Duty& duty, const Given& given, Diagnostics& /*diagnostics*/) {
         const YamlNode* torque = given.right("torque");
         const YamlNode* speed = given.right("speed");
@@ -121,9 +121,9 @@ Shape<Constraint> duty_point() {
           duty.text = "torque_at(" + speed->scalar + ") >= " + torque->scalar;
         return true;
       });
-  return shape_as<Constraint, Duty>(
-      point, [](const Duty& duty) { return parse_constraint(duty.text); },
-      [](const Constraint& limit) {
+  return shape_as<MotorLimit, Duty>(
+      point, [](const Duty& duty) { return parse_limit(duty.text); },
+      [](const MotorLimit& limit) {
         return Duty{limit.lower, limit.metric.request()->at, {}};
       });
 }
@@ -199,7 +199,7 @@ Shape<ParetoStudy> ParetoStudy::shape() {
   objectives.schema.sample = "- maximize: stall_torque\n- maximize: no_load_speed";
   return mapping<S>("trade-off front of two or three metrics",
                     {kind_field<S>(), variables_field<S>("what may be changed"), derived_field<S>(),
-                     choose_field<S>(), needed<S>("objectives", objectives, &S::objectives),
+                     choose_field<S>(), required<S>("objectives", objectives, &S::objectives),
                      limits_field("constraints", &S::constraints), tolerances_field<S>(),
                      standard<S>("points", count("points of the front", "50", 2, 1e5), &S::points),
                      solver_field<S>(), start_field<S>()},
@@ -213,7 +213,7 @@ Shape<SizeStudy> SizeStudy::shape() {
   return mapping<S>(
       "a motor for a duty",
       {kind_field<S>(), variables_field<S>("what may be changed"), derived_field<S>(),
-       choose_field<S>(), needed<S>("duty", duty, &S::duty), limits_field("limits", &S::limits),
+       choose_field<S>(), required<S>("duty", duty, &S::duty), limits_field("limits", &S::limits),
        tolerances_field<S>(),
        standard<S>("prefer",
                    wanted("what is minimized among the motors that will do", false, "max_pressure"),
@@ -228,7 +228,7 @@ Shape<CalibrateStudy> CalibrateStudy::shape() {
       "parameters from measurements",
       {kind_field<S>(),
        optional<S>("data", data_files(), &S::data, "none: the first ten measurements are planned"),
-       needed<S>("variables", shapes::variables("what is estimated", kEstimates), &S::variables),
+       required<S>("variables", shapes::variables("what is estimated", kEstimates), &S::variables),
        derived_field<S>(),
        standard<S>("confidence", fraction("level of the confidence intervals", "0.95"),
                    &S::confidence),

@@ -74,14 +74,15 @@ const Shape<StudyText>& study_file_shape() {
   static const Shape<StudyText> shape = mapping<StudyText>(
       "a study for twum",
       {version_field<StudyText>(),
-       needed<StudyText>("motor",
-                         one_of<MotorEntry>("the motor: a path beside this file, or its entries",
-                                            {motor_as(path("a motor file", "ring-60.yaml")),
-                                             motor_as(motor_shape())},
-                                            [](const MotorEntry& entry) { return entry.index(); }),
-                         &StudyText::motor),
+       required<StudyText>(
+           "motor",
+           one_of<MotorEntry>(
+               "the motor: a path beside this file, or its entries",
+               {motor_as(path("a motor file", "ring-60.yaml")), motor_as(motor_shape())},
+               [](const MotorEntry& entry) { return entry.index(); }),
+           &StudyText::motor),
        optional<StudyText>("set", shapes::overrides(), &StudyText::set, "the motor as it is"),
-       needed<StudyText>("study", any_study(), &StudyText::study)});
+       required<StudyText>("study", any_study(), &StudyText::study)});
   return shape;
 }
 

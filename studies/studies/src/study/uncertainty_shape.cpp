@@ -33,7 +33,7 @@ Shape<UncertaintyStudy> UncertaintyStudy::shape() {
   quantiles.schema.example = "[0.05, 0.5, 0.95]";
   return mapping<S>(
       "spread and yield under tolerances",
-      {kind_field<S>(), needed<S>("variables", tolerances("what is uncertain"), &S::variables),
+      {kind_field<S>(), required<S>("variables", tolerances("what is uncertain"), &S::variables),
        derived_field<S>(),
        optional<S>("metrics", shapes::metrics(), &S::metrics, "those of the limits"),
        standard<S>("samples", shapes::samples(), &S::samples),

@@ -88,10 +88,10 @@ std::vector<double> point_of(const MetricRequest& request, double limit) {
   }
 }
 
-void add_limits(Panel& panel, const std::vector<studies::Constraint>& limits) {
+void add_limits(Panel& panel, const std::vector<studies::MotorLimit>& limits) {
   Series least{"at least", Draw::rises, "#000000", {}};
   Series most{"at most", Draw::falls, "#000000", {}};
-  for (const studies::Constraint& limit : limits) {
+  for (const studies::MotorLimit& limit : limits) {
     const MetricRequest* request = limit.metric.request();
     if (request == nullptr) continue;
     const auto add = [&](Series& series, double at) {
@@ -139,7 +139,7 @@ void add_motor(std::vector<NamedMotor>& motors, const std::string& name, const M
 
 void add_curve_pictures(std::vector<Picture>& pictures, const std::string& title,
                         const std::vector<NamedMotor>& motors,
-                        const std::vector<studies::Constraint>& limits) {
+                        const std::vector<studies::MotorLimit>& limits) {
   if (motors.empty()) return;
   if (motors.size() == 1 && limits.empty()) return add_alone(pictures, title, motors.front().motor);
   Chart curves{title, {panel_of(motors, kTorque, true)}, true};

@@ -3,7 +3,7 @@
 
 #include "plot/chart.hpp"
 
-#include <twum/studies/metrics/constraint.hpp>
+#include <twum/studies/metrics/motor_limit.hpp>
 #include <twum/studies/results/study_result.hpp>
 #include <twum/studies/study/study_file.hpp>
 
@@ -26,6 +26,6 @@ void add_motor(std::vector<NamedMotor>& motors, const std::string& name, const M
 /// @param limits  what the torque or the speed has to be, drawn with the torques
 void add_curve_pictures(std::vector<Picture>& pictures, const std::string& title,
                         const std::vector<NamedMotor>& motors,
-                        const std::vector<studies::Constraint>& limits = {});
+                        const std::vector<studies::MotorLimit>& limits = {});
 
 }  // namespace twum::cli

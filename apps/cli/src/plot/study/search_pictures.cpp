@@ -61,12 +61,12 @@ void add_history(std::vector<Picture>& pictures, const FinishedStudy& study,
                    {outside, inside, best}}}}));
 }
 
-std::vector<studies::Constraint> limits_of(const studies::Study& asked) {
+std::vector<studies::MotorLimit> limits_of(const studies::Study& asked) {
   if (const auto* search = std::get_if<studies::OptimizeStudy>(&asked)) return search->constraints;
   if (const auto* search = std::get_if<studies::ParetoStudy>(&asked)) return search->constraints;
   const auto* size = std::get_if<studies::SizeStudy>(&asked);
   if (size == nullptr) return {};
-  std::vector<studies::Constraint> limits = size->duty;
+  std::vector<studies::MotorLimit> limits = size->duty;
   limits.insert(limits.end(), size->limits.begin(), size->limits.end());
   return limits;
 }

@@ -23,7 +23,7 @@ std::optional<std::size_t> column_of(const studies::ResultStore& store, const st
 
 std::vector<double> column_values(const studies::ResultStore& store, std::size_t column) {
   std::vector<double> values;
-  store.read([&](const studies::Row& row) { values.push_back(row.values[column]); });
+  store.read([&](const studies::StoredRow& row) { values.push_back(row.values[column]); });
   return values;
 }
 

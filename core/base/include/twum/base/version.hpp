@@ -3,7 +3,7 @@
 
 namespace twum {
 
-/// Version of the library, "major.minor.patch" (semantic versioning); a text that lives for ever.
+/// Version of the library, "major.minor.patch" (semantic versioning); static lifetime.
 const char* version() noexcept;
 
 }  // namespace twum

@@ -10,7 +10,7 @@ enum class ZoneState : signed char {
   slip_plus = +1    ///< v_rel < 0: the stator is faster and drives
 };
 
-/// "slip-", "stick" or "slip+"; a text that lives for ever.
+/// "slip-", "stick" or "slip+"; static lifetime.
 const char* to_string(ZoneState state) noexcept;
 
 /// One stick or slip zone.

@@ -112,10 +112,10 @@ struct ParameterInfo {
   std::string_view reason;        ///< why the range ends where it does
 };
 
-/// The table, one row for each Parameter, in its order; it lives for ever.
+/// The table, one row for each Parameter, in its order; static lifetime.
 std::span<const ParameterInfo> parameter_table();
 
-/// The row of a parameter; it lives for ever.
+/// The row of a parameter; static lifetime.
 const ParameterInfo& info(Parameter parameter);
 
 /// The parameter of a flat name or symbol ("thickness" or "h"); nothing if there is none. Upper

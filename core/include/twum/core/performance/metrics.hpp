@@ -86,10 +86,10 @@ struct MetricInfo {
   bool needs_geometry{false};  ///< has a value only where the stator is given by its geometry
 };
 
-/// The table, one row for each Metric, in its order; it lives for ever.
+/// The table, one row for each Metric, in its order; static lifetime.
 std::span<const MetricInfo> metric_table();
 
-/// The row of a metric; it lives for ever.
+/// The row of a metric; static lifetime.
 const MetricInfo& info(Metric metric);
 
 /// The metric of a name such as "torque_at"; nothing if there is none.
@@ -123,7 +123,7 @@ enum class MetricStatus : unsigned char {
   does_not_pull_out  ///< the running wave exists down to rest
 };
 
-/// Short machine-readable word, such as "unreachable"; "ok" for ok. A text that lives for ever.
+/// Short machine-readable word, such as "unreachable"; "ok" for ok. Static lifetime.
 const char* to_string(MetricStatus status) noexcept;
 
 /// A metric's value in SI units; NaN unless status is ok.
@@ -140,7 +140,7 @@ enum class Smoothness : unsigned char {
   undefined   ///< no derivative; entries are NaN
 };
 
-/// "smooth", "flat", "one-sided" or "undefined"; a text that lives for ever.
+/// "smooth", "flat", "one-sided" or "undefined"; static lifetime.
 const char* to_string(Smoothness smoothness) noexcept;
 
 /// A metric with its derivatives with respect to every parameter, in SI units.

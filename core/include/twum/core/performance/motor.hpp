@@ -32,7 +32,7 @@ enum class PointStatus : unsigned char {
   unstable_amplitude  ///< the wave that is asked for grows or decays away from its balance
 };
 
-/// Short machine-readable word, such as "no-periodic-state"; "ok" for ok. A text that lives for ever.
+/// Short machine-readable word, such as "no-periodic-state"; "ok" for ok. Static lifetime.
 const char* to_string(PointStatus status) noexcept;
 
 /// What is prescribed at an operating point, beside the design.

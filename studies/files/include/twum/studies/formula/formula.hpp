@@ -23,7 +23,7 @@ struct FormulaName {
 struct FormulaNames {
   /// Reads a name with what stands in its parentheses, such as "torque_at(100 rpm)"; `alone` if the formula is nothing else.
   /// @throws ValueError with the position in the reference
-  std::function<FormulaName(std::string_view reference, bool alone)> read;
+  std::function<FormulaName(std::string_view reference, bool whole_text)> read;
   std::string
       expected;  ///< what is right where nothing stands, such as "expected a metric such as 'stall_torque'"
 };

@@ -233,7 +233,7 @@ struct Field {
 /// @{
 /// An entry that has to be there.
 template <typename T, typename V, typename Member>
-Field<T> needed(std::string name, const Shape<V>& shape, Member member) {
+Field<T> required(std::string name, const Shape<V>& shape, Member member) {
   Field<T> field;
   field.entry.name = std::move(name);
   field.entry.schema = shape.schema;
@@ -263,7 +263,7 @@ Field<T> needed(std::string name, const Shape<V>& shape, Member member) {
 /// An entry whose value, if it is left out, is that of a fresh struct.
 template <typename T, typename V, typename Member>
 Field<T> standard(std::string name, const Shape<V>& shape, Member member) {
-  Field<T> field = needed<T>(std::move(name), shape, member);
+  Field<T> field = required<T>(std::move(name), shape, member);
   field.entry.required = false;
   field.has_standard = true;
   return field;
@@ -273,7 +273,7 @@ Field<T> standard(std::string name, const Shape<V>& shape, Member member) {
 /// @param fallback  what holds then, in words
 template <typename T, typename V, typename Member>
 Field<T> optional(std::string name, const Shape<V>& shape, Member member, std::string fallback) {
-  Field<T> field = needed<T>(std::move(name), shape, member);
+  Field<T> field = required<T>(std::move(name), shape, member);
   field.entry.required = false;
   field.entry.fallback = std::move(fallback);
   field.write = [write = field.write, member](const T& from) {

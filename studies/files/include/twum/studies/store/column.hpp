@@ -11,7 +11,7 @@ namespace twum::studies {
 inline constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 /// A column of stored rows: a flat parameter name or a metric as typed, in SI.
-struct Column {
+struct StoredColumn {
   std::string name;  ///< flat name of a parameter, or a metric as typed
   std::string unit;  ///< SI unit, "1" if dimensionless
   std::vector<std::string>

@@ -16,7 +16,7 @@ namespace twum::studies {
 
 /// One evaluation. (stage, index) names it for ever: it is a function of the study and its seed, not
 /// of threads or interruptions.
-struct Row {
+struct StoredRow {
   std::uint64_t stage{0};      ///< part of the run that it belongs to
   std::uint64_t index{0};      ///< its number there
   std::vector<double> values;  ///< one for each column, SI; NaN: no value
@@ -40,7 +40,7 @@ class ResultStore {
   /// one, and refuses it unless it holds what was written.
   /// @param path  ":memory:" keeps everything in memory
   /// @throws StoreError naming the file and the reason
-  ResultStore(const std::string& path, const std::vector<Column>& columns);
+  ResultStore(const std::string& path, const std::vector<StoredColumn>& columns);
   /// Opens an existing database, with the columns it has; an empty file has none.
   /// @throws StoreError likewise
   explicit ResultStore(const std::string& path);
@@ -50,12 +50,12 @@ class ResultStore {
   ResultStore& operator=(const ResultStore&) = delete;
 
   /// What a row holds.
-  const std::vector<Column>& columns() const noexcept;
+  const std::vector<StoredColumn>& columns() const noexcept;
 
   /// Adds a row; one that is already there stays as it is. Committed within about 0.2 s. A row
   /// without a value for a column has NaN there.
   /// @throws StoreError if it cannot be written, as every function below if it cannot be read
-  void add(const Row& row);
+  void add(const StoredRow& row);
   /// Commits what was added.
   void flush();
 
@@ -67,9 +67,9 @@ class ResultStore {
   std::vector<std::uint64_t> stages() const;
 
   /// Calls back with each row in the order of (stage, index); memory does not grow with the rows.
-  void read(const std::function<void(const Row&)>& visit) const;
+  void read(const std::function<void(const StoredRow&)>& visit) const;
   /// The rows of one stage.
-  void read(std::uint64_t stage, const std::function<void(const Row&)>& visit) const;
+  void read(std::uint64_t stage, const std::function<void(const StoredRow&)>& visit) const;
 
   /// A fact beside the rows, such as the study's hash; empty text if there is none.
   std::string fact(const std::string& name) const;

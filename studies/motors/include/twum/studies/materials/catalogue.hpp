@@ -28,10 +28,10 @@ struct Material {
   const MaterialValue* find(std::string_view property) const;
 };
 
-/// The catalogue that comes with the program, the files of `materials/`, by name; lives for ever.
+/// The catalogue that comes with the program, the files of `materials/`, by name; static lifetime.
 std::span<const Material> material_catalogue();
 
-/// A material by its name; lives for ever.
+/// A material by its name; static lifetime.
 /// @param kinds  that will do, such as "metal"; empty: any
 /// @throws ValueError for an unknown name, or one of another kind, with the nearest that would do
 const Material& find_material(std::string_view name, std::span<const std::string_view> kinds = {});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <twum/studies/metrics/constraint.hpp>
+#include <twum/studies/metrics/motor_limit.hpp>
 
 #include <cstdint>
 #include <limits>
@@ -20,7 +20,7 @@ struct StatisticRequest {
   Kind kind{Kind::yield};             ///< which
   MetricExpression metric{};          ///< of mean, sd and quantile
   double probability{0.5};            ///< of a quantile, in (0, 1)
-  std::optional<Constraint> limit{};  ///< of a probability
+  std::optional<MotorLimit> limit{};  ///< of a probability
 
   /// SI unit of its value.
   std::string unit() const;

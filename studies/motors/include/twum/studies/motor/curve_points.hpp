@@ -18,11 +18,11 @@ struct CurveColumn {
   double (*value)(const OperatingPoint&);
 };
 
-/// speed, torque, powers, efficiency, wear and stick, in the order of tables and files; lives for ever.
+/// speed, torque, powers, efficiency, wear and stick, in the order of tables and files; static lifetime.
 std::span<const CurveColumn> contact_columns();
 
 /// What the terminals of a motor with modal data see: the wave, powers and current, and the losses which with friction_power,
-/// layer_loss and output_power make up the electrical power (D4.2); lives for ever.
+/// layer_loss and output_power make up the electrical power (D4.2); static lifetime.
 std::span<const CurveColumn> terminal_columns();
 
 /// All columns that a design has: those of the contact, and those of the terminals if it has modal data.

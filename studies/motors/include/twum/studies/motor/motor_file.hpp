@@ -28,10 +28,10 @@ Field<T> version_field() {
   return selector<T>("twum", "version of the file format", std::to_string(kFileVersion));
 }
 
-/// What stands below `motor:`, made from the parameter table; lives for ever.
+/// What stands below `motor:`, made from the parameter table; static lifetime.
 const Shape<MotorFile>& motor_shape();
 
-/// A motor file; lives for ever.
+/// A motor file; static lifetime.
 const Shape<MotorFile>& motor_file_shape();
 
 /// Reads a motor file; "-" is standard input.

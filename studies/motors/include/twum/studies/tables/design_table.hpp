@@ -65,7 +65,7 @@ class DesignTable {
                      std::string& out) const;
 
  private:
-  struct Column {
+  struct TableColumn {
     std::string name;                    // of a parameter column: as typed
     std::string heading;                 // with its unit
     std::optional<Parameter> parameter;  // nothing: carried along
@@ -73,7 +73,7 @@ class DesignTable {
     bool computed{false};  // the result has a column of this heading
   };
 
-  Column read_column(const std::string& text);
+  TableColumn read_column(const std::string& text);
   void check_twins(std::vector<std::string>& wrong) const;
   bool compute(std::string_view record, std::size_t line, Scratch& scratch) const;
   bool read_values(std::size_t line, Scratch& scratch) const;
@@ -85,12 +85,12 @@ class DesignTable {
   std::vector<MetricExpression> metrics_;
   ExpressionEvaluator evaluator_;
   std::string header_;
-  std::vector<Column> columns_;
+  std::vector<TableColumn> columns_;
   std::vector<std::string> without_unit_;  // parameter columns, with the unit that they are read in
   std::vector<std::string> warnings_;
 };
 
-/// What evaluate_designs() did.
+/// What evaluate_table() did.
 struct DesignCounts {
   std::size_t rows{0};    ///< rows done
   std::size_t failed{0};  ///< rows whose status is not ok
@@ -107,9 +107,9 @@ struct DesignCounts {
 /// @param proceed   asked between blocks of rows; false ends the run after what is in flight
 /// @param progress  told the counts now and then
 /// @throws InputError as CsvReader::read(), once the rows before are written; and what `write` throws
-DesignCounts evaluate_designs(CsvReader& reader, const DesignTable& table, unsigned jobs,
-                              const std::function<void(std::string_view)>& write,
-                              const std::function<bool()>& proceed,
-                              const std::function<void(const DesignCounts&)>& progress);
+DesignCounts evaluate_table(CsvReader& reader, const DesignTable& table, unsigned jobs,
+                            const std::function<void(std::string_view)>& write,
+                            const std::function<bool()>& proceed,
+                            const std::function<void(const DesignCounts&)>& progress);
 
 }  // namespace twum::studies

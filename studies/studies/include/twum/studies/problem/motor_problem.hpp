@@ -4,8 +4,8 @@
 #include <twum/core/design/motor_design.hpp>
 #include <twum/core/design/parameters.hpp>
 #include <twum/optim/problem.hpp>
-#include <twum/studies/metrics/constraint.hpp>
 #include <twum/studies/metrics/expression.hpp>
+#include <twum/studies/metrics/motor_limit.hpp>
 #include <twum/studies/metrics/statistic.hpp>
 #include <twum/studies/metrics/varied_parameters.hpp>
 #include <twum/studies/motor/parameter_set.hpp>
@@ -60,7 +60,7 @@ struct DesignProblem {
   MotorDesign motor;                          ///< what the variables do not change
   std::vector<DesignVariable> variables{};    ///< what may be changed
   std::vector<DesignObjective> objectives{};  ///< one for solve(), two or three for pareto_front()
-  std::vector<Constraint> limits{};           ///< what must hold
+  std::vector<MotorLimit> limits{};           ///< what must hold
   std::vector<DerivedParameter> derived{};    ///< what follows from the variables
   std::vector<DesignChoice> choices{};  ///< what is in the motor before the variables change it
 
@@ -80,7 +80,7 @@ struct DesignProblem {
   /// @throws ValueError if the text is no metric, as parse_metric().
   DesignProblem& minimize(std::string_view metric);
   /// Asks for a limit such as "max_pressure <= 10 MPa".
-  /// @throws ValueError if the text is no limit, as parse_constraint().
+  /// @throws ValueError if the text is no limit, as parse_limit().
   DesignProblem& limit(std::string_view text);
 };
 

@@ -36,7 +36,7 @@ bool has_nominal_value(const DesignObjective& goal);
 
 /// What a search without tolerances looks for in place of a goal, to begin with: the metric itself; of a share the first
 /// metric in it, away from its limit.
-DesignObjective nominal_goal(const DesignObjective& goal, const std::vector<Constraint>& limits);
+DesignObjective nominal_goal(const DesignObjective& goal, const std::vector<MotorLimit>& limits);
 
 /// The question as a robust problem in SI units. Its responses are the limits and metrics of the statistics, then limits that
 /// follow from them as motor_problem() has it. It keeps a copy of the question.

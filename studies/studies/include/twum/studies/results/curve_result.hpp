@@ -22,8 +22,8 @@ struct CurveResult {
     std::uint64_t failed{0};            ///< points without an answer
     double last_speed{0};               ///< of its last point [rad/s]
   };
-  std::optional<Column> family;  ///< the parameter; nothing for the motor alone
-  std::vector<Member> members;   ///< in the order asked
+  std::optional<StoredColumn> family;  ///< the parameter; nothing for the motor alone
+  std::vector<Member> members;         ///< in the order asked
 };
 
 }  // namespace twum::studies

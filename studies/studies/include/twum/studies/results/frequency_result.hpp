@@ -27,11 +27,12 @@ struct FrequencyResult {
     std::vector<Jumped> jumps;             ///< of its sweeps
     std::vector<ResponseBranch> branches;  ///< all its waves, stable or not
   };
-  std::optional<Column> family;  ///< the parameter, or `load_torque`; nothing for the motor alone
-  RotorLoad load;                ///< of the rotor; NaN for a family over it
-  double from{0};                ///< lowest frequency [Hz]
-  double to{0};                  ///< highest [Hz]
-  std::vector<Member> members;   ///< in the order asked
+  std::optional<StoredColumn>
+      family;                   ///< the parameter, or `load_torque`; nothing for the motor alone
+  RotorLoad load;               ///< of the rotor; NaN for a family over it
+  double from{0};               ///< lowest frequency [Hz]
+  double to{0};                 ///< highest [Hz]
+  std::vector<Member> members;  ///< in the order asked
 };
 
 }  // namespace twum::studies

@@ -31,18 +31,18 @@ struct LimitState {
   bool active{false};   ///< it holds the design back
   double multiplier{
       0};  ///< improvement of the goal for each unit by which the limit gives way, >= 0
-  double one_percent_buys{0};  ///< change of the goal when the limit gives way by 1 %, first order
+  double gain_per_percent{0};  ///< change of the goal when the limit gives way by 1 %, first order
   double lower{0};             ///< lower end of the metric, SI; -infinity: none
   double upper{0};             ///< upper end of the metric, SI; infinity: none
 };
 
 /// A variable at the end of its range, SI.
 struct BoundState {
-  Column variable;       ///< which one
-  bool upper{false};     ///< the upper end
-  double limit{0};       ///< SI
+  StoredColumn variable;  ///< which one
+  bool upper{false};      ///< the upper end
+  double limit{0};        ///< SI
   double multiplier{0};  ///< improvement of the goal for each unit by which the end gives way, >= 0
-  double one_percent_buys{0};  ///< change of the goal when it gives way by 1 %, first order
+  double gain_per_percent{0};  ///< change of the goal when it gives way by 1 %, first order
 };
 
 /// What a design has of a choice.
@@ -60,7 +60,7 @@ struct DesignReport {
   std::vector<BoundState> bounds;        ///< only those that hold the design back
   optim::Certificate certificate;        ///< the evidence
   std::vector<ChosenSet> choice{};       ///< of each choice of the study
-  std::vector<NamedValue> statistics{};  ///< goals that are statistics, by fresh motors
+  std::vector<NamedValue> statistics{};  ///< goals that are statistics, by new random motors
 };
 
 /// Whether a limit of this design is broken by more than an active limit may be: by a millionth of itself,
@@ -100,10 +100,10 @@ struct ImpossibleState {
 
 /// An end of a variable's range with a part in what no design keeps. SI.
 struct RangeState {
-  Column variable;    ///< which one
-  bool upper{false};  ///< the upper end
-  double limit{0};    ///< as asked
-  double alone{0};    ///< where it has to be if nothing else changes; NaN: no such place was found
+  StoredColumn variable;  ///< which one
+  bool upper{false};      ///< the upper end
+  double limit{0};        ///< as asked
+  double alone{0};  ///< where it has to be if nothing else changes; NaN: no such place was found
 };
 
 /// Why no design satisfies all limits; empty() where one does.
@@ -127,7 +127,8 @@ struct OptimizeResult {
   std::vector<NamedValue> before_design;      ///< the motor as it was: its variables
   std::vector<NamedValue> before_metrics;     ///< the same metrics as those of the best
   std::vector<NamedValue> before_statistics;  ///< the same statistics
-  std::vector<std::string> idle;  ///< variables without influence on the goal or an active limit
+  std::vector<std::string>
+      without_influence;  ///< variables without influence on the goal or an active limit
   std::vector<BoundState> whole_ends;      ///< whole numbers of the best at an end of their range
   Explanation explanation;                 ///< why no design satisfies all limits
   optim::Scan scan;                        ///< what a sample of the whole range said of it

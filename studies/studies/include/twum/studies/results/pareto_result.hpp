@@ -15,7 +15,7 @@ struct ParetoResult {
   struct Point {
     std::vector<double> goals;  ///< values of the goals, SI
     DesignReport report;        ///< multipliers are those of the weighted goals; see gains()
-    std::vector<RobustYield> yields{};  ///< under tolerances, of fresh motors of this design
+    std::vector<RobustYield> yields{};  ///< under tolerances, of new random motors of this design
   };
 
   std::vector<Goal> goals;   ///< what was wanted

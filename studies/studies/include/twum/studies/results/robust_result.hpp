@@ -12,17 +12,17 @@
 
 namespace twum::studies {
 
-/// A share of the motors that was asked for, and what fresh motors say.
+/// A share of the motors that was asked for, and what new random motors say.
 struct RobustYield {
   std::string text;          ///< "yield", or the probability as typed
   double target{0};          ///< wanted share; NaN where it is the goal
-  Estimate share;            ///< of fresh motors, 95 % interval
-  std::uint64_t samples{0};  ///< fresh motors
+  Estimate share;            ///< of new random motors, 95 % interval
+  std::uint64_t samples{0};  ///< new random motors
   bool weighted{false};      ///< drawn about the worst points and weighted: of yields above 99.99 %
   std::string verdict;  ///< "holds", "not-distinguishable" or "broken"; empty where it is the goal
 };
 
-/// A statistic that was limited or wanted, as fresh motors have it.
+/// A statistic that was limited or wanted, as new random motors have it.
 struct RobustStatistic {
   std::string text;  ///< as typed, such as "mean(peak_power)"
   std::string unit;  ///< SI
@@ -38,7 +38,7 @@ struct RobustLimit {
   std::string target;                    ///< the yield or probability that it counts in
   double beta{0};                        ///< reliability index
   double delta{0};                       ///< correction of its margin in the last round, SI
-  double probability{0};                 ///< share of the fresh motors that break it
+  double probability{0};                 ///< share of the new random motors that break it
   double share{0};                       ///< of those that break any limit of the target
   std::vector<NamedValue> importance{};  ///< share of each tolerance in its failures, sum 1
   bool converged{true};                  ///< its worst point was found exactly
@@ -82,10 +82,10 @@ struct RobustReport {
   std::vector<RobustTolerance> tolerances;  ///< what each costs
   double price_of_yield{0};                 ///< loss of the goal per unit of yield, first order
   std::vector<optim::YieldPrice> prices_of_yields;  ///< goal over yield, rising
-  double largest_yield{0};                       ///< where the wanted one cannot be had; else NaN
+  double largest_yield{0};  ///< where the wanted one cannot be reached; else NaN
   std::vector<optim::RobustRoundReport> rounds;  ///< of correction
   std::vector<double> aimed;                     ///< yields aimed at, the last one counts
-  std::map<std::string, std::uint64_t> lost;     ///< fresh motors without an answer, by reason
+  std::map<std::string, std::uint64_t> lost;     ///< new random motors without an answer, by reason
   std::vector<RobustDensity> densities;          ///< of each metric with a limit
 };
 

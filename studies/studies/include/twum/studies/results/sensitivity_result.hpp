@@ -29,7 +29,7 @@ struct MetricSensitivity {
   using Sobol = std::vector<SobolShares>;
   /// @}
 
-  Column metric;             ///< whose effects these are
+  StoredColumn metric;       ///< whose effects these are
   std::string note;          ///< why there are no effects, or what to know of them; may be empty
   std::uint64_t samples{0};  ///< blocks or trajectories that count
   std::uint64_t dropped{0};  ///< those in which an evaluation failed
@@ -41,13 +41,13 @@ struct MetricSensitivity {
 
 /// Answer of a sensitivity study.
 struct SensitivityResult {
-  std::string method;             ///< "local", "morris" or "sobol"
-  double confidence{0.95};        ///< level of all intervals
-  std::uint64_t samples{0};       ///< blocks (sobol) or trajectories (morris) evaluated in full
-  double width{0};                ///< sobol: intervals should be narrower than this; 0: not asked
-  bool narrow{true};              ///< they are
-  std::vector<Column> variables;  ///< in the order of the study
-  std::vector<double> motor;      ///< local: where, values of the variables, SI
+  std::string method;        ///< "local", "morris" or "sobol"
+  double confidence{0.95};   ///< level of all intervals
+  std::uint64_t samples{0};  ///< blocks (sobol) or trajectories (morris) evaluated in full
+  double width{0};           ///< sobol: intervals should be narrower than this; 0: not asked
+  bool narrow{true};         ///< they are
+  std::vector<StoredColumn> variables;     ///< in the order of the study
+  std::vector<double> motor;               ///< local: where, values of the variables, SI
   std::vector<MetricSensitivity> metrics;  ///< in the order asked
 };
 

@@ -19,9 +19,9 @@ namespace twum::studies {
 struct FailureRegion {
   /// Values of one variable at the failures.
   struct Range {
-    Column variable;  ///< which one
-    double low;       ///< smallest value at a failure, SI
-    double high;      ///< largest
+    StoredColumn variable;  ///< which one
+    double low;             ///< smallest value at a failure, SI
+    double high;            ///< largest
   };
   std::string reason;        ///< short, as in `failures`
   std::uint64_t count{0};    ///< how many

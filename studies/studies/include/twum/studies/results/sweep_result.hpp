@@ -19,7 +19,7 @@ struct SweepResult {
   };
   /// How one metric spreads.
   struct Metric {
-    Column column;           ///< its name and unit
+    StoredColumn column;     ///< its name and unit
     std::uint64_t count{0};  ///< designs that have a value
     double min{0};           ///< SI; NaN without a value, as the next two
     double median{0};        ///< exact; the lower of the two middle ones
@@ -27,12 +27,12 @@ struct SweepResult {
     Design lowest;           ///< where min is reached, the first of several; empty without a value
     Design highest;          ///< where max is reached, likewise
   };
-  std::string sampling;           ///< "grid", "list", "lhs" or "sobol"
-  std::uint64_t designs{0};       ///< asked for
-  std::uint64_t stored{0};        ///< evaluated so far
-  std::uint64_t failed{0};        ///< of these, without a full answer
-  std::vector<Column> variables;  ///< in the order of the study
-  std::vector<Metric> metrics;    ///< in the order asked
+  std::string sampling;                 ///< "grid", "list", "lhs" or "sobol"
+  std::uint64_t designs{0};             ///< asked for
+  std::uint64_t stored{0};              ///< evaluated so far
+  std::uint64_t failed{0};              ///< of these, failed or incomplete
+  std::vector<StoredColumn> variables;  ///< in the order of the study
+  std::vector<Metric> metrics;          ///< in the order asked
 };
 
 }  // namespace twum::studies

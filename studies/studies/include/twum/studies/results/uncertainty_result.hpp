@@ -20,7 +20,7 @@ struct UncertaintyResult {
   };
   /// How one metric spreads.
   struct Metric {
-    Column column;                    ///< its name and unit
+    StoredColumn column;              ///< its name and unit
     std::uint64_t count{0};           ///< motors that have a value; the rest enters nothing below
     Estimate mean;                    ///< SI
     Estimate sd;                      ///< standard deviation, SI
@@ -40,15 +40,15 @@ struct UncertaintyResult {
     double share;          ///< of the distribution, cut off
   };
 
-  double confidence{0.95};        ///< level of all intervals
-  std::uint64_t samples{0};       ///< motors drawn
-  std::uint64_t failed{0};        ///< of these, without a full answer
-  std::uint64_t no_value{0};      ///< of these, without a value that a limit needs: it is not kept
-  std::string start;              ///< the other study whose best design is the motor; empty: none
-  std::vector<Column> variables;  ///< in the order of the study
-  std::vector<CutOff> cut_off;    ///< distributions that reach beyond what is admissible
-  std::vector<Metric> metrics;    ///< in the order asked
-  std::vector<Limit> limits;      ///< in the order of the study
+  double confidence{0.95};    ///< level of all intervals
+  std::uint64_t samples{0};   ///< motors drawn
+  std::uint64_t failed{0};    ///< of these, failed or incomplete
+  std::uint64_t no_value{0};  ///< of these, without a value that a limit needs: it is not kept
+  std::string start;          ///< the other study whose best design is the motor; empty: none
+  std::vector<StoredColumn> variables;  ///< in the order of the study
+  std::vector<CutOff> cut_off;          ///< distributions that reach beyond what is admissible
+  std::vector<Metric> metrics;          ///< in the order asked
+  std::vector<Limit> limits;            ///< in the order of the study
   std::optional<Estimate> yield;  ///< fraction of motors that keep all limits; nothing: no limits
 };
 

@@ -127,7 +127,7 @@ struct OptimizeStudy {
   std::vector<DerivedParameter> derived;  ///< what follows from the variables
   std::vector<DesignChoice> choose;       ///< sets of parameters of which a design has one
   DesignObjective objective;              ///< what is to be large or small: a metric or a statistic
-  std::vector<Constraint> constraints;    ///< what must hold
+  std::vector<MotorLimit> constraints;    ///< what must hold
   std::vector<Tolerance> tolerances;      ///< how motors differ from the design; none: they do not
   std::vector<StatisticLimit> statistics;  ///< what must hold of the built motors
   optim::SolveOptions solver;              ///< observer, threads and stop are the run's
@@ -152,7 +152,7 @@ struct ParetoStudy {
   std::vector<DerivedParameter> derived;          ///< what follows from the variables
   std::vector<DesignChoice> choose;               ///< sets of parameters of which a design has one
   std::vector<DesignObjective> objectives;        ///< two or three
-  std::vector<Constraint> constraints;            ///< what must hold
+  std::vector<MotorLimit> constraints;            ///< what must hold
   std::vector<Tolerance> tolerances;              ///< as in OptimizeStudy
   std::vector<StatisticLimit> statistics;         ///< as in OptimizeStudy
   std::uint64_t points{50};                       ///< of the front
@@ -170,8 +170,8 @@ struct SizeStudy {
   std::vector<DesignVariable> variables;   ///< what may be changed
   std::vector<DerivedParameter> derived;   ///< what follows from the variables
   std::vector<DesignChoice> choose;        ///< sets of parameters of which a design has one
-  std::vector<Constraint> duty;            ///< torque_at(SPEED) >= LOAD of each point
-  std::vector<Constraint> limits;          ///< what else must hold
+  std::vector<MotorLimit> duty;            ///< torque_at(SPEED) >= LOAD of each point
+  std::vector<MotorLimit> limits;          ///< what else must hold
   std::vector<Tolerance> tolerances;       ///< as in OptimizeStudy
   std::vector<StatisticLimit> statistics;  ///< as in OptimizeStudy
   DesignObjective prefer{parse_metric("max_pressure")};  ///< minimized among motors that will do
@@ -190,7 +190,7 @@ struct UncertaintyStudy {
   std::vector<DerivedParameter> derived;           ///< what follows from the variables
   std::vector<MetricExpression> metrics;           ///< of what
   std::uint64_t samples{10000};                    ///< motors that are drawn
-  std::vector<Constraint> limits;                  ///< of the yield; none: no yield
+  std::vector<MotorLimit> limits;                  ///< of the yield; none: no yield
   std::vector<double> quantiles{0.05, 0.5, 0.95};  ///< probabilities in (0, 1)
   std::uint64_t seed{1};                           ///< of the draws
   std::string start;  ///< result directory with the motor that is varied; empty: the motor

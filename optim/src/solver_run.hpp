@@ -10,7 +10,7 @@ namespace twum::optim {
 
 /// One run of one solver from one start, with what it found. Its session stays open so that the
 /// finish (polish, certificate) can go on within the same stage.
-struct Attempt {
+struct SolverRun {
   const SolverInfo* solver{nullptr};
   std::unique_ptr<Session> session;
   RunReport report;
@@ -21,7 +21,7 @@ struct Attempt {
   bool reported{false};
 };
 
-struct AttemptPlan {
+struct SolverPlan {
   const Optimizer* optimizer{nullptr};
   std::uint64_t stage{0};
   std::size_t quota{0};
@@ -29,12 +29,12 @@ struct AttemptPlan {
 };
 
 /// Runs a solver on a formulation. @throws what the evaluator throws, InputError
-Attempt make_attempt(const Problem& problem, const SolveOptions& options, const Deadline& deadline,
+SolverRun run_solver(const Problem& problem, const SolveOptions& options, const Deadline& deadline,
                      const Scaling& scaling, const Formulation& formulation,
-                     const AttemptPlan& plan);
+                     const SolverPlan& plan);
 
 /// Certifies the attempt's best design, lets Newton steps finish it if it is nearly optimal, and
 /// keeps whichever of the two is better. For formulations of one objective in plain form.
-void finish_attempt(Attempt& attempt, const Scaling& scaling);
+void finish_run(SolverRun& run, const Scaling& scaling);
 
 }  // namespace twum::optim

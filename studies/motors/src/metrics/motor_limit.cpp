@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <twum/studies/metrics/constraint.hpp>
+#include <twum/studies/metrics/motor_limit.hpp>
 
 #include <twum/studies/text/value_error.hpp>
 #include <twum/studies/text/words.hpp>
@@ -61,7 +61,7 @@ MetricExpression difference(const MetricExpression& left, const MetricExpression
   return parse_metric(left.formula.text() + " - (" + right.formula.text() + ")");
 }
 
-Constraint between_sides(std::string_view text, const Sign& sign, MetricExpression left,
+MotorLimit between_sides(std::string_view text, const Sign& sign, MetricExpression left,
                          MetricExpression right) {
   require_same_dimension(left.formula, right.formula, sign.text, sign.at);
   bool at_least = sign.text == ">=";
@@ -71,7 +71,7 @@ Constraint between_sides(std::string_view text, const Sign& sign, MetricExpressi
   }
   if (left.formula.constant())
     throw ValueError(quoted(text) + " has no metric or parameter in it", kUsage, sign.at);
-  Constraint limit{std::string(text), left};
+  MotorLimit limit{std::string(text), left};
   double end = 0;
   if (right.formula.constant()) {
     end = constant(right);
@@ -84,7 +84,7 @@ Constraint between_sides(std::string_view text, const Sign& sign, MetricExpressi
 }
 
 // "A <= EXPR <= B" or "B >= EXPR >= A".
-Constraint two_sided(std::string_view text, const std::vector<Sign>& signs,
+MotorLimit two_sided(std::string_view text, const std::vector<Sign>& signs,
                      const MetricExpression& first, const MetricExpression& metric,
                      const MetricExpression& last) {
   if (signs[0].text != signs[1].text || signs[0].text == "==")
@@ -96,7 +96,7 @@ Constraint two_sided(std::string_view text, const std::vector<Sign>& signs,
         "write two limits instead", signs[first.formula.constant() ? 1 : 0].at);
   require_same_dimension(first.formula, metric.formula, signs[0].text, signs[0].at);
   require_same_dimension(metric.formula, last.formula, signs[1].text, signs[1].at);
-  Constraint limit{std::string(text), metric, constant(first), constant(last)};
+  MotorLimit limit{std::string(text), metric, constant(first), constant(last)};
   if (signs[0].text == ">=") std::swap(limit.lower, limit.upper);
   if (!(limit.lower <= limit.upper))
     throw ValueError(quoted(text) + " leaves no room",
@@ -119,13 +119,13 @@ double tolerance_of(const Piece& piece, const MetricExpression& target) {
 }
 
 // "EXPR == A +- B"
-Constraint equality(std::string_view text, const Sign& sign) {
+MotorLimit equality(std::string_view text, const Sign& sign) {
   const std::size_t begin = sign.at + sign.text.size();
   const std::size_t plus = text.find("+-", begin);
   if (plus == std::string_view::npos)
     throw ValueError(quoted(text) + " has no tolerance", kTolerance, text.size());
   const MetricExpression target = Piece{text, begin, plus}.side();
-  Constraint limit = between_sides(text, sign, Piece{text, 0, sign.at}.side(), target);
+  MotorLimit limit = between_sides(text, sign, Piece{text, 0, sign.at}.side(), target);
   const double tolerance = tolerance_of({text, plus + 2, text.size()}, target);
   const double middle = std::isfinite(limit.lower) ? limit.lower : limit.upper;
   limit.lower = middle - tolerance;
@@ -135,17 +135,17 @@ Constraint equality(std::string_view text, const Sign& sign) {
 
 }  // namespace
 
-double Constraint::excess(double value) const {
+double MotorLimit::excess(double value) const {
   if (std::isnan(value)) return value;
   return std::max({0.0, lower - value, value - upper});
 }
 
-bool Constraint::at_least(double value) const {
+bool MotorLimit::at_least(double value) const {
   if (std::isinf(lower) || std::isinf(upper)) return std::isinf(upper);
   return std::fabs(value - lower) < std::fabs(value - upper);
 }
 
-Constraint parse_constraint(std::string_view text) {
+MotorLimit parse_limit(std::string_view text) {
   text = trimmed(text);
   const std::vector<Sign> signs = comparisons(text);
   if (signs.empty()) throw ValueError(quoted(text) + " limits nothing", kUsage, text.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "campaign.hpp"
+#include "stage_runner.hpp"
 
 #include "first_design.hpp"
 
@@ -32,7 +32,8 @@ void Counters::subtract(const Counters& other) {
   for (const auto& [reason, count] : other.failures) failures[reason] -= count;
 }
 
-Campaign::Campaign(const Problem& problem, const SolveOptions& options, const Deadline& deadline)
+StageRunner::StageRunner(const Problem& problem, const SolveOptions& options,
+                         const Deadline& deadline)
     : problem_(problem),
       options_(options),
       deadline_(deadline),
@@ -40,38 +41,38 @@ Campaign::Campaign(const Problem& problem, const SolveOptions& options, const De
       start_(start_design(problem)),
       next_stage_(options.first_stage) {}
 
-std::size_t Campaign::left() const {
+std::size_t StageRunner::left() const {
   const std::size_t total = options_.budget.evaluations;
   return total > counters_.evaluations ? total - counters_.evaluations : 0;
 }
 
 // What a solver may not touch, so that its answer can still be certified.
-std::size_t Campaign::reserve() const {
+std::size_t StageRunner::reserve() const {
   return std::min(2 * certificate_cost(scaling_.size()), left() / 4);
 }
 
-bool Campaign::exhausted() const {
+bool StageRunner::exhausted() const {
   return stop_ == StopReason::requested || stop_ == StopReason::seconds || left() == 0 ||
          options_.stop.stop_requested() || deadline_.passed();
 }
 
 // A request, or the end of the time, that comes in the last call of a stage is thrown to nobody.
-StopReason Campaign::stop_reason() const {
+StopReason StageRunner::stop_reason() const {
   if (stop_ == StopReason::seconds) return stop_;
   if (options_.stop.stop_requested()) return StopReason::requested;
   return left() > 0 && deadline_.passed() ? StopReason::seconds : stop_;
 }
 
-Outcome Campaign::without_design() const {
+Outcome StageRunner::without_design() const {
   return exhausted() && !counters_.all_failed() ? Outcome::budget : Outcome::failed;
 }
 
-void Campaign::note_stop(StopReason reason) {
+void StageRunner::note_stop(StopReason reason) {
   if (reason != StopReason::finished) stop_ = reason;
 }
 
-bool Campaign::scale() {
-  Attempt stage;
+bool StageRunner::scale() {
+  SolverRun stage;
   stage.session = std::make_unique<Session>(problem_, options_, deadline_, next_stage_++, left());
   std::optional<std::vector<double>> first;
   try {
@@ -84,39 +85,39 @@ bool Campaign::scale() {
   return first.has_value();
 }
 
-Attempt Campaign::run(const Optimizer& optimizer, std::span<const double> unit_start,
-                      bool last_word) {
+SolverRun StageRunner::run(const Optimizer& optimizer, std::span<const double> unit_start,
+                           bool last_word) {
   const std::size_t kept = last_word ? reserve() : 0;
-  const AttemptPlan plan{
+  const SolverPlan plan{
       &optimizer, next_stage_++, left() - kept, {unit_start.begin(), unit_start.end()}};
-  Attempt attempt = make_attempt(problem_, options_, deadline_, scaling_,
-                                 plain_formulation(problem_, scaling_), plan);
-  book(attempt);
-  return attempt;
+  SolverRun run = run_solver(problem_, options_, deadline_, scaling_,
+                             plain_formulation(problem_, scaling_), plan);
+  book(run);
+  return run;
 }
 
-Attempt Campaign::run(const Optimizer& optimizer, const Formulation& formulation,
-                      std::span<const double> start, std::size_t most) {
-  const AttemptPlan plan{
+SolverRun StageRunner::run(const Optimizer& optimizer, const Formulation& formulation,
+                           std::span<const double> start, std::size_t most) {
+  const SolverPlan plan{
       &optimizer, next_stage_++, std::min(left(), most), {start.begin(), start.end()}};
-  Attempt attempt = make_attempt(problem_, options_, deadline_, scaling_, formulation, plan);
-  book(attempt);
-  return attempt;
+  SolverRun run = run_solver(problem_, options_, deadline_, scaling_, formulation, plan);
+  book(run);
+  return run;
 }
 
-std::vector<Attempt> Campaign::run_all(const Optimizer& optimizer,
-                                       const std::vector<std::vector<double>>& starts) {
+std::vector<SolverRun> StageRunner::run_all(const Optimizer& optimizer,
+                                            const std::vector<std::vector<double>>& starts) {
   // Each start has its own stage and an equal share, so that nothing depends on who is first.
   const std::size_t share = (left() - reserve()) / starts.size();
   const Formulation formulation = plain_formulation(problem_, scaling_);
-  std::vector<Attempt> attempts(starts.size());
+  std::vector<SolverRun> runs(starts.size());
   std::vector<std::exception_ptr> errors(starts.size());
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
     for (std::size_t i = next++; i < starts.size(); i = next++) {
       try {
-        const AttemptPlan plan{&optimizer, next_stage_ + i, share, starts[i]};
-        attempts[i] = make_attempt(problem_, options_, deadline_, scaling_, formulation, plan);
+        const SolverPlan plan{&optimizer, next_stage_ + i, share, starts[i]};
+        runs[i] = run_solver(problem_, options_, deadline_, scaling_, formulation, plan);
       } catch (...) {
         errors[i] = std::current_exception();
       }
@@ -131,49 +132,48 @@ std::vector<Attempt> Campaign::run_all(const Optimizer& optimizer,
   next_stage_ += starts.size();
   for (const auto& error : errors)
     if (error) std::rethrow_exception(error);
-  for (Attempt& attempt : attempts) book(attempt);
-  return attempts;
+  for (SolverRun& run : runs) book(run);
+  return runs;
 }
 
-void Campaign::allow(Attempt& attempt, std::size_t wanted) {
-  book(attempt);  // what it has used is not left
-  attempt.session->allow(std::min(wanted, left()));
+void StageRunner::allow(SolverRun& run, std::size_t wanted) {
+  book(run);  // what it has used is not left
+  run.session->allow(std::min(wanted, left()));
 }
 
-void Campaign::finish(Attempt& attempt) {
-  if (attempt.certified || !attempt.best) return;
-  allow(attempt, std::max(attempt.session->left(), 4 * certificate_cost(scaling_.size())));
-  finish_attempt(attempt, scaling_);
-  book(attempt);
+void StageRunner::finish(SolverRun& run) {
+  if (run.certified || !run.best) return;
+  allow(run, std::max(run.session->left(), 4 * certificate_cost(scaling_.size())));
+  finish_run(run, scaling_);
+  book(run);
 }
 
-void Campaign::book(Attempt& attempt) {
-  const Counters& used = attempt.session->counters();
-  counters_.subtract(attempt.booked);
+void StageRunner::book(SolverRun& run) {
+  const Counters& used = run.session->counters();
+  counters_.subtract(run.booked);
   counters_.add(used);
-  attempt.booked = used;
-  note_stop(attempt.report.stop);
-  if (attempt.solver == nullptr) return;
+  run.booked = used;
+  note_stop(run.report.stop);
+  if (run.solver == nullptr) return;
   StageReport report;
-  if (attempt.reported)
-    std::erase_if(stages_,
-                  [&](const StageReport& s) { return s.stage == attempt.session->stage(); });
-  report.stage = attempt.session->stage();
-  report.solver = attempt.solver->name;
-  report.word = attempt.report.word;
-  report.code = attempt.report.code;
+  if (run.reported)
+    std::erase_if(stages_, [&](const StageReport& s) { return s.stage == run.session->stage(); });
+  report.stage = run.session->stage();
+  report.solver = run.solver->name;
+  report.word = run.report.word;
+  report.code = run.report.code;
   report.evaluations = used.evaluations;
   report.objective = std::nan("");
-  if (attempt.best && problem_.objectives.size() == 1) {
-    report.feasible = attempt.best->violation <= options_.feasibility_tolerance;
+  if (run.best && problem_.objectives.size() == 1) {
+    report.feasible = run.best->violation <= options_.feasibility_tolerance;
     const double sign = problem_.objectives[0].sense == Sense::maximize ? -1.0 : 1.0;
-    report.objective = sign * attempt.best->f / scaling_.factor(0);
+    report.objective = sign * run.best->f / scaling_.factor(0);
   }
-  attempt.reported = true;
+  run.reported = true;
   stages_.push_back(std::move(report));
 }
 
-void Campaign::book(const Result& nested) {
+void StageRunner::book(const Result& nested) {
   counters_.add(nested.counters);
   stages_.insert(stages_.end(), nested.stages.begin(), nested.stages.end());
   next_stage_ += nested.stages_used;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <twum/studies/metrics/constraint.hpp>
+#include <twum/studies/metrics/motor_limit.hpp>
 #include <twum/studies/text/value_error.hpp>
 
 #include <catch2/catch.hpp>
@@ -18,7 +18,7 @@ constexpr double kRpm = 2 * std::numbers::pi / 60;
 
 std::string complaint(const char* text) {
   try {
-    parse_constraint(text);
+    parse_limit(text);
     return "";
   } catch (const ValueError& error) {
     return std::to_string(error.position()) + ": " + error.what();
@@ -28,24 +28,24 @@ std::string complaint(const char* text) {
 }  // namespace
 
 TEST_CASE("a constraint limits a metric or a parameter in its own unit", "[studies][metrics]") {
-  const Constraint wear = parse_constraint(" wear_intensity_at(80 rpm) <= 5 kW/m^2 ");
+  const MotorLimit wear = parse_limit(" wear_intensity_at(80 rpm) <= 5 kW/m^2 ");
   CHECK(wear.upper == 5000);
   CHECK(std::isinf(wear.lower));
   CHECK(wear.text == "wear_intensity_at(80 rpm) <= 5 kW/m^2");
-  CHECK(parse_constraint("preload>=60 N").lower == 60);
-  CHECK(parse_constraint("60 N <= preload").lower == 60);
-  CHECK(parse_constraint("contact_ratio <= 0.3").upper == 0.3);
-  CHECK(parse_constraint("max_pressure <= 2 * 5 MPa").upper == 10e6);
+  CHECK(parse_limit("preload>=60 N").lower == 60);
+  CHECK(parse_limit("60 N <= preload").lower == 60);
+  CHECK(parse_limit("contact_ratio <= 0.3").upper == 0.3);
+  CHECK(parse_limit("max_pressure <= 2 * 5 MPa").upper == 10e6);
 }
 
 TEST_CASE("a limit may depend on the motor: then left minus right is compared with zero",
           "[studies][metrics]") {
-  const Constraint thin = parse_constraint("thickness <= 0.1 * 2 * contact_half_length");
+  const MotorLimit thin = parse_limit("thickness <= 0.1 * 2 * contact_half_length");
   CHECK(thin.metric.text == "thickness - 0.1 * 2 * contact_half_length");
   CHECK(thin.upper == 0);
   REQUIRE(thin.sides.size() == 2);
   CHECK(thin.sides[1].text == "0.1 * 2 * contact_half_length");
-  const Constraint sum = parse_constraint("h >= contact_half_length - 1 um");
+  const MotorLimit sum = parse_limit("h >= contact_half_length - 1 um");
   CHECK(sum.metric.text == "thickness - (contact_half_length - 1 um)");
   CHECK(sum.lower == 0);
 }
@@ -53,7 +53,7 @@ TEST_CASE("a limit may depend on the motor: then left minus right is compared wi
 TEST_CASE("a limit with two signs has two ends", "[studies][metrics]") {
   for (const char* text :
        {"145 rpm <= no_load_speed <= 155 rpm", "155 rpm >= no_load_speed >= 145 rpm"}) {
-    const Constraint speed = parse_constraint(text);
+    const MotorLimit speed = parse_limit(text);
     CHECK(speed.metric.text == "no_load_speed");
     CHECK(speed.lower == 145 * kRpm);
     CHECK(speed.upper == 155 * kRpm);
@@ -71,13 +71,13 @@ TEST_CASE("a limit with two signs has two ends", "[studies][metrics]") {
 TEST_CASE("an equality has a tolerance, which in % is relative", "[studies][metrics]") {
   for (const char* text :
        {"no_load_speed == 150 rpm +- 3 rpm", "no_load_speed == 150 rpm +- 2 %"}) {
-    const Constraint speed = parse_constraint(text);
+    const MotorLimit speed = parse_limit(text);
     CHECK(speed.lower == Approx(147 * kRpm).epsilon(1e-15));  // sums of rounded numbers
     CHECK(speed.upper == Approx(153 * kRpm).epsilon(1e-15));
   }
-  const Constraint share = parse_constraint("contact_ratio == 0.5 +- 10 %");
+  const MotorLimit share = parse_limit("contact_ratio == 0.5 +- 10 %");
   CHECK(share.lower == Approx(0.45).epsilon(1e-15));
-  const Constraint tied = parse_constraint("contact_width == 0.15 * contact_radius +- 10 um");
+  const MotorLimit tied = parse_limit("contact_width == 0.15 * contact_radius +- 10 um");
   CHECK(tied.metric.text == "contact_width - 0.15 * contact_radius");
   CHECK(tied.lower == -10e-6);
   CHECK(tied.upper == 10e-6);

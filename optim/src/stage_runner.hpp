@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "attempt.hpp"
+#include "solver_run.hpp"
 
 namespace twum::optim {
 
 /// The book-keeping of one solve: budget shared between stages, counters, stage numbers, clock.
-class Campaign {
+class StageRunner {
  public:
-  /// Keeps references. A nested campaign gives the clock of the solve it belongs to.
-  Campaign(const Problem& problem, const SolveOptions& options, const Deadline& deadline);
+  /// Keeps references. A nested runner gives the clock of the solve it belongs to.
+  StageRunner(const Problem& problem, const SolveOptions& options, const Deadline& deadline);
 
   /// Finds scale factors from the start or, where it cannot be evaluated, from the first of some
   /// low-discrepancy points that can, which then is the start. False if none can or nothing is left of the
@@ -17,23 +17,23 @@ class Campaign {
   bool scale();
 
   /// One attempt on the plain problem in its own stage.
-  Attempt run(const Optimizer& optimizer, std::span<const double> unit_start, bool last_word);
+  SolverRun run(const Optimizer& optimizer, std::span<const double> unit_start, bool last_word);
   /// @param most  evaluations it may use, of those left
-  Attempt run(const Optimizer& optimizer, const Formulation& formulation,
-              std::span<const double> start, std::size_t most = static_cast<std::size_t>(-1));
+  SolverRun run(const Optimizer& optimizer, const Formulation& formulation,
+                std::span<const double> start, std::size_t most = static_cast<std::size_t>(-1));
 
   /// The same solver from several starts, in parallel if the options say so; in order of starts.
-  std::vector<Attempt> run_all(const Optimizer& optimizer,
-                               const std::vector<std::vector<double>>& starts);
+  std::vector<SolverRun> run_all(const Optimizer& optimizer,
+                                 const std::vector<std::vector<double>>& starts);
 
   /// Lets a stage make as many more calls as are wanted, or as the budget has left.
-  void allow(Attempt& attempt, std::size_t wanted);
+  void allow(SolverRun& run, std::size_t wanted);
 
   /// Certifies and polishes within the reserve.
-  void finish(Attempt& attempt);
+  void finish(SolverRun& run);
 
   /// Adds what a stage used to the counters and the report; may be called again after more use.
-  void book(Attempt& attempt);
+  void book(SolverRun& run);
 
   /// Adds a nested solve.
   void book(const Result& nested);

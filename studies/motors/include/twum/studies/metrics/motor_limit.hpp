@@ -11,7 +11,7 @@ namespace twum::studies {
 
 /// A limit on what a motor does: "stall_torque >= 0.8 N.m", "thickness <= 0.2 * contact_half_length",
 /// "145 rpm <= no_load_speed <= 155 rpm", "no_load_speed == 150 rpm +- 3 %".
-struct Constraint {
+struct MotorLimit {
   std::string text;  ///< as typed, blanks trimmed
   MetricExpression
       metric;  ///< what stays between the ends: one side, or left minus right if both depend on the motor
@@ -31,6 +31,6 @@ struct Constraint {
 /// Reads a limit: two expressions of one dimension with ">=" or "<=" between them, a quantity on each side ("A <= EXPR <=
 /// B"), or an equality with a tolerance ("EXPR == A +- B"), which in % is relative to A.
 /// @throws ValueError with the position in the text, what was found and what would be right.
-Constraint parse_constraint(std::string_view text);
+MotorLimit parse_limit(std::string_view text);
 
 }  // namespace twum::studies
