@@ -205,6 +205,26 @@ onTheme(() => {
   for (const holder of document.querySelectorAll('.chart')) Object(holder).plot?.redraw(false);
 });
 
+/** What is drawn below and above the series, and what a cursor and a selection do. */
+function hooksOf(options, zoom) {
+  return {
+    drawClear: [(u) => options.ground && options.ground(u)],
+    draw: [(u) => {
+      const taken = [];
+      if (options.front) options.front(u, taken);
+      drawMarks(u, options.marks || [], taken);
+    }],
+    setCursor: [(u) => options.onMove && options.onMove(u.cursor.idx === undefined ? null : u.cursor.idx, u)],
+    setSelect: [(u) => {
+      if (u.select.width <= 2 && u.select.height <= 2) return;
+      if (options.onSelect)
+        options.onSelect(u);
+      else if (zoom)
+        zoom.toSelection(u);
+    }],
+  };
+}
+
 /**
  * Draws a chart into a node.
  * series: [{name, y, colour, dash, points, area}] over a common x; an area reaches down to 0; NaN leaves a gap.
@@ -235,22 +255,7 @@ export function chart(node, x, series, options) {
     },
     series: [{}, ...series.map(seriesConfig)],
     bands: options.bands || [],
-    hooks: {
-      drawClear: [(u) => options.ground && options.ground(u)],
-      draw: [(u) => {
-        const taken = [];
-        if (options.front) options.front(u, taken);
-        drawMarks(u, options.marks || [], taken);
-      }],
-      setCursor: [(u) => options.onMove && options.onMove(u.cursor.idx === undefined ? null : u.cursor.idx, u)],
-      setSelect: [(u) => {
-        if (u.select.width <= 2 && u.select.height <= 2) return;
-        if (options.onSelect)
-          options.onSelect(u);
-        else if (zoom)
-          zoom.toSelection(u);
-      }],
-    },
+    hooks: hooksOf(options, zoom),
   };
   const plot = new uPlot(config, [gaps(x), ...series.map((s) => gaps(s.y))], holder);
   Object.assign(plot, {options, zoom});
