@@ -105,10 +105,16 @@ class Figures(Page):
         pixel = (whole[1] - whole[0]) / width
         self.assertAlmostEqual(low, whole[0] + 0.25 * (whole[1] - whole[0]), delta=2 * pixel)
         self.assertAlmostEqual(high, whole[0] + 0.75 * (whole[1] - whole[0]), delta=2 * pixel)
+        wide = high - low
         self.browser.value("document.querySelector('[data-chart=torque]').focus()")
         self.browser.key("+")
+        # What lies outside has no mark and no label.
+        inside = self.browser.value("(() => { const u = document.querySelector('[data-chart=torque]').plot; return u.options.marks.filter((m) => isInside(u, m.x, m.y)).map((m) => m.x); })()")
+        marks = self.browser.value("document.querySelector('[data-chart=torque]').plot.options.marks.map((m) => [m.x, m.y])")
+        low, high = self.scale("torque", "x")
+        self.assertEqual(inside, [x for x, _ in marks if low <= x <= high])
         near = self.scale("torque", "x")
-        self.assertAlmostEqual(near[1] - near[0], (high - low) / 2, delta=2 * pixel)
+        self.assertAlmostEqual(near[1] - near[0], wide / 2, delta=2 * pixel)
         self.browser.key("Escape")
         self.assertEqual(self.scale("torque", "x"), whole)
 
@@ -120,6 +126,13 @@ class Figures(Page):
             self.assertGreater(low, 0)
             place = self.browser.value("document.querySelector('[data-chart=\"front 0 1\"]').plot.valToPos(%r, '%s')" % (math.sqrt(low * high), key))
             self.assertAlmostEqual(place, self.browser.value("document.querySelector('[data-chart=\"front 0 1\"] .u-over').client%s" % ask.capitalize()) / 2, delta=0.5)
+        # Numbers stand at whole multiples of a power of ten, several of them on either axis.
+        for axis in (0, 1):
+            shown = self.browser.value("(() => { const u = document.querySelector('[data-chart=\"front 0 1\"]').plot; return u.axes[%d]._values.filter((v) => v !== '').map(Number); })()" % axis)
+            self.assertGreater(len(shown), 3)
+            for v in shown:
+                leading = v / 10 ** math.floor(math.log10(v) + 1e-9)
+                self.assertAlmostEqual(leading, round(leading), delta=1e-6)
         self.press("log x")
         # The point chosen by a click is still the one under it.
         x, y = self.browser.value("(() => { const u = document.querySelector('[data-chart=\"front 0 1\"]').plot; return [u.valToPos(u.data[0][3], 'x'), u.valToPos(u.data[1][3], 'y')]; })()")

@@ -6,7 +6,27 @@ import {rounded} from './units.js';
 
 const letters = 'px system-ui, "Liberation Sans", Arial, sans-serif';
 
-function axis(label, side, size) {
+/** 1, 2 and 5 times a power of ten come first, what is no whole multiple of one not at all. */
+function logRank(value) {
+  const leading = value / 10 ** Math.floor(Math.log10(value) + 1e-9);
+  const whole = Math.round(leading);
+  if (Math.abs(leading - whole) > 1e-6) return null;
+  return [1, 10].includes(whole) ? 0 : [2, 5].includes(whole) ? 1 : 2;
+}
+
+/** The places of a logarithmic axis that have room for their numbers. */
+function logLabels(u, splits, index) {
+  const [key, room] = index === 0 ? ['x', 34] : ['y', 22];
+  const ranked = splits.filter((v) => v > 0 && logRank(v) !== null).sort((a, b) => logRank(a) - logRank(b) || a - b);
+  const kept = new Map();
+  for (const v of ranked) {
+    const at = u.valToPos(v, key);
+    if ([...kept.values()].every((p) => Math.abs(p - at) >= room)) kept.set(v, at);
+  }
+  return splits.map((v) => (kept.has(v) ? v : null));
+}
+
+function axis({label, log}, side, size) {
   return {
     label,
     side,
@@ -21,6 +41,7 @@ function axis(label, side, size) {
     ticks: {stroke: () => colour('line'), width: 1, size: 4},
     values: (_, splits) => splits.map((v) => (v === null ? '' : rounded(v, 6))),
     space: side === 2 ? 60 : 34,
+    filter: log ? logLabels : undefined,
   };
 }
 
@@ -92,11 +113,18 @@ export function drawnPlaces(u) {
   return list;
 }
 
+/** Whether a point is on the part of a plot that is shown, or on its edge. */
+export function isInside(u, x, y) {
+  const {x: across, y: up} = u.scales;
+  const within = (v, {min, max}) => v >= min - 1e-9 * (max - min) && v <= max + 1e-9 * (max - min);
+  return within(x, across) && within(y, up);
+}
+
 /** Dots with their texts; taken: boxes of labels that are there. */
 export function drawMarks(u, marks, taken = []) {
   const ratio = devicePixelRatio;
   const ctx = u.ctx;
-  const there = marks.filter((m) => Number.isFinite(m.x) && Number.isFinite(m.y));
+  const there = marks.filter((m) => isInside(u, m.x, m.y));
   const points = there.some((m) => m.text) ? drawnPlaces(u) : [];
   ctx.save();
   ctx.beginPath();
@@ -246,7 +274,7 @@ export function chart(node, x, series, options) {
     height,
     padding: [14, 14, 0, 0],
     scales: {x: scaleConfig('x', options.x, zoom ?? {}), y: scaleConfig('y', options.y, zoom ?? {})},
-    axes: [axis(options.x.label, 2, 26), axis(options.y.label, 3, 46)],
+    axes: [axis(options.x, 2, 26), axis(options.y, 3, 46)],
     legend: {show: false},
     cursor: {
       drag: {x: drags, y: drags, setScale: false, uni: 20},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Limits of a design and points of a duty on the curves: a bar where the limit is, hatched on the side that breaks it.
 
-import {drawLabel, drawnPlaces} from './chart.js';
+import {drawLabel, drawnPlaces, isInside} from './chart.js';
 import {data} from './data.js';
 import {colour} from './dom.js';
 import {engineering, rpm} from './units.js';
@@ -68,9 +68,7 @@ export function drawLimits(u, limits, taken) {
   for (const limit of limits) {
     const x = u.valToPos(limit.x, 'x', true);
     const y = u.valToPos(limit.y, 'y', true);
-    if (!(x >= u.bbox.left - 1 && x <= u.bbox.left + u.bbox.width + 1 && y >= u.bbox.top &&
-          y <= u.bbox.top + u.bbox.height + 1))
-      continue;
+    if (!isInside(u, limit.x, limit.y)) continue;
     const from = x - half < u.bbox.left && !limit.upright ? 0 : -half;  // beside the axis, not on its numbers
     // A bar across the direction of the quantity, teeth on the side of worse values.
     const [ux, uy] = limit.upright ? [0, 1] : [1, 0];
