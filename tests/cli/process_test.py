@@ -1,10 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """The program among other processes: locales, pipes, full disks, signals, terminals."""
+import collections
+import contextlib
+import fcntl
 import os
 import pty
 import select
 import signal
+import struct
 import subprocess
+import termios
 import time
 
 import program
@@ -128,6 +133,35 @@ class Interrupts(program.Case):
         os.close(other_end)
         os.close(terminal)
         self.assertRegex(text, rb"\d+ evaluations, \d+/s, .*left")
+
+    def on_terminal(self, width, *arguments):
+        """Standard output on a terminal of so many columns."""
+        terminal, other_end = pty.openpty()
+        fcntl.ioctl(other_end, termios.TIOCSWINSZ, struct.pack("HHHH", 24, width, 0, 0))
+        process = subprocess.Popen([program.PROGRAM, *map(str, arguments)], stdout=other_end, stderr=subprocess.DEVNULL)
+        os.close(other_end)
+        text = b""
+        with contextlib.suppress(OSError):  # the other end is closed
+            while piece := os.read(terminal, 65536):
+                text += piece
+        os.close(terminal)
+        self.assertEqual(process.wait(60), 0)
+        return text.decode().replace("\r\n", "\n")
+
+    def test_tables_fit_the_terminal(self):
+        for arguments in (("curve", program.DRIVE, "--points", "3"), ("parameters",), ("metrics",), ("materials",), ("solvers",),
+                          ("fields", RING, "--speed", "100 rpm", "--samples", "5")):
+            for width in (80, 110):
+                with self.subTest(arguments[0], width=width):
+                    shown = self.on_terminal(width, *arguments)
+                    self.assertLessEqual(max(map(len, shown.split("\n"))), width)
+                    # Nothing is lost, and without a terminal nothing is broken.
+                    piped = self.ok(*arguments)
+                    self.assertLessEqual(collections.Counter(piped.split()), collections.Counter(shown.split()))
+                    self.assertGreaterEqual(max(map(len, piped.split("\n"))), max(map(len, shown.split("\n"))))
+        written = self.folder / "curve.txt"
+        self.on_terminal(80, "curve", program.DRIVE, "--points", "3", "-o", written)
+        self.assertEqual(written.read_text(), self.ok("curve", program.DRIVE, "--points", "3"))
 
     def test_colours_only_on_a_terminal_and_without_no_color(self):
         wrong = self.write("wrong.yaml", "twum: 2\n")

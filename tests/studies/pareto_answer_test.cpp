@@ -56,6 +56,22 @@ ParetoResult front() {
 
 }  // namespace
 
+TEST_CASE("a short front lists its points, and a long one its ends alone",
+          "[studies][pareto][words]") {
+  ParetoResult result = front();
+  CHECK_THAT(answer_text(result), !Contains("point  "));  // ends and knee are all there are
+  result.front.insert(result.front.begin() + 1, point(3.5, 0.25, 125, true));
+  result.knee = 2;
+  result.ends = {3, 0};
+  CHECK_THAT(answer_text(result), Contains("point     peak_power  stall_torque  preload\n"
+                                           "1         3 W         200 mN.m      100 N\n"
+                                           "2         3.5 W       250 mN.m      125 N\n"
+                                           "3 (knee)  4 W         300 mN.m      150 N\n"
+                                           "4         5 W         800 mN.m      200 N\n"));
+  while (result.front.size() < 13) result.front.push_back(result.front.back());
+  CHECK_THAT(answer_text(result), !Contains("point  "));
+}
+
 TEST_CASE("the ends of a front and its knee stand side by side", "[studies][pareto][words]") {
   const ParetoResult result = front();
   CHECK(result.has_knee());

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "formats.hpp"
 
+#include "terminal.hpp"
+
 #include <twum/studies/tables/csv.hpp>
 #include <twum/studies/text/number.hpp>
 
+#include <unistd.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -21,6 +24,10 @@ std::string format_of(const std::string& path) {
 }
 
 }  // namespace
+
+std::size_t OutputOptions::table_width() const {
+  return path.empty() ? terminal_width(STDOUT_FILENO).value_or(0) : 0;
+}
 
 void add_output_options(CLI::App& command, OutputOptions& options,
                         const std::vector<std::string>& formats) {

@@ -3,6 +3,7 @@
 
 #include <twum/studies/units/engineering.hpp>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ namespace twum::cli {
 struct OutputOptions {
   std::string format{"table"};
   std::string path;
+
+  /// Columns that a table may have: those of the terminal that it goes to; 0, without limit, in files and pipes.
+  std::size_t table_width() const;
 };
 
 /// Adds --format and -o. Without --format a file named .csv, .json or .md gets what its name says.

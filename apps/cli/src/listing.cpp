@@ -10,11 +10,11 @@
 namespace twum::cli {
 namespace {
 
-std::string as_table(const Listing& listing) {
+std::string as_table(const Listing& listing, std::size_t width) {
   TextTable table;
   table.rows.push_back(listing.columns);
   table.rows.insert(table.rows.end(), listing.rows.begin(), listing.rows.end());
-  return aligned(table);
+  return aligned(table, width);
 }
 
 // The lists are our own: a range that begins with a minus sign is no formula.
@@ -62,10 +62,10 @@ std::string as_markdown(const Listing& listing) {
 
 }  // namespace
 
-std::string to_text(const Listing& listing, const std::string& format) {
+std::string to_text(const Listing& listing, const std::string& format, std::size_t width) {
   if (format == "json") return as_json(listing);
   if (format == "csv") return as_csv(listing);
-  return format == "markdown" ? as_markdown(listing) : as_table(listing);
+  return format == "markdown" ? as_markdown(listing) : as_table(listing, width);
 }
 
 }  // namespace twum::cli

@@ -15,6 +15,6 @@ struct Listing {
 };
 
 /// The listing as "table", "csv", "json" or "markdown" (the page in docs/reference).
-std::string to_text(const Listing& listing, const std::string& format);
+std::string to_text(const Listing& listing, const std::string& format, std::size_t width = 0);
 
 }  // namespace twum::cli

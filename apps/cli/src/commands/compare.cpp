@@ -58,8 +58,8 @@ std::vector<std::string> table_row(const ComparisonRow& row) {
   return cells;
 }
 
-std::string as_table(const Comparison& comparison) {
-  TextTable table{{{"", ""}}};
+std::string as_table(const Comparison& comparison, std::size_t width) {
+  TextTable table{{{"", ""}}, false, 2};
   for (std::size_t i = 0; i < comparison.names.size(); ++i) {
     table.rows.front().push_back(studies::printable(comparison.names[i]));
     if (i > 0) table.rows.front().emplace_back("");
@@ -70,7 +70,7 @@ std::string as_table(const Comparison& comparison) {
     if (row.group == group) table.rows.back().front().clear();
     group = row.group;
   }
-  return aligned(table);
+  return aligned(table, width);
 }
 
 std::string as_csv(const Comparison& comparison) {
@@ -104,9 +104,10 @@ int run_compare(const CompareOptions& options) {
     throw InputError("compare: one directory; expected two or more");
   const Comparison comparison = studies::compare_results(options.directories);
   Output output(options.output.path);
-  output.write(options.output.format == "json"  ? as_json(comparison)
-               : options.output.format == "csv" ? as_csv(comparison)
-                                                : as_table(comparison));
+  output.write(options.output.format == "json" ? as_json(comparison)
+               : options.output.format == "csv"
+                   ? as_csv(comparison)
+                   : as_table(comparison, options.output.table_width()));
   output.finish();
   return kDone;
 }

@@ -167,7 +167,7 @@ ColumnScale scale_of(const CurveColumn& column, const std::vector<OperatingPoint
 // Columns of all points, and what `last` says of each point under a heading of its own.
 using PointWords = std::function<std::string(std::size_t)>;
 std::string points_table(const Curve& curve, std::span<const CurveColumn> columns,
-                         const std::string& heading, const PointWords& last) {
+                         const std::string& heading, const PointWords& last, std::size_t width) {
   TextTable table{{{}, {}}, true};
   std::vector<ColumnScale> scales;
   for (const CurveColumn& column : columns) {
@@ -184,27 +184,28 @@ std::string points_table(const Curve& curve, std::span<const CurveColumn> column
     row.push_back(last(i));
     table.rows.push_back(std::move(row));
   }
-  return aligned(table);
+  return aligned(table, width);
 }
 
 // Speed and torque again, what the terminals see, and the losses that the other table does not have.
-std::string terminals_table(const Curve& curve) {
+std::string terminals_table(const Curve& curve, std::size_t width) {
   const std::span<const CurveColumn> contact = studies::contact_columns();
   std::vector<CurveColumn> columns(contact.begin(), contact.begin() + 2);
   const std::span<const CurveColumn> terminals = studies::terminal_columns();
   columns.insert(columns.end(), terminals.begin(), terminals.end());
-  return points_table(curve, columns, "status",
-                      [&](std::size_t i) { return to_string(curve.points[i].status); });
+  return points_table(
+      curve, columns, "status", [&](std::size_t i) { return to_string(curve.points[i].status); },
+      width);
 }
 
-std::string as_table(const Curve& curve) {
+std::string as_table(const Curve& curve, std::size_t width) {
   const std::string name = curve.file.name.empty() ? "motor" : studies::printable(curve.file.name);
-  const std::string contact =
-      points_table(curve, studies::contact_columns(), "zones",
-                   [&](std::size_t i) { return zones_text(curve.points[i], curve.zones[i]); });
+  const std::string contact = points_table(
+      curve, studies::contact_columns(), "zones",
+      [&](std::size_t i) { return zones_text(curve.points[i], curve.zones[i]); }, width);
   const std::string metrics = curve.slices ? comparison_text(*curve.slices) : metrics_table(curve);
   const std::string text = name + "\n\n" + metrics + "\n" + contact;
-  return has_modal_data(curve.file.design) ? text + "\n" + terminals_table(curve) : text;
+  return has_modal_data(curve.file.design) ? text + "\n" + terminals_table(curve, width) : text;
 }
 
 // The whole range of the curve's speeds; of a single speed, what the curve covers by itself.
@@ -236,7 +237,7 @@ int run_curve(const CurveOptions& options) {
   if (plot && !interrupted()) plot->draw(kCurvePlotSize, plot_script(curve));
   output.write(options.output.format == "json"  ? as_json(curve)
                : options.output.format == "csv" ? as_csv(curve)
-                                                : as_table(curve));
+                                                : as_table(curve, options.output.table_width()));
   output.finish();
   print_model_notes(curve.file.design);
   explain_reasons(reasons_in(curve));

@@ -137,7 +137,7 @@ ColumnScale scale_of(const FieldColumn& column, const Fields& fields) {
   return {studies::display_unit(largest, column.unit), largest};
 }
 
-std::string as_table(const Fields& fields) {
+std::string as_table(const Fields& fields, std::size_t width) {
   TextTable table{{{}, {}}, true};
   const ColumnScale radius{{"mm", 1e-3}, fields.radii.back().radius};
   if (fields.sliced()) table.rows = {{"radius"}, {"[mm]"}};
@@ -161,7 +161,7 @@ std::string as_table(const Fields& fields) {
   const std::string name =
       fields.file.name.empty() ? "motor" : studies::printable(fields.file.name);
   return name + " at " + studies::engineering(fields.point().speed, "rad/s") + ", " +
-         studies::engineering(fields.point().torque, "N.m") + "\n\n" + aligned(table);
+         studies::engineering(fields.point().torque, "N.m") + "\n\n" + aligned(table, width);
 }
 
 int run_fields(const FieldsOptions& options) {
@@ -187,7 +187,7 @@ int run_fields(const FieldsOptions& options) {
   const std::string& format = options.output.format;
   output.write(format == "json"  ? as_json(fields)
                : format == "csv" ? as_csv(fields)
-                                 : as_table(fields));
+                                 : as_table(fields, options.output.table_width()));
   output.finish();
   print_model_notes(fields.file.design);
   return kDone;

@@ -227,8 +227,8 @@ std::vector<FrequencyColumn> shown_columns(const FrequencyAnswer& answer) {
   return columns;
 }
 
-std::string sweeps_table(const FrequencyAnswer& answer) {
-  TextTable table{{{"sweep"}, {""}}, true};
+std::string sweeps_table(const FrequencyAnswer& answer, std::size_t width) {
+  TextTable table{{{"sweep"}, {""}}, true, 2};
   std::vector<ColumnScale> scales;
   const std::vector<FrequencyColumn> columns = shown_columns(answer);
   for (const FrequencyColumn& column : columns) {
@@ -249,11 +249,11 @@ std::string sweeps_table(const FrequencyAnswer& answer) {
       table.rows.push_back(std::move(row));
     }
   }
-  return aligned(table);
+  return aligned(table, width);
 }
 
-std::string as_table(const FrequencyAnswer& answer) {
-  return headline(answer) + "\n\n" + findings(answer) + "\n" + sweeps_table(answer);
+std::string as_table(const FrequencyAnswer& answer, std::size_t width) {
+  return headline(answer) + "\n\n" + findings(answer) + "\n" + sweeps_table(answer, width);
 }
 
 std::string script_of(const FrequencyAnswer& answer) {
@@ -277,7 +277,7 @@ int run_frequency(const FrequencyOptions& options) {
   if (plot && !answer.branches.empty()) plot->draw(kFrequencyPlotSize, script_of(answer));
   output.write(options.output.format == "json"  ? as_json(answer)
                : options.output.format == "csv" ? as_csv(answer)
-                                                : as_table(answer));
+                                                : as_table(answer, options.output.table_width()));
   output.finish();
   print_model_notes(answer.file.design);
   const bool any = std::any_of(answer.branches.begin(), answer.branches.end(),

@@ -88,7 +88,7 @@ Listing metrics() {
 
 int print(const Listing& listing, const OutputOptions& options) {
   Output output(options.path);
-  output.write(to_text(listing, options.format));
+  output.write(to_text(listing, options.format, options.table_width()));
   output.finish();
   return kDone;
 }

@@ -88,10 +88,12 @@ std::string as_json(const std::string& name) {
 
 std::string as_text(const MaterialsOptions& options) {
   if (options.output.format == "json") return as_json(options.name);
-  if (options.name.empty()) return to_text(all_materials(), options.output.format);
+  if (options.name.empty())
+    return to_text(all_materials(), options.output.format, options.output.table_width());
   const Listing listing = one_material(studies::find_material(options.name));
   const bool table = options.output.format == "table";
-  return (table ? listing.text + "\n\n" : "") + to_text(listing, options.output.format);
+  return (table ? listing.text + "\n\n" : "") +
+         to_text(listing, options.output.format, options.output.table_width());
 }
 
 int run_materials(const MaterialsOptions& options) {

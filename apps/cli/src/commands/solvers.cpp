@@ -79,8 +79,8 @@ Listing option_list() {
 int run_solvers(const SolversOptions& options) {
   Output output(options.output.path);
   const bool page = options.output.format == "markdown";
-  std::string text =
-      to_text(options.options ? option_list() : solver_list(), options.output.format);
+  std::string text = to_text(options.options ? option_list() : solver_list(), options.output.format,
+                             options.output.table_width());
   if (page && !options.options) text += "\n#" + to_text(option_list(), "markdown");
   output.write(text);
   output.finish();

@@ -33,6 +33,10 @@ std::vector<Shown> shown(const ParetoResult& result) {
   return list;
 }
 
+std::string goal_text(const Goal& goal, double value) {
+  return is_share(goal) ? percent_words(value) : engineering(value, goal.unit);
+}
+
 // Ends and knee side by side: goals first, then what they are made of.
 std::string front_table(const ParetoResult& result) {
   const std::vector<Shown> columns = shown(result);
@@ -42,9 +46,7 @@ std::string front_table(const ParetoResult& result) {
   for (std::size_t k = 0; k < result.goals.size(); ++k) {
     table.rows.push_back({result.goals[k].metric});
     for (const Shown& column : columns)
-      table.rows.back().push_back(is_share(result.goals[k])
-                                      ? percent_words(column.point->goals[k])
-                                      : engineering(column.point->goals[k], result.goals[k].unit));
+      table.rows.back().push_back(goal_text(result.goals[k], column.point->goals[k]));
   }
   for (std::size_t s = 0; s < columns.front().point->yields.size(); ++s) {
     if (columns.front().point->yields[s].verdict.empty()) continue;
@@ -65,7 +67,37 @@ std::string front_table(const ParetoResult& result) {
       table.rows.back().push_back(std::isnan(value) ? "-" : engineering(value, variable.unit));
     }
   }
-  return aligned(table);
+  return aligned(table, kSummaryWidth);
+}
+
+// More points than these are a list that nobody reads; they are in summary.json.
+constexpr std::size_t kFewPoints = 12;
+
+std::string point_text(const ParetoResult& result, std::size_t i) {
+  std::string text = std::to_string(i + 1);
+  if (result.has_knee() && i == result.knee) text += " (knee)";
+  return text;
+}
+
+// Every point of a short front: goals first, then what it is made of.
+std::string points_table(const ParetoResult& result) {
+  if (result.front.size() > kFewPoints || result.front.size() <= shown(result).size()) return {};
+  TextTable table{{{"point"}}};
+  for (const Goal& goal : result.goals) table.rows.front().push_back(goal.metric);
+  const DesignReport& first = result.front.front().report;
+  for (const ChosenSet& one : first.choice) table.rows.front().push_back(one.choice);
+  for (const NamedValue& variable : first.design) table.rows.front().push_back(variable.name);
+  for (std::size_t i = 0; i < result.front.size(); ++i) {
+    const ParetoResult::Point& point = result.front[i];
+    std::vector<std::string> row{point_text(result, i)};
+    for (std::size_t k = 0; k < result.goals.size(); ++k)
+      row.push_back(goal_text(result.goals[k], point.goals[k]));
+    for (const ChosenSet& one : point.report.choice) row.push_back(printable(one.set));
+    for (const NamedValue& variable : first.design)
+      row.push_back(engineering(value_of(point.report.design, variable.name), variable.unit));
+    table.rows.push_back(std::move(row));
+  }
+  return "\n" + aligned(table, kSummaryWidth);
 }
 
 // A limit that holds a point, and by how much it gives way when that is 1 % of it [SI].
@@ -218,8 +250,8 @@ Json answer_json(const ParetoResult& result) {
 std::string answer_text(const ParetoResult& result) {
   if (!result.explanation.empty() || result.front.empty()) return no_front_words(result);
   return counted(result.front.size(), "point") + ", " + std::to_string(certified(result)) +
-         " of them certified\n\n" + front_table(result) + "\n" + yields_words(result) +
-         choice_counts(result) + binding_words(result) + worth_text(result);
+         " of them certified\n\n" + front_table(result) + points_table(result) + "\n" +
+         yields_words(result) + choice_counts(result) + binding_words(result) + worth_text(result);
 }
 
 }  // namespace twum::studies

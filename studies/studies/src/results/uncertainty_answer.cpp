@@ -76,7 +76,7 @@ std::string spread_table(const UncertaintyResult& result) {
   for (const UncertaintyResult::Quantile& quantile : result.metrics.front().quantiles)
     table.rows.front().push_back(yield_text(quantile.probability) + " quantile");
   for (const UncertaintyResult::Metric& metric : result.metrics) add_rows(metric, table);
-  return aligned(table);
+  return aligned(table, kSummaryWidth);
 }
 
 std::string without(std::uint64_t count) {
