@@ -120,7 +120,9 @@ void fill_follows(const Eigen::JacobiSVD<Eigen::MatrixXd>& svd, const Eigen::Vec
 void fill_scatter(const FittedState& state, const LeastSquaresOptions& options,
                   LeastSquaresResult& result) {
   const std::size_t parameters = state.free.size();
-  const double freedom = static_cast<double>(result.degrees_of_freedom);
+  const double freedom = std::isfinite(options.freedom) && result.degrees_of_freedom > 0
+                             ? options.freedom
+                             : static_cast<double>(result.degrees_of_freedom);
   const double count = static_cast<double>(parameters);
   const bool known = result.scatter_known = std::isfinite(options.deviation);
   result.scatter = known ? options.deviation : result.residual_deviation;

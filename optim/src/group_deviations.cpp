@@ -6,6 +6,7 @@
 #include "fitted_space.hpp"
 
 #include <Eigen/Core>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -66,14 +67,34 @@ class GroupedFit {
     using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     const Eigen::Map<const RowMajor> jacobian(
         here.jacobian.data(), static_cast<Index>(groups_.size()), static_cast<Index>(b.size()));
-    const Eigen::MatrixXd q = fitted_space(jacobian(Eigen::all, free));
+    const Eigen::MatrixXd columns = jacobian(Eigen::all, free);
+    const Eigen::MatrixXd q = fitted_space(columns);
     const std::size_t count = result_.deviations.size();
     Shares found{std::vector<double>(count, 0.0), std::vector<double>(count, 0.0)};
     for (std::size_t i = 0; i < groups_.size(); ++i) {
       found.squares[groups_[i]] += here.values[i] * here.values[i];
       found.freedom[groups_[i]] += 1.0 - q.row(static_cast<Index>(i)).squaredNorm();
     }
+    result_.freedom = effective_freedom(columns, found.freedom);
     return found;
+  }
+
+  // Welch and Satterthwaite (L9.2): an estimate is a sum of a_i times reading i; its variance has a share of each group.
+  double effective_freedom(Eigen::MatrixXd columns, const std::vector<double>& freedom) const {
+    for (Index j = 0; j < columns.cols(); ++j)
+      if (const double size = columns.col(j).stableNorm(); size > 0.0) columns.col(j) /= size;
+    const Eigen::MatrixXd a = columns.completeOrthogonalDecomposition().pseudoInverse();
+    double fewest = static_cast<double>(columns.rows() - columns.cols());
+    for (Index j = 0; j < a.rows(); ++j) {
+      std::vector<double> shares(freedom.size(), 0.0);
+      for (std::size_t i = 0; i < groups_.size(); ++i)
+        shares[groups_[i]] += std::pow(a(j, static_cast<Index>(i)), 2);
+      double squares = 0.0;
+      for (std::size_t k = 0; k < shares.size(); ++k)
+        if (shares[k] > 0.0) squares += shares[k] * shares[k] / freedom[k];
+      fewest = std::min(fewest, std::pow(a.row(j).squaredNorm(), 2) / squares);
+    }
+    return fewest;
   }
 
   // True if the residuals have the deviations that the fit was made with (L9.1); else these change.

@@ -76,6 +76,14 @@ TEST_CASE("a level read by two instruments has the likeliest deviations (L9.1)",
   CHECK(found.deviations[0] == Approx(best[0]).epsilon(1e-6));
   CHECK(found.deviations[1] == Approx(best[1]).epsilon(1e-6));
   CHECK(found.fit.residual_deviation == Approx(1.0).epsilon(1e-7));
+
+  // The level is the mean of the instruments' means, weighed by w = m / d^2: its variance is sum w / (sum w)^2, with a share
+  // of w in it. An instrument's deviation is known to m less its part of the one parameter, w / sum w (L9.2).
+  const double w[] = {5 / (best[0] * best[0]), 4 / (best[1] * best[1])};
+  const double all = w[0] + w[1];
+  const double freedom =
+      all * all / (w[0] * w[0] / (5 - w[0] / all) + w[1] * w[1] / (4 - w[1] / all));
+  CHECK(found.freedom == Approx(freedom).epsilon(1e-5));
 }
 
 TEST_CASE("deviations of groups are found, and the better instrument counts more",

@@ -127,8 +127,8 @@ TEST_CASE("a column too short for a scatter of its own is refused with its place
   one.more = "scatter: by-column";
   CHECK_THROWS_WITH(
       make_kind(one.file("speed,torque,no_load_speed\n1,1,\n2,1,\n3,1,\n4,1,\n5,1,15\n")),
-      Contains("points.csv:1:14: no_load_speed: 1 number, of which 'scatter: by-column' cannot") &&
-          Contains("beside 3 parameters"));
+      Contains("points.csv:1:14: no_load_speed: 1 number; 'scatter: by-column' needs 13 or more") &&
+          Contains("points.csv:1:7: torque: 5 numbers; "));
   one.more = "scatter: by-column, loss: huber";
   CHECK_THROWS_WITH(one.file("speed,torque\n"),
                     Contains("study.loss: 'huber' beside 'scatter: by-column'"));

@@ -43,6 +43,9 @@ struct LeastSquaresOptions {
   /// Standard deviation of every residual where it is known, in units of the weights, more than 0; NaN: it is estimated
   /// from the residuals.
   double deviation{std::numeric_limits<double>::quiet_NaN()};
+  /// Degrees of freedom that an estimated scatter is known to, where these are not residuals less parameters (L9.2); NaN:
+  /// they are.
+  double freedom{std::numeric_limits<double>::quiet_NaN()};
   std::stop_token stop;  ///< a request ends the search with what has been found
 };
 

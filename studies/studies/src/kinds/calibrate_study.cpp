@@ -167,6 +167,7 @@ class CalibrateRun final : public StudyKindRun {
     options.loss = loss_;
     options.confidence = confidence_;
     if (stated_) options.deviation = fit_.stated_deviation();
+    options.freedom = freedom_;
     options.stop = context.stop;
     return options;
   }
@@ -185,6 +186,7 @@ class CalibrateRun final : public StudyKindRun {
     for (const optim::GroupDeviations& one : all) {
       if (one.fit.estimates.empty() || !(one.level < least)) continue;
       least = one.level;
+      freedom_ = one.freedom;
       deviations_ = one.deviations;
     }
   }
@@ -299,8 +301,9 @@ class CalibrateRun final : public StudyKindRun {
   std::string solver_;
   std::uint64_t seed_;
   double confidence_;
-  std::vector<double> deviations_;  // of the columns, once they are known
-  bool stated_;                     // the intervals stand on the standard deviations of the data
+  std::vector<double> deviations_;                            // of the columns, once they are known
+  double freedom_{std::numeric_limits<double>::quiet_NaN()};  // that these are known to
+  bool stated_;  // the intervals stand on the standard deviations of the data
 };
 
 }  // namespace
