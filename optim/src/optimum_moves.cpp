@@ -22,12 +22,12 @@ struct NoMoves {
 
 // Parts of a range, or of a held value, over which gradients are compared: the error is of its square, and of rounding
 // over it, 1e-8 both.
-constexpr double kStep = 1e-4;
+constexpr double kDifference = 1e-4;
 constexpr double kLeastStep = 1e-7;
 // A multiplier below this part of the objective's slope or curvature over the box may be 0.
 constexpr double kStrict = 1e-5;
 // Curvatures below this part of the largest are none.
-constexpr double kFlat = 1e-6;
+constexpr double kNoCurvature = 1e-6;
 
 // First derivatives, each coordinate in parts of its size: its range, or what is held.
 struct Slopes {
@@ -180,8 +180,8 @@ class Sensitivity {
   double step(Index k) const {
     const Variable& v = problem_.variables[index(k)];
     const double value = at_[index(k)];
-    if (k >= variables_) return kStep * size_[k];
-    const double h = std::min({kStep * size_[k], value - v.lower, v.upper - value});
+    if (k >= variables_) return kDifference * size_[k];
+    const double h = std::min({kDifference * size_[k], value - v.lower, v.upper - value});
     if (h < kLeastStep * size_[k]) throw NoMoves{v.name + " is at an end of its range by chance"};
     return h;
   }
@@ -214,7 +214,7 @@ class Sensitivity {
     }
     if (z.cols() == 0) return;
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(z.transpose() * hessian * z);
-    if (eigen.eigenvalues()[0] <= kFlat * hessian.cwiseAbs().maxCoeff())
+    if (eigen.eigenvalues()[0] <= kNoCurvature * hessian.cwiseAbs().maxCoeff())
       throw NoMoves{"the objective is flat along some change of the design, to second order"};
   }
 

@@ -41,8 +41,8 @@ std::vector<double> with_values(std::vector<double> design, const std::vector<Pa
 }
 
 // Of these parameters those that any response depends on.
-std::vector<Parameter> seen(const optim::Problem& problem, const std::vector<double>& at,
-                            const std::vector<Parameter>& held) {
+std::vector<Parameter> counting(const optim::Problem& problem, const std::vector<double>& at,
+                                const std::vector<Parameter>& held) {
   const optim::Evaluation here = problem.evaluate(at, true);
   const std::size_t before = at.size() - held.size();
   std::vector<Parameter> list;
@@ -69,8 +69,8 @@ void add_moves(const DesignProblem& question, const optim::Result& found, Optimi
   const std::vector<double> design(found.design.begin(), found.design.begin() + count);
   const MotorDesign motor = motor_of(question, design);
   std::vector<Parameter> held = held_parameters(question, motor);
-  held =
-      seen(motor_problem(widened(question, held, motor)), with_values(design, held, motor), held);
+  held = counting(motor_problem(widened(question, held, motor)), with_values(design, held, motor),
+                  held);
   const optim::OptimumMoves moves =
       optim::optimum_moves(motor_problem(widened(question, held, motor)),
                            with_values(design, held, motor), held.size(), found.certificate);
