@@ -234,6 +234,21 @@ class Command(program.Case):
         self.assertIn("run it again to complete its result", self.refused("plot", directory))
         self.assertFalse((directory / "plots").exists())
 
+    def test_a_study_without_an_answer_says_where_the_reason_is(self):
+        path = self.write("p.yaml", f"twum: 1\nmotor: {RING}\nstudy: {{kind: pareto, points: 5, objectives: [{{maximize: peak_power}}, "
+                                    "{maximize: stall_torque}], variables: {preload: {min: 60 N, max: 300 N}}, "
+                                    "constraints: [stall_torque >= 50 N.m]}\n")
+        program.twum("run", path, "-o", self.folder / "out")
+        text = self.refused("plot", self.folder / "out", status=1)
+        self.assertIn(f"no answer to draw; {self.folder}/out/report.html says why", text)
+
+    def test_motors_without_values_leave_what_there_is(self):
+        path = self.write("u.yaml", f"twum: 1\nmotor: {RING}\nset: {{amplitude: 0 m}}\nstudy: {{kind: uncertainty, samples: 64, "
+                                    "metrics: [speed_at(0.5 N.m), holding_torque], variables: {preload: {sd: 3 %}}}\n")
+        self.ok("run", path, "-o", self.folder / "out")
+        names = {pathlib.Path(line).stem for line in self.ok("plot", self.folder / "out").splitlines()}
+        self.assertEqual(names, {"histogram-holding_torque", "curve", "fields"})
+
     def test_without_gnuplot(self):
         text = self.refused("plot", self.result(), status=3, env={"PATH": str(self.folder)})
         self.assertIn("gnuplot-nox", text)

@@ -48,7 +48,7 @@ int run_plot(const PlotOptions& options) {
                          pictures = study_pictures({file, result, store});
                        });
   if (pictures.empty()) {
-    std::fprintf(stderr, "twum: this study has no answer to draw; 'twum report %s' says why\n",
+    std::fprintf(stderr, "twum: this study has no answer to draw; %s/report.html says why\n",
                  options.directory.c_str());
     return kNoAnswer;
   }

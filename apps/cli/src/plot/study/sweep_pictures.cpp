@@ -18,7 +18,8 @@ using studies::Column;
 // Of a sweep of one variable, every metric over it.
 Picture swept_lines(const FinishedStudy& study, const studies::SweepResult& answer) {
   const std::vector<double> x = column_values(study.store, answer.variables[0]);
-  Chart chart{study.title("metrics over the variable"), {}, true};
+  Chart chart{
+      study.title("metrics over " + studies::plain_name(answer.variables[0].name)), {}, true};
   for (const studies::SweepResult::Metric& metric : answer.metrics) {
     const std::vector<double> y = column_values(study.store, metric.column);
     std::map<double, double> sorted;
