@@ -18,23 +18,23 @@ std::vector<std::string> split(std::string line) {
 
 }  // namespace
 
-std::vector<StoredRow> read_numbers(const std::string& path) {
+std::vector<Row> read_numbers(const std::string& path) {
   std::ifstream file(path);
   if (!file) throw std::runtime_error("cannot read " + path);
   std::string line;
   std::getline(file, line);
   const std::vector<std::string> names = split(line);
-  std::vector<StoredRow> rows;
+  std::vector<Row> rows;
   while (std::getline(file, line)) {
     const std::vector<std::string> cells = split(line);
-    StoredRow row;
+    Row row;
     for (std::size_t i = 0; i < cells.size(); ++i) row[names.at(i)] = std::stod(cells[i]);
     rows.push_back(row);
   }
   return rows;
 }
 
-MotorDesign design_from_row(const StoredRow& row) {
+MotorDesign design_from_row(const Row& row) {
   MotorDesign design;
   design.stator.wavelengths = row.at("wavelengths");
   design.stator.contact_radius = row.at("contact_radius");
@@ -54,14 +54,14 @@ MotorDesign design_from_row(const StoredRow& row) {
 
 std::vector<ReferenceCase> read_reference_cases(const std::string& folder) {
   std::vector<ReferenceCase> cases;
-  for (const StoredRow& row : read_numbers(folder + "/designs.csv")) {
+  for (const Row& row : read_numbers(folder + "/designs.csv")) {
     cases.push_back({static_cast<int>(row.at("design")), design_from_row(row), {}, {}});
   }
-  const auto find = [&](const StoredRow& row) -> ReferenceCase& {
+  const auto find = [&](const Row& row) -> ReferenceCase& {
     return cases.at(static_cast<std::size_t>(row.at("design")));
   };
-  for (const StoredRow& row : read_numbers(folder + "/points.csv")) find(row).points.push_back(row);
-  for (const StoredRow& row : read_numbers(folder + "/metrics.csv")) find(row).metrics = row;
+  for (const Row& row : read_numbers(folder + "/points.csv")) find(row).points.push_back(row);
+  for (const Row& row : read_numbers(folder + "/metrics.csv")) find(row).metrics = row;
   return cases;
 }
 

@@ -177,7 +177,7 @@ TEST_CASE("a search tells the best feasible value so far", "[studies][problem]")
   ThreadExecutor executor(kind);
   RunContext context{store, executor, {}, [&](const RunProgress& now) { told.push_back(now); }};
   SearchLog log(problem, context);
-  const optim::Observer observe = log.observer();
+  const optim::Observer observe = log.observer(40);
   std::uint64_t index = 0;
   const auto tell = [&](double torque, double pressure, double preload,
                         const std::string& failure = {}) {
@@ -195,7 +195,8 @@ TEST_CASE("a search tells the best feasible value so far", "[studies][problem]")
   CHECK(tell(0.4, 3e6, 100) == (maximize ? "stall_torque 500 mN.m" : "stall_torque 400 mN.m"));
   CHECK(tell(0.6, 2e6, 150) == (maximize ? "stall_torque 600 mN.m" : "stall_torque 400 mN.m"));
   CHECK(told.back().done == 6);
-  CHECK(told.back().total == 0);  // not known beforehand
+  CHECK(told.back().total == 40);
+  CHECK(told.back().budget);
   CHECK(store.rows() == 6);
 }
 
@@ -211,7 +212,7 @@ TEST_CASE("of several goals there is no best so far", "[studies][problem]") {
   const std::vector<double> design{100, 0.2};
   optim::Evaluation evaluation;
   evaluation.values = {0.5, 10};
-  log.observer()({0, 0, design, false, evaluation});
+  log.observer(40)({0, 0, design, false, evaluation});
   CHECK(best.empty());
 }
 

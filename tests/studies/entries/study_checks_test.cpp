@@ -58,7 +58,7 @@ struct Holder {
 template <typename T>
 Lines said_of(const Shape<T>& x, const std::string& text) {
   const Shape<Holder<T>> whole =
-      mapping<Holder<T>>("whole", {needed<Holder<T>>("x", x, &Holder<T>::x)});
+      mapping<Holder<T>>("whole", {required<Holder<T>>("x", x, &Holder<T>::x)});
   const Source source("text", text);
   Diagnostics diagnostics(source);
   Holder<T> read;

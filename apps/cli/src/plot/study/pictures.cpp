@@ -12,13 +12,13 @@
 namespace twum::cli {
 namespace {
 
-std::string member_name(const std::optional<studies::Column>& family, double value) {
+std::string member_name(const std::optional<studies::StoredColumn>& family, double value) {
   return family
              ? studies::plain_name(family->name) + " " + studies::engineering(value, family->unit)
              : "motor";
 }
 
-std::vector<studies::NamedValue> member_values(const std::optional<studies::Column>& family,
+std::vector<studies::NamedValue> member_values(const std::optional<studies::StoredColumn>& family,
                                                double value) {
   if (!family) return {};
   return {{family->name, family->unit, value}};

@@ -15,7 +15,7 @@ constexpr std::size_t kMostPoints = 5000;
 }  // namespace
 
 std::optional<std::size_t> column_of(const studies::ResultStore& store, const std::string& name) {
-  const std::vector<studies::Column>& columns = store.columns();
+  const std::vector<studies::StoredColumn>& columns = store.columns();
   for (std::size_t i = 0; i < columns.size(); ++i)
     if (columns[i].name == name) return i;
   return {};
@@ -28,12 +28,12 @@ std::vector<double> column_values(const studies::ResultStore& store, std::size_t
 }
 
 std::vector<double> column_values(const studies::ResultStore& store,
-                                  const studies::Column& column) {
+                                  const studies::StoredColumn& column) {
   const auto place = column_of(store, column.name);
   return place ? column_values(store, *place) : std::vector<double>{};
 }
 
-Axis axis_of(const studies::Column& column, double pad) {
+Axis axis_of(const studies::StoredColumn& column, double pad) {
   return {studies::plain_name(column.name), column.unit, false, pad};
 }
 

@@ -18,11 +18,12 @@ std::optional<std::size_t> column_of(const studies::ResultStore& store, const st
 std::vector<double> column_values(const studies::ResultStore& store, std::size_t column);
 
 /// The same of the column of this name; empty if there is none.
-std::vector<double> column_values(const studies::ResultStore& store, const studies::Column& column);
+std::vector<double> column_values(const studies::ResultStore& store,
+                                  const studies::StoredColumn& column);
 
 /// The axis of a column.
 /// @param pad  room beyond the values, share of their span
-Axis axis_of(const studies::Column& column, double pad);
+Axis axis_of(const studies::StoredColumn& column, double pad);
 
 /// Which rows a picture shows where there are more than can be told apart: one of each so many, drawn at random but always the
 /// same, since every k-th point of a grid or a sequence lies in a part of the space only.

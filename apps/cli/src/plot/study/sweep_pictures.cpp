@@ -13,7 +13,7 @@
 namespace twum::cli {
 namespace {
 
-using studies::Column;
+using studies::StoredColumn;
 
 // Of a sweep of one variable, every metric over it.
 Picture swept_lines(const FinishedStudy& study, const studies::SweepResult& answer) {
@@ -70,7 +70,7 @@ Picture swept_map(const FinishedStudy& study, const studies::SweepResult& answer
                     {study.title("map of " + studies::plain_name(metric.column.name)), {panel}});
 }
 
-Panel scatter(const Column& across, const Column& up, const std::vector<double>& x,
+Panel scatter(const StoredColumn& across, const StoredColumn& up, const std::vector<double>& x,
               const std::vector<double>& y) {
   Panel panel{axis_of(across, 0.03), axis_of(up, 0.06), {{"", Draw::dots, colour::kBlue, {}}}};
   for (const std::size_t i : shown_rows(std::min(x.size(), y.size())))
@@ -95,7 +95,8 @@ std::vector<Picture> pictures_of(const FinishedStudy& study, const studies::Swee
   std::vector<Picture> pictures;
   if (answer.variables.size() == 1) return {swept_lines(study, answer)};
   std::vector<std::vector<double>> x;
-  for (const Column& variable : answer.variables) x.push_back(column_values(study.store, variable));
+  for (const StoredColumn& variable : answer.variables)
+    x.push_back(column_values(study.store, variable));
   const bool map = is_map(answer, x);
   for (const studies::SweepResult::Metric& metric : answer.metrics) {
     if (metric.count == 0) continue;
@@ -103,7 +104,7 @@ std::vector<Picture> pictures_of(const FinishedStudy& study, const studies::Swee
                            : swept_scatter(study, answer, metric, x));
   }
   if (answer.metrics.size() > 1) {
-    const Column &a = answer.metrics[0].column, &b = answer.metrics[1].column;
+    const StoredColumn &a = answer.metrics[0].column, &b = answer.metrics[1].column;
     pictures.push_back(picture_of("designs", {study.title("the designs"),
                                               {scatter(a, b, column_values(study.store, a),
                                                        column_values(study.store, b))}}));
