@@ -197,7 +197,7 @@ class Curve(program.Case):
         self.assertIsNone(result["metrics"]["max_efficiency"])
         done = program.twum("curve", RING, "--set", "modal_damping=0 N.s/m")
         self.assertIn("max_efficiency                    - (undefined)", done.stdout.decode())
-        self.assertIn("note: undefined: no meaning for this motor", done.stderr)
+        self.assertIn("note: undefined: the metric has no meaning for this motor", done.stderr)
         self.assertEqual(program.twum("curve", RING, "--set", "contact_width=1 mm").stderr, "")
 
     def test_slices_are_compared_when_asked(self):

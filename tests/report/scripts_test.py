@@ -16,6 +16,11 @@ class Scripts(unittest.TestCase):
                 for number, line in enumerate(path.read_text().splitlines(), 1) if len(line) > LONGEST]
         self.assertEqual(long, [])
 
+    def test_every_module_is_in_a_page(self):
+        listed = (PAGE.parent / "CMakeLists.txt").read_text()
+        for path in MODULES:
+            self.assertRegex(listed, r"\b" + path.stem + r"\b", path.name)
+
     def test_no_name_is_declared_twice(self):
         # The build joins the modules of a page to one script (cmake/EmbedReport.cmake).
         declared = re.compile(r"^(?:export )?(?:async )?(?:function|class|const|let) (\w+)", re.M)

@@ -75,7 +75,7 @@ TEST_CASE("a sweep that is not over counts what it has", "[studies][sweep][words
   result.stored = 0;
   CHECK(answer_text(result).empty());
   result.stored = result.designs = 1;
-  CHECK_THAT(answer_text(result), StartsWith("1 design (grid), 1 without"));
+  CHECK_THAT(answer_text(result), StartsWith("1 design (grid), 1 failed"));
 }
 
 TEST_CASE("a metric that never changes, and one without a value, have no design to name",
