@@ -92,6 +92,12 @@ class Looks(Designer):
             self.assertEqual(self.browser.value("(ids => ids.length - new Set(ids).size)([...document.querySelectorAll('[id]')].map(n => n.id))"), 0)
             self.assertEqual(self.browser.value("document.querySelectorAll('h1').length"), 1)
 
+    def test_a_motor_without_terminals_has_no_line_for_them(self):
+        for name, shown in (("ring-60", False), ("drive-60", True)):
+            self.explore(name)
+            words = self.browser.value("[...document.querySelectorAll('.legend span')].filter(n => n.getClientRects().length).map(n => n.textContent)")
+            self.assertEqual("at the terminals" in words, shown, name)
+
     def test_the_torque_curve_stays_in_sight_on_a_phone(self):
         self.explore("ring-60", width=360, height=740)
         self.browser.value("document.querySelector('[data-parameter=preload]').scrollIntoView()")
