@@ -175,7 +175,7 @@ TEST_CASE("1 % of a limit is worth something of either goal, the most valuable f
              EndsWith("\nper 1 % looser at the knee, one of | peak_power | stall_torque\n"
                       "preload at its largest | +150 mW | -37.5 mN.m\n"
                       "max_pressure <= 2 MPa | +20 mW | -5 mN.m\n"
-                      "\nper 1 % looser for the largest peak_power | peak_power\n"
+                      "\nper 1 % looser at the largest | peak_power\n"
                       "max_pressure <= 2 MPa | +40 mW\n"));
   const Json json = answer_json(result);
   CHECK(json["front"][1]["constraints"][0]["gains"] == Json::array({1e-6, 1e-6 / 4}));
@@ -191,7 +191,7 @@ TEST_CASE("1 % of a limit is worth something of either goal, the most valuable f
   // Without a knee only the ends are asked.
   result.knee = 2;
   CHECK_THAT(answer_text(result), !Contains("at the knee"));
-  CHECK_THAT(answer_text(result), Contains("per 1 % looser for the largest peak_power"));
+  CHECK_THAT(answer_text(result), Contains("per 1 % looser at the largest"));
 }
 
 TEST_CASE("gains share a multiplier by the prices of the goals", "[studies][pareto]") {

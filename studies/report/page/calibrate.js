@@ -2,11 +2,12 @@
 // Measured points with the fit and its band, residuals, correlation of the estimates.
 
 import {numbers} from './bytes.js';
-import {chart, paddedRange, scaled} from './chart.js';
+import {paddedRange, scaled} from './chart.js';
 import {curveSection} from './curve.js';
 import {curves, data, summary, unitOf} from './data.js';
 import {designerButton} from './designer/inside.js';
-import {card, colour, legend} from './dom.js';
+import {card, colour} from './dom.js';
+import {figure} from './figure.js';
 import {movesCard} from './moves.js';
 import {named, quantity, table, words} from './table.js';
 import {displayUnit, engineering, largest, percent, rounded} from './units.js';
@@ -54,13 +55,8 @@ function fitChart(node) {
   const low = torque.map((t, i) => (t - band[i]) / unit.divisor);
   const high = torque.map((t, i) => (t + band[i]) / unit.divisor);
   const measured = points.map((p) => p.torque / unit.divisor);
-  node.append(legend([
-    {name: 'measured', colour: 'ink', kind: 'dot'}, {name: 'fit', colour: 'c0'},
-    ...(low.some(Number.isFinite) ?
-            [{name: percent(summary.confidence) + ' band of the fit', colour: 'band', kind: 'area'}] :
-            [])
-  ]));
-  chart(
+  const bandEntry = {name: percent(summary.confidence) + ' band of the fit', colour: 'band', kind: 'area'};
+  figure(
       node, speeds,
       [
         {name: 'fit', y: scaled(torque, unit.divisor), colour: 'c0'}, {name: 'low', y: low, colour: 'band'},
@@ -68,6 +64,11 @@ function fitChart(node) {
       ],
       {
         name: 'fit',
+        title: 'Measured and fitted',
+        legend: [
+          {name: 'measured', colour: 'ink', kind: 'dot'}, {name: 'fit', colour: 'c0'},
+          ...(low.some(Number.isFinite) ? [bandEntry] : [])
+        ],
         x: {
           label: 'speed [rpm]',
           range: [Math.min(0, 1.04 * Math.min(...measuredSpeeds)), 1.04 * Math.max(0, ...measuredSpeeds) || 1]
@@ -94,7 +95,7 @@ function residualChart(node, quantityName, points) {
   const unit = displayUnit(largest([places.map(({p}) => p.residual)]), points[0].p.unit || 'N.m');
   const y = places.map(({p}) => (p.residual === null ? NaN : p.residual / unit.divisor));
   const top = 1.15 * largest([y]) || 1;
-  chart(node, places.map(({x}) => x), [{name: 'residual', y, colour: 'c0', scatter: true}], {
+  figure(node, places.map(({x}) => x), [{name: 'residual', y, colour: 'c0', scatter: true}], {
     name: 'residuals' + (quantityName ? ' ' + quantityName : ''),
     x: {label: places[0].label, range: paddedRange([places.map(({x}) => x)])},
     y: {label: axisLabel('measured - fitted', unit), range: [-top, top]},
@@ -208,5 +209,5 @@ export function calibratePage() {
   const fitted = curves.filter(Boolean);
   if (fitted.length) curveSection(fitted, ['fitted motor'], 'The fitted motor');
   const explore = fitted.length ? designerButton(fitted[0].design, 'fitted motor', 'Explore the fitted motor') : null;
-  if (explore) card(null, null, 'wide').append(explore);
+  if (explore) card('The fitted motor as a page', null, 'wide').append(explore);
 }

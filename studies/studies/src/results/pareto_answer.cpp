@@ -149,8 +149,9 @@ std::string worth_text(const ParetoResult& result) {
     text += worth_table("per 1 % looser at the knee, one of", result.front[result.knee].report,
                         result.goals);
   for (std::size_t k = 0; k < result.alone.size(); ++k)
-    text += worth_table("per 1 % looser for the " + goal_words(result.goals[k]), result.alone[k],
-                        {result.goals[k]});
+    text += worth_table(
+        std::string("per 1 % looser at the ") + (result.goals[k].maximize ? "largest" : "smallest"),
+        result.alone[k], {result.goals[k]});
   return text;
 }
 
