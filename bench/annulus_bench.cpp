@@ -85,8 +85,14 @@ BENCHMARK_CAPTURE(beside_one_slice, level, Shape::level)
     ->Arg(16)
     ->Arg(32)
     ->Arg(64)
+    ->Arg(128)
+    ->Arg(kAutoSlices)
     ->Iterations(1);
-BENCHMARK_CAPTURE(beside_one_slice, rising, Shape::rising)->Arg(8)->Arg(32)->Iterations(1);
+BENCHMARK_CAPTURE(beside_one_slice, rising, Shape::rising)
+    ->Arg(8)
+    ->Arg(32)
+    ->Arg(kAutoSlices)
+    ->Iterations(1);
 BENCHMARK_CAPTURE(make_motor, one, 1, Shape::level);
 BENCHMARK_CAPTURE(make_motor, level_8, 8, Shape::level);
 BENCHMARK_CAPTURE(make_motor, rising_8, 8, Shape::rising);

@@ -84,6 +84,32 @@ TEST_CASE(
   check_every_metric(check_designs(20250102, 6, annulus_of));
 }
 
+// Where the search for a split takes one step more the torque steps by 1e-9 of its scale, seldom 1e-8 (W4.4): over the
+// difference 1e-5. The
+// third derivatives that a central difference leaves are of order 1e2 of the scale: 1e-8 times that.
+TEST_CASE("a track that is split where zones begin has the derivatives of differences (W4.4)",
+          "[core][annulus][derivative][differential]") {
+  MotorDesign design = ring_motor();
+  design.stator.radial_slices = -12;
+  const Motor motor(design);
+  std::vector<MetricRequest> requests;
+  for (const double share : {0.3, 0.8, 0.95, 1.2})
+    requests.push_back({Metric::torque_at, Argument::speed, share * motor.crest_speed()});
+  const auto found = differentiate(motor, requests);
+  for (const Parameter parameter : {Parameter::amplitude, Parameter::preload, Parameter::thickness,
+                                    Parameter::kinetic_friction, Parameter::contact_width}) {
+    const double x = get(design, parameter), step = 1e-4 * x;
+    const auto high = values_at(design, parameter, x + step, requests),
+               low = values_at(design, parameter, x - step, requests);
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+      const double slope = (high[i] - low[i]) / (2 * step);
+      CAPTURE(info(parameter).name, i, slope);
+      CHECK(std::abs(found[i].gradient[index_of(parameter)] - slope) <=
+            1e-5 * torque_scale(design) / x);
+    }
+  }
+}
+
 TEST_CASE("a layer that still rings at the next entry has the derivatives of differences (E6.2)",
           "[core][derivative][differential]") {
   // Its state at entry depends on the one a turn before by factors near one, so the derivative of the

@@ -24,6 +24,7 @@ TEST_CASE("settings override parameters by name or symbol, the last one holds",
   CHECK(apply({"h=0.2 mm", "thickness=0.25 mm"}).layer.thickness == 0.25e-3);
   CHECK(apply({}).preload == 160);
   CHECK(apply({"radial_slices=auto"}).stator.radial_slices == kAutoSlices);
+  CHECK(apply({"radial_slices=auto 10"}).stator.radial_slices == -10);
 }
 
 TEST_CASE("a setting replaces the twin of its parameter", "[studies][motor]") {

@@ -3,6 +3,7 @@
 #include "search_support.hpp"
 
 #include <twum/core/performance/motor.hpp>
+#include <twum/studies/motor/settings.hpp>
 #include <twum/studies/run/run_study.hpp>
 #include <twum/studies/run/verify_study.hpp>
 
@@ -31,17 +32,16 @@ StudyFile narrow_ring(const std::string& slices, const std::string& more = "") {
 
 // Both end where the certificate's tolerance of 1e-8 allows, on a goal whose curvature is of order one on the scale of the search:
 // designs then agree to its root, 1e-4, and goals to 1e-8.
-TEST_CASE("a search goes on with as many slices as auto takes where it ended",
-          "[studies][slices]") {
+TEST_CASE("a search goes on with as many nodes as auto takes where it ended", "[studies][slices]") {
   const Search counted(narrow_ring("auto"));
   CHECK(counted.answer.outcome == "optimal");
   const auto& best = counted.optimum().best;
   const int slices = static_cast<int>(test::value(best.design, "radial_slices"));
   MotorDesign there = narrow_ring("auto").motor.design;
   there.preload = test::value(best.design, "preload");
-  CHECK(Motor(there).radial_slices() <= slices);
-  REQUIRE(slices > 8);  // more than a search begins with
-  const Search given(narrow_ring(std::to_string(slices)));
+  CHECK(Motor(there).radial_slices() >= slices);
+  REQUIRE(slices < kAutoSlices);  // not what a search begins with
+  const Search given(narrow_ring(slices_text(slices)));
   CHECK(test::value(given.optimum().best.design, "preload") == Approx(there.preload).epsilon(1e-4));
   for (const NamedValue& each : given.optimum().best.metrics)
     CHECK(test::value(best.metrics, each.name) == Approx(each.value).epsilon(1e-4));
@@ -71,7 +71,7 @@ TEST_CASE("a front holds the number of slices that auto takes where it begins",
   };
   const StudyFile file = front("auto");
   const int slices = Motor(file.motor.design).radial_slices();
-  const Search counted(file), given(front(std::to_string(slices)));
+  const Search counted(file), given(front(slices_text(slices)));
   const auto &points = counted.front().front, &others = given.front().front;
   REQUIRE(points.size() == others.size());
   // The same function of the design: the same search, to the bit.

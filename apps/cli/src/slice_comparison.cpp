@@ -4,10 +4,12 @@
 #include "text_table.hpp"
 
 #include <twum/core/performance/motor.hpp>
+#include <twum/studies/motor/settings.hpp>
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/units/engineering.hpp>
 
 #include <cmath>
+#include <cstdlib>
 
 namespace twum::cli {
 namespace {
@@ -53,12 +55,12 @@ std::string comparison_text(const SliceComparison& comparison) {
     table.rows.push_back({comparison.metrics[i].text, shown_metric(one, unit),
                           shown_metric(track, unit), change_text(one, track)});
   }
-  return "the contact at its mean radius (one slice) against its width (track, " +
-         std::to_string(comparison.slices) + " slices in each smooth piece)\n" + aligned(table);
+  return "the contact at its mean radius (one slice) against its width (track, radial_slices: " +
+         studies::slices_text(comparison.slices) + ")\n" + aligned(table);
 }
 
 Json comparison_json(const SliceComparison& comparison) {
-  return {{"slices", comparison.slices},
+  return {{"slices", std::abs(comparison.slices)},
           {"one_slice", values_json(comparison, comparison.one_slice)},
           {"track", values_json(comparison, comparison.track)}};
 }

@@ -15,7 +15,7 @@ struct SliceComparison {
   std::vector<studies::MetricExpression> metrics;
   std::vector<MetricValue> one_slice;
   std::vector<MetricValue> track;
-  int slices;  ///< of each smooth piece of the track
+  int slices;  ///< as Motor::radial_slices()
 };
 
 /// @param design  if it has one slice, the track gets as many as `auto` takes
@@ -24,7 +24,7 @@ SliceComparison compare_slices(const MotorDesign& design);
 /// Metrics in rows: one slice, the track, and the relative change from the one to the other.
 std::string comparison_text(const SliceComparison& comparison);
 
-/// {"slices": number, "one_slice": {metric: SI value}, "track": {metric: SI value}}
+/// {"slices": number of each panel, "one_slice": {metric: SI value}, "track": {metric: SI value}}
 Json comparison_json(const SliceComparison& comparison);
 
 }  // namespace twum::cli

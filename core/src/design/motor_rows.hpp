@@ -87,10 +87,10 @@ inline constexpr std::array<ParameterInfo, kParameterCount - kGeometryRows.size(
      false, kNoTwin, "1.57 rad",
      "phase of the wave by which the sensor stands behind the first phase",
      "a whole turn of the wave either way"},
-    {P::radial_slices, "radial_slices", "", "1", "stator.radial_slices", kAutoSlices, 256, true,
-     false, kNoTwin, "8",
-     "slices of each smooth piece of the contact track; 1 takes all at the contact radius, 0 "
-     "stands for auto",
+    {P::radial_slices, "radial_slices", "", "1", "stator.radial_slices", -256, 256, true, false,
+     kNoTwin, "8",
+     "slices of each smooth piece of the contact track; 1 takes all at the contact radius, auto "
+     "(0 as a number) as many as the torque needs",
      "256 slices of a smooth piece leave rounding, and next to kinks 1e-6 of the torque"},
     {P::shape_exponent, "shape_exponent", "", "1", "stator.radial_shape.exponent", -20, 20, false,
      false, kNoTwin, "1.5",

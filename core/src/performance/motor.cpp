@@ -84,7 +84,10 @@ Motor::Motor(const MotorDesign& design) : design_(design) {
              performance::design_wave(values)));
 }
 
-int Motor::radial_slices() const noexcept { return model_->track.nodes; }
+int Motor::radial_slices() const noexcept {
+  const int nodes = model_->track.nodes;
+  return design_.stator.radial_slices <= kAutoSlices ? -nodes : nodes;
+}
 
 std::vector<double> Motor::slice_radii() const {
   std::vector<double> radii;

@@ -25,9 +25,23 @@ using ModelArray = std::array<S, kModelNumbers>;
 
 /// Radial slices of a track and their shape: what a design says of them without a derivative.
 struct TrackRule {
-  int nodes{1};  ///< of each smooth piece; 1: all at the contact radius
+  int nodes{1};                                ///< of each panel; 1: all at the contact radius
   std::shared_ptr<const ShapeSpline> table{};  ///< of the radial shape; null: exponent and root
   bool mode{false};                            ///< the shape is a mode of the plate
+  bool splits{false};  ///< panels end where zones appear, too (W4.4); else a panel is a piece
+};
+
+/// A stretch of the track that touches. theta_L leaves 0 or pi like a square root where a partial contact begins or ends.
+template <typename S>
+struct Piece {
+  S low, high;
+  bool root_low, root_high;
+};
+
+/// Where a piece is split into panels, in parts of its length.
+struct Split {
+  std::size_t piece;
+  double place;
 };
 
 /// What a design says to the contact model, whatever wave drives it (theory sections 1 and 2).
@@ -79,7 +93,8 @@ struct DrivenMotor : MotorModel<S>, Slice<S> {
   S lever;  ///< mean radius of the preload: mu F_N lever is the torque of a contact that slips all through
   S holding_lever;                ///< the same without a wave
   S indentation;                  ///< of the layer by the crest at the mean radius (W2.1) [m]
-  std::vector<Slice<S>> annulus;  ///< slices that touch; empty: all at the mean radius
+  std::vector<Piece<S>> pieces;   ///< of the track, that touch
+  std::vector<Slice<S>> annulus;  ///< nodes of the pieces; empty: all at the mean radius
   std::vector<Slice<S>>
       edges;  ///< of an annulus, those that touch: no part of a sum, but the first to stick
 
@@ -189,6 +204,18 @@ Slice<S> completed(Slice<S> s, const MotorModel<S>& m) {
 template <typename S>
 DrivenMotor<S> over_annulus(DrivenMotor<S> motor);
 
+/// The slices that touch where the pieces are split (W4.1, W4.3), in rising order of radius.
+template <typename S>
+std::vector<Slice<S>> annulus_of(const DrivenMotor<S>& motor, std::span<const Split> splits);
+
+/// Mean radius of the preload on some slices.
+template <typename S>
+S lever_of(std::span<const Slice<S>> slices, const S& preload) {
+  S moment(0.0);
+  for (const Slice<S>& s : slices) moment += s.load * s.radius;
+  return moment / preload;
+}
+
 /// True if nothing moves or nothing rubs: no amplitude, no preload, no friction.
 template <typename S>
 bool is_trivial(const DrivenMotor<S>& m) {
@@ -211,8 +238,8 @@ DrivenMotor<S> driven(const MotorModel<S>& model, const Wave<S>& wave) {
   return m.track.nodes == 1 ? m : over_annulus(std::move(m));
 }
 
-/// What a design says of its track. `auto` becomes the number of nodes that keeps torque and powers within 1e-6 of their
-/// scales (W4.2), which takes some milliseconds.
+/// What a design says of its track. `auto` comes to so many nodes a panel that torque and powers are within 1e-6 of their
+/// scales (W4.2), which takes a millisecond.
 TrackRule track_rule(const MotorDesign& design);
 
 /// The model's numbers of a design.

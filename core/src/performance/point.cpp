@@ -4,6 +4,8 @@
 #include "contact/return_map.hpp"
 #include "contact/zone_curves.hpp"
 #include "performance/scalars.hpp"
+#include "performance/track.hpp"
+#include "performance/zone_splits.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,8 +33,9 @@ constexpr double kBalance = 1e-6, kBeyond = 1e-9;
 
 // The laws that rounding may break: balance of powers (T7.10), signs of losses, bound of the torque (C8.1, W3.5). A number
 // that is not finite breaks them too.
-bool keeps_laws(const DrivenMotor<double>& m, const PointNumbers<double>& n, double speed) {
-  const double most = m.static_ * m.preload * m.lever;
+bool keeps_laws(const DrivenMotor<double>& m, const PointNumbers<double>& n, double speed,
+                double lever) {
+  const double most = m.static_ * m.preload * lever;
   double fastest = std::fabs(speed);
   for (const Slice<double>& s : m.slices())
     fastest = std::fmax(s.crest_velocity / s.radius, fastest);
@@ -219,9 +222,16 @@ SolvedPoint::SolvedPoint(const DrivenMotor<double>& m, double speed,
                          const LayerMotion<double>& layer, const WarmStart* guess, double accuracy)
     : first_(solve_slice(m, m.slices()[0], speed, layer, guess ? &guess->of_slice(0) : nullptr,
                          accuracy)) {
-  const auto slices = m.slices();
+  solve_others(m, m.slices(), speed, layer, guess, accuracy);
+  if (m.track.splits && status == PointStatus::ok) split(m, speed, layer, accuracy);
+}
+
+void SolvedPoint::solve_others(const DrivenMotor<double>& m, std::span<const Slice<double>> slices,
+                               double speed, const LayerMotion<double>& layer,
+                               const WarmStart* guess, double accuracy) {
   status = status_of(m, first_);
   numbers = numbers_of(m, slices[0], first_, speed);
+  others_.clear();
   others_.reserve(slices.size() - 1);
   for (std::size_t k = 1; k < slices.size() && status == PointStatus::ok; ++k) {
     const auto entry = entry_near(slices, k, guess);
@@ -229,6 +239,26 @@ SolvedPoint::SolvedPoint(const DrivenMotor<double>& m, double speed,
     status = status_of(m, others_.back());
     numbers = numbers + numbers_of(m, slices[k], others_.back(), speed);
   }
+}
+
+void SolvedPoint::split(const DrivenMotor<double>& m, double speed,
+                        const LayerMotion<double>& layer, double accuracy) {
+  const auto zones_of = [](const SolvedSlice& s) {
+    return s.locked ? SliceZones{0, HUGE_VAL}
+                    : SliceZones{s.state.lap.itinerary, s.state.lap.shortest};
+  };
+  std::vector<SliceZones> zones;
+  for (std::size_t k = 0; k < size(); ++k) zones.push_back(zones_of(slice(k)));
+  splits_ = zone_splits(m, zones, [&](double radius) {
+    const Slice<double> there = slice_at(m, radius, m.b);
+    if (!(there.contact.half_angle > 0)) return SliceZones{0, HUGE_VAL};
+    return zones_of(solve_slice(m, there, speed, layer, nullptr, accuracy));
+  });
+  if (splits_.empty()) return;
+  const std::vector<Slice<double>> slices = annulus_of<double>(m, splits_);
+  lever_ = lever_of<double>(slices, m.preload);
+  first_ = solve_slice(m, slices[0], speed, layer, nullptr, accuracy);
+  solve_others(m, slices, speed, layer, nullptr, accuracy);
 }
 
 namespace {
@@ -252,7 +282,7 @@ bool follow_slice(const contact::ContactNumbers<double>& n, const LayerMotion<do
 
 std::optional<FollowedTurns> SolvedPoint::followed(const DrivenMotor<double>& m, double speed,
                                                    const WarmStart& entry) const {
-  const auto slices = m.slices();
+  const PointSlices slices(m, splits_);
   if (special || is_trivial(m) || slices.size() != size() || entry.size() != size()) return {};
   const LayerMotion<double> layer = layer_of(m, speed);
   FollowedTurns result{};
@@ -294,7 +324,7 @@ SolvedPoint solve_point(const DrivenMotor<double>& m, double speed, const WarmSt
       special ? SolvedPoint::of_special(m, speed) : SolvedPoint(m, speed, guess, accuracy);
   const bool lawful = accuracy > 0
                           ? std::isfinite(point.numbers.torque + point.numbers.stator_power)
-                          : keeps_laws(m, point.numbers, speed);
+                          : keeps_laws(m, point.numbers, speed, point.lever(m));
   if (point.status == PointStatus::ok && !lawful) point.status = PointStatus::inaccurate;
   return point;
 }

@@ -86,6 +86,24 @@ struct FollowedTurns {
   double gap{0};  ///< how far it moved the layer's state, in parts of mu_0 p at the crest
 };
 
+/// The slices of a motor at an operating point: its own, or those of a track that is split there.
+template <typename S>
+class PointSlices {
+ public:
+  PointSlices(const DrivenMotor<S>& motor, std::span<const Split> splits)
+      : own_(splits.empty() ? std::vector<Slice<S>>() : annulus_of(motor, splits)),
+        all_(splits.empty() ? motor.slices() : std::span<const Slice<S>>(own_)) {}
+  PointSlices(const PointSlices&) = delete;
+  PointSlices& operator=(const PointSlices&) = delete;
+
+  std::size_t size() const { return all_.size(); }
+  const Slice<S>& operator[](std::size_t k) const { return all_[k]; }
+
+ private:
+  std::vector<Slice<S>> own_;
+  std::span<const Slice<S>> all_;
+};
+
 /// The contact of one slice at an operating point.
 struct SolvedSlice {
   contact::PeriodicState state;  ///< undefined where it is locked
@@ -141,6 +159,18 @@ class SolvedPoint {
               const contact::LayerMotion<double>& layer, const WarmStart* guess, double accuracy);
   static SolvedPoint of_special(const DrivenMotor<double>& motor, double speed);
 
+  /// Mean radius of the preload on the slices.
+  double lever(const DrivenMotor<double>& motor) const {
+    return splits_.empty() ? motor.lever : lever_;
+  }
+  /// Solves the slices but the first.
+  void solve_others(const DrivenMotor<double>& motor, std::span<const Slice<double>> slices,
+                    double speed, const contact::LayerMotion<double>& layer, const WarmStart* guess,
+                    double accuracy);
+  /// Solves the track anew where it is split.
+  void split(const DrivenMotor<double>& motor, double speed,
+             const contact::LayerMotion<double>& layer, double accuracy);
+
   std::size_t size() const { return 1 + others_.size(); }
   const SolvedSlice& slice(std::size_t k) const { return k == 0 ? first_ : others_[k - 1]; }
   /// Where the search in slice k may begin: what its neighbours in speed or radius say.
@@ -156,7 +186,10 @@ class SolvedPoint {
 
   SolvedSlice first_;  // undefined for special points
   std::vector<SolvedSlice>
-      others_;  // none where the motor is one slice: a point then costs no memory
+      others_;       // none where the motor is one slice: a point then costs no memory
+  double lever_{0};  // of a split track
+  std::vector<Split>
+      splits_;  // of the track where zones appear; none: the slices are those of the motor
 };
 
 /// Solves one operating point.

@@ -128,7 +128,7 @@ template <typename S, typename R, typename Differentiate>
 PointNumbers<R> SolvedPoint::summed(const DrivenMotor<S>& m, const R& speed,
                                     Differentiate differentiate) const {
   if (special) return special_point(m, speed);
-  const auto slices = m.slices();
+  const PointSlices<S> slices(m, splits_);
   const auto numbers_of = [&](std::size_t k) {
     const Slice<S>& s = slices[k];
     if (slice(k).locked) return locked_slice(m, s, speed);

@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many slices the numbers of a motor take: radial_slices = auto.
+// How many nodes a panel the numbers of a motor take: radial_slices = auto.
 #include "performance/point.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 
 namespace twum::performance {
 namespace {
 
 constexpr double kWanted = 1e-6;  // of the scales of torque and powers
-constexpr std::array kCounts{4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128};
+constexpr std::array kCounts{6, 8, 10, 12, 16, 24, 32, 48, 64, 96, 128};
 // Speeds in parts of the crest speed: from the end of the plateau to full braking zones come and go along the track.
 constexpr std::array kSpeeds{0.2, 0.5, 0.65, 0.75, 0.8, 0.85, 0.9, 0.95, 1.0, 1.05, 1.1, 1.2, 1.4};
 
 using Numbers = std::array<SolvedPoint, kSpeeds.size()>;
 
 DrivenMotor<double> motor_of(const ModelArray<double>& values, const TrackRule& rule, int nodes) {
-  return driven(motor_model(values, {nodes, rule.table, rule.mode}), design_wave(values));
+  return driven(motor_model(values, {nodes, rule.table, rule.mode, rule.splits}),
+                design_wave(values));
 }
 
 // Largest difference of two points in units of their scales; points without an answer say nothing.
@@ -44,14 +46,14 @@ double difference(const DrivenMotor<double>& m, const Numbers& a, const Numbers&
   return most;
 }
 
-// The first number of nodes whose points are those of the number before it.
+// The first number of nodes whose points the next number does not change: the difference is the error of the former.
 int nodes_needed(const ModelArray<double>& values, const TrackRule& rule) {
   Numbers before;
-  for (const int nodes : kCounts) {
-    const DrivenMotor<double> motor = motor_of(values, rule, nodes);
-    if (is_trivial(motor)) return nodes;
+  for (std::size_t i = 0; i < kCounts.size(); ++i) {
+    const DrivenMotor<double> motor = motor_of(values, rule, kCounts[i]);
+    if (is_trivial(motor)) return kCounts[i];
     const Numbers points = points_of(motor);
-    if (nodes != kCounts.front() && difference(motor, before, points) <= kWanted) return nodes;
+    if (i > 0 && difference(motor, before, points) <= kWanted) return kCounts[i - 1];
     before = points;
   }
   return kCounts.back();
@@ -62,9 +64,12 @@ int nodes_needed(const ModelArray<double>& values, const TrackRule& rule) {
 TrackRule track_rule(const MotorDesign& design) {
   const Stator& stator = design.stator;
   const auto& table = stator.radial_shape.table;
-  TrackRule rule{stator.radial_slices,
+  // Released at once, the traction jumps where zones begin. The radius of a jump moves with every parameter, which would
+  // have to stand in the derivatives.
+  const bool jumps = design.friction.static_ > design.friction.kinetic;
+  TrackRule rule{std::abs(stator.radial_slices),
                  table.empty() ? nullptr : std::make_shared<const ShapeSpline>(table),
-                 stator.geometry.has_value()};
+                 stator.geometry.has_value(), stator.radial_slices <= kAutoSlices && !jumps};
   if (rule.nodes == kAutoSlices) rule.nodes = nodes_needed(model_values(design), rule);
   return rule;
 }

@@ -168,6 +168,53 @@ Slice<S> slice_at(const DrivenMotor<S>& m, const S& radius, const S& width) {
   return completed<S>(s, m);
 }
 
+namespace {
+
+// A piece cut at its splits. What follows from the zones is not smooth there: its powers have a root in the distance, as at
+// the ends of a contact.
+template <typename S>
+std::vector<Piece<S>> panels_of(const Piece<S>& piece, std::size_t index,
+                                std::span<const Split> splits) {
+  const S length = piece.high - piece.low;
+  std::vector<Piece<S>> panels;
+  Piece<S> rest = piece;
+  for (const Split& split : splits) {
+    if (split.piece != index) continue;
+    const S end = piece.low + split.place * length;
+    panels.push_back({rest.low, end, rest.root_low, true});
+    rest.low = end, rest.root_low = true;
+  }
+  panels.push_back(rest);
+  return panels;
+}
+
+}  // namespace
+
+template <typename S>
+std::vector<Slice<S>> annulus_of(const DrivenMotor<S>& m, std::span<const Split> splits) {
+  std::vector<Slice<S>> slices;
+  S load(0.0), area(0.0);
+  const auto add = [&](const S& radius, const S& width) {
+    Slice<S> slice = slice_at(m, radius, width);
+    if (!(value_of(slice.contact.half_angle) > 0)) return;  // within rounding of lift-off
+    load += slice.load;
+    area += slice.contact.half_angle * radius * width;
+    slices.push_back(std::move(slice));
+  };
+  for (std::size_t k = 0; k < m.pieces.size(); ++k)
+    for (const Piece<S>& panel : panels_of(m.pieces[k], k, splits))
+      for_each_node(panel, m.track.nodes, add);
+  const S factor = m.preload / load;  // (W4.3)
+  for (Slice<S>& s : slices) {
+    s.share = s.contact.half_angle * s.radius * s.width / area;
+    s.width = factor * s.width, s.load = factor * s.load;
+    s.pressure_force = factor * s.pressure_force;
+    s.torque_scale = factor * s.torque_scale, s.power_scale = factor * s.power_scale;
+    s.force_scale = factor * s.force_scale;
+  }
+  return slices;
+}
+
 template <typename S>
 DrivenMotor<S> over_annulus(DrivenMotor<S> m) {
   if (value_of(m.preload) == 0 || value_of(m.contact.half_angle) == 0) return m;
@@ -176,30 +223,13 @@ DrivenMotor<S> over_annulus(DrivenMotor<S> m) {
   if (value_of(m.amplitude) == 0) return m;
   m.indentation = indentation_in(m);
   static_cast<Slice<S>&>(m) = slice_at(m, m.r, m.b);
-  std::vector<Slice<S>> slices;
-  S load(0.0), area(0.0), moment(0.0);
-  Track<S>(m).for_each_node(m.track.nodes, m.indentation, [&](const S& radius, const S& width) {
-    Slice<S> slice = slice_at(m, radius, width);
-    if (!(value_of(slice.contact.half_angle) > 0)) return;  // within rounding of lift-off
-    load += slice.load;
-    area += slice.contact.half_angle * radius * width;
-    slices.push_back(std::move(slice));
-  });
-  const S factor = m.preload / load;  // (W4.3)
-  for (Slice<S>& s : slices) {
-    s.share = s.contact.half_angle * s.radius * s.width / area;
-    s.width = factor * s.width, s.load = factor * s.load;
-    s.pressure_force = factor * s.pressure_force;
-    s.torque_scale = factor * s.torque_scale, s.power_scale = factor * s.power_scale;
-    s.force_scale = factor * s.force_scale;
-    moment += s.load * s.radius;
-  }
-  m.annulus = std::move(slices);
+  m.pieces = Track<S>(m).pieces(m.indentation);
+  m.annulus = annulus_of<S>(m, {});
   for (const S& radius : {S(m.r - 0.5 * m.b), S(m.r + 0.5 * m.b)}) {
     Slice<S> edge = slice_at(m, radius, m.b);
     if (value_of(edge.contact.half_angle) > 0) m.edges.push_back(std::move(edge));
   }
-  m.lever = moment / m.preload;
+  m.lever = lever_of<S>(m.annulus, m.preload);
   return m;
 }
 
@@ -224,10 +254,11 @@ S pressure_nonuniformity(const DrivenMotor<S>& m) {
   return mean_pressure(slice_at(m, radius_in(m, radius), m.b).contact) * track_area(m) / m.preload;
 }
 
-#define TWUM_INSTANTIATE(S, R)                                           \
-  template Slice<S> slice_at(const DrivenMotor<S>&, const S&, const S&); \
-  template DrivenMotor<S> over_annulus(DrivenMotor<S>);                  \
-  template S largest_pressure(const DrivenMotor<S>&);                    \
+#define TWUM_INSTANTIATE(S, R)                                                              \
+  template Slice<S> slice_at(const DrivenMotor<S>&, const S&, const S&);                    \
+  template std::vector<Slice<S>> annulus_of(const DrivenMotor<S>&, std::span<const Split>); \
+  template DrivenMotor<S> over_annulus(DrivenMotor<S>);                                     \
+  template S largest_pressure(const DrivenMotor<S>&);                                       \
   template S pressure_nonuniformity(const DrivenMotor<S>&);
 TWUM_FOR_EACH_MODEL_SCALAR(TWUM_INSTANTIATE)
 TWUM_INSTANTIATE(contact::SpeedDual, contact::SpeedDual)

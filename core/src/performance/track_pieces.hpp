@@ -33,13 +33,6 @@ double clearance_zero(const DrivenMotor<double>& m, double indentation, double v
 /// Radii from edge to edge between which neither clearance turns: then each has one zero at most between two of them.
 std::vector<double> radii_between_turns(const DrivenMotor<double>& m);
 
-/// A stretch of the track that touches. theta_L leaves 0 or pi like a square root where a partial contact begins or ends.
-template <typename R>
-struct Piece {
-  R low, high;
-  bool root_low, root_high;
-};
-
 /// The zero of a clearance, with derivatives by the implicit function theorem.
 template <typename S, typename R>
 R break_radius(const DrivenMotor<S>& m, const DrivenMotor<double>& values, double radius,
@@ -51,6 +44,25 @@ R break_radius(const DrivenMotor<S>& m, const DrivenMotor<double>& values, doubl
     result = with_value(R(result - with_value(gap, 0.0) / slope), radius);
   }
   return result;
+}
+
+/// A Gauss node on 0 .. 1 moved so that square roots at the ends become smooth (W4.1).
+inline GaussRule::Node substituted(bool low, bool high, const GaussRule::Node& node) {
+  const double u = node.place, v = 1 - u;
+  if (low && high) return {u * u * (3 - 2 * u), 6 * u * v * node.weight};
+  if (low) return {u * u, 2 * u * node.weight};
+  if (high) return {1 - v * v, 2 * v * node.weight};
+  return node;
+}
+
+/// Calls visit(radius, width) at the nodes of a piece or of a part of it.
+template <typename R, typename Visit>
+void for_each_node(const Piece<R>& piece, int nodes, Visit visit) {
+  const R length = piece.high - piece.low;
+  for (const GaussRule::Node& node : gauss_rule(nodes).nodes) {
+    const auto [place, weight] = substituted(piece.root_low, piece.root_high, node);
+    visit(R(piece.low + length * place), R(length * weight));
+  }
 }
 
 /// What the normal contact takes of a motor, without its derivatives.
@@ -84,44 +96,23 @@ class Track {
     return -most;
   }
 
-  /// Calls visit(radius, width) at each of the nodes of the pieces that touch.
-  template <typename R, typename Visit>
-  void for_each_node(int nodes, const R& indentation, Visit visit) const {
-    const GaussRule& rule = gauss_rule(nodes);
-    for (const Piece<R>& piece : pieces(indentation)) {
-      const R length = piece.high - piece.low;
-      for (const GaussRule::Node& node : rule.nodes) {
-        const auto [place, weight] = substituted(piece.root_low, piece.root_high, node);
-        visit(R(piece.low + length * place), R(length * weight));
-      }
-    }
-  }
-
   /// The preload that an indentation takes (W2.3) [N].
   template <typename R>
   R axial_force(const R& indentation) const {
     R force(0.0);
-    for_each_node(
-        std::max(m_.track.nodes, kLeastNodes), indentation, [&](const R& radius, const R& width) {
-          const R excess = shape_excess(m_, radius);
-          const R amplitude = m_.amplitude * (1.0 + excess);
-          const R crest = indentation + m_.amplitude * excess - (radius - m_.r) * m_.slope;
-          force += 2.0 * radius * width * (m_.youngs / m_.thickness) * amplitude *
-                   contact::load_of_peak(R(crest / amplitude));
-        });
+    const auto add = [&](const R& radius, const R& width) {
+      const R excess = shape_excess(m_, radius);
+      const R amplitude = m_.amplitude * (1.0 + excess);
+      const R crest = indentation + m_.amplitude * excess - (radius - m_.r) * m_.slope;
+      force += 2.0 * radius * width * (m_.youngs / m_.thickness) * amplitude *
+               contact::load_of_peak(R(crest / amplitude));
+    };
+    for (const Piece<R>& piece : pieces(indentation))
+      for_each_node(piece, std::max(m_.track.nodes, kLeastNodes), add);
     return force;
   }
 
- private:
-  // A Gauss node on 0 .. 1 moved so that square roots at the ends become smooth (W4.1).
-  static GaussRule::Node substituted(bool low, bool high, const GaussRule::Node& node) {
-    const double u = node.place, v = 1 - u;
-    if (low && high) return {u * u * (3 - 2 * u), 6 * u * v * node.weight};
-    if (low) return {u * u, 2 * u * node.weight};
-    if (high) return {1 - v * v, 2 * v * node.weight};
-    return node;
-  }
-
+  /// The stretches that touch.
   template <typename R>
   std::vector<Piece<R>> pieces(const R& indentation) const {
     const double depth = value_of(indentation);
@@ -150,6 +141,7 @@ class Track {
     return touching;
   }
 
+ private:
   const DrivenMotor<S>& m_;
   DrivenMotor<double> values_;
   std::vector<double> radii_;

@@ -112,15 +112,16 @@ double unit_eigenvalue(const std::vector<Segment>& segments) {
   return smallest / std::pow(segments.back().outer, 4);
 }
 
-// P3.4, M c = mu (K + sigma M) c with mu = 1 / (lambda + sigma): rounding is a share of the largest mu, so that the lowest
-// modes are the most accurate ones, and rigid-body modes do no harm.
+// P3.4, sigma M c = mu (K + sigma M) c with mu = sigma / (lambda + sigma), whatever the units: rounding is a share of the
+// largest mu, so that the lowest modes are the most accurate ones, and rigid-body modes, mu = 1, do no harm.
 Spectrum solve(const Mesh& mesh, const std::vector<Segment>& segments, int count) {
   using Spectra::DenseCholesky;
   using Spectra::DenseSymMatProd;
   const Matrices plate = assembled(mesh, segments);
   const double sigma = unit_eigenvalue(segments);
-  const MatrixXd shifted = plate.stiffness + sigma * plate.mass;
-  DenseSymMatProd<double> mass(plate.mass);
+  const MatrixXd scaled_mass = sigma * plate.mass;
+  const MatrixXd shifted = plate.stiffness + scaled_mass;
+  DenseSymMatProd<double> mass(scaled_mass);
   DenseCholesky<double> stiffness(shifted);
   TWUM_ASSERT(stiffness.info() == Spectra::CompInfo::Successful);
   const Index wanted = std::min<Index>(count, mesh.unknowns - 1);
@@ -129,12 +130,16 @@ Spectrum solve(const Mesh& mesh, const std::vector<Segment>& segments, int count
       solver(mass, stiffness, wanted, std::min<Index>(mesh.unknowns, 2 * wanted + kSpare));
   solver.init();
   solver.compute(Spectra::SortRule::LargestAlge, kRestarts, kConverged);
+  if (solver.info() != Spectra::CompInfo::Successful)
+    throw EvaluationError("not-converged",
+                          "the modes of the stator with " + std::to_string(mesh.nodal_diameters) +
+                              " nodal diameters were not found: Lanczos' method did not converge");
   const VectorXd mu = solver.eigenvalues();
   const MatrixXd vectors = solver.eigenvectors();
   Spectrum spectrum;
   for (Index i = 0; i < mu.size() && mu(i) >= kUnknown * mu(0); ++i) {
-    const VectorXd vector = vectors.col(i) / std::sqrt(mu(i));
-    spectrum.eigenvalues.push_back(1 / mu(i) - sigma);
+    const VectorXd vector = vectors.col(i) * std::sqrt(sigma / mu(i));
+    spectrum.eigenvalues.push_back(sigma * (1 - mu(i)) / mu(i));
     spectrum.vectors.emplace_back(vector.begin(), vector.end());
   }
   return spectrum;

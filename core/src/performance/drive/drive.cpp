@@ -7,7 +7,7 @@ namespace {
 // How many slices `auto` takes is asked of the motor under the wave that it begins with.
 TrackRule track_of(const MotorDesign& design) {
   if (design.stator.radial_slices != kAutoSlices) return track_rule(design);
-  constexpr int kFirstSlices = 8;
+  constexpr int kFirstSlices = -8;
   const MotorDesign first = with(design, Parameter::radial_slices, kFirstSlices);
   const double amplitude = Drive(first).first_motor().amplitude;
   if (!(amplitude > 0)) return track_rule(first);

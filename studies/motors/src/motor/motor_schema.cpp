@@ -23,11 +23,11 @@ std::string_view first_step(std::string_view path) { return path.substr(0, path.
 std::string_view last_step(std::string_view path) { return path.substr(path.rfind('.') + 1); }
 
 std::string value_text(double value, const ParameterInfo& row) {
-  if (row.parameter == Parameter::radial_slices && value == kAutoSlices) return "auto";
+  if (row.parameter == Parameter::radial_slices) return slices_text(static_cast<int>(value));
   return number_text(value) + (row.unit == "1" ? "" : " " + std::string(row.unit));
 }
 
-// A number of slices, or `auto`, for which kAutoSlices stands.
+// A number of slices, or `auto`, alone or with the number of nodes that it has come to.
 Shape<double> slices(const ParameterInfo& row) {
   Schema schema = parameter_schema(row);
   schema.min = 1;
@@ -42,6 +42,10 @@ Shape<double> slices(const ParameterInfo& row) {
   shape.schema.alternatives = {automatic.schema, count.schema};
   shape.read = [automatic, count](double& into, const YamlNode& node, const Spot& spot,
                                   Diagnostics& diagnostics) {
+    if (const std::optional<int> nodes = automatic_slices(node.scalar)) {
+      into = *nodes;
+      return true;
+    }
     const bool number =
         !node.scalar.empty() && std::isalpha(static_cast<unsigned char>(node.scalar.front())) == 0;
     return (number ? count : automatic).read(into, node, spot, diagnostics);
@@ -79,7 +83,7 @@ Field<GivenMotor> field_of(const ParameterInfo& row) {
   field.entry.alias = row.name == field.entry.name ? row.symbol : row.name;
   if (row.parameter == Parameter::static_friction) field.entry.fallback = "the kinetic one";
   if (row.parameter == Parameter::modal_damping) field.entry.fallback = "0";
-  if (sliced) field.entry.fallback = "1", field.entry.shown = false;
+  if (sliced) field.entry.fallback = "1";
   if (is_of_the_drive(row.parameter)) field.entry.shown = false;
   if (is_of_the_drive(row.parameter) && row.min > 0)
     field.entry.fallback = "none; a voltage needs it";

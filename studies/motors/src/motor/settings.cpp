@@ -4,6 +4,7 @@
 #include "schema/scalar_checks.hpp"
 
 #include <twum/studies/motor/motor_file.hpp>
+#include <twum/studies/text/number.hpp>
 #include <twum/studies/text/value_error.hpp>
 #include <twum/studies/text/words.hpp>
 
@@ -24,6 +25,20 @@ Parameter parse_parameter(std::string_view name) {
   throw ValueError("unknown parameter " + quoted(name), did_you_mean(name, names));
 }
 
+std::string slices_text(int slices) {
+  if (slices > kAutoSlices) return std::to_string(slices);
+  return slices == kAutoSlices ? "auto" : "auto " + std::to_string(-slices);
+}
+
+std::optional<int> automatic_slices(std::string_view text) {
+  constexpr std::string_view kAuto = "auto";
+  if (text.substr(0, kAuto.size()) != kAuto) return {};
+  if (text.size() == kAuto.size()) return kAutoSlices;
+  const std::optional<double> nodes = parse_number(trimmed(text.substr(kAuto.size())));
+  const bool count = nodes && *nodes >= 1 && complaint(Parameter::radial_slices, -*nodes).empty();
+  return count ? std::optional(-static_cast<int>(*nodes)) : std::nullopt;
+}
+
 ParameterValue parse_setting(std::string_view text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos) {
@@ -31,7 +46,8 @@ ParameterValue parse_setting(std::string_view text) {
   }
   const Parameter parameter = parse_parameter(text.substr(0, equals));
   const std::string_view value = trimmed(text.substr(equals + 1));
-  if (parameter == Parameter::radial_slices && value == "auto") return {parameter, kAutoSlices};
+  if (parameter == Parameter::radial_slices)
+    if (const std::optional<int> slices = automatic_slices(value)) return {parameter, *slices};
   return {parameter, read_number(value, parameter_schema(info(parameter)))};
 }
 

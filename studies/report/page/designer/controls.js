@@ -5,6 +5,7 @@ import {colour, el} from '../dom.js';
 import {capital, shortName} from '../names.js';
 import {displayUnit, engineering, percent} from '../units.js';
 
+import {automaticSlices, slicesText} from './motor.js';
 import {readQuantity, typedNumber} from './quantity.js';
 import {surface} from './wave.js';
 
@@ -21,7 +22,7 @@ export const sliderSteps = 1000;
 function sliderRange(row, value, modal) {
   const typical = row.typical || value || 1;
   const clip = (low, high) => ({low: Math.max(low, row.min), high: Math.min(high, row.max)});
-  if (row.integer) return {...clip(row.min, Math.max(2 * typical, 2 * value)), log: false};
+  if (row.integer) return {...clip(Math.max(row.min, 0), Math.max(2 * typical, 2 * value)), log: false};
   if (modal && /frequency/.test(row.entry))
     return {...clip(0.94 * value, 1.06 * value), log: false};  // a resonance is narrow
   if (row.unit === '1' && row.max - row.min <= 2) return {low: row.min, high: row.max, log: false};
@@ -103,8 +104,9 @@ export class ParameterRow {
   }
 
   typed() {
-    if (this.row.entry === 'stator.radial_slices' && this.number.value.trim() === 'auto') {
-      this.panel.setValue(this.name, 0);
+    const slices = this.row.entry === 'stator.radial_slices' ? automaticSlices(this.number.value) : null;
+    if (slices !== null) {
+      this.panel.setValue(this.name, slices);
       return;
     }
     const found = readQuantity(this.panel.tables, this.number.value, this.row.unit, this.shown.divisor);
@@ -128,8 +130,7 @@ export class ParameterRow {
       this.bands = null;
     }
     this.shown = this.row.unit === 'rad/s' ? {text: 'rad/s', divisor: 1} : displayUnit(value, this.row.unit);
-    const text =
-        this.row.entry === 'stator.radial_slices' && value === 0 ? 'auto' : typedNumber(value, this.shown.divisor);
+    const text = this.row.entry === 'stator.radial_slices' ? slicesText(value) : typedNumber(value, this.shown.divisor);
     if (document.activeElement !== this.number) this.number.value = text;
     this.unit.textContent = this.shown.text;
     const place = String(this.toSlider(value));

@@ -21,13 +21,25 @@ function putEntry(tree, path, value) {
   node[steps[steps.length - 1]] = value;
 }
 
+/** radial_slices as a file has it: 0 is auto, -N auto with N slices a panel. */
+export function slicesText(value) {
+  if (value > 0) return String(value);
+  return value === 0 ? 'auto' : 'auto ' + -value;
+}
+
+/** The value of `auto` or `auto N`; null for other texts. */
+export function automaticSlices(text) {
+  const found = /^auto(?: +([1-9]\d*))?$/.exec(String(text).trim());
+  return found && (found[1] ? -Number(found[1]) : 0);
+}
+
 /** What stands below `motor:`, every value with its unit. */
 function motorTree(motor, tables) {
   const tree = motor.name ? {name: quotedText(motor.name)} : {};
   for (const [name, row] of Object.entries(tables.parameters)) {
     if (motor.values[name] === undefined) continue;
-    const slices = name === 'radial_slices' && motor.values[name] === 0;
-    putEntry(tree, row.entry, slices ? 'auto' : typedQuantity(motor.values[name], row.unit));
+    const value = motor.values[name];
+    putEntry(tree, row.entry, name === 'radial_slices' ? slicesText(value) : typedQuantity(value, row.unit));
   }
   if (motor.values.voltage !== undefined && motor.branch === 'dead') putEntry(tree, 'stator.branch', 'dead');
   if (motor.inner_edge) putEntry(tree, 'stator.geometry.support.inner_edge', motor.inner_edge);
@@ -161,8 +173,8 @@ function takeEntry(motor, path, value, tables, byEntry) {
     throw new MotorFileError(
         path.slice(0, 60) +
         ': this page does not read that entry; run "twum explore" with the file, which reads all of them');
-  if (name === 'radial_slices' && value === 'auto') {
-    motor.values[name] = 0;
+  if (name === 'radial_slices' && automaticSlices(value) !== null) {
+    motor.values[name] = automaticSlices(value);
     return;
   }
   motor.values[name] = entryNumber(path, value, tables.parameters[name].unit, tables);

@@ -6,6 +6,7 @@
 #include <twum/studies/metrics/plain_name.hpp>
 #include <twum/studies/metrics/reasons.hpp>
 #include <twum/studies/motor/curve_points.hpp>
+#include <twum/studies/motor/settings.hpp>
 
 #include <cmath>
 
@@ -72,10 +73,10 @@ std::vector<Line> parameters(const MotorDesign& design) {
   for (const ParameterInfo& row : parameter_table()) {
     if (!in_use(design, row.parameter)) continue;
     const double value = get(design, row.parameter);
-    const bool automatic = row.parameter == Parameter::radial_slices && value == kAutoSlices;
+    const bool slices = row.parameter == Parameter::radial_slices;
     const std::string symbol = row.symbol.empty() ? "" : " " + std::string(row.symbol);
     lines.emplace_back(plain_name(std::string(row.name)) + symbol,
-                       automatic ? "auto" : shown(value, row.unit));
+                       slices ? slices_text(static_cast<int>(value)) : shown(value, row.unit));
   }
   return lines;
 }

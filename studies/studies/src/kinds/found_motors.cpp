@@ -102,16 +102,17 @@ std::vector<FoundMotor> asked_about(const StudyFile& file, const StudyResult& re
   return motors;
 }
 
-// A search keeps the number of slices that it begins with; what it found may take more.
+// A search keeps the nodes a panel that it begins with; what it found may take more.
 std::string slices_note(const StudyFile& file, const std::vector<FoundMotor>& found) {
   if (file.motor.design.stator.radial_slices != kAutoSlices) return "";
   for (const FoundMotor& each : found) {
     MotorDesign design = each.motor.design;
     const int had = std::exchange(design.stator.radial_slices, kAutoSlices);
-    const int needed = had == kAutoSlices ? 0 : Motor(design).radial_slices();
-    if (needed > had)
-      return each.what + " needs " + std::to_string(needed) + " slices, but the search used " +
-             std::to_string(had) + "; to refine it, run a study with 'start' at this result";
+    const int needed = had == kAutoSlices ? 0 : -Motor(design).radial_slices();
+    if (needed > -had)
+      return each.what + " needs " + std::to_string(needed) +
+             " slices a panel, but the search used " + std::to_string(std::abs(had)) +
+             "; to refine it, run a study with 'start' at this result";
   }
   return "";
 }

@@ -13,7 +13,8 @@
 namespace twum::studies {
 namespace {
 
-constexpr int kFewSlices = 8;  // leave 1e-3 of the torque: a search may go as far as that
+// Of an unsplit track: they leave 1e-3 of the torque, and a search may go as far as that.
+constexpr int kFewSlices = 8;
 
 DesignProblem nominal(DesignProblem asked) {
   asked.objectives.front() = nominal_goal(asked.objectives.front(), asked.limits);
@@ -29,8 +30,7 @@ OptimumRun::OptimumRun(const StudyFile& file, DesignProblem asked, BuiltMotorsAs
       built_(std::move(built)),
       motors_([this](const std::vector<double>& name) { return question_named(name); }) {
   // The rounds of a robust search are many, and each begins where the last one ended.
-  if (counts_slices() && built_.tolerances.empty())
-    begin_with_slices(std::min(kFewSlices, slices()));
+  if (counts_slices() && built_.tolerances.empty()) begin_with_slices(kFewSlices);
 }
 
 std::optional<StoredRow> OptimumRun::recompute(const StoredRow& asked) const {
@@ -110,16 +110,16 @@ std::vector<std::vector<double>> OptimumRun::combinations_at(
   return list;
 }
 
-// Where a search with few slices ended, another goes on with as many as the motor there needs, until no more are needed. Whole
-// numbers and sets stay. One budget serves all.
+// Where a search with few slices ended, another goes on as `auto` does for the motor there, until that needs no more slices.
+// Whole numbers and sets stay. One budget serves all.
 optim::Result OptimumRun::refined(optim::Result found, RunContext& context) {
   const optim::Budget budget = this->options(context).budget;
   while (counts_slices() && !found.design.empty() && found.stop == optim::StopReason::finished &&
          found.counters.evaluations < budget.evaluations) {
-    const int needed = slices_needed(found.design);
-    if (needed <= slices()) break;
-    use_slices(needed);
-    SearchLog log(problem(), context, needed);
+    const int nodes = nodes_needed(found.design);
+    if (nodes <= -slices()) break;
+    use_slices(-nodes);
+    SearchLog log(problem(), context, nodes);
     optim::Problem there = log.problem();
     for (std::size_t j = 0; j < found.design.size(); ++j) {
       optim::Variable& variable = there.variables[j];
@@ -128,7 +128,7 @@ optim::Result OptimumRun::refined(optim::Result found, RunContext& context) {
     }
     optim::SolveOptions options = this->options(log, context);
     options.starts = 1;
-    options.first_stage = first_stage_of_slices(needed);
+    options.first_stage = first_stage_of_nodes(nodes);
     options.budget.evaluations -= found.counters.evaluations;
     optim::Result finer = optim::solve(there, options);
     finer.scan = found.scan;

@@ -122,9 +122,9 @@ StoredRow SearchRows::row(std::uint64_t stage, std::uint64_t index, std::span<co
   return row;
 }
 
-StoredRow SearchRows::question(std::span<const double> design, bool gradient, int more_slices) {
+StoredRow SearchRows::question(std::span<const double> design, bool gradient, int nodes) {
   StoredRow row;
-  if (more_slices > 0) row.stage = first_stage_of_slices(more_slices);
+  if (nodes > 0) row.stage = first_stage_of_nodes(nodes);
   row.values.assign(design.begin(), design.end());
   append_bytes(row.detail, static_cast<std::uint8_t>(gradient));
   return row;
@@ -153,7 +153,7 @@ std::string SearchRows::key(std::span<const double> design, bool gradient) {
   return bytes;
 }
 
-SearchLog::SearchLog(const DesignProblem& problem, RunContext& context, int more_slices)
+SearchLog::SearchLog(const DesignProblem& problem, RunContext& context, int nodes)
     : question_(problem),
       context_(context),
       rows_(problem),
@@ -161,17 +161,16 @@ SearchLog::SearchLog(const DesignProblem& problem, RunContext& context, int more
       best_(kNoValue) {
   const std::size_t variables = answering_.variables.size();
   context.store.read([&](const StoredRow& row) {
-    if (row.stage >= kRobustStages || slices_of_stage(row.stage) != more_slices) return;
+    if (row.stage >= kRobustStages || nodes_of_stage(row.stage) != nodes) return;
     const std::span design(row.values.data(), variables);
     stored_.emplace(SearchRows::key(design, rows_.asked_gradient(row)), evaluation_of(row));
   });
-  answering_.evaluate = [this, more_slices](std::span<const double> design, bool gradient) {
+  answering_.evaluate = [this, nodes](std::span<const double> design, bool gradient) {
     if (!stored_.empty()) {
       const auto found = stored_.find(SearchRows::key(design, gradient));
       if (found != stored_.end()) return found->second;
     }
-    return evaluation_of(
-        context_.executor.row(SearchRows::question(design, gradient, more_slices)));
+    return evaluation_of(context_.executor.row(SearchRows::question(design, gradient, nodes)));
   };
 }
 

@@ -18,18 +18,18 @@ namespace twum::studies {
 /// Stages from here on are those of a search under tolerances; see robust_log.hpp.
 inline constexpr std::uint64_t kRobustStages = 1'000'000;
 
-/// @name Stages of a search that goes on with more slices than it began with
-/// The number of slices is told by the stage, so that each row can be computed by itself.
+/// @name Stages of a search that goes on with `auto` of some nodes a panel
+/// The stage tells the number of nodes, so that each row can be computed by itself.
 /// @{
-inline constexpr std::uint64_t kMoreSlicesStages = 500'000;
-inline constexpr std::uint64_t kStagesOfSlices = 1900;  // 256 slices end before kRobustStages
-constexpr std::uint64_t first_stage_of_slices(int slices) {
-  return kMoreSlicesStages + kStagesOfSlices * static_cast<std::uint64_t>(slices);
+inline constexpr std::uint64_t kAutoStages = 500'000;
+inline constexpr std::uint64_t kStagesOfNodes = 1900;  // 256 nodes end before kRobustStages
+constexpr std::uint64_t first_stage_of_nodes(int nodes) {
+  return kAutoStages + kStagesOfNodes * static_cast<std::uint64_t>(nodes);
 }
 /// 0 where a search began.
-constexpr int slices_of_stage(std::uint64_t stage) {
-  if (stage < kMoreSlicesStages || stage >= kRobustStages) return 0;
-  return static_cast<int>((stage - kMoreSlicesStages) / kStagesOfSlices);
+constexpr int nodes_of_stage(std::uint64_t stage) {
+  if (stage < kAutoStages || stage >= kRobustStages) return 0;
+  return static_cast<int>((stage - kAutoStages) / kStagesOfNodes);
 }
 /// @}
 
@@ -50,7 +50,7 @@ class SearchRows {
   StoredRow row(std::uint64_t stage, std::uint64_t index, std::span<const double> design,
                 bool gradient, const optim::Evaluation& evaluation) const;
   /// The row that asks for an evaluation: StudyKindRun::recompute() answers it.
-  static StoredRow question(std::span<const double> design, bool gradient, int more_slices = 0);
+  static StoredRow question(std::span<const double> design, bool gradient, int nodes = 0);
   /// Whether a row answered, or asks for, derivatives as well: see key().
   bool asked_gradient(const StoredRow& row) const;
 
@@ -89,8 +89,8 @@ class SearchRows {
 class SearchLog {
  public:
   /// Keeps references to both.
-  /// @param more_slices  than the search began with, see slices_of_stage()
-  SearchLog(const DesignProblem& problem, RunContext& context, int more_slices = 0);
+  /// @param nodes  as nodes_of_stage()
+  SearchLog(const DesignProblem& problem, RunContext& context, int nodes = 0);
 
   /// motor_problem(), answering from the store where it can.
   const optim::Problem& problem() const noexcept { return answering_; }

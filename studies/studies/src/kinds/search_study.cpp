@@ -76,10 +76,10 @@ DesignProblem SearchRun::asked_with(int slices) const {
   return asked;
 }
 
-int SearchRun::slices_needed(std::span<const double> design) const {
+int SearchRun::nodes_needed(std::span<const double> design) const {
   MotorDesign motor = motor_of(problem_, design);
   motor.stator.radial_slices = kAutoSlices;
-  return Motor(motor).radial_slices();
+  return -Motor(motor).radial_slices();
 }
 
 // The earlier design is the motor from now on; where it is varied, the search starts there.
@@ -174,12 +174,12 @@ std::string SearchRun::outcome(optim::Outcome outcome, const RunContext& context
 }
 
 const SearchRun::Answers& SearchRun::answers(std::uint64_t stage) const {
-  const int more = slices_of_stage(stage);
+  const int nodes = nodes_of_stage(stage);
   const std::lock_guard lock(answers_mutex_);
-  const auto found = answers_.find(more);
+  const auto found = answers_.find(nodes);
   if (found != answers_.end()) return found->second;
-  const DesignProblem asked = asked_with(more > 0 ? more : first_slices_);
-  return answers_.emplace(more, Answers{SearchRows(asked), MotorResponses(asked)}).first->second;
+  const DesignProblem asked = asked_with(nodes > 0 ? -nodes : first_slices_);
+  return answers_.emplace(nodes, Answers{SearchRows(asked), MotorResponses(asked)}).first->second;
 }
 
 std::optional<StoredRow> SearchRun::recompute(const StoredRow& asked) const {

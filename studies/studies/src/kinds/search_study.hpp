@@ -46,13 +46,14 @@ class SearchRun : public StudyKindRun {
   /// A number that changes with the design makes steps that a certificate sees: a search has one number.
   /// @{
   bool counts_slices() const { return counts_slices_; }
+  /// As Motor::radial_slices().
   int slices() const { return problem_.motor.stator.radial_slices; }
   /// The slices that the search begins with.
   void begin_with_slices(int slices);
-  /// All that is asked from now on is asked of so many slices.
+  /// All that is asked from now on is asked of these.
   void use_slices(int slices);
-  /// As many as `auto` takes for a design.
-  int slices_needed(std::span<const double> design) const;
+  /// Nodes a panel that `auto` comes to for a design.
+  int nodes_needed(std::span<const double> design) const;
   /// @}
   const DesignProblem& problem() const { return problem_; }
   const MotorDesign& before() const { return before_; }
@@ -81,7 +82,7 @@ class SearchRun : public StudyKindRun {
   int first_slices_;
   optim::SolveOptions options_;
   mutable std::mutex answers_mutex_;
-  mutable std::map<int, Answers> answers_;  // by slices_of_stage()
+  mutable std::map<int, Answers> answers_;  // by nodes_of_stage()
 };
 
 }  // namespace twum::studies

@@ -118,7 +118,7 @@ void add_alone(std::vector<Picture>& pictures, const std::string& title, const M
   const studies::MotorFile at{title + ", at peak power", motor.design()};
   pictures.push_back(
       {"fields", kFieldsPlotSize,
-       motor.radial_slices() > 1 ? fields_map(at, speed.value) : fields_plot(at, speed.value)});
+       motor.radial_slices() != 1 ? fields_map(at, speed.value) : fields_plot(at, speed.value)});
 }
 
 }  // namespace

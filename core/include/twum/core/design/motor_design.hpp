@@ -20,7 +20,8 @@ struct RadialShape {
   std::vector<std::pair<double, double>> table;
 };
 
-/// Value of Stator::radial_slices that stands for as many slices as the numbers need.
+/// Value of Stator::radial_slices that stands for as many slices as the numbers need: a Gauss rule on each panel of the track,
+/// where a panel ends at each radius at which a zone appears. Below it -N stands for the same with N nodes a panel.
 inline constexpr int kAutoSlices = 0;
 
 /// What is unequal between the two phases and the two modes of a stator (D6.1, D6.5): it drives a backward wave.
@@ -71,7 +72,8 @@ struct Stator {
   std::optional<Imbalance> imbalance;         ///< none: phases and modes are equal
   std::optional<Sensor> sensor;               ///< none: no such electrode
   Branch branch{Branch::running};             ///< asked for under a voltage
-  /// Nodes of the Gauss rule on each smooth piece of the track. 1: all at the contact radius, as in the paper.
+  /// Nodes of the Gauss rule on each smooth piece of the track. 1: all at the contact radius, as in the paper; kAutoSlices and
+  /// below: on each panel.
   int radial_slices{1};
   RadialShape radial_shape{};  ///< acts where the track has more than one slice
   /// The stator as it is drawn: gives resonance_frequency, modal_mass, force_factor, blocked_capacitance,

@@ -117,8 +117,8 @@ struct ContactFields {
 /// then that of the wave with which the curve begins: at rest, or where the running wave begins.
 class Motor {
  public:
-  /// Solves the normal contact (T3.1 to T3.4; W2.1 to W2.4). About a microsecond, 20 for 8 slices, and some milliseconds
-  /// for `auto`, which tries how many slices it takes. Under a voltage it follows the running wave over speed, which takes
+  /// Solves the normal contact (T3.1 to T3.4; W2.1 to W2.4). About a microsecond, 20 for 8 slices, and a
+  /// millisecond for `auto`, which tries how many nodes it takes. Under a voltage it follows the running wave over speed, which takes
   /// some hundred points.
   /// @throws InputError with every complaint about the design.
   explicit Motor(const MotorDesign& design);
@@ -128,10 +128,11 @@ class Motor {
   /// Pressure between wave and rotor at the contact radius, the same at every speed (T3.1 to T3.4, W2.2).
   const NormalContact<double>& contact() const noexcept;
 
-  /// Nodes of the Gauss rule on each smooth piece of the track: those of the design, or what `auto` comes to for it.
+  /// The design's radial_slices; where it is kAutoSlices, -N with the number N of nodes a panel that `auto` comes to for it.
   /// `with(design, Parameter::radial_slices, motor.radial_slices())` fixes them while the design moves.
   int radial_slices() const noexcept;
-  /// Radii of the slices that touch, in rising order [m]; the contact radius alone if there is one slice.
+  /// Radii of the slices that touch, in rising order [m]; the contact radius alone if there is one slice. Those of `auto` where
+  /// no zone appears along the track.
   std::vector<double> slice_radii() const;
 
   /// Smallest rotor speed of the curve: 0, or where the running wave of a motor under a voltage begins [rad/s].

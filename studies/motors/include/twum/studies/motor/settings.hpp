@@ -4,6 +4,7 @@
 #include <twum/core/design/parameters.hpp>
 #include <twum/studies/schema/shape.hpp>
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,6 +17,13 @@ Parameter parse_parameter(std::string_view name);
 
 /// How a value of a parameter stands in a file: a number with its unit, or `auto` for radial_slices.
 Shape<double> parameter_shape(const ParameterInfo& parameter);
+
+/// Motor::radial_slices() as a file has it: "8", "auto", or "auto 10" for auto with ten slices a panel.
+/// @{
+std::string slices_text(int slices);
+/// Of the latter two; nothing for other texts.
+std::optional<int> automatic_slices(std::string_view text);
+/// @}
 
 /// Reads "thickness=0.3 mm": a name or symbol, and a value with its unit.
 /// @throws ValueError if the name is unknown, or the value has a wrong unit or is out of range.

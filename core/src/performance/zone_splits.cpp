@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "performance/zone_splits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace twum::performance {
+namespace {
+
+// In parts of a piece. A zone of length l = d^(1/2) adds l^2 = d to the means (W4.4), so that a split that is off by d leaves d
+// of the derivatives and d^2 of the means.
+constexpr double kNear =
+    1e-4;  // to where a zone vanishes: the next secant step is good to its square
+constexpr double kClose = 1e-6;    // of a bracket where no zone vanishes
+constexpr double kNarrow = 0.005;  // zones that come and go within it
+constexpr double kHopeful =
+    0.7;  // share of a bracket of which no more is known than its nearer end
+constexpr int kMostLooks = 40;
+constexpr int kMostSplits = 6;  // between two nodes
+
+struct Look {
+  double place;  // in parts of the piece
+  SliceZones zones;
+};
+
+// Two looks with the same zones, the nearer one to the other side first.
+struct Side {
+  Look near;
+  std::optional<Look> beyond;
+
+  void take(const Look& look) {
+    beyond = look.zones.signature == near.zones.signature ? std::optional(near) : std::nullopt;
+    near = look;
+  }
+
+  // Where the shortest zone of this side vanishes: the square of its length falls in proportion to the distance.
+  std::optional<double> vanishing_place() const {
+    if (!beyond) return {};
+    const double here = near.zones.shortest * near.zones.shortest;
+    const double there = beyond->zones.shortest * beyond->zones.shortest;
+    if (!(here < there)) return {};
+    return near.place + (near.place - beyond->place) * here / (there - here);
+  }
+};
+
+// The splits of one piece.
+class PieceSplits {
+ public:
+  PieceSplits(const Piece<double>& piece, const ZonesAt& zones_at)
+      : piece_(piece), zones_at_(zones_at) {}
+
+  Look look(double place) const {
+    return {place, zones_at_(piece_.low + (piece_.high - piece_.low) * place)};
+  }
+
+  std::vector<double> among(const std::vector<Look>& looks) const {
+    std::vector<double> places;
+    for (std::size_t k = 1; k < looks.size(); ++k) {
+      Side low{looks[k - 1], {}}, high{looks[k], {}};
+      if (k > 1) low = side_of(looks[k - 1], looks[k - 2]);
+      if (k + 1 < looks.size()) high = side_of(looks[k], looks[k + 1]);
+      for (int i = 0; i < kMostSplits && low.near.zones.signature != looks[k].zones.signature;
+           ++i) {
+        const auto [place, next] = end_of(low, high);
+        if (!places.empty() && place - places.back() < kNarrow) places.pop_back();
+        places.push_back(place);
+        low = {next, {}};
+      }
+    }
+    return places;
+  }
+
+ private:
+  static Side side_of(const Look& near, const Look& beyond) {
+    Side side{beyond, {}};
+    side.take(near);
+    return side;
+  }
+
+  struct End {
+    double place;
+    Look next;  // just beyond
+  };
+
+  // Where the zones of the low side end: secants on the side whose shortest zone vanishes there, in a bracket.
+  End end_of(Side low, Side high) const {
+    const std::uint64_t own = low.near.zones.signature;
+    for (int i = 0; i < kMostLooks && high.near.place - low.near.place > kClose; ++i) {
+      const bool below = low.near.zones.shortest < high.near.zones.shortest;
+      const auto zero = (below ? low : high).vanishing_place();
+      const bool inside = zero && *zero > low.near.place && *zero < high.near.place;
+      if (inside && std::fabs(*zero - (below ? low : high).near.place) < kNear) {
+        // What lies across has to be the other side's, and not what comes between.
+        const double across = *zero + (below ? kNarrow : -kNarrow);
+        if (!(across > low.near.place && across < high.near.place)) return {*zero, high.near};
+        const Look there = look(across);
+        if (below && there.zones.signature != own) return {*zero, there};
+        if (!below && there.zones.signature == own) return {*zero, high.near};
+        (below ? low : high).take(there);
+        continue;
+      }
+      const double share = below ? 1 - kHopeful : kHopeful;
+      const Look here = look(inside ? *zero : std::lerp(low.near.place, high.near.place, share));
+      (here.zones.signature == own ? low : high).take(here);
+    }
+    return {0.5 * (low.near.place + high.near.place), high.near};
+  }
+
+  const Piece<double>& piece_;
+  const ZonesAt& zones_at_;
+};
+
+}  // namespace
+
+std::vector<Split> zone_splits(const DrivenMotor<double>& m,
+                               const std::vector<SliceZones>& at_nodes, const ZonesAt& zones_at) {
+  std::vector<Split> splits;
+  std::size_t node = 0;
+  for (std::size_t k = 0; k < m.pieces.size(); ++k) {
+    const Piece<double>& piece = m.pieces[k];
+    const PieceSplits own(piece, zones_at);
+    std::vector<Look> looks;
+    // Where a contact begins or closes its slices are nearer to the end than any split has to be.
+    if (!piece.root_low) looks.push_back(own.look(0));
+    for (; node < at_nodes.size() && m.annulus[node].radius < piece.high; ++node)
+      looks.push_back(
+          {(m.annulus[node].radius - piece.low) / (piece.high - piece.low), at_nodes[node]});
+    if (!piece.root_high) looks.push_back(own.look(1));
+    for (const double place : own.among(looks)) splits.push_back({k, place});
+  }
+  return splits;
+}
+
+}  // namespace twum::performance

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "performance/zone_splits.hpp"
+#include "support/test_motors.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <twum/core/performance/metrics.hpp>
+#include <twum/core/performance/motor.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+using namespace twum;
+using namespace twum::performance;
+
+namespace {
+
+// How long the zone is that begins at a distance from a break.
+using Law = double (*)(double distance);
+
+double root(double distance) { return 0.3 * std::sqrt(distance); }
+double line(double distance) { return 0.2 * distance; }
+double jump(double /*distance*/) { return 0.4; }
+
+// A track on which zones change at some places, in parts of it.
+struct MadeTrack {
+  const DrivenMotor<double>& motor;
+  std::vector<double> breaks;
+  Law law;
+  int looks{0};
+
+  SliceZones at_place(double place) const {
+    const auto next = std::upper_bound(breaks.begin(), breaks.end(), place);
+    const auto index = next - breaks.begin();
+    const double length = index == 0 ? 1 : law(place - next[-1]);
+    return {static_cast<std::uint64_t>(100 + index), length};
+  }
+  double place_of(double radius) const {
+    const Piece<double>& piece = motor.pieces.front();
+    return (radius - piece.low) / (piece.high - piece.low);
+  }
+  std::vector<double> found() {
+    std::vector<SliceZones> at_nodes;
+    for (const Slice<double>& s : motor.annulus) at_nodes.push_back(at_place(place_of(s.radius)));
+    std::vector<double> places;
+    for (const Split& split : zone_splits(motor, at_nodes, [this](double radius) {
+           ++looks;
+           return at_place(place_of(radius));
+         }))
+      places.push_back(split.place);
+    return places;
+  }
+};
+
+const DrivenMotor<double>& track_of_eight() {
+  static const Motor motor = [] {
+    MotorDesign design = test::ring_motor();
+    design.stator.radial_slices = -8;
+    return Motor(design);
+  }();
+  return motor.model();
+}
+
+}  // namespace
+
+TEST_CASE("the track is split where zones begin, whatever the law of their length (W4.4)",
+          "[core][annulus][made]") {
+  for (const Law law : {&root, &line, &jump}) {
+    for (const std::vector<double>& breaks :
+         {std::vector{0.001}, {0.37}, {0.999}, {0.2, 0.6}, {0.41, 0.47, 0.55}}) {
+      MadeTrack track{track_of_eight(), breaks, law};
+      const std::vector<double> places = track.found();
+      CAPTURE(breaks, places, track.looks);
+      REQUIRE(places.size() == breaks.size());
+      for (std::size_t i = 0; i < breaks.size(); ++i) {
+        const double distance = std::abs(places[i] - breaks[i]);
+        // Squares of roots are straight, and so their secants exact, unless the bracket of 1e-6 ends the search. On squares of lines they step by the golden section:
+        // what is left is 1.62 times the last step. Where a zone begins with a length the bracket counts.
+        CHECK(distance <= (law == &line ? 1.7e-4 : 1e-6));
+      }
+      CHECK(track.looks <= 2 + 30 * static_cast<int>(breaks.size()));
+    }
+  }
+}
+
+TEST_CASE("a track without a change of zones is not split (W4.4)", "[core][annulus][made]") {
+  MadeTrack track{track_of_eight(), {}, &root};
+  CHECK(track.found().empty());
+  CHECK(track.looks == 2);  // at the edges
+}
+
+TEST_CASE("zones that come and go within half a percent of a piece are one split (W4.4)",
+          "[core][annulus][made]") {
+  MadeTrack track{track_of_eight(), {0.5, 0.503}, &root};
+  const std::vector<double> places = track.found();
+  REQUIRE(places.size() == 1);
+  CHECK(places.front() == Approx(0.5015).margin(0.002));
+}
+
+// One slice just past the end of its plateau: the speed moves past the break as the radius does along a track. The laws hold
+// up to the root of the relative distance to the break, 2e-3, times numbers of order one.
+TEST_CASE("a zone of stick opens like a root, and takes its square from the torque (W4.4)",
+          "[core][annulus][scaling]") {
+  const Motor motor(test::ring_motor());
+  const double end = evaluate(motor, {Metric::plateau_speed}).value;
+  const double plateau = motor.operating_point(0.5 * end).torque;
+  const OperatingPoint near = motor.operating_point(end * (1 + 1e-6)),
+                       far = motor.operating_point(end * (1 + 4e-6));
+  CHECK(far.stick_fraction / near.stick_fraction == Approx(2).epsilon(0.01));
+  CHECK((plateau - far.torque) / (plateau - near.torque) == Approx(4).epsilon(0.01));
+}
