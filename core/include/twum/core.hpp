@@ -7,15 +7,15 @@
 /// @namespace twum
 /// One motor: its design, operating points, curves, fields, metrics with derivatives.
 ///
-/// What holds of every function here, in twum::optim and in twum::studies, unless it says otherwise:
+/// These rules hold for every function here, in twum::optim and in twum::studies, unless its comment says otherwise:
 ///
 /// * Numbers are in SI units; equations such as T3.2 are those of docs/theory.
-/// * Values go in and come out; nothing is kept between calls. A function, and a const member of an
-///   object, may be called by any number of threads at once.
-/// * A wrong argument is an InputError that says what was found and what would be right; nothing has
-///   changed then. Memory may run out besides (std::bad_alloc).
-/// * The answer follows from the arguments alone: not from threads, time or locale, whose decimal point
-///   shows in the words of an error only.
+/// * Functions take and return values and have no state that a caller could notice. A function, and a const member of
+///   an object, may be called by any number of threads at once.
+/// * A wrong argument throws an InputError that says what was found and what would be right, and changes nothing. Any
+///   function may also throw std::bad_alloc.
+/// * The result depends on the arguments alone, not on threads, time or locale. Only the decimal point in the text of
+///   an error follows the locale.
 
 #include <twum/base/error.hpp>
 #include <twum/base/version.hpp>

@@ -7,8 +7,8 @@
 /// @namespace twum::optim
 /// Optimization without motors: problems in user units, solvers, certificates, fronts, least squares.
 ///
-/// What namespace twum says of threads and errors holds here. A solve calls the evaluator it is given
-/// and lets its exceptions out; several solves may run at once, those of Ipopt taking turns.
+/// The rules of namespace twum on threads and errors hold here. A solve calls the given evaluator and passes its
+/// exceptions on. Several solves may run at once, but only one of them in Ipopt; the others wait.
 
 #include <twum/base/error.hpp>
 #include <twum/base/version.hpp>

@@ -8,14 +8,15 @@
 
 namespace twum::optim {
 
-/// How the answer of a fit moves with numbers that it holds fixed: derivatives of the estimates by each of them (L5.1), from
-/// the second derivatives of the sum of squares, which are central differences of its exact gradient. Parameters that a
-/// bound holds stay there.
-/// @param residuals  of the parameters and then the held numbers, with the Jacobian by all of them
-/// @param fit        of these parameters, at an optimum
+/// Derivatives of a fit's estimates with respect to numbers that the fit holds fixed (L5.1). They follow from the
+/// second derivatives of the sum of squares, which are central differences of its exact gradient. Parameters at a
+/// bound stay there.
+/// @param residuals  a function of the parameters followed by the held numbers, with the Jacobian with respect to all
+///         of them
+/// @param fit        fit of these parameters, at an optimum
 /// @param held       the held numbers
-/// @return rows of one entry a held number, a row for each parameter; NaN where the data do not determine all of the free
-///         parameters, or a neighbour cannot be evaluated
+/// @return one row for each parameter with one entry for each held number; NaN where the data do not determine all
+///         free parameters, or a point of a difference cannot be evaluated
 /// Cost: two evaluations for each free parameter and each held number.
 std::vector<double> answer_moves(const ResidualFunction& residuals, const LeastSquaresResult& fit,
                                  std::span<const double> held);

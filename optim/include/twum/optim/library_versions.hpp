@@ -9,10 +9,10 @@ namespace twum::optim {
 /// A library that results depend on.
 struct LibraryVersion {
   std::string name;     ///< such as "NLopt"
-  std::string version;  ///< such as "2.7.1"; "none" if this build does without it
+  std::string version;  ///< such as "2.7.1"; "none" if it is not in this build
 };
 
-/// Solver libraries that are in use, in a fixed order. Never throws but for lack of memory.
+/// The solver libraries in use, in a fixed order. Throws only if memory runs out.
 std::vector<LibraryVersion> library_versions();
 
 }  // namespace twum::optim

@@ -8,17 +8,17 @@
 
 namespace twum::optim {
 
-/// The Sobol sequence (Joe and Kuo's directions, Gray code order) in [0, 1)^dimension, none of its
-/// points skipped, shifted modulo 1 by a random vector that follows the seed. Any point is computed
-/// by itself, so a sequence of any length takes no memory, and the object serves all threads.
+/// The Sobol sequence (Joe and Kuo's directions, Gray code order) in [0, 1)^dimension, with no points skipped,
+/// shifted modulo 1 by a random vector that depends on the seed. Each point is computed independently, so a sequence
+/// of any length takes no memory. Any number of threads may use one object.
 class SobolSequence {
  public:
   /// @throws InputError for a dimension of 0 or beyond 3667.
   SobolSequence(std::size_t dimension, std::uint64_t seed);
 
-  /// Numbers a point.
+  /// Coordinates of a point.
   std::size_t dimension() const noexcept { return shift_.size(); }
-  /// Writes point `index` = 0, 1, ... to `point`, which has room for dimension() numbers.
+  /// Writes point `index` = 0, 1, ... to `point`, which has dimension() entries.
   /// @throws InputError for an index beyond 10^12.
   void point(std::uint64_t index, std::span<double> point) const;
 

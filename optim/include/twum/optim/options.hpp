@@ -8,47 +8,50 @@
 
 namespace twum::optim {
 
-/// What a solve may use up. Reaching a limit ends it with what has been found; it is no error.
+/// Limits of a solve. A solve that reaches one ends with the best answer so far, without an error.
 struct Budget {
-  std::size_t evaluations{20000};  ///< calls of the evaluator, all stages together
-  double seconds{kInfinity};  ///< wall time [s]; a finite one makes results depend on the machine
+  std::size_t evaluations{20000};  ///< calls of the evaluator in all stages together
+  double seconds{kInfinity};  ///< wall time [s]; with a finite limit results depend on the machine
 };
 
-/// One call of the evaluator, as it happens.
+/// One call of the evaluator, reported when it is done.
 ///
-/// The sequence of designs within a stage is a function of the problem, the options and the seed
-/// alone; the threads only decide how the stages interleave. So (stage, index) names an
-/// evaluation for ever, and a caller that stores them can answer a repeated solve from its store.
+/// The sequence of designs within a stage depends on the problem, the options and the seed only; threads only change
+/// how stages interleave. So (stage, index) identifies an evaluation, and a caller that stores evaluations can answer
+/// a repeated solve from its store.
 struct Observation {
   std::uint64_t stage{0};  ///< part of the solve: a start, a rung of the ladder, a point of a front
   std::uint64_t index{0};  ///< number of the call within its stage
   std::span<const double> design;  ///< user units
   bool gradient{false};            ///< whether the Jacobian was asked for
-  const Evaluation& evaluation;    ///< what came out
+  const Evaluation& evaluation;    ///< its result
 };
 
-/// Told of every evaluation; its exceptions end the solve and reach its caller.
+/// Called with every evaluation. An exception that it throws ends the solve and reaches the caller.
 using Observer = std::function<void(const Observation&)>;
 
-/// How to solve. The defaults are for a user without opinions.
+/// Options of a solve. The defaults suit most problems.
 struct SolveOptions {
   std::string solver{"auto"};  ///< a name of solvers(), or "auto"
-  std::size_t starts{8};  ///< local searches of auto: the start, then a low-discrepancy sequence
-  std::size_t scan{512};  ///< designs that look_further() samples; solve() itself does not
+  /// number of local searches of auto: the first from the start design, the others from a low-discrepancy sequence
+  std::size_t starts{8};
+  /// number of designs that look_further() samples; solve() does not use it
+  std::size_t scan{512};
   double tolerance{
       1e-6};  ///< stationarity at which the certificate passes, relative to the gradient's scale
-  double feasibility_tolerance{1e-8};  ///< of constraints scaled by their gradients at the start
-  std::uint64_t seed{1};               ///< of whatever is random
-  Budget budget;                       ///< what it may use up
-  std::stop_token stop;                ///< a request ends the solve with what has been found
-  Observer observer;       ///< called for every evaluation, never by two threads at once
-  std::size_t threads{1};  ///< for the starts of auto; the answer does not depend on it
-  std::string global;      ///< auto only: a global algorithm to run first, such as "nlopt:isres"
+  double feasibility_tolerance{1e-8};  ///< for constraints scaled by their gradients at the start
+  std::uint64_t seed{1};               ///< seed of all random choices
+  Budget budget;                       ///< limits of evaluations and time
+  std::stop_token stop;                ///< a request ends the solve with the best answer so far
+  Observer observer;  ///< called for every evaluation, never by two threads at once
+  /// number of threads for the starts of auto; the answer does not depend on it
+  std::size_t threads{1};
+  std::string global;  ///< auto only: a global algorithm to run first, such as "nlopt:isres"
   std::map<std::string, std::string>
       solver_options;  ///< for the named solver; unknown names are refused
   bool analyse_infeasible{
       true};          ///< explain a problem without a feasible point (costs more solves)
-  bool polish{true};  ///< let Newton steps on the active set finish an answer that is nearly right
+  bool polish{true};  ///< improve a nearly optimal answer by Newton steps on the active set
   std::uint64_t first_stage{
       0};  ///< number of the first stage, for callers that solve more than once
 };

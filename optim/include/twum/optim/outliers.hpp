@@ -11,20 +11,21 @@ namespace twum::optim {
 
 /// A residual that chance does not explain.
 struct Outlier {
-  std::size_t residual{0};  ///< its number
-  /// Distance from the fit of the residuals that remain without it, in standard deviations of that distance (L7.1); has the
-  /// sign of the residual.
+  std::size_t residual{0};  ///< its index
+  /// Distance from a fit to the remaining residuals without this one, in standard deviations of that distance (L7.1).
+  /// Has the sign of the residual.
   double distance{0.0};
-  /// How often chance puts the farthest of as many residuals at least so far away; 1 at most.
+  /// Probability that the farthest of as many residuals is at least this far away by chance; at most 1.
   double p{1.0};
 };
 
-/// Residuals that chance does not explain, the farthest first: one after the other is taken out of the linearised fit, so that
-/// several do not hide each other (L7.1, L7.2). At most one in ten of the degrees of freedom, and one more.
-/// @param at     residuals and Jacobian at the fit's estimates; parameters that a bound holds count as known
-/// @param level  how often at least one is found where there is none; more than 0, less than 1
-/// @return empty where no scatter is left to compare with: with a known deviation one degree of freedom is needed, else three
-/// Cost: m n^2 operations for each residual that is taken out, of m residuals and n parameters.
+/// Finds residuals that chance does not explain, the farthest first. They are removed from the linearised fit one
+/// after the other, so that several outliers cannot hide each other (L7.1, L7.2). Removes at most a tenth of the
+/// degrees of freedom plus one.
+/// @param at     residuals and Jacobian at the fit's estimates; parameters at a bound count as known
+/// @param level  probability of finding at least one where there is none; more than 0, less than 1
+/// @return empty if there are too few degrees of freedom to estimate the scatter: one is needed with a known
+///         deviation, else three Cost: m n^2 operations for each residual removed, with m residuals and n parameters.
 std::vector<Outlier> find_outliers(const Residuals& at, const LeastSquaresResult& fit,
                                    double deviation = std::numeric_limits<double>::quiet_NaN(),
                                    double level = 0.01);

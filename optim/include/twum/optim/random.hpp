@@ -5,9 +5,9 @@
 
 namespace twum::optim {
 
-/// Random numbers without hidden state: the k-th number of stream (seed, stage, index) is a
-/// function of these four integers alone (Philox 2x64 with ten rounds; Salmon et al. 2011). An object
-/// counts, so each thread takes one of its own. Never throws.
+/// Random numbers without hidden state: the k-th number of stream (seed, stage, index) is a function of these four
+/// integers alone (Philox 2x64 with ten rounds; Salmon et al. 2011). An object counts the numbers drawn, so each
+/// thread needs its own. Never throws.
 class Random {
  public:
   /// The stream of a seed, a stage and an index, at its first number.
@@ -20,7 +20,7 @@ class Random {
   /// Uniform in [0, 1), 53 bits.
   double uniform() noexcept { return static_cast<double>(bits() >> 11U) * 0x1.0p-53; }
 
-  /// Uniform in {0, ..., count - 1} but for a bias below count / 2^64; count > 0.
+  /// Uniform in {0, ..., count - 1} up to a bias below count / 2^64; count > 0.
   std::uint64_t below(std::uint64_t count) noexcept { return bits() % count; }
 
  private:

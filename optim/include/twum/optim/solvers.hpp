@@ -7,28 +7,27 @@ namespace twum::optim {
 
 /// What a solver does when a design cannot be evaluated.
 enum class FailurePolicy : std::uint8_t {
-  shorter_step,  ///< goes back and tries a shorter step by itself
-  restart,       ///< is stopped and restarted from the best design in a smaller box
-  rank_last      ///< compares designs only: a failed one is ranked behind every other
+  shorter_step,  ///< the solver itself tries a shorter step
+  restart,       ///< the solver is stopped and restarted from the best design in a smaller box
+  rank_last      ///< the solver only compares designs, and a failed one ranks behind all others
 };
 
-/// One solver as users name it, and what it can take.
+/// Name and capabilities of a solver.
 struct SolverInfo {
   std::string name;         ///< such as "nlopt:slsqp"
   std::string description;  ///< one line
   bool gradient{false};     ///< needs the Jacobian
   bool inequality{
-      false};            ///< takes inequality constraints, possibly through an augmented Lagrangian
-  bool equality{false};  ///< takes equality constraints
-  bool global{false};    ///< searches the whole box
-  bool stochastic{false};  ///< follows the seed
+      false};  ///< accepts inequality constraints, possibly through an augmented Lagrangian
+  bool equality{false};    ///< accepts equality constraints
+  bool global{false};      ///< searches the whole box
+  bool stochastic{false};  ///< uses random numbers, which depend on the seed
   bool augmented{false};   ///< constraints only through an augmented Lagrangian (nlopt:auglag)
   bool available{true};    ///< false: not in this build; `description` says why
-  FailurePolicy on_failure{FailurePolicy::restart};  ///< of an evaluation
+  FailurePolicy on_failure{FailurePolicy::restart};  ///< reaction to a failed evaluation
 };
 
-/// Every solver there is, those that this build lacks included, in a fixed order; the list lives for
-/// ever.
+/// All solvers, including those that this build lacks, in a fixed order; static lifetime.
 const std::vector<SolverInfo>& solvers();
 
 /// The row of a name such as "nlopt:slsqp"; static lifetime.
@@ -41,11 +40,11 @@ struct SolverOption {
   std::string name;                  ///< as the solver calls it
   std::string type;                  ///< "number", "integer" or "text"
   std::string text;                  ///< what it does, in one line
-  double least{0};                   ///< of a number or integer
-  double most{0};                    ///< likewise
-  std::vector<std::string> words{};  ///< of a text: what it may be
+  double least{0};                   ///< smallest value of a number or integer
+  double most{0};                    ///< largest value of a number or integer
+  std::vector<std::string> words{};  ///< admissible values of a text
 
-  /// What it may be, in words: "1e-14 to 0.1" or "monotone|adaptive".
+  /// Its admissible values as a text: "1e-14 to 0.1" or "monotone|adaptive".
   std::string range() const;
 };
 

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-/// @file
-/// All of twum that a program is likely to want: motors and their metrics, design problems and their
-/// solvers, files with units, studies and their results. twum/core.hpp and twum/optim.hpp have the
-/// parts that stand alone; the tables, texts and schemas behind the files keep headers of their own.
+/// @file The headers that most programs need: motors and their metrics, design problems and their solvers, files with
+///         units, studies and their results. twum/core.hpp and twum/optim.hpp hold the parts that can be used on
+///         their own. Tables, texts and schemas behind the files have headers of their own.
 
-/// @namespace twum::studies
-/// Where motors meet optimization: files and units, metrics by name, design problems, studies.
+/// @namespace twum::studies Motors and optimization together: files and units, metrics by name, design problems,
+///         studies.
 ///
-/// What namespace twum says of units, threads and errors holds here.
+/// The rules of namespace twum on units, threads and errors hold here.
 
 #include <twum/core.hpp>
 #include <twum/optim.hpp>

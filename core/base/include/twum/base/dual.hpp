@@ -7,9 +7,9 @@ namespace twum {
 
 /// A value with its derivatives in N directions: forward-mode differentiation.
 ///
-/// Eager: every operator returns a finished Dual, so `auto` is harmless. The value part goes through
-/// exactly the operations that `T` alone would, in the same order: a function evaluated on Duals
-/// gives the bits it gives on T. T is double or, for second derivatives, another Dual.
+/// Every operator returns a finished Dual (no expression templates), so `auto` is safe. The value is computed by the
+/// same operations in the same order as for T alone: a function gives the same bits on Duals as on T. T is double or,
+/// for second derivatives, another Dual.
 ///
 /// A default-constructed Dual is uninitialised; `Dual(x)` is the constant x.
 template <typename T, int N>
@@ -33,7 +33,7 @@ struct Dual {
   }
 };
 
-/// The number behind a scalar, derivatives dropped.
+/// The value of a scalar as a double, without its derivatives.
 /// @{
 inline double value_of(double x) { return x; }
 template <typename T, int N>
@@ -42,14 +42,15 @@ double value_of(const Dual<T, N>& x) {
 }
 /// @}
 
-/// How many Newton steps give a root all its derivatives: one for each level of nesting.
+/// How deeply Duals are nested; 0 for a double. Once the value of a root is known, as many Newton steps on Duals give
+/// it all its derivatives.
 template <typename S>
 inline constexpr int kDualDepth = 0;
-/// Of a Dual: one more than of what it holds.
+/// A Dual adds one level to the scalar that it holds.
 template <typename T, int N>
 inline constexpr int kDualDepth<Dual<T, N>> = 1 + kDualDepth<T>;
 
-/// x with its value replaced: the derivatives stay. Used where a value is already known better.
+/// x with another value and the same derivatives, for a value that is already known more accurately.
 /// @{
 inline double with_value(double, double value) { return value; }
 template <typename T, int N>
@@ -72,8 +73,8 @@ Dual<T, N> chain(const Dual<T, N>& x, const T& f, const T& slope) {
 
 }  // namespace detail
 
-/// Arithmetic by the rules of differentiation; a double is a constant. Cost: that of T alone times about
-/// 1 + N. Division by zero gives what it gives for T; nothing throws.
+/// Arithmetic by the rules of differentiation; a double is a constant. Costs about 1 + N times the operation on T.
+/// Never throws; a division by zero gives what it gives for T.
 /// @{
 template <typename T, int N>
 Dual<T, N> operator-(const Dual<T, N>& a) {
@@ -240,7 +241,7 @@ struct SinCos {
   S cos;  ///< its cosine
 };
 
-/// Sine and cosine of an angle [rad], with derivatives; of a Dual at the cost of one of each.
+/// Sine and cosine of an angle [rad], with derivatives. A Dual costs one sine and one cosine of T.
 /// @{
 inline SinCos<double> sincos(double x) { return {std::sin(x), std::cos(x)}; }
 template <typename T, int N>

@@ -9,7 +9,7 @@ namespace twum {
 /// Root of every exception that twum throws on purpose.
 class Error : public std::runtime_error {
  public:
-  /// With its text.
+  /// The constructors of std::runtime_error, which take the text of what().
   using std::runtime_error::runtime_error;
 };
 
@@ -17,7 +17,7 @@ class Error : public std::runtime_error {
 /// The text names the entry, what was found, and what would be right.
 class InputError : public Error {
  public:
-  /// With its text.
+  /// The constructors of Error.
   using Error::Error;
 };
 
@@ -43,6 +43,6 @@ namespace detail {
 
 }  // namespace twum
 
-/// A condition that only a mistake of ours can break. On in all builds: it is used off the hot path.
+/// Checks a condition that only a bug in twum can break. Active in all builds, so keep it out of hot loops.
 #define TWUM_ASSERT(condition) \
   ((condition) ? void(0) : ::twum::detail::assertion_failed(#condition, __FILE__, __LINE__))

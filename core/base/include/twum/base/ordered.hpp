@@ -20,14 +20,14 @@ namespace twum {
 /// Threads to use for a request: 0 means one for each processor.
 unsigned job_count(unsigned requested);
 
-/// Reads, works on, and writes items, the work on several threads, the writing in the order of the
-/// reading. No more than a few items for each thread exist at a time.
+/// Reads items, works on them on several threads, and writes them in the order in which they were read. At most a few
+/// items for each thread exist at a time.
 ///
 ///     bool read(Item&)   fills the next item, one call at a time; false if there is none
 ///     void work(Item&)   on any thread, several at a time
 ///     void write(Item&)  one call at a time, in the order of reading
 ///
-/// When a callback throws, every item before that one is still written; then the exception comes out.
+/// When a callback throws, all items read before that one are still written; then run() throws the exception.
 template <typename Item, typename Read, typename Work, typename Write>
 class OrderedRun {
  public:
@@ -35,14 +35,14 @@ class OrderedRun {
   OrderedRun(unsigned jobs, Read read, Work work, Write write)
       : jobs_(jobs), read_(std::move(read)), work_(std::move(work)), write_(std::move(write)) {}
 
-  /// Goes through all items, once.
-  /// @throws whatever the first callback to throw did, by the order of the items
+  /// Processes all items. To be called once.
+  /// @throws the exception of the earliest item, in the order of reading, for which a callback threw
   void run() {
     std::vector<std::thread> threads;
     try {
       for (unsigned i = 1; i < jobs_; ++i) threads.emplace_back([this] { serve(); });
     } catch (const std::exception&) {
-      // No more threads, or no memory for them: those that are there do the work.
+      // The system has no more threads or memory: the threads that have started do all the work.
     }
     serve();
     for (std::thread& thread : threads) thread.join();
@@ -80,7 +80,7 @@ class OrderedRun {
     try {
       more = read_(item);
     } catch (...) {
-      fail(kNone);  // before another thread may read on
+      fail(kNone);  // before another thread reads the next item
       return kNone;
     }
     const std::lock_guard lock(mutex_);
@@ -88,7 +88,7 @@ class OrderedRun {
     return more ? next_read_++ : kNone;
   }
 
-  // Parks the item, and writes what is due unless another thread is at it.
+  // Stores the finished item, then writes every item whose turn it is, unless another thread is writing.
   void deliver(std::size_t index, Item item) {
     std::unique_lock lock(mutex_);
     done_.emplace(index, std::move(item));
@@ -110,7 +110,7 @@ class OrderedRun {
     writing_ = false;
   }
 
-  // Ends reading; items from `index` on are not written any more.
+  // Ends reading. Item `index` and those after it are not written.
   void fail(std::size_t index) {
     const std::lock_guard lock(mutex_);
     const std::size_t at = index == kNone ? next_read_ : index;
@@ -139,7 +139,7 @@ class OrderedRun {
   std::exception_ptr error_;
 };
 
-/// OrderedRun in one call; of `jobs` 0 counts as 1.
+/// OrderedRun in one call. 0 jobs count as 1.
 template <typename Item, typename Read, typename Work, typename Write>
 void run_ordered(unsigned jobs, Read read, Work work, Write write) {
   OrderedRun<Item, Read, Work, Write>(std::max(jobs, 1U), std::move(read), std::move(work),
@@ -147,30 +147,32 @@ void run_ordered(unsigned jobs, Read read, Work work, Write write) {
       .run();
 }
 
-/// Items that run_indexed() is to make: those from `first` to before `end`.
+/// The items that run_indexed() makes: indices `first` to `end` - 1.
 struct IndexRange {
   std::uint64_t first{0};         ///< first item
   std::uint64_t end{0};           ///< past the last item
   unsigned jobs{0};               ///< threads; 0 takes one for each processor
-  std::function<bool()> proceed;  ///< asked between items, on any thread; false ends the run
+  std::function<bool()> proceed;  ///< called between items on any thread; false ends the run
 };
 
-/// Makes items in blocks of indices on several threads, and takes them in the order of the indices, without gaps: the same
-/// for any number of threads. No more than some hundred items for each thread exist at a time.
+/// Makes items in blocks of indices on several threads and hands them to take() in the order of their indices,
+/// without gaps, so that the result does not depend on the number of threads. At most about a thousand items for each
+/// thread exist at a time.
 ///
-///     vector<Item> make(std::uint64_t first, std::uint64_t end)  on any thread, several at a time; fewer items than asked for
-///                                                                 end the run behind them
-///     void take(std::uint64_t first, vector<Item>& items)         one call at a time, of indices that follow one another
+///     vector<Item> make(std::uint64_t first, std::uint64_t end)  on any thread, several at a time; a result with fewer
+///                                                                 than end - first items ends the run after them
+///     void take(std::uint64_t first, vector<Item>& items)         one call at a time; consecutive indices
 ///
-/// @return the first index not taken: `end`, unless the run was told to end
-/// @throws whatever the first callback to throw did, once every block of items before is taken
+/// @return the first index that was not taken: `end`, unless the run ended early
+/// @throws the exception of the earliest block for which a callback threw, after all blocks before it were taken
 template <typename Make, typename Take>
 std::uint64_t run_blocks(const IndexRange& range, Make make, Take take) {
   struct Block {
     std::uint64_t first{0}, end{0};
     std::invoke_result_t<Make&, std::uint64_t, std::uint64_t> items;
   };
-  // Enough blocks for every thread to have its share, and items enough in one to be worth the handing on.
+  // Blocks are small enough to share the items evenly among threads, and large enough to keep the cost of locking
+  // low.
   constexpr std::uint64_t kMostAtATime = 256;
   const std::uint64_t count = range.end > range.first ? range.end - range.first : 0;
   const std::uint64_t threads = std::min<std::uint64_t>(job_count(range.jobs), count);
@@ -187,7 +189,7 @@ std::uint64_t run_blocks(const IndexRange& range, Make make, Take take) {
       },
       [&](Block& block) { block.items = make(block.first, block.end); },
       [&](Block& block) {
-        if (block.first != taken) return;  // behind a gap
+        if (block.first != taken) return;  // an earlier block was short and ended the run
         take(block.first, block.items);
         taken += block.items.size();
       });
@@ -197,7 +199,7 @@ std::uint64_t run_blocks(const IndexRange& range, Make make, Take take) {
 /// run_blocks() for items that are made one by one:
 ///
 ///     Item make(std::uint64_t index)                      on any thread, several at a time
-///     void take(std::uint64_t first, vector<Item>& items)  one call at a time, of indices that follow one another
+///     void take(std::uint64_t first, vector<Item>& items)  one call at a time; consecutive indices
 template <typename Make, typename Take>
 std::uint64_t run_indexed(const IndexRange& range, Make make, Take take) {
   const auto made = [&](std::uint64_t first, std::uint64_t end) {

@@ -15,11 +15,11 @@ struct NormalContact {
   Scalar edge_cosine;         ///< c [1]; below -1 in full contact
   Scalar pressure_amplitude;  ///< P = E A / h [Pa]
   Scalar half_length;         ///< L = theta_L / kappa [m]
-  Scalar load_ratio;          ///< preload in parts of what just presses the layer on all round,
-                              ///< A_1 / A (D1.5) [1]
-  Scalar ratio;               ///< alpha = L / lambda = theta_L / (2 pi) [1], 0 .. 0.5
-  Scalar max_pressure;        ///< p(0) [Pa]
-  bool full;                  ///< the layer nowhere leaves the stator
+  /// preload over the preload that just closes the contact all round, A_1 / A (D1.5) [1]
+  Scalar load_ratio;
+  Scalar ratio;         ///< alpha = L / lambda = theta_L / (2 pi) [1], 0 .. 0.5
+  Scalar max_pressure;  ///< p(0) [Pa]
+  bool full;            ///< the layer touches the stator all round
 };
 
 /// Half angle theta_L of partial contact that carries a load.

@@ -3,7 +3,7 @@
 
 namespace twum {
 
-/// What the contact does over a stretch of the wave; theory section 4.
+/// State of the contact over an interval of the wave; theory section 4.
 enum class ZoneState : signed char {
   slip_minus = -1,  ///< v_rel > 0: the layer is faster than the stator and is braked
   stick = 0,        ///< v_rel = 0

@@ -24,9 +24,9 @@ struct RadialShape {
 /// where a panel ends at each radius at which a zone appears. Below it -N stands for the same with N nodes a panel.
 inline constexpr int kAutoSlices = 0;
 
-/// What is unequal between the two phases and the two modes of a stator (D6.1, D6.5): it drives a backward wave.
+/// Differences between the two phases and between the two modes of a stator (D6.1, D6.5). They drive a backward wave.
 struct Imbalance {
-  double voltage_ratio{1};  ///< rho, voltage of the second phase over that of the first [1]
+  double voltage_ratio{1};  ///< rho, voltage of the second phase over voltage of the first [1]
   double phase_error{0};    ///< eps, lead of the second phase beyond a quarter of a turn [rad]
   double mode_splitting{
       0};  ///< delta: the modes have the stiffness k_s (1 + delta) and k_s (1 - delta) [1]
@@ -39,19 +39,20 @@ struct Sensor {
   double load_capacitance{0};  ///< of cable and amplifier [F]
   std::optional<double>
       load_resistance;  ///< of the amplifier [ohm]; without it the electrode is open
-  double position{0};   ///< phase of the wave by which it stands behind the first phase [rad]
+  double position{0};   ///< position behind the first phase, as a phase of the wave [rad]
 };
 
-/// Which of two stable waves a driven stator is asked for.
+/// Which of the two stable waves of a driven stator is meant.
 enum class Branch : unsigned char {
   running,  ///< the large one, that of a running motor
-  dead      ///< the small one, which the rotor clamps
+  dead      ///< the small one of a stator that the rotor clamps, so that the motor does not start
 };
 
 /// The vibrating ring. Wave w = A cos(omega t - kappa x), kappa = n / r.
 ///
 /// The amplitude is given, or follows from the voltage and the load (theory of the driven stator). A voltage needs
-/// resonance_frequency, modal_mass, force_factor and damping. With these and an amplitude the voltage that it takes is known.
+/// resonance_frequency, modal_mass, force_factor and damping. If these and an amplitude are given, the voltage
+/// follows.
 struct Stator {
   double wavelengths{9};                 ///< n, wavelengths round the circumference [1], integer
   double contact_radius{0.0265};         ///< r, mean contact radius [m]
@@ -69,22 +70,23 @@ struct Stator {
   std::optional<double> force_factor;         ///< Theta of a phase [N/V]
   double blocked_capacitance{0};              ///< C_0 of a phase [F]
   double loss_tangent{0};                     ///< tan delta of C_0 [1]
-  std::optional<Imbalance> imbalance;         ///< none: phases and modes are equal
-  std::optional<Sensor> sensor;               ///< none: no such electrode
-  Branch branch{Branch::running};             ///< asked for under a voltage
-  /// Nodes of the Gauss rule on each smooth piece of the track. 1: all at the contact radius, as in the paper; kAutoSlices and
-  /// below: on each panel.
+  std::optional<Imbalance> imbalance;         ///< without it phases and modes are equal
+  std::optional<Sensor> sensor;               ///< without it there is no such electrode
+  Branch branch{Branch::running};             ///< which wave is meant if a voltage is given
+  /// Nodes of the Gauss rule on each smooth piece of the track. 1: all at the contact radius, as in the
+  /// paper; kAutoSlices and below: on each panel.
   int radial_slices{1};
-  RadialShape radial_shape{};  ///< acts where the track has more than one slice
-  /// The stator as it is drawn: gives resonance_frequency, modal_mass, force_factor, blocked_capacitance,
-  /// neutral_plane_distance and radial_shape, whose members are not looked at then (theory of the plate, section 8).
+  RadialShape radial_shape{};  ///< used if the track has more than one slice
+  /// Geometry of the stator. If given, it determines resonance_frequency, modal_mass, force_factor,
+  /// blocked_capacitance, neutral_plane_distance and radial_shape, and these members are ignored (theory of the
+  /// plate, section 8).
   std::optional<stator::StatorGeometry> geometry;
 };
 
 /// The layer between stator and rotor: a foundation that is elastic along the axis and has
 /// stiffness, viscosity and inertia in shear, m eps'' + gamma eps' + G eps = tau (paper, eq. 16).
 ///
-/// G, gamma and m follow from the material unless they are given outright.
+/// G, gamma and m follow from the material unless they are given directly.
 struct ContactLayer {
   double thickness{0.3e-3};                     ///< h [m]
   double youngs_modulus{3e9};                   ///< E [Pa]
@@ -102,13 +104,13 @@ struct Friction {
   double static_{0.2};  ///< mu_0, threshold of sticking [1]
 };
 
-/// The rotor's face.
+/// The rotor.
 struct Rotor {
-  /// Cone angle: the face stands (rho - r) tan(taper) higher at radius rho, away from the stator at the outer edge if
-  /// positive [rad]. Acts where the track has more than one slice.
+  /// Cone angle of the face [rad]. At radius rho the face lies (rho - r) tan(taper) higher: positive if it lies
+  /// farther from the stator at the outer edge. Used if the track has more than one slice.
   double taper{0};
-  std::optional<double>
-      mass;  ///< [kg]; none: it follows the wave at once. For backward waves (D6.2)
+  /// [kg], used for backward waves only (D6.2); without it the rotor has no inertia in the axial direction
+  std::optional<double> mass;
 };
 
 /// One motor: everything the contact model needs, in SI units. A plain value.
@@ -123,14 +125,16 @@ struct MotorDesign {
   Rotor rotor{};        ///< pressed on the stator
 };
 
-/// f, drive frequency: as given, or frequency_ratio f_r [Hz]. Smooth; never throws; NaN if f_r is wanted and not given.
+/// f, drive frequency: as given, or frequency_ratio f_r [Hz]. Smooth; never throws; NaN if f_r is needed and not
+/// given.
 double drive_frequency(const MotorDesign& design);
 
-/// d_s, damping of each mode of the stator: as given, or 2 pi f_r m_s / Q (D2.2) [N s/m]. Smooth; never throws; NaN if
-/// what it follows from is not given.
+/// d_s, damping of each mode of the stator: as given, or 2 pi f_r m_s / Q (D2.2) [N s/m]. Smooth; never throws; NaN
+/// if neither it nor what it follows from is given.
 double modal_damping(const MotorDesign& design);
 
-/// True if all that a voltage needs to give a wave is there: resonance_frequency, modal_mass, force_factor, and damping.
+/// True if the design has all data that relate the wave to a voltage: resonance_frequency, modal_mass, force_factor,
+/// and damping.
 bool has_modal_data(const MotorDesign& design);
 
 /// G, shear modulus of the layer: as given, or E / (2 (1 + nu)) [Pa]. Smooth; never throws.

@@ -106,10 +106,11 @@ struct ParameterInfo {
   double max;      ///< largest admissible value, in `unit`
   bool integer;    ///< true: only whole numbers
   bool required;   ///< must stand in a motor file (unless its twin does)
-  std::optional<Parameter> twin;  ///< the other way to say the same; both in one file is an error
-  std::string_view example;       ///< a valid value with its unit, as one would type it
-  std::string_view text;          ///< what it is, in one line
-  std::string_view reason;        ///< why the range ends where it does
+  /// the parameter that states the same property in another way; both in one file is an error
+  std::optional<Parameter> twin;
+  std::string_view example;  ///< a valid value with its unit, as a user types it
+  std::string_view text;     ///< what it is, in one line
+  std::string_view reason;   ///< why the range ends where it does
 };
 
 /// The table, one row for each Parameter, in its order; static lifetime.
@@ -118,55 +119,56 @@ std::span<const ParameterInfo> parameter_table();
 /// The row of a parameter; static lifetime.
 const ParameterInfo& info(Parameter parameter);
 
-/// The parameter of a flat name or symbol ("thickness" or "h"); nothing if there is none. Upper
-/// and lower case differ.
+/// The parameter with this flat name or symbol ("thickness" or "h"), if there is one. Case-sensitive.
 std::optional<Parameter> find_parameter(std::string_view name_or_symbol);
 
-/// Value of a parameter in SI units; for one that follows from others (G from E and nu, ...) the
-/// value in use, and for the twin that is not in use what it would have to be: nu from G and E,
-/// loss_factor from gamma, G and omega, density from m and h. NaN for one without a value: modal data that are not given, and the
-/// one of amplitude and voltage that follows from the load. Never throws, whatever the design.
+/// Value of a parameter in SI units. A parameter that follows from others (G from E and nu, ...) has the value in
+/// use. A twin that is not in use has the value that states the same: nu from G and E; loss_factor from gamma, G and
+/// omega; density from m and h. NaN for a parameter without a value: modal data that are not given, and whichever of
+/// amplitude and voltage follows from the load. Never throws for any design.
 double get(const MotorDesign& design, Parameter parameter);
 
-/// True if the design's behaviour is stated through this parameter: false for shear_modulus when G
-/// follows from E and nu, and for poisson_ratio when G is given outright; likewise the other twins. False for what only
-/// a track of several slices has, its radial shape and taper, when there is one; for exponent and root beside a table; for
-/// modal data that are not given, and for capacitance and loss tangent of a stator without a force factor. A geometry puts its
-/// own numbers in the place of modal data, neutral plane distance and radial shape; without one they are not in use.
+/// True if the design is stated through this parameter. False for the twin that is not used: shear_modulus when G
+/// follows from E and nu, poisson_ratio when G is given directly, and so on. False for the radial shape and the taper
+/// of a track with one slice, and for exponent and root beside a table. False for modal data that are not given, and
+/// for capacitance and loss tangent of a stator without a force factor. A geometry replaces modal data, neutral plane
+/// distance and radial shape, which are then not in use; without a geometry its own parameters are not in use.
 bool in_use(const MotorDesign& design, Parameter parameter);
 
-/// Derivatives of every parameter's value, as get() has it: row i, column j is d value i / d parameter j, SI.
+/// Derivatives of every parameter's value, as get() returns it: row i, column j is d value i / d parameter j, SI.
 using ParameterJacobian = std::array<std::array<double, kParameterCount>, kParameterCount>;
 
-/// How all parameters move with each that is in use (in_use()), the others in use held: G, gamma and m with the material that
-/// gives them (T1.2 to T1.4) or the other way round, and mu_0 in proportion to mu unless `fixed_static_friction`. Columns of
-/// parameters not in use are zero. A microsecond; with a geometry some milliseconds, and NaN where modes cross.
-/// Beside a geometry the column of wavelengths holds the plate and its mode: it is not the way to another n, whose mode is
-/// another one, so compare whole numbers of waves by their values. Radii that coincide move together: the column of one of
-/// them alone means nothing (stator::StatorModel::joint_edges). Never throws for an admissible design.
+/// Derivatives of all parameters with respect to each parameter in use (in_use()) while the others in use stay fixed.
+/// G, gamma and m follow the material that gives them (T1.2 to T1.4), or the other way round, and mu_0 moves in
+/// proportion to mu unless `fixed_static_friction`. Columns of parameters not in use are zero. Takes a microsecond;
+/// with a geometry some milliseconds, and NaN where modes cross. With a geometry, the column of wavelengths keeps the
+/// plate and its mode. It does not lead to another n, which has another mode: compare the values of whole n instead.
+/// Radii that coincide move together, and the column of one of them alone has no meaning
+/// (stator::StatorModel::joint_edges). Never throws for an admissible design.
 ParameterJacobian parameter_jacobian(const MotorDesign& design, bool fixed_static_friction = false);
 
-/// Why a value [SI] is not admissible by itself, in the form "must be at least 0 m, but is -1 m"; empty
-/// if it is. NaN and infinity never are.
+/// Why a value [SI] is not admissible for this parameter, such as "must be at least 0 m, but is -1 m"; empty if it is
+/// admissible. NaN and infinity are not.
 std::string complaint(Parameter parameter, double value);
 
 /// A parameter and its value [SI].
 using ParameterValue = std::pair<Parameter, double>;
 
-/// The design with some parameters replaced (SI units). The order of the list does not matter:
-/// a value replaces its twin, and exponent or root of the radial shape replace its table; mu_0 keeps its ratio to mu when
-/// only mu is replaced; the last of two values for the same parameter holds.
-/// @throws InputError if a value is not admissible, a parameter and its twin are both in the list,
-///         the result has mu_0 < mu, a track that cannot be, or a voltage without the modal data it needs, and for
-///         what follows from a geometry or belongs to one that is not there. A geometry as a whole is for complaints().
+/// The design with some parameters replaced (SI units). The order of the list does not matter, but of two values for
+/// the same parameter the last one counts. A value replaces its twin, and exponent or root of the radial shape
+/// replace its table. mu_0 keeps its ratio to mu when only mu is replaced.
+/// @throws InputError if a value is not admissible, if a parameter and its twin are both in the list, if the result
+///         has mu_0 < mu, an impossible track or a voltage without the modal data it needs, and for a parameter that
+///         follows from the geometry, or belongs to a geometry that the design does not have. A geometry as a whole
+///         is checked by complaints().
 /// @{
 MotorDesign with(const MotorDesign& design, std::span<const ParameterValue> values);
 MotorDesign with(const MotorDesign& design, Parameter parameter, double value);
 /// @}
 
-/// All that is wrong with a design, one sentence each, in the order of the table; empty if it is
-/// admissible: every parameter in use within its range, mu_0 >= mu, a track outside the axis, a radial shape that is
-/// known and positive on it, modal data for a voltage, and a geometry that can be built.
+/// Everything that is wrong with a design, one sentence each, in the order of the table; empty if it is admissible. A
+/// design is admissible if every parameter in use is within its range, mu_0 >= mu, the track does not reach the axis,
+/// its radial shape is known and positive on the track, a voltage has its modal data, and a geometry can be built.
 std::vector<std::string> complaints(const MotorDesign& design);
 
 }  // namespace twum

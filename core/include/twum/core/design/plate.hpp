@@ -8,8 +8,9 @@
 
 namespace twum {
 
-/// Modes of a design's stator from its geometry: frequency, modal mass, force factor and what else the drive takes of it, with
-/// their derivatives. shape_values are R at the four radii of (P8.1), then at the inner and the outer edge of the contact track.
+/// Modes of a design's stator from its geometry: frequency, modal mass, force factor and the other numbers that the
+/// drive needs, with their derivatives. shape_values are R at the four radii of (P8.1), then at the inner and the
+/// outer edge of the contact track.
 ///
 /// Each thread keeps the last few results, so that asking again for the same geometry, wavelengths and track costs
 /// microseconds. The first time costs some 20 milliseconds, of which the derivatives take a fifth.

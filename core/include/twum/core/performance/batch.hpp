@@ -18,20 +18,21 @@ namespace twum {
 
 /// Why a design of a batch has no answer at all.
 struct DesignFailure {
-  /// What kind of reason.
+  /// Kinds of reasons.
   enum class Kind : unsigned char {
-    refused,  ///< no motor can have these values: the text of the InputError
-    error  ///< it has no values, as an EvaluationError says in a word, or asking the motor failed
+    refused,  ///< no motor can have these values; the text is that of the InputError
+    /// the motor has no answer; the text is the reason of the EvaluationError, or that of another exception
+    error
   };
   Kind kind{Kind::refused};  ///< of the reason
   std::string text;          ///< what was wrong
 };
 
-/// What became of a design of a batch. An answer whose numbers have a status each is an answer.
+/// Result of one design of a batch. An answer counts as one even if each of its numbers has a status that is not ok.
 template <typename Answer>
 using DesignOutcome = std::variant<Answer, DesignFailure>;
 
-/// Asks one design; never throws for it.
+/// Builds one motor and asks it. Turns every std::exception of either step into a DesignFailure.
 /// @param make  `MotorDesign make()`, which may throw an InputError for values that no motor can have
 /// @param ask   `Answer ask(const Motor&)`
 template <typename Make, typename Ask>
@@ -47,10 +48,10 @@ auto ask_design(Make&& make, Ask&& ask) -> DesignOutcome<std::invoke_result_t<As
   }
 }
 
-/// Asks many designs on several threads, as run_indexed(), which is the loop: the outcomes come in the order of the designs,
-/// the same for any number of threads.
+/// Asks many designs on several threads by run_indexed(). The outcomes come in the order of the designs and do not
+/// depend on the number of threads.
 ///
-///     MotorDesign make(std::uint64_t index)     on any thread; as of ask_design()
+///     MotorDesign make(std::uint64_t index)     on any thread; see ask_design()
 ///     Answer ask(const Motor&)                  on any thread
 ///     void take(std::uint64_t first, std::vector<DesignOutcome<Answer>>& outcomes)   one call at a time
 ///
@@ -73,12 +74,11 @@ std::vector<std::vector<MetricValue>> evaluate_designs(std::span<const MotorDesi
                                                        std::span<const MetricRequest> requests,
                                                        unsigned jobs = 0);
 
-/// Metrics with exact derivatives (SI) of many designs on several threads. Row i holds those of design
-/// i in the order asked, bit for bit those of differentiate(), whatever `jobs` is. Each says by its
-/// Smoothness what its derivatives are good for. Cost: that of differentiate() per design, shared by the
-/// threads, and about 500 bytes a metric.
+/// Metrics with exact derivatives (SI) of many designs on several threads. Row i holds those of design i in the order
+/// asked, bit for bit those of differentiate(), whatever `jobs` is. The Smoothness of each says what its derivatives
+/// can be used for. Cost: that of differentiate() per design, shared by the threads, and about 500 bytes a metric.
 ///
-/// @param fixed_static_friction  as of differentiate(): holds mu_0 while mu moves
+/// @param fixed_static_friction  holds mu_0 while mu moves, see differentiate()
 /// @param jobs                   threads; 0 takes one for each core.
 /// @throws InputError naming the first design that is not admissible, before anything is computed.
 std::vector<std::vector<MetricDerivative>> differentiate_designs(

@@ -20,19 +20,19 @@ struct EquivalentCircuit {
   double force_factor;          ///< Theta [N/V]
 };
 
-/// What the contact adds in series with R_m, L_m and C_m at an operating point (D4.5).
+/// Impedance that the contact adds in series with R_m, L_m and C_m at an operating point (D4.5).
 struct ContactCircuit {
   double
       resistance;  ///< P_in / (omega A Theta)^2 [ohm], negative where the rotor drives the stator
-  double
-      capacitance;  ///< Theta^2 A / Re F [F], infinite where the contact does not act on the wave
+  double capacitance;  ///< Theta^2 A / Re F [F], infinite where the contact has no reactive force
 };
 
-/// The circuit that the modal data of a design stand for (D4.4); nothing without modal data (has_modal_data()).
+/// The equivalent circuit of a design's modal data (D4.4); nothing without modal data (has_modal_data()).
 std::optional<EquivalentCircuit> equivalent_circuit(const MotorDesign& design);
 
-/// The modal data that a circuit stands for (D4.4): resonance_frequency, modal_mass, quality_factor, force_factor and
-/// blocked_capacitance, to rounding the inverse of equivalent_circuit(). Never throws; positive values are up to the caller.
+/// The modal data of an equivalent circuit (D4.4): resonance_frequency, modal_mass, quality_factor, force_factor and
+/// blocked_capacitance. The inverse of equivalent_circuit() up to rounding. Never throws; the caller ensures positive
+/// values.
 std::array<ParameterValue, 5> modal_data(const EquivalentCircuit& circuit);
 
 /// The contact as a part of the circuit at an operating point of a motor with modal data; NaN where the point has no answer.

@@ -67,7 +67,7 @@ enum class Metric : unsigned char {
 /// Rows of the metric table.
 inline constexpr std::size_t kMetricCount = 48;
 
-/// What a metric is asked at.
+/// Argument that a metric takes.
 enum class Argument : unsigned char {
   none,            ///< nothing: a number of the motor, such as stall_torque
   speed,           ///< a rotor speed [rad/s]
@@ -92,12 +92,11 @@ std::span<const MetricInfo> metric_table();
 /// The row of a metric; static lifetime.
 const MetricInfo& info(Metric metric);
 
-/// The metric of a name such as "torque_at"; nothing if there is none.
+/// The metric with a name such as "torque_at", if there is one.
 std::optional<Metric> find_metric(std::string_view name);
 
-/// A metric and what it is asked at, in SI units: {Metric::torque_at, Argument::speed, 10.5}. A metric
-/// that takes nothing does not look at `at`; with Argument::none a metric that takes a speed, or
-/// either, takes `at` for a speed, and speed_at takes it for a torque.
+/// A metric and its argument in SI units: {Metric::torque_at, Argument::speed, 10.5}. A metric without an argument
+/// ignores `at`. With Argument::none, speed_at reads `at` as a torque, every other metric as a speed.
 struct MetricRequest {
   Metric metric{Metric::stall_torque};  ///< what is asked
   Argument argument{Argument::none};    ///< what `at` is
@@ -107,19 +106,22 @@ struct MetricRequest {
 /// Whether a metric has a value.
 enum class MetricStatus : unsigned char {
   ok,
-  undefined,  ///< has no meaning for this motor: no stall torque, no stator damping, no input power
-  unreachable,         ///< the motor cannot carry the torque asked for
-  no_periodic_state,   ///< needs a point without a periodic state
-  not_converged,       ///< needs a point that did not converge
-  resonance,           ///< needs a point at an undamped resonance
-  unresolved,          ///< needs a point with too many zones
-  inaccurate,          ///< needs a point where rounding breaks a law, or is not finite
+  /// not defined for this motor: it has no stall torque, no stator damping, or no input power
+  undefined,
+  unreachable,        ///< the motor cannot carry the torque asked for
+  no_periodic_state,  ///< needs a point without a periodic state
+  not_converged,      ///< needs a point that did not converge
+  resonance,          ///< needs a point at an undamped resonance
+  unresolved,         ///< needs a point with too many zones
+  /// needs a point where rounding errors violate a law of the model, or a value is not finite
+  inaccurate,
   out_of_range,        ///< asked at a speed at or below the negative wave speed
   pulled_out,          ///< under the voltage there is no running wave at the speed that is needed
   no_running_branch,   ///< under the voltage there is no running wave at any speed
   no_dead_branch,      ///< the motor starts by itself
-  unstable_amplitude,  ///< needs a wave that grows or decays away from its balance
-  backward_wave_unknown,  ///< the layer sticks and has damping or inertia, or mu_0 > mu: no theory of the backward wave
+  unstable_amplitude,  ///< needs a wave that is not stable
+  /// the model of the backward wave does not cover stick in a layer with damping or inertia, or with mu_0 > mu
+  backward_wave_unknown,
   does_not_pull_out  ///< the running wave exists down to rest
 };
 
@@ -129,14 +131,15 @@ const char* to_string(MetricStatus status) noexcept;
 /// A metric's value in SI units; NaN unless status is ok.
 struct MetricValue {
   double value{0};                        ///< in the unit of its row
-  MetricStatus status{MetricStatus::ok};  ///< why there is none
+  MetricStatus status{MetricStatus::ok};  ///< ok, or why there is no value
 };
 
-/// What a gradient can be trusted for.
+/// What a gradient can be used for.
 enum class Smoothness : unsigned char {
-  smooth,     ///< the derivative
-  flat,       ///< exactly zero in the amplitude, thickness, ... here: the value sits on a plateau
-  one_sided,  ///< at a kink or jump: the derivative of the branch the value lies on
+  smooth,  ///< an ordinary derivative
+  /// the derivative is exactly zero in amplitude, thickness and so on: the value lies on a plateau
+  flat,
+  one_sided,  ///< at a kink or jump: the derivative of the branch on which the value lies
   undefined   ///< no derivative; entries are NaN
 };
 
@@ -145,13 +148,13 @@ const char* to_string(Smoothness smoothness) noexcept;
 
 /// A metric with its derivatives with respect to every parameter, in SI units.
 ///
-/// gradient[index_of(p)] is the derivative with the other parameters that are in use held fixed and
-/// those that follow from them moving along: E moves G, gamma; h moves m; mu moves mu_0 in proportion
-/// (set `fixed_static_friction` to hold mu_0). It is 0 for a parameter that is not in use (in_use()).
+/// gradient[index_of(p)] is the derivative with the other parameters in use held fixed. Parameters that follow from p
+/// move with it: E moves G, gamma; h moves m; mu moves mu_0 in proportion (set `fixed_static_friction` to hold mu_0).
+/// It is 0 for a parameter that is not in use (in_use()).
 struct MetricDerivative {
   MetricValue value;                               ///< bit for bit that of evaluate()
   std::array<double, kParameterCount> gradient{};  ///< SI; NaN where undefined
-  Smoothness smoothness{Smoothness::smooth};       ///< what the gradient is good for
+  Smoothness smoothness{Smoothness::smooth};       ///< what the gradient can be used for
 };
 
 /// Derivatives of an operating point with respect to the rotor speed. SI units.
@@ -163,37 +166,38 @@ struct SpeedDerivative {
   double friction_power{0};                   ///< [W s]
   double layer_loss{0};                       ///< [W s]
   double stick_fraction{0};                   ///< [s]
-  Smoothness smoothness{Smoothness::smooth};  ///< what the derivatives are good for
+  Smoothness smoothness{Smoothness::smooth};  ///< what the derivatives can be used for
 };
 
-/// Operating point with its derivatives in speed; NaN and `undefined` where the point has no answer.
-/// Smooth means that no zone comes or goes within 1e-9 of the crest speed, or that the layer is elastic with
-/// mu_0 = mu, where that does no harm. About five times the cost of the point.
+/// Operating point with its derivatives in speed; NaN and `undefined` where the point has no answer. `smooth` means
+/// that no zone appears or vanishes within 1e-9 of the crest speed, or that the layer is elastic with mu_0 = mu,
+/// where a zone that appears or vanishes leaves the derivative continuous. About five times the cost of the point.
 /// @param speed  rotor speed [rad/s], > -motor.wave_speed().
 /// @throws InputError as Motor::operating_point.
 SpeedDerivative differentiate_in_speed(const Motor& motor, double speed);
 
-/// Metrics of a motor as T7.1 to T7.18 define them, in the order asked. Work shared by several metrics is
-/// done once. About 30 microseconds for all metrics without argument, a microsecond for a point metric at
-/// a speed; about 300 microseconds where mu_0 > mu. Never throws for a number asked at: a speed at or below
-/// -motor.wave_speed() has the status out_of_range, a torque beyond the motor's is unreachable.
-/// Continuous in the parameters but for jumps where mu_0 > mu; differentiate() says how smooth.
+/// Metrics of a motor as T7.1 to T7.18 define them, in the order asked. Work shared by several metrics is done once.
+/// About 30 microseconds for all metrics without argument, a microsecond for a point metric at a speed; about 300
+/// microseconds where mu_0 > mu. No argument makes it throw: a speed at or below -motor.wave_speed() gives the status
+/// out_of_range, a torque that the motor cannot carry gives unreachable. Continuous in the parameters except for
+/// jumps where mu_0 > mu; differentiate() returns the smoothness.
 /// @{
 std::vector<MetricValue> evaluate(const Motor& motor, std::span<const MetricRequest> requests);
 MetricValue evaluate(const Motor& motor, const MetricRequest& request);
 /// @}
 
-/// Metrics with exact derivatives: forward mode through the closed forms, implicit differentiation at
-/// every root. All derivatives of all metrics together cost about 2.6 times the metrics alone.
-/// Never throws for a number asked at, as evaluate(). For the number of wavelengths of a motor with a geometry, and for radii of
-/// its plate that coincide, see parameter_jacobian().
+/// Metrics with exact derivatives: forward mode through the closed forms, implicit differentiation at every root. All
+/// derivatives of all metrics together cost about 2.6 times the metrics alone. No argument makes it throw, as for
+/// evaluate(). For the number of wavelengths of a motor with a geometry, and for radii of its plate that coincide,
+/// see parameter_jacobian().
 /// @param fixed_static_friction  mu_0 stays where it is when mu moves; otherwise it keeps its ratio
 std::vector<MetricDerivative> differentiate(const Motor& motor,
                                             std::span<const MetricRequest> requests,
                                             bool fixed_static_friction = false);
 
-/// A point metric, or speed_at, at a load of a share of the largest torque, a load that moves with the design: a search that
-/// has left the motors that carry a load sees finite numbers there. The status is `unreachable` if there is no torque at all.
+/// A point metric, or speed_at, at a load that is a fixed share of the motor's largest torque, so that the load moves
+/// with the design. An optimizer that has left the region of motors that carry a fixed load still gets finite
+/// numbers. The status is `unreachable` if the motor has no torque at all.
 /// @param share  of the largest torque [1], more than 0 and below 1
 /// @{
 MetricValue evaluate_at_share(const Motor& motor, Metric metric, double share);

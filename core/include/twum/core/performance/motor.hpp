@@ -21,15 +21,16 @@ struct MotorPoint;
 /// Whether an operating point has an answer.
 enum class PointStatus : unsigned char {
   ok,
-  no_periodic_state,  ///< the layer never repeats itself from turn to turn (typical: mu_0 > mu)
-  not_converged,      ///< laps neither settle nor repeat within the limit (undamped layers)
-  resonance,          ///< undamped layer driven at its own resonance: no finite response
-  unresolved,         ///< more stick and slip zones than can be followed
-  inaccurate,         ///< rounding breaks a law of the model: no number is trusted
-  pulled_out,         ///< a motor under a voltage has no running wave at this speed, but at others
+  no_periodic_state,  ///< the motion of the layer does not become periodic (typical: mu_0 > mu)
+  /// the motion neither settles nor repeats within the largest number of periods (undamped layers)
+  not_converged,
+  resonance,   ///< undamped layer driven at its own resonance: no finite response
+  unresolved,  ///< more stick and slip zones than can be followed
+  inaccurate,  ///< rounding errors violate a law of the model, so no number is reliable
+  pulled_out,  ///< a motor under a voltage has no running wave at this speed, but has one at others
   no_running_branch,  ///< a motor under a voltage has no running wave at any speed
-  no_dead_branch,     ///< a motor under a voltage starts by itself: it has no dead wave here
-  unstable_amplitude  ///< the wave that is asked for grows or decays away from its balance
+  no_dead_branch,     ///< a motor under a voltage has no dead wave here: it starts by itself
+  unstable_amplitude  ///< the wave that was asked for is not stable
 };
 
 /// Short machine-readable word, such as "no-periodic-state"; "ok" for ok. Static lifetime.
@@ -44,52 +45,55 @@ struct OperatingConditions {
 
 /// The motor in its periodic state at one rotor speed. SI units; theory section 7.
 ///
-/// If status is ok the numbers are finite, those of the terminals where the design has modal data, the powers balance (T7.10) to 1e-6
-/// of mu_0 F_N max(V0, |U|)
-/// (T7.11), losses are negative by no more than 1e-9 of it, and |T| <= mu_0 F_N r (C8.1) to 1e-9. Known motors keep all of
-/// them to 1e-10. Otherwise every number but `speed` is NaN.
+/// If status is ok, all numbers are finite (those of the terminals only if the design has modal data). The powers
+/// then balance (T7.10) to 1e-6 of mu_0 F_N max(V0, |U|) (T7.11), losses are above -1e-9 of that, and |T| <= mu_0 F_N
+/// r (C8.1) holds to 1e-9. All motors tested keep these laws to 1e-10. If status is not ok, every number but `speed`
+/// is NaN.
 struct OperatingPoint {
-  double speed{0};           ///< Omega [rad/s]
-  double torque{0};          ///< T on the rotor, positive in drive direction [N m]
-  double output_power{0};    ///< P_out = T Omega [W]
-  double stator_power{0};    ///< P_in, from the stator to the layer [W]
-  double friction_power{0};  ///< P_fric, snaps included [W], >= 0 but for rounding
-  double layer_loss{0};      ///< P_layer, viscous loss in the layer [W], >= 0 but for rounding
+  double speed{0};         ///< Omega [rad/s]
+  double torque{0};        ///< T on the rotor, positive in drive direction [N m]
+  double output_power{0};  ///< P_out = T Omega [W]
+  double stator_power{0};  ///< P_in, from the stator to the layer [W]
+  /// P_fric, including sudden releases of the layer [W], >= 0 up to rounding
+  double friction_power{0};
+  double layer_loss{0};      ///< P_layer, viscous loss in the layer [W], >= 0 up to rounding
   double stator_loss{0};     ///< P_stator = c_stator (omega A)^2 [W]
   double wear_intensity{0};  ///< P_fric / (2 pi r b) [W/m^2]
   double stick_fraction{0};  ///< share of the contact length that sticks [1]
   double reactive_force{0};  ///< Re F, the contact's force on the wave in phase with it (D1.1) [N];
                              ///< Im F = P_in / (omega A) (D1.2)
   double amplitude{0};       ///< A of the wave [m]
-  /// What the terminals see, NaN without modal data; powers of both phases together, voltage and current of one, rms.
+  /// At the terminals; NaN without modal data. Powers are those of both phases together, voltage and current those of
+  /// one phase, rms.
   /// @{
   double phase_lag{0};  ///< phi of the wave behind the voltage (D2.4) [rad]
-  double voltage{0};    ///< that holds the wave [V]
-  /// The larger of the two phases (D4.1, D6.6) [A]. This and the power factor are NaN where phases or modes are unequal and
-  /// the backward wave is not known.
+  double voltage{0};    ///< that maintains the wave [V]
+  /// The larger of the two phases (D4.1, D6.6) [A]. It and the power factor are NaN if phases or modes are unequal
+  /// and the backward wave is not known.
   double phase_current{0};
-  double dielectric_loss{0};   ///< in the blocked capacitances [W]
+  double dielectric_loss{0};   ///< loss in the blocked capacitances [W]
   double electrical_power{0};  ///< P_el = P_diel + P_stator + P_in (D4.2) [W]
   double power_factor{0};      ///< (D4.3) [1]
   /// @}
-  PointStatus status{PointStatus::ok};  ///< why there is no answer
+  PointStatus status{PointStatus::ok};  ///< ok, or why there is no answer
 
   /// P_out / P_el (D4.3), 0 where the output is negative; NaN where P_el is not positive or not known [1]
   double overall_efficiency() const noexcept;
-  /// P_out / P_in where P_in > 0 and balances to 1e-6 of itself, else NaN [1]
+  /// P_out / P_in where P_in > 0 and the power balance holds to 1e-6 of P_in, else NaN [1]
   double contact_efficiency() const noexcept;
-  /// P_out / (P_in + P_stator) where that sum is > 0 and P_in balances to 1e-6 of it, else NaN [1]
+  /// P_out / (P_in + P_stator) where that sum is > 0 and the power balance holds to 1e-6 of it, else NaN [1]
   double efficiency() const noexcept;
 };
 
-/// A wave that a voltage holds at a speed: a solution of the balance of the wave.
+/// A steady wave under a voltage at a speed: a solution of the force balance of the wave.
 struct WaveState {
   double amplitude;    ///< A [m]
   double phase_lag;    ///< phi behind the voltage [rad]
   double determinant;  ///< of the slow flow (D2.6) [1/s^2]
   double trace;        ///< of the slow flow (D2.6) [1/s]
-  bool stable;         ///< a disturbed wave comes back to it
-  bool running;        ///< stable, and what a running motor has (theory page, section 2)
+  bool stable;         ///< a disturbed wave returns to it
+  /// stable and on the branch of a running motor (theory of the driven stator, section 2)
+  bool running;
 };
 
 /// State of the contact at one phase of the wave; theory sections 2 to 4.
@@ -104,22 +108,22 @@ struct FieldSample {
 
 /// Fields along one wave in the periodic state, at one radius of the contact track.
 struct ContactFields {
-  OperatingPoint point;              ///< the numbers of the whole motor
-  double radius{0};                  ///< where the fields are [m]
+  OperatingPoint point;              ///< operating point of the whole motor
+  double radius{0};                  ///< radius of the fields [m]
   std::vector<Zone> zones;           ///< from contact entry to exit
   std::vector<FieldSample> samples;  ///< ordered by phase
 };
 
-/// A motor ready to be asked: the design, and all that follows from it alone. Immutable, so one
-/// Motor may be used by any number of threads.
+/// A motor: its design and everything that follows from the design alone. Immutable, so any number of threads may use
+/// one Motor.
 ///
-/// Under a voltage the wave follows from the load. What does not depend on the speed elsewhere, contact() and crest_speed(), is
-/// then that of the wave with which the curve begins: at rest, or where the running wave begins.
+/// Under a voltage the amplitude depends on the load. contact() and crest_speed(), which do not depend on speed for a
+/// given amplitude, then belong to the wave at first_speed().
 class Motor {
  public:
   /// Solves the normal contact (T3.1 to T3.4; W2.1 to W2.4). About a microsecond, 20 for 8 slices, and a
-  /// millisecond for `auto`, which tries how many nodes it takes. Under a voltage it follows the running wave over speed, which takes
-  /// some hundred points.
+  /// millisecond for `auto`, which tries how many nodes are needed. Under a voltage it follows the running wave
+  /// over speed, which takes some hundred operating points.
   /// @throws InputError with every complaint about the design.
   explicit Motor(const MotorDesign& design);
 
@@ -153,8 +157,8 @@ class Motor {
   /// @throws InputError unless speed > -wave_speed() (and finite).
   OperatingPoint operating_point(double speed) const;
 
-  /// The same where another wave drives the motor than the one of its design. The layer's viscosity stays that of the
-  /// design, also where it follows from a loss factor at the design's frequency.
+  /// The same for a wave with another amplitude and frequency than the design's. The layer's viscosity stays that of
+  /// the design, even if it follows from a loss factor at the design's frequency.
   /// @throws InputError as above, and for an amplitude or a frequency outside its range.
   OperatingPoint operating_point(const OperatingConditions& at) const;
 
@@ -162,13 +166,14 @@ class Motor {
   /// no answer. About a microsecond a slice.
   /// @throws InputError as operating_point().
   std::vector<Zone> zones(double speed) const;
-  /// The same at another radius of the contact track, which need not be that of a slice; one slice has the same zones at all.
+  /// The same at another radius of the contact track, not necessarily that of a slice. With one slice the zones are
+  /// the same at all radii.
   /// @param radius  [m]
   /// @throws InputError as operating_point(), and for a radius outside the track.
   std::vector<Zone> zones(double speed, double radius) const;
 
-  /// Fields at the contact radius at a rotor speed [rad/s] at `samples` equally spaced phases over one wave (zone borders are
-  /// not added). Pressure is continuous; traction jumps where zones meet.
+  /// Fields at the contact radius at a rotor speed [rad/s] at `samples` equally spaced phases over one wave (no
+  /// samples are added at the borders of zones). Pressure is continuous; traction may jump at the borders.
   /// @param samples  at least 2
   /// @throws InputError as operating_point(), and for fewer samples.
   ContactFields fields(double speed, int samples) const;
@@ -181,14 +186,14 @@ class Motor {
   /// @throws InputError as operating_point().
   BackwardWave backward_wave(double speed) const;
 
-  /// Every wave that the voltage holds at a rotor speed [rad/s], stable or not, the smallest first (D2.4). Empty for a motor
-  /// with an amplitude.
+  /// Every steady wave under the voltage at a rotor speed [rad/s], stable or not, smallest amplitude first (D2.4).
+  /// Empty for a motor with a given amplitude.
   /// @throws InputError as operating_point().
   std::vector<WaveState> wave_states(double speed) const;
 
-  /// The drive of a motor under a voltage, else null; for the library's own use.
+  /// The drive of a motor under a voltage, else null. Internal.
   const performance::Drive* drive() const noexcept { return drive_.get(); }
-  /// The model behind the motor; for the library's own use.
+  /// The model of the motor. Internal.
   const performance::DrivenMotor<double>& model() const noexcept { return *model_; }
 
  private:

@@ -81,7 +81,7 @@ struct Electrodes {
   bool operator==(const Electrodes&) const = default;  ///< number by number
 };
 
-/// A stator as it is drawn. A plain value in SI units; check_geometry() says whether it can be built.
+/// Geometry and materials of a stator in SI units, without invariants; check_geometry() says whether it can be built.
 struct StatorGeometry {
   Substrate substrate;                 ///< the metal
   std::optional<Web> web;              ///< between clamp and ring
@@ -147,19 +147,19 @@ struct DimensionInfo {
 /// Name and unit of each dimension, in the order of Dimension.
 const std::array<DimensionInfo, kDimensions>& dimension_table();
 
-/// The member of a geometry behind a dimension; null if its block is absent, if the electrodes take the
-/// ceramic's radius, and for the contact radius.
+/// The member of a geometry that holds a dimension. Null if its block is absent, if the electrodes have the ceramic's
+/// radius, and for the contact radius.
 /// @{
 double* find(StatorGeometry& geometry, Dimension dimension);
 const double* find(const StatorGeometry& geometry, Dimension dimension);
 /// @}
 
-/// All that is wrong with the numbers of a stator, a sentence each, "ceramic_outer_radius must be at most 30 mm
-/// (substrate_outer_radius), but is 31 mm"; empty if such a stator can exist.
+/// Everything that is wrong with the numbers of a stator, one sentence each, such as "ceramic_outer_radius must be at
+/// most 30 mm (substrate_outer_radius), but is 31 mm"; empty if such a stator can exist.
 std::vector<std::string> geometry_complaints(const StatorGeometry& geometry);
 
-/// Whether such a stator can exist.
-/// @throws InputError of all complaints
+/// Does nothing if such a stator can exist.
+/// @throws InputError with all complaints otherwise
 void check_geometry(const StatorGeometry& geometry);
 
 }  // namespace twum::stator

@@ -17,7 +17,7 @@ struct LayerOf {
   S density;         ///< rho_j [kg/m^3]
 };
 
-/// What a plate needs to know of its thickness direction.
+/// Properties of a plate's cross section, integrated over the thickness.
 template <typename S>
 struct SectionOf {
   S neutral_plane;      ///< z_n, height of the neutral plane above the bottom [m]
@@ -26,7 +26,7 @@ struct SectionOf {
   S poisson_ratio;      ///< nu of the bending stiffness [1]
   S shear_stiffness;    ///< k_G sum G_j h_j [N/m]
   S mass;               ///< m'', mass per area [kg/m^2]
-  S rotary_inertia;     ///< I'', about the neutral plane, per area [kg]
+  S rotary_inertia;     ///< I'', rotary inertia per area about the neutral plane [kg]
 };
 
 using Layer = LayerOf<double>;      ///< in plain numbers

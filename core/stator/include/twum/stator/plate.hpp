@@ -16,10 +16,11 @@ struct SegmentOf {
 };
 using Segment = SegmentOf<double>;  ///< in plain numbers
 
-/// How a cross section may turn.
+/// How the rotation of a cross section is modelled.
 enum class PlateTheory {
-  mindlin,  ///< on its own: shear deformation and rotary inertia
-  kirchhoff,  ///< with the slope of the deflection: no shear deformation; rotary inertia if the section has it
+  mindlin,  ///< independent of the slope: shear deformation and rotary inertia
+  /// equal to the slope of the deflection: no shear deformation; rotary inertia if the section has it
+  kirchhoff,
 };
 
 /// What holds the inner edge. The outer edge is free.
@@ -49,8 +50,8 @@ class RadialFunction {
   /// Slope dR / d rho at a radius [m], continued likewise.
   double slope(double radius) const;
 
-  /// How often the function changes its sign between two radii [m]. Values below 1e-6 of the largest one
-  /// have no sign: a supported edge is no change.
+  /// Number of sign changes between two radii [m]. Values below 1e-6 of the largest one have no sign, so that a
+  /// supported edge does not count.
   int sign_changes(double inner, double outer) const;
 
   /// From the inside to the outside.
@@ -69,14 +70,14 @@ struct PlateMode {
 
 /// Lowest modes with n nodal diameters, lowest frequency first (P3.1).
 ///
-/// Polynomials of high degree on each segment, more than one where its radii differ by more than a factor
-/// of 2. With n up to 12 the three lowest frequencies of thin plates are good to 1e-7; those of Mindlin's
-/// plate to 2e-6, where the layers at its free edges, a third of the thickness wide, are hardest.
-/// Cost: the lowest solutions of a dense eigenproblem with 30 to 40 unknowns for each segment (Mindlin).
+/// Uses polynomials of high degree on each segment; a segment whose radii differ by more than a factor of 2 is
+/// divided. With n up to 12, the three lowest frequencies of thin plates are accurate to 1e-7, those of Mindlin's
+/// plate to 2e-6. The boundary layers at its free edges, a third of the thickness wide, limit the latter. Cost: the
+/// lowest solutions of a dense eigenproblem with 30 to 40 unknowns for each segment (Mindlin).
 /// @param segments  from the inside to the outside, without gaps
-/// @throws InputError for a segment without width or with a section that is not positive, a gap, n < 0,
-/// count < 1, and for a segment narrower than 1e-9 of the plate's width (Mindlin) or 1e-3 (Kirchhoff), which
-/// rounding would spoil
+/// @throws InputError for a segment without width or with a section that is not positive, a gap, n < 0, or count < 1;
+///          also for a segment narrower than 1e-9 (Mindlin) or 1e-3 (Kirchhoff) of the plate's width, where rounding
+///          errors would dominate
 std::vector<PlateMode> plate_modes(const std::vector<Segment>& segments, PlateTheory theory,
                                    InnerEdge inner_edge, int nodal_diameters, int count);
 

@@ -17,7 +17,7 @@ struct Diagnostic {
   std::string entry;                ///< path such as "motor.contact_layer.thickness"; may be empty
   std::string found;                ///< "'3 N' is a force [N]"
   std::string expected;             ///< "expected a length [m] such as '0.3 mm'"
-  std::optional<SourceMark> other;  ///< a second place that belongs to it
+  std::optional<SourceMark> other;  ///< a second place that the error refers to
   std::string other_text;           ///< what is there, such as "first given here"
 };
 
@@ -27,27 +27,27 @@ std::string to_string(const Diagnostic& diagnostic, const Source& source);
 /// Everything that is wrong with one file. what() is the text of all of it.
 class FileError : public InputError {
  public:
-  /// What is wrong with a file, in the order in which it is said.
+  /// The errors of a file, in the order in which they are printed.
   FileError(const Source& source, std::vector<Diagnostic> diagnostics);
-  /// What is wrong with a file and with another one that it names; the text is that of both.
+  /// The errors of a file and of another file that it names; the text holds both.
   FileError(const FileError& first, const FileError& second);
 
-  /// Of the (first) file.
+  /// Errors of the first file.
   const std::vector<Diagnostic>& diagnostics() const noexcept { return *diagnostics_; }
 
  private:
   std::shared_ptr<const std::vector<Diagnostic>> diagnostics_;  // shared: exceptions are copied
 };
 
-/// Collects what is wrong with one file, so that all of it is said in one pass.
+/// Collects the errors of one file, so that all of them are reported at once.
 class Diagnostics {
  public:
-  /// Of a text, which has to outlive this.
+  /// Collects errors of this text, which has to outlive the object.
   explicit Diagnostics(const Source& source) : source_(source) {}
 
   /// The text.
   const Source& source() const noexcept { return source_; }
-  /// One more thing that is wrong.
+  /// Adds an error.
   /// @{
   void add(Diagnostic diagnostic) { found_.push_back(std::move(diagnostic)); }
   void add(SourceMark mark, std::string entry, std::string found, std::string expected) {
@@ -58,7 +58,7 @@ class Diagnostics {
   bool empty() const noexcept { return found_.empty(); }
   /// Errors so far.
   std::size_t count() const noexcept { return found_.size(); }
-  /// @throws FileError with all of them, in the order of the file, if there are any.
+  /// @throws FileError with all errors in the order of the file, if there are any.
   void throw_if_any() const;
 
  private:

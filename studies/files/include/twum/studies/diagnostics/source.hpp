@@ -8,20 +8,20 @@
 
 namespace twum::studies {
 
-/// A place in a text, counted from 1 in characters, as editors do.
+/// A place in a text; line and column count from 1 in characters, as in editors.
 struct SourceMark {
   int line{1};    ///< from the top
   int column{1};  ///< from the left
 };
 
-/// A text with a name, that errors can point into.
+/// A text with a name, to which errors can refer by line and column.
 class Source {
  public:
-  /// @param name  how errors call it, such as its path
+  /// @param name  its name in errors, such as its path
   /// @param text  all of it, UTF-8
   Source(std::string name, std::string text);
 
-  /// How errors call it.
+  /// Name in errors.
   const std::string& name() const noexcept { return name_; }
   /// All of it.
   const std::string& text() const noexcept { return text_; }
@@ -30,8 +30,8 @@ class Source {
   std::string_view line(int number) const;
   /// The mark of a place given by line and byte, both counted from 0.
   SourceMark mark(int line, int byte) const;
-  /// The mark of a byte of a value, counted from 0, where the value stands at `begin` as it is, perhaps in quotes;
-  /// otherwise, such as over several lines, `begin`.
+  /// The mark of a byte of a value, counted from 0. The value begins at `begin`, possibly in quotes. If its text
+  /// differs from that of the file, as for a value over several lines, returns `begin`.
   SourceMark mark_within(SourceMark begin, std::string_view value, std::size_t byte) const;
 
  private:
@@ -40,7 +40,7 @@ class Source {
   std::vector<std::size_t> line_begins_;
 };
 
-/// Largest file that is read into memory whole [bytes].
+/// Size limit of files that are read into memory as a whole [bytes].
 inline constexpr std::size_t kLargestFile = std::size_t{4} << 20U;
 
 /// Reads a whole file; "-" is standard input.

@@ -8,12 +8,11 @@
 
 namespace twum::studies {
 
-/// A schema as JSON Schema (draft 2020-12), for editors and other programs: a function of the table alone.
-/// @param id  address that names it
+/// A schema as JSON Schema (draft 2020-12), for editors and other programs. Depends on the schema only.
+/// @param id  address that identifies the schema
 std::string json_schema(const Schema& schema, std::string_view title, std::string_view id);
 
-/// The entries of a mapping, and those within them, as a Markdown table: path, what may stand there,
-/// what holds if it is left out, what it is.
+/// The entries of a mapping and of the mappings in it as a Markdown table: path, admissible values, default, meaning.
 std::string markdown_table(const Schema& mapping);
 
 /// A commented YAML file to start from: every entry with its example, optional ones commented out.

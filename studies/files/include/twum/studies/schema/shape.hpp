@@ -14,17 +14,17 @@
 
 namespace twum::studies {
 
-/// A mapping as it stands in a file, for checks that look at several of its entries.
+/// A mapping of a file, for checks that involve several of its entries.
 class Given {
  public:
-  /// @param right  what has been read, by the place of the entry in the schema; null otherwise
+  /// @param right  values that were read successfully, by position of the entry in the schema; null for the others
   Given(const YamlNode& node, const Spot& spot, const Schema& schema,
         std::vector<const YamlNode*> right)
       : node_(node), spot_(spot), schema_(schema), right_(std::move(right)) {}
 
-  /// What stands for an entry, right or wrong; null if it is left out.
+  /// The value of an entry, whether valid or not; null if the entry is left out.
   const YamlNode* find(std::string_view name) const { return node_.find(name); }
-  /// What stands for an entry, if it has been read; null if it is left out or wrong.
+  /// The value of an entry if it is valid; null if the entry is left out or wrong.
   const YamlNode* right(std::string_view name) const {
     for (std::size_t i = 0; i < right_.size(); ++i)
       if (schema_.entries[i].name == name) return right_[i];
@@ -44,15 +44,16 @@ class Given {
   std::vector<const YamlNode*> right_;
 };
 
-/// One entry of a mapping that becomes a struct, and the member it is for.
+/// One entry of a mapping that is read into a struct, and the member that it sets.
 template <typename T>
 struct Field {
   SchemaEntry entry;  ///< name and what may stand there
-  /// Sets the member; false if what stands there is wrong.
+  /// Sets the member; false if the value is wrong.
   std::function<bool(T&, const YamlNode&, const Spot&, Diagnostics&)> read;
-  /// What one would type for the member; nothing if it is left out.
+  /// The member's value as a user types it; nothing if the entry is left out.
   std::function<std::optional<YamlNode>(const T&)> write;
-  bool has_standard{false};  ///< left out, the member keeps its value in a fresh struct
+  /// if the entry is left out, the member keeps the value that it has in a new struct
+  bool has_standard{false};
 };
 
 /// @name Fields of a struct
@@ -87,7 +88,7 @@ Field<T> required(std::string name, const Shape<V>& shape, Member member) {
   return field;
 }
 
-/// An entry whose value, if it is left out, is that of a fresh struct.
+/// An entry whose default is the value in a new struct.
 template <typename T, typename V, typename Member>
 Field<T> standard(std::string name, const Shape<V>& shape, Member member) {
   Field<T> field = required<T>(std::move(name), shape, member);
@@ -96,7 +97,7 @@ Field<T> standard(std::string name, const Shape<V>& shape, Member member) {
   return field;
 }
 
-/// An entry that may be left out, for a member that is empty then (an optional, a list, a text).
+/// An entry that may be left out. Its member is then empty (an optional, a list, a text).
 /// @param fallback  what holds then, in words
 template <typename T, typename V, typename Member>
 Field<T> optional(std::string name, const Shape<V>& shape, Member member, std::string fallback) {
@@ -113,7 +114,7 @@ Field<T> optional(std::string name, const Shape<V>& shape, Member member, std::s
   return field;
 }
 
-/// An entry that says which of several mappings this is; no member holds it.
+/// An entry that says which of several mappings this is. It has no member.
 template <typename T>
 Field<T> selector(std::string name, std::string text, const std::string& value) {
   Field<T> field;
@@ -130,7 +131,7 @@ Field<T> selector(std::string name, std::string text, const std::string& value) 
   return field;
 }
 
-/// Commented out in a file to start from.
+/// The same field, commented out in templates.
 template <typename T>
 Field<T> hidden(Field<T> field) {
   field.entry.shown = false;
@@ -138,7 +139,8 @@ Field<T> hidden(Field<T> field) {
 }
 /// @}
 
-/// Says what only a look at several entries of a mapping shows, on whatever could be read; false if something is wrong.
+/// Checks several entries of a mapping together, as far as they could be read. Adds diagnostics and returns false if
+/// something is wrong.
 template <typename T>
 using Check = std::function<bool(T&, const Given&, Diagnostics&)>;
 
@@ -160,7 +162,7 @@ Schema mapping_schema(std::string text, std::vector<Field<T>>& fields, const T& 
   return schema;
 }
 
-/// Reads the entries of a mapping into a struct that keeps what is left out.
+/// Reads the entries of a mapping into a struct. Members whose entries are left out stay unchanged.
 template <typename T>
 bool read_entries(T& into, const YamlNode& node, const Spot& spot, const Schema& schema,
                   const std::vector<Field<T>>& fields, const Check<T>& check,
@@ -183,7 +185,7 @@ bool read_entries(T& into, const YamlNode& node, const Spot& spot, const Schema&
   return (!check || check(into, Given(node, spot, schema, right), diagnostics)) && good;
 }
 
-/// The entries of a struct as a mapping; what is left out is not there.
+/// The entries of a struct as a mapping, without those that are left out.
 template <typename T>
 YamlNode written_entries(const T& from, const std::vector<Field<T>>& fields) {
   YamlNode node;
@@ -194,7 +196,7 @@ YamlNode written_entries(const T& from, const std::vector<Field<T>>& fields) {
   return node;
 }
 
-/// Entries with fixed names that become a struct.
+/// A mapping with fixed names that is read into a struct.
 /// @param fresh  values of what is left out
 template <typename T>
 Shape<T> mapping(std::string text, std::vector<Field<T>> fields, Check<T> check = {},
@@ -211,8 +213,7 @@ Shape<T> mapping(std::string text, std::vector<Field<T>> fields, Check<T> check 
   return shape;
 }
 
-/// A mapping inside that of a struct whose entries are members of the same struct. It has to be there if one of its entries
-/// has to.
+/// A nested mapping whose entries set members of the same struct. It is required if one of its entries is.
 template <typename T>
 Field<T> section(std::string name, std::string text, std::vector<Field<T>> fields,
                  Check<T> check = {}) {

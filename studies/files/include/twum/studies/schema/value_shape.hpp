@@ -18,25 +18,25 @@
 
 namespace twum::studies {
 
-/// Where a value stands in a file.
+/// Place of a value in a file.
 struct Spot {
   std::string path;  ///< such as "study.variables.preload.min"
-  SourceMark mark;   ///< where to point if nothing stands there: its key
+  SourceMark mark;   ///< its key, where errors point if it has no value
 
-  /// The spot of an entry of the mapping that stands here.
+  /// The place of an entry of the mapping at this place.
   Spot entry(const std::string& name, SourceMark key) const {
     return {path.empty() ? name : path + "." + name, key};
   }
 };
 
-/// How a value of one type stands in a file: what may stand there, how it is read and how it is
-/// written. One shape gives errors with places, defaults, JSON Schema, templates and reference pages.
+/// How a value of one type is represented in a file: admissible values, reading and writing. From one shape follow
+/// errors with places, defaults, JSON Schema, templates and reference pages.
 template <typename T>
 struct Shape {
   Schema schema;  ///< what may stand there
-  /// Sets the value, or as much of it as can be read; false if something is wrong, which is said.
+  /// Sets the value, or as much of it as can be read. If something is wrong, adds diagnostics and returns false.
   std::function<bool(T&, const YamlNode&, const Spot&, Diagnostics&)> read;
-  /// What one would type for a value; read() gives the same value for it.
+  /// The value as a user types it; read() gives back the same value.
   std::function<YamlNode(const T&)> write;
 };
 
@@ -44,7 +44,7 @@ struct Shape {
 /// @{
 /// A text as a node of YAML.
 YamlNode scalar_node(std::string text);
-/// A number as a schema of kind quantity or count wants it, in SI.
+/// A number described by a schema of kind quantity or count, in SI.
 Shape<double> number(Schema schema);
 /// A number with a unit of this dimension, in SI.
 Shape<double> quantity(std::string text, std::string unit, std::string example);
@@ -54,23 +54,23 @@ Shape<double> fraction(std::string text, std::string example);
 Shape<std::uint64_t> count(std::string text, std::string example, double least, double most);
 /// Any text, as typed.
 Shape<std::string> path(std::string text, std::string example);
-/// One of some words; the value is the number of the word.
+/// One of several words; the value is the index of the word.
 Shape<std::size_t> choice(std::string text, std::vector<std::string> words);
 /// @}
 
-/// A value that the copies of a function share.
+/// A value that the copies of a function object share.
 template <typename V>
 std::shared_ptr<const V> kept(V value) {
   return std::make_shared<const V>(std::move(value));
 }
 
-/// Says that something else stands where the schema wants something.
+/// Adds the error that a value of another kind was found than the schema expects.
 void say_wrong_kind(const YamlNode& node, const Schema& schema, const Spot& spot,
                     Diagnostics& diagnostics);
-/// Runs a reader of a text; nothing if it throws a ValueError, which is said.
+/// Passes the text of a value to `use`. If `use` throws a ValueError, adds it to the diagnostics and returns false.
 bool says_no_error(const YamlNode& node, const Schema& schema, const Spot& spot,
                    Diagnostics& diagnostics, const std::function<void(const std::string&)>& use);
-/// False if the number of items is wrong, which is said.
+/// If the number of items is wrong, adds an error and returns false.
 bool check_item_count(const YamlNode& list, const Schema& schema, const Spot& spot,
                       Diagnostics& diagnostics);
 /// An entry of a mapping, and its number in the schema.
@@ -78,17 +78,18 @@ struct GivenEntry {
   std::size_t number;      ///< in the schema
   const YamlEntry* entry;  ///< never null
 };
-/// The known entries of a mapping in the order of the file; unknown, missing and contradicting ones are
-/// said. Empty if no mapping stands there, which is said too.
+/// The known entries of a mapping in the order of the file. Adds errors for unknown, missing and contradicting ones.
+/// Adds an error and returns nothing if the value is not a mapping.
 std::vector<GivenEntry> given_entries(const YamlNode& node, const Schema& schema, const Spot& spot,
                                       Diagnostics& diagnostics);
-/// A value as one would type it, items of a list between commas.
+/// A value as a user types it, items of a list separated by commas.
 std::string typed_text(const YamlNode& value);
-/// Which alternative of a schema of kind any_of or variant stands there; nothing if none, which is said.
+/// Index of the alternative of a schema of kind any_of or variant that was found. Adds an error and returns nothing
+/// if there is none.
 std::optional<std::size_t> alternative_of(const YamlNode& node, const Schema& schema,
                                           const Spot& spot, Diagnostics& diagnostics);
 
-/// A text that `parse` reads; a ValueError of it is an error of the file.
+/// A text that `parse` reads. A ValueError that it throws is reported as an error of the file.
 template <typename T>
 Shape<T> text_of(std::string text, std::string example, T (*parse)(std::string_view),
                  std::string (*print)(const T&)) {
@@ -121,7 +122,7 @@ Shape<T> shape_as(const Shape<U>& shape, std::function<T(U)> to, std::function<U
   return other;
 }
 
-/// One of some words that stand for the values of an enumeration, in its order.
+/// One of several words for the values of an enumeration, in its order.
 template <typename E>
 Shape<E> word(std::string text, std::vector<std::string> words) {
   return shape_as<E, std::size_t>(
@@ -130,7 +131,7 @@ Shape<E> word(std::string text, std::vector<std::string> words) {
       [](const E& value) { return static_cast<std::size_t>(value); });
 }
 
-/// Any number of the same, at least one.
+/// A list of `least` to `most` items of one shape.
 template <typename T>
 Shape<std::vector<T>> list(std::string text, Shape<T> item, std::size_t least = 1,
                            std::size_t most = static_cast<std::size_t>(-1)) {
@@ -165,8 +166,8 @@ Shape<std::vector<T>> list(std::string text, Shape<T> item, std::size_t least = 
   return shape;
 }
 
-/// One of several shapes, told apart by their kind, or by the word in an entry if `selector` names one.
-/// @param which  number of the alternative that writes a value
+/// One of several shapes, distinguished by their kind, or by the word in the entry `selector` if it is not empty.
+/// @param which  index of the alternative that writes a value
 template <typename T>
 Shape<T> one_of(std::string text, std::vector<Shape<T>> alternatives,
                 std::function<std::size_t(const T&)> which, std::string selector = {},

@@ -5,8 +5,8 @@
 
 namespace twum::studies {
 
-/// A distribution of a quantity with admissible limits. Mean and standard deviation are those of the
-/// quantity itself (also for lognormal ones), before what lies outside the limits is cut off.
+/// A distribution of a quantity with admissible limits. Mean and standard deviation are those of the quantity itself
+/// (not of its logarithm), before it is truncated at the limits.
 class Distribution {
  public:
   /// Normal with sd > 0.
@@ -18,12 +18,12 @@ class Distribution {
   /// Triangular over min < max with its peak at min <= mode <= max.
   static Distribution triangular(double min, double mode, double max);
 
-  /// The distribution given that the quantity is within the limits.
+  /// The distribution truncated to the limits.
   Distribution within(double min, double max) const;
   /// Share of the distribution that the limits cut off, 0 to 1.
   double cut_off() const noexcept { return 1 - (top_ - bottom_); }
 
-  /// Value below which a draw lies with probability p in (0, 1); rises with p.
+  /// The p-quantile, p in (0, 1); increases with p.
   double quantile(double p) const;
 
  private:

@@ -10,8 +10,8 @@
 
 namespace twum::studies {
 
-/// Morris' trajectories (1991) on four levels of [0, 1]: each changes one coordinate after another, in
-/// random order, by 2/3 up or down. A trajectory is a function of the seed and its number.
+/// Morris' trajectories (1991) on four levels of [0, 1]: each changes one coordinate after another, in random order,
+/// by 2/3 up or down. A trajectory depends on the seed and its number only.
 class MorrisDesign {
  public:
   /// @param variables  dimension of the box, >= 1
@@ -31,25 +31,25 @@ class MorrisDesign {
   std::uint64_t seed_;
 };
 
-/// What a variable does across its range, in the unit of the function.
+/// Effect of a variable over its range, in the unit of the function.
 struct ElementaryEffect {
   double mu;         ///< mean effect, with its sign
   Estimate mu_star;  ///< mean magnitude (Campolongo et al. 2007)
-  Estimate sigma;    ///< spread: interaction, or curvature
+  Estimate sigma;    ///< standard deviation of the effects: measures interaction and curvature
 };
 
-/// Elementary effects from the values along trajectories, which are independent of each other: hence
-/// Student's interval for mu*, and Bonett's for sigma.
+/// Elementary effects from the values along trajectories. The trajectories are independent of each other, so mu* has
+/// Student's interval and sigma Bonett's.
 class ElementaryEffects {
  public:
-  /// Of a function of so many variables, without trajectories yet.
+  /// For a function of so many variables, without trajectories yet.
   explicit ElementaryEffects(std::size_t variables) : effects_(variables), magnitudes_(variables) {}
 
   /// Adds a trajectory: its d + 1 points, one after another, that differ from their neighbour in
   /// one coordinate, and the values there. A value that is NaN drops the whole trajectory.
   void add(std::span<const double> points, std::span<const double> values);
 
-  /// Trajectories that count.
+  /// Trajectories that were used.
   std::uint64_t trajectories() const noexcept { return trajectories_; }
   /// Trajectories that were dropped.
   std::uint64_t dropped() const noexcept { return dropped_; }

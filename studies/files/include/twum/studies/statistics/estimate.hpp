@@ -5,7 +5,7 @@
 
 namespace twum::studies {
 
-/// A number known from samples, with a confidence interval; NaN where there is none.
+/// An estimate from samples with its confidence interval; NaN where there is none.
 struct Estimate {
   double value{std::numeric_limits<double>::quiet_NaN()};  ///< the estimate itself
   double low{std::numeric_limits<double>::quiet_NaN()};    ///< lower end of the interval

@@ -7,8 +7,8 @@
 
 namespace twum::studies {
 
-/// Mean and standard deviation of independent draws, in one pass (Pebay 2008), stable for a mean that
-/// is large beside the spread. The result depends on the order of the draws to rounding.
+/// Mean and standard deviation of independent draws in one pass (Pebay 2008), accurate even if the mean is much
+/// larger than the spread. The order of the draws changes the result by rounding only.
 class Moments {
  public:
   /// Adds a draw, a finite number.
@@ -16,16 +16,16 @@ class Moments {
 
   /// Draws so far.
   std::uint64_t count() const noexcept { return count_; }
-  /// Mean; NaN of nothing.
+  /// Mean; NaN without draws.
   double mean() const noexcept;
-  /// Standard deviation, with n - 1; NaN of fewer than 2.
+  /// Standard deviation with n - 1; NaN for fewer than 2 draws.
   double sd() const noexcept;
 
-  /// Student's interval. Right for normal draws, and by the central limit theorem for many others.
+  /// Student's interval. Exact for normal draws, and by the central limit theorem accurate for many others.
   /// @param confidence  between 0 and 1
   Estimate mean_estimate(double confidence) const;
-  /// Bonett's interval (2006), which looks at the kurtosis; a chi-squared one is wrong for any draws
-  /// that are not normal, however many there are.
+  /// Bonett's interval (2006), which uses the kurtosis. A chi-squared interval is wrong for draws that are not
+  /// normal, however many there are.
   Estimate sd_estimate(double confidence) const;
 
  private:

@@ -8,19 +8,19 @@
 
 namespace twum::studies {
 
-/// The quantile of a probability p in (0, 1): between the two order statistics next to it, linearly
-/// (Hyndman and Fan's seventh). The interval lies between two order statistics, covers with at least
-/// its confidence whatever the distribution, and is NaN at an end where the draws do not reach.
+/// The p-quantile, p in (0, 1), interpolated linearly between two order statistics (type 7 of Hyndman and Fan). The
+/// ends of the interval are order statistics, so it has at least its confidence for every distribution. An end is NaN
+/// if there are too few draws.
 /// @param sorted      independent draws, rising; NaN without any
-/// @param confidence  between 0 and 1, as everywhere below
+/// @param confidence  between 0 and 1
 Estimate quantile_estimate(std::span<const double> sorted, double p, double confidence);
 
-/// The probability of something that happened `hits` times in `draws` independent draws, with the
-/// interval of Clopper and Pearson, which covers with at least its confidence for any number.
+/// The probability of an event that occurred `hits` times in `draws` independent draws, with the interval of Clopper
+/// and Pearson, which has at least its confidence for any number of draws.
 /// @param draws  0 gives NaN
 Estimate proportion_estimate(std::uint64_t hits, std::uint64_t draws, double confidence);
 
-/// Student's t with `freedom` > 0 degrees that a fraction (1 + confidence) / 2 of draws stays below.
+/// The (1 + confidence) / 2 quantile of Student's t with `freedom` > 0 degrees of freedom.
 double student_quantile(double freedom, double confidence);
 
 }  // namespace twum::studies

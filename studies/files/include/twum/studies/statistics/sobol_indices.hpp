@@ -11,9 +11,9 @@
 
 namespace twum::studies {
 
-/// Where a function has to be known for its Sobol indices: blocks of d + 2 points in (0, 1)^d. Two
-/// points A and B of a block are drawn freely, point 2 + j is A with coordinate j from B. Blocks take
-/// turns among kReplicates randomizations of one Sobol sequence in 2 d dimensions.
+/// Points at which a function is evaluated for its Sobol indices: blocks of d + 2 points in (0, 1)^d. Points 0 and 1
+/// of a block, A and B, are independent; point 2 + j is A with coordinate j from B. Consecutive blocks come from
+/// kReplicates randomizations of one Sobol sequence in 2 d dimensions in turn.
 class SobolDesign {
  public:
   /// Independent randomizations of the sequence.
@@ -26,8 +26,8 @@ class SobolDesign {
   std::size_t variables() const noexcept { return variables_; }
   /// Points of a block, d + 2.
   std::size_t block_size() const noexcept { return variables_ + 2; }
-  /// The least power of two, and of at least 16 points a replicate, that is not below `blocks`:
-  /// elsewhere the points are not evenly spread.
+  /// The least power of two that is at least `blocks` and gives each replicate at least 16 points. Other numbers of
+  /// blocks are not evenly spread.
   static std::uint64_t balanced(std::uint64_t blocks);
 
   /// One point of a block; `unit` has room for d numbers. Safe from any number of threads.
@@ -38,36 +38,36 @@ class SobolDesign {
   std::vector<optim::ScrambledSobol> replicates_;
 };
 
-/// Shares of the variance of a function, of one variable.
+/// Shares of one variable in the variance of a function.
 struct SobolShares {
-  Estimate first;  ///< explained by the variable alone; an estimate near 0 may be negative
-  Estimate total;  ///< lost if the variable alone were fixed, interactions included
-  Estimate
-      derivative_bound;  ///< E[(df/du)^2] / (pi^2 V), which no total index of a uniform u exceeds
-                         ///< (Sobol and Kucherenko 2009); NaN without derivatives
+  Estimate first;  ///< share explained by the variable alone; an estimate near 0 may be negative
+  Estimate total;  ///< share of the variable with all its interactions
+  /// E[(df/du)^2] / (pi^2 V), an upper bound of the total index for a uniform u (Sobol and Kucherenko 2009); NaN
+  /// without derivatives
+  Estimate derivative_bound;
 };
 
 /// First and total indices of a function of independent uniform variables, from its values on the
 /// blocks of a SobolDesign: the estimators of Saltelli et al. (2010) and Jansen (1999).
 ///
-/// An index is the ratio of sums over all blocks. Its interval comes from the scatter of the replicates
-/// about that ratio, with Student's t of 15 degrees: the replicates are independent, which the points
-/// of one sequence are not, so a bootstrap over points would be wrong. Measured on the functions of
-/// Ishigami and Sobol, at 256 to 4096 blocks, 95 % intervals cover 92 to 98 %.
+/// An index is a ratio of sums over all blocks. Its interval follows from the scatter of the replicates about that
+/// ratio, with Student's t of 15 degrees of freedom. Replicates are independent, but the points of one sequence are
+/// not, so a bootstrap over points would be wrong. Measured on the functions of Ishigami and Sobol, at 256 to 4096
+/// blocks, 95 % intervals cover 92 to 98 %.
 class SobolIndices {
  public:
-  /// Of a function of so many variables, without blocks yet. One thread at a time.
+  /// For a function of so many variables, without blocks yet. Not thread-safe.
   explicit SobolIndices(std::size_t variables);
 
-  /// Adds the values at the points of a block. A value that is NaN drops the whole block: a part of
-  /// it would shift the sums that have to match.
-  /// @return true if the block counts
+  /// Adds the values at the points of a block. A value that is NaN drops the whole block, because the sums must be
+  /// taken over the same blocks.
+  /// @return true if the block was used
   bool add(std::uint64_t block, std::span<const double> values);
-  /// The derivatives by the coordinates at the first point of a block that counts. Unless every
-  /// such block has its derivatives there is no bound.
+  /// Adds the derivatives by the coordinates at the first point of a block that was used. The bound is NaN unless
+  /// every used block has its derivatives.
   void add_gradient(std::uint64_t block, std::span<const double> gradient);
 
-  /// Blocks that count.
+  /// Blocks that were used.
   std::uint64_t blocks() const noexcept { return blocks_; }
   /// Blocks that were dropped.
   std::uint64_t dropped() const noexcept { return dropped_; }
@@ -75,14 +75,14 @@ class SobolIndices {
   double mean() const;
   /// Its variance over the box; NaN without blocks.
   double variance() const;
-  /// True if the values differ by no more than the accuracy of a computation: no variance to share.
+  /// True if the values are equal up to rounding errors, so that there is no variance.
   bool constant() const;
 
   /// One entry for each variable; all NaN if there is no variance or fewer than 2 replicates.
   std::vector<SobolShares> shares(double confidence) const;
 
  private:
-  // Sums over the blocks of one replicate, values counted from shift_.
+  // Sums over the blocks of one replicate, of values minus shift_.
   struct Sums {
     double count{0};
     double value{0};                  // (A + B) / 2
@@ -90,7 +90,7 @@ class SobolIndices {
     std::vector<double> step;         // C - A
     std::vector<double> product;      // B (C - A)
     std::vector<double> half_square;  // (A - C)^2 / 2
-    double gradients{0};              // count of
+    double gradients{0};              // number of gradients
     std::vector<double> slope;        // (df/du)^2
   };
   double centre() const;

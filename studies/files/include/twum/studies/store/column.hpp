@@ -7,17 +7,17 @@
 
 namespace twum::studies {
 
-/// What stands where there is no value.
+/// Marks a missing value.
 inline constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 /// A column of stored rows: a flat parameter name or a metric as typed, in SI.
 struct StoredColumn {
   std::string name;  ///< flat name of a parameter, or a metric as typed
   std::string unit;  ///< SI unit, "1" if dimensionless
-  std::vector<std::string>
-      words{};  ///< what its values 1, 2, ... stand for; empty: they are numbers
+  /// meaning of its values 1, 2, ...; empty: the values are numbers
+  std::vector<std::string> words{};
 
-  /// The word of a value; null if it has none.
+  /// The word for a value; null if there is none.
   const std::string* word(double value) const {
     const bool known = value >= 1 && value <= static_cast<double>(words.size());
     return known ? &words[static_cast<std::size_t>(value) - 1] : nullptr;

@@ -7,9 +7,8 @@
 
 namespace twum::studies {
 
-/// The number that is the whole text, such as "1.5", "+2", ".5", "5." or "1e-6"; nothing if the text
-/// is anything else, hexadecimal, infinite, not a number, or beyond the range of a double.
-/// The same under every locale.
+/// Reads a text that is a number as a whole, such as "1.5", "+2", ".5", "5." or "1e-6". Nothing for any other text,
+/// including hexadecimal, infinite and NaN, and beyond the range of a double. Independent of the locale.
 std::optional<double> parse_number(std::string_view text) noexcept;
 
 /// parse_number(text) times 10^power, rounded once: "26.5" with power -3 is exactly 0.0265.
@@ -18,8 +17,7 @@ std::optional<double> parse_decimal(std::string_view text, int power) noexcept;
 /// Length of the number that `text` begins with (sign and exponent included), 0 if there is none.
 std::size_t number_prefix(std::string_view text) noexcept;
 
-/// Appends the shortest text that reads back as the same double; nothing for NaN. The same under every
-/// locale.
+/// Appends the shortest text that reads back as the same double; nothing for NaN. Independent of the locale.
 void append_number(std::string& out, double value);
 
 /// The shortest text that reads back as the same double; empty for NaN.
@@ -28,7 +26,7 @@ std::string number_text(double value);
 /// The value to a number of significant digits (1 to 17), without trailing zeros.
 std::string rounded_text(double value, int digits);
 
-/// A size for a sentence: two significant digits, or a whole number where that has more.
+/// A rounded number for a sentence: two significant digits, or a whole number from 100 on.
 std::string about(double value);
 
 }  // namespace twum::studies

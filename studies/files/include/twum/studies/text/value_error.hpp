@@ -8,13 +8,13 @@
 
 namespace twum::studies {
 
-/// A text that is not what it should be: what was found and what would be right, apart from each
-/// other so that a reader of files can add the place, and the command line the option.
+/// A wrong text. What was found and what would be right are kept separately, so that a reader of files can add the
+/// place, and the command line the option.
 class ValueError : public InputError {
  public:
   /// @param found     what stands there
   /// @param expected  what would be right
-  /// @param position  where in the text it went wrong, in bytes from its start
+  /// @param position  position of the error in the text, in bytes from its start
   ValueError(std::string found, std::string expected, std::size_t position = 0)
       : InputError(found + "; " + expected),
         found_(std::move(found)),
@@ -25,7 +25,7 @@ class ValueError : public InputError {
   const std::string& found() const noexcept { return found_; }
   /// What would be right, such as "expected a length [m] such as '0.3 mm'".
   const std::string& expected() const noexcept { return expected_; }
-  /// Where in the text it went wrong, in bytes from its start.
+  /// Position of the error in the text, in bytes from its start.
   std::size_t position() const noexcept { return position_; }
 
  private:

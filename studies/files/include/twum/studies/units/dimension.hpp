@@ -7,13 +7,14 @@
 
 namespace twum::studies {
 
-/// What a quantity measures, as powers of the base units m, kg, s, rad, A and K. The radian counts, as everywhere here: a
-/// torque is no energy, and an angular speed no frequency. Powers need not be whole: sqrt of a length has 1/2.
+/// Dimension of a quantity as powers of the base units m, kg, s, rad, A and K. The radian is a base unit, so a torque
+/// is not an energy and an angular speed is not a frequency. Powers may be fractions, such as 1/2 for the square root
+/// of a length.
 class Dimension {
  public:
-  /// Of a number without unit.
+  /// The dimension of a number without unit.
   Dimension() = default;
-  /// Of a known unit such as "N.m"; "1" for a number without unit. Safe from any number of threads.
+  /// The dimension of a known unit such as "N.m"; "1" for a number without unit. Thread-safe.
   explicit Dimension(std::string_view unit);
 
   /// Dimension of a product, of a quotient, of a power.
@@ -25,12 +26,13 @@ class Dimension {
 
   /// True for a number without unit.
   bool none() const { return *this == Dimension(); }
-  /// True if they are the same but for the radian, which only one of them has or in another power.
+  /// True if they differ only in the power of the radian.
   bool differs_by_angle_only(const Dimension& other) const;
   /// Equal up to rounding of powers such as 1/3.
   bool operator==(const Dimension& other) const;
 
-  /// SI unit: the usual one if there is one ("N.m", "W/m^2"), its square ("W^2"), otherwise of base units; "1" for a number.
+  /// SI unit: a usual one ("N.m", "W/m^2") or its square ("W^2") if there is one, otherwise a product of base units;
+  /// "1" for a number without unit.
   std::string unit() const;
 
  private:
@@ -43,7 +45,7 @@ struct Measure {
   Dimension dimension;  ///< of its unit
 };
 
-/// Reads a number with a unit of whatever dimension, or without one: "5 kW/m^2", "0.1", "3 %".
+/// Reads a number with any unit, or without one: "5 kW/m^2", "0.1", "3 %".
 /// @throws ValueError naming what was found, such as an unknown unit, with its position
 Measure parse_measure(std::string_view text);
 

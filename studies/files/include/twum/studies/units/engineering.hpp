@@ -6,7 +6,7 @@
 
 namespace twum::studies {
 
-/// An SI value as people say it: "1.6 um", "3 GPa", "100 rpm" (speeds [rad/s] in rpm), "0.35".
+/// An SI value with an engineering prefix: "1.6 um", "3 GPa", "100 rpm" (speeds [rad/s] in rpm), "0.35".
 /// @param digits  significant ones, 1 to 17
 std::string engineering(double value, std::string_view si_unit, int digits = 4);
 
@@ -16,7 +16,7 @@ struct DisplayUnit {
   double divisor;    ///< SI value of one such unit
 };
 
-/// Unit in which a value of this size has one to three digits before the point.
+/// Unit in which a value of this size has one to three digits before the decimal point.
 DisplayUnit display_unit(double size, std::string_view si_unit);
 
 }  // namespace twum::studies

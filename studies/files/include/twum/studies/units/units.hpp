@@ -9,7 +9,7 @@
 
 namespace twum::studies {
 
-/// How numbers in some unit become SI: times `factor`, which is 10^power for decimal units.
+/// Conversion of numbers in a unit to SI: multiplication by `factor`, which is 10^power for decimal units.
 class Scale {
  public:
   /// A number that is in SI already.
@@ -19,8 +19,8 @@ class Scale {
 
   /// What a number is multiplied by.
   double factor() const noexcept { return factor_; }
-  /// A number without unit, in SI; decimal units round once, so "26.5" in mm is exactly 0.0265.
-  /// Nothing if it is not a finite number. Safe from any number of threads.
+  /// A number without unit, in SI; decimal units round once, so "26.5" in mm is exactly 0.0265. Nothing if it is not
+  /// a finite number. Thread-safe.
   std::optional<double> read(std::string_view number) const noexcept;
 
  private:
@@ -28,13 +28,13 @@ class Scale {
   std::optional<int> power_{0};
 };
 
-/// What a quantity should be.
+/// Unit that a quantity should have.
 struct Expected {
   std::string_view unit;     ///< SI unit, "1" if dimensionless
-  std::string_view example;  ///< as one would type it, such as "0.3 mm"
+  std::string_view example;  ///< as a user types it, such as "0.3 mm"
 };
 
-/// A quantity, and which of the expected ones it is.
+/// A quantity, and which of the expected units it has.
 struct Quantity {
   double value;       ///< in the SI unit
   std::size_t which;  ///< index into the expected ones
@@ -43,24 +43,22 @@ struct Quantity {
 /// Reads a number with a unit, such as "1.6 um", "100 rpm" or "5 kW/m^2"; a bare number (or a
 /// percentage) where a dimensionless one is expected.
 ///
-/// Units are those of UDUNITS-2 with a unit system of our own, in which the radian is a base unit and
-/// the joule is N m rad: an angular speed is no frequency, and a torque no energy.
-/// Safe from any number of threads.
+/// Units are those of UDUNITS-2 in a unit system in which the radian is a base unit and the joule is N m rad: an
+/// angular speed is not a frequency, and a torque is not an energy. Thread-safe.
 /// @throws ValueError naming what was found, its dimension, and the dimension that is right.
 double parse_quantity(std::string_view text, const Expected& expected);
-/// The same where any of several dimensions will do, such as a speed or a torque.
+/// The same where several dimensions are admissible, such as a speed or a torque.
 /// @throws ValueError likewise, naming all of them.
 Quantity parse_quantity(std::string_view text, std::span<const Expected> expected);
 
-/// Scale of a unit such as "mm", in a place where `expected` is right.
+/// Scale of a unit such as "mm", which must have the dimension of `expected`.
 /// @throws ValueError as parse_quantity().
 Scale parse_unit(std::string_view unit, const Expected& expected);
 
-/// "length", "torque", ... for an SI unit such as "m", "N.m"; empty if it has no common name. Lives for
-/// ever.
+/// "length", "torque", ... for an SI unit such as "m", "N.m"; empty if it has no common name. Static lifetime.
 std::string_view dimension_name(std::string_view si_unit);
 
-/// "a length [m]", "a number without unit": how error texts speak of a dimension.
+/// Name of a dimension in error texts: "a length [m]", "a number without unit".
 std::string dimension_phrase(std::string_view si_unit);
 
 }  // namespace twum::studies

@@ -6,11 +6,11 @@
 
 namespace twum::studies {
 
-/// Reads one YAML document, strictly: duplicate keys, keys that are not words, anchors, aliases, merge
-/// keys, tags, further documents, deep nesting, and bytes that are no text are errors.
+/// Reads one YAML document strictly: duplicate keys, keys that are not words, anchors, aliases, merge keys, tags,
+/// further documents, deep nesting, and bytes that are not text are errors.
 ///
-/// Wrong structure is added to the diagnostics and reading goes on; a syntax error ends it. Time and memory
-/// are proportional to the text, whatever it holds. Never throws for it.
+/// After a structural error, reading continues; a syntax error ends it. Both are added to the diagnostics, and
+/// nothing is thrown. Time and memory are proportional to the length of the text for any content.
 /// @return the root; of kind refused if nothing could be read.
 YamlNode load_yaml(Diagnostics& diagnostics);
 

@@ -11,7 +11,7 @@ namespace twum::studies {
 
 struct YamlEntry;
 
-/// A YAML value with the place where it stands. Scalars stay text: what they mean is for the schema.
+/// A YAML value with its place. Scalars stay text; the schema gives them a meaning.
 struct YamlNode {
   /// What stands there.
   enum class Kind : unsigned char {
@@ -19,12 +19,12 @@ struct YamlNode {
     scalar,  ///< one word or text
     list,
     mapping,
-    refused  ///< already reported as wrong; nobody complains about it again
+    refused  ///< already reported as wrong, so no further errors are added
   };
 
   Kind kind{Kind::empty};          ///< what stands there
   SourceMark mark;                 ///< where it begins
-  std::string scalar;              ///< the text, as it stands there
+  std::string scalar;              ///< the text, as in the file
   std::vector<YamlNode> items;     ///< of a list
   std::vector<YamlEntry> entries;  ///< of a mapping, in the order of the file, each key once
 
@@ -39,7 +39,7 @@ struct YamlEntry {
   YamlNode value;       ///< what it is
 };
 
-/// "a text", "a list", ...: how error texts speak of a node. Lives for ever.
+/// Name of a kind in error texts: "a text", "a list", ... Static lifetime.
 std::string_view kind_phrase(YamlNode::Kind kind);
 
 }  // namespace twum::studies

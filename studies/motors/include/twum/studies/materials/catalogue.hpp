@@ -13,7 +13,7 @@ struct MaterialValue {
   std::string name;    ///< as in `materials/`, such as "youngs_modulus"
   std::string unit;    ///< SI, "1" if dimensionless
   double value;        ///< in that unit
-  std::string typed;   ///< as the catalogue has it, such as "110 GPa"
+  std::string typed;   ///< as in the catalogue, such as "110 GPa"
   std::string source;  ///< where it was published, or "typical": a usual value of the class
 };
 
@@ -24,7 +24,7 @@ struct Material {
   std::string text;                   ///< what it is, in one line
   std::vector<MaterialValue> values;  ///< in the order of its file
 
-  /// A property by its name; null if the catalogue does not have it.
+  /// A property by its name; null if the catalogue has no value for it.
   const MaterialValue* find(std::string_view property) const;
 };
 
@@ -32,8 +32,8 @@ struct Material {
 std::span<const Material> material_catalogue();
 
 /// A material by its name; static lifetime.
-/// @param kinds  that will do, such as "metal"; empty: any
-/// @throws ValueError for an unknown name, or one of another kind, with the nearest that would do
+/// @param kinds  admissible kinds, such as "metal"; empty: any
+/// @throws ValueError for an unknown name or one of another kind, with the nearest admissible name
 const Material& find_material(std::string_view name, std::span<const std::string_view> kinds = {});
 
 }  // namespace twum::studies

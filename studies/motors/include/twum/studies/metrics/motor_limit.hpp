@@ -9,22 +9,22 @@
 
 namespace twum::studies {
 
-/// A limit on what a motor does: "stall_torque >= 0.8 N.m", "thickness <= 0.2 * contact_half_length",
-/// "145 rpm <= no_load_speed <= 155 rpm", "no_load_speed == 150 rpm +- 3 %".
+/// A limit on a quantity of a motor: "stall_torque >= 0.8 N.m", "thickness <= 0.2 * contact_half_length", "145 rpm <=
+/// no_load_speed <= 155 rpm", "no_load_speed == 150 rpm +- 3 %".
 struct MotorLimit {
   std::string text;  ///< as typed, blanks trimmed
-  MetricExpression
-      metric;  ///< what stays between the ends: one side, or left minus right if both depend on the motor
+  /// quantity between the ends: one side, or left minus right if both sides depend on the motor
+  MetricExpression metric;
   double lower{-std::numeric_limits<double>::infinity()};  ///< SI
   double upper{std::numeric_limits<double>::infinity()};   ///< SI, >= lower
-  /// The two sides where both depend on the motor, for reports; otherwise empty, and the metric and its ends say all.
+  /// The two sides if both depend on the motor, for reports; otherwise empty.
   std::vector<MetricExpression> sides{};
 
   /// True if the value is between the ends; NaN is not.
   bool holds(double value) const { return value >= lower && value <= upper; }
-  /// By how much the value is outside, SI; 0 if it is between the ends, NaN if it is NaN.
+  /// Distance of the value from the nearest end if it is outside, SI; 0 if it is between the ends, NaN for NaN.
   double excess(double value) const;
-  /// True if the end at hand is the lower one: the only one, or the one that the value is nearer to.
+  /// True if the lower end is the relevant one: the only one, or the nearer one to the value.
   bool at_least(double value) const;
 };
 

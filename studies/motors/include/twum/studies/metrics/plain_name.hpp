@@ -5,11 +5,11 @@
 
 namespace twum::studies {
 
-/// A parameter, metric or statistic as one reads it: "peak power", "torque at 80 rpm", "contact layer thickness", "5 % quantile
-/// of the stall torque". Formulas stay as they are.
+/// The name of a parameter, metric or statistic in words: "peak power", "torque at 80 rpm", "contact layer
+/// thickness", "5 % quantile of the stall torque". Formulas stay as they are.
 std::string plain_name(const std::string& name);
 
-/// A limit as one reads it: "no-load speed ≥ 100 rpm".
+/// A limit in words: "no-load speed ≥ 100 rpm".
 std::string plain_limit(const std::string& text);
 
 }  // namespace twum::studies

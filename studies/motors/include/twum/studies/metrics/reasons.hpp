@@ -14,7 +14,7 @@ struct Reason {
       meaning;  ///< a clause without a full stop, such as "the motor cannot carry this load"
 };
 
-/// Every reason, in the order of MetricStatus: one wording for terminal, page and guide. Lives for ever.
+/// Every reason, in the order of MetricStatus. Terminal, page and guide use the same words. Static lifetime.
 std::span<const Reason> reasons();
 
 }  // namespace twum::studies

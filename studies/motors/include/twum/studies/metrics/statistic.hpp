@@ -11,8 +11,8 @@
 
 namespace twum::studies {
 
-/// A statistic of the motors that are built to a design: "mean(peak_power)", "sd(no_load_speed)",
-/// "quantile(stall_torque, 5 %)", "probability(no_load_speed >= 100 rpm)", "yield".
+/// A statistic of the motors built to a design: "mean(peak_power)", "sd(no_load_speed)", "quantile(stall_torque, 5
+/// %)", "probability(no_load_speed >= 100 rpm)", "yield".
 struct StatisticRequest {
   /// Which statistic.
   enum class Kind : std::uint8_t { mean, sd, quantile, probability, yield };
@@ -34,7 +34,7 @@ struct StatisticLimit {
   double upper{std::numeric_limits<double>::infinity()};   ///< SI
 };
 
-/// True if a text begins as a statistic does, right or wrong.
+/// True if a text begins like a statistic, whether it is valid or not.
 bool is_statistic(std::string_view text);
 
 /// Reads a statistic.

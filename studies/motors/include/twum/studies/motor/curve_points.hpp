@@ -21,15 +21,16 @@ struct CurveColumn {
 /// speed, torque, powers, efficiency, wear and stick, in the order of tables and files; static lifetime.
 std::span<const CurveColumn> contact_columns();
 
-/// What the terminals of a motor with modal data see: the wave, powers and current, and the losses which with friction_power,
-/// layer_loss and output_power make up the electrical power (D4.2); static lifetime.
+/// Quantities at the terminals of a motor with modal data: the wave, powers and current, and the losses. Together
+/// with friction_power, layer_loss and output_power the losses add up to the electrical power (D4.2). Static
+/// lifetime.
 std::span<const CurveColumn> terminal_columns();
 
 /// All columns that a design has: those of the contact, and those of the terminals if it has modal data.
 std::vector<CurveColumn> curve_columns(const MotorDesign& design);
 
-/// Where a curve ends if nobody says: a little beyond no-load, or what comes nearest to that [rad/s].
-/// Costs one no-load speed; never throws.
+/// The last speed of a curve by default [rad/s]: a little beyond the no-load speed, or the nearest speed with an
+/// answer. Costs the computation of one no-load speed; never throws.
 double last_curve_speed(const Motor& motor);
 
 /// The speed of point `index` = 0, 1, ... of `points` (at least 2), equally spaced from rest to `last`

@@ -13,9 +13,9 @@ namespace twum::studies {
 /// Version of the file formats that this program reads and writes: `twum: 1`.
 inline constexpr int kFileVersion = 1;
 
-/// A motor as it stands in a file.
+/// A motor of a file.
 struct MotorFile {
-  std::string name;    ///< as the file has it; may be empty
+  std::string name;    ///< name in the file; may be empty
   MotorDesign design;  ///< SI
 };
 
@@ -42,7 +42,7 @@ MotorFile read_motor_file(const std::string& path);
 /// @throws FileError with everything that is wrong in it.
 MotorFile read_motor(const Source& source);
 
-/// A motor as the text of a motor file, SI values to the last digit; twins as they are in use.
+/// A motor as the text of a motor file, with SI values to the last digit. Of twins, the one in use is written.
 std::string motor_text(const MotorFile& motor);
 
 }  // namespace twum::studies

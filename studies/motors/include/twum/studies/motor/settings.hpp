@@ -11,11 +11,11 @@
 
 namespace twum::studies {
 
-/// The parameter of a name or symbol.
+/// The parameter with a name or symbol.
 /// @throws ValueError with the nearest names if there is none.
 Parameter parse_parameter(std::string_view name);
 
-/// How a value of a parameter stands in a file: a number with its unit, or `auto` for radial_slices.
+/// Shape of a parameter's value in a file: a number with its unit, or `auto` for radial_slices.
 Shape<double> parameter_shape(const ParameterInfo& parameter);
 
 /// Motor::radial_slices() as a file has it: "8", "auto", or "auto 10" for auto with ten slices a panel.
@@ -29,7 +29,7 @@ std::optional<int> automatic_slices(std::string_view text);
 /// @throws ValueError if the name is unknown, or the value has a wrong unit or is out of range.
 ParameterValue parse_setting(std::string_view text);
 
-/// The design with "NAME=VALUE" settings applied; the last of two for one parameter holds.
+/// The design with "NAME=VALUE" settings applied. The last of several for one parameter counts.
 /// @throws InputError with everything that is wrong, one line each.
 MotorDesign with_settings(const MotorDesign& design, std::span<const std::string> settings);
 

@@ -17,13 +17,12 @@
 
 namespace twum::studies {
 
-/// True if one of these has a value that is more than what the design itself says: parameters count only where nothing else
-/// is asked.
+/// True if one of the expressions has a value. If metrics were asked for, parameters do not count.
 bool any_answer(std::span<const MetricExpression> asked, std::span<const MetricValue> values);
 
-/// A table of designs, one a row: columns named like parameters (with an optional "[unit]") replace the parameters of a
-/// base motor. The others are carried along, but for those that the result computes anew, as when it is read back; cells
-/// that a spreadsheet would run get an apostrophe in front (append_cell()).
+/// A table with one design in each row. Columns named like parameters (with an optional "[unit]") replace the
+/// parameters of a base motor. Other columns are copied to the result, except those that the result computes itself.
+/// Cells that a spreadsheet would run as a formula get a leading apostrophe (append_cell()).
 class DesignTable {
  public:
   /// @param header  the first record of the table
@@ -35,42 +34,41 @@ class DesignTable {
   /// Header of the result: the table's own, one column for each metric, and "status"; with line end.
   std::string result_header() const;
 
-  /// What a user may want to know about the columns, such as one that looks like a mistyped parameter.
+  /// Warnings about the columns, such as one that looks like a mistyped parameter.
   const std::vector<std::string>& warnings() const noexcept { return warnings_; }
-  /// Columns of the table, carried ones included.
+  /// Number of columns of the table, including those that are copied.
   std::size_t columns() const noexcept { return columns_.size(); }
   /// True if a column replaces the parameter.
   bool has(Parameter parameter) const;
 
   struct Scratch;
-  /// True if the motor of a row has said something: see any_answer().
+  /// True if the row has an answer, see any_answer().
   bool any_answer(const Scratch& scratch) const;
 
   /// Buffers of one thread.
   struct Scratch {
-    std::vector<std::string_view> cells;  ///< of the row being read
-    std::vector<ParameterValue> values;   ///< of its parameter columns, SI
-    std::vector<MetricValue> metrics;     ///< its answers
-    std::string reason;                   ///< why it has none; empty: it has
-    std::optional<std::vector<ModelNote>>
-        notes;               ///< on the motor that the row describes, if there is one
-    bool well_formed{true};  ///< its quotation marks stand where they may
+    std::vector<std::string_view> cells;          ///< of the row being read
+    std::vector<ParameterValue> values;           ///< of its parameter columns, SI
+    std::vector<MetricValue> metrics;             ///< its results
+    std::string reason;                           ///< why it has none; empty if it has results
+    std::optional<std::vector<ModelNote>> notes;  ///< notes on the motor of the row, if it is valid
+    bool well_formed{true};                       ///< its quotation marks are in the right places
   };
 
-  /// Evaluates one row and appends it to `out` with its metrics and status; true if its status is ok.
-  /// A row that is malformed or has no answer gets empty metrics and the reason; it never throws for it.
-  /// Safe from any number of threads, each with its own scratch. About the time of the metrics.
-  /// @param line  of the row in its file, for the reason
+  /// Evaluates one row and appends it to `out` with its metrics and status; true if its status is ok. A row that is
+  /// malformed or has no answer gets empty metrics and the reason, and nothing is thrown. Thread-safe if each thread
+  /// has its own scratch. Takes about the time of the metrics.
+  /// @param line  line of the row in its file, for the reason
   bool append_result(std::string_view record, std::size_t line, Scratch& scratch,
                      std::string& out) const;
 
  private:
   struct TableColumn {
-    std::string name;                    // of a parameter column: as typed
+    std::string name;                    // for a parameter column, its name as typed
     std::string heading;                 // with its unit
-    std::optional<Parameter> parameter;  // nothing: carried along
+    std::optional<Parameter> parameter;  // nothing: the column is copied
     Scale scale;
-    bool computed{false};  // the result has a column of this heading
+    bool computed{false};  // the result computes a column with this heading
   };
 
   TableColumn read_column(const std::string& text);
@@ -86,27 +84,28 @@ class DesignTable {
   ExpressionEvaluator evaluator_;
   std::string header_;
   std::vector<TableColumn> columns_;
-  std::vector<std::string> without_unit_;  // parameter columns, with the unit that they are read in
+  // parameter columns without a unit, with the unit in which they are read
+  std::vector<std::string> without_unit_;
   std::vector<std::string> warnings_;
 };
 
-/// What evaluate_table() did.
+/// Counts of evaluate_table().
 struct DesignCounts {
   std::size_t rows{0};    ///< rows done
   std::size_t failed{0};  ///< rows whose status is not ok
   std::size_t empty{0};   ///< of these, rows without any_answer()
-  std::size_t bytes{0};   ///< of the table read up to these rows
-  /// Reasons to doubt the model for these designs, a sentence each, of each the worst design; see model_notes(). Complete
-  /// at the end.
+  std::size_t bytes{0};   ///< bytes of the table read so far
+  /// Reasons to doubt the model for these designs, one sentence each, with the worst design; see model_notes().
+  /// Complete at the end only.
   std::vector<std::string> notes;
 };
 
 /// Evaluates every row of a table and writes the result, on `jobs` threads, in the order of the rows;
 /// the text does not depend on the number of threads.
-/// @param write     takes the result piece by piece
-/// @param proceed   asked between blocks of rows; false ends the run after what is in flight
-/// @param progress  told the counts now and then
-/// @throws InputError as CsvReader::read(), once the rows before are written; and what `write` throws
+/// @param write     receives the result piece by piece
+/// @param proceed   called between blocks of rows; false ends the run after the blocks that have begun
+/// @param progress  called with the counts now and then
+/// @throws InputError as CsvReader::read(), after the rows before it are written; and whatever `write` throws
 DesignCounts evaluate_table(CsvReader& reader, const DesignTable& table, unsigned jobs,
                             const std::function<void(std::string_view)>& write,
                             const std::function<bool()>& proceed,

@@ -7,10 +7,11 @@
 
 namespace twum::studies {
 
-/// Whether this build carries the core for pages. Without it the page of designer_html() says what is missing.
+/// Whether this build contains the WebAssembly core for pages. Without it, the page of designer_html() says what is
+/// missing.
 bool has_designer() noexcept;
 
-/// A page in which the motor answers while one moves its parameters: one file that needs no network.
+/// An interactive page that computes the motor while the user changes its parameters: one file that needs no network.
 std::string designer_html(const MotorFile& motor);
 
 }  // namespace twum::studies

@@ -9,17 +9,17 @@
 
 namespace twum::studies {
 
-/// The page that shows a result: one HTML file that needs no other and no network. A function of its
-/// arguments alone, for any number of threads.
+/// The page that shows a result: one self-contained HTML file that needs no network. Depends on the arguments only.
+/// Thread-safe.
 /// @param study    the study that was run
-/// @param text     the study as it was run, shown as it is
+/// @param text     text of the study as it was run, shown unchanged
 /// @param result   its answer
-/// @param store    its evaluations; of more than 100,000 the page holds one of each so many, drawn at
-///                 random but always the same, and says so
+/// @param store    its evaluations; of more than 100,000 the page shows a random sample, always the same one, and
+///                 says so
 std::string report_html(const StudyFile& study, const std::string& text, const StudyResult& result,
                         const ResultStore& store);
 
-/// Builds report.html of a result directory again, from its study and its stored evaluations.
+/// Writes report.html of a result directory again from its study and its stored evaluations.
 /// @return the path of the page
 /// @throws InputError if the directory holds no result, or one of an interrupted study; StoreError if the
 ///         result is damaged or the page cannot be written

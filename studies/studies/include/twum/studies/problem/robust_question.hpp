@@ -10,7 +10,7 @@
 
 namespace twum::studies {
 
-/// A question about the motors that are built to a design.
+/// A design question about the motors built to a design, which scatter within tolerances.
 ///
 ///     RobustQuestion question{{motor}};
 ///     question.design.vary(Parameter::preload, 60, 300).maximize("peak_power");
@@ -19,28 +19,28 @@ namespace twum::studies {
 ///     question.statistics = {parse_statistic_limit("yield >= 99 %")};
 ///     optim::RobustResult best = optim::solve_robust(robust_problem(question));
 ///
-/// Where `yield` stands, limits with a metric in them count in it and are not imposed on the design itself; limits on
-/// parameters alone hold for the design. Without `yield` every limit holds for the design.
+/// If there is a limit on `yield`, limits with a metric count in the yield and not for the design itself; limits on
+/// parameters only hold for the design. Without it, every limit holds for the design.
 struct RobustQuestion {
-  DesignProblem
-      design;  ///< what may vary, what is wanted (a metric, or a statistic), what must hold
-  std::vector<Tolerance> tolerances;       ///< what scatters, independently
-  std::vector<StatisticLimit> statistics;  ///< what must hold of the built motors
+  DesignProblem design;               ///< variables, objective (a metric or a statistic) and limits
+  std::vector<Tolerance> tolerances;  ///< parameters that scatter, independently of each other
+  std::vector<StatisticLimit> statistics;  ///< limits on the built motors
 };
 
-/// Why a tolerance cannot be used in a search; nothing if it can.
+/// Why a tolerance cannot be used in a search, if it cannot.
 std::optional<ValueError> search_complaint(const Tolerance& tolerance);
 
-/// Whether a goal has a value without tolerances: a metric, its mean or a quantile of it. A spread and a share have none.
+/// Whether a goal has a value without tolerances: a metric, its mean and its quantiles have one, a standard
+/// deviation, probability or yield has none.
 bool has_nominal_value(const DesignObjective& goal);
 
-/// What a search without tolerances looks for in place of a goal, to begin with: the metric itself; of a share the first
-/// metric in it, away from its limit.
+/// The goal of the first search, without tolerances: the metric of the goal. For a probability or yield, the first
+/// metric in it, in the direction away from its limit.
 DesignObjective nominal_goal(const DesignObjective& goal, const std::vector<MotorLimit>& limits);
 
-/// The question as a robust problem in SI units. Its responses are the limits and metrics of the statistics, then limits that
-/// follow from them as motor_problem() has it. It keeps a copy of the question.
-/// @throws InputError if the question cannot be posed
+/// The question as a robust problem in SI units. Its responses are the limits and metrics of the statistics, then the
+/// limits that motor_problem() adds. It keeps a copy of the question.
+/// @throws InputError if the question has no meaning, as motor_problem()
 optim::RobustProblem robust_problem(const RobustQuestion& question);
 
 }  // namespace twum::studies

@@ -12,10 +12,10 @@ namespace twum::studies {
 
 /// How far a quantity scatters.
 struct Spread {
-  double amount{0};      ///< SI, or a share of the quantity
-  bool relative{false};  ///< a share: typed with `%`
+  double amount{0};      ///< SI, or a share of the value
+  bool relative{false};  ///< `amount` is a share of the value, typed with `%`
 
-  /// In SI, of a quantity that is `centre` [SI].
+  /// The spread in SI about the value `centre` [SI].
   double of(double centre) const { return relative ? amount * std::fabs(centre) : amount; }
 };
 
@@ -25,23 +25,24 @@ struct Tolerance {
   enum class Shape : unsigned char { normal, uniform, lognormal, triangular };
   Parameter parameter{};        ///< which one
   Shape shape{};                ///< of the distribution
-  std::optional<double> mean;   ///< stands for the design's value; SI
+  std::optional<double> mean;   ///< replaces the design's value; SI
   std::optional<Spread> sd;     ///< normal, lognormal: standard deviation
-  std::optional<Spread> range;  ///< uniform: to both sides
-  std::optional<Spread> below;  ///< triangular: from the most likely value down
-  std::optional<Spread> above;  ///< triangular: and up
-  std::optional<double> min;    ///< uniform, triangular: instead, in SI whatever the design
+  std::optional<Spread> range;  ///< uniform: half width
+  std::optional<Spread> below;  ///< triangular: width below the most likely value
+  std::optional<Spread> above;  ///< triangular: width above it
+  std::optional<double> min;    ///< uniform, triangular: absolute limit instead of a width, SI
   std::optional<double> mode;   ///< triangular
   std::optional<double> max;    ///< uniform, triangular
 
-  /// What it scatters about if the design has `value`, SI: its mean, or the most likely value of a triangle.
+  /// The centre of the distribution if the design has `value`, SI: the mean, or the most likely value of a triangular
+  /// one.
   double centre(double value) const;
-  /// The distribution if the design has `value` [SI], cut off at the parameter's admissible range. Draws of a parameter
-  /// of whole numbers have to be rounded.
+  /// The distribution if the design has `value` [SI], truncated to the parameter's admissible range. The caller
+  /// rounds draws of an integer parameter.
   Distribution distribution(double value) const;
 };
 
-/// Why a tolerance means nothing for a design with this value [SI], and what would be right; nothing if it does.
+/// Why a tolerance is not valid for a design with this value [SI], and what would be right, if it is not.
 std::optional<ValueError> complaint(const Tolerance& tolerance, double value);
 
 /// The words of Tolerance::Shape, in its order; static lifetime.

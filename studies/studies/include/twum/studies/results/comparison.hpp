@@ -7,13 +7,15 @@
 
 namespace twum::studies {
 
-/// One thing that results of studies are compared by.
+/// One row of a comparison of results.
 struct ComparisonRow {
-  std::string group;               ///< "study", "design", "metric", or what a kind calls it
-  std::string name;                ///< of what is compared
-  std::string unit;                ///< SI; empty for words and counts
-  std::vector<std::string> words;  ///< one for each result if it is no number; empty: none there
-  std::vector<double> values;      ///< otherwise, SI; NaN: none there
+  std::string group;  ///< "study", "design", "metric", or a group of the study kind
+  std::string name;   ///< name of the quantity
+  std::string unit;   ///< SI; empty for words and counts
+  /// if it is not a number: one word for each result, empty where a result has none
+  std::vector<std::string> words;
+  /// if it is a number: one value for each result, SI; NaN where a result has none
+  std::vector<double> values;
 };
 
 /// Results of several studies side by side.
@@ -22,8 +24,8 @@ struct Comparison {
   std::vector<ComparisonRow> rows;  ///< in the order of the summaries, gaps included
 };
 
-/// Reads the summary.json of each directory. What only some of them have is a row with gaps: studies
-/// of different kinds share outcome, counts and versions, and whatever else has the same name.
+/// Reads the summary.json of each directory. A quantity that only some of them have is a row with gaps. Studies of
+/// different kinds have outcome, counts, versions and quantities of the same name in common.
 /// @throws InputError if there is no such directory or no summary in it; StoreError if it is damaged
 Comparison compare_results(std::span<const std::string> directories);
 

@@ -18,9 +18,9 @@ struct CurveResult {
     double value{0};                  ///< of the family's parameter, SI; NaN for the motor alone
     std::vector<NamedValue> metrics;  ///< every metric without argument; NaN where it has no answer
     std::vector<std::string> statuses;  ///< of the metrics: "ok", or why there is none
-    std::uint64_t points{0};            ///< how many it has
+    std::uint64_t points{0};            ///< number of its points
     std::uint64_t failed{0};            ///< points without an answer
-    double last_speed{0};               ///< of its last point [rad/s]
+    double last_speed{0};               ///< speed of its last point [rad/s]
   };
   std::optional<StoredColumn> family;  ///< the parameter; nothing for the motor alone
   std::vector<Member> members;         ///< in the order asked

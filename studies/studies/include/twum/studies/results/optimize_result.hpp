@@ -12,11 +12,11 @@
 
 namespace twum::studies {
 
-/// What was wanted.
+/// Objective of a search.
 struct Goal {
   std::string metric;    ///< as typed
   std::string unit;      ///< SI
-  bool maximize{false};  ///< otherwise it should be small
+  bool maximize{false};  ///< otherwise minimize
 };
 
 /// A limit at a design, SI.
@@ -25,15 +25,16 @@ struct LimitState {
   std::string metric;    ///< what is limited: one side, or left minus right
   std::string unit;      ///< SI unit of the metric
   bool at_least{false};  ///< a lower limit
-  double value{0};      ///< NaN: the motor has none, such as a speed at a load that it cannot carry
-  double limit{0};      ///< SI; of two ends the one that is active, or nearer
-  double violation{0};  ///< by how much the limit is broken, >= 0
-  bool active{false};   ///< it holds the design back
-  double multiplier{
-      0};  ///< improvement of the goal for each unit by which the limit gives way, >= 0
-  double gain_per_percent{0};  ///< change of the goal when the limit gives way by 1 %, first order
-  double lower{0};             ///< lower end of the metric, SI; -infinity: none
-  double upper{0};             ///< upper end of the metric, SI; infinity: none
+  /// value of the metric; NaN if the motor has none, such as a speed at a load that it cannot carry
+  double value{0};
+  double limit{0};       ///< SI; if there are two ends, the active or nearer one
+  double violation{0};   ///< amount by which the limit is violated, >= 0
+  bool active{false};    ///< the limit is active at the design
+  double multiplier{0};  ///< improvement of the goal per unit of relaxation, >= 0
+  /// change of the goal if the limit is relaxed by 1 %, to first order
+  double gain_per_percent{0};
+  double lower{0};  ///< lower end of the metric, SI; -infinity: none
+  double upper{0};  ///< upper end of the metric, SI; infinity: none
 };
 
 /// A variable at the end of its range, SI.
@@ -41,11 +42,12 @@ struct BoundState {
   StoredColumn variable;  ///< which one
   bool upper{false};      ///< the upper end
   double limit{0};        ///< SI
-  double multiplier{0};  ///< improvement of the goal for each unit by which the end gives way, >= 0
-  double gain_per_percent{0};  ///< change of the goal when it gives way by 1 %, first order
+  double multiplier{0};   ///< improvement of the goal per unit by which the range is extended, >= 0
+  /// change of the goal if the end is moved outwards by 1 %, to first order
+  double gain_per_percent{0};
 };
 
-/// What a design has of a choice.
+/// The set that a design has of a choice.
 struct ChosenSet {
   std::string choice;  ///< its name, such as "lining"
   std::string set;     ///< name of the set, such as the path of its file
@@ -53,66 +55,68 @@ struct ChosenSet {
 
 /// A design as a search reports it.
 struct DesignReport {
-  std::vector<NamedValue>
-      design;  ///< the variables, what follows, what sets give, what a `start:` changed
-  std::vector<NamedValue> metrics;       ///< every metric without argument, then those asked for
-  std::vector<LimitState> constraints;   ///< every limit of the study
-  std::vector<BoundState> bounds;        ///< only those that hold the design back
-  optim::Certificate certificate;        ///< the evidence
-  std::vector<ChosenSet> choice{};       ///< of each choice of the study
-  std::vector<NamedValue> statistics{};  ///< goals that are statistics, by new random motors
+  /// variables, derived parameters, parameters from sets, and parameters changed by `start:`
+  std::vector<NamedValue> design;
+  std::vector<NamedValue> metrics;      ///< every metric without argument, then the requested ones
+  std::vector<LimitState> constraints;  ///< every limit of the study
+  std::vector<BoundState> bounds;       ///< active ends of ranges
+  optim::Certificate certificate;       ///< evidence that it is a local optimum
+  std::vector<ChosenSet> choice{};      ///< one for each choice of the study
+  /// goals that are statistics, from a new random sample of motors
+  std::vector<NamedValue> statistics{};
 };
 
-/// Whether a limit of this design is broken by more than an active limit may be: by a millionth of itself,
-/// or, where the certificate measured it (a limit of 0 has no millionth), by the tolerance of the
-/// search. True where there is no value.
+/// Whether a limit of this design is violated by more than 1e-6 relative; a limit of zero uses the tolerance of the
+/// certificate. True where there is no value.
 bool broken(const LimitState& limit, const DesignReport& report);
 
-/// Whether none of its limits is broken().
+/// Whether no limit of the design is broken().
 bool keeps_limits(const DesignReport& report);
 
-/// What a unit by which a limit gives way improves each goal while the other goals stay as they are,
-/// by the multiplier of the limit; NaN for a goal that does not trade to first order.
+/// Improvement of each goal per unit of relaxation of a limit with this multiplier, while the other goals stay as
+/// they are. NaN for a goal that does not trade to first order.
 std::vector<double> gains(double multiplier, const optim::Certificate& certificate);
 
-/// How far one limit would have to give way, SI.
+/// How far one limit has to be relaxed, SI.
 struct RelaxationState {
   std::string text;      ///< as typed
   std::string metric;    ///< what is limited
   std::string unit;      ///< SI
   bool at_least{false};  ///< a lower limit
   double limit{0};       ///< as asked, SI
-  double amount{0};      ///< of all that give way together, >= 0
-  double alone{0};       ///< if only this one does; NaN: it does not help alone
+  double amount{0};      ///< relaxation if all limits with an amount are relaxed together, >= 0
+  double alone{0};       ///< relaxation if only this limit is relaxed; NaN: that does not help
 };
 
-/// A limit that no design within the ranges was found to keep, even without every other limit. SI.
+/// A limit for which no design within the ranges was found, even without all other limits. SI.
 struct ImpossibleState {
-  std::string text;                 ///< as typed
-  std::string unit;                 ///< SI
-  bool at_least{false};             ///< a lower limit
-  double limit{0};                  ///< as asked, SI
-  double best{0};                   ///< value nearest to it within the ranges, SI
-  bool certified{false};            ///< the best value is a certified local optimum
-  std::vector<std::size_t> ends;    ///< ends that prevent more, positions in Explanation::ranges
+  std::string text;       ///< as typed
+  std::string unit;       ///< SI
+  bool at_least{false};   ///< a lower limit
+  double limit{0};        ///< as asked, SI
+  double best{0};         ///< nearest value found within the ranges, SI
+  bool certified{false};  ///< the best value is a certified local optimum
+  /// range ends that prevent a better value: positions in Explanation::ranges
+  std::vector<std::size_t> ends;
   std::vector<ChosenSet> choice{};  ///< of the design with the best value
 };
 
-/// An end of a variable's range with a part in what no design keeps. SI.
+/// An end of a variable's range that contributes to the infeasibility. SI.
 struct RangeState {
   StoredColumn variable;  ///< which one
   bool upper{false};      ///< the upper end
   double limit{0};        ///< as asked
-  double alone{0};  ///< where it has to be if nothing else changes; NaN: no such place was found
+  /// where this end has to be if nothing else changes; NaN: no such value was found
+  double alone{0};
 };
 
-/// Why no design satisfies all limits; empty() where one does.
+/// Why no design meets all limits; empty() if one does.
 struct Explanation {
-  std::vector<std::string>
-      conflict;  ///< limits at fault: impossible alone, then those that exclude each other
-  std::vector<ImpossibleState> impossible;  ///< limits that cannot be kept even alone
-  std::vector<RangeState> ranges;           ///< ends of ranges with a part in it
-  std::vector<RelaxationState> limits;      ///< limits that must give way, or would help alone
+  /// limits that cause it: first those impossible on their own, then those that exclude each other
+  std::vector<std::string> conflict;
+  std::vector<ImpossibleState> impossible;  ///< limits that cannot be met even without the others
+  std::vector<RangeState> ranges;           ///< range ends that contribute
+  std::vector<RelaxationState> limits;      ///< limits to relax together, or one of them alone
   std::vector<ChosenSet> choice{};  ///< of the least infeasible design, to which `limits` refer
 
   /// Nothing to explain.
@@ -121,22 +125,26 @@ struct Explanation {
 
 /// Answer of `optimize` and `size`.
 struct OptimizeResult {
-  Goal goal;          ///< what was wanted
+  Goal goal;          ///< objective of the search
   bool found{false};  ///< false: no design could be evaluated, and `best` is empty
-  DesignReport best;  ///< of an infeasible question the least infeasible design
-  std::vector<NamedValue> before_design;      ///< the motor as it was: its variables
-  std::vector<NamedValue> before_metrics;     ///< the same metrics as those of the best
-  std::vector<NamedValue> before_statistics;  ///< the same statistics
+  DesignReport best;  ///< the best design, or the least infeasible one
+  std::vector<NamedValue> before_design;  ///< variables of the motor before the search
+  /// metrics of the motor before the search, the same as those of the best design
+  std::vector<NamedValue> before_metrics;
+  std::vector<NamedValue> before_statistics;  ///< its statistics, likewise
   std::vector<std::string>
       without_influence;  ///< variables without influence on the goal or an active limit
-  std::vector<BoundState> whole_ends;      ///< whole numbers of the best at an end of their range
-  Explanation explanation;                 ///< why no design satisfies all limits
-  optim::Scan scan;                        ///< what a sample of the whole range said of it
-  std::string solver;                      ///< whose answer it is
-  std::vector<optim::StageReport> stages;  ///< what each solver run said of itself
-  std::vector<NamedValue> moving;          ///< what moves: the variables that may, then the goal
-  std::vector<Move> moves;                 ///< of these, by each held parameter that counts
-  std::string unmoved;  ///< why there are no moves; empty: there are, or none were looked for
+  /// integer variables of the best design at an end of their range
+  std::vector<BoundState> whole_ends;
+  Explanation explanation;  ///< why no design meets all limits
+  optim::Scan scan;         ///< result of sampling the whole range for a better optimum
+  std::string solver;       ///< name of the solver that found the answer
+  std::vector<optim::StageReport> stages;  ///< report of each solver run
+  /// numbers whose derivatives follow: the variables that are free, then the goal
+  std::vector<NamedValue> moving;
+  std::vector<Move> moves;  ///< their derivatives by each fixed parameter that has an influence
+  /// why there are no derivatives; empty if there are, or if none were requested
+  std::string unmoved;
   std::optional<RobustReport> robust;  ///< under tolerances; `best` is then the robust optimum
 };
 

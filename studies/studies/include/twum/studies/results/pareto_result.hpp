@@ -15,27 +15,28 @@ struct ParetoResult {
   struct Point {
     std::vector<double> goals;  ///< values of the goals, SI
     DesignReport report;        ///< multipliers are those of the weighted goals; see gains()
-    std::vector<RobustYield> yields{};  ///< under tolerances, of new random motors of this design
+    /// under tolerances: from a new random sample of motors of this design
+    std::vector<RobustYield> yields{};
   };
 
-  std::vector<Goal> goals;   ///< what was wanted
+  std::vector<Goal> goals;   ///< objectives of the search
   std::vector<Point> front;  ///< in order of the first goal
-  /// The point farthest beyond the line (plane) through the ends, in goals scaled by the front's span:
-  /// on either side of it one gives much for little. An end where the front bends the other way. Of
-  /// no meaning if the front is empty.
+  /// The point farthest beyond the line (plane) through the ends of the front, in goals scaled by the front's span.
+  /// An end if the front bends the other way; meaningless if the front is empty.
   std::size_t knee{0};
   std::vector<std::size_t> ends;  ///< the best point of each goal
-  /// These points once more, as optima of that one goal alone: what its limits are worth there. Empty
-  /// for a front found without gradients.
+  /// The same points certified as optima of that one goal, with the multipliers of its limits. Empty for a front
+  /// found without gradients.
   std::vector<DesignReport> alone;
-  double hypervolume{0};                       ///< product of the goals' units
-  std::vector<double> reference_point;         ///< of the hypervolume, in the goals' units
-  std::vector<NamedValue> before_design;       ///< the motor as it was: its variables
-  std::vector<NamedValue> before_metrics;      ///< the same metrics as those of the front
-  Explanation explanation;                     ///< why no design satisfies all limits
-  std::optional<RobustYield> largest_yield{};  ///< where no design has the wanted one
+  double hypervolume{0};                  ///< product of the goals' units
+  std::vector<double> reference_point;    ///< of the hypervolume, in the goals' units
+  std::vector<NamedValue> before_design;  ///< variables of the motor before the search
+  /// metrics of the motor before the search, the same as those of the front
+  std::vector<NamedValue> before_metrics;
+  Explanation explanation;                     ///< why no design meets all limits
+  std::optional<RobustYield> largest_yield{};  ///< if no design has the wanted yield
 
-  /// False of a front that bends the other way, and of an empty one.
+  /// False if the front bends the other way or is empty.
   bool has_knee() const;
 };
 

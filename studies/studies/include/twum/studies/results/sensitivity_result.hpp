@@ -14,7 +14,7 @@
 
 namespace twum::studies {
 
-/// What a variable does to a metric at one motor.
+/// Effect of a variable on a metric at one motor.
 struct LocalEffect {
   double gradient;    ///< SI; NaN: none
   double elasticity;  ///< per cent of the metric for a per cent of the variable; NaN: none
@@ -30,12 +30,12 @@ struct MetricSensitivity {
   /// @}
 
   StoredColumn metric;       ///< whose effects these are
-  std::string note;          ///< why there are no effects, or what to know of them; may be empty
-  std::uint64_t samples{0};  ///< blocks or trajectories that count
+  std::string note;          ///< why there are no effects, or a remark on them; may be empty
+  std::uint64_t samples{0};  ///< blocks or trajectories that were used
   std::uint64_t dropped{0};  ///< those in which an evaluation failed
   double value{0};           ///< mean over the box; local: at the motor; SI, NaN: none
   double sd{0};              ///< over the box; NaN: none
-  Smoothness smoothness{Smoothness::smooth};   ///< local: what the gradient is good for
+  Smoothness smoothness{Smoothness::smooth};   ///< local: what the gradient can be used for
   std::variant<Local, Morris, Sobol> effects;  ///< one for each variable; empty: none
 };
 
@@ -45,9 +45,9 @@ struct SensitivityResult {
   double confidence{0.95};   ///< level of all intervals
   std::uint64_t samples{0};  ///< blocks (sobol) or trajectories (morris) evaluated in full
   double width{0};           ///< sobol: intervals should be narrower than this; 0: not asked
-  bool narrow{true};         ///< they are
+  bool narrow{true};         ///< all intervals are narrower than `width`
   std::vector<StoredColumn> variables;     ///< in the order of the study
-  std::vector<double> motor;               ///< local: where, values of the variables, SI
+  std::vector<double> motor;               ///< local: values of the variables at the motor, SI
   std::vector<MetricSensitivity> metrics;  ///< in the order asked
 };
 

@@ -15,7 +15,7 @@
 
 namespace twum::studies {
 
-/// Where in the box of the variables evaluations failed for one reason.
+/// The region of the variables in which evaluations failed for one reason.
 struct FailureRegion {
   /// Values of one variable at the failures.
   struct Range {
@@ -28,42 +28,46 @@ struct FailureRegion {
   std::vector<Range> where;  ///< every variable of the study
 };
 
-/// What a kind of study answers.
+/// Answer of a study, by kind.
 using Answer = std::variant<CurveResult, SweepResult, SensitivityResult, OptimizeResult,
                             ParetoResult, UncertaintyResult, CalibrateResult, FrequencyResult>;
 
-/// What came out of a study. Size studies answer as optimize does.
+/// Result of a study. A size study has the answer of optimize.
 struct StudyResult {
   std::string study;                 ///< name: that of the file without extension
   StudyKind kind{StudyKind::curve};  ///< what it asked
   std::string motor;                 ///< name of the motor
-  std::string outcome;  ///< "optimal", "feasible", "infeasible", "budget", "failed" of a search;
-                        ///< of a calibration "fitted", "poor" (the motor does not follow the
-  ///< points), "at-bounds" (every parameter is), "several" (motors fit equally
-  ///< well), "undetermined" (by the points), or as a search;
-  ///< "done" or "failed" (nothing could be evaluated) of the others;
-  ///< "interrupted" if it was asked to stop
+  /// "optimal", "feasible", "infeasible", "budget" or "failed" for a search; "fitted", "poor" (the motor does not
+  /// follow the points), "at-bounds" (every parameter is), "several" (motors fit equally well), "undetermined" (by
+  /// the points), or as a search; "done" or "failed" (nothing could be evaluated) of the others; "interrupted" if it
+  /// was asked to stop
+  /// What the study has come to. "interrupted" if a stop was requested. Otherwise
+  /// * a search: "optimal", "feasible", "infeasible", "budget" or "failed";
+  /// * a calibration: "fitted", "poor" (the motor does not follow the points), "at-bounds" (every parameter is),
+  ///   "several" (motors fit equally well), "undetermined" (by the points), or as a search;
+  /// * other kinds: "done", or "failed" if nothing could be evaluated.
+  std::string outcome;
   std::uint64_t evaluations{0};                   ///< rows of the store
   std::map<std::string, std::uint64_t> failures;  ///< count by reason
   std::vector<FailureRegion> failure_regions;     ///< one for each reason
-  std::uint64_t seed{0};                          ///< of whatever is random
+  std::uint64_t seed{0};                          ///< seed of all random choices
   std::string started;  ///< date and time (UTC, ISO 8601) of the first run, if it was interrupted
-  double seconds{0};    ///< of all runs together
+  double seconds{0};    ///< time of all runs together [s]
   bool was_complete{false};  ///< the directory held this result already
-  std::string hash;          ///< of the resolved study and the files it names
-  Answer answer;             ///< what came out of it, by kind
+  std::string hash;          ///< hash of the resolved study and of the files that it names
+  Answer answer;             ///< answer, by kind
   /// Reasons to doubt the model for the motors of the answer, a sentence each; see model_notes().
   std::vector<std::string> model_notes;
   /// Motor files of the answer in the directory: best.yaml, front/01.yaml, fitted.yaml.
   std::vector<std::string> motor_files;
 };
 
-/// The text of summary.json: SI, flat names; the same to the byte, times aside, for any number of
-/// threads and interruptions.
+/// The text of summary.json: SI, flat names. Except for times, the same byte for byte for any number of threads and
+/// interruptions.
 std::string summary_json(const StudyResult& result);
 
-/// What a terminal shows at the end: engineering units and sentences, no colour.
-/// @param said  notes that were shown before, which are left out
+/// The summary for a terminal: engineering units and sentences, no colour.
+/// @param said  notes that were shown before and are left out
 std::string summary_text(const StudyResult& result, std::span<const std::string> said = {});
 
 }  // namespace twum::studies

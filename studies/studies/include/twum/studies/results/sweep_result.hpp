@@ -9,7 +9,7 @@
 
 namespace twum::studies {
 
-/// What a sweep of designs found: for each metric how it spreads, and where its ends are.
+/// Result of a sweep: the distribution of each metric, and where it is smallest and largest.
 struct SweepResult {
   /// One of the designs.
   struct Design {
@@ -17,7 +17,7 @@ struct SweepResult {
     std::vector<double> variables;  ///< in the order of SweepResult::variables, SI
     std::vector<double> metrics;    ///< in the order of SweepResult::metrics, SI; NaN: none
   };
-  /// How one metric spreads.
+  /// Distribution of one metric.
   struct Metric {
     StoredColumn column;     ///< its name and unit
     std::uint64_t count{0};  ///< designs that have a value
@@ -28,7 +28,7 @@ struct SweepResult {
     Design highest;          ///< where max is reached, likewise
   };
   std::string sampling;                 ///< "grid", "list", "lhs" or "sobol"
-  std::uint64_t designs{0};             ///< asked for
+  std::uint64_t designs{0};             ///< number of designs of the study
   std::uint64_t stored{0};              ///< evaluated so far
   std::uint64_t failed{0};              ///< of these, failed or incomplete
   std::vector<StoredColumn> variables;  ///< in the order of the study

@@ -11,15 +11,15 @@ class Channel;
 class Executor;
 class StudyKindRun;
 
-/// How many processes a launcher such as mpirun has started together, this one among them; 1 if none has.
+/// Number of processes that a launcher such as mpirun has started together, including this one; 1 without a launcher.
 unsigned launched_processes();
 
-/// The number of this process among them, from 0.
+/// Number of this process among them, from 0.
 unsigned launched_number();
 
-/// The processes that a launcher has started together to run one study. The first reads the study, asks the others for
-/// rows, stores and reports; the others compute what they are asked for and write nothing. The rows, and so the results,
-/// are those of one process.
+/// The processes that a launcher has started together to run one study. The first process reads the study, asks the
+/// others for rows, and stores and reports the results. The others compute rows and write nothing. The rows and the
+/// results are the same as with one process.
 ///
 ///     Processes processes;
 ///     if (!processes.first()) return processes.serve("study.yaml", {}, 0);
@@ -27,13 +27,13 @@ unsigned launched_number();
 ///     options.processes = &processes;
 ///     run_study(read_study_file("study.yaml"), "results", options);
 ///
-/// At most one at a time, and one in the life of a program.
+/// A program may create one such object only.
 class Processes {
  public:
-  /// Joins the others, and waits for them.
-  /// @throws InputError if this build has no MPI; Error if MPI counts other processes than the launcher has started
+  /// Joins the other processes and waits for them.
+  /// @throws InputError if this build has no MPI; Error if MPI reports another number of processes than the launcher
   Processes();
-  /// The first process lets the others go. Waits for all of them.
+  /// Waits for all processes; the first one tells the others to end.
   ~Processes();
   Processes(const Processes&) = delete;
   Processes& operator=(const Processes&) = delete;
@@ -41,14 +41,16 @@ class Processes {
   /// Whether this is the process that stores and reports.
   bool first() const noexcept;
 
-  /// For all but the first: answers the first process until it is done. What is wrong with the study here is said there.
+  /// For all processes but the first: computes rows for the first process until it is done. Errors in the study are
+  /// reported by the first process.
   /// @param path      the study file, which every process reads for itself
   /// @param settings  as of read_study_file()
-  /// @param jobs      threads; 0 takes the processors that this process has to itself
+  /// @param jobs      threads; 0 takes the processors that belong to this process alone
   void serve(const std::string& path, const std::vector<std::string>& settings, unsigned jobs);
 
-  /// For the first: the threads of all processes. Used by RunOptions::processes.
-  /// @param hash  of the study, which has to be the same in all processes
+  /// For the first process: an executor that uses the threads of all processes. Called by run_study() for
+  /// RunOptions::processes.
+  /// @param hash  hash of the study, which has to be the same in all processes
   /// @throws InputError naming a process that has another study or another version of twum, or cannot read it
   std::unique_ptr<Executor> executor(const StudyKindRun& kind, const std::string& hash,
                                      unsigned jobs);

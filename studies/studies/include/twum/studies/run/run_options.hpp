@@ -14,26 +14,26 @@ namespace twum::studies {
 
 class Processes;
 
-/// How to run a study.
+/// Options of a run.
 struct RunOptions {
   unsigned jobs{0};   ///< threads; 0: one for each processor. The result does not depend on it
-  bool fresh{false};  ///< discard what the directory holds of this study and start anew
-  Processes* processes{nullptr};  ///< in the first of several: the others that compute rows
-  std::stop_token stop;           ///< a request ends the run, resumable, with what has been found
-  std::function<void(const RunProgress&)> progress;  ///< told now and then how far the run is
+  bool fresh{false};  ///< discard the stored results of this study in the directory and start again
+  Processes* processes{nullptr};  ///< in the first of several processes: access to the others
+  std::stop_token stop;  ///< a request ends the run with the results so far; it can be resumed
+  std::function<void(const RunProgress&)> progress;  ///< called with the progress now and then
 };
 
-/// Reads what a valid study file names besides its motor, such as measured points and earlier results.
-/// @return what to know before one believes the answer, a sentence each without a full stop
-/// @throws FileError or InputError for what is wrong there
+/// Reads the files that a valid study file names besides its motor, such as measured points and earlier results.
+/// @return reasons to doubt the answer, one sentence each without a full stop
+/// @throws FileError or InputError for errors in them
 std::vector<std::string> study_notes(const StudyFile& file);
 
-/// Says how long a search may take if its budget would last more than a minute, and makes one evaluation to know. Empty for
-/// other kinds and for quick motors.
+/// A sentence on how long a search may take, if its full budget needs more than a minute; costs one evaluation. Empty
+/// for other kinds and for quick motors.
 /// @throws InputError for a wrong input
 std::string pace_note(const StudyFile& file);
 
-/// In memory: no directory, nothing kept. The same answer.
+/// Runs a study in memory, without a directory. The answer is the same.
 /// @throws FileError or InputError for a wrong input
 StudyResult run_study(const StudyFile& file, const RunOptions& options = {});
 

@@ -10,9 +10,10 @@
 
 namespace twum::studies {
 
-/// Reads a finished study again from its directory: what was asked, the answer as it follows from the stored evaluations, and
-/// these. Nothing changes there. Takes the time of the study without its evaluations: milliseconds, under tolerances seconds.
-/// @param use  what to do with them; they do not outlive the call
+/// Reads a finished study from its directory: the question, the answer derived again from the stored evaluations, and
+/// the evaluations. Changes nothing in the directory. Takes the time of the study without its evaluations:
+/// milliseconds; under tolerances seconds.
+/// @param use  called with these; they are valid during the call only
 /// @throws InputError if the directory holds no result, or one of an interrupted study; StoreError if the result is damaged
 void read_result(
     const std::string& directory,

@@ -16,8 +16,7 @@
 #include <variant>
 #include <vector>
 
-/// @file
-/// What the kinds of study ask, as plain values in SI units. A default stands here and nowhere else.
+/// @file The questions of all study kinds as plain values in SI units. This is the only place of their defaults.
 
 namespace twum::studies {
 
@@ -58,7 +57,7 @@ struct FrequencyStudy {
   std::uint64_t points{201};                 ///< of each sweep, at least 2
   /// Load [N m]; more than one are a family over it; none: 0, unless a speed is given.
   std::optional<std::vector<double>> torque;
-  std::optional<double> speed;                     ///< of the rotor [rad/s], in place of a torque
+  std::optional<double> speed;  ///< speed of the rotor [rad/s], in place of a torque
   SweepDirection direction{SweepDirection::both};  ///< of the sweeps
 };
 
@@ -75,14 +74,14 @@ struct SweepStudy {
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
-  /// What one parameter runs through: listed values, or a range.
+  /// The values of one parameter: a list or a range.
   struct Variable {
     Parameter parameter{};       ///< which one
-    std::vector<double> values;  ///< SI; empty: the range holds
+    std::vector<double> values;  ///< SI; empty: the range is used
     double min{0};               ///< SI
     double max{0};               ///< SI
     std::uint64_t points{5};     ///< of a grid, both ends included
-    bool log{false};             ///< spread evenly by ratio; min > 0
+    bool log{false};             ///< logarithmic scale; min > 0
   };
   std::vector<Variable> variables;        ///< at least one
   std::vector<DerivedParameter> derived;  ///< what follows from the variables
@@ -92,10 +91,10 @@ struct SweepStudy {
   std::uint64_t seed{1};                  ///< of lhs and sobol
 };
 
-/// How a sensitivity study looks.
+/// Methods of sensitivity studies.
 enum class SensitivityMethod : unsigned char { local, morris, sobol };
 
-/// Which parameter matters.
+/// The influence of parameters on metrics.
 struct SensitivityStudy {
   static constexpr std::string_view kName{"sensitivity"};  ///< as in `kind:`
   static Shape<SensitivityStudy> shape();                  ///< its field list
@@ -108,12 +107,12 @@ struct SensitivityStudy {
   std::vector<MetricExpression> metrics;               ///< of what
   /// Trajectories (morris) or base samples (sobol); none: standard_samples().
   std::optional<std::uint64_t> samples;
-  double confidence{0.95};                   ///< level of the intervals
-  std::optional<double> width;               ///< sobol: doubles until no interval is wider
+  double confidence{0.95};      ///< level of the intervals
+  std::optional<double> width;  ///< sobol: doubles the samples until no interval is wider
   std::optional<std::uint64_t> max_samples;  ///< sobol: none: 64 times the samples
   std::uint64_t seed{1};                     ///< of whatever is random
 };
-/// Samples of a method if a study does not say: 32 trajectories, 1024 base samples.
+/// Default number of samples of a method: 32 trajectories or 1024 base samples.
 std::uint64_t standard_samples(SensitivityMethod method);
 
 /// The best design under constraints.
@@ -123,13 +122,13 @@ struct OptimizeStudy {
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
-  std::vector<DesignVariable> variables;  ///< what may be changed
-  std::vector<DerivedParameter> derived;  ///< what follows from the variables
-  std::vector<DesignChoice> choose;       ///< sets of parameters of which a design has one
-  DesignObjective objective;              ///< what is to be large or small: a metric or a statistic
-  std::vector<MotorLimit> constraints;    ///< what must hold
-  std::vector<Tolerance> tolerances;      ///< how motors differ from the design; none: they do not
-  std::vector<StatisticLimit> statistics;  ///< what must hold of the built motors
+  std::vector<DesignVariable> variables;   ///< what may be changed
+  std::vector<DerivedParameter> derived;   ///< what follows from the variables
+  std::vector<DesignChoice> choose;        ///< sets of parameters of which a design has one
+  DesignObjective objective;               ///< objective: a metric or a statistic
+  std::vector<MotorLimit> constraints;     ///< what must hold
+  std::vector<Tolerance> tolerances;       ///< tolerances of built motors; may be empty
+  std::vector<StatisticLimit> statistics;  ///< limits on the built motors
   optim::SolveOptions solver;              ///< observer, threads and stop are the run's
   std::string start;                       ///< result directory to start from; empty: the motor
 };
@@ -174,9 +173,10 @@ struct SizeStudy {
   std::vector<MotorLimit> limits;          ///< what else must hold
   std::vector<Tolerance> tolerances;       ///< as in OptimizeStudy
   std::vector<StatisticLimit> statistics;  ///< as in OptimizeStudy
-  DesignObjective prefer{parse_metric("max_pressure")};  ///< minimized among motors that will do
-  optim::SolveOptions solver;                            ///< as in OptimizeStudy
-  std::string start;  ///< result directory to start from; empty: the motor
+  /// objective among the motors that can do the duty
+  DesignObjective prefer{parse_metric("max_pressure")};
+  optim::SolveOptions solver;  ///< as in OptimizeStudy
+  std::string start;           ///< result directory to start from; empty: the motor
 };
 
 /// Spread and yield under tolerances.
@@ -193,17 +193,18 @@ struct UncertaintyStudy {
   std::vector<MotorLimit> limits;                  ///< of the yield; none: no yield
   std::vector<double> quantiles{0.05, 0.5, 0.95};  ///< probabilities in (0, 1)
   std::uint64_t seed{1};                           ///< of the draws
-  std::string start;  ///< result directory with the motor that is varied; empty: the motor
+  /// result directory whose best design is taken as the motor; empty: the motor of the file
+  std::string start;
 };
 
-/// Who searches for the least sum of squares, in the order of optim::least_squares_solvers().
+/// Solver of a calibration, in the order of optim::least_squares_solvers().
 enum class FitSolver : unsigned char { own, gsl };
 
-/// How the residuals of a calibration count: by their squares, or as Huber has it.
+/// Loss function of a calibration.
 enum class FitLoss : unsigned char { squares, huber };
 
-/// What the intervals of a calibration stand on: the scatter of the residuals, the standard deviations in the data,
-/// or a scatter for each column of each table, from its residuals.
+/// Source of the scatter behind the intervals of a calibration: the residuals of all data, the standard deviations in
+/// the data, or the residuals of each column of each table.
 enum class Scatter : unsigned char { estimated, stated, by_column };
 
 /// Parameters from measurements.
@@ -213,7 +214,8 @@ struct CalibrateStudy {
   /// Its runner; see kinds/study_kind.hpp.
   std::unique_ptr<StudyKindRun> run(const StudyFile& file) const;
 
-  std::vector<std::string> data;  ///< paths of the tables of measurements; none: a plan is wanted
+  /// paths of the tables of measurements; none: plan the first measurements
+  std::vector<std::string> data;
   std::vector<DesignVariable> variables;  ///< what is estimated
   std::vector<DerivedParameter> derived;  ///< what follows from the variables
   double confidence{0.95};                ///< level of the intervals
@@ -224,8 +226,7 @@ struct CalibrateStudy {
   std::uint64_t seed{1};                  ///< of the starts
 };
 
-/// What a study asks: the list of kinds. A kind is a struct with its name, its field list and its
-/// runner; what lacks one of them is no alternative.
+/// The question of a study: one alternative for each kind. A kind is a struct with a name, a field list and a runner.
 using Study = std::variant<CurveStudy, SweepStudy, SensitivityStudy, OptimizeStudy, ParetoStudy,
                            SizeStudy, UncertaintyStudy, CalibrateStudy, FrequencyStudy>;
 
@@ -248,7 +249,7 @@ inline StudyKind kind_of(const Study& study) { return static_cast<StudyKind>(stu
 /// Names as in `kind:`, in the order of StudyKind; static lifetime.
 std::span<const std::string_view> study_kinds();
 
-/// The kind of a name; nothing if there is none.
+/// The kind with a name, if there is one.
 std::optional<StudyKind> find_study_kind(std::string_view name);
 
 /// The name of a kind; static lifetime.

@@ -14,21 +14,21 @@
 
 namespace twum::studies {
 
-/// Shape of what stands below `study:` for one kind.
+/// Shape of the mapping below `study:` for one kind.
 Schema study_schema(StudyKind kind);
 
 /// Shape of a study file; static lifetime.
 const Schema& study_file_schema();
 
-/// A study with its motor: what a file says once it is known to be right, or what a program asks.
+/// A study with its motor, from a valid file or from a program.
 struct StudyFile {
   MotorFile motor;       ///< with `set:` and the settings of the command line applied
-  Study asked;           ///< what is asked, in SI
-  YamlNode study{};      ///< what stands below `study:`, as typed; empty if no file was read
-  std::string folder{};  ///< where paths start
-  std::string path{};    ///< of the file itself; "-" is standard input
+  Study asked;           ///< the question, in SI
+  YamlNode study{};      ///< the mapping below `study:`, as typed; empty if no file was read
+  std::string folder{};  ///< directory to which paths are relative
+  std::string path{};    ///< path of the file itself; "-" is standard input
 
-  /// What kind of study it is.
+  /// The kind of study.
   StudyKind kind() const { return kind_of(asked); }
 };
 
@@ -37,7 +37,7 @@ struct StudyFile {
 /// @throws FileError with everything that is wrong in it, and in its motor file;
 ///         InputError if it cannot be read or a setting is wrong.
 StudyFile read_study_file(const std::string& path, std::span<const std::string> settings = {});
-/// The same of a text; paths in it start in `folder`.
+/// The same for a text; paths in it are relative to `folder`.
 /// @throws FileError and InputError likewise.
 StudyFile read_study(const Source& source, const std::string& folder,
                      std::span<const std::string> settings = {});
@@ -48,9 +48,9 @@ bool is_study(const Source& source);
 /// The reference page of study files: every kind and entry, as Markdown.
 std::string study_reference();
 
-/// A commented study file of one kind to start from; valid wherever it lies, but that `calibrate` needs
-/// its points.
-/// @param motor  path of a motor file for it to name; empty: a motor stands in the study itself
+/// A commented template of a study file of one kind. It is valid in any directory; only `calibrate` needs a file with
+/// measured points.
+/// @param motor  path of a motor file that the study names; empty: the study contains the motor
 std::string study_template(StudyKind kind, std::string_view motor = {});
 
 }  // namespace twum::studies
