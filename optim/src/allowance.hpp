@@ -7,29 +7,30 @@
 
 namespace twum::optim {
 
-/// What one run of a solver may still ask for: distinct points, and requests in a row that need no
-/// evaluation. A solver in a loop comes back to points that are remembered, or to no points at all
-/// (coordinates that are not finite); no budget of evaluations ends that.
+/// Limits the requests of one solver run: the number of distinct points, and the number of requests in a row that
+/// need no evaluation. A solver in an endless loop returns to stored points, or asks for points that are not finite;
+/// a budget of evaluations does not end that.
 class Allowance {
  public:
-  /// Keeps a reference. @param points  distinct points, counted from one request to the next
+  /// Keeps a reference. @param points  distinct points; a request counts if its point differs from that of the
+  /// request before
   Allowance(Nlp& nlp, std::size_t points) : nlp_(nlp), points_(points) {}
 
-  /// Counts a request. False once too much was asked for; then it stays false.
+  /// Counts a request. False once a limit is exceeded; it then stays false.
   bool take(std::span<const double> z);
 
   /// The next request counts as a new point, wherever it is.
   void forget_last() { last_.clear(); }
 
-  /// Takes all that is left from a solver that asks for nothing any more.
+  /// Uses up the allowance of a solver that no longer sends requests.
   void stall() { word_ = "STALLED"; }
 
   bool used_up() const { return word_[0] != '\0'; }
 
-  /// Why it is used up, in the words of a solver; empty if it is not.
+  /// Why it is used up, as a return code such as "STALLED"; empty if it is not.
   const char* word() const { return word_; }
 
-  /// Points that may still be asked for, those that the session allows counted.
+  /// Points that may still be requested, within the limit of the session.
   std::size_t points() const { return std::min(points_, nlp_.session().left()); }
 
  private:

@@ -7,7 +7,7 @@
 
 namespace twum::optim {
 
-/// One side of a row, as solvers want it: sign * (c - limit) <= 0, or = 0.
+/// One side of a constraint row in the form of solvers: sign * (c - limit) <= 0, or = 0.
 struct OneSide {
   std::size_t row{0};
   double sign{1.0};
@@ -26,18 +26,18 @@ struct OneSide {
 /// bounds of the inner search.
 class AugmentedLagrangian {
  public:
-  /// @param tolerance  largest violation, and multiplier over penalty of a limit with slack, at the end
+  /// @param tolerance  at the end, largest violation and largest multiplier over penalty of a limit with slack
   AugmentedLagrangian(std::vector<OneSide> limits, double tolerance);
 
   bool empty() const { return limits_.empty(); }
   double value(const NlpValue& v) const;
   std::vector<double> gradient(const NlpValue& v) const;
 
-  /// Takes the first penalty from the start; later calls change nothing.
+  /// Computes the first penalty from the start; later calls change nothing.
   void begin(const NlpValue& start);
 
-  /// Takes the minimum of the present Lagrangian: new multipliers, and a larger penalty where the
-  /// violation did not fall to half. False when there is no use in another minimization.
+  /// Updates the multipliers at the minimum of the current Lagrangian, and increases the penalty if the violation has
+  /// not halved. False if another minimization is of no use.
   bool advance(const NlpValue& minimum);
 
  private:
@@ -53,16 +53,18 @@ class AugmentedLagrangian {
   bool begun_{false};
 };
 
-/// What the outer loop needs of the inner solver.
+/// The inner solver as the outer loop uses it.
 struct InnerSearch {
-  std::function<RunReport(std::vector<double> z)> minimize;  ///< the present Lagrangian, from z
-  /// Values and, for inner solvers with derivatives, gradients; null where there are none.
+  /// minimizes the current Lagrangian from z
+  std::function<RunReport(std::vector<double> z)> minimize;
+  /// Returns values and, for inner solvers with derivatives, gradients; null if they cannot be evaluated.
   std::function<const NlpValue*(std::span<const double> z)> look;
-  std::function<bool()> halted;  ///< asked after each search and each look
+  /// called after each search and each evaluation; true ends the loop
+  std::function<bool()> halted;
 };
 
-/// Minimizes the Lagrangian and advances it, in turns, at most 50 times. Where a run is begun again
-/// (after a failed evaluation) the Lagrangian goes on where it was.
+/// Minimizes and advances the Lagrangian alternately, at most 50 times. If a run is restarted after a failed
+/// evaluation, the Lagrangian keeps its multipliers and penalty.
 RunReport minimize(AugmentedLagrangian& lagrangian, const InnerSearch& inner,
                    std::vector<double> z);
 

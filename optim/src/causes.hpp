@@ -5,7 +5,7 @@
 
 namespace twum::optim {
 
-/// What the search for causes found and cost.
+/// Result and cost of the search for causes.
 struct Causes {
   Infeasibility infeasibility;
   Counters counters;
@@ -13,15 +13,16 @@ struct Causes {
   StopReason stop{StopReason::finished};
 };
 
-/// Evaluations that the search for causes may use: three times what the search has used, of those left.
+/// Evaluations that the search for causes may use: three times those that the search has used, at most those that are
+/// left.
 std::size_t cost_of_causes(const Counters& search, const Budget& budget);
 
-/// Completes the explanation of a problem without a feasible design. Limits that no design keeps,
-/// even without all other limits, are separated from limits that only exclude each other; each end of a
-/// range that takes part is moved by itself. Every answer is a search of its own from several starts.
+/// Completes the explanation of a problem without a feasible design. Separates limits that no design meets, even
+/// without all other limits, from limits that only exclude each other. Moves each end of a range that contributes on
+/// its own. Each answer is a separate search from several starts.
 /// @param options  of the search that is explained, with first_stage and budget as that search left them
-/// @param most  evaluations that this may use
-/// @param found  the least infeasible design, with the limits and range ends that meet there
+/// @param most  evaluations that the search for causes may use
+/// @param found  the least infeasible design, with the limits and range ends that are active there
 /// @throws what the evaluator throws
 Causes find_causes(const Problem& problem, const SolveOptions& options, const Deadline& deadline,
                    std::size_t most, Infeasibility found);

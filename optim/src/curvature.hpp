@@ -5,8 +5,8 @@
 
 namespace twum::optim {
 
-/// Second derivatives of the Lagrangian in the unit box by central differences of exact gradients.
-/// Columns of variables at a bound are left zero. Nothing if a neighbour cannot be evaluated.
+/// Second derivatives of the Lagrangian in the unit box by central differences of exact gradients. Columns of
+/// variables at a bound are zero. Nothing if a neighbouring point cannot be evaluated.
 struct Curvature {
   Eigen::MatrixXd hessian;
 };
@@ -14,11 +14,11 @@ std::optional<Curvature> lagrangian_curvature(Session& session, const Scaling& s
                                               const KktPoint& point, const Multipliers& multipliers,
                                               std::size_t objectives);
 
-/// What the reduced Hessian says about a stationary point.
+/// Properties of the reduced Hessian at a stationary point.
 struct ReducedCurvature {
   double smallest{
       0.0};  ///< eigenvalues relative to the Hessian's size; NaN if there is no free direction
-  Eigen::MatrixXd flat;  ///< directions (columns) along which nothing changes to second order
+  Eigen::MatrixXd flat;  ///< directions (columns) with zero curvature
 };
 ReducedCurvature reduced_curvature(const Curvature& curvature, const Multipliers& multipliers);
 

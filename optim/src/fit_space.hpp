@@ -9,24 +9,24 @@
 
 namespace twum::optim {
 
-/// How a search for the least sum of squares ended.
+/// End of a search for the least sum of squares.
 struct FitEnd {
   std::string word;
-  bool cut_short{false};  ///< asked to stop, or out of evaluations
+  bool cut_short{false};  ///< a stop was requested, or the evaluations ran out
 };
 
-/// What every solver of a fit sees: the residuals over t, the parameters themselves or their logarithms, in a
-/// box; where it stands; and what can be said of the end. Internal.
+/// A fit as its solvers see it: residuals as a function of t, the parameters or their logarithms, in a box. Holds the
+/// current point and computes the result. Internal.
 class FitSpace {
  public:
   FitSpace(const std::vector<Variable>& parameters, const ResidualFunction& residuals,
            const LeastSquaresOptions& options);
 
-  /// Evaluates the start; false: it has no residuals.
+  /// Evaluates the start; false if it has no residuals.
   bool start();
-  /// Residuals and their Jacobian over t; false, and counted by reason, if there are none.
+  /// Residuals and their Jacobian at t. If there are none, counts the failure by reason and returns false.
   bool evaluate(const Eigen::VectorXd& t, Eigen::VectorXd& r, Eigen::MatrixXd& jacobian);
-  /// Stands there from now on.
+  /// Makes t the current point.
   void move(const Eigen::VectorXd& t, const Eigen::VectorXd& r, const Eigen::MatrixXd& j);
 
   const Eigen::VectorXd& t() const { return t_; }
@@ -37,9 +37,10 @@ class FitSpace {
   const LeastSquaresOptions& options() const { return options_; }
   bool out_of_evaluations() const { return counters_.evaluations >= options_.max_evaluations; }
 
-  /// The parameters that no bound holds; one is held at a bound beyond which the sum of squares falls.
+  /// The parameters that are not held by a bound. A bound holds a parameter if the sum of squares decreases beyond
+  /// it.
   std::vector<Eigen::Index> free_parameters() const;
-  /// Estimates, intervals and the gradient test, at the place where it stands.
+  /// Estimates, intervals and the gradient test at the current point.
   LeastSquaresResult result(const FitEnd& end) const;
 
  private:
@@ -64,10 +65,10 @@ class FitSpace {
   double first_{0.0};  // norm of the residuals at the start
 };
 
-/// GSL's trust region method on the parameters that no bound holds.
+/// GSL's trust region method on the parameters that are not at a bound.
 /// @throws InputError if this build lacks GSL
 FitEnd gsl_fit(FitSpace& space);
-/// It is in this build.
+/// Whether GSL is in this build.
 bool has_gsl();
 
 }  // namespace twum::optim

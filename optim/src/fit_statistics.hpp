@@ -8,17 +8,17 @@
 
 namespace twum::optim {
 
-/// Where a fit has ended.
+/// End point of a fit.
 struct FittedState {
   Eigen::MatrixXd jacobian;  // of all parameters, in user units
   const Eigen::VectorXd& residuals;
-  const std::vector<Eigen::Index>& free;  // parameters that no bound holds
+  const std::vector<Eigen::Index>& free;  // parameters that are not at a bound
   const std::vector<Variable>& parameters;
   double scatter{
-      std::numeric_limits<double>::quiet_NaN()};  // where it does not follow from the residuals
+      std::numeric_limits<double>::quiet_NaN()};  // if it does not follow from the residuals
 };
 
-/// Fills rank, deviations, intervals, covariance, correlation, and what follows the held parameters.
+/// Computes rank, deviations, intervals, covariance, correlation, and the sensitivities to the parameters at a bound.
 void fit_statistics(const FittedState& state, const LeastSquaresOptions& options,
                     LeastSquaresResult& result);
 

@@ -6,8 +6,7 @@
 
 namespace twum::optim {
 
-/// Orthonormal columns of the space that a linear fit with these columns reaches; dependent ones count once. The squared norm of
-/// a row is the leverage of its residual. Internal.
+/// Orthonormal basis of the column space. The squared norm of a row is the leverage of its residual. Internal.
 inline Eigen::MatrixXd fitted_space(Eigen::MatrixXd columns) {
   if (columns.cols() == 0) return columns;
   for (Eigen::Index k = 0; k < columns.cols(); ++k)

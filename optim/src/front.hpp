@@ -7,13 +7,13 @@
 
 namespace twum::optim {
 
-/// Objective values of an evaluation, turned so that all are minimized.
+/// Objective values of an evaluation, with a sign such that all are minimized.
 std::vector<double> minimized(const Problem& problem, const Evaluation& evaluation);
 
-/// Fills reference and hypervolume of a front from its points; an empty reference is chosen.
+/// Computes reference and hypervolume of a front from its points; an empty reference is replaced by a default.
 void measure(Front& front, const Problem& problem, const std::vector<double>& reference);
 
-/// @throws InputError unless the problem can be posed with two or three objectives
+/// @throws InputError unless the problem is valid and has two or three objectives
 void validate_front(const Problem& problem, const std::vector<double>& reference);
 
 }  // namespace twum::optim

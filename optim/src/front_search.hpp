@@ -10,12 +10,12 @@ namespace twum::optim {
 struct Solved {
   std::vector<double> unit;
   std::vector<double> scaled;  ///< objectives, minimized and scaled by their gradients
-  std::vector<double> y;       ///< the same between ideal (0) and nadir (1) of the ends
+  std::vector<double> y;       ///< the same, scaled between ideal (0) and nadir (1) of the ends
   Evaluation evaluation;
   std::vector<double> design;
 };
 
-/// What fronts of two and three objectives share: the ends, and single points between them.
+/// Searches that fronts of two and three objectives share: the ends, and single points between them.
 class FrontSearch {
  public:
   FrontSearch(const Problem& problem, const SolveOptions& solve, const ParetoOptions& options,
@@ -24,23 +24,23 @@ class FrontSearch {
 
   StageRunner& runner() { return runner_; }
 
-  /// Finds the lexicographic optimum of every objective, from the usual starts and those given.
-  /// False if one of them has no feasible design.
+  /// Finds the lexicographic optimum of every objective, from the default starts and the given ones. False if one of
+  /// them has no feasible design.
   bool find_ends(std::vector<std::vector<double>> starts);
 
-  /// Solves min t, F - n t <= m in normalized objectives, from the first start that leads anywhere;
-  /// with `all`, from every start, keeping the best.
+  /// Solves min t, F - n t <= m in normalized objectives, from the first start that succeeds; with `all`, from every
+  /// start, and returns the best.
   std::optional<Solved> scalarize(const std::vector<double>& m, const std::vector<double>& n,
                                   const std::vector<std::vector<double>>& starts, bool all);
 
-  /// The same from one start, with the variables where both neighbours are on one bound held there.
-  /// Nothing if there are none.
+  /// The same from one start, holding the variables that are at the same bound in both neighbours. Nothing if there
+  /// are no such variables.
   std::optional<Solved> scalarize_within(const std::vector<double>& m, const std::vector<double>& n,
                                          const std::vector<double>& start, const Solved& a,
                                          const Solved& b);
 
-  /// The same with the variables held in which both neighbours agree, on a bound or inside: usually
-  /// few vary along a front. Nothing unless the point is Pareto stationary in all variables.
+  /// The same, holding the variables that are equal in both neighbours, since usually few vary along a front. Nothing
+  /// unless the point is Pareto stationary in all variables.
   std::optional<Solved> scalarize_predicted(const std::vector<double>& m,
                                             const std::vector<double>& n, const Solved& a,
                                             const Solved& b);

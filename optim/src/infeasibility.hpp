@@ -5,9 +5,9 @@
 
 namespace twum::optim {
 
-/// Looks for a feasible design, or failing that the least infeasible one, by an elastic solve: each
-/// limit may give way at a price. Returns the best design in the unit box; nothing if no run got
-/// anywhere. @throws what the evaluator throws
+/// Searches for a feasible design, or for the least infeasible one, by an elastic solve: each limit may be violated
+/// at a penalty. Returns the best design in the unit box; nothing if no run has evaluated a design. @throws what the
+/// evaluator throws
 std::optional<Candidate> elastic_search(StageRunner& runner,
                                         const std::vector<std::vector<double>>& starts);
 

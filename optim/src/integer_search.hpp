@@ -5,10 +5,10 @@
 
 namespace twum::optim {
 
-/// Solves with whole numbers for the integer variables; nothing in between is ever evaluated. Every
-/// combination is solved where there are at most 64; otherwise the search goes from the rounded
-/// start to the best neighbour, one step of one variable, until no neighbour is better. Where no
-/// combination is feasible, the least infeasible one is explained.
+/// Solves a problem with integer variables, which are never evaluated at fractions. If there are at most 64
+/// combinations, each is solved. Otherwise the search moves from the rounded start to the best neighbour, one step of
+/// one variable at a time, until no neighbour is better. If no combination is feasible, the least infeasible one is
+/// explained.
 Result integer_search(const Problem& problem, const SolveOptions& options,
                       const Deadline& deadline);
 

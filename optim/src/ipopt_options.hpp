@@ -11,7 +11,7 @@ class OptionsList;
 
 namespace twum::optim {
 
-/// Checked options, ready to be handed over: text, number and integer ones.
+/// Checked options for Ipopt: texts, numbers and integers.
 struct IpoptSettings {
   std::vector<std::pair<std::string, std::string>> texts;
   std::vector<std::pair<std::string, double>> numbers;
@@ -21,7 +21,7 @@ struct IpoptSettings {
 /// @throws InputError for a value of the wrong type or outside its range
 IpoptSettings check_ipopt_settings(const RunSettings& settings);
 
-/// @throws Error if Ipopt does not take one of them, which would be a mistake of the table
+/// @throws Error if Ipopt refuses one of them, which would be a bug in the table
 void apply_ipopt_settings(const IpoptSettings& settings, Ipopt::OptionsList& options);
 
 }  // namespace twum::optim

@@ -17,7 +17,7 @@ struct Limit {
   double excess{0.0};  ///< > 0 outside, scaled
 };
 
-/// Everything first-order about one design, in the unit box, scaled, objectives to be minimized.
+/// First-order data of one design in the unit box, scaled, with minimized objectives.
 struct KktPoint {
   std::vector<double> design;
   std::vector<double> unit;
@@ -36,11 +36,11 @@ std::optional<KktPoint> kkt_point(Session& session, const Scaling& scaling,
 /// Multipliers of the active limits and bounds that leave the smallest gradient.
 struct Multipliers {
   std::vector<std::size_t> limits;  ///< active ones, positions in KktPoint::limits
-  std::vector<double>
-      limit_values;  ///< >= 0; any sign for an equality (positive: pushes the value up)
+  /// >= 0; any sign for an equality (positive if it pushes the value up)
+  std::vector<double> limit_values;
   std::vector<Eigen::Index> bounds;  ///< free variables at a bound
   std::vector<double> bound_values;  ///< >= 0
-  Eigen::VectorXd weights;           ///< of the gradients given, sum 1
+  Eigen::VectorXd weights;           ///< weights of the given gradients, sum 1
   Eigen::VectorXd residual;
   Eigen::MatrixXd active;  ///< inward gradients of limits, then bounds, as columns
 };

@@ -6,7 +6,7 @@
 
 namespace twum::optim {
 
-/// One NLopt algorithm: what the library calls it and what it can take by itself.
+/// One NLopt algorithm: its name in the library and its capabilities.
 struct NloptAlgorithm {
   const char* name;
   nlopt_algorithm id;
@@ -16,15 +16,15 @@ struct NloptAlgorithm {
   bool equality;
   bool global;
   bool stochastic;
-  bool compares_only;          ///< ranks designs, so that a failed one can be ranked last
-  nlopt_algorithm subsidiary;  ///< that it cannot do without, or NLOPT_NUM_ALGORITHMS
-  const char* refusal;         ///< why it is not offered; empty: it is
+  bool compares_only;          ///< only compares designs, so that a failed one can be ranked last
+  nlopt_algorithm subsidiary;  ///< algorithm that it needs, or NLOPT_NUM_ALGORITHMS
+  const char* refusal;         ///< why it is not offered; empty if it is
 };
 
 /// Every algorithm of the library.
 std::span<const NloptAlgorithm> nlopt_algorithms();
 
-/// Whether nothing proves that it comes back between two requests, see docs/optimization.md.
+/// Whether the algorithm may compute forever between two requests, see docs/optimization.md.
 bool may_turn_for_ever(const NloptAlgorithm& algorithm);
 
 }  // namespace twum::optim

@@ -22,14 +22,15 @@ struct LinearForm {
   double upper{kInfinity};
 };
 
-/// What one solver run is asked: everything is linear in the scaled responses and a few extra
-/// unknowns. That covers the plain problem, the elastic one, and every point of a front.
+/// The problem of one solver run. Objective and constraints are linear in the scaled responses and a few extra
+/// unknowns, which covers the plain problem, the elastic one, and every point of a front.
 struct Formulation {
   LinearForm objective;  ///< to be minimized; its limits are not used
   std::vector<LinearForm> rows;
   std::vector<double> extra_lower;
   std::vector<double> extra_upper;
-  std::vector<double> unit_lower;  ///< a smaller box for the unit variables; empty: all of it
+  /// a smaller box for the unit variables; empty: the whole unit box
+  std::vector<double> unit_lower;
   std::vector<double> unit_upper;
 };
 
@@ -45,13 +46,13 @@ struct NlpValue {
   std::vector<double> dc;  ///< rows() x size(), row-major
 };
 
-/// Solvers square what they are given and multiply the squares. Where that overflows or vanishes, zero
-/// is divided by zero, and their inner loops have been seen to go on for ever (COBYLA, BOBYQA, SLSQP).
-/// Scaled responses are of size 1: what is this large is refused, what is this small is taken for zero.
-inline bool can_be_reckoned_with(double x) { return std::abs(x) <= 1e30; }  // no NaN either
+/// Solvers multiply squares of their inputs. If that overflows or underflows they divide zero by zero, and their
+/// inner loops may never end (seen with COBYLA, BOBYQA and SLSQP). Scaled responses are of order 1, so values this
+/// large are refused and values this small are set to zero.
+inline bool can_be_reckoned_with(double x) { return std::abs(x) <= 1e30; }  // false for NaN
 inline double without_dust(double x) { return std::abs(x) < 1e-100 ? 0.0 : x; }
 
-/// A point worth keeping.
+/// A point in the archive.
 struct Candidate {
   std::vector<double> z;
   double f{kInfinity};
@@ -71,15 +72,15 @@ class Nlp {
   const std::vector<double>& upper() const { return upper_; }
   bool equality(std::size_t i) const { return row(i).lower == row(i).upper; }
 
-  /// Null if the design cannot be evaluated, a derivative that is needed does not exist, or a number is
-  /// too large for a solver to reckon with. Points are clamped into the bounds first. Asks the clock and
-  /// the caller's patience each time, also where nothing has to be evaluated.
+  /// Null if the design cannot be evaluated, if a required derivative does not exist, or if a number is too large for
+  /// solvers. Points are clamped into the bounds first. Checks the time limit and stop requests each time, even if
+  /// nothing has to be evaluated.
   /// @throws Stop, and what the evaluator throws.
   const NlpValue* at(std::span<const double> z, bool gradient);
 
   double violation(const NlpValue& value) const;
 
-  /// Narrows the box that solvers see, around a point (unit variables only); 0 restores it.
+  /// Restricts the box of the unit variables to a neighbourhood of a point; radius 0 restores it.
   void restrict_box(std::span<const double> centre, double radius);
 
   /// Best point so far: feasible ones before others, then by objective or violation.

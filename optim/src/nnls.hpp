@@ -6,9 +6,8 @@
 
 namespace twum::optim {
 
-/// Minimizes |A x - b| with x_i >= 0 for every i whose `free` flag is false (Lawson and Hanson's
-/// active set method; a free unknown is never bounded). A may have dependent columns; they should be of
-/// about unit length.
+/// Minimizes |A x - b| with x_i >= 0 for every i whose `free` flag is false (Lawson and Hanson's active set method; a
+/// free unknown is never bounded). A may have dependent columns; columns should have about unit length.
 Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b,
                                           const std::vector<bool>& free);
 

@@ -7,20 +7,20 @@
 
 namespace twum::optim {
 
-/// What one solver run is told.
+/// Settings of one solver run.
 struct RunSettings {
   std::uint64_t seed{1};
-  std::size_t max_calls{0};  ///< distinct points it may ask for; the session's quota holds as well
+  /// largest number of distinct points; the session's quota applies as well
+  std::size_t max_calls{0};
   const std::map<std::string, std::string>* options{nullptr};
 };
 
-/// What one solver run says. Its word and code are for the report; the archive of the Nlp holds
-/// what it found.
+/// Return values of one solver run, for the report. The best point is in the archive of the Nlp.
 struct RunReport {
   std::string word;
   int code{0};
   StopReason stop{StopReason::finished};
-  std::vector<double> z;  ///< the solver's own final point; may be empty
+  std::vector<double> z;  ///< the solver's final point; may be empty
 };
 
 /// One solver of the registry. `run` throws what the evaluator throws, never Stop.
@@ -30,7 +30,7 @@ struct Optimizer {
                    const RunSettings& settings);
 };
 
-/// Each solver library is one pair of files that gives such a list.
+/// Each solver library has one pair of files that returns such a list.
 std::vector<Optimizer> nlopt_optimizers();
 std::vector<Optimizer> ipopt_optimizers();
 std::vector<SolverOption> nlopt_options();
@@ -39,21 +39,21 @@ std::vector<SolverOption> ipopt_options();
 /// @throws InputError as find_solver()
 const Optimizer& find_optimizer(const std::string& name);
 
-/// Refuses a solver that this build lacks, saying why.
+/// Throws if this build lacks the solver, and says why.
 /// @throws InputError
 void require_available(const SolverInfo& solver);
 
 /// The number given for an option, or the default.
-/// @throws InputError for text that is no number or lies outside [least, most]
+/// @throws InputError for a text that is not a number or lies outside [least, most]
 double number_option(const RunSettings& settings, const std::string& name, double standard,
                      double least, double most);
 
-/// The same for an option that counts something.
+/// The same for an integer option.
 /// @throws InputError also for a number with a fraction
 int whole_option(const RunSettings& settings, const std::string& name, double standard,
                  double least, double most);
 
-/// Refuses option names that a solver does not have, with the nearest one.
+/// Throws for an option name that a solver does not have, and suggests the nearest one.
 /// @throws InputError
 void require_known_options(const RunSettings& settings, const std::vector<SolverOption>& known);
 

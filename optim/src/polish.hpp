@@ -5,10 +5,9 @@
 
 namespace twum::optim {
 
-/// A few Newton steps on the optimality conditions of the limits that hold the objective back.
-/// Brings a design that is nearly optimal to machine precision; leaves any other as it is.
-/// Returns the better design, or nothing if no step improved. With several objectives their scaled
-/// sum with these weights is meant. @throws Stop
+/// Makes a few Newton steps on the optimality conditions with the active limits. Improves a nearly optimal design to
+/// machine precision. Returns the better design, or nothing if no step improved it. With several objectives, their
+/// scaled sum with these weights is minimized. @throws Stop
 std::optional<std::vector<double>> polish(Session& session, const Scaling& scaling,
                                           std::span<const double> design,
                                           const std::vector<double>& weights = {1.0});

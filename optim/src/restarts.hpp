@@ -5,16 +5,16 @@
 
 namespace twum::optim {
 
-/// What follows on a design that cannot be evaluated, for solvers that cannot be told of it: their run
-/// is stopped and begun again from the best design, in a box that leaves the failed one out. Once such
-/// a run ends at the wall of its box, the box grows again. There are at most 60 runs.
+/// Restarts for solvers that cannot handle a design that cannot be evaluated. Their run is stopped and started again
+/// from the best design, in a box that excludes the failed one. If a run ends at the boundary of its box, the box
+/// grows again. There are at most 60 runs.
 class Restarts {
  public:
   Restarts(Nlp& nlp, std::span<const double> start)
       : nlp_(nlp), from_(start.begin(), start.end()) {}
 
-  /// Sets the box of the next run. False when there is no use in another one.
-  /// @param failed_at  the point that could not be evaluated; empty if the run ended by itself
+  /// Sets the box of the next run. False if another run is of no use.
+  /// @param failed_at  the point that could not be evaluated; empty if the run ended normally
   /// @param ended_at   where it ended
   bool next(std::span<const double> failed_at, std::span<const double> ended_at);
 

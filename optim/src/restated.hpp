@@ -8,19 +8,19 @@
 
 namespace twum::optim {
 
-/// What is asked of the same designs instead: one response or one variable, under some of the limits.
+/// Another objective for the same designs: one response or one variable, under some of the limits.
 struct Question {
   enum class About : std::uint8_t { response, variable };
-  About about{About::response};          ///< whose value is the objective
-  std::size_t index{0};                  ///< of that response or variable
-  Sense sense{Sense::minimize};          ///< what is wanted of it
-  std::vector<std::size_t> constraints;  ///< the limits that must hold, others are left out
+  About about{About::response};          ///< whether the objective is a response or a variable
+  std::size_t index{0};                  ///< index of that response or variable
+  Sense sense{Sense::minimize};          ///< direction of the objective
+  std::vector<std::size_t> constraints;  ///< constraints that must hold; the others are left out
 };
 
-/// A problem asked another question. It evaluates in one thread at a time.
+/// A problem with another objective. Not thread-safe.
 struct Restated {
   Problem problem;
-  /// Passes each evaluation on as the original problem would answer it.
+  /// Passes each evaluation on in the form of the original problem.
   Observer observer;
 };
 

@@ -5,21 +5,21 @@
 
 namespace twum::optim {
 
-/// Between the user's units and the unit box, for variables and responses.
+/// Conversion between the user's units and the unit box, for variables and responses.
 ///
-/// Fixed variables (equal bounds, or integers that a search holds) are left out of the box. A
-/// response times its factor has, at the start, a gradient of size 1 in the box.
+/// Fixed variables (with equal bounds, or integers held by a search) are left out of the box. At the start, a
+/// response times its factor has a gradient of size 1 in the box.
 class Scaling {
  public:
   explicit Scaling(const Problem& problem);
 
-  /// Takes the factors from an evaluation with a Jacobian.
+  /// Computes the factors from an evaluation with a Jacobian.
   void scale_responses(std::span<const double> design, const Evaluation& evaluation);
 
   std::size_t size() const { return free_.size(); }
   std::size_t variable(std::size_t k) const { return free_[k]; }
   double factor(std::size_t response) const { return factors_[response]; }
-  /// Whether the response had no slope where the factors were taken.
+  /// Whether the gradient of the response was zero where the factors were computed.
   bool flat_at_start(std::size_t response) const { return flat_[response]; }
 
   std::vector<double> to_unit(std::span<const double> design) const;
@@ -35,7 +35,7 @@ class Scaling {
  private:
   std::vector<Variable> variables_;
   std::vector<std::size_t> free_;
-  std::vector<double> fixed_;  // a design with the fixed variables in place
+  std::vector<double> fixed_;  // a design that holds the values of the fixed variables
   std::vector<double> factors_;
   std::vector<bool> flat_;
 };

@@ -26,22 +26,24 @@ class Deadline {
   double seconds_;
 };
 
-/// The one door to the evaluator, for one stage: counts, remembers, enforces the budget, observes.
+/// Access to the evaluator for one stage. Counts calls, caches the last points, enforces the budget and calls the
+/// observer.
 class Session {
  public:
   /// `quota` is the number of evaluator calls that this stage may make.
   Session(const Problem& problem, const SolveOptions& options, const Deadline& deadline,
           std::uint64_t stage, std::size_t quota);
 
-  /// The evaluation of a design; a design just evaluated is not evaluated again. The reference
-  /// holds until the next call. Values that are not finite come back as a failure "not-finite".
-  /// @throws Stop when the quota, the time or the caller's patience is used up.
+  /// The evaluation of a design, from the cache if it was one of the last. The reference is valid until the next
+  /// call. Values that are not finite come back as a failure "not-finite".
+  /// @throws Stop if the quota or the time is used up, or if a stop was requested.
   const Evaluation& at(std::span<const double> design, bool gradient);
 
-  /// For whoever goes on without calls. @throws Stop when the time or the caller's patience is used up.
+  /// To be called in computations without evaluations. @throws Stop if the time is used up, or if a stop was
+  /// requested.
   void heed() const;
 
-  /// Puts a known evaluation into the memory, so that asking for it costs nothing.
+  /// Puts a known evaluation into the cache.
   void remember(std::span<const double> design, const Evaluation& evaluation);
 
   const Problem& problem() const { return problem_; }
@@ -50,7 +52,7 @@ class Session {
   std::uint64_t stage() const { return stage_; }
   std::size_t left() const { return quota_ - counters_.evaluations; }
 
-  /// This many more calls may be made, whatever was allowed before.
+  /// Allows this many more calls, regardless of the earlier quota.
   void allow(std::size_t calls) { quota_ = counters_.evaluations + calls; }
 
  private:
@@ -58,7 +60,7 @@ class Session {
     std::vector<double> design;
     Evaluation evaluation;
   };
-  static constexpr std::size_t kMemory = 4;  // solvers come back to the last points only
+  static constexpr std::size_t kMemory = 4;  // solvers return to the last points only
 
   const Memory* find(std::span<const double> design, bool gradient) const;
   Evaluation call(std::span<const double> design, bool gradient);

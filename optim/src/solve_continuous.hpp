@@ -9,14 +9,14 @@ namespace twum::optim {
 struct Ladder {
   std::vector<std::string> rungs{"nlopt:slsqp", "nlopt:ccsaq", "ipopt", "nlopt:auglag",
                                  "nlopt:cobyla"};
-  bool to_the_top{false};  ///< for tests: climbs on whatever has been found
+  bool to_the_top{false};  ///< for tests: continues even after a success
 };
 
 /// solve() for a problem whose integer variables, if any, are fixed by equal bounds.
 Result solve_continuous(const Problem& problem, const SolveOptions& options,
                         const Deadline& deadline, const Ladder& ladder = {});
 
-/// solve() of a problem that can be posed, without the search for causes.
+/// solve() for a valid problem, without the search for causes.
 Result solve_plainly(const Problem& problem, const SolveOptions& options, const Deadline& deadline);
 
 }  // namespace twum::optim

@@ -8,8 +8,8 @@
 
 namespace twum::optim {
 
-/// One run of one solver from one start, with what it found. Its session stays open so that the
-/// finish (polish, certificate) can go on within the same stage.
+/// One run of one solver from one start, with its result. Its session stays open, so that polish and certificate can
+/// follow within the same stage.
 struct SolverRun {
   const SolverInfo* solver{nullptr};
   std::unique_ptr<Session> session;
@@ -17,7 +17,7 @@ struct SolverRun {
   std::optional<Candidate> best;
   std::vector<double> design;  ///< of `best`
   std::optional<Certified> certified;
-  Counters booked;  ///< what of this stage the solve's counters hold already
+  Counters booked;  ///< counts of this stage that are already in the solve's counters
   bool reported{false};
 };
 
@@ -33,8 +33,8 @@ SolverRun run_solver(const Problem& problem, const SolveOptions& options, const 
                      const Scaling& scaling, const Formulation& formulation,
                      const SolverPlan& plan);
 
-/// Certifies the attempt's best design, lets Newton steps finish it if it is nearly optimal, and
-/// keeps whichever of the two is better. For formulations of one objective in plain form.
+/// Certifies the best design of the run, polishes it if it is nearly optimal, and keeps the better of the two. For
+/// plain formulations with one objective.
 void finish_run(SolverRun& run, const Scaling& scaling);
 
 }  // namespace twum::optim

@@ -9,28 +9,28 @@
 
 namespace twum::optim {
 
-/// A thread for C code that may go on for ever between two requests, such as a solver in its inner loop. The code asks
-/// its questions of the thread that called run(), which waits meanwhile: the two never run at once, so whoever answers
-/// sees one thread only, and answers do not depend on any timing. Where the code computes for too long without a
-/// question its thread is ended. What counts is the computing time of that thread, which the load of the machine does
-/// not change.
+/// A thread for C code that may compute forever between two requests, such as the inner loop of a solver. Requests
+/// are answered by the thread that called run(), which waits meanwhile. The two threads never run at the same time,
+/// so the evaluator sees one thread only, and results do not depend on timing. If the code computes for too long
+/// without a request, its thread is ended. The limit is CPU time of that thread, which does not depend on the load of
+/// the machine.
 class SolverThread {
  public:
-  /// @param most     computing time between two questions after which the thread is ended [s]
-  /// @param hurried  asked some fifty times a second while the code computes: whether the caller wants the end, which
-  ///                 then comes after 0.05 s of computing. It must not throw.
-  /// @throws std::system_error if there is no thread to be had
+  /// @param most     CPU time between two requests after which the thread is ended [s]
+  /// @param hurried  called about fifty times a second while the code computes. If it returns true, the thread is
+  ///                 ended after 0.05 s of CPU time. It must not throw.
+  /// @throws std::system_error if no thread can be started
   SolverThread(double most, std::function<bool()> hurried);
   ~SolverThread();
   SolverThread(const SolverThread&) = delete;
   SolverThread& operator=(const SolverThread&) = delete;
 
-  /// Runs `work` in the thread. True once it has come back; false where the thread had to be ended, now or before.
-  /// Between `work` and ask() stand C frames only, and none of ours with a destructor; memory that they hold is lost.
-  /// @throws what a request throws, after the thread was ended
+  /// Runs `work` in the thread. True when it has returned; false if the thread had to be ended, now or before. All
+  /// stack frames between `work` and ask() must be C frames, without destructors; memory that they hold is lost.
+  /// @throws the exception of a request, after the thread was ended
   bool run(const std::function<void()>& work);
 
-  /// From within `work`: has the request done by the thread in run(), and waits for it.
+  /// To be called within `work`: lets the thread in run() execute the request and waits for it.
   template <class Request>
   void ask(const Request& request) {
     post([](const void* r) { (*static_cast<const Request*>(r))(); }, &request);
@@ -38,7 +38,7 @@ class SolverThread {
 
  private:
   enum class Turn : std::uint8_t { caller, solver, nobody };
-  using Call = void(const void*);  // no std::function: it has a destructor
+  using Call = void(const void*);  // not a std::function, which has a destructor
 
   static void* begin(void* self);
   void work();
@@ -59,7 +59,7 @@ class SolverThread {
   std::condition_variable passed_;
   Turn turn_{Turn::caller};
   const std::function<void()>* work_{nullptr};
-  Call* call_{nullptr};  // what was asked for; null: the work has come back
+  Call* call_{nullptr};  // current request; null when the work has returned
   const void* request_{nullptr};
 };
 

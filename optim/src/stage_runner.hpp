@@ -5,20 +5,19 @@
 
 namespace twum::optim {
 
-/// The book-keeping of one solve: budget shared between stages, counters, stage numbers, clock.
+/// Bookkeeping of one solve: the budget shared by stages, counters, stage numbers, and the clock.
 class StageRunner {
  public:
-  /// Keeps references. A nested runner gives the clock of the solve it belongs to.
+  /// Keeps references. A nested runner takes the clock of its outer solve.
   StageRunner(const Problem& problem, const SolveOptions& options, const Deadline& deadline);
 
-  /// Finds scale factors from the start or, where it cannot be evaluated, from the first of some
-  /// low-discrepancy points that can, which then is the start. False if none can or nothing is left of the
-  /// budget.
+  /// Computes scale factors at the start. If it cannot be evaluated, takes the first low-discrepancy point that can
+  /// as the start. False if none can, or if the budget is used up.
   bool scale();
 
   /// One attempt on the plain problem in its own stage.
   SolverRun run(const Optimizer& optimizer, std::span<const double> unit_start, bool last_word);
-  /// @param most  evaluations it may use, of those left
+  /// @param most  evaluations that it may use, at most those left
   SolverRun run(const Optimizer& optimizer, const Formulation& formulation,
                 std::span<const double> start, std::size_t most = static_cast<std::size_t>(-1));
 
@@ -26,13 +25,13 @@ class StageRunner {
   std::vector<SolverRun> run_all(const Optimizer& optimizer,
                                  const std::vector<std::vector<double>>& starts);
 
-  /// Lets a stage make as many more calls as are wanted, or as the budget has left.
+  /// Allows a stage `wanted` more calls, or as many as are left in the budget.
   void allow(SolverRun& run, std::size_t wanted);
 
   /// Certifies and polishes within the reserve.
   void finish(SolverRun& run);
 
-  /// Adds what a stage used to the counters and the report; may be called again after more use.
+  /// Adds the calls of a stage to the counters and the report; may be called again after further calls.
   void book(SolverRun& run);
 
   /// Adds a nested solve.
@@ -41,7 +40,7 @@ class StageRunner {
   bool exhausted() const;
   StopReason stop_reason() const;
 
-  /// What to say where no design could be looked at.
+  /// Outcome if no design could be evaluated.
   Outcome without_design() const;
   std::size_t left() const;
   const Problem& problem() const { return problem_; }

@@ -9,7 +9,7 @@ namespace twum {
 
 enum class GeometryNeed : unsigned char { may_lack, in_its_block };
 
-/// A row for a number of the stator's geometry. `needed` is meant within a block that is given.
+/// A row for a number of the stator's geometry. `needed` means needed if its block is given.
 constexpr ParameterInfo geometry_row(Parameter parameter, std::string_view name,
                                      std::string_view entry, std::string_view unit, double min,
                                      double max, GeometryNeed need, std::string_view example,

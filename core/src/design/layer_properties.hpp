@@ -7,8 +7,8 @@
 
 namespace twum {
 
-/// The layer's properties from its material, and the material that a given property stands for; S is double or carries
-/// derivatives. The one place for these formulas.
+/// The layer's properties from its material, and the inverse; S is double or carries derivatives. All code uses these
+/// formulas.
 /// @{
 template <typename S>
 S shear_modulus_of(const S& youngs_modulus, const S& poisson_ratio) {  // (T1.2)
@@ -34,14 +34,14 @@ template <typename S>
 S density_of(const S& inertia, const S& thickness) {
   return 3.0 * inertia / (thickness * thickness);
 }
-/// Damping of a mode from its quality factor, and the other way round; the two have the same form.
+/// Damping of a mode from its quality factor, and the inverse, which has the same form.
 template <typename S>
 S modal_damping_of(const S& quality_factor, const S& resonance, const S& modal_mass) {  // (D2.2)
   return 2 * std::numbers::pi * resonance * modal_mass / quality_factor;
 }
 /// @}
 
-/// mu_0 / mu, which stays when mu moves; without friction the two move together.
+/// mu_0 / mu, which stays constant when mu changes; 1 without friction.
 inline double friction_ratio(const Friction& friction) {
   return friction.kinetic > 0 ? friction.static_ / friction.kinetic : 1;
 }
@@ -55,7 +55,7 @@ inline bool has_resonance(const MotorDesign& design) {
   return design.stator.geometry || design.stator.resonance_frequency;
 }
 
-/// Fills in the twins that follow from the parameters in use.
+/// Computes the twins that follow from the parameters in use.
 /// @param given  says which are in use
 template <typename S>
 ParameterArray<S> with_twins(const MotorDesign& given, ParameterArray<S> p) {

@@ -13,8 +13,8 @@ namespace motor_rows {
 using P = Parameter;
 inline constexpr std::optional<Parameter> kNoTwin;
 
-/// Rows of the parameter table for everything but the stator's geometry. The ranges admit what a person could mean, limits of
-/// the model included; `reason` says why they end there. Within them no number of the model overflows.
+/// Rows of the parameter table for everything but the stator's geometry. The ranges admit every plausible motor and
+/// the limits of the model; `reason` says why they end there. Within them no number of the model overflows.
 inline constexpr std::array<ParameterInfo, kParameterCount - kGeometryRows.size()> kMotorRows{{
     {P::wavelengths, "wavelengths", "n", "1", "stator.wavelengths", 1, 200, true, true, kNoTwin,
      "9", "wavelengths round the circumference",

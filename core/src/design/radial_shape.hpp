@@ -21,7 +21,7 @@ class ShapeSpline {
   /// Radii of the rows.
   const std::vector<double>& knots() const { return x_; }
 
-  /// At a radius; the end pieces go on beyond the table. S is double or carries derivatives.
+  /// Value at a radius; the end pieces are continued beyond the table. S is double or carries derivatives.
   template <typename S>
   S at(const S& radius) const {
     const std::size_t k = piece(value_of(radius));

@@ -14,13 +14,13 @@ namespace twum::stator {
 struct Order {
   Mesh mesh;
   Spectrum spectrum;
-  std::vector<StatorMode> modes;  ///< the lowest ones, in the order of the spectrum
+  std::vector<StatorMode> modes;  ///< the lowest modes, in the order of the spectrum
 };
 
 Order solve_order(const StatorPlate<double>& plate, PlateTheory theory, InnerEdge support,
                   int nodal_diameters, double contact_radius);
 
-/// Where a mode stands.
+/// Position of a mode among all modes.
 struct ModePlace {
   std::size_t order;
   std::size_t mode;

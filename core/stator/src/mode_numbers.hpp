@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-/// What a solution means to the drive, in plain numbers and in dual ones.
+/// Numbers of the drive from a solution, as doubles or with derivatives.
 namespace twum::stator {
 
 /// R and psi_t at a radius.
@@ -100,7 +100,7 @@ S blocked_capacitance(const Numbers<S>& x, double share_of_area) {  // P4.5
          x[ceramic_thickness];
 }
 
-/// Everything of the travelling wave's mode but the mode separation.
+/// All numbers of the travelling wave's mode except the mode separation.
 template <typename S>
 struct ModeNumbers {
   S frequency, modal_mass, modal_stiffness, neutral_plane_distance, tangential_share, force_factor,

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-/// The energies of a plate at one radius, for plain numbers and for dual ones. Fields are R, psi_r, psi_t
-/// (P2.1); of Kirchhoff's plate R alone.
+/// The energies of a plate at one radius, for doubles or with derivatives. Fields are R, psi_r, psi_t (P2.1); R only
+/// for Kirchhoff's plate.
 namespace twum::stator {
 
 /// Part of a linear form: factor times a derivative of a field.
@@ -68,7 +68,7 @@ template <typename S>
 struct PlatePoint {
   S radius;  ///< [m]
   S half;    ///< half of the element's width [m]
-  S weight;  ///< of the point in an integral over the plate of cos^2 (n phi) [m^2]
+  S weight;  ///< weight of the point in an integral over the plate of cos^2 (n phi) [m^2]
 };
 
 template <typename S>
@@ -122,7 +122,7 @@ std::array<S, kRows> applied(const std::vector<Term<S>>& terms, const Fields<S>&
   return rows;
 }
 
-/// The transpose: what rows of forces do on the fields, added up.
+/// The transpose: adds the work of rows of forces on the fields.
 template <std::size_t kRows, typename S>
 void add_transposed(Fields<S>& forces, const std::vector<Term<S>>& terms,
                     const std::array<S, kRows>& rows) {

@@ -10,8 +10,8 @@
 
 namespace twum::stator {
 
-/// A ring of a segment with polynomials of its own. Where it lies in its segment is fixed, so that the
-/// elements follow the segment's radii.
+/// A ring of a segment with polynomials of its own. Its position relative to the segment is fixed, so that elements
+/// follow the segment's radii.
 struct Element {
   std::size_t segment;
   double from;                              ///< share of the segment's width
@@ -20,7 +20,7 @@ struct Element {
   std::vector<std::vector<int>> dofs;  ///< [field][function]; -1 where the support holds it at zero
 };
 
-/// The discrete plate for one number of nodal diameters: everything but radii and sections.
+/// The discrete plate for one number of nodal diameters: everything except radii and sections.
 struct Mesh {
   PlateTheory theory;
   int nodal_diameters;

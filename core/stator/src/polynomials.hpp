@@ -22,7 +22,7 @@ S legendre_sum(const std::vector<C>& coefficients, const S& x) {
   return sum;
 }
 
-/// What two neighbouring elements share.
+/// Continuity between neighbouring elements.
 enum class Continuity {
   value,  ///< C0
   slope,  ///< C1: value and first derivative

@@ -26,10 +26,10 @@ Numbers<double> plain_numbers(const StatorGeometry& geometry, double contact_rad
 /// The same numbers, each an independent variable. Electrodes without radii of their own move with the ceramic.
 Numbers<Derived> dual_numbers(const StatorGeometry& geometry, double contact_radius);
 
-/// Where the plate's section changes or an electrode ends, from the inside to the outside.
+/// Radii at which the plate's section changes or an electrode ends, from the inside to the outside.
 struct Edges {
-  std::vector<Dimension> radii;  ///< one for each place
-  std::vector<Dimension> joint;  ///< all that share a place with another
+  std::vector<Dimension> radii;  ///< one for each distinct radius
+  std::vector<Dimension> joint;  ///< all that coincide with another one
 };
 
 Edges find_edges(const StatorGeometry& geometry);
@@ -45,7 +45,7 @@ struct StatorPlate {
   std::vector<bool> electrodes;  ///< whether the segment is covered
 };
 
-/// Share of a ring of teeth that is metal: over the ring's area its mean is that at mid radius (P1.8).
+/// Share of metal in a ring of teeth. Its mean over the ring's area is its value at the middle radius (P1.8).
 template <typename S>
 S tooth_fill(const Numbers<S>& x, int count) {
   const S circumference =
@@ -53,7 +53,7 @@ S tooth_fill(const Numbers<S>& x, int count) {
   return 1.0 - static_cast<double>(count) * x[Dimension::teeth_slot_width] / circumference;
 }
 
-/// Layers at a radius that is no edge, from the bottom to the top.
+/// Layers at a radius that is not an edge, from the bottom to the top.
 template <typename S>
 std::vector<LayerOf<S>> layers_at(const StatorGeometry& g, const Numbers<S>& x, double radius) {
   using enum Dimension;
@@ -107,7 +107,7 @@ StatorPlate<S> make_plate(const StatorGeometry& g, const Numbers<S>& x) {
   return plate;
 }
 
-/// The segment that a radius lies in; on an edge the outer one.
+/// The segment that contains a radius; on an edge, the outer one.
 template <typename S>
 std::size_t segment_at(const StatorPlate<S>& plate, double radius) {
   std::size_t i = 0;

@@ -13,12 +13,12 @@ class Centres {
   Centres(const RobustProblem& problem, const RobustTerms& terms, std::span<const double> x,
           std::vector<double> beta, std::vector<InversePoint> points);
 
-  /// Draws; where failing products lie apart from every centre, adds one there and draws again.
+  /// Draws a sample. If failing products lie away from every centre, adds a centre there and draws again.
   ImportanceSample sample(const SamplePlan& plan);
 
-  /// True if the term has a centre.
+  /// True if the worst point of the term is a centre.
   bool holds(std::size_t term) const { return taken_[term]; }
-  /// Worst points of all terms; of two the worse.
+  /// Worst points of all terms; of two points for a term, the worse one.
   const std::vector<InversePoint>& points() const noexcept { return points_; }
 
  private:

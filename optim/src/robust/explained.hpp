@@ -5,18 +5,20 @@
 
 namespace twum::optim {
 
-/// What a solved round says of limits and tolerances, U6.1 to U6.5.
+/// Sensitivities of a solved round to limits and tolerances, U6.1 to U6.5.
 class Explained {
  public:
   /// Keeps references to both.
   Explained(const RobustProblem& problem, const SolvedRound& solved);
 
   std::vector<RiskShare> risks(const Verification& verified) const;
-  /// U6.2, U6.3, U6.5; of a largest yield the gains are those of the yield, of a standard deviation its own.
+  /// U6.2, U6.3, U6.5. If the goal is a yield, the gains are those of the yield; if it is a standard deviation, those
+  /// of the standard deviation.
   std::vector<TolerancePrice> prices() const;
   /// U6.4
   double price_of_yield() const;
-  /// What a unit of the round's objective is in the goal: the objective of a yield is ln R, of a spread its square.
+  /// Derivative of the goal with respect to the round's objective, which is ln R for a yield and the variance for a
+  /// standard deviation.
   double per_objective() const;
 
  private:

@@ -13,16 +13,16 @@ struct SamplePlan {
   std::uint64_t seed{1};
   std::uint64_t replicate{0};
   unsigned jobs{1};
-  std::function<bool()> proceed{};  ///< asked between products; false ends the sample early
+  std::function<bool()> proceed{};  ///< called between products; false ends the sample early
 };
 
 /// Margins of products drawn about the worst points, U4.1 and U4.2.
 struct ImportanceSample {
-  std::vector<double> weights;  ///< of each product
-  std::vector<std::vector<double>>
-      margins;  ///< of each product, one for each term; -infinity without an answer
+  std::vector<double> weights;  ///< one for each product
+  /// for each product, one for each term; -infinity without an answer
+  std::vector<std::vector<double>> margins;
   std::vector<std::vector<double>> normals;  ///< z of each product
-  bool complete{false};                      ///< not ended early
+  bool complete{false};                      ///< false if the sample ended early
 };
 
 ImportanceSample draw_importance(const RobustProblem& problem, const RobustTerms& terms,
@@ -30,7 +30,7 @@ ImportanceSample draw_importance(const RobustProblem& problem, const RobustTerms
                                  const std::vector<std::vector<double>>& centres,
                                  const SamplePlan& plan);
 
-/// What a sample says of the risk of one yield target, U4.3.
+/// Risk of one yield target estimated from a sample, U4.3.
 struct SampledRisk {
   std::vector<double> of_term;  ///< p_j, of the target's terms in their order
   double any{0.0};              ///< p_any
@@ -39,8 +39,8 @@ struct SampledRisk {
 
 SampledRisk sampled_risk(const ImportanceSample& sample, std::span<const std::size_t> terms);
 
-/// Q_j of U4.4: the value below which a term's margin lies with the given probability, by a line through 40 neighbours. NaN
-/// where too few have an answer.
+/// Q_j of U4.4: the value below which a term's margin lies with the given probability, by a line through 40
+/// neighbours. NaN if too few products have an answer.
 double weighted_quantile(const ImportanceSample& sample, std::size_t term, double beta);
 
 }  // namespace twum::optim

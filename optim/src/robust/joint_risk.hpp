@@ -7,7 +7,8 @@
 
 namespace twum::optim {
 
-/// Two limits of a set that fail together, U3.5: what `later` adds to the risk is lessened by its overlap with `earlier`.
+/// Two limits that may fail together, U3.5: the contribution of `later` to the risk is reduced by its overlap with
+/// `earlier`.
 struct Overlap {
   std::size_t later{0};
   std::size_t earlier{0};
@@ -20,11 +21,11 @@ struct JointRisk {
   std::vector<double> by_beta;
 };
 
-/// R(beta): U3.4, less the given overlaps U3.5. An infinite index is no risk.
+/// R(beta): U3.4 minus the given overlaps U3.5. An infinite index has no risk.
 JointRisk joint_risk(std::span<const double> beta, std::span<const Overlap> overlaps);
 
-/// The overlaps of limits with these indices and directions alpha, each with the one before it, in falling order of risk, that
-/// takes most of it; none if they change the risk by less than 1 %.
+/// The overlaps of limits with these indices and directions alpha. In order of falling risk, each limit is paired
+/// with the earlier one that has the largest overlap. None if they change the risk by less than 1 %.
 std::vector<Overlap> overlaps_of(std::span<const double> beta,
                                  std::span<const std::vector<double>> directions);
 

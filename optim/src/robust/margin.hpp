@@ -10,7 +10,7 @@ struct Margin {
   std::size_t response{0};
   double sign{1.0};
   double end{0.0};
-  bool limited{true};  ///< false of a quantile, which is asked for wherever it lies
+  bool limited{true};  ///< false for a quantile, which has no limit
 };
 
 /// The ends of a limit: one or two.
@@ -22,12 +22,12 @@ struct MarginPoint {
   double value{0.0};
   std::vector<double> by_design;  ///< dg/dx
   std::vector<double> by_normal;  ///< d = dg/dz
-  std::vector<double> by_spread;  ///< s dg/ds, of each input
-  std::vector<double> by_input;   ///< dg/dP, of each input
-  std::string failure;            ///< nothing else holds if it is not empty
+  std::vector<double> by_spread;  ///< s dg/ds for each input
+  std::vector<double> by_input;   ///< dg/dP for each input
+  std::string failure;            ///< if not empty, the other members are not valid
 };
 
-/// The built product of a design x and normal numbers z: x, then the inputs that are no variable, scattered.
+/// The built product of a design x and normal numbers z: x followed by the inputs that are not variables, scattered.
 std::vector<double> build(const RobustProblem& problem, std::span<const double> x,
                           std::span<const double> z);
 

@@ -9,12 +9,12 @@ namespace twum::optim {
 struct Moment {
   double value{0.0};
   std::vector<double> by_design;  ///< by each variable
-  std::vector<double> by_spread;  ///< s d/ds, of each input
-  std::string failure{};          ///< nothing else holds if it is not empty
+  std::vector<double> by_spread;  ///< s d/ds for each input
+  std::string failure{};          ///< if not empty, the other members are not valid
 };
 
-/// Mean or standard deviation over the products z_1 .. z_N of the rows of `sample`; products without an answer are left out, and more than a thousandth
-/// of them is a failure.
+/// Mean or standard deviation over the products z_1 .. z_N of the rows of `sample`; products without an answer are
+/// left out. It fails if their share exceeds kMostLostOfAMean.
 Moment moment(const RobustProblem& problem, const StatisticTarget& target,
               std::span<const double> x, const std::vector<std::vector<double>>& sample);
 

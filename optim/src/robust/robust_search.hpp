@@ -11,7 +11,7 @@
 
 namespace twum::optim {
 
-/// A solved round: its problem, and what was found.
+/// A solved round: its problem and its result.
 struct SolvedRound {
   std::shared_ptr<const RobustRound> round;
   Result result;
@@ -21,16 +21,16 @@ struct SolvedRound {
   }
 };
 
-/// Risks that are wanted of the yield targets; of a goal one that leaves its indices free up to 6.
+/// Wanted risks of the yield targets; for a goal, a risk so small that its indices are free up to 6.
 std::vector<double> wanted_risks(const RobustProblem& problem);
-/// The smaller ones to aim at, U5.4.
+/// The smaller risks to aim at, U5.4.
 std::vector<double> aimed_risks(const RobustProblem& problem);
-/// U5.4: the risks to aim at next after fresh products.
+/// U5.4: the risks to aim at next, after an independent sample.
 std::vector<double> backed_off(const RobustProblem& problem, std::vector<double> risks,
                                const Verification& seen);
-/// The verdict on the target that fares worst, U5.3.
+/// The verdict on the target with the worst result, U5.3.
 YieldVerdict worst_verdict(const RobustProblem& problem, const Verification& seen);
-/// How many fresh products tell the rarest of these risks, U5.1.
+/// Number of independent products needed for the rarest of these risks, U5.1.
 std::uint64_t products_for_rarest(const std::vector<double>& risks);
 
 /// The rounds of a robust search: solved from several starts, corrected by samples.
@@ -38,32 +38,32 @@ class RobustSearch {
  public:
   RobustSearch(const RobustProblem& problem, const RobustOptions& options);
 
-  /// U3.1 from every start; the best answer.
+  /// Solves U3.1 from every start and returns the best answer.
   SolvedRound first_round(const std::vector<RobustObjective>& goals,
                           const std::vector<double>& risks);
   /// The same round from one start.
   SolvedRound solve(std::shared_ptr<const RobustRound> round, std::span<const double> y);
-  /// The goals under these risks, from a solved round and with its correction.
+  /// Solves for goals under these risks, starting from a solved round and with its correction.
   SolvedRound solve_again(const SolvedRound& from, const std::vector<RobustObjective>& goals,
                           const std::vector<double>& risks);
-  /// U4.5: samples and rounds until the sampled risk is the one aimed at.
+  /// U4.5: alternates samples and rounds until the sampled risk equals the one aimed at.
   SolvedRound corrected(SolvedRound solved);
-  /// One correction with a sample of this size, and the round after it.
+  /// One correction with a sample of this size, followed by one round.
   SolvedRound correct_once(const SolvedRound& solved, std::uint64_t products,
                            std::uint64_t replicate);
-  /// One search of a problem made of a round's, from y.
+  /// One search of a problem derived from that of a round, from y.
   Result search(const Problem& problem, std::span<const double> y);
   /// The front of a round with several goals, from a design.
   Front front(const RobustRound& round, std::size_t points, std::span<const double> x);
   /// U4.4
   Correction correction(const SolvedRound& solved, const SamplePlan& plan);
   std::vector<double> risks_of(const RobustRound& round) const;
-  /// The certificate of a solved round, measured anew without the caller's memory.
+  /// The certificate of a solved round, computed without the caller's stored evaluations.
   Certificate certified(const SolvedRound& solved) const;
-  /// Fresh products of a solved round's design; `attempt` names their stream. Where a yield above 99.99 % is wanted, weighted
-  /// ones decide.
+  /// An independent sample of products of a solved round's design; `attempt` selects the random numbers. If a yield
+  /// above 99.99 % is wanted, importance samples decide.
   Verification verified(const SolvedRound& solved, std::uint64_t products, std::uint64_t run) const;
-  /// The goal of the problem at a solved round, whatever its own goal is; NaN where it has no value.
+  /// The goal of the robust problem at a solved round, which may have another goal; NaN if it has no value.
   double goal_at(const SolvedRound& solved) const;
   /// p_any of the first target at a solved round, by the last sample drawn; and its standard error.
   const SampledRisk& last_risk() const noexcept { return last_risk_; }
@@ -73,7 +73,7 @@ class RobustSearch {
   const RobustTerms& terms() const noexcept { return terms_; }
   const std::vector<RobustRoundReport>& reports() const noexcept { return reports_; }
   const Counters& counters() const noexcept { return counters_; }
-  /// Rounds and stages from here on are free.
+  /// Rounds and stages from these numbers on are unused.
   std::uint64_t next_round() const noexcept { return next_round_; }
   std::uint64_t next_stage() const noexcept { return next_stage_; }
   std::span<const double> design(const SolvedRound& solved) const {

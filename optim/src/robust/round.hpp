@@ -7,8 +7,8 @@
 
 namespace twum::optim {
 
-/// One margin of the search: of a yield target, with a reliability index of its own among the variables, or of a quantile,
-/// with a fixed one.
+/// One margin of the search. That of a yield target has a reliability index among the variables, that of a quantile a
+/// fixed one.
 struct RobustTerm {
   std::string name;
   Margin margin;
@@ -17,7 +17,7 @@ struct RobustTerm {
   double fixed_beta{0.0};                ///< of a quantile
 };
 
-/// What a search varies and weighs: the margins, in order of targets, then quantiles.
+/// The margins of a search: those of the targets, then those of the quantiles.
 struct RobustTerms {
   explicit RobustTerms(const RobustProblem& problem);
 
@@ -28,12 +28,13 @@ struct RobustTerms {
   double beta(std::span<const double> y, std::size_t variables, std::size_t term) const;
 };
 
-/// What a round holds fixed, U4.4; of the first round all is zero.
+/// Corrections that a round holds fixed, U4.4; zero in the first round.
 struct Correction {
-  std::vector<double> delta;                    ///< of each term
-  std::vector<double> kappa;                    ///< of each yield target
-  std::vector<std::vector<Overlap>> overlaps;   ///< of each target, positions within it
-  std::vector<std::vector<double>> directions;  ///< where U3.2 starts, of each term; may be empty
+  std::vector<double> delta;                   ///< of each term
+  std::vector<double> kappa;                   ///< of each yield target
+  std::vector<std::vector<Overlap>> overlaps;  ///< of each target, positions within it
+  /// start directions of U3.2, one for each term; may be empty
+  std::vector<std::vector<double>> directions;
 
   static Correction none(const RobustTerms& terms);
 };
@@ -48,14 +49,14 @@ struct LineOf {
 /// The problem of one round, U3.1, in the design and the reliability indices y = (x, beta).
 class RobustRound {
  public:
-  /// @param risks  of each yield target the share of products that may fail; not used of the goal
+  /// @param risks  for each yield target, the share of products that may fail; not used for a goal
   /// @param seed   of the fixed sample of means and standard deviations
   RobustRound(const RobustProblem& problem, std::vector<RobustObjective> goals,
               std::vector<double> risks, Correction correction, std::uint64_t seed = 1);
 
   /// Its constraints: those of the design, G_j + delta_j >= 0 of each term of a target, the risk lines, the statistics.
   Problem problem() const;
-  /// y of a design: every limit has the same share of the risk.
+  /// y of a design, with the same share of the risk for every limit.
   std::vector<double> start(std::span<const double> x) const;
   /// Solutions of U3.2 at y, one for each term.
   std::vector<InversePoint> points(std::span<const double> y) const;
@@ -70,13 +71,13 @@ class RobustRound {
   bool is_goal(std::size_t target) const;
   /// Whether its only goal is a largest yield.
   bool seeks_yield() const { return goals_.size() == 1 && goals_[0].kind == RobustGoal::yield; }
-  /// The value of a goal where its row in the problem has this one.
+  /// The value of a goal from the value of its row in the problem.
   double goal_value(double objective, std::size_t goal = 0) const;
   /// A statistic at y, whose points() are these.
   Moment statistic(std::span<const double> y, std::size_t statistic,
                    const std::vector<InversePoint>& worst) const;
   double risk(std::size_t target) const { return risks_[target]; }
-  /// Name of the line of U3.1 that spends a target's risk.
+  /// Name of the constraint of U3.1 that limits a target's risk.
   std::string risk_line(std::size_t target) const;
 
  private:

@@ -5,7 +5,7 @@
 
 namespace twum::optim {
 
-/// @throws InputError unless the problem can be posed
+/// @throws InputError unless the problem is valid
 void validate_robust(const RobustProblem& problem);
 
 }  // namespace twum::optim

@@ -9,7 +9,7 @@
 
 namespace twum::studies {
 
-/// How strongly the outermost operation of a text binds: what decides whether it needs parentheses.
+/// Precedence of the outermost operation of a text, which decides whether it needs parentheses.
 enum class Binding : unsigned char { sum, product, sign, power, quantity, atom };
 
 /// A part of a formula that is being read.
@@ -20,7 +20,7 @@ struct FormulaPart {
   Dimension dimension;  ///< of its value
 };
 
-/// Puts a formula together step by step: checks dimensions, computes what is constant, writes the canonical text.
+/// Builds a formula step by step: checks dimensions, evaluates constant parts, and writes the canonical text.
 class FormulaBuilder {
  public:
   using Operation = Formula::Operation;

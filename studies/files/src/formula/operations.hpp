@@ -5,8 +5,8 @@
 
 namespace twum::studies {
 
-/// Value of one step of a formula from those of its operands, the second of which a function of one does not look at. Not a
-/// finite number where there is none.
+/// Value of one step of a formula from the values of its operands; a function of one operand ignores the second. Not
+/// finite if it is not defined.
 double apply(Formula::Operation operation, double left, double right);
 
 }  // namespace twum::studies

@@ -5,8 +5,8 @@
 
 namespace twum::studies {
 
-// For Boost's distributions, which else compute in long double: what that is differs from machine to
-// machine, and valgrind, which has none, would end when Boost prepares its constants.
+// Makes Boost's distributions compute in double. By default they use long double, which differs between machines, and
+// which valgrind does not support: the program would end when Boost initializes its constants.
 using DoublePrecision = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
 
 }  // namespace twum::studies

@@ -20,8 +20,8 @@
 
 namespace twum::studies {
 
-/// What a ResultStore is made of: one connection, one open batch, and a thread that commits it in
-/// time. Every member function takes the lock.
+/// Implementation of ResultStore: one connection, one open batch, and a thread that commits it within a time limit.
+/// Every member function takes the lock.
 class ResultStore::Database {
  public:
   Database(const std::string& path, const std::vector<StoredColumn>& columns);
@@ -66,12 +66,13 @@ class ResultStore::Database {
 
   std::mutex mutex_;  // guards the connection and what follows
   std::size_t batch_{0};
-  bool in_log_{false};  // in write-ahead mode, from the first batch on
+  bool in_log_{false};  // true once the first batch has switched to write-ahead mode
   Seal seal_;
-  std::map<std::uint64_t, std::uint64_t> next_;  // by stage, as far as it was asked for
-  std::exception_ptr failure_;                   // of a write; nothing is written after it
+  // next_index() by stage, for the stages that were asked for
+  std::map<std::uint64_t, std::uint64_t> next_;
+  std::exception_ptr failure_;  // failure of a write, after which nothing is written
   std::condition_variable_any batch_begun_;
-  std::jthread committer_;  // last: it ends before the others go
+  std::jthread committer_;  // declared last, so that it ends before the other members are destroyed
 };
 
 }  // namespace twum::studies

@@ -13,12 +13,11 @@
 #include <string_view>
 #include <vector>
 
-/// What a database says of its own content, written with every batch; internal.
+/// Checksum of a database's content, written with every batch; internal.
 namespace twum::studies {
 
-/// How many rows a database must hold, and the sum (modulo 2^64) of the checksums of its rows, facts
-/// and columns. SQLite alone notices neither one intact page in the place of another nor a row that is
-/// missing.
+/// How many rows a database must hold, and the sum (modulo 2^64) of the checksums of its rows, facts and columns.
+/// SQLite itself detects neither an intact page in the place of another nor a missing row.
 struct Seal {
   std::uint64_t rows{0};
   std::uint64_t sum{0};
@@ -27,12 +26,12 @@ struct Seal {
 
 using Facts = std::map<std::string, std::string>;
 
-/// Checksum of what a row says, for a table of so many columns.
+/// Checksum of a row, for a table of so many columns.
 std::uint64_t checksum_of(const StoredRow& row, std::size_t columns);
 std::uint64_t checksum_of_fact(std::string_view name, std::string_view value);
 std::uint64_t checksum_of(const std::vector<StoredColumn>& columns);
 
-/// The row where a SELECT * FROM evaluations stands.
+/// The current row of a SELECT * FROM evaluations.
 /// @throws StoreError if it is not what was written
 StoredRow read_row(const sqlite::Connection& connection, const sqlite::Statement& select,
                    std::size_t columns);
@@ -46,7 +45,7 @@ Facts read_facts(sqlite::Connection& connection);
 Seal checked_seal(sqlite::Connection& connection, const std::vector<StoredColumn>& columns,
                   const Facts& facts);
 
-/// @throws StoreError that a file is damaged, and how to go on
+/// @throws StoreError that says that a file is damaged, and what to do
 [[noreturn]] void fail_damaged(const std::string& path, const std::string& what);
 
 }  // namespace twum::studies

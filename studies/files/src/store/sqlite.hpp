@@ -14,7 +14,7 @@ namespace twum::studies::sqlite {
 /// An open database. Not safe from several threads at a time.
 class Connection {
  public:
-  /// Opens a database file, making one if it may; ":memory:" has none.
+  /// Opens a database file and creates it if `make` is true; ":memory:" has no file.
   Connection(std::string path, bool make);
   ~Connection();
   Connection(const Connection&) = delete;
@@ -28,12 +28,12 @@ class Connection {
   bool in_transaction() const;
   /// Rows that the last statement inserted.
   int changes() const;
-  /// True if its path leads to no file or to another one by now.
+  /// True if the file at its path was removed or replaced.
   bool has_moved() const;
-  /// Closes later as if killed: changes and removes no file.
+  /// When the connection is closed, leaves all files unchanged, as if the process had been killed.
   void abandon();
 
-  /// @throws StoreError with the file and what the result code means, unless it is good.
+  /// @throws StoreError with the file and the meaning of the result code, unless it means success.
   void check(int code) const;
   [[noreturn]] void fail(int code) const;
 
@@ -53,7 +53,7 @@ class Statement {
 
   void bind(int place, std::int64_t value);
   void bind(int place, double value);  ///< NaN becomes NULL
-  /// The text has to stay until the step.
+  /// The text has to stay valid until step().
   void bind_text(int place, std::string_view text);
   void bind_blob(int place, std::string_view bytes);  ///< empty becomes NULL
 

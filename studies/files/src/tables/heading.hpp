@@ -5,7 +5,7 @@
 
 namespace twum::studies {
 
-/// A column's heading: "thickness [mm]" is "thickness" in "mm". Views into the text.
+/// A column's heading: "thickness [mm]" has the name "thickness" and the unit "mm". Views into the text.
 struct Heading {
   std::string_view name;
   std::string_view unit;

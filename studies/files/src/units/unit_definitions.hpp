@@ -5,11 +5,10 @@
 
 namespace twum::studies {
 
-// The unit system that UDUNITS-2 is given. It differs from the one that UDUNITS ships in two points:
-// the radian is a base unit, and an energy is a torque times an angle (J = N m rad). So rad/s is not
-// Hz, rpm is neither, and N.m is not J; torque times angular speed still is a power.
-// Compiled in, so that no file has to be found at run time. Factors are doubles, not text, because
-// UDUNITS reads decimals with the locale of the process.
+// The unit system that UDUNITS-2 is given. It differs from the one that UDUNITS ships in two points: the radian is a
+// base unit, and an energy is a torque times an angle (J = N m rad). So rad/s is not Hz, rpm is neither, and N.m is
+// not J; torque times angular speed is a power all the same. Compiled in, so that no file has to be found at run
+// time. Factors are doubles, not text, because UDUNITS reads decimals with the locale of the process.
 
 struct BaseUnit {
   const char* symbol;
@@ -80,7 +79,7 @@ struct NamedDimension {
   const char* name;
 };
 
-// What error texts call a dimension; the first unit that fits names it.
+// Names of dimensions in error texts; the first unit that fits is used.
 inline constexpr NamedDimension kDimensions[] = {
     {"m", "length"},
     {"N", "force"},

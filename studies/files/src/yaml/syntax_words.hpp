@@ -5,14 +5,14 @@
 
 namespace twum::studies {
 
-/// A message of the YAML parser in words for somebody who writes a motor file.
+/// A message of the YAML parser reworded for users who write motor files.
 struct SyntaxWords {
   std::string_view parser;
   const char* found;
   const char* expected;
 };
 
-/// Null if the message is not one we know.
+/// Null for an unknown message.
 const SyntaxWords* syntax_words(std::string_view parser_message);
 
 }  // namespace twum::studies

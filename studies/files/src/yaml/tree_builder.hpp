@@ -6,8 +6,8 @@
 
 namespace twum::studies {
 
-/// Parses the text of the diagnostics' source into our tree and refuses what a strict file may not
-/// have; the bytes are known to be text. Of kind refused if a syntax error ended it.
+/// Parses the text of the diagnostics' source into a tree and refuses what a strict file must not contain. The bytes
+/// must be valid text. The root is of kind refused after a syntax error.
 YamlNode build_tree(Diagnostics& diagnostics);
 
 }  // namespace twum::studies

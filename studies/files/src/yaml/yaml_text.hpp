@@ -8,7 +8,7 @@
 
 namespace twum::studies {
 
-/// A text in quotation marks, which load_yaml() reads back as it is: control characters are escaped.
+/// A text in quotation marks with escaped control characters; load_yaml() reads back the same text.
 std::string double_quoted(std::string_view text);
 
 /// The entries of a mapping as lines of YAML, which load_yaml() reads back as they are.

@@ -8,7 +8,8 @@
 
 namespace twum::studies {
 
-/// What an impedance analyser reads of a phase of the free stator, the other one shorted, at the design's frequency (D4.4).
+/// Readings of an impedance analyser at a phase of the free stator, with the other phase shorted, at the design's
+/// frequency (D4.4).
 enum class CircuitPart : unsigned char { conductance, susceptance, impedance, impedance_phase };
 
 /// Name and SI unit.

@@ -6,11 +6,11 @@
 
 namespace twum::studies {
 
-/// Entries of `stator.equivalent_circuit`, all of them needed.
+/// Entries of `stator.equivalent_circuit`, all of them required.
 const Shape<EquivalentCircuit>& circuit_shape();
 
-/// Says which modal data of the stator stand beside its equivalent circuit, and which of those that follow from the circuit are
-/// out of range; false if any.
+/// Adds errors for modal data of the stator given beside its equivalent circuit, and for modal data from the circuit
+/// that are out of range; false if there are any.
 /// @param circuit  of the entry `equivalent_circuit`, if that has been read
 bool check_circuit(const std::optional<EquivalentCircuit>& circuit, const Given& stator,
                    Diagnostics& diagnostics);

@@ -8,8 +8,9 @@
 
 namespace twum::studies {
 
-/// That a motor under a voltage does not run or does not start by itself at rest, or has no dead wave where that is asked for, with
-/// the voltage and the frequency that would do. Nothing for other motors. Some milliseconds.
+/// The note that a motor under a voltage does not run or does not start by itself at rest, or has no dead wave
+/// although that was asked for, with a voltage and a frequency that would help. Nothing for other motors. Takes some
+/// milliseconds.
 std::optional<ModelNote> drive_note(const Motor& motor);
 
 }  // namespace twum::studies

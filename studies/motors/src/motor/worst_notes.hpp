@@ -9,7 +9,7 @@
 
 namespace twum::studies {
 
-/// The notes on several motors: of each topic the one that is farthest off, and how many others there are.
+/// The notes on several motors: for each topic the most severe one, and the number of the others.
 class WorstNotes {
  public:
   /// Adds the notes on one motor.

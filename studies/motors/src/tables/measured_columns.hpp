@@ -11,7 +11,7 @@
 
 namespace twum::studies {
 
-/// What a column of a table of measurements is for.
+/// Role of a column in a table of measurements.
 enum class ColumnRole : unsigned char { argument, measured, deviation, weight, parameter };
 
 /// One column.
@@ -21,7 +21,7 @@ struct MeasuredColumn {
   Reading reading;                    ///< of a measured one
   Argument argument{Argument::none};  ///< of an argument
   Parameter parameter{};              ///< of a parameter
-  std::size_t of{0};                  ///< of a deviation: number of the column that it belongs to
+  std::size_t of{0};                  ///< of a deviation: index of its measured column
   Scale scale;                        ///< of its cells
   std::string unit;                   ///< as typed
   std::string_view expected;          ///< SI unit, static lifetime
@@ -34,8 +34,8 @@ struct ColumnHeading {
   SourceMark mark;
 };
 
-/// The columns of a table of measurements, in their order; as read_measured_points() has it. Says what is wrong, and then
-/// the result means nothing.
+/// The columns of a table of measurements, in their order; see read_measured_points(). If something is wrong, adds
+/// errors, and the result is not valid.
 std::vector<MeasuredColumn> measured_columns(const std::vector<ColumnHeading>& headings,
                                              SourceMark begin, Diagnostics& diagnostics);
 

@@ -15,14 +15,14 @@
 
 namespace twum::studies {
 
-/// What a bench reads: a metric of the motor, or a part of the impedance of its free stator.
+/// A measured quantity: a metric of the motor, or a part of the impedance of its free stator.
 using Reading = std::variant<MetricRequest, CircuitPart>;
 
 /// As in a heading, such as "torque_at" or "conductance"; static lifetime.
 std::string_view name_of(const Reading& reading);
 /// Its SI unit; static lifetime.
 std::string_view unit_of(const Reading& reading);
-/// The same kind of number, whatever it was read at.
+/// Whether two readings are of the same quantity, at any speed or torque.
 bool same_kind(const Reading& a, const Reading& b);
 
 /// One number that was read.
@@ -31,9 +31,9 @@ struct MeasuredPoint {
   double value{0};      ///< SI
   double weight{1};     ///< of its squared residual
   double deviation{0};  ///< standard deviation, SI; 0: not given
-  std::vector<ParameterValue> set =
-      {};                ///< parameters that the bench had set, in place of the motor's
-  SourceMark cell{};     ///< where it stands in its table
+  /// parameters that were set on the bench, in place of the motor's
+  std::vector<ParameterValue> set = {};
+  SourceMark cell{};     ///< place of its cell in the table
   SourceMark heading{};  ///< of its column
   std::size_t table{0};  ///< number of its table among several
 };
@@ -51,20 +51,20 @@ struct MeasuredPoints {
 
 /// Reads a CSV file of measurements, units in the header; lines that begin with # are remarks. Columns are
 ///
-/// * `speed` or `torque`: what the bench sets, and metrics of a point such as electrical_power_at are read at;
-///   beside `speed`, `torque` is what it reads;
-/// * metrics by name, and conductance, susceptance, impedance and impedance_phase of a phase of the free stator: what
-///   it reads; an empty cell was not read where there is another;
-/// * `NAME_sd`: the standard deviation s of the column NAME, which gives the weight 1 / s^2; or `weight`;
-/// * parameters by name: what was set in place of the motor's.
+/// * `speed` or `torque`: the operating point that the bench sets, at which metrics such as electrical_power_at are
+///   read; beside `speed`, `torque` is a reading;
+/// * metrics by name, and conductance, susceptance, impedance and impedance_phase of a phase of the free stator:
+///   readings; a cell may be empty if its row has another reading;
+/// * `NAME_sd`: the standard deviation s of column NAME, which gives the weight 1 / s^2; or `weight`;
+/// * parameters by name: values that were set in place of the motor's.
 ///
 /// The weights have the mean 1.
 /// @throws FileError with everything that is wrong in it; InputError if it cannot be read.
 MeasuredPoints read_measured_points(const std::string& path);
 MeasuredPoints read_measured_points(const Source& source);
 
-/// The points of several files as one table. Points of several kinds are weighed by 1 / s^2 as it stands, others so that
-/// the weights have the mean 1.
+/// The points of several files as one table. Points of several kinds have the weight 1 / s^2; otherwise weights are
+/// scaled to the mean 1.
 /// @throws InputError if points of several kinds, or only some of the points, have no standard deviation
 MeasuredPoints joined(std::vector<MeasuredPoints> files);
 

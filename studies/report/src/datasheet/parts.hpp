@@ -16,10 +16,10 @@ namespace twum::studies::datasheet {
 /// Text that may stand anywhere in HTML or SVG.
 std::string escaped(std::string_view text);
 
-/// A place or a length in a drawing, two decimals.
+/// A coordinate or a length in a drawing, with two decimals.
 std::string place(double value);
 
-/// An SVG element with attributes in their order, and what stands in it as it is.
+/// An SVG element with attributes in their order and its content, unchanged.
 std::string element(std::string_view name,
                     std::initializer_list<std::pair<std::string_view, std::string>> attributes,
                     std::string_view content = "");
@@ -30,10 +30,11 @@ using Line = std::pair<std::string, std::string>;
 /// A list of names and values; empty without lines.
 std::string list(const std::vector<Line>& lines);
 
-/// A value in the unit that people use; efficiencies in per cent.
+/// A value in engineering units; efficiencies in per cent.
 std::string shown(double value, std::string_view unit, std::string_view name = {});
 
-/// The efficiency that a motor can be asked for: overall with modal data, of contact and stator with damping alone, else of the contact.
+/// The most complete efficiency that a motor has: overall with modal data, of contact and stator if only the damping
+/// is given, else of the contact.
 struct EfficiencyKind {
   const char* name;
   double (*value)(const OperatingPoint&);
@@ -52,7 +53,7 @@ std::vector<Line> performance(const Motor& motor);
 std::vector<Line> electrical(const Motor& motor);
 /// @}
 
-/// What the motor does at its rated point.
+/// The numbers of the motor at its rated point.
 std::vector<Line> rated_point(const MotorDesign& design, const OperatingPoint& rated);
 
 /// Every parameter in use.

@@ -23,8 +23,8 @@ enum class Detail : unsigned char {
   fields,  ///< and the fields in the contact along it
 };
 
-/// {"label", "design", "metrics", "speed": base64, ..., "one_slice_torque", "fields", "track"} of one motor; null if the
-/// values make no motor.
+/// {"label", "design", "metrics", "speed": base64, ..., "one_slice_torque", "fields", "track"} of one motor; null if
+/// the values are not those of a valid motor.
 Json curve_json(const MotorDesign& base, const DesignValues& values, const std::string& label,
                 Detail detail);
 

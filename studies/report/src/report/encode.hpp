@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-/// Bytes, and columns of numbers, as base64 of their little-endian bytes, which a browser turns into typed
-/// arrays without reading a digit; internal.
+/// Bytes, and columns of numbers, as base64 of their little-endian bytes, which a browser converts to typed arrays
+/// without parsing digits; internal.
 namespace twum::studies {
 
 std::string base64(std::string_view bytes);

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-/// How a page is put together; internal.
+/// Assembly of a page; internal.
 namespace twum::studies {
 
 /// JSON that may stand inside an HTML script element, whatever the names in it are.
@@ -21,7 +21,7 @@ struct HashedText {
 /// A template with style and script, and with the content security policy that admits them and no others.
 std::string dressed(std::string_view page, const HashedText& style, const HashedText& script);
 
-/// A page with its mark replaced. What goes in last is not searched for marks.
+/// A page with its mark replaced. The inserted text is not searched for marks.
 std::string filled(std::string_view page, std::string_view mark, std::string_view content);
 
 }  // namespace twum::studies

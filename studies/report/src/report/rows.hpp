@@ -15,9 +15,10 @@ namespace twum::studies {
 /// words, "status": base64 of which, "densities": densities_json() where some are left out, else null}.
 Json rows_json(const ResultStore& store);
 
-/// How many of all rows lie where, for pictures of more rows than a page holds: {"cells": n along either side, "ranges":
-/// [[lowest, highest] of each column], "counts": {"i,j": base64 of n * n counts of the columns i < j, that of i slower}}.
-/// A row without a number in one of two columns is not counted for them; a column of one value has no counts.
+/// Two-dimensional histograms of all rows, for pictures of more rows than a page holds: {"cells": n along either
+/// side, "ranges": [[lowest, highest] of each column], "counts": {"i,j": base64 of n * n counts of the columns i < j,
+/// that of i slower}}. A row without a number in one of two columns is not counted for them; a column of one value
+/// has no counts.
 Json densities_json(const ResultStore& store);
 
 /// Small torque-speed curves of these rows, of every k-th one where there are many: {"every",

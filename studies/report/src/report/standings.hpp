@@ -5,12 +5,12 @@
 
 #include <vector>
 
-/// What each limit does at a design, as the page tells it; internal.
+/// State of each limit at a design, as the page shows it; internal.
 namespace twum::studies {
 
-/// Every limit of a design, and every end of a range that it meets: first what binds, the most valuable first, then
-/// the others, those with the least room first. SI:
-/// {"text" of a limit or "variable" of an end of a range, "unit", "side": "at least" or "at most",
+/// Every limit of a design, and every end of a range that it meets: first the binding ones, the most valuable first,
+/// then the others, those with the least slack first. SI: {"text" of a limit or "variable" of an end of a range,
+/// "unit", "side": "at least" or "at most",
 ///  "state": "binds", "holds", "broken" or "unreachable", "limit", "value", "slack": how far it is from the limit,
 ///  "violation", "allowance": how far beyond the limit still keeps it,
 ///  "step": 1 % of the limit, "moved": the limit looser by the step, "multiplier", "worth": of the step [goal],

@@ -7,7 +7,7 @@
 
 #include <string>
 
-/// What pages know of parameters, metrics, units and materials; internal.
+/// Tables of parameters, metrics, units and materials for pages; internal.
 namespace twum::studies {
 
 /// {name: {"symbol", "unit", "text", "integer", "part", "entry": in the motor file, "min", "max", "typical": the example of
@@ -26,8 +26,8 @@ Json units_json();
 /// {material: {property: SI value}}
 Json materials_json();
 
-/// A motor as the designer keeps it: {"name", "values": {parameter: SI value} of what is stated, "branch", "inner_edge",
-/// "table": rows of the radial shape}
+/// A motor in the form of the interactive designer page: {"name", "values": {parameter: SI value} of what is stated,
+/// "branch", "inner_edge", "table": rows of the radial shape}
 Json stated_motor_json(const std::string& name, const MotorDesign& design);
 
 }  // namespace twum::studies

@@ -9,11 +9,13 @@
 
 namespace twum::studies {
 
-/// A parameter of a motor by which an answer may have a derivative. Whole numbers have none, and a parameter at 0 is mostly one
-/// that the motor does not have. Static friction keeps its ratio to the kinetic one, below which it may not be.
+/// Whether derivatives of an answer with respect to a parameter make sense. Integer parameters have none, and a
+/// parameter that is 0 usually belongs to a feature that the motor does not have. Static friction keeps its ratio to
+/// kinetic friction, below which it may not fall.
 bool may_move(const MotorDesign& motor, const ParameterInfo& row);
 
-/// How the estimates move with each parameter of the motor that the study holds fixed and that what was measured depends on.
+/// Derivatives of the estimates with respect to each parameter of the motor that the study holds fixed and on which
+/// the measured quantities depend.
 std::vector<Move> moves_of(const MeasuredFit& fit, const optim::LeastSquaresResult& best);
 
 }  // namespace twum::studies

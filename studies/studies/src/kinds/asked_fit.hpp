@@ -15,8 +15,8 @@ namespace twum::studies {
 /// The fit that a calibration asks for.
 struct AskedFit {
   MeasuredFit fit;
-  std::vector<std::string> notes;  ///< what is to be said of its points
-  /// Number of the column of each point, from 0, where each column has a scatter of its own; else empty.
+  std::vector<std::string> notes;  ///< notes on its points
+  /// Index of the column of each point if each column has a scatter of its own; else empty.
   std::vector<std::size_t> columns;
 };
 

@@ -13,18 +13,18 @@
 
 namespace twum::studies {
 
-/// The stage of rows that ask for the responses of a built motor. They are computed, but never stored.
+/// The stage of rows that request the responses of a built motor. They are computed but not stored.
 inline constexpr std::uint64_t kBuiltStage = ~std::uint64_t{0};
 
-/// robust_problem(), the responses of its built motors computed by the executor.
-/// @param name  what BuiltMotorRows knows the question by
+/// robust_problem() whose built motors are computed by the executor.
+/// @param name  identifies the question for BuiltMotorRows
 optim::RobustProblem shared_robust_problem(const RobustQuestion& question, std::vector<double> name,
                                            Executor& executor);
 
-/// The answers to the rows that such a problem asks for. Safe from any number of threads.
+/// Computes the rows that such a problem requests. Thread-safe.
 class BuiltMotorRows {
  public:
-  /// @param question  makes the question of a name
+  /// @param question  makes the question for a name
   explicit BuiltMotorRows(std::function<RobustQuestion(const std::vector<double>&)> question)
       : question_(std::move(question)) {}
 

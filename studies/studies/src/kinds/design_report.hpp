@@ -11,7 +11,7 @@
 
 namespace twum::studies {
 
-/// Puts designs of one question into words and SI numbers.
+/// Makes the reports on designs of one question.
 class DesignReporter {
  public:
   /// @param besides  parameters that were changed before the search, reported with each design
@@ -41,9 +41,9 @@ class DesignReporter {
 
   const DesignProblem& problem_;
   std::vector<Parameter> extra_parameters_;
-  std::vector<Parameter> chosen_;  // what the sets give, each once
+  std::vector<Parameter> chosen_;  // parameters given by the sets, each once
   std::vector<MetricExpression> metrics_;
-  std::vector<MotorLimit> limits_;  // those of the question, then those that follow
+  std::vector<MotorLimit> limits_;  // limits of the question, then those that follow
 };
 
 }  // namespace twum::studies

@@ -14,11 +14,11 @@
 
 namespace twum::studies {
 
-/// The designs of a sweep, each computed from its number alone, so that a million take no memory.
+/// The designs of a sweep. Each is computed from its number only, so that a million designs take no memory.
 ///
-/// grid: all combinations, the last variable fastest. list: the n-th value of every variable
-/// together. lhs and sobol: a point u of the unit cube, taken to the range of each variable, evenly in
-/// value or in its logarithm; of whole numbers and of listed values each has the same share of u.
+/// grid: all combinations, the last variable fastest. list: the n-th value of every variable together. lhs and sobol:
+/// a point u of the unit cube, mapped to the range of each variable on a linear or logarithmic scale; integers and
+/// listed values have equal shares of u.
 class DesignSampler {
  public:
   explicit DesignSampler(const SweepStudy& study);
@@ -26,13 +26,13 @@ class DesignSampler {
   const std::vector<Parameter>& variables() const noexcept { return variables_; }
   Sampling sampling() const noexcept { return sampling_; }
   std::uint64_t count() const noexcept { return count_; }
-  /// Of the random numbers; 0 if there are none.
+  /// Seed of the random numbers; 0 if there are none.
   std::uint64_t seed() const noexcept { return seed_; }
   /// Values of design `index` < count() [SI]; `design` has room for all variables.
   void design(std::uint64_t index, std::span<double> design) const;
 
  private:
-  // What one variable runs through: listed values, or a range.
+  // The values of one variable: a list or a range.
   struct Axis {
     std::vector<double> values;
     double min{0};

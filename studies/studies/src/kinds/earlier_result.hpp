@@ -16,8 +16,8 @@ using EarlierDesign = std::vector<ParameterValue>;
 /// @throws InputError if there is no summary, or no design in it
 std::vector<EarlierDesign> earlier_designs(const std::string& folder);
 
-/// The design to start from: of those that satisfy the limits the best by the first goal, else the one
-/// that breaks them least (each relative to its limit). Designs without an answer come last.
+/// The design to start from: the best by the first goal among those that meet the limits, else the one with the least
+/// violation relative to the limits. Designs without an answer come last.
 const EarlierDesign& best_start(const DesignProblem& problem,
                                 const std::vector<EarlierDesign>& designs);
 

@@ -8,24 +8,24 @@
 
 namespace twum::studies {
 
-/// Who computes the rows of a study: the threads of this process (ThreadExecutor), or those of all processes that were
-/// started for it (Processes::executor()). The kinds do not see which.
+/// Computes the rows of a study, on the threads of this process (ThreadExecutor) or of all processes that were
+/// started for it (Processes::executor()).
 class Executor {
  public:
   virtual ~Executor() = default;
   Executor(const Executor&) = delete;
   Executor& operator=(const Executor&) = delete;
 
-  /// How many rows can be computed at once: so many threads should ask.
+  /// How many rows can be computed at once; callers should use as many threads.
   virtual unsigned lanes() const = 0;
 
-  /// The rows asked for as StudyKindRun::recompute() has them, in order: all, or those before `proceed` said no. Waits for
-  /// them; safe from any number of threads.
-  /// @throws what recompute() throws, and Error if another process fails
+  /// Computes the requested rows by StudyKindRun::recompute() and returns them in order: all, or those before
+  /// `proceed` returned false. Blocks until they are done. Thread-safe.
+  /// @throws the exceptions of recompute(), and Error if another process fails
   virtual std::vector<StoredRow> rows(const std::vector<StoredRow>& asked,
                                       const std::function<bool()>& proceed) = 0;
 
-  /// One of them.
+  /// Computes one row.
   StoredRow row(const StoredRow& asked) {
     return std::move(rows({asked}, [] { return true; }).front());
   }
@@ -34,7 +34,7 @@ class Executor {
   Executor() = default;
 };
 
-/// Computes on the thread that asks.
+/// Computes on the calling thread.
 class ThreadExecutor final : public Executor {
  public:
   /// Keeps a reference.

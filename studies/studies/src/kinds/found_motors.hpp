@@ -12,7 +12,7 @@ namespace twum::studies {
 
 /// A motor that a study has found.
 struct FoundMotor {
-  std::string file;  ///< of its motor file in the result directory
+  std::string file;  ///< path of its motor file in the result directory
   std::string what;  ///< "best design", "point 3 of 20"
   MotorFile motor;
 };
@@ -24,15 +24,15 @@ std::string front_file(std::size_t number, std::size_t count);
 /// Motor file of one of several motors that fit equally well: "optima/02.yaml".
 std::string optimum_file(std::size_t number);
 
-/// The best design, the points of a front, the fitted motor; none of a study that was interrupted or
-/// found no answer.
+/// The best design, the points of a front, or the fitted motor; empty for a study that was interrupted or found no
+/// answer.
 std::vector<FoundMotor> found_motors(const StudyFile& file, const StudyResult& result);
 
 /// Text of its motor file.
 std::string found_motor_text(const FoundMotor& found, const StudyResult& result);
 
-/// model_notes() of what was found, or of the motor asked about, a sentence each; of several motors the
-/// one that is farthest off.
+/// model_notes() of the motors found, or of the motor of the study, one sentence each; of several motors, the most
+/// severe note on each topic.
 std::vector<std::string> notes_on(const StudyFile& file, const StudyResult& result);
 
 }  // namespace twum::studies

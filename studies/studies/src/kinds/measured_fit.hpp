@@ -16,72 +16,73 @@
 
 namespace twum::studies {
 
-/// The residuals of a calibration: what the motor gives less what was measured, times the root of the point's weight (L1.1);
-/// in the unit of the points if they are of one kind, else in standard deviations. What the bench sets, such as a speed, is
-/// exact; what it reads has the error. Constant, safe from any number of threads.
+/// The residuals of a calibration: computed minus measured values, times the root of the point's weight (L1.1). They
+/// are in the unit of the points if all are of one kind, else in standard deviations. Quantities that the bench sets,
+/// such as a speed, are taken as exact; readings have errors. Immutable and thread-safe.
 class MeasuredFit {
  public:
-  /// Residuals below this part of what was measured are rounding.
+  /// Residuals below this share of the measured values are rounding errors.
   static constexpr double kRounding = 1e-9;
 
   /// @param points  at least one
-  /// @throws ValueError as VariedParameters; InputError for a motor that is not admissible with what a point sets
+  /// @throws ValueError as VariedParameters; InputError for a motor that is not admissible with the parameters that a
+  ///          point sets
   MeasuredFit(const MotorDesign& motor, std::vector<DesignVariable> parameters,
               std::vector<MeasuredPoint> points, std::vector<DerivedParameter> derived = {});
 
-  /// The motor as it is, before anything is fitted.
+  /// The motor before the fit.
   const MotorDesign& motor() const noexcept { return motor_; }
   /// The motor with the parameters at these values.
   MotorDesign motor_at(std::span<const double> values) const { return varied_.motor(values); }
-  /// The fit estimates or derives the parameter or its twin, or a point sets it.
+  /// Whether the fit estimates or derives the parameter or its twin, or a point sets it.
   bool sets(Parameter parameter) const;
-  /// The same with further parameters varied, behind its own.
+  /// The same fit with further parameters varied, after its own.
   MeasuredFit varying(const std::vector<Parameter>& more) const;
-  /// The same with the residuals of each column in parts of a deviation.
-  /// @param columns     number of the column of each point
+  /// The same fit with the residuals of each column divided by a deviation.
+  /// @param columns     index of the column of each point
   /// @param deviations  of the columns, in units of the residuals
   MeasuredFit in_parts(const std::vector<std::size_t>& columns,
                        const std::vector<double>& deviations) const;
-  /// The same with other points.
+  /// The same fit with other points.
   MeasuredFit asking(std::vector<MeasuredPoint> points) const;
 
   const std::vector<DesignVariable>& parameters() const noexcept { return parameters_; }
   const std::vector<MeasuredPoint>& points() const noexcept { return points_; }
 
-  /// With the exact Jacobian. A motor without one of the numbers has a failure.
+  /// Residuals with the exact Jacobian. Fails if the motor has no value for one of the points.
   optim::Residuals residuals(std::span<const double> values) const;
   /// Root of the weighted mean square.
   double rms(std::span<const double> residuals) const;
   /// SI unit of residuals and their root mean square; "1" for points of several kinds.
   std::string unit() const;
-  /// The points are numbers of several kinds, such as torques and currents.
+  /// Whether the points are of several kinds, such as torques and currents.
   bool mixed() const { return mixed_; }
-  /// A root mean square that is rounding beside what was measured.
+  /// Whether a root mean square is within rounding errors of the measured values.
   bool exact(double rms) const { return rms <= kRounding * size(); }
-  /// Standard deviations were measured.
+  /// Whether the points have standard deviations.
   bool deviations_given() const { return points_.front().deviation > 0; }
-  /// Standard deviation of every residual, where those of the points were measured.
+  /// Standard deviation of every residual, if those of the points are given.
   double stated_deviation() const;
-  /// Root of the mean square of what was measured, in the unit of the residuals.
+  /// Root mean square of the measured values, in the unit of the residuals.
   double size() const;
 
   /// Parameters that follow from those of the fit, at values of these.
   std::vector<NamedValue> derived(std::span<const double> values) const;
 
-  /// Static to kinetic friction where the latter is estimated and takes the former along; otherwise 1.
+  /// Ratio of static to kinetic friction if the latter is estimated and the former follows it; otherwise 1.
   double static_ratio() const;
 
-  /// Parameters for least_squares(), to begin at some values; empty: where the study says, or at the
-  /// motor as it is, or in the middle.
+  /// Parameters for least_squares(), with these start values. If empty, they start as the study says, else at the
+  /// motor's value, else in the middle.
   std::vector<optim::Variable> variables(std::span<const double> start) const;
 
  private:
-  // Points that the same parameters were set for.
+  // Points with the same parameters set on the bench.
   struct Condition {
     std::vector<ParameterValue> set;
     VariedParameters varied;
     std::vector<std::size_t> points;      // their numbers
-    std::vector<MetricRequest> requests;  // of those that are metrics, in their order
+    std::vector<MetricRequest> requests;  // requests of the points that are metrics, in their order
   };
 
   Condition& condition_of(const MeasuredPoint& point, const std::vector<DerivedParameter>& derived);
@@ -92,7 +93,7 @@ class MeasuredFit {
   MotorDesign motor_;
   std::vector<DesignVariable> parameters_;
   std::vector<MeasuredPoint> points_;
-  VariedParameters varied_;  // of the motor as it is
+  VariedParameters varied_;  // varied parameters of the motor of the study
   std::vector<Condition> conditions_;
   bool mixed_{false};
 };

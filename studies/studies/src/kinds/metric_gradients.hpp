@@ -12,8 +12,8 @@
 
 namespace twum::studies {
 
-/// Exact derivatives of expressions by the varied parameters, the others held fixed (those that follow from
-/// them move along). Constant, safe from any number of threads.
+/// Exact derivatives of expressions with respect to the varied parameters, with the others fixed and the derived ones
+/// following. Immutable and thread-safe.
 class MetricGradients {
  public:
   MetricGradients(const std::vector<MetricExpression>& metrics, VariedParameters varied);

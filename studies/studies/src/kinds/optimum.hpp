@@ -8,18 +8,18 @@
 
 namespace twum::studies {
 
-/// What a search asks of the motors that are built to its design; nothing without tolerances.
+/// Tolerances of the built motors, and limits on their statistics; empty without tolerances.
 struct BuiltMotorsAsked {
   std::vector<Tolerance> tolerances;
   std::vector<StatisticLimit> statistics;
 };
 
-/// A search for one best design: what optimize and size share.
+/// A search for one best design, shared by optimize and size.
 class OptimumRun : public SearchRun {
  public:
   KindAnswer run(RunContext& context) override;
   std::optional<StoredRow> recompute(const StoredRow& asked) const override;
-  /// Under tolerances the certificate is one of the last round, which follows from the rows before it.
+  /// Under tolerances the certificate is that of the last round, which follows from the rows before it.
   std::optional<optim::Certificate> certify(std::span<const double> variables,
                                             std::span<const ParameterValue> design) const override;
 
@@ -35,7 +35,8 @@ class OptimumRun : public SearchRun {
   RobustQuestion question_named(const std::vector<double>& name) const;
   std::vector<std::vector<double>> combinations_at(const std::vector<double>& design) const;
 
-  DesignObjective goal_;  // of problem() it has what a search without tolerances looks for
+  // goal of the study; that of problem() is the goal of the search without tolerances
+  DesignObjective goal_;
   BuiltMotorsAsked built_;
   BuiltMotorRows motors_;
 };

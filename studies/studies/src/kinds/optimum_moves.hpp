@@ -7,10 +7,11 @@
 
 namespace twum::studies {
 
-/// Fills how an optimum moves with each parameter of the motor that its question holds fixed and that counts there (L5.2,
-/// L5.3), or why that cannot be said: `moving`, `moves` and `unmoved` of the result.
-/// @param question  with the sets of the optimum in its motor and the whole numbers held; one goal that is no statistic
-/// @param found     an optimum of it
+/// Computes the derivatives of an optimum with respect to each parameter that its question holds fixed and that has
+/// an influence (L5.2, L5.3), or the reason why there are none. Sets `moving`, `moves` and `unmoved` of the result.
+/// @param question  with the sets of the optimum in its motor and integer variables fixed; its one goal is not a
+///         statistic
+/// @param found     an optimum of the question
 void add_moves(const DesignProblem& question, const optim::Result& found, OptimizeResult& result);
 
 }  // namespace twum::studies

@@ -9,16 +9,16 @@
 
 namespace twum::studies {
 
-/// What a front under tolerances begins with.
+/// Input of a front under tolerances.
 struct RobustFrontBeginning {
   RobustQuestion question;
   const DesignProblem& asked;  ///< the same without tolerances
   DesignReporter reports;
-  optim::SolveOptions options;  ///< observer apart
-  std::uint64_t points{0};      ///< of the front, at most
+  optim::SolveOptions options;  ///< options without the observer
+  std::uint64_t points{0};      ///< largest number of points of the front
 };
 
-/// Searches the front; each of its points says its yield by new random motors.
+/// Searches the front. The yield of each point comes from new random motors.
 KindAnswer robust_front(const RobustFrontBeginning& beginning, RunContext& context);
 
 }  // namespace twum::studies

@@ -7,17 +7,18 @@
 
 namespace twum::studies {
 
-/// A robust search with a memory, as SearchLog is of a plain one. A row has the design and its metrics, as those of a plain
-/// search; its detail holds the round, the design with its reliability indices, and what the solver saw.
+/// Stores the evaluations of a robust search and answers from them, as SearchLog does for a plain search. A row has
+/// the design and its metrics, as in a plain search. Its detail holds the round, the design with its reliability
+/// indices, and the evaluation for the solver.
 class RobustLog {
  public:
   /// Keeps references to both.
-  /// @param chosen  numbers of the sets that the search holds, which follow the variables in a row
-  /// @param search  which of the searches of the study it is: their rounds and stages are apart
+  /// @param chosen  numbers of the fixed sets, which follow the variables in a row
+  /// @param search  index of this search in the study; searches have separate rounds and stages
   RobustLog(const DesignProblem& problem, std::vector<double> chosen, std::uint64_t search,
             RunContext& context);
 
-  /// The options of a search with this memory.
+  /// The options of a search with this log.
   optim::RobustOptions options(const optim::SolveOptions& solve);
 
  private:

@@ -12,28 +12,29 @@
 
 namespace twum::studies {
 
-/// A combination of whole numbers and sets, held.
+/// A fixed combination of integer variables and sets.
 struct RobustCandidate {
   RobustQuestion question;
-  std::vector<double>
-      design;  ///< with the rest as in the optimum without tolerances: where the search starts
+  /// start design; its other variables are those of the optimum without tolerances
+  std::vector<double> design;
 };
 
-/// What a robust search begins with.
+/// Input of a robust search.
 struct RobustBeginning {
-  std::vector<RobustCandidate>
-      candidates;              ///< at least one; that of the optimum without tolerances first
-  const DesignProblem& asked;  ///< nothing held, without tolerances
-  const MotorDesign& before;   ///< the motor as it was
+  /// at least one; the combination of the optimum without tolerances first
+  std::vector<RobustCandidate> candidates;
+  const DesignProblem& asked;  ///< the question with nothing fixed, without tolerances
+  const MotorDesign& before;   ///< the motor before the search
   DesignReporter reports;
   optim::SolveOptions options;              ///< of the plain search
   const optim::Result& nominal;             ///< the optimum without tolerances
-  std::vector<std::vector<double>> starts;  ///< best designs of other valleys
+  std::vector<std::vector<double>> starts;  ///< other local optima
 };
 
-/// Names the question of a candidate to BuiltMotorRows: its design, and whether the motor is that of the file instead.
+/// Identifies the question of a candidate for BuiltMotorRows: its design, and whether the motor is that of the file
+/// instead.
 std::vector<double> question_name(std::span<const double> design, bool before);
-/// The question of a candidate about the motor as it was.
+/// The question of a candidate about the motor before the search.
 RobustQuestion question_before(RobustQuestion question, const MotorDesign& before);
 
 /// Searches the best design under tolerances. Its rows follow those of the plain search. Each candidate is solved by first-order

@@ -9,18 +9,18 @@
 
 namespace twum::studies {
 
-/// What a robust optimum is compared with: the optimum without tolerances, or the motor as it was.
+/// Reference for a robust optimum: the optimum without tolerances, or the motor before the search.
 struct NominalMotors {
-  double objective{0};             ///< of it, SI; NaN: the goal has none
+  double objective{0};             ///< its goal, SI; NaN if it has no value
   std::vector<NamedValue> design;  ///< its variables
-  optim::Verification seen;        ///< motors built to it
+  optim::Verification seen;        ///< a sample of motors built to it
 };
 
 /// A robust optimum in words and SI numbers.
 RobustReport robust_report(const RobustQuestion& question, const optim::RobustProblem& posed,
                            const optim::RobustResult& found, const NominalMotors& nominal);
 
-/// Shares of the motors that were asked for.
+/// The yields and probabilities of the study.
 std::vector<RobustYield> yields_of(const optim::RobustProblem& posed,
                                    const optim::Verification& seen);
 
@@ -29,7 +29,7 @@ std::vector<NamedValue> wanted_statistics(const RobustQuestion& question,
                                           const optim::RobustProblem& posed,
                                           const optim::Verification& seen);
 
-/// The certificate of a round as one of the design: its margins stand for the limits, its indices are left out.
+/// The certificate of a round as one of the design: margins become limits, and the indices are left out.
 optim::Certificate design_certificate(optim::Certificate certificate,
                                       const optim::RobustProblem& posed);
 

@@ -13,8 +13,9 @@
 
 namespace twum::studies {
 
-/// Computes and stores what is missing of a stage of `count` rows that stage and index alone decide, in order, on all lanes of
-/// the executor; memory does not grow with the rows. `offset` is added to the progress shown, out of `total`.
+/// Computes and stores the missing rows of a stage of `count` rows, in order, on all lanes of the executor. Stage and
+/// index determine a row. Memory does not grow with the rows. `offset` is added to the progress shown, out of
+/// `total`.
 /// @return true if the stage is complete, false if the run was asked to stop
 bool store_rows(RunContext& context, std::uint64_t stage, std::uint64_t count,
                 std::uint64_t offset = 0, std::uint64_t total = 0);

@@ -15,7 +15,7 @@
 
 namespace twum::studies {
 
-/// Stages from here on are those of a search under tolerances; see robust_log.hpp.
+/// First stage of searches under tolerances; see robust_log.hpp.
 inline constexpr std::uint64_t kRobustStages = 1'000'000;
 
 /// @name Stages of a search that goes on with `auto` of some nodes a panel
@@ -33,15 +33,16 @@ constexpr int nodes_of_stage(std::uint64_t stage) {
 }
 /// @}
 
-/// What a solver saw (responses, Jacobian, kinks) as the detail of a row, and whether it asked for derivatives.
+/// An evaluation for a solver (responses, Jacobian, kinks) and whether derivatives were requested, as the detail of a
+/// row.
 std::string evaluation_bytes(const optim::Evaluation& evaluation, std::size_t variables,
                              bool gradient);
-/// The evaluation that a row holds.
+/// The evaluation in a row.
 optim::Evaluation evaluation_of(const StoredRow& row);
 
-/// How the evaluations of a search stand in the store: one row each, its variables, the numbers of its sets, then every
-/// distinct metric of the question. A metric at a load that the motor cannot carry has no value there,
-/// and the row is no failure: the design is infeasible. The detail is evaluation_bytes().
+/// Storage format of a search's evaluations. Each is one row with its variables, the numbers of its sets, and every
+/// distinct metric of the question. A metric at a load that the motor cannot carry has no value. Such a row is not a
+/// failure: the design is infeasible. The detail is evaluation_bytes().
 class SearchRows {
  public:
   explicit SearchRows(const DesignProblem& problem);
@@ -54,16 +55,16 @@ class SearchRows {
   /// Whether a row answered, or asks for, derivatives as well: see key().
   bool asked_gradient(const StoredRow& row) const;
 
-  /// Names a question to the evaluator: the bits of the design, and whether derivatives were wanted.
+  /// Identifies a request to the evaluator: the bits of the design, and whether derivatives were requested.
   static std::string key(std::span<const double> design, bool gradient);
 
  private:
   void append_derived(std::span<const double> design, StoredRow& row) const;
 
   struct MetricColumn {
-    /// A load that the metric is asked at.
+    /// A load in the argument of a metric.
     struct Load {
-      std::size_t response;  ///< of the limit "max_torque >= load"
+      std::size_t response;  ///< index of the limit "max_torque >= load"
       double torque;         ///< [N m]
     };
     std::size_t response;
@@ -83,9 +84,8 @@ class SearchRows {
   std::vector<MetricColumn> metrics_;
 };
 
-/// One search with a memory: every evaluation becomes a row, and an evaluation that is a row already
-/// is not made again. A search is a function of its question, so that it goes the same way
-/// through the stored rows, and on from where they end.
+/// Stores every evaluation of a search as a row, and answers from the stored rows. A search depends on its question
+/// only, so a repeated search takes the same path through the stored rows and continues after them.
 class SearchLog {
  public:
   /// Keeps references to both.
@@ -97,8 +97,8 @@ class SearchLog {
   /// @param budget  evaluations that the search may take
   optim::Observer observer(std::uint64_t budget);
 
-  /// The best feasible design of each run of a solver, the best first, those near a better one left out; of a search for one
-  /// goal.
+  /// The best feasible design of each solver run, the best first, without those near a better one; for a search with
+  /// one goal.
   std::vector<std::vector<double>> valleys() const;
 
  private:

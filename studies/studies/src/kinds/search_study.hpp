@@ -14,7 +14,7 @@
 
 namespace twum::studies {
 
-/// What optimize, size and pareto share: a question about a motor, a solver, a start.
+/// Base of optimize, size and pareto: a question about a motor, a solver, a start.
 class SearchRun : public StudyKindRun {
  public:
   std::vector<StoredColumn> columns() const override { return SearchRows(problem_).columns(); }
@@ -30,20 +30,20 @@ class SearchRun : public StudyKindRun {
                                             std::span<const ParameterValue> design) const override;
 
  protected:
-  /// @param asked  the question but for the motor, which is the file's
+  /// @param asked  the question without the motor, which is that of the file
   /// @param start  result directory to start from, as typed; empty: none
   SearchRun(const StudyFile& file, DesignProblem asked, optim::SolveOptions options,
             const std::string& start);
 
-  /// The options with what the run decides.
+  /// The options with the entries that the run sets.
   optim::SolveOptions options(SearchLog& log, const RunContext& context) const;
-  /// The same for a search that tells its evaluations itself.
+  /// The same for a search that reports its evaluations itself.
   optim::SolveOptions options(const RunContext& context) const;
-  /// A design's certificate with these goals and limits, by the study's options; whole numbers are held.
+  /// A design's certificate with these goals and limits and the study's options; integer variables are fixed.
   optim::Certificate certificate(const DesignProblem& asked, std::span<const double> design) const;
   DesignReporter reporter() const { return {problem_, extra_parameters_}; }
-  /// @name The slices of a motor whose file leaves them to `auto`, in a search that does not vary them
-  /// A number that changes with the design makes steps that a certificate sees: a search has one number.
+  /// @name Number of slices of a motor whose file says `auto`, in a search that does not vary it. A number that
+  ///         changes with the design would make steps that the certificate detects, so a search uses one number.
   /// @{
   bool counts_slices() const { return counts_slices_; }
   /// As Motor::radial_slices().
@@ -61,7 +61,7 @@ class SearchRun : public StudyKindRun {
   static std::string outcome(optim::Outcome outcome, const RunContext& context);
 
  private:
-  // Made by the first who asks: not every question can be posed.
+  // Made at the first use, because it throws for a question that has no meaning.
   struct Answers {
     SearchRows rows;
     MotorResponses motors;
@@ -75,9 +75,9 @@ class SearchRun : public StudyKindRun {
 
   DesignProblem problem_;
   MotorDesign before_;        // the motor of the file, its slices those of the search
-  std::string limits_entry_;  // where a study of this kind has its limits
-  std::vector<Parameter>
-      extra_parameters_;  // not variables here: changed by the start, or counted slices
+  std::string limits_entry_;  // entry with the limits in a study of this kind
+  // parameters that are not variables: changed by the start, or the number of slices
+  std::vector<Parameter> extra_parameters_;
   bool counts_slices_;
   int first_slices_;
   optim::SolveOptions options_;

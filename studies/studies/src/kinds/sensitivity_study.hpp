@@ -8,7 +8,7 @@
 
 namespace twum::studies {
 
-/// What the methods of a sensitivity study share: entries, rows, and the frame of the answer.
+/// Base of the methods of a sensitivity study: entries, rows, and the common part of the answer.
 class SensitivityRun : public StudyKindRun {
  public:
   std::vector<StoredColumn> columns() const override { return evaluator_.columns(); }
@@ -19,9 +19,9 @@ class SensitivityRun : public StudyKindRun {
 
   /// The answer without numbers.
   SensitivityResult frame(const char* method) const;
-  /// Says why, if too many samples of a metric failed for effects to mean anything.
+  /// If too many samples of a metric failed, sets its note and returns true.
   static bool refused(MetricSensitivity& metric, const char* sample);
-  /// "failed" if no metric has an answer for a want of values.
+  /// "failed" if no metric has an answer because values are missing.
   static std::string outcome(const SensitivityResult& result, bool complete);
 
   MotorDesign base_;

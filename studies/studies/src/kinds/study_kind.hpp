@@ -20,28 +20,29 @@ namespace twum::studies {
 
 class Executor;
 
-/// What a kind works with.
+/// Environment of a running study.
 struct RunContext {
   ResultStore& store;
-  Executor& executor;    ///< who computes its rows
-  std::stop_token stop;  ///< a request: finish what is in flight, and return with what there is
+  Executor& executor;  ///< computes the rows
+  /// on a request, finish the current evaluations and return the results so far
+  std::stop_token stop;
   std::function<void(const RunProgress&)> progress;  ///< may be called from any thread, cheap
 };
 
-/// What an evaluation costs, and how many the budget allows.
+/// Cost of an evaluation, and the number that the budget allows.
 struct Pace {
-  double seconds;             ///< of one evaluation with derivatives, measured [s]
+  double seconds;             ///< measured time of one evaluation with derivatives [s]
   std::uint64_t evaluations;  ///< at most
 };
 
-/// What a kind answers.
+/// Answer of a study kind.
 struct KindAnswer {
   std::string outcome;  ///< as StudyResult::outcome
   Answer answer;
 };
 
-/// One kind of study, made from a validated study file. Stores every evaluation as a row of
-/// columns(); on a store that already holds rows it goes on from there and ends with the same answer.
+/// One kind of study, made from a validated study file. Stores every evaluation as a row of columns(). On a store
+/// that already holds rows, it continues from there and gives the same answer.
 class StudyKindRun {
  public:
   virtual ~StudyKindRun() = default;
@@ -53,25 +54,24 @@ class StudyKindRun {
   /// How many of the columns are variables.
   virtual std::size_t variables() const = 0;
   virtual std::uint64_t seed() const { return 0; }
-  /// How long the kind may go on; nothing where what it evaluates is known beforehand.
+  /// How long the study may take; nothing if the number of evaluations is known beforehand.
   virtual std::optional<Pace> pace() const { return {}; }
-  /// What to know before one believes the answer, a sentence each without a full stop.
+  /// Reasons to doubt the answer, one sentence each without a full stop.
   virtual std::vector<std::string> notes() const { return {}; }
-  /// What to know before it runs, likewise; afterwards the answer speaks for itself.
+  /// Notes to show only before the run, likewise.
   virtual std::vector<std::string> notes_before() const { return {}; }
   /// @throws StoreError
   virtual KindAnswer run(RunContext& context) = 0;
 
-  /// A row by itself: values, status and detail, computed from the study and from the row's variables (the first
-  /// variables() of its values). run() has its rows from here, on any thread or in another process (Executor), and
-  /// `twum verify` compares them with those stored. Where stage and index alone decide the variables (sweep, samples) those
-  /// of the row are not looked at. Looks at no other row and not at the other values. Columns without a value are NaN.
-  /// Nothing: this row cannot be computed by itself.
-  /// Constant, safe from any number of threads; never throws for a design.
+  /// Computes one row, with values, status and detail, from the study and the row's variables (the first variables()
+  /// of its values) only. run() gets its rows from here, on any thread or in another process (Executor), and `twum
+  /// verify` compares them with the stored ones. If stage and index determine the variables (sweep, samples), those
+  /// of the row are ignored. Columns without a value are NaN. Nothing if the row cannot be computed without other
+  /// rows. Thread-safe; never throws for a design.
   virtual std::optional<StoredRow> recompute(const StoredRow& asked) const;
-  /// The certificate of a design (its variables in their order, SI) as a solution of this study, for
-  /// `twum verify`: feasibility and stationarity measured again. Nothing: this kind has no optimum.
-  /// @param design  all that the report says of the design, the variables included
+  /// The certificate of a design (its variables in their order, SI) as a solution of this study, for `twum verify`:
+  /// feasibility and stationarity computed again. Nothing if this kind has no optimum.
+  /// @param design  all values in the report of the design, including the variables
   virtual std::optional<optim::Certificate> certify(std::span<const double> variables,
                                                     std::span<const ParameterValue> design) const;
 
@@ -87,8 +87,8 @@ inline std::optional<optim::Certificate> StudyKindRun::certify(
   return {};
 }
 
-/// The runner of what a file asks. It reads the files that the study names.
-/// @throws FileError or InputError for what only a look at such a file shows
+/// The runner for a study file. It reads the files that the study names.
+/// @throws FileError or InputError for errors in these files
 std::unique_ptr<StudyKindRun> make_kind(const StudyFile& file);
 
 }  // namespace twum::studies

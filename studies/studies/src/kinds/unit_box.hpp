@@ -8,8 +8,8 @@
 
 namespace twum::studies {
 
-/// Takes points of the unit cube to the ranges of variables, evenly or in the logarithm. A parameter of
-/// whole numbers takes each of its values on the same share.
+/// Maps points of the unit cube to the ranges of variables, on a linear or logarithmic scale. The values of an
+/// integer parameter have equal shares.
 class UnitBox {
  public:
   explicit UnitBox(std::vector<DesignVariable> ranges) : ranges_(std::move(ranges)) {}
@@ -18,9 +18,9 @@ class UnitBox {
   std::vector<Parameter> parameters() const;
   /// SI values of a point.
   std::vector<double> values(std::span<const double> unit) const;
-  /// The coordinates themselves, or those of the whole numbers that they stand for.
+  /// The coordinates, rounded to those of integers where the parameter is an integer.
   std::vector<double> coordinates(std::span<const double> unit) const;
-  /// Derivative of a variable's value by its coordinate; NaN of a whole number.
+  /// Derivative of a variable's value with respect to its coordinate; NaN for an integer.
   double slope(std::size_t variable, double value) const;
 
  private:

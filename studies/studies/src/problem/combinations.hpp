@@ -11,10 +11,10 @@ namespace twum::studies {
 
 /// A question for each combination of the choices, with their sets in its motor and nothing left to choose; the question
 /// itself if there is no choice. The set of the first choice changes fastest.
-/// @throws InputError if the sets of a combination do not make a motor
+/// @throws InputError if the sets of a combination do not give a valid motor
 std::vector<DesignProblem> combinations(const DesignProblem& problem);
 
-/// Which of them a design belongs to.
+/// Index of the combination of a design.
 std::size_t combination_of(const DesignProblem& problem, std::span<const double> design);
 
 /// The variables of a question with derived parameters.

@@ -9,8 +9,8 @@
 
 namespace twum::studies {
 
-/// Values of expressions, with derivatives in every parameter in use if `gradient`. A metric asked at a load that the motor
-/// cannot carry is taken at kReachable times the largest torque, if it has one.
+/// Values of expressions, with derivatives in every parameter in use if `gradient`. A metric at a load that the motor
+/// cannot carry is evaluated at kReachable times the largest torque, if there is one.
 /// @{
 std::vector<MetricDerivative> metric_values(const Motor& motor,
                                             const ExpressionEvaluator& expressions, bool gradient,
@@ -20,8 +20,8 @@ std::vector<MetricDerivative> metric_values(const Motor& motor,
                                             bool gradient, bool fixed_static_friction);
 /// @}
 
-/// Share of the largest torque that stands for a load out of reach: near enough to lead back into
-/// reach, far enough from the maximum for speed_at to have a slope.
+/// Share of the largest torque that replaces a load that cannot be reached. It is close enough to lead a search back,
+/// and far enough from the maximum for speed_at to have a derivative.
 inline constexpr double kReachable = 0.999;
 
 }  // namespace twum::studies

@@ -10,21 +10,21 @@
 
 namespace twum::studies {
 
-/// A limit that follows from what a question asks.
+/// A limit that follows from the metrics and variables of a question.
 struct ImpliedLimit {
   std::string name;
   std::optional<double> load;  ///< max_torque >= load [N m]; otherwise static >= kinetic friction
 };
 
-/// The loads [N m] that an expression asks a metric at.
+/// The loads [N m] in the arguments of an expression's metrics.
 std::vector<double> loads_of(const MetricExpression& metric);
 
 std::vector<ImpliedLimit> implied_limits(const DesignProblem& problem);
 
-/// Responses of one motor and their Jacobian, where nothing is left to choose.
+/// Responses of a motor and their Jacobian for one combination of sets.
 class CombinationResponses {
  public:
-  /// @param implied  those of the whole question: the same for each combination
+  /// @param implied  implied limits of the whole question, the same for each combination
   CombinationResponses(DesignProblem problem, std::vector<ImpliedLimit> implied);
 
   /// @param design  values of the variables
@@ -44,14 +44,15 @@ class CombinationResponses {
   DesignProblem problem_;
   VariedParameters varied_;
   std::vector<ImpliedLimit> implied_;
-  std::vector<MetricExpression> responses_;  // all but the friction order, which comes last
-  ExpressionEvaluator evaluator_;            // of these
+  // all except the order of the friction coefficients, which comes last
+  std::vector<MetricExpression> responses_;
+  ExpressionEvaluator evaluator_;  // of these
 };
 
-/// motor_problem() without the check that it can be solved: it may lack an objective.
+/// motor_problem() without the check for an objective.
 optim::Problem posed_problem(const DesignProblem& problem);
 
-/// The evaluator of motor_problem(): responses of the combination that a design names.
+/// The evaluator of motor_problem(): selects the combination of a design and computes its responses.
 class MotorResponses {
  public:
   explicit MotorResponses(DesignProblem problem);

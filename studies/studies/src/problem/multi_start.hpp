@@ -5,9 +5,10 @@
 
 namespace twum::studies {
 
-/// optim::solve(), and for a local solver with a name the best of `options.starts` runs as well: the
-/// first from the problem's start, the others from a low-discrepancy sequence, within one budget. Of
-/// answers that are equal up to the solvers' accuracy the first counts. Then optim::look_further() looks for a better valley.
+/// optim::solve() with several starts also for a local solver chosen by name: the best of `options.starts` runs, the
+/// first from the problem's start, the others from a low-discrepancy sequence, within one budget. Of answers that are
+/// equal within the solvers' accuracy the first is taken. Then optim::look_further() searches for a better local
+/// optimum.
 optim::Result solve_from_starts(const optim::Problem& problem, const optim::SolveOptions& options);
 
 }  // namespace twum::studies

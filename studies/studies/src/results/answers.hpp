@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-/// What each kind of answer adds to summary.json and to the terminal's summary; internal.
+/// Parts of summary.json and of the terminal's summary for each kind of answer; internal.
 namespace twum::studies {
 
 using Json = nlohmann::ordered_json;
@@ -19,7 +19,7 @@ inline Json number_json(double value) { return std::isfinite(value) ? Json(value
 /// The content of summary.json.
 Json summary_value(const StudyResult& result);
 
-/// Entries that are added to it, in their order.
+/// Entries of an answer in summary.json, in their order.
 Json answer_json(const CurveResult& result);
 Json answer_json(const FrequencyResult& result);
 Json answer_json(const SweepResult& result);

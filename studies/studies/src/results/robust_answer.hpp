@@ -21,7 +21,7 @@ Json robust_yield_json(const RobustYield& yield);
 std::string yield_words(const RobustYield& yield);
 /// {target, yield, nominal, price, limits, tolerances, rounds, correction, largest_yield, densities ...}
 Json robust_json(const RobustReport& report);
-/// Yield, price, where the risk goes and what tolerances cost, for the terminal.
+/// Yield, price, contributions to the risk, and value of tolerances, for the terminal.
 std::string robust_words(const RobustReport& report, const Goal& goal);
 
 }  // namespace twum::studies

@@ -13,7 +13,7 @@
 
 namespace twum::studies {
 
-/// Counts rows failed or incomplete by reason, and where the variables were.
+/// Counts failed or incomplete rows by reason, with the ranges of their variables.
 class FailureCount {
  public:
   /// @param variables  the first columns of the rows
@@ -27,12 +27,11 @@ class FailureCount {
   std::map<std::string, FailureRegion> by_reason_;
 };
 
-/// The rows of a store as the text of a CSV table, and the failures among them, in one pass.
-/// Columns are "name [unit]" in SI, or "name" where words stand for the values, a stage where there is more than one, and the
-/// status.
+/// Writes the rows of a store as a CSV table and counts the failures in one pass. Columns are "name [unit]" in SI, or
+/// "name" for words; a stage if there is more than one; and the status.
 /// @param columns    those of the store, with their words
 /// @param variables  how many of them are variables
-/// @param put  takes the text piece by piece
+/// @param put  receives the text piece by piece
 FailureCount write_rows(const ResultStore& store, const std::vector<StoredColumn>& columns,
                         std::size_t variables, const std::function<void(std::string_view)>& put);
 

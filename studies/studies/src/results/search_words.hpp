@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// What the answers of optimize, size and pareto have in common; internal.
+/// Common parts of the answers of optimize, size and pareto; internal.
 namespace twum::studies {
 
 Json values_json(const std::vector<NamedValue>& values);
@@ -29,7 +29,7 @@ Json relaxation_json(const Explanation& explanation);
 std::string choice_words(const std::vector<ChosenSet>& choice);
 /// "largest peak_power", "smallest max_pressure"
 std::string goal_words(const Goal& goal);
-/// "+1.2 W"; "nothing" where the change is none.
+/// "+1.2 W"; "nothing" for no change.
 std::string change_words(double value, const std::string& unit);
 /// "at its largest"
 std::string end_words(const BoundState& bound);
@@ -37,7 +37,7 @@ std::string end_words(const BoundState& bound);
 std::string enumeration(const std::vector<std::string>& names);
 /// The limits that are impossible alone, those that exclude each other, and the smallest changes that help.
 std::string relaxation_words(const Explanation& explanation);
-/// What the certificate found out of the ordinary, a line each.
+/// The findings of a certificate, one line each.
 std::string finding_words(const optim::Certificate& certificate);
 /// The value of a name; NaN if it is not there.
 double value_of(const std::vector<NamedValue>& values, const std::string& name);

@@ -7,7 +7,7 @@
 
 namespace twum::studies {
 
-/// A summary.json as it was written.
+/// The content of a summary.json.
 /// @throws StoreError if it cannot be read or is no JSON object
 nlohmann::ordered_json stored_summary(const std::string& path);
 

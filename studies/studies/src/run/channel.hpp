@@ -11,10 +11,10 @@ namespace twum::studies {
 /// Waiting costs next to no processor time.
 class Channel {
  public:
-  /// Joins the others, and waits for them.
+  /// Joins the other processes and waits for them.
   /// @throws InputError if this build has no MPI
   Channel();
-  /// Waits for the others to do the same.
+  /// Waits until all processes have left.
   ~Channel();
   Channel(const Channel&) = delete;
   Channel& operator=(const Channel&) = delete;
@@ -23,7 +23,7 @@ class Channel {
   unsigned count() const noexcept;    ///< of all processes
   unsigned on_node() const noexcept;  ///< processes on this machine, this one among them
 
-  /// Waits until the message is on its way.
+  /// Returns when the message has been handed over.
   void send(unsigned to, int lane, const std::string& message);
   /// Waits for a message.
   std::string receive(unsigned from, int lane);

@@ -15,12 +15,11 @@ namespace twum::studies {
 using PageOf = std::string (*)(const StudyFile& study, const std::string& text,
                                const StudyResult& result, const ResultStore& store);
 
-/// run_study() in a directory, with the page that a layer above makes.
+/// run_study() in a directory. `page` makes the report, which is code of a higher layer.
 StudyResult keep_study(const StudyFile& file, const std::string& directory,
                        const RunOptions& options, PageOf page);
 
-/// What a study's record says of an answer: counts, notes and failures of the rows that it stands on.
-/// Without name, hash and times.
+/// The result for an answer: counts, notes and failures of its rows, without name, hash and times.
 StudyResult result_of(const StudyFile& file, const StudyKindRun& kind, const ResultStore& store,
                       KindAnswer answer);
 void set_failures(StudyResult& result, const FailureCount& failures);

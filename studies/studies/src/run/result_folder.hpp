@@ -9,11 +9,11 @@
 
 namespace twum::studies {
 
-/// The directory that a study's results are in, held by one process at a time.
+/// The directory of a study's results, locked by one process at a time.
 class ResultFolder {
  public:
-  /// Makes the directory if there is none, and takes it.
-  /// @throws StoreError if it cannot be made or another process has it
+  /// Creates the directory if necessary, and locks it.
+  /// @throws StoreError if it cannot be created, or if another process has locked it
   explicit ResultFolder(std::string path);
   ~ResultFolder();
   ResultFolder(const ResultFolder&) = delete;
@@ -22,25 +22,23 @@ class ResultFolder {
   std::string file(std::string_view name) const;
   bool has(std::string_view name) const;
   bool has_database() const { return has(kDatabase); }
-  /// @throws StoreError if its database is empty although a study had begun: nobody made it so on purpose
+  /// @throws StoreError if its database is empty although a study had begun, which is damage
   void check_not_emptied() const;
 
-  /// @throws InputError if there are files named like results, those of a front included, but no
-  ///         database of ours with them: they are someone else's, and nothing may write over them;
-  ///         or a file where the folder of a front has to be.
+  /// @throws InputError if there are files named like results, but no database of twum: they must not be overwritten.
+  ///         Also if there is a file where the folder of a front has to be.
   void check_ours() const;
   /// Removes the results, and nothing else.
   void discard() const;
 
-  /// Writes a file whole or not at all: beside its place, then to it.
-  /// @param fill  hands over the content piece by piece
+  /// Writes a file completely or not at all: writes a temporary file and renames it.
+  /// @param fill  passes on the content piece by piece
   /// @throws StoreError naming the file and the reason
   void write(std::string_view name,
              const std::function<void(const std::function<void(std::string_view)>&)>& fill);
   void write(std::string_view name, const std::string& content);
 
-  /// @throws StoreError if its path leads elsewhere by now, or a file that was written is gone or has
-  ///         another size
+  /// @throws StoreError if the directory was moved, or if a file that was written is missing or has another size
   void check_in_place() const;
 
   static constexpr std::string_view kDatabase = "results.db";

@@ -18,7 +18,7 @@ class SharedExecutor final : public Executor {
   /// A thread of another process.
   struct Lane {
     unsigned process;
-    int number;  ///< of its lane of the channel
+    int number;  ///< number of its lane in the channel
     std::size_t at_a_time{1};
   };
 
@@ -41,11 +41,12 @@ class SharedExecutor final : public Executor {
   std::vector<Lane> elsewhere_;
   std::mutex mutex_;  // guards what follows
   std::condition_variable returned_;
-  std::vector<std::size_t>
-      free_;  // of `elsewhere`; from its size on they are threads of this process
+  // indices into `elsewhere`; from its size on, threads of this process
+  std::vector<std::size_t> free_;
 };
 
-/// The other end of a lane: the answer to a message of a SharedExecutor. An exception becomes a text, which is thrown there.
+/// The answer to a message of a SharedExecutor, at the other end of a lane. An exception is sent as a text and thrown
+/// there.
 std::string answer_of(const std::string& message, ThreadExecutor& executor);
 
 }  // namespace twum::studies

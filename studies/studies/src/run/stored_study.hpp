@@ -29,8 +29,8 @@ class ScratchFolder {
   std::string path_;
 };
 
-/// The result of a study, read again from its directory, which nobody may write to meanwhile. Rows are
-/// read from a copy of the database, so nothing changes where it lies.
+/// The result of a study, read from its directory, which must not change meanwhile. Rows are read from a copy of the
+/// database, so nothing changes in the directory.
 class StoredStudy {
  public:
   /// @throws InputError if the directory holds no result; StoreError if the result is damaged
@@ -45,7 +45,7 @@ class StoredStudy {
   bool interrupted() const { return summary_.value("outcome", "") == "interrupted"; }
   std::string text() const;  ///< content of study.yaml
 
-  /// What the kind makes of the stored rows.
+  /// The answer that the study kind derives from the stored rows.
   /// @throws InputError if the study was interrupted; StoreError if rows are missing
   StudyResult answer();
 

@@ -20,7 +20,7 @@ Field<S> choose_field() {
   return hidden(optional<S>("choose", choices(), &S::choose, "none"));
 }
 
-/// A file of a set, where it stands below `study:`.
+/// A file of a set, and its place below `study:`.
 struct SetFile {
   std::size_t choice;  ///< position of its choice
   std::size_t set;     ///< position in the choice
@@ -29,7 +29,7 @@ struct SetFile {
   YamlNode* path;      ///< the path
 };
 
-/// The files that a study's `choose` names; those of items that are no path are left out.
+/// The files that a study's `choose` names; items that are not paths are left out.
 std::vector<SetFile> set_files(YamlNode& study);
 
 }  // namespace twum::studies::shapes

@@ -13,13 +13,13 @@
 /// Entries that several kinds of study have; internal.
 namespace twum::studies::shapes {
 
-/// Variables in a file to start from.
+/// Variables in a template.
 inline constexpr const char* kRanges =
     "amplitude: {min: 0.8 um, max: 2.2 um}\n"
     "preload: {min: 60 N, max: 300 N}\n"
     "thickness: {min: 0.1 mm, max: 1 mm, scale: log}";
 
-/// `kind:` with the one word that a study of type S has there.
+/// `kind:` with the word for a study of type S.
 template <typename S>
 Field<S> kind_field() {
   return selector<S>("kind", "what the study asks", std::string(S::kName));
@@ -33,7 +33,7 @@ Shape<std::uint64_t> seed();
 Shape<std::string> folder();  ///< result directory of another study
 Shape<double> value_of(const ParameterInfo& parameter);
 
-/// A metric or a statistic to be large or small.
+/// A metric or a statistic to maximize or minimize.
 Shape<DesignObjective> wanted(std::string text, bool maximize, std::string example = "peak_power");
 
 /// {maximize: METRIC} or {minimize: METRIC}, or a statistic: two fields of which one is needed.
@@ -56,13 +56,13 @@ std::vector<Field<T>> goal(DesignObjective T::*member) {
                 "maximize", false)};
 }
 
-/// Says what is wrong with the number of parameters in a mapping.
+/// Adds errors on the number of parameters in a mapping.
 using CountCheck = void (*)(const YamlNode& node, const Spot& spot, Diagnostics& diagnostics);
 void needs_one(const YamlNode& node, const Spot& spot, Diagnostics& diagnostics);
 
 /// A mapping from parameters, by name or symbol, to something whose shape depends on the parameter.
 /// V has a member `parameter`.
-/// @param sample  lines for a file to start from
+/// @param sample  lines for a template
 template <typename V>
 Shape<std::vector<V>> by_parameter(std::function<Shape<V>(const ParameterInfo&)> shape_of,
                                    std::string text, std::string sample,
@@ -138,7 +138,7 @@ bool rising(const Given& given, const char* low, double low_value, const char* h
             double high_value, Diagnostics& diagnostics);
 /// A logarithmic scale needs min > 0.
 void check_log(const Given& given, double min, Diagnostics& diagnostics);
-/// Columns and limits stand in a list once each.
+/// Columns and limits may occur only once in a list.
 void check_repeats(const Given& given, Diagnostics& diagnostics);
 /// @}
 

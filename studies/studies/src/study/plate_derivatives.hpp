@@ -7,9 +7,9 @@
 
 namespace twum::studies {
 
-/// Says which variables of a study that takes derivatives have none beside a geometry of the stator: a radius that begins where
-/// another one stands, which is not derived from it, and the number of wavelengths.
-/// @param root  of the study's file
+/// Adds errors for variables of a gradient-based study that have no derivative in a motor with a geometry: the number
+/// of wavelengths, and a radius that starts at the value of another one and is not derived from it.
+/// @param root  root of the study's file
 void check_plate_derivatives(const Study& study, const MotorDesign& motor, const YamlNode& root,
                              Diagnostics& diagnostics);
 

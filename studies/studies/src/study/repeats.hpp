@@ -9,16 +9,15 @@
 
 namespace twum::studies {
 
-/// Finds what stands in a list for the second time, in a time that grows with the list's length only
-/// as sorting does.
+/// Finds repeated items of a list in n log n time.
 class Repeats {
  public:
   /// @param path    of the list, such as "study.limits"
-  /// @param remedy  what to do about it
+  /// @param remedy  advice in the error
   Repeats(std::string path, std::string remedy, Diagnostics& diagnostics)
       : path_(std::move(path)), remedy_(std::move(remedy)), diagnostics_(diagnostics) {}
 
-  /// Looks at the next item. Two of one meaning are the same.
+  /// Checks the next item. Items with the same meaning are repeats.
   void see(const YamlNode& item, const std::string& meaning);
 
  private:

@@ -9,7 +9,7 @@
 
 namespace twum::studies {
 
-/// A study with nothing left to be known: the motor in full, every default written out.
+/// A complete study: the whole motor, and every default written out.
 struct ResolvedStudy {
   /// A file that the study names, by the entry that names it.
   struct NamedFile {
@@ -19,20 +19,20 @@ struct ResolvedStudy {
   };
   MotorFile motor;
   YamlNode study;    ///< what stands below `study:`, as typed
-  YamlNode meaning;  ///< the same in SI, so that two studies that ask the same are equal
+  YamlNode meaning;  ///< the same in SI, so that equivalent studies are equal
   std::vector<NamedFile> files;
 
   /// As a study file. Quantities are as typed, those of the motor in SI.
-  /// @param folder  where it will stand: paths in it start there; empty: as typed
+  /// @param folder  directory to which its paths are made relative; empty: paths as typed
   std::string text(const std::string& folder = {}) const;
-  /// Of all that decides the result.
+  /// Hash of everything that determines the result.
   std::string hash() const;
 };
 
 /// @throws InputError if a file that the study names cannot be read
 ResolvedStudy resolve(const StudyFile& file);
 
-/// In what two studies differ, one line each: "study.samples: '100' there, '200' here".
+/// The differences between two studies, one line each: "study.samples: '100' there, '200' here".
 /// @param stored  text() of the one that is there
 std::vector<std::string> differences(const std::string& stored, const std::string& now);
 

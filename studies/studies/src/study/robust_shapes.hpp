@@ -51,7 +51,8 @@ Field<S> tolerances_field() {
                             &S::tolerances, "every motor is the design"));
 }
 
-/// Says which tolerances a search cannot use, and where statistics and tolerances lack each other.
+/// Adds errors for tolerances that a search cannot use, for statistics without tolerances, and for tolerances without
+/// statistics.
 void check_statistics(const std::vector<Tolerance>& tolerances,
                       const std::vector<StatisticLimit>& statistics, const Given& given,
                       Diagnostics& diagnostics);

@@ -6,7 +6,7 @@
 
 #include <string>
 
-/// The entry `solver:` of a study: its shape, what can be wrong with it, its meaning; internal.
+/// The entry `solver:` of a study: its shape and its checks; internal.
 namespace twum::studies {
 
 /// Name under which `solver:` of a front asks for the evolutionary search.
@@ -16,8 +16,8 @@ inline constexpr const char* kNsga2 = "nsga2";
 /// @param fresh  what is left out
 Shape<optim::SolveOptions> solver_shape(const optim::SolveOptions& fresh);
 
-/// Adds what the table of solvers knows: names that do not exist, solvers that do not fit the study,
-/// options of another solver.
+/// Adds errors from the table of solvers: unknown names, solvers that do not fit the study, options of another
+/// solver.
 void check_solver(const Given& study, Diagnostics& diagnostics);
 
 }  // namespace twum::studies

@@ -3,8 +3,8 @@
 
 namespace twum::studies {
 
-/// The value a part `t` in [0, 1] of the way from min to max, evenly or in the logarithm; exactly min
-/// and max at the ends, never outside. SI.
+/// Interpolates from min to max on a linear or logarithmic scale; t in [0, 1]. Exactly min and max at the ends, never
+/// outside. SI.
 double between(double min, double max, double t, bool log);
 
 }  // namespace twum::studies

@@ -13,17 +13,17 @@
 
 namespace twum::studies {
 
-/// How a study of one kind stands in a file; static lifetime.
+/// Shape of a study of one kind in a file; static lifetime.
 const Shape<Study>& study_shape(StudyKind kind);
 
-/// What a study file says, before the motor that it names is read.
+/// Content of a study file before the motor that it names is read.
 struct StudyText {
   std::variant<std::string, MotorFile> motor;  ///< a path, or the motor itself
   std::vector<shapes::Override> set;
   Study study;
 };
 
-/// How a study file is read; static lifetime.
+/// Shape of a study file; static lifetime.
 const Shape<StudyText>& study_file_shape();
 
 }  // namespace twum::studies
