@@ -7,14 +7,15 @@
 namespace twum::optim {
 namespace {
 
-constexpr double kEnoughLess = 0.5;  // of the violation from one minimum to the next; tau
-constexpr double kGrowth = 10.0;     // of the penalty otherwise; gamma
-// Scaled responses have slopes of about 1, so multipliers beyond this belong to no answer; and the
+// tau: required reduction of the violation from one minimum to the next
+constexpr double kEnoughLess = 0.5;
+constexpr double kGrowth = 10.0;  // gamma: growth of the penalty otherwise
+// Scaled responses have slopes of about 1, so larger multipliers belong to no solution. Up to this penalty the
 // Lagrangian keeps a few digits of the objective.
 constexpr double kMostPenalty = 1e12;
 constexpr double kMostMultiplier = 1e12;
 constexpr int kMostSteps = 50;
-constexpr int kMostStalled = 10;  // the penalty has grown by ten decades then
+constexpr int kMostStalled = 10;  // by then the penalty has grown by ten decades
 
 }  // namespace
 
@@ -42,7 +43,7 @@ std::vector<double> AugmentedLagrangian::gradient(const NlpValue& v) const {
   return slope;
 }
 
-// How far a limit is from being met, or from being free of force where it has slack.
+// Violation of a limit, or of complementarity if the limit has slack.
 double AugmentedLagrangian::violation(std::size_t i, double g) const {
   return std::abs(limits_[i].equality ? g : std::max(g, -multipliers_[i] / penalty_));
 }

@@ -14,9 +14,9 @@ namespace {
 
 using Rows = std::vector<std::size_t>;
 
-// How far a range is extended at most. The upper end moves up to `highest`, and no further than ten times the
-// larger of the range's width and the end itself: beyond that a search would look at designs unlike those
-// that were asked for. A scale by ratio cannot cross zero.
+// How far a range is extended at most. The upper end moves up to `highest`, and no further than ten times the larger
+// of the range's width and the end itself: designs beyond that have little to do with the question. A logarithmic
+// scale cannot cross zero.
 double farthest_end(const Variable& v, Side side) {
   constexpr double kTimes = 10.0;
   const double end = side == Side::upper ? v.upper : v.lower;
@@ -26,9 +26,9 @@ double farthest_end(const Variable& v, Side side) {
   return std::max(v.lowest, far);
 }
 
-// The part of the extended range beyond the end; the range as asked holds no feasible design.
+// Replaces the range by its extension beyond the end; the range as asked contains no feasible design.
 bool extend(Variable& v, Side side) {
-  // Each whole number is a search of its own.
+  // Each value of an integer variable needs a separate search.
   constexpr double kWholeNumbers = 8.0;
   if (std::isnan(side == Side::upper ? v.highest : v.lowest)) return false;
   const double far = farthest_end(v, side);
@@ -61,7 +61,7 @@ class Investigation {
     told().certified = found.certified;
     Rows kept(problem_.constraints.size());
     std::iota(kept.begin(), kept.end(), std::size_t{0});
-    // Limits that are impossible by themselves are left out until the others exclude each other, or do not.
+    // Limits that are impossible on their own are removed one after the other; then the remaining ones are explained.
     while (take_impossible(found, kept)) found = explain_rest(kept);
     for (const std::string& name : found.conflict) told().conflict.push_back(name);
     for (const RangeEnd& end : found.ranges) add_range(end);
@@ -80,7 +80,7 @@ class Investigation {
            deadline_.passed() || share() == 0;
   }
 
-  // Of what is left, so that no question takes the answers of the others.
+  // A share of the remaining evaluations, so that no question uses up those of the others.
   std::size_t share() const {
     return causes_.counters.evaluations < most_
                ? (most_ - causes_.counters.evaluations) / questions_
@@ -161,7 +161,7 @@ class Investigation {
     return scaling.factor(0);
   }
 
-  // Ends of ranges that hold an optimum back, and those where its whole numbers are.
+  // Ends of ranges that restrain an optimum, and those at which its integer variables are.
   std::vector<RangeEnd> ends_of(const Result& result) const {
     std::vector<RangeEnd> ends;
     for (const Activity& a : result.certificate.limits)
@@ -251,7 +251,8 @@ class Investigation {
   std::size_t most_;
   std::vector<double> design_;
   std::size_t questions_{
-      4};  // that share what is left; the number of limits that will be asked for is not known
+      // number of questions that share the remaining evaluations; the true number is not known beforehand
+      4};
   Causes causes_;
 };
 

@@ -18,10 +18,10 @@ namespace {
 
 using Eigen::Index;
 
-// Slack (scaled) within which a limit may hold back the objective. Its multiplier times slack is
-// then checked as complementarity.
+// Scaled slack within which a limit counts as active. Multiplier times slack is then checked as complementarity.
 constexpr double kActivity = 1e-6;
-constexpr double kNegative = 1e-5;  // relative curvature that central differences cannot fake
+// relative curvature well above the error of central differences
+constexpr double kNegative = 1e-5;
 
 class Certifier {
  public:
@@ -40,7 +40,7 @@ class Certifier {
       if (stalled() && room()) look_for_kinks();
       name_dependent_limits();
       name_flat_objective();
-      // With several objectives the weighted sum of a concave front curves downwards along it.
+      // With several objectives no test: on a concave front, the weighted sum has negative curvature along the front.
       second_order = second_order && objectives_ == 1 && scaling_.size() > 0;
       if (second_order && stationary() && room() && !has(Degeneracy::kink)) second_order_test();
     }
@@ -92,8 +92,8 @@ class Certifier {
     return false;
   }
 
-  // Gradients of the objective as the kinks that it tells leave it: some mixture of the columns of each matrix
-  // has to be stationary, for every matrix.
+  // Candidate gradients of the objective at the reported kinks. For each matrix, some convex combination of its
+  // columns has to be stationary.
   std::vector<Eigen::MatrixXd> candidate_gradients() {
     const Eigen::MatrixXd g = objective_gradients(result_.point, objectives_);
     std::vector<KinkedEntry> kinks;
@@ -110,9 +110,9 @@ class Certifier {
     return all;
   }
 
-  // At a convex kink any slope between the two counts. At a concave one both sides have to be stationary, and
-  // likewise with kinks in several variables, whose entries do not tell which sides go together. On a bound there
-  // is one side.
+  // At a convex kink, any slope between the two sides is a candidate. At a concave kink, both sides have to be
+  // stationary. The same holds for kinks in several variables, because the entries do not say which sides belong
+  // together. On a bound there is only one side.
   void add_candidates(const KinkedEntry& kink, bool mixes, const Eigen::MatrixXd& g,
                       std::vector<Eigen::MatrixXd>& all) {
     std::size_t at = 0;
@@ -135,7 +135,7 @@ class Certifier {
     if (u < 1.0) all.push_back(right);
   }
 
-  // Each variable once, whoever finds its kink.
+  // Reports each variable only once.
   void name_kink(const std::string& variable) {
     const auto named = [&](const Finding& x) {
       return x.kind == Degeneracy::kink && x.names.front() == variable;
@@ -167,7 +167,7 @@ class Certifier {
       return;
     }
     result_.multipliers = find_multipliers(result_.point, gradients, objectives_, kActivity);
-    // Each gradient counts as much as its weight: one of weight 0 must not make the others look small.
+    // Each gradient is weighted, so that a large gradient with weight 0 does not hide an error in the others.
     const double size = gradient_size(gradients * result_.multipliers.weights.asDiagonal());
     certificate().stationarity = result_.multipliers.residual.cwiseAbs().maxCoeff() / size;
     certificate().complementarity = 0.0;
@@ -178,8 +178,8 @@ class Certifier {
                        result_.point.limits[result_.multipliers.limits[i]].slack);
   }
 
-  // Of the gradient here or of one at the start (1, by the scaling), over the variables that no bound holds:
-  // a steep slope into a bound says nothing about the others.
+  // Size of the gradient here, or at the start (1, by the scaling), over the variables that are not held by a bound,
+  // because a steep slope into a bound says nothing about the others.
   double gradient_size(const Eigen::MatrixXd& gradients) const {
     const auto& bounds = result_.multipliers.bounds;
     double size = 1.0;
@@ -189,8 +189,8 @@ class Certifier {
     return size;
   }
 
-  // A point that is not stationary may sit on a kink: then gradients on its two sides differ
-  // however near they are taken, and some mixture of them is stationary.
+  // A point that is not stationary may lie on a kink. Then gradients on its two sides differ at any distance, and
+  // some convex combination of them is stationary.
   void look_for_kinks() {
     constexpr double kNear = 1e-7;
     Eigen::MatrixXd mixed = objective_gradients(result_.point, 1);
@@ -201,9 +201,10 @@ class Certifier {
       const auto left = neighbour(k, -kNear);
       if (!right || !left) return;
       const double noise = 1e-12 * (1.0 + std::abs(here));
+      // a neighbour is better, so this is not an optimum
       for (const auto* side : {&*left, &*right})
         if (objective(*side) < here - noise && side->infeasibility <= result_.point.infeasibility)
-          return;  // a better design next door: no optimum, kink or not
+          return;
       const double jump = (right->jacobian.row(0) - left->jacobian.row(0)).cwiseAbs().maxCoeff();
       if (jump <= 1e-3 * (1.0 + mixed.cwiseAbs().maxCoeff())) continue;
       names.push_back(variable_name(k));

@@ -33,8 +33,8 @@ bool at_bound(const Multipliers& m, Index k) {
   return std::find(m.bounds.begin(), m.bounds.end(), k) != m.bounds.end();
 }
 
-// Directions that keep every limit with a positive multiplier, and every active one that is not
-// certain to hold back: the smaller space can hide a descent direction but never invents one.
+// Directions along which all active limits stay met, including those with multiplier zero. The smaller space may miss
+// a descent direction, but never contains a false one.
 Eigen::MatrixXd null_space(const Eigen::MatrixXd& active) {
   const Index n = active.rows();
   if (active.cols() == 0) return Eigen::MatrixXd::Identity(n, n);

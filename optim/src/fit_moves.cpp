@@ -13,8 +13,8 @@ namespace {
 
 using Eigen::Index;
 
-// Steps of differences, in parts of the value: the exact gradient leaves an error of the step's square times the curvature,
-// and of rounding over the step, 1e-13 / 1e-5.
+// Relative step of the differences. The error is the square of the step times the curvature, plus rounding over the
+// step, 1e-13 / 1e-5.
 constexpr double kPart = 1e-5;
 
 class Moves {
@@ -46,7 +46,7 @@ class Moves {
  private:
   static std::size_t index(Index i) { return static_cast<std::size_t>(i); }
 
-  // Of half the sum of squares by the free parameters; NaN where there is none.
+  // Gradient of half the sum of squares by the free parameters; NaN if it cannot be evaluated.
   Eigen::VectorXd gradient(const std::vector<double>& at) const {
     Eigen::VectorXd g = Eigen::VectorXd::Constant(static_cast<Index>(free_.size()),
                                                   std::numeric_limits<double>::quiet_NaN());
@@ -69,7 +69,7 @@ class Moves {
     return (gradient(high) - gradient(low)) / (high[index(which)] - low[index(which)]);
   }
 
-  // Of rows and columns scaled to ones on the diagonal, so that the rank does not depend on units.
+  // Solves with rows and columns scaled to a unit diagonal, so that the rank does not depend on units.
   static Eigen::MatrixXd solved(const Eigen::MatrixXd& hessian, const Eigen::MatrixXd& mixed) {
     constexpr double kRank = 1e-9;
     const Eigen::MatrixXd half = 0.5 * (hessian + hessian.transpose());

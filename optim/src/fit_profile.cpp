@@ -11,12 +11,12 @@
 namespace twum::optim {
 namespace {
 
-// The linearised end stands if the profile puts it this close, in half widths.
+// The linearised end is kept if the profile agrees to this, in half widths.
 constexpr double kAgrees = 0.1;
-// An end that is searched for, likewise: a thousandth of an interval nobody needs.
+// Accuracy of an end found by a search, in half widths.
 constexpr double kFound = 1e-3;
 constexpr int kMostSearchSteps = 40;
-// A sum of squares this much below that of the fit is no rounding.
+// A sum of squares lower than that of the fit by this relative amount is not a rounding error.
 constexpr double kBetter = 1e-6;
 
 // The profile on one side of the fit, in half widths of the linearised interval: z(u) is the root of the increase of the
@@ -69,7 +69,7 @@ class Profile {
     return {value(u), linear, cut_off, better_};
   }
 
-  // The parameter held at u half widths, the others begin where the linear fit would have them.
+  // Problem with the parameter held at u half widths. The others start at the values of the linearised fit.
   std::vector<Variable> held_at(double u) const {
     std::vector<Variable> list = parameters_;
     const std::size_t n = list.size();
@@ -99,9 +99,10 @@ class Profile {
     return std::sqrt(std::max(found.sum_of_squares - fit_.sum_of_squares, 0.0)) / unit;
   }
 
-  // z rises from below 1 at `low` to 1 or more at `high`: regula falsi, by halves where a side stays.
+  // Finds z = 1, where z rises from below 1 at `low` to 1 or more at `high`, by regula falsi; bisects if one end has
+  // stayed twice.
   double root(double low, double high, double z_high) {
-    double z_low = low;  // of the linear fit; only its sign counts in the end
+    double z_low = low;  // value of the linearised fit; only its sign matters in the end
     int kept = 0;
     for (int step = 0; step < kMostSearchSteps && high - low > kFound * high; ++step) {
       const bool secant = std::isfinite(z_high) && std::abs(kept) < 2 && z_high > z_low;
@@ -132,7 +133,7 @@ class Profile {
   bool log_{false};
   double width_{0.0};           // half, of the linearised interval, in the scale of the parameter
   double farthest_{0.0};        // bound, in half widths
-  double lowest_;               // least sum of squares met, of those that count as better
+  double lowest_;               // least sum of squares found below that of the fit
   std::vector<double> better_;  // where
 };
 

@@ -104,8 +104,8 @@ std::vector<Index> FitSpace::free_parameters() const {
   return free;
 }
 
-// What the residuals are a difference of, as far as that is known: the terms of their linear part and, if the
-// search has gone as far as it could, what they were at first.
+// Estimated size of the numbers whose difference the residuals are: the terms of their linear part and, unless the
+// search was cut short, the residuals at the start.
 double FitSpace::size_of_terms(bool cut_short) const {
   double size = cut_short ? 0.0 : first_;
   for (Index j = 0; j < t_.size(); ++j)
@@ -147,7 +147,7 @@ LeastSquaresResult FitSpace::result(const FitEnd& end) const {
     result.estimates.push_back(e);
   }
   fit_statistics({user_jacobian(b), r_, free, parameters_}, options_, result);
-  // Where the residuals vanish to rounding their direction means nothing, and zero is optimal.
+  // If the residuals are only rounding errors, their direction has no meaning, and the point is optimal.
   const bool exact = r_.norm() <= 1e-13 * size_of_terms(end.cut_short);
   const bool stationary = result.gradient <= 1e-5 || exact;
   result.outcome = stationary      ? Outcome::optimal

@@ -50,7 +50,7 @@ void name_undetermined(const Eigen::MatrixXd& v, Index rank, const std::vector<I
   }
 }
 
-// V S^-2 V^T over the determined part. A parameter with a share in the rest has no variance.
+// V S^-2 V^T over the determined part. A parameter with a share in the undetermined part has no variance.
 Eigen::MatrixXd inverse_normal(const Eigen::JacobiSVD<Eigen::MatrixXd>& svd, Index rank,
                                const Eigen::VectorXd& size) {
   const Eigen::MatrixXd& v = svd.matrixV();
@@ -100,8 +100,8 @@ void fill_estimates(const Eigen::MatrixXd& covariance, const FittedState& state,
   }
 }
 
-// To first order the free parameters make up for a held one as well as they can: the least squares
-// solution of J_free d = -J_held. Where they are not determined, neither is what they would do.
+// To first order the free parameters compensate for a held one: the least squares solution of J_free d = -J_held.
+// Undetermined parameters have no such solution.
 void fill_follows(const Eigen::JacobiSVD<Eigen::MatrixXd>& svd, const Eigen::VectorXd& size,
                   const FittedState& state, LeastSquaresResult& result) {
   const std::size_t n = result.estimates.size();
@@ -141,7 +141,7 @@ void fill_scatter(const FittedState& state, const LeastSquaresOptions& options,
   result.joint_limit = result.sum_of_squares + joint * result.scatter * result.scatter;
 }
 
-// What a change of a parameter is measured by: its value, or its range where that is 0.
+// Scale of a parameter's relative change: its value, or its range if the value is 0.
 double size_of(const Variable& parameter, double value) {
   const double range = parameter.upper - parameter.lower;
   return value != 0.0 ? std::abs(value) : std::isfinite(range) ? range : 1.0;

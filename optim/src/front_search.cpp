@@ -26,7 +26,7 @@ std::optional<Solved> FrontSearch::solved(SolverRun& run) {
   return s;
 }
 
-// Evaluates s.unit, which is usually still remembered.
+// Evaluates s.unit, which is usually in the cache.
 bool FrontSearch::fill(SolverRun& run, Solved& s) {
   s.design = runner_.scaling().to_design(s.unit);
   try {
@@ -43,8 +43,8 @@ bool FrontSearch::fill(SolverRun& run, Solved& s) {
   return true;
 }
 
-// A variable that stopped just short of its bound is put on it if that is no worse in anything:
-// where an objective is steep at the bound, the last 1e-9 of the box can matter.
+// Puts a variable that stopped just short of its bound onto the bound if no response becomes worse. If an objective
+// is steep at the bound, the last 1e-9 of the box can matter.
 void FrontSearch::snap_to_bounds(SolverRun& run, Solved& s) {
   constexpr double kNear = 1e-7;
   Solved snapped = s;
@@ -85,8 +85,8 @@ std::optional<Solved> FrontSearch::best_of(const Formulation& formulation,
   return best;
 }
 
-// The other objectives, with the first held at its best. The room is far below what a front shows
-// and far above the solver's tolerance.
+// Minimizes the other objectives with the first one held at its best, up to a margin far below the resolution of a
+// front and far above the solver's tolerance.
 Formulation FrontSearch::lexicographic(std::size_t objective, const Solved& first) const {
   Formulation f = plain_formulation(runner_.problem(), runner_.scaling(), objective);
   f.objective.responses.clear();
@@ -98,11 +98,11 @@ Formulation FrontSearch::lexicographic(std::size_t objective, const Solved& firs
   return f;
 }
 
-// The least of one objective. Where the starts end in different places there are more valleys than
-// starts, as a rule, and the search goes on from the best.
+// The minimum of one objective. If the starts end in different optima, there are usually more, and the search
+// continues from the best one.
 std::optional<Solved> FrontSearch::best_alone(std::size_t objective,
                                               const std::vector<std::vector<double>>& starts) {
-  constexpr double kSamePlace = 1e-6;  // of what the gradient at the start gains over the box
+  constexpr double kSamePlace = 1e-6;  // relative to the gain of the start's gradient over the box
   const Formulation f = plain_formulation(runner_.problem(), runner_.scaling(), objective);
   std::vector<Solved> found;
   for (const auto& start : starts)
@@ -117,9 +117,9 @@ std::optional<Solved> FrontSearch::best_alone(std::size_t objective,
   return improved_by_hops(objective, std::move(*least));
 }
 
-// Monotonic basin hopping (Leary 2000): a kick by a random part of the box over two decades, then a
-// short local search; kept if it ends lower. Two kicks of three are to one variable with the others
-// held, which is cheap; the third moves more of them and lets all follow.
+// Monotonic basin hopping (Leary 2000): a random step, whose size varies over two decades, then a short local search;
+// the result is kept if it is lower. Two of three steps change one variable with the others held, which is cheap. The
+// third changes several and lets all variables follow.
 Solved FrontSearch::improved_by_hops(std::size_t objective, Solved from) {
   constexpr std::size_t kCalls = 8;
   const std::size_t n = runner_.scaling().size();
@@ -239,8 +239,8 @@ std::optional<Solved> FrontSearch::scalarize_within(const std::vector<double>& m
   return any ? best_of(f, {start}, {0.0}, false) : std::nullopt;
 }
 
-// By the gradients in memory: how far a point of a front is from Pareto stationary, relative to the
-// gradients, in all variables; with the weights of the objectives there.
+// From the cached gradients: how far a point of a front is from Pareto stationarity in all variables, relative to the
+// gradients, and the weights of the objectives there.
 std::optional<std::pair<double, std::vector<double>>> FrontSearch::stationarity(
     SolverRun& run, const Solved& s) const {
   const auto point = kkt_point(*run.session, runner_.scaling(), s.design);
@@ -255,7 +255,7 @@ std::optional<std::pair<double, std::vector<double>>> FrontSearch::stationarity(
                    std::vector<double>(found.weights.begin(), found.weights.end())};
 }
 
-// True if the point is Pareto stationary in all variables, if need be after Newton steps.
+// True if the point is Pareto stationary in all variables, after Newton steps if necessary.
 bool FrontSearch::settle(SolverRun& run, Solved& s) {
   constexpr double kSettled = 1e-5;
   constexpr double kNear = 0.1;

@@ -20,8 +20,8 @@ Vector vector_of(const gsl_vector* v) {
           Eigen::InnerStride<>(static_cast<Index>(v->stride))};
 }
 
-// A place without residuals counts as one with residuals this large, in parts of those where the search stands; the
-// method then goes back and shortens its step.
+// A point that cannot be evaluated gets residuals this many times those of the current point; the method then rejects
+// it and shortens its step.
 constexpr double kFailed = 1e6;
 // Smallest relative step; below it the parameters change in their last digits only.
 constexpr double kSmallestStep = 1e-14;
@@ -71,7 +71,7 @@ class GslRun {
   }
 
  private:
-  // The parameters asked for, in the box.
+  // The requested parameters, clamped into the box.
   Eigen::VectorXd place(const gsl_vector* x) const {
     Eigen::VectorXd t = space_.t();
     const Vector values = vector_of(x);
@@ -79,7 +79,7 @@ class GslRun {
     return t.cwiseMax(space_.lower()).cwiseMin(space_.upper());
   }
 
-  // Residuals and Jacobian come together; GSL asks for the Jacobian where it has asked for the residuals.
+  // Residuals and Jacobian are computed together; GSL requests the Jacobian at the point of the residuals.
   int look(const gsl_vector* x) {
     const Eigen::VectorXd t = place(x);
     if (t == asked_) return GSL_SUCCESS;
@@ -112,7 +112,7 @@ class GslRun {
     return GSL_SUCCESS;
   }
 
-  // The space goes where GSL stands.
+  // Moves the fit to the final point of GSL.
   void settle() {
     const Eigen::VectorXd t = place(gsl_multifit_nlinear_position(work_.get()));
     if (t == space_.t()) return;
@@ -133,8 +133,8 @@ class GslRun {
   std::unique_ptr<gsl_multifit_nlinear_workspace, Free> work_;
 };
 
-// Puts a parameter that stands just before a bound, with the sum of squares falling beyond it, onto the bound: steps
-// across it are shortened, so a run may only come close.
+// Puts a parameter just short of a bound onto it if the sum of squares decreases towards it. Steps across a bound are
+// shortened, so a run may only come close.
 void press_to_bounds(FitSpace& space) {
   constexpr double kClose = 1e-8;
   Eigen::VectorXd t = space.t();
@@ -154,10 +154,10 @@ void press_to_bounds(FitSpace& space) {
 
 bool has_gsl() { return true; }
 
-// A parameter that a run has left at a bound is held there in the next, and one that wants to leave its bound is let go,
-// until the same ones are held and the sum of squares stays.
+// Repeats runs. A parameter that ends at a bound is held there in the next run, and one that would leave its bound is
+// released. Ends when the same parameters are held and the sum of squares no longer changes.
 FitEnd gsl_fit(FitSpace& space) {
-  // GSL's own handler ends the program; each status is looked at here.
+  // GSL's default error handler ends the program; each status is checked here instead.
   static const auto off = gsl_set_error_handler_off();
   static_cast<void>(off);
   std::vector<Index> before;

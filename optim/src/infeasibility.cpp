@@ -10,7 +10,7 @@
 namespace twum::optim {
 namespace {
 
-// Each finite side of each row gets a slack of its own; only rows for which `soft` holds.
+// A formulation in which each finite side of each row with `soft` has a slack.
 struct Elastic {
   Formulation formulation;
   std::vector<std::size_t> rows;  // of each slack
@@ -93,7 +93,7 @@ double relaxation_alone(StageRunner& runner, std::size_t row, std::span<const do
   return run.best->f / runner.scaling().factor(r);
 }
 
-// Constraints and range ends that meet at a point of smallest summed violation.
+// Constraints and range ends that are active at a point with the smallest sum of violations.
 struct Fight {
   std::set<std::size_t> constraints;
   std::vector<RangeEnd> ranges;
@@ -107,8 +107,8 @@ RangeEnd range_end(const Problem& problem, const Scaling& scaling, const KktPoin
                              : RangeEnd{v.name, Side::upper, v.upper};
 }
 
-// Stationarity of the summed violation: limits that are broken pull with weight one, limits and range ends
-// that are just met push back with their multipliers.
+// Stationarity of the sum of violations: violated limits have weight one, limits and range ends that are just met
+// have multipliers.
 Fight fighting(const Problem& problem, const Scaling& scaling, const KktPoint& point,
                double tolerance) {
   constexpr double kNoForce = 1e-6;
@@ -138,7 +138,7 @@ Fight fighting(const Problem& problem, const Scaling& scaling, const KktPoint& p
       fight.ranges.push_back(
           range_end(problem, scaling, point, static_cast<std::size_t>(m.bounds[i])));
   const double tiny = 1e-5 * (1.0 + (pull.size() == 0 ? 0.0 : pull.cwiseAbs().maxCoeff()));
-  // A limit that gives way adds to the sum with weight one, so it holds against no more.
+  // A violated limit enters the sum with weight one, which bounds its multiplier.
   const bool held = std::all_of(m.limit_values.begin(), m.limit_values.end(),
                                 [&](double force) { return std::abs(force) <= 1.0 + tiny; });
   fight.stationary = held && (m.residual.size() == 0 || m.residual.cwiseAbs().maxCoeff() <= tiny);

@@ -41,7 +41,7 @@ void keep(Front& front, const std::vector<std::size_t>& places) {
   front.points = std::move(kept);
 }
 
-// One combination after the other, and what they come to together.
+// Solves one combination after the other and collects their points.
 class IntegerFront {
  public:
   IntegerFront(const Problem& problem, const ParetoOptions& options)
@@ -66,7 +66,7 @@ class IntegerFront {
  private:
   static void hold(Variable& variable, double value) { variable.lower = variable.upper = value; }
 
-  // The next combination, as an odometer counts; false after the last.
+  // The next combination; false after the last.
   bool next(Problem& fixed) const {
     for (const std::size_t j : integers_) {
       const double value = fixed.variables[j].lower + 1;
@@ -117,7 +117,7 @@ class IntegerFront {
                                                                      : Outcome::feasible;
   }
 
-  // What no other point dominates, as many as asked for, in order.
+  // Keeps the requested number of nondominated points, in order.
   void choose() {
     keep(whole_, nondominated(values_of(problem_, whole_)));
     std::stable_sort(whole_.points.begin(), whole_.points.end(), [&](const auto& a, const auto& b) {

@@ -97,7 +97,7 @@ class IntegerSearch {
     }
   }
 
-  // With these whole numbers, in stages of its own.
+  // Solves with these integers, in separate stages.
   Result solve_at(const Whole& at, bool analyse) {
     Problem fixed = problem_;
     for (std::size_t i = 0; i < at.size(); ++i)
@@ -118,14 +118,14 @@ class IntegerSearch {
            options_.stop.stop_requested();
   }
 
-  // The least infeasible design again, with the limits that fight there.
+  // Solves the least infeasible combination again, with an explanation of its limits.
   void explain() {
     if (exhausted()) return;
     Result told = solve_at(best_at_, true);
     if (told.outcome == Outcome::infeasible || rank(told) == 2) best_ = std::move(told);
   }
 
-  // False when the budget left too little for these numbers.
+  // False if the budget is too small for this combination.
   bool visit(const Whole& at) {
     seen_[at] = true;
     if (exhausted()) return false;
@@ -142,14 +142,14 @@ class IntegerSearch {
     return !cut;
   }
 
-  // Designs that could be looked at come before others, feasible ones before those.
+  // Feasible results come first, then infeasible ones, then those without a design.
   int rank(const Result& r) const {
     if (r.evaluation.values.empty()) return 0;
     return r.certificate.infeasibility <= options_.feasibility_tolerance ? 2 : 1;
   }
 
-  // The largest violation, with all whole numbers on one scale: what certificates measure is scaled
-  // by slopes of the variables that one combination leaves free.
+  // The largest violation on the same scale for all combinations. Violations in certificates are scaled by the
+  // gradients of one combination, so they cannot be compared.
   double violation(const Result& r) const {
     double largest = 0.0;
     for (std::size_t i = 0; i < problem_.constraints.size(); ++i) {

@@ -12,8 +12,8 @@ namespace {
 
 using Eigen::Index;
 
-// Bounds of the unit box are met more exactly than constraints: an interior point method stops
-// about 1e-8 short of them.
+// Distance within which a bound of the unit box counts as active. An interior point method stops about 1e-8 short of
+// it.
 constexpr double kBoundActivity = 1e-6;
 
 void add_limits(KktPoint& point, const Problem& problem, const Scaling& scaling, std::size_t i) {
@@ -118,7 +118,7 @@ Multipliers find_multipliers(const KktPoint& point, const Eigen::MatrixXd& gradi
     b[n] = smallest_norm(gradients);
     a.row(n).head(mixed).setConstant(b[n]);
   }
-  // Columns of unit length: sizes may differ by many orders, and rounding must not choose for us.
+  // Scales columns to unit length, because their sizes may differ by many orders of magnitude.
   Eigen::VectorXd size = a.colwise().norm();
   for (Index j = 0; j < a.cols(); ++j) {
     if (!(size[j] > 0.0)) size[j] = 1.0;

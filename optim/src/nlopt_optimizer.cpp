@@ -21,20 +21,20 @@ struct OptDeleter {
 };
 using Opt = std::unique_ptr<std::remove_pointer_t<nlopt_opt>, OptDeleter>;
 
-// Tolerances in the unit box. NLopt decides when to stop; whether that was right is decided by the
-// certificate, so they are tight and a run is bounded by its calls.
+// Tolerances in the unit box. They are tight, because the certificate decides whether a point is optimal, and the
+// number of calls limits a run.
 constexpr double kXtol = 1e-11;
 constexpr double kFtol = 1e-14;
 constexpr double kConstraintTolerance = 1e-9;
-// Where an objective stays exactly what it was a search has ended, whatever it was told: without this
-// NLopt's searches of Luksan go on for ever from a corner of the box, and ask for nothing.
+// A search ends if the objective no longer changes. Without this, NLopt's algorithms by Luksan loop forever in a
+// corner of the box without a request.
 constexpr double kLeastFtol = 1e-16;
 
 // A step between two requests takes some n^3 operations at most, each far below a microsecond, and with few
 // variables microseconds in all. In seconds of computing.
 double longest_step(std::size_t n) { return std::max(1.0, 1e-6 * std::pow(n, 3)); }
 
-// What the callbacks share. They never throw: a C library is in between.
+// Data of the callbacks, which must not throw through the C library.
 struct Bridge {
   Bridge(Nlp& problem, const NloptAlgorithm& a, std::size_t calls)
       : nlp(problem), gradient(a.gradient), rank_failures(a.compares_only), allowance(nlp, calls) {
@@ -53,12 +53,12 @@ struct Bridge {
   std::exception_ptr error;
   std::vector<double> failed_at;
   StopReason stop{StopReason::finished};
-  std::optional<SolverThread> thread;  // of NLopt's code, where it may never come back
+  std::optional<SolverThread> thread;  // runs NLopt's code if it may loop forever
 
   bool over() const { return error || stop != StopReason::finished || allowance.used_up(); }
   bool halted() const { return over() || !failed_at.empty(); }
 
-  // Why the search has to end, be it while the solver computes.
+  // Why the search has to end, also while the solver computes.
   StopReason due() const {
     try {
       nlp.session().heed();
@@ -68,14 +68,14 @@ struct Bridge {
     }
   }
 
-  // Runs NLopt's code. False where it would not come back and was ended.
+  // Runs NLopt's code. False if it looped and was ended.
   bool run(const std::function<void()>& library) {
     if (thread) return thread->run(library);
     library();
     return true;
   }
 
-  // Called from NLopt's code: the rest is done by the caller's thread.
+  // Called from NLopt's code; the request is executed by the caller's thread.
   template <class Request>
   void serve(const Request& request) {
     if (thread)
@@ -102,8 +102,8 @@ const NlpValue* request(Bridge& b, std::span<const double> point) {
   return nullptr;
 }
 
-// Returned when there is no value: an infinity ranks a failed design behind all others where a
-// method only compares, and is not looked at where the run has been stopped.
+// Returned if there is no value. In methods that only compare, infinity ranks a failed design behind all others;
+// otherwise the run has been stopped and the value is ignored.
 constexpr double kNoValue = HUGE_VAL;
 
 double lagrangian(Bridge& b, unsigned n, const double* z, double* gradient) {
@@ -158,7 +158,7 @@ double constraint_tolerance(const RunSettings& settings) {
   return number_option(settings, "constraint_tolerance", kConstraintTolerance, 0.0, 1.0);
 }
 
-// An algorithm keeps the rows that it can; the others go into the Lagrangian.
+// Rows that the algorithm supports are passed to it; the others go into the Lagrangian.
 void split_rows(Bridge& b, const NloptAlgorithm& a, const RunSettings& settings) {
   std::vector<OneSide> others;
   std::vector<OneSide>& inequalities = a.inequality ? b.inequalities : others;
@@ -193,8 +193,8 @@ int inner_calls(const RunSettings& settings, std::size_t n) {
                       1e9);
 }
 
-// NLopt counts points outside of the bounds too, which praxis tries and no callback sees. Several for
-// each point that may be asked for are plenty.
+// NLopt counts points outside of the bounds too, which praxis tries and no callback sees. Several for each allowed
+// point are enough.
 int most_calls(const Bridge& b) {
   constexpr std::size_t kMost = 1000000000;
   return static_cast<int>(1000 + 4 * std::min(b.allowance.points(), kMost / 4));
@@ -210,7 +210,7 @@ Opt build(const NloptAlgorithm& a, const Bridge& b, const RunSettings& settings)
   if (a.subsidiary == NLOPT_NUM_ALGORITHMS) return own;
   const Opt local = make(a.subsidiary, n, settings);
   nlopt_set_maxeval(local.get(), inner);
-  nlopt_set_xtol_rel(local.get(), 1e-6);  // thousands of searches only have to tell basins apart
+  nlopt_set_xtol_rel(local.get(), 1e-6);  // thousands of searches only have to distinguish basins
   nlopt_set_local_optimizer(own.get(), local.get());
   nlopt_set_ftol_rel(own.get(), 0.0);
   return own;

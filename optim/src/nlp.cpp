@@ -92,7 +92,7 @@ const NlpValue* Nlp::at(std::span<const double> z, bool gradient) {
   known_ = false;
   point_.assign(z.begin(), z.end());
   for (std::size_t k = 0; k < size(); ++k) {
-    if (!std::isfinite(point_[k])) return nullptr;  // the solver lost its way, not the design
+    if (!std::isfinite(point_[k])) return nullptr;  // a failure of the solver, not of the design
     point_[k] = std::clamp(point_[k], lower_[k], upper_[k]);
   }
   design_ = design(point_);

@@ -76,7 +76,7 @@ class Nsga2 {
     one.violation = violation(one.evaluation);
   }
 
-  // Relative to the size of each limit; below the feasibility tolerance it is none.
+  // Sum of violations relative to 1 + |limit|; violations below the feasibility tolerance count as 0.
   double violation(const Evaluation& e) const {
     double sum = 0.0;
     for (std::size_t i = 0; i < problem_.constraints.size(); ++i) {

@@ -20,19 +20,19 @@ struct NoMoves {
   std::string reason;
 };
 
-// Parts of a range, or of a held value, over which gradients are compared: the error is of its square, and of rounding
-// over it, 1e-8 both.
+// Step of the differences, relative to a range or a held value. Truncation (the square of the step) and rounding over
+// the step are both about 1e-8.
 constexpr double kDifference = 1e-4;
 constexpr double kLeastStep = 1e-7;
-// A multiplier below this part of the objective's slope or curvature over the box may be 0.
+// A multiplier below this share of the objective's slope or curvature over the box may be 0.
 constexpr double kStrict = 1e-5;
-// Curvatures below this part of the largest are none.
+// Curvatures below this share of the largest count as 0.
 constexpr double kNoCurvature = 1e-6;
 
-// First derivatives, each coordinate in parts of its size: its range, or what is held.
+// First derivatives with respect to coordinates scaled by their range or held value.
 struct Slopes {
-  Eigen::VectorXd objective;  // of what is minimized
-  Eigen::MatrixXd active;     // a row for each limit that is met
+  Eigen::VectorXd objective;  // gradient of the minimized objective
+  Eigen::MatrixXd active;     // a row for each active limit
 };
 
 class Sensitivity {
@@ -87,7 +87,7 @@ class Sensitivity {
     }
   }
 
-  // The limits that are met, and the variables that neither a bound nor their range holds.
+  // Selects the active limits, and the variables that are free.
   void choose(const std::vector<Activity>& limits) {
     std::vector<bool> held(index(variables_), false);
     for (Index k = 0; k < variables_; ++k) {
@@ -159,7 +159,7 @@ class Sensitivity {
     return slopes.objective - slopes.active.transpose() * multipliers_;
   }
 
-  // Of the Lagrangian, by every coordinate that may change; columns of the others stay 0.
+  // Second derivatives of the Lagrangian with respect to the free coordinates; other columns are 0.
   Eigen::MatrixXd second_derivatives() const {
     Eigen::MatrixXd second = Eigen::MatrixXd::Zero(count_, count_);
     const auto column = [&](Index k) {
@@ -186,7 +186,7 @@ class Sensitivity {
     return h;
   }
 
-  // Every limit and bound that is met has to hold the design back.
+  // Every active limit and bound has to have a positive multiplier.
   void require_multipliers(double curvature) const {
     double size = curvature;
     for (const Index k : moving_) size = std::max(size, std::abs(here_.objective[k]));
@@ -203,7 +203,7 @@ class Sensitivity {
     }
   }
 
-  // The Lagrangian has to curve upwards in every direction that keeps the limits that are met.
+  // The Lagrangian has to have positive curvature along the active limits.
   void require_minimum(const Eigen::MatrixXd& hessian) const {
     const Index n = hessian.rows();
     Eigen::MatrixXd z = Eigen::MatrixXd::Identity(n, n);
@@ -218,7 +218,7 @@ class Sensitivity {
       throw NoMoves{"the objective is flat along some change of the design, to second order"};
   }
 
-  // And the optimum of the objective by what is held: the slopes of the Lagrangian.
+  // Also the derivatives of the optimal objective by the held numbers, which are those of the Lagrangian.
   OptimumMoves in_user_units(const Eigen::MatrixXd& moves) const {
     const Index held = count_ - variables_;
     OptimumMoves result;
@@ -240,7 +240,7 @@ class Sensitivity {
   Index count_;  // variables and held numbers
   double sign_;
   Eigen::VectorXd size_;
-  std::vector<std::size_t> rows_;             // constraints that are met
+  std::vector<std::size_t> rows_;             // active constraints
   std::vector<Index> moving_, free_, bound_;  // variables
   Slopes here_;
   Eigen::VectorXd multipliers_;

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Index;
 using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
 
-// How often a number of this law is as far from 0, or farther, to either side.
+// Two-sided tail probability of a normal or Student's t number.
 double two_tails(double t, bool normal, double freedom) {
   using boost::math::complement;
   if (normal)
@@ -42,8 +42,8 @@ class OutlierSearch {
     std::iota(rows_.begin(), rows_.end(), Index{0});
   }
 
-  // The farthest residuals in the order in which they are taken out; of these all up to the last unlikely one count: two
-  // that hide each other are unlikely only when the first is gone.
+  // Removes the farthest residual again and again. All up to the last unlikely one are outliers: two that hide each
+  // other show only when the first is removed.
   std::vector<Outlier> find(double level) {
     std::vector<Outlier> list;
     std::size_t unlikely = 0;
@@ -92,7 +92,8 @@ class OutlierSearch {
     return found;
   }
 
-  // A row with less of its own than this decides parameters alone: the fit goes through it, wherever it is.
+  // A row with less residual share than this determines a parameter by itself: the fit passes through it at any
+  // value.
   static constexpr double kLeastOwn = 1e-8;
 
   double deviation_;

@@ -24,7 +24,7 @@ std::vector<std::vector<double>> usual_starts(StageRunner& runner, std::size_t c
   return starts;
 }
 
-// A population's front: some of it as starts for the ends, all of it as a pool for the rest.
+// Runs NSGA-II. Some points of its front start the search for the ends, all serve as starts for the other points.
 void ask_population(const Problem& problem, const ParetoOptions& options, FrontSearch& search,
                     std::vector<std::vector<double>>& starts) {
   if (options.population_evaluations == 0) return;
@@ -89,8 +89,8 @@ bool near(const std::vector<double>& a, const std::vector<double>& b) {
   return true;
 }
 
-// A point that misses its certificate by a little is finished by Newton steps on the sum of the
-// objectives with its own weights: that moves it along the front, if at all, by as little.
+// Improves a point that narrowly misses its certificate by Newton steps on the weighted sum of objectives. They
+// hardly move it along the front.
 FrontPoint finished(Session& session, const Scaling& scaling, FrontPoint point) {
   const Certificate& c = point.certificate;
   if (c.passed || c.weights.empty() || c.stationarity > 1e-2 || session.left() == 0) return point;
@@ -119,7 +119,7 @@ void certify_points(FrontSearch& search, const std::vector<Solved>& solved, Fron
   runner.book(stage);
 }
 
-// Finishing moves points a little: none may end up behind another.
+// Removes points that became dominated by the last Newton steps.
 void drop_dominated(const Problem& problem, Front& front) {
   std::vector<std::vector<double>> values;
   for (const auto& p : front.points) values.push_back(minimized(problem, p.evaluation));
@@ -131,7 +131,7 @@ void drop_dominated(const Problem& problem, Front& front) {
   front.points = std::move(kept);
 }
 
-// The ends of the front, if need be from the design that breaks the limits least, `least`.
+// Finds the ends of the front, if necessary from the least infeasible design `least`.
 bool find_ends(FrontSearch& search, const std::vector<std::vector<double>>& starts,
                std::optional<Candidate>& least) {
   if (search.find_ends(starts)) return true;

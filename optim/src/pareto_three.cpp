@@ -10,8 +10,8 @@
 namespace twum::optim {
 namespace {
 
-// Directions (i, j, h - i - j) / h, in an order in which neighbours follow each other. A zero entry
-// would hold its objective at the ideal without any room; it gets a little.
+// Directions (i, j, h - i - j) / h, ordered such that neighbours follow each other. Zero entries are replaced by
+// small ones, since they would force their objective exactly to the ideal.
 std::vector<std::vector<double>> lattice(std::size_t points) {
   constexpr double kRoom = 1e-6;
   std::size_t h = 1;

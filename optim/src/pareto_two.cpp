@@ -11,7 +11,7 @@
 namespace twum::optim {
 namespace {
 
-// Points nearer to each other than kSame of the front are one; gaps beyond kWide may hide a piece.
+// Points within kSame of the front's size are equal; gaps above kWide may hide a piece of the front.
 constexpr double kSame = 1e-7;
 constexpr double kWide = 0.03;
 
@@ -30,8 +30,7 @@ class TwoObjectives {
   }
 
  private:
-  // Points all over the front, each from several starts: a piece that warm starts would not reach
-  // is found here.
+  // Points all over the front, each from several starts, to find pieces that cannot be reached from neighbours.
   void coarse() {
     const std::size_t n = search_.runner().scaling().size();
     const auto far =
@@ -84,8 +83,8 @@ class TwoObjectives {
     return best;
   }
 
-  // Along the normal of the chord from its middle. Where the front has a hole, the answer is one of
-  // the ends of the hole, exactly; once both ends are known the gap is closed.
+  // Searches along the normal of the chord from its middle. In a hole of the front, the answer is exactly one end of
+  // the hole; once both ends are known, the gap is closed.
   void halve(std::size_t at) {
     const Solved a = front_[at];
     const Solved b = front_[at + 1];
@@ -98,12 +97,12 @@ class TwoObjectives {
     for (std::size_t k = 0; k < middle.size(); ++k) middle[k] = 0.5 * (a.unit[k] + b.unit[k]);
     auto found = search_.scalarize_predicted(m, n, a, b);
     if (!found || !between(*found, a, b)) found = search_.scalarize(m, n, {middle}, false);
-    // Where the problem is steep at a bound, a solver's rounding there can throw it off: first
-    // without the variables that the neighbours agree to have on a bound.
+    // If the problem is steep at a bound, rounding there can make a solver fail. So first try with the variables held
+    // that are at the same bound in both neighbours.
     for (const std::vector<double>* start : {&std::as_const(middle), &a.unit, &b.unit})
       if (!found || !between(*found, a, b)) found = search_.scalarize_within(m, n, *start, a, b);
     if (!found || !between(*found, a, b)) found = search_.scalarize(m, n, {a.unit, b.unit}, true);
-    // A wide gap is worth a look from elsewhere: its ends may lie in other valleys than its middle.
+    // In a wide gap, also start elsewhere, because its ends may belong to other local optima than its middle.
     if ((!found || !between(*found, a, b)) && length > kWide)
       found = search_.scalarize(m, n, elsewhere(m), true);
     if (found && between(*found, a, b)) {
@@ -129,8 +128,8 @@ class TwoObjectives {
            s.y[1] > b.y[1] + dy;
   }
 
-  // A hole: the piece on its right begins where the second objective gets below that on the left,
-  // and the piece on its left ends where nothing further lowers the second objective.
+  // Finds both ends of a hole. The piece on the right begins where the second objective falls below that of the left
+  // end. The piece on the left ends where the second objective cannot be lowered further.
   void close(const Solved& a, const Solved& b, std::optional<Solved> found) {
     closed_.emplace_back(a.y, b.y);
     const double step = 10.0 * kSame;
@@ -149,7 +148,7 @@ class TwoObjectives {
     if (s && is_new(*s)) front_.push_back(std::move(*s));
   }
 
-  // Better than everything known by more than the solver's own accuracy.
+  // Whether the point improves on all known ones by more than the solver's accuracy.
   bool is_new(const Solved& s) const {
     return std::none_of(front_.begin(), front_.end(), [&](const Solved& f) {
       return f.y[0] <= s.y[0] + kSame && f.y[1] <= s.y[1] + kSame;

@@ -11,7 +11,8 @@ namespace {
 using Eigen::Index;
 
 constexpr double kNearLimit = 1e-3;  // how near a limit must be to be a guess at the active set
-constexpr double kLongest = 0.05;    // of the box; a longer step would not be a finishing touch
+// of the box; a longer step means that the design is not nearly optimal
+constexpr double kLongest = 0.05;
 constexpr double kDone = 1e-11;
 constexpr int kSteps = 5;
 
@@ -19,7 +20,7 @@ double merit(const KktPoint& p, const Multipliers& m) {
   return std::max(m.residual.cwiseAbs().maxCoeff(), p.infeasibility);
 }
 
-// Limits that push back, equalities, and broken limits are kept as equations.
+// Active limits, equalities and violated limits, used as equations.
 struct Equations {
   Eigen::MatrixXd gradients;  // columns
   Eigen::VectorXd gaps;       // how far along its gradient each must move
@@ -100,8 +101,8 @@ std::optional<KktPoint> step(Session& session, const Scaling& scaling, KktPoint 
   const Eigen::MatrixXd objectives =
       objective_gradients(point, static_cast<std::size_t>(m.weights.size()));
   const Equations eq = equations(point, m);
-  // Flat directions are not moved along. Differences leave 1e-9 of noise in their curvature; with
-  // several objectives the front itself is one, up to the error of the weights.
+  // No steps along flat directions, whose curvature is 1e-9 of noise from the differences. With several objectives,
+  // the front itself is a flat direction up to the error of the weights.
   const double flat = m.weights.size() > 1 ? 1e-4 : 1e-7;
   const NewtonStep newton = newton_step(curvature->hessian, objectives, m.weights, eq, flat);
   const Eigen::VectorXd& d = newton.unit;

@@ -7,7 +7,7 @@
 namespace twum::optim {
 namespace {
 
-constexpr int kMostRestarts = 60;  // each in a smaller or a shifted box
+constexpr int kMostRestarts = 60;  // number of restarts, each in a smaller or a shifted box
 
 double distance(std::span<const double> a, std::span<const double> b) {
   double d = 0.0;
@@ -43,14 +43,14 @@ bool Restarts::at_a_wall(std::span<const double> z) const {
 
 bool Restarts::shrink(std::span<const double> failed) {
   const bool somewhere = std::ranges::all_of(failed, [](double u) { return std::isfinite(u); });
-  if (!somewhere) {  // the solver lost its way
+  if (!somewhere) {  // the solver failed
     if (!nlp_.best()) return false;
     radius_ = 0.25 * (radius_ > 0.0 ? radius_ : 1.0);
   } else if (!nlp_.best()) {
     nudge(failed);
   } else {
     const double d = distance(failed, std::span<const double>(from_).first(nlp_.units()));
-    // The best design itself lacks a derivative: begin beside it.
+    // The best design itself has no derivative, so start next to it.
     if (d == 0.0) nudge(failed);
     radius_ = d > 0.0 ? 0.5 * d : 0.25 * (radius_ > 0.0 ? radius_ : 1.0);
     if (radius_ < 1e-10) return false;

@@ -54,7 +54,7 @@ class RobustFrontSearch {
   }
 
  private:
-  // How far the front of FORM reaches in each goal: the direction of the rays.
+  // The span of FORM's front in each goal, which is the direction of the rays.
   void find_spans(const RobustRound& round, const Front& form) {
     for (std::size_t k = 0; k < round.goals().size(); ++k) {
       const auto less = [k](const FrontPoint& a, const FrontPoint& b) {
@@ -67,7 +67,7 @@ class RobustFrontSearch {
     }
   }
 
-  // Corrected, verified, and moved back until fresh products show that it holds.
+  // Corrects and verifies a point, and moves it back until an independent sample confirms its yield.
   RefinedPoint refine(const std::shared_ptr<const RobustRound>& round, const FrontPoint& point) {
     RefinedPoint at{{round, {}}, {}};
     at.solved.result.design = point.design;
@@ -91,8 +91,8 @@ class RobustFrontSearch {
     return at;
   }
 
-  // The next round of a point: corrected by a sample about it, and solved along the ray through f. The point stays as it is
-  // where that finds nothing.
+  // The next round of a point: corrected by a sample about it, and solved along the ray through f. If that finds no
+  // design, the point is unchanged.
   SolvedRound along_ray(const SolvedRound& at, const std::vector<double>& f,
                         const std::vector<double>& risks, const SamplePlan& plan) {
     const auto next = std::make_shared<const RobustRound>(
@@ -110,7 +110,7 @@ class RobustFrontSearch {
     return solved;
   }
 
-  // Of a share that is a goal nothing is wanted.
+  // Wanted risks; a yield that is a goal has none.
   std::vector<double> limited_risks() const {
     std::vector<double> risks;
     for (const YieldTarget& target : problem_.yields)
@@ -118,7 +118,7 @@ class RobustFrontSearch {
     return risks;
   }
 
-  // The responses of fresh products are many numbers; those that no statistic asks for are not kept.
+  // Drops the responses that no statistic needs, because they are many numbers.
   void drop_values(Verification& seen) const {
     for (std::size_t r = 0; r < seen.values.size(); ++r)
       if (std::none_of(problem_.statistics.begin(), problem_.statistics.end(),

@@ -17,8 +17,8 @@ Scaling::Scaling(const Problem& problem)
 }
 
 void Scaling::scale_responses(std::span<const double> design, const Evaluation& evaluation) {
-  // A response that is flat at the start gets the size of its value instead. The limits keep one
-  // strange start from making every later number underflow.
+  // A response with zero gradient at the start is scaled by its value instead. The limits prevent an unusual start
+  // from making later numbers underflow.
   constexpr double kLeast = 1e-10;
   constexpr double kMost = 1e10;
   for (std::size_t r = 0; r < factors_.size(); ++r) {

@@ -12,8 +12,8 @@
 namespace twum::optim {
 namespace {
 
-constexpr double kClearly =
-    1e-6;  // of the objective: above what the tolerance of a search leaves open
+// relative to the objective; larger than the tolerance of a search
+constexpr double kClearly = 1e-6;
 
 class FurtherLook {
  public:
@@ -28,7 +28,7 @@ class FurtherLook {
     found_.scan.before = found_.evaluation.values.front();
     sample();
     if (best_) follow();
-    // A better design is known, so that this one is not to be called an optimum.
+    // A better design is known, so this one is not an optimum.
     if (best_ && !found_.scan.replaced) found_.outcome = Outcome::feasible;
     return std::move(found_);
   }

@@ -38,8 +38,8 @@ std::uint64_t product(const Matrix& rows, std::uint64_t digits) {
   return result;
 }
 
-// Direction k of every dimension. Boost's point i combines the directions of Gray code i + 1, and
-// that of 2^k differs from that of 2^(k-1), seen through its neighbour, in direction k alone.
+// Direction k of every dimension. Boost's point i combines the directions in the Gray code of i + 1. The Gray code of
+// 2^k has the bits k and k - 1, so this point combined with direction k - 1 gives direction k.
 std::vector<std::uint64_t> next_directions(boost::random::sobol& engine, std::size_t k,
                                            const std::vector<std::uint64_t>& previous) {
   engine.seed((std::uint64_t{1} << k) - 1);

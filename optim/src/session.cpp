@@ -20,7 +20,7 @@ Evaluation failure(const std::string& reason) {
   return failed;
 }
 
-// A wrong size is a mistake of the evaluator's author and must not look like a failed design.
+// A wrong size is a bug of the evaluator and must not count as a failed design.
 void check_sizes(const Evaluation& e, const Problem& problem, bool gradient) {
   const std::size_t rows = problem.responses();
   const std::size_t entries = rows * problem.variables.size();
@@ -32,13 +32,13 @@ void check_sizes(const Evaluation& e, const Problem& problem, bool gradient) {
                      " derivatives where " + std::to_string(entries) + " were expected");
 }
 
-// A derivative that is not finite does not fail the design: it is marked, and only those who need
-// that entry are told.
+// A derivative that is not finite does not fail the design. It is marked as undefined, which matters only if it is
+// needed.
 void mark_undefined(Evaluation& e, const Problem& problem, std::span<const double> design) {
   const std::size_t variables = problem.variables.size();
   for (KinkedEntry& kink : e.kinks) {
     if (kink.slope != Slope::one_sided) continue;
-    // On a bound there is one side, and nothing to tell of the other.
+    // On a bound there is only one side.
     const Variable& v = problem.variables[kink.variable];
     const bool has_left = design[kink.variable] > v.lower,
                has_right = design[kink.variable] < v.upper;

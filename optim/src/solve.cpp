@@ -44,8 +44,8 @@ class ContinuousSolve {
   void named(const Optimizer& optimizer) {
     best_ = runner_.run(optimizer, runner_.unit_start(), true);
     runner_.finish(best_);
-    // A local solver that stopped short is begun again where it stopped: its memory of the way
-    // (asymptotes, Hessian) is often what held it back.
+    // A local solver that stopped short is restarted where it stopped, because its history (asymptotes, Hessian)
+    // often causes that.
     for (int again = 0; again < kAgain && !optimizer.info.global; ++again) {
       if (passed() || cut_short() || !best_.best) return;
       SolverRun run = runner_.run(optimizer, runner_.scaling().to_unit(best_.design), true);
@@ -65,7 +65,7 @@ class ContinuousSolve {
     if (!feasible(best_)) restore();
   }
 
-  // The global search leaves half of the budget to those who finish its work.
+  // The global search uses half of the budget; the rest is for the local searches after it.
   void globally() {
     const Optimizer& optimizer = find_optimizer(options_.global);
     if (!optimizer.info.global)
@@ -113,7 +113,7 @@ class ContinuousSolve {
       best_ = std::move(run);
   }
 
-  // Each rung starts where the best design is; the first that can be certified ends the climb.
+  // Each solver of the sequence starts from the best design. The first certified design ends it.
   void climb() {
     for (const std::string& name : ladder_.rungs) {
       if (runner_.exhausted() || runner_.scaling().size() == 0) return;
@@ -130,7 +130,7 @@ class ContinuousSolve {
     }
   }
 
-  // Nothing feasible yet: search for feasibility alone, and go on from there.
+  // If no feasible design is known, searches for feasibility only and continues from there.
   void restore() {
     if (runner_.exhausted()) return;
     auto from = starts();
@@ -188,7 +188,7 @@ class ContinuousSolve {
 
   void explain(Result& result) {
     std::vector<double> unit = least_infeasible_;
-    if (unit.empty()) {  // a named solver: its answer is where the elastic solve begins
+    if (unit.empty()) {  // for a solver chosen by name, the elastic solve starts from its answer
       const auto found = elastic_search(runner_, {runner_.scaling().to_unit(best_.design)});
       if (!found) return;
       unit = found->z;
@@ -196,12 +196,12 @@ class ContinuousSolve {
     result.infeasibility = explain_infeasible(runner_, unit);
     move_to(result.infeasibility.design);
     if (!result.infeasibility.relaxations.empty()) return;
-    // The elastic solve found what the solver did not, or the budget ended before it could tell.
+    // The elastic solve found a feasible design, or the budget ended before it could decide.
     result.outcome = outcome();
     result.infeasibility = {};
   }
 
-  // The least infeasible design is the one to show, if the budget lets it be looked at.
+  // Returns the least infeasible design, if the budget allows its evaluation.
   void move_to(const std::vector<double>& design) {
     SolverRun look;
     look.session = std::make_unique<Session>(runner_.problem(), options_, runner_.deadline(),
@@ -223,7 +223,7 @@ class ContinuousSolve {
   std::vector<double> least_infeasible_;
 };
 
-// Observers need not be safe for threads: one lock puts their calls one after another.
+// Observers need not be thread-safe: a lock serializes their calls.
 Observer serialized(const Observer& observer) {
   if (!observer) return {};
   auto lock = std::make_shared<std::mutex>();

@@ -17,7 +17,8 @@ namespace {
 
 constexpr int kMostBackOffs = 3;
 constexpr std::uint64_t kProductsOfALastRound = 16384;
-constexpr std::uint64_t kMostProductsOfALargest = 100'000;  // nothing is decided by it
+// upper limit; the sample decides nothing
+constexpr std::uint64_t kMostProductsOfALargest = 100'000;
 constexpr std::uint64_t kProductsOfAPrice = 4096;
 constexpr double kPricedYields[] = {0.9, 0.95, 0.98, 0.99, 0.995, 0.999};
 
@@ -62,8 +63,8 @@ class RobustSolve {
            solved.result.outcome == Outcome::failed;
   }
 
-  // No design was found: the largest yield says whether there is one, U3.6. If there is, the search goes on from
-  // it, otherwise it is the answer.
+  // If no design was found, searches the largest yield, U3.6. If it reaches the wanted one, the search continues from
+  // that design; otherwise the largest yield is the answer.
   SolvedRound largest_yield(std::vector<double>& risks) {
     if (problem_.yields.empty() || is_goal(0)) return search_.first_round(problem_.goals, risks);
     SolvedRound largest = search_.first_round({{RobustGoal::yield, 0}}, risks);
@@ -81,8 +82,8 @@ class RobustSolve {
     return largest;
   }
 
-  // The goal at other yields, each searched from its neighbour and corrected by one sample. The largest yield comes first:
-  // to search for one that cannot be reached costs more than all others together.
+  // The goal at other yields, each searched from its neighbour and corrected by one sample. The largest yield is
+  // found first, because a search for a yield that cannot be reached costs more than all others together.
   std::vector<YieldPrice> prices_of_yields(const SolvedRound& solved) {
     std::vector<YieldPrice> list;
     if (problem_.yields.empty() || is_goal(0) || !options_.price_yields) return list;
@@ -119,11 +120,11 @@ class RobustSolve {
                : next;
   }
 
-  // U5.3, U5.4: fresh products decide; where they do not show that the yield holds, a smaller risk is aimed at.
+  // U5.3, U5.4: an independent sample decides. If it does not confirm the yield, the search aims at a smaller risk.
   void verify(SolvedRound& solved, std::vector<double> risks) {
     for (int run = 0;; ++run) {
       if (!risks.empty()) result_.aimed.push_back(1.0 - risks.front());
-      // A largest yield is verified as what it is, not as what was wanted.
+      // A largest yield is not compared with the wanted one.
       const bool largest = solved.round->seeks_yield();
       const std::uint64_t products =
           largest
@@ -154,7 +155,8 @@ class RobustSolve {
     return false;
   }
 
-  // Whether the goal is a mean or a spread over too few of the products: its derivative is not that of the law.
+  // Whether the goal is a mean or a standard deviation and too many products have no answer, so that its derivative
+  // is wrong.
   bool lies() const {
     const RobustObjective& goal = problem_.goals.front();
     if (goal.kind != RobustGoal::statistic ||

@@ -8,18 +8,18 @@
 namespace twum::optim {
 namespace {
 
-// Calls after which a local search that still runs is taken to be lost; the quota rules as well.
+// Calls after which a local search is given up, within the quota.
 std::size_t local_calls(const SolverInfo& solver, std::size_t n) {
   if (solver.global) return static_cast<std::size_t>(-1);
   return (solver.gradient ? 1000 : 3000) + 300 * n;
 }
 
-// Newton steps are worth their evaluations unless the design is right to many digits already.
+// Newton steps are not worth their evaluations if the design is already accurate to many digits.
 bool good_enough(const Certificate& c) {
   return c.passed && c.stationarity <= 1e-8 && c.infeasibility <= 1e-10;
 }
 
-// Whether b may replace a: no worse in anything that the outcome rests on.
+// Whether b may replace a: it is not worse in anything that decides the outcome.
 bool improves(const Certified& a, const Certified& b) {
   if (b.certificate.passed != a.certificate.passed) return b.certificate.passed;
   return std::max(b.certificate.stationarity, b.certificate.infeasibility) <

@@ -10,12 +10,12 @@ namespace twum::optim {
 namespace {
 
 constexpr std::chrono::milliseconds kLook{20};
-constexpr double kHurry = 0.05;  // [s] of computing; an honest step takes microseconds
+constexpr double kHurry = 0.05;  // CPU time [s]; a regular step takes microseconds
 
-// The thread can be ended at any instruction, but only while the C code runs: nothing of ours, no lock and no
-// allocation, is ever cut off. An end that was asked for meanwhile comes with allow_end(). The end unwinds the stack, and
-// an instruction that cannot throw must not be in a function with destructors then, or C++ ends the program: so work()
-// and post() have none, and call functions that are not inlined.
+// The thread can be cancelled at any instruction, but only while the C code runs, so that no lock or allocation of
+// twum is interrupted. A cancellation requested meanwhile takes effect in allow_end(). Cancellation unwinds the
+// stack; if it starts at an instruction that cannot throw, in a function with destructors, C++ ends the program. So
+// work() and post() have no destructors and call functions that are not inlined.
 void allow_end() { pthread_setcancelstate(PTHREAD_CANCEL_ENABLE, nullptr); }
 void forbid_end() { pthread_setcancelstate(PTHREAD_CANCEL_DISABLE, nullptr); }
 

@@ -46,7 +46,7 @@ std::size_t StageRunner::left() const {
   return total > counters_.evaluations ? total - counters_.evaluations : 0;
 }
 
-// What a solver may not touch, so that its answer can still be certified.
+// Evaluations reserved for the certificate of a solver's answer.
 std::size_t StageRunner::reserve() const {
   return std::min(2 * certificate_cost(scaling_.size()), left() / 4);
 }
@@ -56,7 +56,7 @@ bool StageRunner::exhausted() const {
          options_.stop.stop_requested() || deadline_.passed();
 }
 
-// A request, or the end of the time, that comes in the last call of a stage is thrown to nobody.
+// Checks again, because a stop request or the end of the time during the last call of a stage throws nothing.
 StopReason StageRunner::stop_reason() const {
   if (stop_ == StopReason::seconds) return stop_;
   if (options_.stop.stop_requested()) return StopReason::requested;
@@ -107,7 +107,7 @@ SolverRun StageRunner::run(const Optimizer& optimizer, const Formulation& formul
 
 std::vector<SolverRun> StageRunner::run_all(const Optimizer& optimizer,
                                             const std::vector<std::vector<double>>& starts) {
-  // Each start has its own stage and an equal share, so that nothing depends on who is first.
+  // Each start has its own stage and an equal share, so that results do not depend on the order.
   const std::size_t share = (left() - reserve()) / starts.size();
   const Formulation formulation = plain_formulation(problem_, scaling_);
   std::vector<SolverRun> runs(starts.size());

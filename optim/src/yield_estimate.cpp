@@ -39,8 +39,8 @@ YieldVerdict verdict_on(const YieldEstimate& estimate, double wanted) {
   return estimate.high < wanted ? YieldVerdict::broken : YieldVerdict::not_distinguishable;
 }
 
-// The failing share is then known to 10 % of itself. More products cost time and gain objective, since less has to
-// be aimed at (U5.4).
+// The failure rate is then known to 10 % relative. More products cost time but improve the objective, because the
+// search may aim at a larger risk (U5.4).
 std::uint64_t products_for(double risk) {
   return static_cast<std::uint64_t>(std::round(std::clamp(400.0 / risk, 20000.0, 1e6)));
 }

@@ -47,7 +47,7 @@ std::string with_colour(const std::string& text) {
   return out;
 }
 
-// Of several processes that were started together the first says what is wrong with their input.
+// Of several processes started together, only the first reports errors in the input.
 int complain(const std::string& text, int status) {
   if (status == kWrongInput && studies::launched_number() > 0) return status;
   std::fprintf(stderr, "%s\n", text.c_str());
@@ -75,7 +75,7 @@ int unknown_command(const CLI::App& app, const std::string& word) {
                   kWrongInput);
 }
 
-// Words that no option and no position takes; of several, the first option is the likeliest culprit.
+// Arguments that no option and no position accepts. The first option among them is the most likely mistake.
 int unexpected_words(const CLI::App& command, const std::vector<std::string>& rest) {
   std::string word = rest.empty() ? "" : rest.front();
   for (const std::string& one : rest) {
@@ -108,7 +108,8 @@ int explain(const CLI::App& app, const CLI::ParseError& error) {
                   kWrongInput);
 }
 
-// An option followed by '', as a script gives it whose variable is empty, is not the same as no option.
+// Refuses an option with an empty value, as from a script with an empty variable; it does not mean that the option is
+// missing.
 void refuse_empty_options(const CLI::App& app) {
   const CLI::App& command = *app.get_subcommands().front();
   for (const CLI::Option* option : command.get_options()) {
@@ -119,7 +120,7 @@ void refuse_empty_options(const CLI::App& app) {
   }
 }
 
-// Every other command would be done by each process, all writing the same files.
+// Any other command would run in each process, and all would write the same files.
 void refuse_several_processes(const CLI::App& app) {
   const std::string& name = app.get_subcommands().front()->get_name();
   const unsigned processes = studies::launched_processes();
@@ -134,7 +135,7 @@ int perform(const Action& action) {
   try {
     return action();
   } catch (const ClosedPipe&) {
-    return kDone;  // the reader has seen enough
+    return kDone;  // the reader of the pipe has stopped reading
   } catch (const OutputError& error) {
     return complain(std::string("twum: ") + error.what(), kFailed);
   } catch (const studies::FileError& error) {

@@ -3,8 +3,8 @@
 
 namespace twum::cli {
 
-/// The whole program: reads the arguments, runs the command, and turns what happens into an exit status.
-/// Results go to standard output or files, everything else to standard error.
+/// The whole program: reads the arguments, runs the command, and returns the exit status. Results go to standard
+/// output or files, everything else to standard error.
 int run(int argc, char** argv);
 
 }  // namespace twum::cli

@@ -9,10 +9,10 @@ class App;
 
 namespace twum::cli {
 
-/// What the chosen command does; returns an exit status.
+/// The work of a command; returns an exit status.
 using Action = std::function<int()>;
 
-/// Each adds one command with its options; when the command is chosen, `action` becomes what it does.
+/// Each function adds one command with its options. When the command is chosen, `action` is set to its work.
 void add_curve(CLI::App& app, Action& action);
 void add_fields(CLI::App& app, Action& action);
 void add_explore(CLI::App& app, Action& action);

@@ -3,7 +3,7 @@
 
 namespace twum::cli {
 
-/// The example of a motor under a voltage, as a file to start from; static lifetime.
+/// The template of a motor file for a motor under a voltage; static lifetime.
 const char* driven_motor_text();
 
 }  // namespace twum::cli

@@ -3,10 +3,10 @@
 
 namespace twum::cli {
 
-/// How the program ends.
+/// Exit status of the program.
 enum ExitStatus : int {
   kDone = 0,
-  kNoAnswer = 1,  ///< it ran, but found no feasible or converged answer
+  kNoAnswer = 1,  ///< the study ran but found no feasible or converged answer
   kWrongInput = 2,
   kFailed = 3,  ///< a file could not be written or read back, or an internal error
   kInterrupted = 130

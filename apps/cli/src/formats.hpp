@@ -13,26 +13,27 @@ class App;
 
 namespace twum::cli {
 
-/// How a result is written and where to.
+/// Format and destination of a result.
 struct OutputOptions {
   std::string format{"table"};
   std::string path;
 
-  /// Columns that a table may have: those of the terminal that it goes to; 0, without limit, in files and pipes.
+  /// Width of a table in characters: that of the terminal; 0, without limit, for files and pipes.
   std::size_t table_width() const;
 };
 
-/// Adds --format and -o. Without --format a file named .csv, .json or .md gets what its name says.
+/// Adds --format and -o. Without --format, the extension .csv, .json or .md of the file selects the format.
 void add_output_options(CLI::App& command, OutputOptions& options,
                         const std::vector<std::string>& formats);
 
 /// A number for a CSV cell; empty if it is not a number.
 std::string cell_of(double value);
 
-/// How a column of a terminal's table shows its numbers.
+/// Unit and rounding of a column of a terminal's table.
 struct ColumnScale {
   studies::DisplayUnit unit;
-  double largest{0};  ///< SI; what is a thousand millionth of it is rounding, and shown as 0
+  /// largest size in the column, SI; values below 1e-9 of it are rounding errors and shown as 0
+  double largest{0};
 };
 
 /// A number for a cell of such a table, to four digits; "-" if it is not a number.

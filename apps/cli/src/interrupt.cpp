@@ -14,7 +14,7 @@ namespace twum::cli {
 namespace {
 
 constexpr long kMillisecond = 1000000;  // [ns]
-// What is in flight may take this long, so that a second is enough for all [ns].
+// Time for work in progress to end after a signal, so that the program ends within a second [ns].
 constexpr long kPatience = 800 * kMillisecond;
 // timeout(1) signals the program and then its process group, which is the program again [ns].
 constexpr long kSameRequest = 50 * kMillisecond;

@@ -6,18 +6,18 @@
 
 namespace twum::cli {
 
-/// The first Ctrl-C (or SIGTERM) sets a flag, so that what is in flight can be finished and written. What
-/// has not come to its end 0.8 s later is ended: the program exits with kInterrupted, wherever it is. A
-/// second signal ends it at once. A closed pipe or a file size limit becomes an error of the write.
+/// The first Ctrl-C (or SIGTERM) sets a flag, so that work in progress can be finished and written. If that takes
+/// longer than 0.8 s, the program exits with kInterrupted. A second signal ends it at once. A closed pipe or a file
+/// size limit becomes an error of the write.
 void install_interrupt_handler();
 
-/// Leaves Ctrl-C and SIGTERM to another process, which ends this one when it has finished.
+/// Ignores Ctrl-C and SIGTERM, because another process handles them and ends this one.
 void ignore_interrupts();
 
 /// True once the program was asked to stop.
 bool interrupted() noexcept;
 
-/// A stop token for as long as it lives, requested soon after the program was asked to stop.
+/// Provides a stop token during its lifetime. A stop is requested soon after the program was asked to stop.
 class StopOnInterrupt {
  public:
   StopOnInterrupt();

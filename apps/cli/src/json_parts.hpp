@@ -25,7 +25,7 @@ Json number_json(double value);
 /// Units of every parameter in use, by flat name.
 Json parameter_units_json(const studies::MotorFile& motor);
 
-/// The text of a JSON document, with line end. Bytes that are no UTF-8 are replaced.
+/// The text of a JSON document, with line end. Bytes that are not UTF-8 are replaced.
 std::string json_text(const Json& json);
 
 }  // namespace twum::cli

@@ -5,7 +5,7 @@
 
 namespace twum::cli {
 
-/// Name and version, the solver libraries that are linked, and the licence that follows from them.
+/// Name and version, the linked solver libraries, and the resulting licence.
 std::string version_text();
 
 }  // namespace twum::cli

@@ -17,7 +17,7 @@ std::string as_table(const Listing& listing, std::size_t width) {
   return aligned(table, width);
 }
 
-// The lists are our own: a range that begins with a minus sign is no formula.
+// The lists hold no text from users, so a range that begins with a minus sign needs no apostrophe.
 std::string own_line(const std::vector<std::string>& cells) {
   std::string line;
   for (const std::string& cell : cells) {

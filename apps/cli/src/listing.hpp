@@ -6,7 +6,7 @@
 
 namespace twum::cli {
 
-/// A list that a command shows: one heading for each column, one row for each thing.
+/// A table that a command prints: one heading for each column, one row for each item.
 struct Listing {
   std::string title;  ///< of the reference page
   std::string text;   ///< introduction of the reference page

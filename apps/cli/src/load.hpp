@@ -12,7 +12,7 @@ class App;
 
 namespace twum::cli {
 
-/// --speed and --torque, of which one says at which point of the curve a motor is looked at.
+/// --speed and --torque: one of them selects the operating point of a motor.
 struct LoadOptions {
   std::string speed;
   std::string torque;
@@ -23,8 +23,8 @@ struct LoadOptions {
 /// @param least  1 if one of them has to be given, 0 if they may be left out
 void add_load_options(CLI::App& command, LoadOptions& options, std::size_t least);
 
-/// The rotor speed asked for, or at which the motor carries the torque asked for [rad/s]; nothing, and why on standard error,
-/// if it cannot.
+/// The given rotor speed, or the speed at which the motor carries the given torque [rad/s]. If it cannot, prints the
+/// reason on standard error and returns nothing.
 std::optional<double> speed_of(const LoadOptions& options, const Motor& motor);
 
 }  // namespace twum::cli

@@ -9,12 +9,12 @@
 
 namespace twum::cli {
 
-/// Says on standard error what to know before believing numbers of this motor, a line each.
-/// @param said  notes that were shown before; one of these that a motor's note begins stands for it
+/// Prints the reasons to doubt the model for this motor on standard error, one line each.
+/// @param said  notes that were shown before; a note is left out if one of these is its beginning
 void print_model_notes(const MotorDesign& design, std::span<const std::string> said = {});
 
-/// Says on standard error what the reasons for missing answers mean, a line each.
-/// @param reasons  words such as "no-periodic-state"; others than those known are left alone
+/// Prints the meaning of reasons for missing answers on standard error, one line each.
+/// @param reasons  words such as "no-periodic-state"; unknown words are ignored
 void explain_reasons(const std::set<std::string>& reasons);
 
 }  // namespace twum::cli

@@ -12,7 +12,7 @@ class App;
 
 namespace twum::cli {
 
-/// MOTOR and --set, which many commands have; --branch, which those have that look at one wave.
+/// MOTOR and --set, common to many commands, and --branch of the commands that show one wave.
 struct MotorOptions {
   std::string path;
   std::vector<std::string> settings;

@@ -16,14 +16,14 @@ class OutputError : public Error {
   using Error::Error;
 };
 
-/// Whoever read our standard output has stopped reading: no reason to complain.
+/// The reader of standard output has stopped reading, which is not an error.
 class ClosedPipe : public Error {
  public:
   ClosedPipe() : Error("the reader closed the pipe") {}
 };
 
-/// Where a command writes its result: standard output, or a file that is created with the first
-/// write. Every failure to write is noticed, a full disk included.
+/// Destination of a command's result: standard output, or a file that is created with the first write. Every failure
+/// to write is detected, including a full disk.
 class Output {
  public:
   /// @param path    empty or "-" for standard output
@@ -36,7 +36,7 @@ class Output {
 
   /// @throws OutputError, ClosedPipe
   void write(std::string_view text);
-  /// Brings everything to its place; to be called once, at the end.
+  /// Flushes and closes the destination; to be called once, at the end.
   void finish();
 
  private:

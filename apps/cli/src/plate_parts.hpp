@@ -14,17 +14,17 @@ namespace twum::cli {
 /// A mode of the plate as `twum stator` lists it.
 struct ListedMode {
   stator::StatorMode mode;
-  bool drive;  ///< it carries the travelling wave
+  bool drive;  ///< whether it carries the travelling wave
 };
 
 /// The drive's mode and the other modes of n - 2 to n + 2 that are nearest to it, lowest frequency first.
 /// @param count  of all modes, at least 1
 std::vector<ListedMode> listed_modes(const MotorDesign& design, std::size_t count);
 
-/// What the plate of a design with a geometry says beside its modal data, and its modes, for the terminal.
+/// Numbers of the plate of a design with a geometry, beside its modal data, and its modes, for the terminal.
 std::string plate_text(const MotorDesign& design, std::size_t modes);
 
-/// The same with the radial shape; adds the units of what is new.
+/// The same as JSON with the radial shape; adds the units of its entries.
 Json plate_json(const MotorDesign& design, std::size_t modes, Json& units);
 
 }  // namespace twum::cli

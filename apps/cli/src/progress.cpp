@@ -22,7 +22,7 @@ std::string bar_text(const ProgressState& now) {
          (now.budget ? " of the budget" : "");
 }
 
-// A part of the line; of several the one with the highest rank goes first where there is no room.
+// A part of the progress line. If the line is too long, the part with the highest rank is dropped first.
 struct Part {
   int rank;
   std::string text;
@@ -62,7 +62,7 @@ void Progress::show(const ProgressState& now) {
   last_ = time;
   shown_ = true;
   const double seconds = std::chrono::duration<double>(time - begin_).count();
-  // The last column stays free: some terminals go on to the next line after it.
+  // The last column stays free, because some terminals wrap the line after it.
   std::fprintf(stderr, "\r\033[K%s", line(now, seconds, *width - 1).c_str());
   std::fflush(stderr);
 }

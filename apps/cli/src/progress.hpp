@@ -7,17 +7,18 @@
 
 namespace twum::cli {
 
-/// How far a command is.
+/// Progress of a command.
 struct ProgressState {
   std::size_t done{0};  ///< evaluations, or rows
-  double fraction{0};   ///< of the whole that is done, 0 if unknown
-  bool budget{false};   ///< the whole is a budget, which need not be used up
-  std::string stage{};  ///< what it is at
+  double fraction{0};   ///< share of the whole that is done, 0 if unknown
+  bool budget{false};   ///< the whole is a budget, which may not be used up
+  std::string stage{};  ///< current stage
   std::string best{};   ///< the best so far
 };
 
-/// One line on the terminal: a bar with the share that is done, how many evaluations, their rate, the time left, the stage, and
-/// the best so far; where the terminal is narrow the less important is left out. Nothing at all if standard error is no terminal.
+/// One line on the terminal: a bar with the share that is done, how many evaluations, their rate, the time left, the
+/// stage, and the best so far; on a narrow terminal the less important parts are left out. Prints nothing if standard
+/// error is not a terminal.
 class Progress {
  public:
   Progress();
@@ -34,7 +35,7 @@ class Progress {
   bool shown_{false};
   Clock::time_point begin_;
   Clock::time_point last_;
-  std::size_t done_before_{0};  // what an earlier run had done already
+  std::size_t done_before_{0};  // evaluations of an earlier run
   double fraction_before_{0};
   bool counting_{false};
 };

@@ -22,7 +22,7 @@ std::string shown_metric(const MetricValue& value, const std::string& unit) {
 std::string change_text(const MetricValue& from, const MetricValue& to) {
   const bool known = from.status == MetricStatus::ok && to.status == MetricStatus::ok;
   if (!known || from.value == 0) return "-";
-  constexpr double kRounding = 1e-6;  // what `auto` leaves
+  constexpr double kRounding = 1e-6;  // error that `auto` allows
   const double change = to.value / from.value - 1;
   return std::abs(change) < kRounding ? "none" : studies::rounded_text(100 * change, 2) + " %";
 }

@@ -18,7 +18,7 @@ struct SliceComparison {
   int slices;  ///< as Motor::radial_slices()
 };
 
-/// @param design  if it has one slice, the track gets as many as `auto` takes
+/// @param design  if it has one slice, the track gets the number that `auto` takes
 SliceComparison compare_slices(const MotorDesign& design);
 
 /// Metrics in rows: one slice, the track, and the relative change from the one to the other.

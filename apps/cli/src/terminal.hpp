@@ -6,10 +6,11 @@
 
 namespace twum::cli {
 
-/// Columns of the terminal that a file descriptor is; nothing if it is none, 80 if it does not say.
+/// Width of the terminal of a file descriptor in characters: nothing if it is not a terminal, 80 if the width is
+/// unknown.
 std::optional<std::size_t> terminal_width(int descriptor);
 
-/// Whether the terminal only takes plain lines: TERM is "dumb", or missing.
+/// Whether the terminal supports plain lines only: TERM is "dumb" or missing.
 bool dumb_terminal();
 
 }  // namespace twum::cli

@@ -9,7 +9,7 @@
 namespace twum::python {
 namespace {
 
-// The value of an enumeration whose word this is. Its values count from 0 without a gap up to `last`.
+// The enumeration value with this word. The values count from 0 without a gap up to `last`.
 template <typename Enum>
 Enum from_word(const std::string& word, Enum last) {
   for (int i = 0; i <= static_cast<int>(last); ++i)

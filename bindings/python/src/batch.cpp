@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-// A column of values of one parameter; one value holds for every design.
+// A column of values of one parameter. A single value applies to every design.
 struct ParameterColumn {
   Parameter parameter;
   Array values;
@@ -74,7 +74,7 @@ Designs to_designs(const py::dict& arguments) {
   return designs;
 }
 
-// The designs, for threads that know nothing of Python.
+// The designs, for threads that do not hold the GIL.
 class DesignRows {
  public:
   DesignRows(const MotorDesign& base, const Designs& designs) : base_(base), rows_(designs.rows) {
@@ -83,8 +83,8 @@ class DesignRows {
           {column.parameter, column.values.data(), column.values.size() == 1 ? 0U : 1U});
   }
 
-  /// Calls take(row, outcome) with what ask(motor) says of every row, in their order. The asking is done on several
-  /// threads, all of it without the GIL. Ctrl-C ends it.
+  /// Calls take(row, outcome) with the outcome of ask(motor) for every row, in their order. Runs on several threads,
+  /// without the GIL. Ctrl-C ends it.
   template <typename Ask, typename Take>
   void visit(unsigned jobs, Ask ask, Take take) const {
     run_interruptible(
@@ -118,7 +118,7 @@ class DesignRows {
   std::vector<Source> sources_;
 };
 
-// Texts as an array. Most are the same few: each becomes one Python string.
+// Texts as an array. Most are equal, so equal texts share one Python string.
 py::object text_array(const std::vector<std::string>& texts) {
   std::map<std::string, py::str> known;
   py::list list(texts.size());

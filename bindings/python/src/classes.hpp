@@ -13,7 +13,7 @@
 
 namespace twum::python {
 
-/// A motor as Python sees it: named, ready to be asked, immutable.
+/// A motor in Python: it has a name and is immutable.
 struct PyMotor {
   std::string name;
   Motor motor;
@@ -24,13 +24,13 @@ struct PyDerivative {
   MetricDerivative of;
 };
 
-/// A question about a motor of this name.
+/// A design question about a motor with this name.
 struct PyProblem {
   std::string name;
   studies::DesignProblem problem;
 };
 
-/// The classes of ours that Python has.
+/// The classes of twum in Python.
 template <typename T>
 concept PythonClass = std::same_as<T, PyMotor> || std::same_as<T, PyDerivative> ||
     std::same_as<T, PyProblem> || std::same_as<T, OperatingPoint>;

@@ -36,7 +36,7 @@ bool is_masked(py::handle values) {
          py::cast<bool>(ma.attr("is_masked")(values));
 }
 
-// False for texts, bytes, sets and dictionaries: their entries are no numbers, or in no order.
+// False for texts, bytes, sets and dictionaries, whose entries are not numbers or have no order.
 bool is_list_like(py::handle values) {
   PyObject* const object = values.ptr();
   if (PyUnicode_Check(object) || PyBytes_Check(object) || PyByteArray_Check(object)) return false;
@@ -44,7 +44,8 @@ bool is_list_like(py::handle values) {
   return py::isinstance<py::iterable>(values);
 }
 
-// What NumPy makes of an array. A list becomes an array of objects: NumPy would make numbers of the truth values in it.
+// The values as a NumPy array. A list becomes an array of objects, because NumPy would convert truth values in it to
+// numbers.
 py::array numpy_array(const std::string& name, py::handle values) {
   const py::object asarray = py::module_::import("numpy").attr("asarray");
   if (py::hasattr(values, "__array__") || PyObject_CheckBuffer(values.ptr())) {

@@ -24,8 +24,8 @@ using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 /// A view on a table's text as a Python string.
 py::str to_py(std::string_view text);
 
-/// The float that an int, float or real number of NumPy is; nothing for anything else: truth values, complex numbers,
-/// dates and masked numbers are none.
+/// The value of an int, float or real NumPy number; nothing for anything else, such as truth values, complex numbers,
+/// dates and masked numbers.
 std::optional<double> number_of(py::handle value);
 
 /// A quantity: a number in the SI unit, or a text with a unit.
@@ -34,16 +34,16 @@ double to_quantity(const std::string& name, py::handle value, std::string_view u
                    std::string_view example);
 double to_speed(py::handle value);
 
-/// Value of a parameter; its range is left to with().
+/// Value of a parameter; its range is checked by with().
 double to_parameter_value(Parameter parameter, py::handle value);
 
 /// Reads one number in the SI unit, or a text with a unit, or throws.
 using ToNumber = std::function<double(py::handle)>;
 
-/// An array in SI units, of any shape, from an array of real numbers, or from a list, tuple or array of whatever `one`
-/// reads.
-/// @throws InputError or TypeError naming `name` for numbers that are not real, masked entries, rows of unequal length,
-///         and whatever else is no array
+/// An array in SI units, of any shape, from an array of real numbers, or from a list, tuple or array of objects that
+/// `one` reads.
+/// @throws InputError or TypeError naming `name` for numbers that are not real, masked entries, rows of unequal
+///         length, and anything else that is not an array
 Array to_numbers(const std::string& name, py::handle values, const ToNumber& one);
 
 /// Speeds from one quantity, an iterable of quantities, or an array of one dimension in rad/s.

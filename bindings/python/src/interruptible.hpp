@@ -10,9 +10,9 @@
 
 namespace twum::python {
 
-/// Runs work(stop_token) on a thread of its own, without the GIL, while this one looks for Ctrl-C and
-/// calls poll() now and then with the GIL. An exception of either asks the work to stop, waits for it,
-/// and comes out.
+/// Runs work(stop_token) on a new thread without the GIL. Meanwhile the calling thread checks for Ctrl-C and calls
+/// poll() now and then with the GIL. If either throws, the work is asked to stop and waited for; then the exception
+/// is thrown.
 template <typename Work, typename Poll>
 auto run_interruptible(Work work, Poll poll) {
   std::stop_source stop;

@@ -103,7 +103,7 @@ Array to_points(const std::string& name, Argument argument, const py::object& at
 
 double point_value(const PyMotor& self, std::string_view name, const MetricRequest& request) {
   const MetricValue value = evaluate(self.motor, request);
-  // A speed that no rotor can have is the caller's mistake: the operating point says what is right.
+  // A speed out of range is the caller's mistake: operating_point() throws the InputError that says what is right.
   if (value.status == MetricStatus::out_of_range) self.motor.operating_point(request.at);
   return value_or_throw(name, value);
 }

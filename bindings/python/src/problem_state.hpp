@@ -5,7 +5,8 @@
 
 namespace twum::python {
 
-/// A question as plain Python values: the motor as the text of its file, and the arguments of the calls that asked it.
+/// A question as plain Python values: the motor as the text of its file, and the arguments of the calls that built
+/// it.
 py::dict problem_state(const PyProblem& self);
 
 /// The question that has this state.

@@ -22,7 +22,7 @@ struct Progress {
   std::string best;
 };
 
-// The latest word of the run, for the thread that may call Python.
+// The latest progress of the run, for the thread that may call Python.
 class Mailbox {
  public:
   void put(Progress progress) {
@@ -74,7 +74,7 @@ py::tuple run_file(const std::string& path, const std::string& directory,
   options.jobs = jobs;
   options.fresh = fresh;
   options.progress = [&](const studies::RunProgress& now) {
-    mailbox.put({now.done, now.budget ? 0 : now.total, now.best});  // a budget is no total
+    mailbox.put({now.done, now.budget ? 0 : now.total, now.best});  // a budget is not a total
   };
   const studies::StudyResult result = run_interruptible(
       [&](std::stop_token stop) {

@@ -52,7 +52,7 @@ struct MotorNumber {
   double (*value)(const Motor&);
 };
 
-// What the page needs of a motor besides its metrics.
+// Numbers of a motor that the page needs besides its metrics.
 constexpr MotorNumber kMotorNumbers[] = {
     {"crest_speed", [](const Motor& m) { return m.crest_speed(); }},
     {"wave_speed", [](const Motor& m) { return m.wave_speed(); }},
@@ -68,7 +68,7 @@ void append(const char* name) {
   text += name;
 }
 
-// The columns of a curve: those of `twum curve`, those of the terminals, and what else the page draws.
+// The columns of a curve: those of `twum curve`, those of the terminals, and others that the page draws.
 void append_columns() {
   append("status");
   for (const studies::CurveColumn& one : studies::contact_columns()) append(one.name);
@@ -121,8 +121,8 @@ TWUM_EXPORT(names) void names(int kind) {
   if (kind == 5) append_columns();
 }
 
-/// Takes the motor of the numbers in the input (design_of()); where they make none, the motor before stays. Writes the numbers
-/// of a motor, the value of every parameter, and for each whether it is in use.
+/// Takes the motor of the numbers in the input (design_of()); if they are not those of a valid motor, the previous
+/// motor stays. Writes the numbers of a motor, the value of every parameter, and for each whether it is in use.
 TWUM_EXPORT(motor) int take_motor() {
   return attempt([] {
     motor = Motor(design_of(input));

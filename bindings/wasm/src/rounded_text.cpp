@@ -5,7 +5,8 @@
 
 namespace twum::studies {
 
-// The library's own writes the same with std::to_chars, whose tables would be an eighth of the module. There is one locale here.
+// Replaces the function of the library, which writes the same with std::to_chars, whose tables would be an eighth of
+// the module. WebAssembly has one locale only.
 std::string rounded_text(double value, int digits) {
   char buffer[64];
   const int size = std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);

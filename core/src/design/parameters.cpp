@@ -51,7 +51,7 @@ std::string with_unit(double value, const ParameterInfo& row) {
   return row.unit == "1" ? number(value) : number(value) + " " + std::string(row.unit);
 }
 
-// Makes the block of a parameter if the design has none.
+// Creates the block of a parameter if the design has none.
 Imbalance& imbalance_of(Stator& stator) {
   if (!stator.imbalance) stator.imbalance.emplace();
   return *stator.imbalance;
@@ -61,7 +61,7 @@ Sensor& sensor_of(Stator& stator) {
   return *stator.sensor;
 }
 
-// Sets one parameter, its twin gives way. mu_0 follows mu; an own value for mu_0 is set after it.
+// Sets one parameter and removes its twin. mu_0 follows mu; a value given for mu_0 is set afterwards.
 void set(MotorDesign& design, Parameter parameter, double value) {
   if (std::string wrong = follows_from_geometry(design, parameter); !wrong.empty())
     throw InputError(wrong);
@@ -116,7 +116,7 @@ void set(MotorDesign& design, Parameter parameter, double value) {
   }
 }
 
-// What does not go together in a design, the first of it; empty if there is nothing.
+// The first contradiction between parameters of a design; empty if there is none.
 std::string contradiction(const MotorDesign& design) {
   const Stator& stator = design.stator;
   if (design.friction.static_ < design.friction.kinetic)
@@ -286,7 +286,8 @@ bool in_use(const MotorDesign& design, Parameter parameter) {
 
 std::string complaint(Parameter parameter, double value) {
   const ParameterInfo& row = info(parameter);
-  const auto found = [&] { return ", but is " + with_unit(value, row); };  // rarely needed
+  // called only for an error
+  const auto found = [&] { return ", but is " + with_unit(value, row); };
   if (!std::isfinite(value)) return "must be a finite number" + found();
   if (!(value >= row.min)) return "must be at least " + with_unit(row.min, row) + found();
   if (!(value <= row.max)) return "must be at most " + with_unit(row.max, row) + found();

@@ -13,7 +13,7 @@ namespace {
 
 using stator::StatorModel;
 
-// All that a plate's numbers follow from.
+// Everything that determines the numbers of a plate.
 struct PlateInput {
   stator::StatorGeometry geometry;
   double wavelengths, contact_radius, contact_width;
@@ -26,7 +26,7 @@ struct KnownPlate {
   std::shared_ptr<const StatorModel> model;
 };
 
-// A search looks at few designs at a time: the one it evaluates, and neighbours that differ in other things.
+// A search uses few plates at a time: that of the current design and those of its neighbours.
 constexpr std::size_t kKeptPlates = 8;
 
 PlateInput plate_input(const MotorDesign& design) {
@@ -49,8 +49,8 @@ std::shared_ptr<const StatorModel> solved_plate(const PlateInput& input) {
 }  // namespace
 
 std::shared_ptr<const StatorModel> plate_model(const MotorDesign& design) {
-  thread_local std::deque<KnownPlate>
-      kept;  // numbers follow from the input alone, whichever thread asks
+  // one cache for each thread; the numbers depend on the input only
+  thread_local std::deque<KnownPlate> kept;
   PlateInput input = plate_input(design);
   const auto known = std::find_if(kept.begin(), kept.end(),
                                   [&](const KnownPlate& one) { return one.input == input; });

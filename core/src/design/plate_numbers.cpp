@@ -37,7 +37,7 @@ std::optional<Dimension> dimension_of(Parameter parameter) {
   return known[index_of(parameter)];
 }
 
-// The teeth do not turn with the section they stand on: without them shear leaves a part of the lever (P4.3).
+// Teeth do not rotate with the cross section below them. Shear reduces the lever of the section only (P4.3).
 stator::Derived lever_of(const MotorDesign& design, const StatorModel& plate) {
   const auto& teeth = design.stator.geometry->teeth;
   const double radius = design.stator.contact_radius;
@@ -85,7 +85,7 @@ auto find_number(Geometry& geometry, Parameter parameter) -> decltype(find(geome
   return dimension ? find(geometry, *dimension) : nullptr;
 }
 
-// Numbers that may be left out take a value where they had none.
+// Gives a value to electrode radii that were left out.
 void give_electrodes(stator::Electrodes& electrodes, Parameter parameter, double value) {
   if (parameter == P::electrodes_inner_radius) electrodes.inner_radius = value;
   if (parameter == P::electrodes_outer_radius) electrodes.outer_radius = value;
@@ -207,7 +207,7 @@ std::vector<std::string> geometry_complaints(const MotorDesign& design) {
   } catch (const InputError& error) {
     return {error.what()};
   } catch (const EvaluationError&) {
-    return {};  // a plate that can be built, but not for this wave
+    return {};  // a valid plate without a mode for this wave
   }
 }
 

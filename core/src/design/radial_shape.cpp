@@ -9,7 +9,7 @@ namespace {
 using Rows = std::vector<std::pair<double, double>>;
 
 constexpr std::size_t kFewestRows = 4;  // a not-a-knot spline of four rows is one cubic
-constexpr int kLooks = 64;              // radii at which a table's spline has to be positive
+constexpr int kLooks = 64;  // number of radii at which a table's spline has to be positive
 
 std::string millimetres(double length) {
   char text[40];
@@ -44,7 +44,7 @@ std::string row_complaint(const Rows& rows) {
 std::string table_complaint(const Rows& rows, double inner, double outer) {
   const std::string wrong = row_complaint(rows);
   if (!wrong.empty()) return wrong;
-  const double slack = 1e-12 * outer;  // of radii that were added and subtracted
+  const double slack = 1e-12 * outer;  // rounding of sums and differences of radii
   if (rows.front().first > inner + slack || rows.back().first < outer - slack)
     return "must cover the contact track, " + range_text(inner, outer) + ", but covers " +
            range_text(rows.front().first, rows.back().first);

@@ -15,13 +15,13 @@ const DimensionInfo& info(Dimension entry) {
   return dimension_table()[static_cast<std::size_t>(entry)];
 }
 
-// Collects what is wrong, so that one look is enough.
+// Collects all complaints, so that they are reported together.
 class Complaints {
  public:
   explicit Complaints(const StatorGeometry& geometry) : geometry_(geometry) {}
 
-  // A number has to lie on one side of another, or of that of another entry; an absent one is in order.
-  // Comparisons are written so that NaN is out of bounds.
+  // A number has to lie on one side of a limit or of another entry; an absent number is valid. Comparisons are
+  // written so that NaN is out of bounds.
   template <typename Limit>
   void above(Dimension entry, Limit limit) {
     bound(entry, "above", limit, [](double x, double y) { return x > y; });

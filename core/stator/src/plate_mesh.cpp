@@ -15,7 +15,7 @@ namespace {
 // 5.8 with each degree: 1e-9 at degree 12, and the square of it in a frequency.
 constexpr double kLargestRatio = 2;
 constexpr int kDegree = 12;
-// Elements narrower than this share of the plate hold so little of a wave that fewer degrees do.
+// Elements narrower than this share of the plate contain little of a wave, so that a lower degree is sufficient.
 constexpr double kNarrow = 0.1;
 constexpr int kNarrowDegree = 7;
 
@@ -59,9 +59,9 @@ std::vector<std::vector<int>> number_functions(Mesh& mesh, const Basis& basis,
   return dofs;
 }
 
-// Rings that are too narrow for the rounding of their stiffness, as a share of the plate's width: that of
-// Kirchhoff's Hermite functions is the cube of the inverse share, that of Mindlin's linear ones its first
-// power. 1e-7 and better is left.
+// Narrowest rings, as a share of the plate's width. Rounding errors of the stiffness grow with the inverse share:
+// with its cube for Kirchhoff's Hermite functions, linearly for Mindlin's functions. These limits leave an accuracy
+// of 1e-7 or better.
 constexpr double kNarrowestKirchhoff = 1e-3;
 constexpr double kNarrowestMindlin = 1e-9;
 

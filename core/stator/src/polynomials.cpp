@@ -60,7 +60,7 @@ Basis make_basis(Continuity continuity, int degree) {
 
 BasisTable make_table(Continuity continuity, int degree) {
   BasisTable table{make_basis(continuity, degree), {}, {}, {}};
-  // 1 / rho is no polynomial: four points more than the squares of the basis need.
+  // 1 / rho is not a polynomial, so there are four points more than the squares of the basis need.
   const int count = degree + 4;
   const auto add = [&](double x) {
     const double slope = boost::math::legendre_p_prime(count, x);

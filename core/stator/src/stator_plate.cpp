@@ -14,7 +14,7 @@ struct Edge {
   double radius;
 };
 
-// A web that begins inside the substrate's inner radius continues the plate: that radius is no edge then.
+// A web that begins inside the substrate's inner radius continues the plate, so that radius is not an edge.
 bool web_covers_inner_radius(const StatorGeometry& g) {
   return g.web && g.web->inner_radius <= g.substrate.inner_radius;
 }

@@ -7,7 +7,8 @@
 namespace twum::optim {
 namespace {
 
-constexpr double kSpan = 1.5;   // of indices beyond the smallest: a risk 100 times smaller
+// indices larger than the smallest by this are left out; their risk is 100 times smaller
+constexpr double kSpan = 1.5;
 constexpr double kApart = 0.3;  // cosine below which a failing product belongs to no centre
 constexpr double kSameCentre = 0.99;
 constexpr int kMostDraws = 4;

@@ -127,7 +127,7 @@ class InverseForm {
     return LinearInBuilt(problem_, x_, scaled(best_.by_input, side_), std::abs(beta_)).least();
   }
 
-  // The step, or a part of it after one that led up, on the sphere.
+  // The step on the sphere, shortened after a step that increased the margin.
   std::vector<double> shortened(std::vector<double> z) const {
     if (part_ == 1.0) return z;
     for (std::size_t k = 0; k < z.size(); ++k) z[k] = best_.z[k] + part_ * (z[k] - best_.z[k]);

@@ -110,7 +110,7 @@ std::vector<std::vector<double>> RobustSearch::starts() const {
   return list;
 }
 
-// Calls of a round's problem go through the caller's memory.
+// The problem of a round, answered from the caller's stored evaluations where possible.
 Problem RobustSearch::remembered(Problem problem, std::uint64_t number) const {
   if (options_.recall) {
     problem.evaluate = [this, number, evaluate = problem.evaluate](std::span<const double> at,

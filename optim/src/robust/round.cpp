@@ -9,10 +9,10 @@
 namespace twum::optim {
 namespace {
 
-constexpr double kLeastBeta = -3.0;  // some limits cannot be held more often than not
+constexpr double kLeastBeta = -3.0;  // negative, because some limits fail for most products
 constexpr double kMostBeta = 6.0;    // a risk of 1e-9
-// A limit that matters little has an index that depends on the start and costs steps: this share of the risk is small
-// enough to be left with it.
+// Smallest share of the risk for each limit. The index of an unimportant limit is badly determined and costs steps,
+// so it keeps this small share.
 constexpr double kSmallShare = 1e-3;
 
 std::string side_name(const RobustProblem& problem, const Margin& margin) {
@@ -26,7 +26,7 @@ bool is_limited(const StatisticTarget& target) {
   return target.lower > -kInfinity || target.upper < kInfinity;
 }
 
-// The square of a row: a spread of zero has no derivative, its square has.
+// The square of a row: a standard deviation of zero has no derivative, its square has one.
 LineOf squared(LineOf row) {
   for (double& slope : row.slope) slope *= 2.0 * row.value;
   row.value *= row.value;

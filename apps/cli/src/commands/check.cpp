@@ -29,7 +29,7 @@ constexpr const char* kCheckExamples = R"text(Examples:
 A file that is right may still be odd: lines that begin with "note:" say where a motor is outside
 what the solver is tested for, or what its model is good for.)text";
 
-// A file that is right, in words, its motor, and what is still to come.
+// A valid file: its description, its motor, and what is still missing.
 struct Checked {
   std::string words;
   MotorDesign motor;
@@ -37,8 +37,7 @@ struct Checked {
   std::vector<std::string> notes{};
 };
 
-// A study may be written before its points are measured. What else may be wrong with the path, its
-// reader says.
+// A study may be written before its points are measured. Other errors in the path are reported by its reader.
 std::string missing_data(const studies::StudyFile& study) {
   const auto* asked = std::get_if<studies::CalibrateStudy>(&study.asked);
   if (asked == nullptr) return "";
@@ -51,7 +50,7 @@ std::string missing_data(const studies::StudyFile& study) {
   return "";
 }
 
-// Throws what is wrong with the file. Standard input can be read only once.
+// Throws the errors of the file. Reads it once, because standard input cannot be read again.
 Checked checked(const MotorOptions& options) {
   const studies::Source source = studies::read_source(options.path);
   if (studies::is_study(source)) {

@@ -33,7 +33,7 @@ struct CompareOptions {
   OutputOptions output;
 };
 
-// Differences in per cent of the first value, in its unit where that is zero.
+// Differences in per cent of the first value, or in its unit if that is zero.
 std::string difference(const ComparisonRow& row, std::size_t i) {
   const double first = row.values.front();
   const double value = row.values[i];

@@ -164,7 +164,7 @@ ColumnScale scale_of(const CurveColumn& column, const std::vector<OperatingPoint
   return {studies::display_unit(largest, column.unit), largest};
 }
 
-// Columns of all points, and what `last` says of each point under a heading of its own.
+// Columns of all points, and a last column of texts with a heading of its own.
 using PointWords = std::function<std::string(std::size_t)>;
 std::string points_table(const Curve& curve, std::span<const CurveColumn> columns,
                          const std::string& heading, const PointWords& last, std::size_t width) {
@@ -187,7 +187,7 @@ std::string points_table(const Curve& curve, std::span<const CurveColumn> column
   return aligned(table, width);
 }
 
-// Speed and torque again, what the terminals see, and the losses that the other table does not have.
+// Speed and torque again, the quantities at the terminals, and the losses that the other table does not have.
 std::string terminals_table(const Curve& curve, std::size_t width) {
   const std::span<const CurveColumn> contact = studies::contact_columns();
   std::vector<CurveColumn> columns(contact.begin(), contact.begin() + 2);
@@ -208,7 +208,7 @@ std::string as_table(const Curve& curve, std::size_t width) {
   return has_modal_data(curve.file.design) ? text + "\n" + terminals_table(curve, width) : text;
 }
 
-// The whole range of the curve's speeds; of a single speed, what the curve covers by itself.
+// The range of the curve's speeds; for a single speed, the default range of a curve.
 std::string plot_script(const Curve& curve) {
   const auto [first, last] = std::minmax_element(
       curve.points.begin(), curve.points.end(),
@@ -217,7 +217,7 @@ std::string plot_script(const Curve& curve) {
   return curve_plot(curve.file, 0, studies::last_curve_speed(Motor(curve.file.design)));
 }
 
-// What a healthy motor says, that its running wave exists down to rest, is no reason for a note.
+// does_not_pull_out is the normal case of a motor and needs no note.
 std::set<std::string> reasons_in(const Curve& curve) {
   std::set<std::string> reasons;
   for (const MetricValue& value : curve.values) reasons.insert(to_string(value.status));

@@ -31,7 +31,7 @@ struct SheetOptions {
   std::string page;
 };
 
-// The motor that a study found, of its directory; another path as it is.
+// For a result directory, the file of the motor that the study found; any other path unchanged.
 std::string motor_of(const std::string& path) {
   namespace fs = std::filesystem;
   std::error_code ignored;

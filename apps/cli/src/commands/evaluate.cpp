@@ -88,7 +88,7 @@ std::vector<studies::MetricExpression> usual_metrics(const MotorDesign& base,
   return metrics;
 }
 
-// The motor as it is: a row of metrics and a status, under their names.
+// The motor without a table of designs: one row of metrics and a status, under their names.
 int run_alone(const EvaluateOptions& options, std::vector<studies::MetricExpression> metrics) {
   Output output(options.output, {options.motor.path});
   const MotorDesign design = load_motor(options.motor).design;

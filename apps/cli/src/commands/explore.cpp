@@ -30,7 +30,7 @@ struct ExploreOptions {
   std::string page;
 };
 
-// The motor file's name with .html in place of its own ending, here; a motor from standard input gives "motor.html".
+// The motor file's name with the extension .html, in the current directory; "motor.html" for standard input.
 std::string page_of(const ExploreOptions& options) {
   if (!options.page.empty()) return options.page;
   if (options.motor.path == "-") return "motor.html";

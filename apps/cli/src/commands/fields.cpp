@@ -75,7 +75,7 @@ std::vector<ContactFields> fields_over(const Motor& motor, double speed, int sam
   return fields;
 }
 
-// What the contact does at a phase: "slip+", "stick", "slip-", or "free".
+// State of the contact at a phase: "slip+", "stick", "slip-", or "free".
 const char* state_at(const std::vector<Zone>& zones, double phase) {
   for (const Zone& zone : zones) {
     if (phase >= zone.from && phase <= zone.to) return to_string(zone.state);

@@ -57,7 +57,7 @@ struct FrequencyAnswer {
   std::vector<ResponseBranch> branches;
   std::vector<DirectedSweep> sweeps;
   std::optional<ResponsePoint> running;  // at the drive's own frequency
-  std::optional<double> pull_out;        // where its branch ends below
+  std::optional<double> pull_out;        // frequency at the lower end of its branch
 };
 
 RotorLoad load_of(const LoadOptions& options) {
@@ -66,7 +66,7 @@ RotorLoad load_of(const LoadOptions& options) {
   return {Argument::torque, parse_torque("--torque", options.torque)};
 }
 
-// The ends given; what is left open is where the response itself begins or ends.
+// The given ends; an end that is not given is that of the response itself.
 std::optional<std::pair<double, double>> range_of(const FrequencyOptions& options,
                                                   const MotorDesign& design,
                                                   const RotorLoad& load) {
@@ -219,7 +219,8 @@ ColumnScale scale_of_waves(const FrequencyColumn& column, const FrequencyAnswer&
   return {studies::display_unit(largest, column.unit), largest};
 }
 
-// Those of the table: a motor with equal phases and modes has no forced backward wave.
+// The columns of the table. A motor with equal phases and modes has no forced backward wave, so its columns are left
+// out.
 std::vector<FrequencyColumn> shown_columns(const FrequencyAnswer& answer) {
   std::vector<FrequencyColumn> columns(frequency_columns().begin(), frequency_columns().end());
   if (!answer.file.design.stator.imbalance)

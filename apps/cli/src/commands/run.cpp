@@ -55,7 +55,7 @@ double fraction_of(std::uint64_t done, std::uint64_t total) {
   return total > 0 ? static_cast<double>(done) / static_cast<double>(total) : 0;
 }
 
-// A search that used up its budget may have a design within all limits by then, or a part of a front.
+// A search that used up its budget may still have found a design within all limits, or a part of a front.
 bool has_feasible_design(const studies::StudyResult& result) {
   if (const auto* front = std::get_if<studies::ParetoResult>(&result.answer))
     return !front->front.empty();
@@ -82,7 +82,7 @@ studies::StudyResult run_with_progress(const studies::StudyFile& file, const std
   return studies::run_study(file, directory, options);
 }
 
-// Of a front the first and the last, and the knee.
+// Prints the paths of motor files; of a front only the first, the last and the knee.
 void say_motor_files(const studies::StudyResult& result, const std::string& directory) {
   const auto path = [&](const std::string& file) {
     return (std::filesystem::path(directory) / file).string();
@@ -121,7 +121,7 @@ int run_first(const StudyOptions& options, studies::RunOptions run) {
   return status_of(result);
 }
 
-// One of several processes, of which only the first says and writes anything.
+// Runs as one of several processes, of which only the first prints and writes anything.
 int run_together(const StudyOptions& options, studies::RunOptions run) {
   if (options.path == "-")
     throw InputError("run: only the first of " + std::to_string(studies::launched_processes()) +

@@ -87,7 +87,8 @@ constexpr Quantity<ContactCircuit> kContact[] = {
     {"contact_resistance", "ohm", [](const ContactCircuit& c) { return c.resistance; }},
     {"contact_capacitance", "F", [](const ContactCircuit& c) { return c.capacitance; }}};
 
-// The speed asked for, or that of the largest overall efficiency; nothing, which is said, if there is none.
+// The speed asked for, or that of the largest overall efficiency. If there is none, prints a message and returns
+// nothing.
 std::optional<double> loaded_speed(const StatorOptions& options, const Motor& motor) {
   if (options.load.given()) return speed_of(options.load, motor);
   const MetricValue best = evaluate(motor, {Metric::speed_at_max_overall_efficiency});

@@ -15,7 +15,7 @@ using contact::LayerMotion;
 
 double slip_sign(ZoneState state) { return static_cast<double>(state); }
 
-// A layer without memory: what a small disturbance does to its traction follows in closed form (D6.3).
+// An elastic layer: the change of its traction by a small disturbance has a closed form (D6.3).
 bool is_elastic(const DrivenMotor<double>& m) {
   return m.inertia == 0 && m.viscosity == 0 && m.static_ == m.kinetic;
 }
@@ -44,8 +44,8 @@ std::vector<DisturbedZone<double>> zones_of(const DrivenMotor<double>& m, const 
   return zones;
 }
 
-// Borders where they move to: each is the root of a closed form, from which one of Newton's steps takes the derivatives
-// (implicit function theorem). Elastic layers only, or one zone all through.
+// Borders of zones with their derivatives. Each border is the root of a closed form, and one Newton step on Duals
+// gives its derivatives (implicit function theorem). For elastic layers, or a single zone.
 template <typename S>
 std::vector<DisturbedZone<S>> moved_zones(const ContactNumbers<S>& n,
                                           const std::vector<DisturbedZone<double>>& zones) {

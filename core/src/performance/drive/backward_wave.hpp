@@ -15,12 +15,13 @@ namespace twum::performance {
 template <typename S>
 struct DisturbedZone {
   ZoneState state;
-  bool after_slip;  ///< stick: what comes before is a slip zone, else the contact's entry
-  double sign;      ///< zeta of this zone if it slips, of the zone before if it sticks
-  S from, to;       ///< [rad]
+  /// of a stick zone: a slip zone precedes it; otherwise the contact begins with it
+  bool after_slip;
+  double sign;  ///< zeta of this zone if it slips, of the zone before if it sticks
+  S from, to;   ///< [rad]
 };
 
-/// What a contact at one radius takes to answer a backward wave (D6.2 to D6.4).
+/// Numbers of a contact at one radius that determine its response to a backward wave (D6.2 to D6.4).
 template <typename S>
 struct DisturbedSlice {
   S stiffness;   ///< pi rho R drho E / h, per displacement of the surface [N/m]
@@ -33,7 +34,7 @@ struct DisturbedSlice {
   std::vector<DisturbedZone<S>> zones;
 };
 
-/// The contact of a whole motor at an operating point as a backward wave feels it.
+/// The contact of a whole motor at an operating point, as it acts on a backward wave.
 template <typename S>
 struct DisturbedContact {
   S wave_rate;  ///< W [rad/s]
@@ -41,12 +42,12 @@ struct DisturbedContact {
   std::vector<DisturbedSlice<S>> slices;
 };
 
-/// The contact of a point in double; nothing where the theory has no answer: a layer that sticks somewhere and has damping or
-/// inertia, mu_0 > mu, or no open part of the contact, and motors without a wave.
+/// The contact of an operating point in double. Nothing where the theory has no answer: if the layer sticks somewhere
+/// and has damping or inertia, or mu_0 > mu, or the contact is full; and for a motor without a wave.
 std::optional<DisturbedContact<double>> disturbed_contact(const DrivenMotor<double>& motor,
                                                           double speed);
 
-/// The same with derivatives: the zones of the contact in double, moved as their borders move.
+/// The same with derivatives: the zones of the contact in double, with the derivatives of their borders.
 template <typename S>
 DisturbedContact<S> moved_contact(const DrivenMotor<S>& motor, const S& speed,
                                   const DisturbedContact<double>& value);
@@ -125,7 +126,7 @@ FreeBackwardWave<S> free_backward_wave(const DisturbedContact<S>& contact,
   const S stator = modes.mass * modes.resonance * modes.resonance;
   S frequency = contact.omega;
   Phasor<S> stiffness{S(0.0), S(0.0)};
-  // The contact hardly feels the frequency: each step gains two digits, in derivatives as well.
+  // The contact hardly depends on the frequency, so each step gains two digits, also in derivatives.
   constexpr int kSteps = 14;
   for (int i = 0; i < kSteps; ++i) {
     stiffness = backward_stiffness(contact, frequency, rotor_mass);

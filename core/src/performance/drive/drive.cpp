@@ -4,14 +4,14 @@
 namespace twum::performance {
 namespace {
 
-// How many slices `auto` takes is asked of the motor under the wave that it begins with.
+// The number of slices for `auto` follows from the motor under the wave at first_speed().
 TrackRule track_of(const MotorDesign& design) {
   if (design.stator.radial_slices != kAutoSlices) return track_rule(design);
   constexpr int kFirstSlices = -8;
   const MotorDesign first = with(design, Parameter::radial_slices, kFirstSlices);
   const double amplitude = Drive(first).first_motor().amplitude;
   if (!(amplitude > 0)) return track_rule(first);
-  MotorDesign given = design;  // the wave may be larger than an amplitude that a person would give
+  MotorDesign given = design;  // the amplitude may exceed the range of the parameter
   given.stator.voltage.reset();
   given.stator.amplitude = amplitude;
   return track_rule(given);
@@ -56,7 +56,7 @@ MotorPoint Drive::running(double speed) const {
   return {motor, solve_point(motor, speed, &wave->start)};
 }
 
-// Below the maximum of H that a start has to pass there is one solution at most.
+// Below the maximum of H that a start has to pass there is at most one solution.
 MotorPoint Drive::dead(double speed) const {
   const std::vector<WaveSolution> all = solutions(speed);
   if (all.empty() || all.front().beyond_start()) return without_wave(PointStatus::no_dead_branch);

@@ -16,12 +16,12 @@ struct MotorPoint {
 /// A motor whose wave follows from voltage and load. Immutable.
 class Drive {
  public:
-  /// @param design  with a voltage, and complete
+  /// @param design  an admissible design with a voltage
   explicit Drive(const MotorDesign& design);
   Drive(const Drive&) = delete;
   Drive& operator=(const Drive&) = delete;
 
-  /// Its waves, at the slices that `auto` comes to.
+  /// The waves of a design, with the number of slices that `auto` finds.
   static DrivenWaves waves_of(const MotorDesign& design);
 
   /// The point on the branch that the design asks for; its status says why there is none.
@@ -33,7 +33,7 @@ class Drive {
 
   /// Smallest speed of the curve [rad/s]; 0 is rest.
   double begin() const;
-  /// The motor under the wave that the curve begins with; that of the largest wave at rest if there is no curve.
+  /// The motor under the wave at the beginning of the curve, or under the largest wave at rest if there is no curve.
   DrivenMotor<double> first_motor() const;
 
   const DrivenWaves& waves() const { return waves_; }

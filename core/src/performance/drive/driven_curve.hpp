@@ -6,7 +6,7 @@
 
 namespace twum::performance {
 
-/// What the efficiency of a curve is a share of.
+/// The input power in the efficiency of a curve.
 enum class Input : unsigned char {
   mechanical,  ///< stator power and stator loss (T7.7)
   electrical   ///< the power at the terminals (D4.3)

@@ -21,7 +21,7 @@ ModelArray<SpeedDual> constants(const ModelArray<double>& values) {
   return p;
 }
 
-// Any amplitude that makes a wave will do for the model.
+// The model needs an amplitude, but does not depend on its value.
 ModelArray<double> wave_values(const MotorDesign& design) {
   ModelArray<double> values = model_values(design);
   values[model_index(Parameter::amplitude)] = 1e-6;
@@ -47,7 +47,7 @@ SpeedDual moving(double value, double seed) {
   return x;
 }
 
-// k of (D2.10). A table's spline may rise a little above the radii looked at.
+// k of (D2.10). A table's spline may be slightly larger between the sampled radii.
 double reach_of(const MotorModel<double>& m) {
   if (m.track.nodes == 1) return 1;
   constexpr int kLooks = 64;

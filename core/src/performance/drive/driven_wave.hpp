@@ -14,7 +14,7 @@ struct DrivenWave {
   WaveBalance<double> balance{0, 0};
   PointStatus status{PointStatus::ok};
   WarmStart start;   ///< for neighbouring waves
-  long zones{0};     ///< followed in a slice to find it: what it cost
+  long zones{0};     ///< number of zones followed in a slice to find it, a measure of cost
   double torque{0};  ///< on the rotor [N m]
 
   double force() const { return balance.force(); }
@@ -33,26 +33,27 @@ struct SlopedWave {
   double force_slope() const { return fold() / wave.force(); }  ///< H_A [N/m]
 };
 
-/// What the slow flow does to a disturbed wave: determinant and trace of its Jacobian (D2.5, D2.6).
+/// Determinant and trace of the Jacobian of the slow flow (D2.5, D2.6), which decide the stability of a wave.
 struct Stability {
   double determinant, trace;  ///< [1/s^2], [1/s]
   bool stable() const { return determinant > 0 && trace < 0; }
 };
 
-/// The motor as its amplitude varies, at one frequency: what each amplitude and speed takes of the drive.
+/// A motor at one frequency with variable amplitude: the force that each amplitude and speed needs from the drive.
 class DrivenWaves {
  public:
-  /// @param design  with modal data; without a voltage the drive is zero. Its amplitude is not looked at
-  /// @param track   the same at all amplitudes: H(A) has no steps
+  /// @param design  with modal data; without a voltage the drive force is zero. Its amplitude is ignored
+  /// @param track   the same for all amplitudes, so that H(A) has no steps
   DrivenWaves(const MotorDesign& design, const TrackRule& track);
 
-  /// The same motor where the drive has another frequency; the layer's viscosity follows it where it is that of a loss factor.
+  /// The same motor at another drive frequency. If the layer's viscosity follows from a loss factor, it changes with
+  /// the frequency.
   /// @param omega  [rad/s]
   DrivenWaves at_frequency(double omega) const;
 
   DrivenWave at(double amplitude, double speed, const WarmStart* guess = nullptr,
                 double accuracy = 0) const;
-  /// The contact's numbers along a path: derivatives where amplitude and speed move as their seeds say.
+  /// The contact's numbers with derivatives along a path, on which amplitude and speed move as their seeds say.
   PointNumbers<contact::SpeedDual> along(const SolvedPoint& point, double amplitude, double speed,
                                          double amplitude_seed, double speed_seed) const;
   /// With derivatives in amplitude.
@@ -71,7 +72,7 @@ class DrivenWaves {
   };
   LevelSlopes slopes(double amplitude, double speed, const WarmStart* guess = nullptr) const;
 
-  /// What a wave takes of the drive, from the contact's numbers under it.
+  /// The force that a wave needs from the drive, from the numbers of its contact.
   WaveBalance<double> balance(const PointNumbers<double>& n, double amplitude) const {
     return wave_balance(modes_, amplitude, omega_, n.reactive_force, n.stator_power);
   }
@@ -85,9 +86,9 @@ class DrivenWaves {
   double omega() const { return omega_; }
   /// V0 / r per amplitude [rad/s/m]
   double crest_speed_per_amplitude() const { return model_.tilt * omega_ / model_.r; }
-  /// A_1 (D1.5), up to which the contact is full where all lies at the contact radius [m].
+  /// A_1 (D1.5), the amplitude up to which the contact is full if all of it lies at the contact radius [m].
   double full_contact_amplitude() const;
-  /// No force of the contact against the wave is larger per amplitude: pressed all round and locked [N/m].
+  /// Upper bound of the contact's force on the wave per amplitude: that of full contact that sticks all round [N/m].
   double contact_stiffness() const;
   /// mu_0 a kappa F_N, bound of the traction's force (C20.4, D2.10) [N].
   double traction_bound() const { return reach_ * model_.static_ * model_.tilt * model_.preload; }
@@ -103,7 +104,7 @@ class DrivenWaves {
   StatorModes<double> modes_;
   double drive_;  // Theta u_0, the force of the voltage's peak [N]
   double omega_;
-  std::optional<double> loss_factor_;  // where the layer's viscosity follows from it
+  std::optional<double> loss_factor_;  // if the layer's viscosity follows from it
   double reach_;                       // k of (D2.10)
 };
 

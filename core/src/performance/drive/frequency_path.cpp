@@ -11,14 +11,14 @@ namespace {
 
 constexpr int kNodesOfFlank = 80;
 constexpr double kScanRatio = 1.25;  // of amplitudes on the backbone
-constexpr int kTurnDigits = 26;      // more cannot be told of the place of an extremum
+constexpr int kTurnDigits = 26;      // bits to which the position of an extremum can be known
 constexpr double kSmallestWave = 1e-30, kLargestWave = 1;  // [m]
 constexpr int kHalvings = 40;  // of a step of the path, for a loss of stability
 
 }  // namespace
 
-// Even steps in the place are quadratic ones in the amplitude where the flanks meet: there the frequency moves with
-// the root of the distance.
+// Equal steps of the place are quadratic steps of the amplitude near the end where the flanks meet, because there the
+// frequency changes with the square root of the distance.
 double FrequencyPath::Stretch::amplitude(double place) const {
   const double depth = std::log(high / low);
   const double share = closed ? 0.5 * (1 - std::cos(std::numbers::pi * place)) : place * place;
@@ -84,7 +84,7 @@ std::vector<FrequencyPath::Stretch> FrequencyPath::stretches() const {
       double border = now;
       try {
         border = root_between(excess_at, before, now, excess(*last), excess(*wave));
-      } catch (const NoWave&) {  // then it is known less well
+      } catch (const NoWave&) {  // then it stays less accurate
       }
       if (excess(*last) > 0) found.push_back({begin, border, closed});
       begin = border, closed = true;
@@ -95,7 +95,7 @@ std::vector<FrequencyPath::Stretch> FrequencyPath::stretches() const {
   return found;
 }
 
-// From the resonance outwards on both flanks: each wave is near the one before.
+// Follows both flanks from the resonance outwards; each wave is near the one before.
 void FrequencyPath::follow(std::size_t index) {
   const Stretch& stretch = stretches_[index];
   const auto top = wave_at(stretch, 0, {held_.waves().omega(), 1});
@@ -113,7 +113,7 @@ void FrequencyPath::follow(std::size_t index) {
       wave = wave_at(stretch, static_cast<double>(side * i) / kNodesOfFlank, guess);
       if (!wave) continue;
       guess = held_.guess_of(*wave);
-      // Below all resonances and above them a frequency has one wave: the path does not come back.
+      // Beyond all resonances each frequency has one wave, so the path does not return into the range.
       if (wave->omega < lowest_ || wave->omega > highest_) break;
     }
   }
@@ -161,7 +161,7 @@ std::optional<ResponseWave> FrequencyPath::turn(const Stretch& stretch, const Re
   }
 }
 
-// The last stable wave between two of which one is stable.
+// The last stable wave between a stable and an unstable one.
 ResponseWave FrequencyPath::last_stable(const Stretch& stretch, ResponseWave a,
                                         ResponseWave b) const {
   if (!a.stable) std::swap(a, b);
@@ -171,12 +171,12 @@ ResponseWave FrequencyPath::last_stable(const Stretch& stretch, ResponseWave a,
       middle.stable = held_.lasts(middle);
       (middle.stable ? a : b) = middle;
     }
-  } catch (const NoWave&) {  // then it is known less well
+  } catch (const NoWave&) {  // then it stays less accurate
   }
   return a;
 }
 
-// The run with the waves at which the frequency turns, and those at which stability is lost otherwise.
+// The nodes with the waves added at which the frequency turns back or stability is lost.
 std::vector<FrequencyPath::Node> FrequencyPath::with_turns(
     const Stretch& stretch, const std::vector<ResponseWave>& run) const {
   std::vector<Node> nodes;
@@ -200,7 +200,8 @@ std::vector<FrequencyPath::Node> FrequencyPath::with_turns(
   return nodes;
 }
 
-// Pieces between the turns and losses of stability. A wave on the border belongs to both.
+// Cuts the path into pieces at turns of the frequency and losses of stability. A wave on a border belongs to both
+// pieces.
 void FrequencyPath::cut(const std::vector<Node>& nodes, std::size_t stretch) {
   const auto end_of = [&](std::size_t i) {
     const Node& n = nodes[i];
@@ -227,7 +228,8 @@ void FrequencyPath::cut(const std::vector<Node>& nodes, std::size_t stretch) {
   }
 }
 
-// Between two neighbouring waves of a piece: by Newton's steps, and where these leave the interval by closing in.
+// Searches between two neighbouring waves of a piece by Newton's method, and by bisection if a step leaves the
+// interval.
 std::optional<ResponseWave> FrequencyPath::at(const Stretch& stretch, const ResponseWave& a,
                                               const ResponseWave& b, double omega) const {
   const double t = (omega - a.omega) / (b.omega - a.omega);

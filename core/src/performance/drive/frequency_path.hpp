@@ -19,12 +19,13 @@ struct PathPiece {
   bool covers(double omega) const { return omega >= lowest() && omega <= highest(); }
 };
 
-/// All waves of a motor under one voltage while the frequency of its drive moves, the rotor's load given. The amplitude is the
-/// parameter: each amplitude has one frequency on either flank of the resonance (D5.1), so nothing folds.
+/// All waves of a motor under one voltage over the drive frequency, for a given load of the rotor. The path is
+/// parametrized by the amplitude: each amplitude has one frequency on either flank of the resonance (D5.1), so the
+/// path has no folds in it.
 class FrequencyPath {
  public:
   /// @param waves    at any frequency; has to outlive the path
-  /// @param lowest   smallest frequency that counts [rad/s]
+  /// @param lowest   smallest frequency of interest [rad/s]
   /// @param highest  largest [rad/s]
   FrequencyPath(const DrivenWaves& waves, const RotorLoad& load, double lowest, double highest);
 
@@ -42,7 +43,7 @@ class FrequencyPath {
   };
   struct Node {
     ResponseWave wave;
-    BranchEndKind kind;  // what the path passes there
+    BranchEndKind kind;  // kind of event there
   };
 
   std::optional<ResponseWave> wave_at(const Stretch& stretch, double place,

@@ -34,7 +34,7 @@ void require_sweepable(const MotorDesign& design, const RotorLoad& load) {
   if (!std::isfinite(load.value)) throw InputError("the load must be a finite number");
 }
 
-// No resonance of a stator that is pressed and locked all round lies above.
+// Upper bound of the resonances: a stator with full contact that sticks all round.
 double highest_resonance(const performance::DrivenWaves& waves) {
   const auto& m = waves.modes();
   return std::sqrt(m.resonance * m.resonance + waves.contact_stiffness() / m.mass);
@@ -94,7 +94,8 @@ struct FrequencyResponse::Content {
     const auto solved = performance::solve_point(motor, wave.speed, &wave.start);
     OperatingPoint point =
         performance::operating_point_of(motor, solved, wave.speed, waves.modes());
-    // The search for the speed leaves a billionth of the torque; where the rotor stands friction gives what is missing.
+    // The search for the speed finds the torque to 1e-9. If the rotor stands still, friction balances the load
+    // exactly.
     if (load.given == Argument::torque)
       point.torque = load.value, point.output_power = load.value * wave.speed;
     return {wave.frequency(), point, wave.stable,
@@ -121,7 +122,7 @@ struct FrequencyResponse::Content {
     std::erase_if(found, [](const Place& p) { return !p.wave.stable; });
     return found;
   }
-  // Beside the end of a branch, on another.
+  // The place next to the end of a branch, on another branch.
   std::optional<Place> landing(const PathPiece* left, const ResponseWave& end) const {
     std::optional<Place> nearest;
     const auto distance = [&](const Place& p) {
@@ -150,7 +151,7 @@ FrequencyResponse& FrequencyResponse::operator=(FrequencyResponse&&) noexcept = 
 double FrequencyResponse::from() const noexcept { return content_->from / kTurnOfResponse; }
 double FrequencyResponse::to() const noexcept { return content_->to / kTurnOfResponse; }
 
-// The part of a piece that lies in the range, with a wave at each end of the range that it passes.
+// The part of a piece within the range, with a wave added at each end of the range that it crosses.
 ResponseBranch FrequencyResponse::Content::branch_of(const PathPiece& piece) const {
   ResponseBranch branch{piece.stable, {}, BranchEndKind::open, BranchEndKind::open};
   std::vector<ResponseWave> inside;

@@ -14,27 +14,30 @@ constexpr double kSettledSquare = 1e-14;  // of omega^2
 constexpr double kSettledRatio = 1e-12;   // of the speed ratio
 constexpr int kMostBroydens = 12;
 constexpr double kNearRatio = 0.05,
-                 kNearShare = 0.3;   // of the speed ratio: farther is another wave
+                 kNearShare = 0.3;   // of the speed ratio; a solution farther away is another wave
 constexpr double kLeastSlope = 0.1;  // of that nearby
 constexpr double kSlopeStep = 1e-5;  // of the speed ratio
 constexpr int kMostPicards = 40;
-constexpr double kFarWindow = 0.02, kNearWindow = 1e-3;     // of the speed ratio
-constexpr double kFastestSought = 1.5, kSoughtStep = 0.05;  // speed ratios looked at for a load
-constexpr double kFastestBack = 1e3;  // at tiny waves any load turns the rotor fast
-constexpr double kNearRoot = 1e-10;   // of the amplitude: the step leaves a share of itself
+constexpr double kFarWindow = 0.02, kNearWindow = 1e-3;  // of the speed ratio
+// range and step of the speed ratios searched for a load
+constexpr double kFastestSought = 1.5, kSoughtStep = 0.05;
+constexpr double kFastestBack = 1e3;  // for very small waves, any load turns the rotor back fast
+// of the amplitude; the error left by a step is a share of the step
+constexpr double kNearRoot = 1e-10;
 constexpr int kMostPolishes = 12;
-constexpr double kTorqueKept = 1e-9;  // of mu_0 F_N r: more off is a jump and no root
+// of mu_0 F_N r; a larger residual means a jump instead of a root
+constexpr double kTorqueKept = 1e-9;
 
 using Pair = std::array<double, 2>;
 
-// What two residuals say of two unknowns: at first that each falls by as much as its own unknown rises, then what steps have
-// shown (Broyden's inverse update).
+// Inverse Jacobian of two residuals in two unknowns, learned from steps (Broyden's inverse update). It starts as if
+// each residual fell as its own unknown rises.
 class LearnedSlopes {
  public:
   Pair step(const Pair& f) const {
     return {k_[0][0] * f[0] + k_[0][1] * f[1], k_[1][0] * f[0] + k_[1][1] * f[1]};
   }
-  /// After a step s that has let the residuals fall by y.
+  /// Updates after a step s that has reduced the residuals by y.
   void learn(const Pair& s, const Pair& y) {
     const Pair told = step(y),
                back{s[0] * k_[0][0] + s[1] * k_[1][0], s[0] * k_[0][1] + s[1] * k_[1][1]};
@@ -127,8 +130,8 @@ std::optional<ResponseWave> HeldWaves::held(double amplitude, double side,
   return wave ? wave : sought(amplitude, side, guess);
 }
 
-// omega^2 and the speed ratio of (D5.1, D5.4) together, from a wave nearby: a contact for each step. Nothing if they do not
-// settle, or somewhere else.
+// Solves (D5.1, D5.4) for omega^2 and the speed ratio together, starting from a nearby wave; each step solves one
+// contact. Nothing if the iteration does not converge, or converges to another wave.
 std::optional<ResponseWave> HeldWaves::settled(double amplitude, double side,
                                                const Guess& guess) const {
   const bool loaded = load_.given == Argument::torque && !guess.standing;
@@ -138,7 +141,7 @@ std::optional<ResponseWave> HeldWaves::settled(double amplitude, double side,
   ResponseWave wave;
   wave.amplitude = amplitude, wave.standing = guess.standing, wave.start = *guess.start;
   double torque = 0;
-  // By how much omega^2, of that of the guess, and the speed ratio seem to be off.
+  // Residuals of omega^2, relative to the guess, and of the speed ratio.
   const auto residuals = [&](const Pair& x) -> std::optional<Pair> {
     wave.omega = guess.omega * std::sqrt(x[0]);
     const DrivenWaves waves = waves_.at_frequency(wave.omega);
@@ -171,7 +174,7 @@ std::optional<ResponseWave> HeldWaves::settled(double amplitude, double side,
   return {};
 }
 
-// Friction holds the load in a contact that is locked all round, whose torque just beyond rest brakes.
+// Friction holds the load if the contact sticks all round and its torque just beyond rest brakes.
 bool HeldWaves::stands(double amplitude, double torque_beyond_rest) const {
   return torque_beyond_rest <= load_.value && load_.value <= -torque_beyond_rest &&
          locks_at_rest(waves_.motor(amplitude));
@@ -183,7 +186,8 @@ double HeldWaves::torque_slope(const DrivenWaves& waves, const DrivenWave& wave)
   return faster.status == PointStatus::ok ? (faster.torque - wave.torque) / kSlopeStep : 0;
 }
 
-// Picard's steps for omega^2 (D5.1), which the contact hardly feels, made secants, and for each a search for the speed.
+// Solves (D5.1) for omega^2 by secants that start as Picard steps, since the contact hardly depends on it. Each step
+// searches the speed.
 std::optional<ResponseWave> HeldWaves::sought(double amplitude, double side,
                                               const Guess& guess) const {
   const double inertia = waves_.modes().mass * amplitude;
@@ -226,14 +230,14 @@ bool HeldWaves::lasts(const ResponseWave& wave) const {
   return waves.stability(s.in_amplitude).stable() && s.torque_per_speed() < 0;
 }
 
-// Newton's step for H = Theta u_0 and, where a torque is given, for that torque, both at one frequency; then Broyden's, which
-// take one contact each.
+// A Newton step for H = Theta u_0 and, if a torque is given, for that torque, at a fixed frequency. Broyden steps
+// follow, which solve one contact each.
 std::optional<ResponseWave> HeldWaves::polished(ResponseWave wave) const {
   const DrivenWaves waves = waves_.at_frequency(wave.omega);
   const bool loaded = load_.given == Argument::torque && !wave.standing;
   const DrivenWaves::LevelSlopes s = waves.slopes(wave.amplitude, wave.speed, &wave.start);
   const SlopedWave& a = s.in_amplitude;
-  // The step that the slopes of the first wave ask of another.
+  // The step for another wave by the derivatives of the first one.
   const auto newton = [&](const DrivenWave& w) -> Pair {
     const double step = 0.5 * (waves.drive() - w.force()) * (waves.drive() + w.force()) / a.fold();
     if (!loaded) return {step, 0};

@@ -33,8 +33,8 @@ struct NoWave {};
 double root_between(const std::function<double(double)>& f, double low, double high, double at_low,
                     double at_high);
 
-/// Which frequency and speed a wave of an amplitude has, and which amplitude and speed one of a frequency, under the load
-/// of a rotor.
+/// Finds frequency and speed of a wave with a given amplitude, or amplitude and speed of a wave with a given
+/// frequency, under the load of the rotor.
 class HeldWaves {
  public:
   /// Where a search begins.
@@ -49,11 +49,11 @@ class HeldWaves {
   HeldWaves(const DrivenWaves& waves, const RotorLoad& load);
 
   /// The wave of an amplitude (D5.1).
-  /// @param side  -1 for the lower flank, 1 for the upper, 0 for the resonance between, whatever drives it there
+  /// @param side  -1 for the lower flank, 1 for the upper, 0 for the resonance between them, for any drive force
   std::optional<ResponseWave> held(double amplitude, double side, const Guess& guess) const;
   /// The wave of a frequency, from one nearby.
   std::optional<ResponseWave> polished(ResponseWave near) const;
-  /// True if a disturbed wave comes back, and a disturbed rotor too.
+  /// True if the wave and the rotor return after a disturbance.
   bool lasts(const ResponseWave& wave) const;
   Guess guess_of(const ResponseWave& wave) const;
   const DrivenWaves& waves() const { return waves_; }

@@ -10,22 +10,24 @@
 namespace twum::performance {
 namespace {
 
-constexpr int kSteps = 24;        // of the grid up to the crest speed
-constexpr int kStepsTraced = 32;  // to beyond no-load
-constexpr double kFar = 200;      // steps of the grid: so far away the branch is no longer followed
-constexpr double kSearched = 1.3;  // times the crest speed: no motor runs by itself above
-constexpr double kStraight =
-    0.02;  // of the amplitude: more off the tangent is another branch, or needs a smaller step
-constexpr double kShortestStep = 1e-3;  // of the grid: what is left to the fold
-constexpr long kMostZones = 200'000;    // to follow for the nodes: usual motors need a thousand
+constexpr int kSteps = 24;         // of the grid up to the crest speed
+constexpr int kStepsTraced = 32;   // to beyond no-load
+constexpr double kFar = 200;       // steps of the grid after which the branch is no longer followed
+constexpr double kSearched = 1.3;  // of the crest speed; no motor runs by itself at higher speeds
+// of the amplitude; a larger distance from the tangent means another branch or too large a step
+constexpr double kStraight = 0.02;
+constexpr double kShortestStep = 1e-3;  // of the step of the grid: shortest step before a fold
+// limit of zones followed for the nodes; usual motors need a thousand
+constexpr long kMostZones = 200'000;
 constexpr int kMostSecants = 12;
-constexpr double kNodeSettled = 3e-4;  // of the amplitude: Newton's last step leaves its square
-constexpr double kSettled = 1e-13;     // of the amplitude: what the last secant may leave
-constexpr double kReach = 0.2;         // of the amplitude: largest step of a secant
-constexpr double kNearState = 1e-9;    // gaps that three turns may leave: on the way,
-constexpr double kSettledState =
-    1e-13;                        // and in the answer, which takes them over to the amplitude
-constexpr int kMostFollowed = 4;  // amplitudes
+// of the amplitude; the error after the last Newton step is its square
+constexpr double kNodeSettled = 3e-4;
+constexpr double kSettled = 1e-13;  // of the amplitude; largest error after the last secant
+constexpr double kReach = 0.2;      // of the amplitude: largest step of a secant
+// largest change of the layer's state over three turns: during the search,
+constexpr double kNearState = 1e-9;
+constexpr double kSettledState = 1e-13;  // and in the answer, whose amplitude has the same error
+constexpr int kMostFollowed = 4;         // amplitudes
 
 // The largest running solution.
 std::optional<DrivenWave> largest(const std::vector<WaveSolution>& solutions) {
@@ -52,7 +54,7 @@ RunningBranch::RunningBranch(const DrivenWaves& waves) : waves_(waves) {
   std::reverse(nodes_.begin(), nodes_.end());
 }
 
-// At rest, else at the lowest speed of a grid that has a running solution.
+// The node at rest, or at the lowest speed of a grid with a running solution.
 std::optional<RunningBranch::Node> RunningBranch::first_node() const {
   if (const auto at_rest = largest(wave_solutions(waves_, 0).found))
     return node(0, at_rest->amplitude, &at_rest->start).node;
@@ -70,8 +72,8 @@ std::optional<RunningBranch::Node> RunningBranch::first_node() const {
   return {};
 }
 
-// Newton's steps for H(A) = Theta u_0 near a guess, with the slope of the level curve (D2.9). Nodes are where other searches
-// begin: the last step is not solved again.
+// Newton steps for H(A) = Theta u_0 near a guess, and the slope of the level curve (D2.9). Nodes only start other
+// searches, so the last step is not solved again.
 RunningBranch::NodeSearch RunningBranch::node(double speed, double guess,
                                               const WarmStart* start) const {
   double a = guess;
@@ -94,8 +96,8 @@ RunningBranch::NodeSearch RunningBranch::node(double speed, double guess,
   return {{}, zones};
 }
 
-// Secants for H(A) = Theta u_0 near a guess over turns that are followed through the zones of a node. Nothing unless the layer's
-// state and the amplitude settle fast there.
+// Secants for H(A) = Theta u_0 near a guess, on turns of the wave with the same zones as a node. Nothing unless the
+// layer's state and the amplitude converge quickly.
 std::optional<BranchWave> RunningBranch::followed(double speed, double guess, double force_slope,
                                                   const WarmStart& start,
                                                   const SolvedPoint& node) const {
@@ -118,7 +120,8 @@ std::optional<BranchWave> RunningBranch::followed(double speed, double guess, do
   return {};
 }
 
-// Secants for H(A) = Theta u_0 near a guess, in the direction in which H rises with A. The layer's state goes along.
+// Secants for H(A) = Theta u_0 near a guess, in the direction in which H rises with A. Each step starts from the
+// layer's state of the last one.
 std::optional<BranchWave> RunningBranch::polished(double speed, double guess, double force_slope,
                                                   const WarmStart& start) const {
   double slope = force_slope, before = 0, excess_before = 0, a = guess;
@@ -133,7 +136,7 @@ std::optional<BranchWave> RunningBranch::polished(double speed, double guess, do
     if (!(std::fabs(step) <= kReach * guess)) return {};
     from = i > 0 && a != before ? WarmStart::beyond(last, wave.start, step / (a - before))
                                 : wave.start;
-    // A secant leaves the product of the last two steps, over a length of the order of the amplitude.
+    // The error of a secant is the product of the last two steps over a length of the order of the amplitude.
     const double last_step = i > 0 ? a - before : kReach * a;
     if (std::fabs(step * last_step) <= kSettled * a * a) return BranchWave{a + step, speed, from};
     last = wave.start, before = a, excess_before = excess;
@@ -142,7 +145,7 @@ std::optional<BranchWave> RunningBranch::polished(double speed, double guess, do
   return {};
 }
 
-// From the tangent, bent as between the two nodes before.
+// Predicts by the tangent, with the curvature between the last two nodes.
 RunningBranch::NodeSearch RunningBranch::stepped(const Node& from, double speed,
                                                  const Node* before) const {
   const double d = speed - from.speed;
@@ -153,7 +156,7 @@ RunningBranch::NodeSearch RunningBranch::stepped(const Node& from, double speed,
   return node(speed, guess, &start);
 }
 
-// Goes on from the last node, in steps that are halved where the branch bends.
+// Continues from the last node, with steps that are halved where the branch bends.
 BranchEnd RunningBranch::follow(double step, int steps) {
   const BranchEnd endless{std::copysign(std::numeric_limits<double>::infinity(), step), 0};
   const double first = nodes_.back().speed;
@@ -180,7 +183,7 @@ BranchEnd RunningBranch::follow(double step, int steps) {
   return endless;
 }
 
-// Secants for H_A = 0: what the search for a minimum knows of its place is the root of rounding.
+// Secants for H_A = 0, since a search for the minimum finds its position only to the square root of rounding.
 double RunningBranch::fold_amplitude(double speed, double near) const {
   double a = near * (1 + 1e-5), b = near;
   double at_a = waves_.in_amplitude(a, speed).fold(), at_b = waves_.in_amplitude(b, speed).fold();
@@ -193,7 +196,7 @@ double RunningBranch::fold_amplitude(double speed, double near) const {
   return b;
 }
 
-// Where the least force beside the branch has risen to what the drive has.
+// The fold at which the least force near the branch equals the force of the drive.
 BranchEnd RunningBranch::fold_beyond(const Node& last, double speed) const {
   const double low = last.amplitude / 1.5, high = last.amplitude * 1.02;
   const auto missing = [&](double at) {
@@ -219,7 +222,7 @@ double RunningBranch::first_amplitude() const {
   return lower_.pulls_out() ? lower_.amplitude : nodes_.front().amplitude;
 }
 
-// Closes in where H passes from below the drive's force to above.
+// Bisects where H passes from below the drive's force to above.
 std::optional<BranchWave> RunningBranch::bracketed(double speed, double low, double high) const {
   const auto excess = [&](double a) { return waves_.at(a, speed).force() - waves_.drive(); };
   const double at_low = excess(low), at_high = excess(high);
@@ -230,8 +233,8 @@ std::optional<BranchWave> RunningBranch::bracketed(double speed, double low, dou
   return BranchWave{y, speed, waves_.at(y, speed).start};
 }
 
-// From a node towards a speed off the grid or close to an end. Beside a fold the amplitude moves like the root of the
-// distance, and the fold's own is below it.
+// Continues from a node to a speed between the last node and an end. Near a fold the amplitude changes like the
+// square root of the distance and lies above that of the fold.
 std::optional<BranchWave> RunningBranch::beyond(const Node& last, const BranchEnd& end,
                                                 double speed) const {
   if (end.pulls_out())
@@ -279,7 +282,7 @@ std::optional<BranchWave> RunningBranch::at(double speed) const {
   return beyond(a, {HUGE_VAL, 0}, speed);
 }
 
-// The trace changes little between two nodes: it is looked at where one of them grows.
+// The trace changes little between two nodes, so it is computed only if a disturbance grows at one of them.
 bool RunningBranch::steady(const BranchWave& wave) const {
   const auto above = std::upper_bound(nodes_.begin(), nodes_.end(), wave.speed,
                                       [](double s, const Node& n) { return s < n.speed; });

@@ -9,13 +9,13 @@
 
 namespace twum::performance {
 
-/// A wave of the branch, and where the layer of its contact begins.
+/// A wave of the branch, and the state of the contact layer from which it was solved.
 struct BranchWave {
   double amplitude, speed;
   WarmStart start;
 };
 
-/// Where a branch of solutions ends on one side.
+/// End of a branch of solutions on one side.
 struct BranchEnd {
   double speed;      ///< rotor speed; infinite where the search met none
   double amplitude;  ///< of the fold there
@@ -24,9 +24,9 @@ struct BranchEnd {
 
 /// The running branch over the rotor speed: the wave that a running motor keeps as its load changes.
 ///
-/// It is followed once, over a fixed grid of speeds from rest to beyond no-load, and each wave starts from there, so that an
-/// answer does not depend on what was asked before. Where no running solution exists at rest it begins at the lowest speed
-/// at which one does.
+/// It is followed once over a fixed grid of speeds from rest to beyond no-load. Every search starts from this grid,
+/// so that an answer does not depend on earlier calls. Where no running solution exists at rest it begins at the
+/// lowest speed at which one does.
 class RunningBranch {
  public:
   explicit RunningBranch(const DrivenWaves& waves);

@@ -13,7 +13,7 @@
 
 namespace twum::performance {
 
-/// What is unequal between the phases and between the modes (D6.1, D6.5).
+/// Differences between the phases and between the modes (D6.1, D6.5).
 template <typename S>
 struct UnequalPhases {
   S voltage_ratio = S(1.0), phase_error = S(0.0), mode_splitting = S(0.0);
@@ -22,13 +22,13 @@ struct UnequalPhases {
     return value_of(voltage_ratio) == 1 && value_of(phase_error) == 0 &&
            value_of(mode_splitting) == 0;
   }
-  /// (1 + rho e^(i eps)) / 2: what of the voltage drives the forward wave (D6.1).
+  /// (1 + rho e^(i eps)) / 2: share of the voltage that drives the forward wave (D6.1).
   Phasor<S> forward() const {
     using std::sin, std::cos;
     return {0.5 * (1.0 + voltage_ratio * cos(phase_error)),
             0.5 * (voltage_ratio * sin(phase_error))};
   }
-  /// (1 - rho e^(-i eps)) / 2: what drives the backward one (D6.5).
+  /// (1 - rho e^(-i eps)) / 2: share that drives the backward wave (D6.5).
   Phasor<S> backward() const {
     using std::sin, std::cos;
     return {0.5 * (1.0 - voltage_ratio * cos(phase_error)),
@@ -63,7 +63,7 @@ struct StatorModes {
   std::optional<SensorCircuit<S>> sensor{};
 };
 
-/// The modes of a design; nothing if it does not say enough of them.
+/// The modes of a design; nothing without modal data.
 inline std::optional<StatorModes<double>> stator_modes(const MotorDesign& design) {
   if (!has_modal_data(design)) return {};
   const auto value = [&](Parameter parameter) { return get(design, parameter); };
@@ -85,7 +85,7 @@ inline std::optional<StatorModes<double>> stator_modes(const MotorDesign& design
   return modes;
 }
 
-/// The modes with each number as `to` makes it of the parameter's value.
+/// The modes, with `to` applied to the value of each parameter.
 template <typename S, typename To>
 StatorModes<S> converted(const StatorModes<double>& m, To to) {
   using P = Parameter;
@@ -125,7 +125,7 @@ S dynamic_stiffness(const StatorModes<S>& m, const S& omega) {
   return m.mass * (m.resonance - omega) * (m.resonance + omega);
 }
 
-/// R + i I, the force that a wave takes of the drive in the wave's own frame (D2.3) [N].
+/// R + i I, the force that a wave needs from the drive, in the frame of the wave (D2.3) [N].
 template <typename S>
 struct WaveBalance {
   S real, imaginary;
@@ -137,7 +137,8 @@ struct WaveBalance {
   }
 };
 
-/// R and I of a wave of an amplitude whose contact acts on it with Re F and takes P_in (D1.2, D2.3).
+/// R and I of a wave with an amplitude, on which the contact acts with Re F and from which it takes P_in (D1.2,
+/// D2.3).
 template <typename S>
 WaveBalance<S> wave_balance(const StatorModes<S>& m, const S& amplitude, const S& omega,
                             const S& reactive_force, const S& stator_power) {
@@ -146,7 +147,7 @@ WaveBalance<S> wave_balance(const StatorModes<S>& m, const S& amplitude, const S
           m.damping * velocity + stator_power / velocity};
 }
 
-/// What the terminals see of a wave. Powers are those of both phases together, voltage and current those of one.
+/// Quantities at the terminals. Powers are those of both phases together, voltage and current those of one.
 template <typename S>
 struct Terminals {
   S voltage;          ///< that holds the wave, rms [V]
@@ -177,7 +178,7 @@ PhaseCurrents<S> phase_currents(const StatorModes<S>& m, const WaveBalance<S>& w
   return {sqrt(one.squared()), sqrt(two.squared())};
 }
 
-/// @param backward  z of (D6.5), of which powers are independent in the first order [m]
+/// @param backward  z of (D6.5); powers do not depend on it to first order [m]
 template <typename S>
 Terminals<S> terminals(const StatorModes<S>& m, const WaveBalance<S>& w, const S& amplitude,
                        const S& omega, const Phasor<S>& backward = {S(0.0), S(0.0)}) {

@@ -16,12 +16,12 @@ namespace {
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kStride = 1.25;             // of the distance to the free resonance
 constexpr double kFrequencySettled = 1e-13;  // of the frequency
-constexpr double kProbe = 0.01;         // of the amplitude: a first step that tells how H bends
-constexpr double kShortStep = 3e-5;     // of the amplitude, whose cube is lost in rounding of H
-constexpr double kSettledPlace = 1e-7;  // of the amplitude, whose square counts
+constexpr double kProbe = 0.01;      // of the amplitude; first step, to measure the curvature of H
+constexpr double kShortStep = 3e-5;  // of the amplitude; its cube is below the rounding of H
+constexpr double kSettledPlace = 1e-7;  // of the amplitude; the error is its square
 constexpr int kMostSteps = 60;
 
-// dH / df at fixed amplitude, but for what the contact makes of the frequency.
+// dH / df at fixed amplitude, without the dependence of the contact on the frequency.
 double force_slope_in_frequency(const DrivenWaves& waves, double amplitude) {
   const WaveBalance<double> b = waves.at(amplitude, 0).balance;
   const StatorModes<double>& m = waves.modes();
@@ -84,8 +84,9 @@ Threshold Thresholds::voltage(bool start) {
   return {e->force / force_per_volt, e->amplitude, frequency_};
 }
 
-// The extremum falls with the frequency, from the free resonance on until it vanishes. Secants from the design's own frequency
-// follow it to where it takes the drive's force, in steps up to a share of the distance to the free resonance.
+// The extremum of H falls with the frequency, from the free resonance on, until it vanishes. Secants follow it from
+// the design's frequency to where it equals the drive's force. A step is at most a share of the distance to the free
+// resonance.
 Threshold Thresholds::frequency(bool start) {
   if (!given_voltage_) throw SearchFailure{MetricStatus::undefined};
   const double free = waves_.modes().resonance / kTurn;
@@ -106,7 +107,8 @@ Threshold Thresholds::frequency(bool start) {
     if (!e) e = bent(chosen(force_extrema(waves_at(f), 0), start));
     if (e) drift = (e->at.amplitude - amplitude_before) / (f - before);
   }
-  throw SearchFailure{MetricStatus::undefined};  // it vanishes before, or never falls so far
+  // it vanishes before it reaches the force, or never falls so far
+  throw SearchFailure{MetricStatus::undefined};
 }
 
 std::optional<Thresholds::Extremum> Thresholds::bent(const std::optional<ForceExtremum>& e) {
@@ -114,8 +116,8 @@ std::optional<Thresholds::Extremum> Thresholds::bent(const std::optional<ForceEx
   return Extremum{*e, std::numeric_limits<double>::quiet_NaN()};
 }
 
-// Secants for H_A = 0 beside an extremum at another frequency, which begin with its bend. The last step is not solved again:
-// its parabola tells the force.
+// Secants for H_A = 0 near an extremum at another frequency, starting with its second derivative. The last step is
+// not solved again; the parabola gives the force.
 std::optional<Thresholds::Extremum> Thresholds::followed(const DrivenWaves& waves,
                                                          const Extremum& near, double drift) const {
   const double size = near.at.amplitude;

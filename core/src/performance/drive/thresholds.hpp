@@ -10,14 +10,15 @@
 
 namespace twum::performance {
 
-/// A voltage or a frequency at which the number of waves at rest changes, and the wave that comes or goes there.
+/// A voltage or a frequency at which the number of waves at rest changes, and the wave that appears or vanishes
+/// there.
 struct Threshold {
   double value;      ///< [V] rms, or [Hz]
-  double amplitude;  ///< of the fold [m]; 0: there is none, whatever the voltage
+  double amplitude;  ///< amplitude at the fold [m]; 0 if there is no fold at any voltage
   double frequency;  ///< [Hz]
 };
 
-/// Where a motor at rest starts by itself and where it stops running (D3.2 to D3.4). Each is found once and kept.
+/// Where a motor at rest starts by itself and where it stops running (D3.2 to D3.4). Each threshold is computed once.
 class Thresholds {
  public:
   /// @param design  with modal data
@@ -43,7 +44,7 @@ class Thresholds {
     double bend;
   };
   static std::optional<Extremum> bent(const std::optional<ForceExtremum>& extremum);
-  /// @param drift  what its amplitude is expected to have moved by
+  /// @param drift  expected change of its amplitude
   std::optional<Extremum> followed(const DrivenWaves& waves, const Extremum& near,
                                    double drift) const;
 

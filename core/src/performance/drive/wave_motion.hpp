@@ -9,7 +9,7 @@
 
 namespace twum::performance {
 
-/// x with the directions of kDriveParameters, in which it does not move.
+/// x with the directions of kDriveParameters added, with derivatives 0.
 template <typename T>
 Dual<T, kDesignDirections> widened(const Dual<T, kDirections>& x) {
   Dual<T, kDesignDirections> wide(0.0);
@@ -18,7 +18,7 @@ Dual<T, kDesignDirections> widened(const Dual<T, kDirections>& x) {
   return wide;
 }
 
-/// The modes of a design, each of their numbers a direction of its own; the damping is one of kModelParameters.
+/// The modes of a design with each number as an independent variable; the damping is one of kModelParameters.
 template <typename T>
 StatorModes<Dual<T, kDesignDirections>> moving_modes(const StatorModes<double>& m,
                                                      const Dual<T, kDirections>& damping) {
@@ -40,7 +40,7 @@ Dual<T, kDesignDirections> moving_drive(const StatorModes<Dual<T, kDesignDirecti
           modes.unequal.share());
 }
 
-/// How the amplitude moves where a drive holds it: H(A) = Theta u_0 stays (D2.9).
+/// Derivatives of the amplitude under a drive, for which H(A) = Theta u_0 stays satisfied (D2.9).
 template <typename T>
 class WaveMotion {
  public:
@@ -53,7 +53,7 @@ class WaveMotion {
     motion_[kAmplitude] = T(0.0);
   }
 
-  /// x with the amplitude no longer free.
+  /// Total derivatives of x, with the amplitude following the drive.
   W of(W x) const {
     const T slope = x.d[kAmplitude];
     for (int i = 0; i < kDesignDirections; ++i) x.d[i] = x.d[i] + slope * motion_[i];
@@ -68,7 +68,7 @@ class WaveMotion {
   T motion_[kDesignDirections];
 };
 
-/// The contact as a backward wave feels it, with the directions of kDriveParameters.
+/// The contact for a backward wave, with the directions of kDriveParameters added.
 inline DisturbedContact<DesignDual> widened(const DisturbedContact<ModelDual>& contact) {
   DisturbedContact<DesignDual> wide{widened(contact.wave_rate), widened(contact.omega), {}};
   for (const DisturbedSlice<ModelDual>& s : contact.slices) {
@@ -87,7 +87,7 @@ inline DisturbedContact<DesignDual> widened(const DisturbedContact<ModelDual>& c
   return wide;
 }
 
-/// What wave_metric() takes, from the numbers of a point.
+/// Arguments of wave_metric() from the numbers of a point.
 template <typename T>
 WavePoint<Dual<T, kDesignDirections>> wave_point(const DrivenMotor<Dual<T, kDirections>>& m,
                                                  const PointNumbers<Dual<T, kDirections>>& n,

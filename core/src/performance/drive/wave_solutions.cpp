@@ -16,13 +16,14 @@ namespace {
 
 constexpr double kRatio = 1.25;  // of neighbouring samples; H bends over amplitudes of its own size
 constexpr double kScanAccuracy = 1e-9;
-// Zones one search may follow in a slice, some ten milliseconds: usual motors need a thousand, contacts far from any motor millions.
+// Limit of zones that one search may follow in a slice, some ten milliseconds. Usual motors need a thousand, contacts
+// unlike any motor millions.
 constexpr long kMostZonesToSolve = 50'000;
 constexpr int kMostDecades = 20;
 constexpr double kLargest = 1, kSmallest = 1e-30;  // [m], far beyond amplitudes of any motor
-constexpr int kHalfOfDigits = 26;  // more cannot be told of the place of an extremum
+constexpr int kHalfOfDigits = 26;  // bits to which the position of an extremum can be known
 
-// Brent's method takes lengths as they are: here in units of the interval's end.
+// Minimizes by Brent's method in units of the interval's end, because its tolerance is absolute.
 template <typename F>
 std::pair<double, double> minimum_of(const F& f, double low, double high) {
   const auto [x, value] = boost::math::tools::brent_find_minima(
@@ -30,7 +31,7 @@ std::pair<double, double> minimum_of(const F& f, double low, double high) {
   return {x * high, value};
 }
 
-// An amplitude met in a search whose contact has no periodic state.
+// Thrown for an amplitude whose contact has no periodic state.
 struct NoState {};
 
 struct Range {
@@ -49,7 +50,7 @@ class ForceCurve {
     std::sort(samples_.begin(), samples_.end(), below);
   }
 
-  // Goes on to smaller amplitudes until H is below a force: H(0) = 0.
+  // Extends the samples to smaller amplitudes until H is below a force; H(0) = 0.
   void begin_below(double force) {
     for (int i = 0; i < kMostDecades && !samples_.empty() && samples_.front().force >= force; ++i) {
       sample(0.1 * samples_.front().amplitude);
@@ -157,7 +158,7 @@ double largest_amplitude(const DrivenWaves& w) {
   return std::fmin(std::fmin(damped, stiff) * (1 + 1e-9), kLargest);
 }
 
-// H is at most this per amplitude, as long as the contact answers no stronger than one that is pressed all round.
+// Upper bound of H per amplitude, if the contact is not stiffer than one that is closed all round.
 double steepest(const DrivenWaves& w) {
   const StatorModes<double>& m = w.modes();
   return std::fabs(dynamic_stiffness(m, w.omega())) + w.omega() * m.damping +
@@ -183,7 +184,7 @@ WaveSolutions wave_solutions(const DrivenWaves& waves, double speed) {
   return {solutions, curve.zones()};
 }
 
-// Beyond the backbone, where R has fallen to zero for good, both R and I grow.
+// Beyond the backbone, where R stays negative, both |R| and I grow.
 std::vector<ForceExtremum> force_extrema(const DrivenWaves& waves, double speed) {
   const double softness = -dynamic_stiffness(waves.modes(), waves.omega());
   if (!(softness > 0)) return {};

@@ -32,9 +32,9 @@ struct ForceExtremum {
   bool maximum;
 };
 
-/// All solutions at a speed, the smallest amplitude first (D2.8): H is sampled where they can lie, its extrema between
-/// the samples are refined, and each change of sign is closed in on. Amplitudes whose contact has no periodic state are passed
-/// over. Some 40 microseconds.
+/// All solutions at a speed, the smallest amplitude first (D2.8): H is sampled over all possible amplitudes, its
+/// extrema between samples are refined, and each change of sign is bisected. Amplitudes whose contact has no periodic
+/// state are skipped. Takes some 40 microseconds.
 WaveSolutions wave_solutions(const DrivenWaves& waves, double speed);
 
 /// All extrema of H at a speed, the smallest amplitude first. None where the drive's frequency is not above the

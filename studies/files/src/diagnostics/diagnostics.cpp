@@ -18,7 +18,7 @@ std::string place(const Source& source, SourceMark mark) {
          std::to_string(mark.column) + ": ";
 }
 
-// The line with a caret below the column; of a long line, the part round the column.
+// The line with a caret below the column; of a long line, the part around the column.
 std::string excerpt(const Source& source, SourceMark mark) {
   constexpr int kBefore = 60;
   constexpr std::size_t kWidth = 100;

@@ -17,8 +17,8 @@ using Operation = Formula::Operation;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-// Branches of min, max and abs that are nearer than this, relative to what is compared, count as equal: far above the
-// rounding of a metric, and as near as metrics tell their own kinks.
+// Branches of min, max and abs that differ by less than this, relative to their arguments, count as equal. It is far
+// above the rounding of a metric, and the same distance at which metrics report their own kinks.
 constexpr double kTie = 1e-9;
 
 struct Partials {
@@ -56,7 +56,7 @@ bool sums(Operation operation) {
   return operation == Operation::add || operation == Operation::subtract;
 }
 
-// Sizes of the terms that a value is made of, against which a difference of theirs counts as zero.
+// Sizes of the terms of a value, relative to which their difference counts as zero.
 std::vector<double> sizes(const std::vector<Formula::Step>& steps,
                           const std::vector<double>& values) {
   std::vector<double> sizes(steps.size());
@@ -105,7 +105,7 @@ Formula::Formula(std::vector<Step> steps, std::string text, Dimension dimension)
   TWUM_ASSERT(!steps_.empty());
 }
 
-// Values of all steps; empty where one is not a number, for min and max would pass over it.
+// Values of all steps; empty if one is NaN, which min and max would ignore.
 std::vector<double> Formula::values(std::span<const double> names) const {
   std::vector<double> values(steps_.size());
   for (std::size_t i = 0; i < steps_.size(); ++i) {
@@ -135,7 +135,7 @@ FormulaDerivative Formula::differentiate(std::span<const double> names) const {
   result.value = all.back();
   std::fill(result.by_name.begin(), result.by_name.end(), 0.0);
   const std::vector<double> size = sizes(steps_, all);
-  std::vector<double> slope(steps_.size());  // of the result by each step
+  std::vector<double> slope(steps_.size());  // derivative of the result by each step
   slope.back() = 1;
   for (std::size_t i = steps_.size(); i-- > 0;) {
     const Step& step = steps_[i];

@@ -15,7 +15,7 @@ namespace {
 
 using Operation = Formula::Operation;
 
-constexpr std::size_t kMostSteps = 1000;  // of a formula that a person may have meant
+constexpr std::size_t kMostSteps = 1000;  // limit of steps in a formula
 
 const char* name_of(Operation operation) {
   switch (operation) {
@@ -41,7 +41,7 @@ std::string measured(const std::string& text, const Dimension& dimension) {
   return studies::quoted(text) + " is " + dimension_phrase(dimension.unit());
 }
 
-// The text of an operand, in parentheses if it binds more weakly than its place asks for.
+// The text of an operand, in parentheses if its precedence is lower than required.
 std::string operand(const FormulaPart& part, Binding least) {
   return part.binding < least ? "(" + part.text + ")" : part.text;
 }
@@ -100,7 +100,7 @@ void require_same_dimension(const Formula& left, const Formula& right, std::stri
   refuse_difference(left.text(), left.dimension(), right.text(), right.dimension(), sign, position);
 }
 
-// Appends a step. One that no name takes part in is computed here.
+// Appends a step. A constant step is evaluated at once.
 FormulaPart FormulaBuilder::add(Formula::Step step, std::string text, Binding binding,
                                 const Dimension& dimension, std::size_t at) {
   if (steps_.size() == kMostSteps)
@@ -140,7 +140,7 @@ Dimension FormulaBuilder::power_dimension(const FormulaPart& base, const Formula
     throw ValueError(measured(base.text, base.dimension) + " with the exponent " +
                          studies::quoted(exponent.text),
                      "a quantity with a unit takes a number as its exponent", at);
-  constexpr double kMostPower = 1000;  // a dimension beyond means nothing
+  constexpr double kMostPower = 1000;  // limit of the powers in a dimension
   if (std::fabs(step.value) > kMostPower)
     throw ValueError("the exponent " + studies::quoted(exponent.text) + " is too large",
                      "a quantity with a unit takes an exponent up to 1000", at);

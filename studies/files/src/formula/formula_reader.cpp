@@ -146,7 +146,7 @@ class Reader {
                      at_);
   }
 
-  // What stands here, up to the next blank.
+  // The text up to the next blank.
   std::string rest() const {
     std::size_t end = at_;
     while (end < text_.size() && leading_blank(text_.substr(end)) == 0) ++end;
@@ -182,7 +182,7 @@ class Reader {
     }
   }
 
-  // What an unknown unit may be meant for: an operator without blanks, or a name after a number.
+  // Advice for an unknown unit, which may be an operator without blanks, or a name after a number.
   std::string unit_remedy(std::string_view unit, const ValueError& error) const {
     if (unit.find_first_of("+-*/^") != std::string_view::npos) return kBlanksRound;
     try {
@@ -233,7 +233,7 @@ class Reader {
     return referred(begin, begin + name.size());
   }
 
-  // A name of the caller's, with what stands in its parentheses.
+  // A name with its argument in parentheses, read by the caller's function.
   FormulaPart referred(std::size_t begin, std::size_t end) {
     if (sees('(')) {
       end = closing(at_) + 1;

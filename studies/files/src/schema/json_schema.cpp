@@ -30,7 +30,7 @@ Json bare_number(const Schema& schema) {
   return {{"anyOf", Json::array({number, text})}};
 }
 
-// Whether the unit has the right dimension is for the program to say.
+// A JSON Schema cannot check the dimension of the unit; the program does.
 Json with_unit(const Schema& schema) {
   return {{"type", "string"},
           {"pattern", std::string("^\\s*") + kNumber + "\\s*[^\\s0-9.,+-].*$"},
@@ -41,7 +41,7 @@ Json one_of_words(const Schema& schema) {
   Json choices = Json::array();
   for (const std::string& word : schema.words) {
     choices.push_back(word);
-    // YAML reads 1 as a number, and so do editors.
+    // YAML and editors read 1 as a number, not as a text.
     if (word.find_first_not_of("0123456789") == std::string::npos)
       choices.push_back(std::stoi(word));
   }
@@ -50,7 +50,7 @@ Json one_of_words(const Schema& schema) {
 
 Json has(const std::string& name) { return {{"required", Json::array({name})}}; }
 
-// That an entry is given, by its name or by an alias that counts.
+// The condition that an entry is given, by its name or by an accepted alias.
 Json is_given(const SchemaEntry& entry) {
   if (!entry.alias_counts || entry.alias.empty()) return has(entry.name);
   return {{"anyOf", Json::array({has(entry.name), has(entry.alias)})}};
@@ -63,7 +63,7 @@ const SchemaEntry* twin_of(const Schema& mapping, const SchemaEntry& entry) {
   return nullptr;
 }
 
-// Exactly one of a needed pair, at most one of any other pair; said once for a pair.
+// Rule for a pair of twins: exactly one if they are required, else at most one. Added once for each pair.
 void add_pair_rule(Json& rules, const Schema& mapping, const SchemaEntry& entry) {
   const SchemaEntry* twin = twin_of(mapping, entry);
   if (twin == nullptr) return;
@@ -77,7 +77,7 @@ void add_pair_rule(Json& rules, const Schema& mapping, const SchemaEntry& entry)
   }
 }
 
-// It, its twin, or the entry that may stand for it.
+// Rule: the entry, its twin, or the entry that replaces it.
 void add_spared_rule(Json& rules, const Schema& mapping, const SchemaEntry& entry) {
   Json any = Json::array({is_given(entry)});
   if (const SchemaEntry* twin = twin_of(mapping, entry)) any.push_back(is_given(*twin));

@@ -12,7 +12,7 @@
 namespace twum::studies {
 namespace {
 
-// A mapping whose names are parameters: all have one shape, up to units and ranges.
+// True for a mapping whose names are parameters; their shapes differ in units and ranges only.
 bool by_parameter(const Schema& schema) {
   return schema.kind == ValueKind::mapping && !schema.entries.empty() &&
          std::all_of(schema.entries.begin(), schema.entries.end(),
@@ -48,14 +48,14 @@ std::string words_text(const Schema& schema) {
   return text;
 }
 
-// Bars end a cell.
+// Escapes bars, which end a cell.
 std::string cell(const std::string& text) {
   std::string out;
   for (const char c : text) out += c == '|' ? std::string("\\|") : std::string(1, c);
   return out;
 }
 
-// What a value within the shape of a parameter is: its schema speaks of the parameter itself.
+// The meaning of a value in the shape of a parameter, because its schema describes the parameter itself.
 std::string role_text(const std::string& name, const std::string& otherwise) {
   constexpr std::pair<std::string_view, std::string_view> kRoles[] = {
       {"min", "smallest value"},
@@ -147,7 +147,7 @@ class TableWriter {
     }
   }
 
-  // One of several mappings; the entry that selects it is said once, in the row of the whole.
+  // The rows of one of several mappings; the entry that selects it has one row for all of them.
   void variant(const Schema& all, const Schema& mapping, const std::string& path,
                const std::string& word) {
     for (const SchemaEntry& entry : mapping.entries) {

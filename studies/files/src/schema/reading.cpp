@@ -10,7 +10,7 @@
 namespace twum::studies {
 namespace {
 
-// The entry that a key names, by its name or by an alias that counts.
+// The entry with a name or an accepted alias equal to the key.
 const SchemaEntry* entry_of(const Schema& mapping, std::string_view key) {
   for (const SchemaEntry& entry : mapping.entries) {
     if (entry.name == key || (entry.alias_counts && entry.alias == key)) return &entry;
@@ -27,7 +27,7 @@ const YamlEntry* given(const YamlNode& node, const Schema& mapping, std::string_
   return nullptr;
 }
 
-// What other kinds of study, and people, call an entry.
+// Another usual name of an entry, as in other kinds of study.
 std::string_view synonym(std::string_view word, const std::vector<std::string_view>& names) {
   static constexpr std::pair<std::string_view, std::string_view> kSame[] = {
       {"constraints", "limits"}, {"limits", "constraints"},   {"parameters", "variables"},
@@ -39,7 +39,7 @@ std::string_view synonym(std::string_view word, const std::vector<std::string_vi
   return {};
 }
 
-// By its name and by its alias; the same key twice was noticed by the reader of YAML.
+// Adds an error for an entry given both by its name and by its alias. The YAML reader detects equal keys.
 void say_twice(const YamlEntry& second, const YamlEntry& first, const Spot& spot,
                Diagnostics& diagnostics) {
   const Spot place = spot.entry(second.key, second.key_mark);
@@ -47,7 +47,7 @@ void say_twice(const YamlEntry& second, const YamlEntry& first, const Spot& spot
                    "leave one of them out", first.key_mark, "'" + first.key + "' given here"});
 }
 
-// Returns the name that was meant, empty if there is no telling.
+// Adds an error for an unknown entry. Returns the name that was probably meant, or an empty text.
 std::string_view say_unknown(const YamlEntry& entry, const Schema& schema, const Spot& spot,
                              Diagnostics& diagnostics) {
   std::vector<std::string_view> names;
@@ -64,7 +64,7 @@ std::string_view say_unknown(const YamlEntry& entry, const Schema& schema, const
   return meant;
 }
 
-// Reported once, at the later of the two.
+// Adds an error for an entry and its twin, once, at the later of the two.
 void say_both(const YamlEntry& own, const YamlEntry& twin, const Spot& spot,
               Diagnostics& diagnostics) {
   if (&own < &twin) return;
@@ -93,7 +93,7 @@ std::string items_allowed(const Schema& schema) {
   return "expected " + least + " to " + std::to_string(schema.max_items);
 }
 
-// The shortest text of a number, its exponent as people type it: 1e-6.
+// The shortest text of a number, with an exponent such as 1e-6.
 std::string plain_number(double value) {
   std::string text = number_text(value);
   const std::size_t at = text.find("e-0");
@@ -130,7 +130,8 @@ bool says_no_error(const YamlNode& node, const Schema& schema, const Spot& spot,
     use(node.scalar);
     return true;
   } catch (const ValueError& error) {
-    const bool long_text = schema.kind == ValueKind::text;  // in which the place matters
+    // a position within a long text is reported
+    const bool long_text = schema.kind == ValueKind::text;
     diagnostics.add(long_text
                         ? diagnostics.source().mark_within(node.mark, node.scalar, error.position())
                         : node.mark,
@@ -151,7 +152,7 @@ bool check_item_count(const YamlNode& list, const Schema& schema, const Spot& sp
 std::vector<GivenEntry> given_entries(const YamlNode& node, const Schema& schema, const Spot& spot,
                                       Diagnostics& diagnostics) {
   std::vector<GivenEntry> found;
-  std::vector<std::string_view> meant;  // entries that a mistyped name stands for
+  std::vector<std::string_view> meant;  // entries that mistyped names were probably meant for
   for (const YamlEntry& entry : node.entries) {
     const SchemaEntry* known = entry_of(schema, entry.key);
     if (known == nullptr) {
@@ -233,7 +234,8 @@ Shape<double> number(Schema schema) {
   shape.read = [schema = kept(shape.schema)](double& into, const YamlNode& node, const Spot& spot,
                                              Diagnostics& diagnostics) {
     return says_no_error(node, *schema, spot, diagnostics, [&](const std::string& text) {
-      into = parse_number_of(text, *schema);  // for checks beside it, even if it is too large
+      // set for checks of several entries, even if it is out of range
+      into = parse_number_of(text, *schema);
       check_size(into, text, *schema);
     });
   };

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kCommentColumn = 36;
 
-// The other way to say what an entry before it says.
+// True for an entry whose twin stands before it.
 bool is_second(const Schema& schema, const SchemaEntry& entry) {
   if (entry.required || entry.twin.empty()) return false;
   const auto twin =

@@ -47,7 +47,7 @@ Distribution Distribution::within(double min, double max) const {
 double Distribution::quantile(double p) const {
   if (!limited_) return whole_quantile(p);
   const double share = bottom_ + p * (top_ - bottom_);
-  // A share that rounds to 0 or 1 is a draw beyond the last representable one.
+  // Keeps a probability that rounds to 0 or 1 inside the open interval.
   const double inside = std::clamp(share, 0x1.0p-1022, 1 - 0x1.0p-53);
   return std::clamp(whole_quantile(inside), min_, max_);
 }

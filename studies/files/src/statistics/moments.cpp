@@ -51,7 +51,7 @@ Estimate Moments::sd_estimate(double confidence) const {
   if (value == 0) return {0, 0, 0};
   const double kurtosis = n * fourth_ / (second_ * second_);
   const double correction = n / (n - z);
-  // Of the logarithm of the variance. Two values alone, equally often, have a kurtosis of 1.
+  // Standard error of the logarithm of the variance. max(): two values that occur equally often have a kurtosis of 1.
   const double error = correction * std::sqrt(std::max(0.0, kurtosis - (n - 3) / n) / (n - 1));
   const double centre = value * std::sqrt(correction);
   return {value, centre * std::exp(-z * error / 2), centre * std::exp(z * error / 2)};

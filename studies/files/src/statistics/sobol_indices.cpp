@@ -71,7 +71,7 @@ bool SobolIndices::add(std::uint64_t block, std::span<const double> values) {
     ++dropped_;
     return false;
   }
-  // Counted from a value that occurs, the sums of squares do not cancel.
+  // Shifting by a value of the function avoids cancellation in the sums of squares.
   if (blocks_++ == 0) shift_ = values[0];
   Sums& sums = replicates_[block % SobolDesign::kReplicates];
   const double a = values[0] - shift_;
@@ -119,7 +119,7 @@ double SobolIndices::variance() const {
 }
 
 bool SobolIndices::constant() const {
-  // Metrics come from solutions to about 1e-12; a spread of 1e-9 of the mean is nobody's concern.
+  // Metrics are accurate to about 1e-12; a standard deviation below 1e-9 of the mean is of no practical interest.
   return blocks_ > 0 && std::sqrt(variance()) <= 1e-9 * std::abs(mean());
 }
 

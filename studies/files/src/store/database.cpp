@@ -18,13 +18,13 @@ constexpr int kFirstPlace = 3;  // place of a row's first value in an INSERT
 
 std::string heading(const StoredColumn& column) { return column.name + " [" + column.unit + "]"; }
 
-bool same_name(std::string_view a, std::string_view b) {  // to SQL, capitals make no difference
+bool same_name(std::string_view a, std::string_view b) {  // SQL ignores the case of names
   const auto lower = [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c + 32) : c; };
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [&](char x, char y) { return lower(x) == lower(y); });
 }
 
-// Headings as names of columns, which SQL wants to differ: "a [m]" after "A [m]" becomes "a [m] 2".
+// Headings made into distinct SQL names of columns: "a [m]" after "A [m]" becomes "a [m] 2".
 std::vector<std::string> table_names(const std::vector<StoredColumn>& columns) {
   std::vector<std::string> names;
   for (const StoredColumn& column : columns) {
@@ -71,19 +71,19 @@ ResultStore::Database::~Database() {
   try {
     if (!failure_) commit_batch();
     insert_.reset();
-    if (connection_.has_moved()) {  // what is at its path is not ours
+    if (connection_.has_moved()) {  // the file at its path is another one
       connection_.abandon();
       return;
     }
-    // A finished database is one plain file, which can be read from a folder without permission to
-    // write. Where another program is reading just now it stays as it is.
+    // A finished database is one plain file, which can be read from a folder without permission to write. If another
+    // program is reading it now, it stays in write-ahead mode.
     connection_.execute("PRAGMA busy_timeout = 0; PRAGMA journal_mode = DELETE");
   } catch (const StoreError&) {
-    // Whoever needs to know has called flush().
+    // Errors are ignored here; call flush() to get them.
   }
 }
 
-// A file that was made, but left before anything was in it.
+// True for a database file that was created but never filled.
 bool ResultStore::Database::is_blank() {
   return connection_.number_of("SELECT count(*) FROM sqlite_master") == 0;
 }
@@ -96,7 +96,7 @@ void ResultStore::Database::make_tables(const std::vector<StoredColumn>& columns
       "; CREATE TABLE facts (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID"
       "; CREATE TABLE columns (place INTEGER PRIMARY KEY, name TEXT NOT NULL, unit TEXT NOT NULL)"
       "; CREATE TABLE evaluations (stage INTEGER NOT NULL, \"index\" INTEGER NOT NULL";
-  // Without a type a value is kept as it is; a column of type REAL makes 0 of -0.
+  // Columns have no type, because type REAL would turn -0 into 0.
   for (const std::string& name : table_names(columns)) sql += ", " + sqlite::quoted_name(name);
   sql +=
       ", status TEXT NOT NULL, detail BLOB, checksum INTEGER NOT NULL, "
@@ -136,7 +136,7 @@ std::vector<StoredColumn> ResultStore::Database::stored_columns() {
   return columns;
 }
 
-// In one transaction: what another program commits meanwhile does not belong to this seal.
+// In one transaction, because rows committed by another program meanwhile do not belong to this seal.
 void ResultStore::Database::read_content() {
   connection_.execute("BEGIN");
   columns_ = stored_columns();
@@ -156,7 +156,7 @@ void ResultStore::Database::prepare() {
   committer_ = std::jthread([this](const std::stop_token& stop) { commit_in_time(stop); });
 }
 
-// Makes a change; after one that failed there is no other.
+// Makes a change. After a failure no further changes are made.
 template <typename Write>
 void ResultStore::Database::write(Write change) {
   const std::lock_guard lock(mutex_);
@@ -182,14 +182,13 @@ void ResultStore::Database::insert(const StoredRow& row) {
   insert_->bind_blob(place++, row.detail);
   insert_->bind(place, static_cast<std::int64_t>(sum));
   insert_->run();
-  if (connection_.changes() == 0) return;  // it was there
+  if (connection_.changes() == 0) return;  // the row existed
   ++seal_.rows;
   seal_.sum += sum;
 }
 
 void ResultStore::Database::begin_batch() {
-  // Not before: in write-ahead mode the head of a young database would be in the log, and the file not
-  // be known as one of ours.
+  // Not earlier: in write-ahead mode the header of a new database is in the log, so the file could not be recognized.
   if (!in_log_) {
     connection_.execute(
         "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; PRAGMA wal_autocheckpoint = 4000");

@@ -40,7 +40,7 @@ std::uint64_t stored_checksum(const sqlite::Statement& select, std::size_t colum
   return static_cast<std::uint64_t>(select.integer(kFirstValue + static_cast<int>(columns) + 2));
 }
 
-// The rows as the pages have them: one page in the place of another breaks the order or the sum.
+// Reads the rows in the order of the pages: a page in the place of another one changes the order or the sum.
 Seal seal_of_rows(sqlite::Connection& connection, std::size_t columns) {
   Seal seal;
   sqlite::Statement select(connection, "SELECT * FROM evaluations ORDER BY stage, \"index\"");

@@ -11,7 +11,7 @@
 namespace twum::studies::sqlite {
 namespace {
 
-// What a result code means for whoever has to do something about it; `system` is errno, if any.
+// The meaning of a result code with advice; `system` is errno, if any.
 std::string reason(int code, int system, const char* text) {
   const std::string why = system != 0 ? std::string(": ") + std::strerror(system) : std::string();
   switch (code & 0xff) {

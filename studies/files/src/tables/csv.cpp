@@ -28,7 +28,7 @@ class QuoteState {
       } else if (c == '\n' && !inside_) {
         return at_;
       }
-      // After a closing mark another mark would reopen: it is the doubled one.
+      // A mark right after a closing mark is a doubled one and reopens the quotation.
       cell_begins_ = !inside_ && (c == ',' || c == '"');
     }
     return std::string_view::npos;
@@ -48,7 +48,7 @@ bool CsvReader::fill() {
   std::memmove(buffer_.data(), buffer_.data() + at_, end_ - at_);
   end_ -= at_;
   at_ = 0;
-  // A long record grows the block, so that it is not copied over and over.
+  // The block grows with a long record, which is then not copied repeatedly.
   const std::size_t room = std::max(kBlock, end_);
   if (buffer_.size() < end_ + room) buffer_.resize(end_ + room);
   const std::size_t got = bytes_(buffer_.data() + end_, room);
@@ -127,7 +127,7 @@ bool CsvReader::read(CsvChunk& chunk, std::size_t most) {
     }
   } catch (const InputError&) {
     if (chunk.records.empty()) throw;
-    failure_ = std::current_exception();  // what came before it counts
+    failure_ = std::current_exception();  // records before the failure are returned first
   }
   return !chunk.records.empty();
 }

@@ -6,7 +6,7 @@
 namespace twum::studies {
 
 std::string about(double value) {
-  constexpr double kWhole = 1e15;  // beyond it digits of a whole number mean nothing
+  constexpr double kWhole = 1e15;  // limit up to which all digits of a whole number are exact
   const double size = std::fabs(value);
   return size < 99.5 || !(size < kWhole) ? rounded_text(value, 2)
                                          : std::to_string(std::llround(value));

@@ -16,7 +16,7 @@ std::size_t skip_digits(std::string_view text, std::size_t at) {
   return at;
 }
 
-// Reads [first, last) whole; std::from_chars knows no '+' and accepts "inf" and "nan".
+// Reads all of [first, last). std::from_chars does not accept '+', but accepts "inf" and "nan".
 std::optional<double> read_all(const char* first, const char* last) noexcept {
   double value = 0;
   const auto [end, error] = std::from_chars(first, last, value);

@@ -7,7 +7,7 @@ namespace twum::studies {
 namespace {
 
 constexpr std::size_t kGap = 2;
-// Words in a narrower column than this read badly.
+// Least width of a column of words.
 constexpr std::size_t kLeastWords = 28;
 
 std::size_t width_of(const std::string& text) {
@@ -51,7 +51,7 @@ struct PlacedColumn {
 };
 using Block = std::vector<PlacedColumn>;
 
-// Whether a column is broken rather than put below: its cells are of several words.
+// Whether a column can be wrapped instead of moved below: its cells have several words.
 bool has_words(const TextTable& table, std::size_t column, std::size_t width) {
   for (const auto& row : table.rows) {
     if (column >= row.size()) continue;
@@ -75,7 +75,7 @@ std::size_t width_of(const Block& block) {
   return width;
 }
 
-// Which columns stand beside each other.
+// Divides the columns into blocks that fit the width.
 std::vector<Block> blocks_of(const TextTable& table, std::size_t width) {
   const std::vector<std::size_t> widths = widths_of(table);
   const Block keys = keys_of(table, widths);

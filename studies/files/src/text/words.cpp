@@ -10,7 +10,7 @@
 namespace twum::studies {
 namespace {
 
-constexpr std::size_t kLongestWord = 48;  // longer ones are not typing errors of ours
+constexpr std::size_t kLongestWord = 48;  // longer words are not typing errors of known names
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
@@ -50,7 +50,7 @@ std::string_view only_beginning(std::string_view word,
 int edit_distance(std::string_view a, std::string_view b, int limit) {
   if (a.size() > kLongestWord || b.size() > kLongestWord) return limit + 1;
   const int longer = std::abs(static_cast<int>(a.size()) - static_cast<int>(b.size()));
-  if (longer > limit) return limit + 1;  // as many letters are missing at least
+  if (longer > limit) return limit + 1;  // at least this many letters are missing
   std::array<std::array<int, kLongestWord + 1>, kLongestWord + 1> d;
   for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = static_cast<int>(j);
   int least_before = 0;  // of the row above

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kRadian = 3;
 static_assert(std::string_view(kBaseUnits[kRadian].symbol) == "rad");
 
-// Powers such as 3 * (1/3) differ from whole numbers by a few roundings; two meant to differ do so by far more.
+// Powers such as 3 * (1/3) differ from integers by a few roundings; different powers differ by far more.
 bool same_power(double a, double b) { return std::fabs(a - b) < 1e-9; }
 
 using NamedUnit = std::pair<std::string, Dimension>;

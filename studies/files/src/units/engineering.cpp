@@ -18,8 +18,8 @@ constexpr EngineeringPrefix kEngineeringPrefixes[] = {{"T", 1e12}, {"G", 1e9},  
                                                       {"k", 1e3},  {"", 1},     {"m", 1e-3},
                                                       {"u", 1e-6}, {"n", 1e-9}, {"p", 1e-12}};
 
-// A prefix in front of kg or 1 would be wrong, and of a unit with a bare kg in it unusual. Of a power it belongs to the
-// base: mm^2 is a millionth of m^2.
+// A prefix before kg or 1 would be wrong, and before a unit that contains kg unusual. Before a power it belongs to
+// the base: mm^2 is a millionth of m^2.
 bool takes_prefix(std::string_view si_unit) {
   const std::size_t end = si_unit.find_first_of("./^(");
   const bool power = end != std::string_view::npos && (si_unit[end] == '^' || si_unit[end] == '(');

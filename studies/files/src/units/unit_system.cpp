@@ -142,7 +142,7 @@ bool numbers_are_exponents(std::string_view unit) {
     if (!is_digit(unit[i])) continue;
     std::size_t begin = i;
     while (i + 1 < unit.size() && is_digit(unit[i + 1])) ++i;
-    if (i - begin > 1) return false;  // powers of a hundred mean nothing here
+    if (i - begin > 1) return false;  // exponents have one digit
     if (begin > 0 && (unit[begin - 1] == '-' || unit[begin - 1] == '+')) --begin;
     if (begin == 0) return false;
     const char before = unit[begin - 1];
@@ -152,7 +152,7 @@ bool numbers_are_exponents(std::string_view unit) {
   return true;
 }
 
-// "W/m.K" is W.K/m to UDUNITS and W/(m.K) to most people.
+// UDUNITS reads "W/m.K" as W.K/m, but most people mean W/(m.K).
 bool product_after_slash(std::string_view unit) {
   bool slash = false;
   int depth = 0;

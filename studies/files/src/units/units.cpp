@@ -19,7 +19,7 @@
 namespace twum::studies {
 namespace {
 
-// Units people mean when they mistype one.
+// Usual units, suggested for mistyped ones.
 constexpr std::array<std::string_view, 44> kUsualUnits{
     "nm",     "um",     "mm",    "cm",   "m",      "Pa",    "kPa",    "MPa",     "GPa",
     "N",      "mN",     "kN",    "N.m",  "mN.m",   "N.cm",  "rpm",    "rad/s",   "Hz",
@@ -45,7 +45,7 @@ std::string expectation(std::span<const Expected> expected) {
   return text;
 }
 
-// What a known unit measures: "a force [N]".
+// The dimension of a known unit: "a force [N]".
 std::string phrase_of_unit(std::string_view unit) {
   if (factor_to(unit, "1")) return "a number without dimension";
   for (const NamedDimension& named : kDimensions) {
@@ -59,7 +59,7 @@ bool fits_any(std::string_view unit, std::span<const Expected> expected) {
                      [&](const Expected& one) { return factor_to(unit, one.unit).has_value(); });
 }
 
-// What data sheets and workshops say, and what it is here.
+// Units of data sheets and workshops, and their names here.
 std::string_view usual_unit_for(std::string_view unit) {
   static constexpr std::pair<std::string_view, std::string_view> kSaid[] = {
       {"1/min", "rpm"},  {"U/min", "rpm"},     {"min^-1", "rpm"}, {"min-1", "rpm"},
@@ -188,7 +188,7 @@ Measure parse_measure(std::string_view text) {
                                    : "did you mean '" + std::string(meant) + "'?",
                      text.size() - unit.size());
   }
-  constexpr int kMostPower = 20;  // more means nothing; beyond 255 UDUNITS cannot say it either
+  constexpr int kMostPower = 20;  // limit of the powers; beyond 255 UDUNITS cannot represent them
   for (const int power : base_powers(unit)) {
     if (std::abs(power) > kMostPower)
       throw ValueError(quoted(text) + ": " + quoted(unit) + " is of too high a power",

@@ -15,7 +15,7 @@ bool is_control(std::string_view text) {
   return (c < 0x20 && c != '\n' && c != '\t') || c == 0x7F;
 }
 
-// What is wrong at the first place that is no text; true if there is such a place.
+// Adds an error at the first byte that is not text; true if there is one.
 bool refuse_binary(Diagnostics& diagnostics) {
   const std::string_view text = diagnostics.source().text();
   int line = 0;

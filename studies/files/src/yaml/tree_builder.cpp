@@ -22,7 +22,7 @@ namespace {
 // Thrown through the parser to end reading; the reason is in the diagnostics already.
 struct StopReading {};
 
-// Builds our tree from the parser's events and refuses what a strict file may not have.
+// Builds the tree from the parser's events and refuses what a strict file must not contain.
 class TreeBuilder : public YAML::EventHandler {
  public:
   explicit TreeBuilder(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
@@ -67,13 +67,13 @@ class TreeBuilder : public YAML::EventHandler {
   std::vector<Open> open_;
   YamlNode root_;
   bool has_document_{false};
-  // Where the last event stood: columns are counted on from there, since a line may be long.
+  // Place of the last event. Columns are counted from there, because a line may be long.
   int last_line_{0};
   int last_byte_{0};
   int last_column_{1};
 };
 
-constexpr std::size_t kDeepest = 24;  // lists and mappings in one another; our files need six
+constexpr std::size_t kDeepest = 24;  // limit of nested lists and mappings; files of twum need six
 
 YamlNode make(YamlNode::Kind kind, SourceMark mark, std::string text = {}) {
   YamlNode node;
@@ -148,7 +148,7 @@ void TreeBuilder::OnScalar(const YAML::Mark& mark, const std::string& tag, YAML:
   attach(make(YamlNode::Kind::scalar, place(mark), value));
 }
 
-// The parser takes a quotation that nobody closed for one that ends with the file.
+// The parser accepts a quotation without an end as one that ends with the file.
 void TreeBuilder::check_quotation(const YAML::Mark& mark) {
   const std::string_view text = diagnostics_.source().text();
   auto at = static_cast<std::size_t>(mark.pos);

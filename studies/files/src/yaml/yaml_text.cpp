@@ -42,7 +42,8 @@ std::string inline_text(const YamlNode& node) {
   }
 }
 
-bool is_deep(const YamlNode& node) {  // holds mappings of mappings, which read badly in one line
+// contains mappings of mappings, which are hard to read in one line
+bool is_deep(const YamlNode& node) {
   return std::any_of(node.entries.begin(), node.entries.end(), [](const YamlEntry& entry) {
     return entry.value.kind == YamlNode::Kind::mapping || entry.value.kind == YamlNode::Kind::list;
   });

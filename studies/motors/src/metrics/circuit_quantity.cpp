@@ -58,7 +58,7 @@ double part_of(Complex y, CircuitPart part) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-// Its change with the admittance.
+// Derivative of the quantity for a change of the admittance.
 double change_of(Complex y, Complex slope, CircuitPart part) {
   switch (part) {
     case CircuitPart::conductance: return slope.real();

@@ -43,7 +43,7 @@ const char* argument_phrase(Argument argument) {
   throw ValueError("unknown metric " + quoted(name), remedy, at);
 }
 
-// What stands between the parentheses, as a request.
+// The text between the parentheses, as a request.
 MetricRequest parse_argument(const MetricInfo& metric, std::string_view argument, std::size_t at) {
   std::vector<Expected> expected;
   if (metric.argument != Argument::torque) expected.push_back(kSpeed);
@@ -58,7 +58,7 @@ MetricRequest parse_argument(const MetricInfo& metric, std::string_view argument
   }
 }
 
-// "torque_at(100 rpm)", of which the reader of formulas has seen that the parentheses close.
+// Reads "torque_at(100 rpm)"; the formula reader has checked the parentheses.
 MetricRequest parse_request(const MetricInfo& metric, std::string_view text, std::size_t open) {
   if (open == std::string_view::npos) {
     if (metric.argument != Argument::none) {
@@ -75,7 +75,7 @@ MetricRequest parse_request(const MetricInfo& metric, std::string_view text, std
   return parse_argument(metric, argument, static_cast<std::size_t>(argument.data() - text.data()));
 }
 
-// A symbol stands alone: in a formula it could be meant for a unit.
+// Refuses a symbol in a formula, where it could be a unit.
 void refuse_symbol(const ParameterInfo& row, std::string_view name) {
   if (row.name == name) return;
   throw ValueError(quoted(name) + " is a symbol, which an expression does not read",
@@ -129,7 +129,7 @@ std::string_view unit_of(const Term& term) {
   return info(std::get<Parameter>(term)).unit;
 }
 
-// Taken apart once: the library of units serves one thread at a time.
+// Cached, because the units library serves one thread at a time.
 const Dimension& dimension_of(const Term& term) {
   static const std::vector<Dimension> metrics = [] {
     std::vector<Dimension> list;
@@ -163,7 +163,7 @@ MetricValue value_of(const Formula& formula, std::span<const MetricValue> terms)
   return {value, std::isnan(value) ? MetricStatus::undefined : MetricStatus::ok};
 }
 
-// What the gradient of a sum of gradients is good for: the worst of those that take part, flat if all are.
+// Smoothness of a sum of gradients: the worst of its terms; flat if all are flat.
 Smoothness smoothness_of(const FormulaDerivative& formula,
                          std::span<const MetricDerivative> terms) {
   bool undefined = false;

@@ -16,14 +16,14 @@ constexpr const char* kUsage = "expected a limit such as 'stall_torque >= 0.8 N.
 constexpr const char* kTolerance =
     "an equality has a tolerance, such as 'no_load_speed == 150 rpm +- 3 rpm'";
 
-// A part of a text, which knows its place in it.
+// A part of a text with its position.
 struct Piece {
   std::string_view whole;
   std::size_t begin;
   std::size_t end;
 
   std::string_view text() const { return whole.substr(begin, end - begin); }
-  // What a reader of the text makes of it; its errors say where in the whole.
+  // Reads the part; the positions of errors refer to the whole text.
   template <typename Read>
   auto read(const Read& read) const {
     try {
@@ -56,7 +56,7 @@ std::vector<Sign> comparisons(std::string_view text) {
 
 double constant(const MetricExpression& side) { return side.formula.value({}); }
 
-// left - right, whose sign tells which is larger.
+// left - right, which is positive if left is larger.
 MetricExpression difference(const MetricExpression& left, const MetricExpression& right) {
   return parse_metric(left.formula.text() + " - (" + right.formula.text() + ")");
 }

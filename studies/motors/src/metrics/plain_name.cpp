@@ -30,7 +30,7 @@ std::string plain_word(const std::string& name) {
   return text;
 }
 
-// What stands in the parentheses of "NAME(...)"; empty if the text is nothing like it.
+// The text in the parentheses of "NAME(...)"; empty if the text has another form.
 std::string inside_of(const std::string& text, std::string_view name) {
   const bool call = text.starts_with(name) && text.ends_with(')') &&
                     text.size() > name.size() + 1 && text[name.size()] == '(';

@@ -41,7 +41,7 @@ std::size_t length_of(std::string_view text, Kind kind) {
   throw ValueError(quoted(text) + " has a bracket that does not close", "add a ')'", name);
 }
 
-// Runs a reader on a part of a text; its errors say where in the whole.
+// Reads a part of a text; the positions of errors refer to the whole text.
 template <typename Read>
 auto read_at(std::string_view part, std::size_t begin, Read read) {
   try {

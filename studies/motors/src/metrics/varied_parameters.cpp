@@ -16,7 +16,7 @@ namespace {
 
 std::string name_of(Parameter parameter) { return std::string(info(parameter).name); }
 
-// A motor without zeros among its parameters, so that every dependence has a slope there.
+// A motor without zeros among its parameters, so that every dependence has a nonzero derivative.
 MotorDesign ordinary(const MotorDesign& base, const std::vector<Parameter>& given) {
   std::vector<ParameterValue> values;
   const auto add = [&](const ParameterInfo& row) {
@@ -30,11 +30,12 @@ MotorDesign ordinary(const MotorDesign& base, const std::vector<Parameter>& give
   }
   for (const Parameter parameter : given) add(info(parameter));
   MotorDesign start;
-  start.stator.geometry = base.stator.geometry;  // its blocks: their numbers are among the values
+  // takes the blocks of the geometry; their numbers are among the values
+  start.stator.geometry = base.stator.geometry;
   return with(start, values);
 }
 
-// Whether a rule reads what another one sets: the parameter itself, or one that follows from it in the motor, as G from E.
+// Whether a rule depends on the parameter that another one sets, or on one that follows from it, as G from E.
 bool reads(const DerivedParameter& rule, const DerivedParameter& other,
            const ParameterJacobian& follows) {
   return std::any_of(rule.value.terms.begin(), rule.value.terms.end(), [&](const Term& term) {
@@ -43,7 +44,7 @@ bool reads(const DerivedParameter& rule, const DerivedParameter& other,
   });
 }
 
-// Names the circle that rules go round in: each reads one of the others.
+// Throws with the names of rules that depend on each other in a circle.
 [[noreturn]] void refuse_circle(const std::vector<DerivedParameter>& rules,
                                 const ParameterJacobian& follows) {
   std::vector<const DerivedParameter*> path{&rules.front()};
@@ -122,7 +123,7 @@ void VariedParameters::refuse_twice() const {
   }
 }
 
-// Each rule after those that set what it reads.
+// Orders the rules such that each comes after those on which it depends.
 void VariedParameters::put_in_order(const MotorDesign& base) {
   std::vector<Parameter> given = varied_;
   for (const DerivedParameter& rule : derived_) given.push_back(rule.parameter);
@@ -143,7 +144,7 @@ void VariedParameters::put_in_order(const MotorDesign& base) {
 
 namespace {
 
-// Asks for the mode of the plate. What else is wrong with a geometry Motor says.
+// Throws if the plate has no suitable mode. Other errors of a geometry are reported by Motor.
 void require_wave(const MotorDesign& design) {
   if (!design.stator.geometry) return;
   try {

@@ -13,7 +13,8 @@ std::string drive_of(const MotorDesign& design) {
          engineering(drive_frequency(design), "Hz");
 }
 
-// "more than 117.7 V (start_voltage) at this frequency", or at which frequency at this voltage; what has no value is left out.
+// "more than 117.7 V (start_voltage) at this frequency", or the frequency at this voltage; thresholds without a value
+// are left out.
 std::string threshold(const Motor& motor, Metric voltage, Metric frequency, const char* side) {
   const auto said = [&](Metric metric, const char* unit, const char* held) {
     const MetricValue found = evaluate(motor, {metric});
@@ -53,7 +54,7 @@ std::optional<ModelNote> drive_note(const Motor& motor) {
                                                     Metric::pull_out_frequency, "at least "));
   }
   const MetricValue starts = evaluate(motor, {Metric::start_voltage});
-  // A search for `start_voltage <= voltage` ends on the limit, which it keeps to a millionth.
+  // An optimum with the limit `start_voltage <= voltage` may violate it by 1e-6 relative.
   constexpr double kMet = 1e-6;
   if (starts.status != MetricStatus::ok || *stator.voltage >= starts.value * (1 - kMet)) return {};
   return note(motor, "the motor runs but does not start by itself",

@@ -27,7 +27,7 @@ const MaterialBlock* block_at(std::string_view path) {
   return nullptr;
 }
 
-// What a lining calls its friction is named after the parameters; all other properties after the entries.
+// The friction properties of a lining have the names of the parameters, all other properties those of the entries.
 std::string_view property_of(const ParameterInfo& row) {
   const bool friction = row.file_entry.starts_with("friction.");
   return friction ? row.name : row.file_entry.substr(row.file_entry.rfind('.') + 1);

@@ -36,7 +36,7 @@ constexpr Range kTested[] = {
     {Parameter::kinetic_friction, 0, 1},
 };
 
-// Limits are powers of ten times small numbers: a value typed as one differs in the last digit at most.
+// Compares with a tolerance, because a value typed like a limit may differ from it in the last bit.
 bool outside(double value, double low, double high) {
   constexpr double kRounding = 1e-12;
   return value < low * (1 - kRounding) || value > high * (1 + kRounding);
@@ -96,7 +96,7 @@ void add_contact(const MotorDesign& design, const Motor& motor, std::vector<Mode
                      "hinder a real wave"});
 }
 
-// Two modes of the stator that look alike, of which one is taken for the wave.
+// The note on two similar modes of the stator, of which one was taken for the wave.
 void add_modes(const MotorDesign& design, std::vector<ModelNote>& notes) {
   if (!design.stator.geometry) return;
   switch (plate_model(design)->identity) {
@@ -126,7 +126,7 @@ double change(const Motor& one, const Motor& track, Metric metric) {
 
 // The speeds up to no-load at which a free backward wave grows, where that is known (D6.8).
 struct SquealSpeeds {
-  double fastest{-1};  // none if negative [rad/s]
+  double fastest{-1};  // largest such speed; negative if there is none [rad/s]
   double fed{0};       // largest fed_damping there [N s/m]
   double rate{0};      // largest, where it is known [1/s]
 };

@@ -109,7 +109,7 @@ Field<GivenMotor> field_of(const ParameterInfo& row) {
   return field;
 }
 
-// mu_0 below mu: no single entry is wrong, but the two together are.
+// Checks that mu_0 is not below mu; each entry by itself may be valid.
 bool check_friction(GivenMotor& motor, const Given& given, Diagnostics& diagnostics) {
   const YamlNode* kinetic = given.right("kinetic");
   const YamlNode* threshold = given.right("static");
@@ -165,7 +165,7 @@ bool check_stator(GivenMotor& motor, const Given& given, Diagnostics& diagnostic
   return check_circuit(motor.circuit, given, diagnostics) && alone;
 }
 
-// What a block's material gives, then the block's own check.
+// Fills in the values of the block's material, then runs the check of the block.
 Check<GivenMotor> filled_check(std::string block,
                                bool (*check)(GivenMotor&, const Given&, Diagnostics&)) {
   return [block, check](GivenMotor& motor, const Given& given, Diagnostics& diagnostics) {
@@ -196,7 +196,7 @@ bool check_shape(GivenMotor& /*motor*/, const Given& given, Diagnostics& diagnos
 struct Section {
   std::string_view path, text;
   bool (*check)(GivenMotor&, const Given&, Diagnostics&){nullptr};
-  bool shown{true};  // in a file to start from
+  bool shown{true};  // in templates
 };
 
 constexpr Section kSections[] = {
@@ -219,7 +219,7 @@ constexpr Section kSections[] = {
     {"stator.geometry.ceramic", "the piezoceramic ring under the metal plate"},
     {"stator.geometry.electrodes", "electrodes of a phase: sectors of half a wavelength"}};
 
-// Sections that may be left out although entries of theirs are needed, and what holds then.
+// Sections that may be left out although they have required entries, and their defaults.
 constexpr std::pair<std::string_view, std::string_view> kMayLack[] = {
     {"stator.geometry", "modal data"},
     {"stator.geometry.web", "no web"},
@@ -239,7 +239,7 @@ Field<GivenMotor> section_at(const std::string& path, const std::string& name,
   return field;
 }
 
-// What a file has to hold: a motor in full, or some of its parameters.
+// Required content of a file: a complete motor, or some of its parameters.
 enum class Extent : unsigned char { motor, part };
 
 Field<GivenMotor> left_out_freely(Field<GivenMotor> field) {
@@ -283,11 +283,11 @@ std::vector<ParameterValue> all_values(const GivenMotor& given) {
 }
 
 MotorFile motor_of(const GivenMotor& given) {
-  // What a valid file does not give follows from what it gives: mu_0 = mu, and no modal damping.
+  // Entries that a valid file leaves out: mu_0 = mu, and no modal damping.
   MotorDesign blank;
   blank.stator.modal_damping = 0;
   blank.friction = {1, 1};
-  // Exponent and root, which a design has as well, would replace a table.
+  // Set at the end, because exponent and root would replace a table.
   blank.stator.radial_shape.table = given.shape_table;
   blank.stator.branch = given.branch.value_or(Branch::running);
   blank.stator.geometry = blank_geometry(given);
@@ -295,12 +295,12 @@ MotorFile motor_of(const GivenMotor& given) {
 }
 
 bool check_motor(GivenMotor& motor, const Given& given, Diagnostics& diagnostics) {
-  if (!diagnostics.empty()) return false;  // what is wrong has been said; the motor is not made
+  if (!diagnostics.empty()) return false;  // errors were added before; the motor is not made
   try {
     const MotorDesign design = motor_of(motor).design;
     if (!design.stator.geometry) return true;
     for (const std::string& wrong : complaints(design)) say_of_motor(wrong, given, diagnostics);
-    if (diagnostics.empty()) plate_model(design);  // which has a mode for the wave
+    if (diagnostics.empty()) plate_model(design);  // throws if there is no mode for the wave
   } catch (const EvaluationError& error) {
     say_of_motor(error.what(), given, diagnostics);
   } catch (const InputError& error) {

@@ -8,7 +8,7 @@
 namespace twum::studies {
 namespace {
 
-// Files that people take for one of a set, which deserve a better answer than a list of unknown entries.
+// Adds a helpful error for a motor or study file given instead of a set, in place of a list of unknown entries.
 bool refuse_other_file(const YamlNode& root, Diagnostics& diagnostics) {
   struct Other {
     const char* entry;

@@ -18,7 +18,7 @@ Parameter parse_parameter(std::string_view name) {
   std::vector<std::string_view> names;
   for (const ParameterInfo& row : parameter_table()) {
     names.push_back(row.name);
-    if (name == row.file_entry)  // as it stands in a motor file
+    if (name == row.file_entry)  // typed as in a motor file
       throw ValueError("unknown parameter " + quoted(name),
                        "did you mean '" + std::string(row.name) + "'?");
   }

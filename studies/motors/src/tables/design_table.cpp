@@ -33,7 +33,7 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-// A cell as it stands, unless it could not stand there or a spreadsheet would run it.
+// Appends a cell unchanged, unless it is malformed or a spreadsheet would run it as a formula.
 void append_copy(std::string& out, std::string_view cell) {
   std::vector<std::string_view> parts;
   const bool well_formed = split_record(cell, parts) && parts.size() == 1;
@@ -118,7 +118,7 @@ DesignTable::TableColumn DesignTable::read_column(const std::string& text) {
   return {std::string(heading.name), text, parameter, scale};
 }
 
-// True for a column that the result has anyway, as the result of another run has it.
+// True for a column that the result computes itself, as in the result of an earlier run.
 bool DesignTable::is_computed(const std::string& heading) const {
   if (heading == kStatus) return true;
   return std::any_of(metrics_.begin(), metrics_.end(), [&](const MetricExpression& metric) {
@@ -196,7 +196,7 @@ bool DesignTable::read_values(std::size_t line, Scratch& scratch) const {
   return true;
 }
 
-// Fills scratch.metrics, and scratch.reason with what went wrong.
+// Sets scratch.metrics, and scratch.reason if something is wrong.
 bool DesignTable::compute(std::string_view record, std::size_t line, Scratch& scratch) const {
   scratch.well_formed = split_record(record, scratch.cells);
   if (!scratch.well_formed || scratch.cells.size() != columns_.size()) {
@@ -223,8 +223,7 @@ bool DesignTable::compute(std::string_view record, std::size_t line, Scratch& sc
   return scratch.reason.empty();
 }
 
-// The columns that are carried along, each with a comma behind it: as many cells as the header has, so that they stay in
-// step.
+// Appends the copied columns, each followed by a comma. There are always as many cells as in the header.
 void DesignTable::append_columns(const std::vector<std::string_view>& cells,
                                  std::string& out) const {
   for (std::size_t i = 0; i < columns_.size(); ++i) {

@@ -24,7 +24,7 @@ class ColumnReader {
   std::vector<MeasuredColumn> read(SourceMark begin) {
     for (const ColumnHeading& heading : headings_) add(heading);
     check_repeats();
-    if (unknown_) return std::move(columns_);  // it may be the one that seems to be missing
+    if (unknown_) return std::move(columns_);  // the unknown column may be the missing one
     for (MeasuredColumn& column : columns_) {
       if (column.role == ColumnRole::deviation) find_owner(column);
       if (column.role == ColumnRole::measured) find_argument(column, begin);

@@ -16,7 +16,7 @@
 namespace twum::studies {
 namespace {
 
-// More columns than a table of points can have; so many errors would help nobody.
+// Limit of columns, to avoid a long list of errors for a file of another kind.
 constexpr std::size_t kMostColumns = 100;
 
 class PointReader {
@@ -100,7 +100,7 @@ class PointReader {
       }
       read_header(record, chunk.records[i].line);
       has_header_ = true;
-      diagnostics_.throw_if_any();  // without its columns nothing below has a meaning
+      diagnostics_.throw_if_any();  // the rows cannot be read without valid columns
     }
   }
 
@@ -124,7 +124,8 @@ class PointReader {
                        "leave out the line");
   }
 
-  // What was not read, though other columns are, has an empty cell, and so may its deviation.
+  // Whether a cell has to have a value: a reading may be empty if the row has another one, and then its deviation,
+  // too.
   bool wanted(std::size_t i) const {
     const MeasuredColumn& column = columns_[i];
     const bool read = column.role == ColumnRole::measured || column.role == ColumnRole::deviation;
@@ -183,7 +184,7 @@ class PointReader {
     return value;
   }
 
-  // Weights of mean 1, so that a sum of squares stays one of what was measured.
+  // Scales weights to the mean 1, so that the sum of squares keeps its unit.
   void weigh() {
     double least = 0;
     for (const MeasuredPoint& point : points_)
@@ -195,13 +196,14 @@ class PointReader {
     }
     double largest = 0;
     for (const MeasuredPoint& point : points_) largest = std::max(largest, point.weight);
-    double sum = 0;  // of weights relative to the largest one: large ones have no finite sum
+    // of weights relative to the largest one, because the sum of large ones may overflow
+    double sum = 0;
     for (MeasuredPoint& point : points_) sum += point.weight /= largest;
     refuse_weightless();
     for (MeasuredPoint& point : points_) point.weight *= static_cast<double>(points_.size()) / sum;
   }
 
-  // A point whose weight is below the smallest number beside that of another one.
+  // Refuses a point whose weight underflows relative to the largest one.
   void refuse_weightless() {
     for (std::size_t i = 0; i < points_.size(); ++i) {
       if (points_[i].weight > 0) continue;

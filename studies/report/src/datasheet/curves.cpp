@@ -16,7 +16,7 @@ constexpr std::size_t kSheetPoints = 241;
 // The page of the chart, and the ends of its axes [units of the drawing].
 constexpr double kChart = 720, kLeftEnd = 62, kRightEnd = 610, kUpper = 46, kLower = 248,
                  kSecond = 58;
-// Every axis has so many steps, so that the lines of the grid belong to all.
+// Number of steps of every axis, so that all axes share the grid lines.
 constexpr int kSteps = 5;
 
 // The least round number that is not smaller.
@@ -55,7 +55,7 @@ double up_of(const SheetCurve& curve, double value) {
   return kLower - (kLower - kUpper) * value / curve.shown.divisor / (kSteps * curve.step);
 }
 
-// Beyond no-load the rotor is driven from outside: a data sheet ends there.
+// A data sheet ends at the no-load speed, beyond which the rotor is driven from outside.
 std::vector<OperatingPoint> driving_points(const Motor& motor) {
   std::vector<OperatingPoint> points;
   for (const double speed : curve_speeds(motor, kSheetPoints)) {

@@ -42,7 +42,7 @@ RatedPoint rated_of(const Motor& motor, const std::optional<double>& speed) {
       motor.operating_point(at.value)};
 }
 
-// The motor itself, whatever its file looks like.
+// Hash of the motor, independent of the format of its file.
 std::string motor_hash(const MotorFile& motor) {
   std::array<char, 20> text{};
   std::snprintf(text.data(), text.size(), "%016llx",

@@ -19,7 +19,8 @@ std::string meaning_of(MetricStatus status) {
   return to_string(status);
 }
 
-// What some motors do not do is worth a line, such as that this one does not pull out; what has no meaning here is not.
+// The metrics of a motor. A metric without a value has a line if the reason is informative, such as a motor that does
+// not pull out, but not if it is undefined.
 std::vector<Line> numbers_of(const Motor& motor, bool with_modes) {
   const std::vector<MetricExpression> metrics = plain_metrics(motor.design());
   const std::vector<MetricValue> values = ExpressionEvaluator(metrics).evaluate(motor);

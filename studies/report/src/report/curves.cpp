@@ -21,7 +21,7 @@
 namespace twum::studies {
 namespace {
 
-// A curve some 700 pixels wide has a bend or two: more points would not be seen.
+// Enough points for a smooth curve of some 700 pixels.
 constexpr std::size_t kCurvePoints = 161;
 // A field every 2 % of the speed, 100 places across the contact.
 constexpr std::size_t kFieldSpeeds = 51;
@@ -38,7 +38,7 @@ std::optional<Motor> motor_of(const MotorDesign& base, const DesignValues& value
   try {
     return Motor(with(base, replaced));
   } catch (const InputError&) {
-    return {};  // a design outside what is admissible has no curve to show
+    return {};  // a design that is not admissible has no curve
   }
 }
 

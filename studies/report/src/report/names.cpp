@@ -73,7 +73,7 @@ class Names {
     try {
       add_read(text);
     } catch (const ValueError&) {
-      return;  // such as a column of words: shown as it stands
+      return;  // such as a column of words, which is shown unchanged
     }
   }
 
@@ -117,7 +117,7 @@ const Reason* find_reason(std::string_view word) {
   return found == reasons().end() ? nullptr : &*found;
 }
 
-// "speed_at(0.9 N.m): unreachable; stall_torque: undefined": what each word means, once.
+// The meaning of each word in "speed_at(0.9 N.m): unreachable; stall_torque: undefined", each once.
 std::string meaning_of(std::string_view reason) {
   std::vector<const Reason*> told;
   for (std::size_t from = 0; from < reason.size();) {

@@ -70,7 +70,7 @@ struct AnswerCurves {
     return curves;
   }
 
-  // What looks at many motors shows the curve of its own.
+  // Studies of many motors show the curve of the study's motor.
   template <typename Other>
   Json operator()(const Other& /*answer*/) const {
     Json curves = Json::array();
@@ -101,7 +101,7 @@ Json base_json(const MotorDesign& base) {
   return json;
 }
 
-// What a search was free to choose from, SI.
+// The ranges of a search's variables, SI.
 Json ranges_json(const StudyFile& study) {
   Json json = Json::object();
   std::visit(
@@ -116,7 +116,7 @@ Json ranges_json(const StudyFile& study) {
   return json;
 }
 
-// Motor files of the answer, in the order of its points; none of an answer with a design that is no motor.
+// Motor files of the answer, in the order of its points; empty if a design is not a valid motor.
 Json files_json(const StudyFile& study, const StudyResult& result) {
   Json json = Json::array();
   try {
@@ -161,7 +161,7 @@ std::string report_html(const StudyFile& study, const std::string& text, const S
   if (study.kind() == StudyKind::sweep) data["row_curves"] = row_curves_json(store, base);
   if (const auto* fit = std::get_if<CalibrateResult>(&result.answer))
     data["fit"] = fit_json(*fit, base);
-  // The data go in last: nothing in them is taken for a mark.
+  // The data are inserted last, so that no text in them is mistaken for a mark.
   std::string page = dressed(assets::page(), {assets::style(), assets::style_hash()},
                              {assets::script(), assets::script_hash()});
   page = filled(page, "/*CORE*/", base64(assets::core_module()));

@@ -21,7 +21,7 @@
 namespace twum::studies {
 namespace {
 
-// More than the eye or a browser can take; the page says that it holds a part, results.csv has all.
+// Limit of rows in a page. The page says that it shows a sample; results.csv has all rows.
 constexpr std::uint64_t kMostRows = 100000;
 // 20000 curves of 24 points are 1 MB in the page and half a second of work.
 constexpr std::uint64_t kMostCurves = 20000;
@@ -40,7 +40,7 @@ void draw(const MotorDesign& base, SmallCurve& curve) {
   try {
     motor.emplace(with(base, curve.design));
   } catch (const InputError&) {
-    return;  // not admissible: the row says so
+    return;  // not admissible, as the row's status says
   }
   const MetricValue no_load =
       evaluate(*motor, MetricRequest{Metric::no_load_speed, Argument::none, 0});
@@ -59,7 +59,7 @@ void draw(const MotorDesign& base, SmallCurve& curve) {
     curve.shape[i] = static_cast<std::uint16_t>(std::lround(65535 * torques[i] / most));
 }
 
-// Every how many-th of `count` things is kept so that there are at most `most`.
+// The k such that every k-th of `count` items gives at most `most`.
 std::uint64_t thinning(std::uint64_t count, std::uint64_t most) {
   return std::max<std::uint64_t>(1, (count + most - 1) / most);
 }

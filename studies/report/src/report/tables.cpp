@@ -14,7 +14,7 @@
 namespace twum::studies {
 namespace {
 
-// Units that people type besides the SI unit of a parameter with a prefix; each is tried for every dimension.
+// Further units offered to users, besides SI units with a prefix; each is tried for every dimension.
 constexpr const char* kOtherUnits[] = {"rpm",    "deg",    "cm",     "in",  "lbf",    "bar",
                                        "psi",    "kgf.cm", "ozf.in", "%",   "g/cm^3", "W/cm^2",
                                        "W/mm^2", "N/mm^2", "N.mm",   "pC/N"};
@@ -64,7 +64,8 @@ const char* word_of(stator::InnerEdge edge) {
   return "free";
 }
 
-// Whether a motor file of the design would hold the parameter; those of a wide contact also where one slice does not look at them.
+// Whether a motor file of the design would state the parameter, including the parameters of a wide contact if there
+// is one slice.
 bool stated(const MotorDesign& design, const MotorDesign& wide, Parameter parameter) {
   return parameter == Parameter::radial_slices || in_use(design, parameter) ||
          in_use(wide, parameter);

@@ -13,7 +13,7 @@
 namespace twum::studies {
 namespace {
 
-// A path that leads nowhere is the study's mistake; what is wrong inside the file is the file's.
+// A path without a file is an error of the study; errors in the file are reported there.
 MeasuredPoints points_of(const std::string& path) {
   try {
     return read_measured_points(path);
@@ -35,7 +35,7 @@ std::vector<std::string> unit_notes(const MeasuredPoints& table) {
           names};
 }
 
-// What a column sets cannot be estimated as well.
+// Refuses a parameter that a column sets and the study estimates.
 void refuse_set(const MeasuredPoints& table, const CalibrateStudy& asked,
                 Diagnostics& diagnostics) {
   std::vector<Parameter> given = parameters_of(asked.variables);
@@ -57,7 +57,7 @@ std::string column_name(const Reading& reading) {
   return name == "torque_at" ? "torque" : name;
 }
 
-// Intervals that stand on standard deviations need them; one place for each column that has none.
+// Refuses `scatter: stated` if standard deviations are missing; one error for each column without them.
 void refuse_bare(const MeasuredPoints& table, Diagnostics& diagnostics) {
   std::vector<std::string_view> said;
   for (const MeasuredPoint& point : table.points) {
@@ -110,7 +110,7 @@ MeasuredPoints checked_table(const CalibrateStudy& asked, const std::string& pat
   return table;
 }
 
-// A measure of each number that has no standard deviation, for a first fit: the root mean square of its column.
+// Sets missing standard deviations to the root mean square of their column, for a first fit.
 void give_sizes(std::vector<MeasuredPoint>& points) {
   std::vector<double> sizes;
   for (const MeasuredPoint& point : points) {

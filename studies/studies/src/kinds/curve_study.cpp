@@ -20,7 +20,7 @@ struct CurveMember {
   double last_speed;  // of its curve [rad/s]
 };
 
-// A value that is typed by hand and makes no motor is a mistake of the file, not a failed row.
+// A value in the file that is not admissible is an error of the file, not a failed row.
 Motor member_motor(const MotorDesign& base, Parameter parameter, double value) {
   try {
     return Motor(with(base, parameter, value));
@@ -42,7 +42,7 @@ class CurveRun : public StudyKindRun {
     family_ = asked.family->parameter;
     for (const double value : asked.family->values)
       add_member(value, member_motor(motor, *family_, value));
-    // Of a family over voltage or amplitude the value stands in its own column already.
+    // In a family over voltage or amplitude, the value already has a column.
     std::erase_if(columns_,
                   [&](const CurveColumn& one) { return one.name == info(*family_).name; });
   }
@@ -76,7 +76,7 @@ class CurveRun : public StudyKindRun {
   }
 
  private:
-  // The columns are those of the member that has the most.
+  // Uses the columns of the member that has the most.
   void add_member(double value, Motor motor) {
     std::vector<CurveColumn> columns = curve_columns(motor.design());
     if (columns.size() > columns_.size()) columns_ = std::move(columns);

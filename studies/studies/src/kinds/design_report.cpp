@@ -38,8 +38,7 @@ std::vector<MotorLimit> all_limits(const DesignProblem& problem) {
 
 const optim::Activity* activity_of(const optim::Certificate& certificate, const std::string& name,
                                    bool bound) {
-  const optim::Activity* found =
-      nullptr;  // of a limit with two ends the one that holds the design back
+  const optim::Activity* found = nullptr;  // of a limit with two ends, the active one
   for (const optim::Activity& a : certificate.limits) {
     if (a.is_bound == bound && a.name == name && (found == nullptr || a.active)) found = &a;
   }
@@ -50,7 +49,8 @@ double end_of(const MotorLimit& limit, bool at_least) {
   return at_least ? limit.lower : limit.upper;
 }
 
-// Where both sides depend on the motor: the left one is the value and the right one the limit, of which 1 % is meant.
+// If both sides depend on the motor, the left one is shown as the value and the right one as the limit, to which 1 %
+// refers.
 void show_sides(LimitState& state, double left, double right, bool maximize) {
   state.value = left;
   state.limit = right;
@@ -225,7 +225,7 @@ std::vector<std::string> DesignReporter::without_influence(const optim::Evaluati
     if (report.constraints[i].active || report.constraints[i].violation > 0)
       rows.push_back(problem_.objectives.size() + i);
   }
-  // Change of a response over the variable's range; below rounding of the largest it is none.
+  // Changes of a response over a variable's range below this share of the largest change are rounding errors.
   constexpr double kNothing = 1e-12;
   std::vector<bool> matters(n, false);
   for (const std::size_t row : rows) {

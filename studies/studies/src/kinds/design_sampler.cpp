@@ -8,7 +8,7 @@
 
 namespace twum::studies {
 
-// A grid point. Of whole numbers rounding takes away what the logarithm's rounding left.
+// A grid point. Integers are rounded, which removes rounding errors of the logarithm.
 double DesignSampler::Axis::at(std::uint64_t point) const {
   if (!values.empty()) return values[point];
   const double t = points > 1 ? static_cast<double>(point) / static_cast<double>(points - 1) : 0.0;

@@ -50,7 +50,7 @@ std::pair<double, double> merit(const DesignProblem& problem, const EarlierDesig
   std::vector<MetricValue> values(metrics.size());
   try {
     ExpressionEvaluator(metrics).evaluate(Motor(with(problem.motor, design)), values);
-  } catch (const InputError&) {  // of another motor: its values do not fit this one
+  } catch (const InputError&) {  // a design of another motor, whose values are not admissible here
     return {kWorst, kWorst};
   }
   double broken = 0;
@@ -61,7 +61,7 @@ std::pair<double, double> merit(const DesignProblem& problem, const EarlierDesig
     const double end = limit.at_least(value) ? limit.lower : limit.upper;
     broken += limit.excess(value) / std::max(std::fabs(end), 1e-300);
   }
-  constexpr double kRoom = 1e-6;  // an optimum breaks its active limits by the solver's tolerance
+  constexpr double kRoom = 1e-6;  // an optimum violates its active limits by the solver's tolerance
   if (values[0].status != MetricStatus::ok) return {kWorst, kWorst};
   return {broken > kRoom ? broken : 0,
           (problem.objectives.front().maximize ? -1 : 1) * values[0].value};

@@ -84,7 +84,7 @@ struct Finder {
   }
 };
 
-// Of kinds whose answer is about the motor of the study as it stands, or about its family.
+// For kinds whose answer is about the study's motor, or about a family of it.
 std::vector<FoundMotor> asked_about(const StudyFile& file, const StudyResult& result) {
   const auto* curve = std::get_if<CurveResult>(&result.answer);
   if (curve == nullptr || !curve->family) {

@@ -54,7 +54,7 @@ std::vector<SweptMotor> members_of(const FrequencyStudy& asked, const MotorDesig
   return members;
 }
 
-// The range asked for, open ends filled in so that they take in the response of every member.
+// The range of the study; ends that are not given are set such that the range contains the response of every member.
 std::pair<double, double> range_of(const FrequencyStudy& asked,
                                    const std::vector<SweptMotor>& members) {
   double from = std::numeric_limits<double>::infinity(), to = 0;
@@ -70,7 +70,7 @@ std::pair<double, double> range_of(const FrequencyStudy& asked,
   return {from, to};
 }
 
-// A stage for each sweep, a row for each frequency. Sweeps are milliseconds: they are made beforehand.
+// A stage for each sweep, a row for each frequency. Sweeps take milliseconds, so they are computed beforehand.
 class FrequencyRun : public StudyKindRun {
  public:
   FrequencyRun(const FrequencyStudy& asked, const MotorDesign& base) : points_(asked.points) {

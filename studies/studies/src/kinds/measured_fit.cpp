@@ -18,7 +18,7 @@ void require_value(const MetricDerivative& found, const std::string& name) {
     throw EvaluationError(name + ": no derivative", "no derivative");
 }
 
-// "torque" of the points that every bench reads; its failures have been counted by that name.
+// Name of a reading in failures; "torque" for torque_at.
 std::string failure_name(const Reading& reading) {
   const std::string name(name_of(reading));
   return name == "torque_at" ? "torque" : name;
@@ -91,7 +91,7 @@ optim::Residuals MeasuredFit::residuals(std::span<const double> values) const {
     return all_residuals(values);
   } catch (const EvaluationError& error) {
     failed.failure = error.reason();
-  } catch (const InputError& error) {  // a combination of values that is no motor
+  } catch (const InputError& error) {  // these values are not those of a valid motor
     failed.failure = std::string("not a motor: ") + error.what();
   }
   return failed;

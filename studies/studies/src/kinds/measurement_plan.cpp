@@ -10,7 +10,7 @@ namespace twum::studies {
 namespace {
 
 constexpr std::size_t kLength = 10;  // measurements of a plan
-constexpr int kGrid = 24;            // places of what is read at a speed or a torque
+constexpr int kGrid = 24;            // number of speeds or torques tried for a reading
 
 // A number that may be measured next.
 struct Candidate {
@@ -19,7 +19,7 @@ struct Candidate {
       slope;  // of its weighted residual, by the parameters in parts of their ranges
 };
 
-// What the ranges say and the data have said, in parts of the ranges; grows by one measurement after another.
+// Covariance of the parameters relative to their ranges, from the ranges and the data; updated with each measurement.
 class Knowledge {
  public:
   // Before any measurement each parameter is anywhere in its range: the variance of a uniform number.
@@ -72,7 +72,7 @@ class Planner {
   Planner(const MeasuredFit& fit, std::vector<double> values, double scatter)
       : fit_(fit), values_(std::move(values)), knowledge_(values_.size(), scatter) {}
 
-  // The points of the fit are known.
+  // Adds the points of the fit.
   void learn() {
     const optim::Residuals known = fit_.residuals(values_);
     for (std::size_t i = 0; i < known.values.size(); ++i)
@@ -120,7 +120,7 @@ class Planner {
     return planned;
   }
 
-  // One kind after the other, of those that were measured; a candidate that the motor has no value for is none.
+  // Candidates of all measured kinds, without those for which the motor has no value.
   std::vector<Candidate> all_candidates() const {
     std::vector<Candidate> list;
     std::vector<const MeasuredPoint*> kinds;
@@ -144,7 +144,7 @@ class Planner {
     list.push_back({std::move(point), in_ranges(found.jacobian.data())});
   }
 
-  // The mean weight of its kind: a further point is as good as those.
+  // Mean weight of the points of its kind, assumed for a further point.
   double weight_of(const MeasuredPoint& like) const {
     double sum = 0;
     double count = 0;
@@ -172,7 +172,7 @@ class Planner {
     return list;
   }
 
-  // The motor as it is, with other preloads and voltages, and whatever was set.
+  // Settings: the motor unchanged, with other preloads and voltages, and with the settings of the data.
   std::vector<std::vector<ParameterValue>> settings() const {
     std::vector<std::vector<ParameterValue>> list{{}};
     for (const Parameter parameter : {Parameter::preload, Parameter::voltage}) {

@@ -29,7 +29,7 @@ OptimumRun::OptimumRun(const StudyFile& file, DesignProblem asked, BuiltMotorsAs
       goal_(asked.objectives.front()),
       built_(std::move(built)),
       motors_([this](const std::vector<double>& name) { return question_named(name); }) {
-  // The rounds of a robust search are many, and each begins where the last one ended.
+  // Not under tolerances: a robust search has many rounds that each start from the last one.
   if (counts_slices() && built_.tolerances.empty()) begin_with_slices(kFewSlices);
 }
 
@@ -85,7 +85,8 @@ RobustQuestion OptimumRun::question_named(const std::vector<double>& name) const
   return of_file ? question_before(std::move(question), before()) : question;
 }
 
-// A design with every combination of whole numbers and sets, its own first; beyond kMostCombinations its own alone.
+// A design with every combination of integers and sets, its own first. Only its own if there are more than
+// kMostCombinations.
 std::vector<std::vector<double>> OptimumRun::combinations_at(
     const std::vector<double>& design) const {
   std::vector<std::vector<double>> list{design};
@@ -110,8 +111,8 @@ std::vector<std::vector<double>> OptimumRun::combinations_at(
   return list;
 }
 
-// Where a search with few slices ended, another goes on as `auto` does for the motor there, until that needs no more slices.
-// Whole numbers and sets stay. One budget serves all.
+// Continues a search with few slices from its optimum with the slices that `auto` takes there, until the motor needs no
+// more. Integers and sets stay fixed. All searches share one budget.
 optim::Result OptimumRun::refined(optim::Result found, RunContext& context) {
   const optim::Budget budget = this->options(context).budget;
   while (counts_slices() && !found.design.empty() && found.stop == optim::StopReason::finished &&
@@ -139,8 +140,8 @@ optim::Result OptimumRun::refined(optim::Result found, RunContext& context) {
   return found;
 }
 
-// Under tolerances the optimum without them comes first: it is where the robust search starts, and what its answer is
-// compared with. Where not even one motor keeps the limits, there is nothing to build.
+// Under tolerances, first finds the optimum without them, from which the robust search starts and with which its
+// answer is compared. If no motor meets the limits, there is no robust search.
 KindAnswer OptimumRun::run(RunContext& context) {
   SearchLog log(problem(), context);
   const optim::Result found =
@@ -156,7 +157,8 @@ KindAnswer OptimumRun::run(RunContext& context) {
   for (std::vector<double>& design : combinations_at(found.design))
     candidates.push_back({question_of(design), design});
   std::vector<std::vector<double>> valleys = log.valleys();
-  if (!valleys.empty()) valleys.erase(valleys.begin());  // where the optimum without tolerances is
+  // the first is the optimum without tolerances itself
+  if (!valleys.empty()) valleys.erase(valleys.begin());
   return robust_optimum({std::move(candidates), problem(), before(), reporter(), options(context),
                          found, std::move(valleys)},
                         std::get<OptimizeResult>(std::move(plain.answer)), context);

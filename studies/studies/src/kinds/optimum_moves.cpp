@@ -10,7 +10,7 @@
 namespace twum::studies {
 namespace {
 
-// Parameters of the motor that neither a variable nor what follows sets.
+// Parameters of the motor that are neither varied nor derived.
 std::vector<Parameter> held_parameters(const DesignProblem& question, const MotorDesign& motor) {
   std::vector<Parameter> set = parameters_of(question.variables);
   for (const DerivedParameter& rule : question.derived) set.push_back(rule.parameter);
@@ -40,7 +40,7 @@ std::vector<double> with_values(std::vector<double> design, const std::vector<Pa
   return design;
 }
 
-// Of these parameters those that any response depends on.
+// The parameters on which at least one response depends.
 std::vector<Parameter> counting(const optim::Problem& problem, const std::vector<double>& at,
                                 const std::vector<Parameter>& held) {
   const optim::Evaluation here = problem.evaluate(at, true);

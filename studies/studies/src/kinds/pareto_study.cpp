@@ -114,7 +114,7 @@ class ParetoRun : public SearchRun {
     return question;
   }
 
-  // Where no design has the wanted yield, it may be that not even one motor keeps the limits.
+  // If no design has the wanted yield, checks whether a design without tolerances meets the limits at all.
   KindAnswer under_tolerances(SearchLog& log, RunContext& context) const {
     KindAnswer found =
         robust_front({question(), problem(), reporter(), options(context), points_}, context);
@@ -136,8 +136,8 @@ class ParetoRun : public SearchRun {
                        [](const auto& p) { return !p.certificate.weights.empty(); });
   }
 
-  // An end of the front is the optimum of one goal, and there the weights of the goals are not unique:
-  // as many limits may meet as there are variables. So it is certified for that goal alone.
+  // Certifies an end of the front for its own goal only. The weights of the goals are not unique there, since as many
+  // limits may be active as there are variables.
   DesignReport alone(std::size_t goal, const std::vector<double>& design) const {
     DesignProblem one = problem();
     one.objectives = {problem().objectives[goal]};
@@ -145,7 +145,8 @@ class ParetoRun : public SearchRun {
   }
 
   std::size_t points_;
-  std::vector<DesignObjective> goals_;  // of problem() it has what has a value without tolerances
+  // goals of the study; those of problem() have a value without tolerances
+  std::vector<DesignObjective> goals_;
   std::vector<Tolerance> tolerances_;
   std::vector<StatisticLimit> statistics_;
   BuiltMotorRows motors_;

@@ -6,7 +6,7 @@
 namespace twum::studies {
 namespace {
 
-constexpr std::uint64_t kRoundsOfASearch = 1'000'000;    // more than one ever takes
+constexpr std::uint64_t kRoundsOfASearch = 1'000'000;    // more than one search ever needs
 constexpr std::uint64_t kStagesOfASearch = 100'000'000;  // likewise
 
 }  // namespace

@@ -12,17 +12,17 @@
 namespace twum::studies {
 namespace {
 
-constexpr std::uint64_t kNominalProducts = 20000;  // its yield within 0.7 %
-constexpr std::uint64_t kNominalStream = 100;      // apart from those that decide
+constexpr std::uint64_t kNominalProducts = 20000;  // estimate its yield to 0.7 %
+constexpr std::uint64_t kNominalStream = 100;  // random numbers separate from those of the decision
 
 constexpr std::size_t kVerifiedCandidates = 3;
-constexpr std::size_t kMostValleys = 3;  // starts in other valleys
+constexpr std::size_t kMostValleys = 3;  // starts at other local optima
 
 std::size_t variables_of(const RobustBeginning& beginning) {
   return beginning.asked.variables.size();
 }
 
-// Starts at the optimum without tolerances and in other valleys, with the whole numbers of the candidate.
+// Starts at the optimum without tolerances and at other local optima, with the integers of the candidate.
 std::vector<std::vector<double>> starts_of(const RobustBeginning& beginning,
                                            const RobustCandidate& candidate) {
   const auto free = static_cast<std::ptrdiff_t>(variables_of(beginning));
@@ -38,7 +38,7 @@ std::vector<std::vector<double>> starts_of(const RobustBeginning& beginning,
   return list;
 }
 
-// A search of one candidate, with the memory of its number.
+// A search of one candidate, with a log of its own.
 template <typename Solve>
 optim::RobustResult searched(const RobustBeginning& beginning, std::size_t candidate,
                              std::uint64_t number, RunContext& context, Solve solve) {
@@ -84,7 +84,7 @@ std::vector<std::size_t> likely_candidates(const RobustBeginning& beginning, boo
 
 FoundCandidate best_candidate(const RobustBeginning& beginning, RunContext& context) {
   const DesignObjective& goal = beginning.candidates.front().question.design.objectives.front();
-  // The rounds of a share and of a spread minimize.
+  // Rounds for a yield or a standard deviation minimize.
   const bool maximize = goal.maximize && has_nominal_value(goal);
   const std::vector<std::size_t> likely = likely_candidates(beginning, maximize, context);
   std::vector<FoundCandidate> list;
@@ -98,7 +98,7 @@ FoundCandidate best_candidate(const RobustBeginning& beginning, RunContext& cont
   });
 }
 
-// 20,000 motors of another design: the optimum without tolerances, or the motor as it was.
+// A sample of 20,000 motors of another design: the optimum without tolerances, or the motor before the search.
 optim::Verification others(const optim::RobustProblem& posed, std::span<const double> design,
                            const optim::RobustOptions& options) {
   return optim::verify_design(posed, design, kNominalProducts, options, kNominalStream);

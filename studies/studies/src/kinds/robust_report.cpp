@@ -88,7 +88,7 @@ std::vector<RobustTolerance> tolerances_of(const RobustQuestion& question,
     RobustTolerance tolerance{input.name, input.relative ? "%" : unit,
                               input.relative ? 100 * input.spread : input.spread};
     if (k < found.prices.size()) {
-      // Of a largest yield the prices speak of the yield, not of the goal.
+      // For a largest yield, prices refer to the yield, not to the goal.
       const bool largest = std::isfinite(found.largest_yield);
       tolerance.gain = largest ? kNoValue : found.prices[k].gain_per_percent_tighter;
       tolerance.yield_gain = found.prices[k].yield_per_percent_tighter;
@@ -111,7 +111,7 @@ std::vector<double> binned(const std::vector<double>& values, double first, doub
   return shares;
 }
 
-// From the 0.02 % to the 99.98 % quantile, and on to the limits that are near.
+// From the 0.02 % to the 99.98 % quantile, extended to limits nearby.
 std::pair<double, double> window_of(std::vector<double> values, const optim::RandomLimit& limit) {
   std::erase_if(values, [](double v) { return !std::isfinite(v); });
   if (values.size() < 2) return {0.0, 0.0};
@@ -145,7 +145,7 @@ std::vector<RobustDensity> densities_of(const RobustQuestion& question,
   return list;
 }
 
-// The end of a limit whose margin an activity speaks of.
+// The end of a limit that belongs to the margin of an activity.
 struct MarginEnd {
   std::string limit;
   optim::Side side;

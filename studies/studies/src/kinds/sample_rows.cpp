@@ -20,7 +20,7 @@ StoredRow row_of(std::uint64_t stage, std::uint64_t index) {
   return row;
 }
 
-// Why a design is none: the text without the values it found, so that such rows can be counted.
+// Why a design is not admissible, without its values, so that equal reasons can be counted.
 std::string short_reason(const DesignFailure& failure) {
   const std::string& text = failure.text;
   if (failure.kind != DesignFailure::Kind::refused) return text;

@@ -14,7 +14,7 @@
 namespace twum::studies {
 namespace {
 
-// Entries without a derivative are told by the Jacobian itself.
+// Undefined derivatives are NaN in the Jacobian, so their kinks need not be stored.
 bool told_by_jacobian(const optim::Evaluation& evaluation, std::size_t variables,
                       const optim::KinkedEntry& kink) {
   return kink.slope == optim::Slope::undefined &&
@@ -136,7 +136,7 @@ void SearchRows::append_derived(std::span<const double> design, StoredRow& row) 
   try {
     const Combination& one = combinations_[combination_of(problem_, design)];
     motor = motor_of_combination(one.problem, one.varied, design.first(problem_.variables.size()));
-  } catch (const Error&) {  // the evaluation says why there is no such motor
+  } catch (const Error&) {  // the evaluation holds the reason
   }
   for (const DerivedParameter& rule : problem_.derived)
     row.values.push_back(motor ? get(*motor, rule.parameter) : kNoValue);
@@ -203,7 +203,7 @@ void SearchLog::note_run(const optim::Observation& observation) {
   runs_[observation.stage] = {value, {observation.design.begin(), observation.design.end()}};
 }
 
-// On the scale of the search, a tenth of every range.
+// Whether two designs are within a tenth of every range, on the scale of the search.
 bool SearchLog::near(std::span<const double> a, std::span<const double> b) const {
   constexpr double kNear = 0.1;
   for (std::size_t k = 0; k < a.size(); ++k) {
@@ -228,7 +228,7 @@ std::vector<std::vector<double>> SearchLog::valleys() const {
   return list;
 }
 
-// Only for the eye: what counts as feasible in the end is decided by the certificate.
+// For the progress line only; the certificate decides which design is feasible.
 void SearchLog::note_best(const optim::Observation& observation) {
   if (question_.objectives.size() != 1 || !feasible(observation.evaluation)) return;
   const DesignObjective& objective = question_.objectives.front();

@@ -23,7 +23,7 @@ bool finite(const optim::Evaluation& evaluation) {
                      [](double v) { return std::isfinite(v); });
 }
 
-// Whether an expression depends on the thickness in parts of the contact length.
+// Whether an expression contains the ratio of thickness to contact length.
 bool asks_layer_aspect(const MetricExpression& metric) {
   const auto has = [&](const Term& wanted) {
     return std::any_of(metric.terms.begin(), metric.terms.end(), [&](const Term& term) {
@@ -51,7 +51,8 @@ SearchRun::SearchRun(const StudyFile& file, DesignProblem asked, optim::SolveOpt
   counts_slices_ = leaves_slices();
   first_slices_ = slices();
   if (!counts_slices_) return;
-  extra_parameters_.push_back(Parameter::radial_slices);  // said with each design
+  // reported with each design, although it is not a variable
+  extra_parameters_.push_back(Parameter::radial_slices);
   begin_with_slices(Motor(problem_.motor).radial_slices());
 }
 
@@ -82,13 +83,14 @@ int SearchRun::nodes_needed(std::span<const double> design) const {
   return -Motor(motor).radial_slices();
 }
 
-// The earlier design is the motor from now on; where it is varied, the search starts there.
+// Takes the earlier design as the motor; its varied parameters are the start of the search.
 void SearchRun::start_from(const std::string& folder) {
   const std::vector<EarlierDesign> designs = earlier_designs(folder);
   const EarlierDesign& design = best_start(problem_, designs);
   const int slices = problem_.motor.stator.radial_slices;
   problem_.motor = with(problem_.motor, design);
-  if (slices == kAutoSlices) problem_.motor.stator.radial_slices = slices;  // found again here
+  // `auto` is evaluated again for this search
+  if (slices == kAutoSlices) problem_.motor.stator.radial_slices = slices;
   for (const auto& [parameter, value] : design) {
     const auto variable =
         std::find_if(problem_.variables.begin(), problem_.variables.end(),
@@ -104,7 +106,7 @@ void SearchRun::start_from(const std::string& folder) {
   }
 }
 
-// Whether a set gives it, whatever the earlier design has.
+// Whether a set gives the parameter, so that the value of the earlier design is ignored.
 bool SearchRun::is_chosen(Parameter parameter) const {
   for (const DesignChoice& choice : problem_.choices)
     for (const ParameterSet& set : choice.sets)
@@ -128,11 +130,12 @@ optim::SolveOptions SearchRun::options(const RunContext& context) const {
 std::optional<Pace> SearchRun::pace() const {
   const optim::Problem problem = motor_problem(problem_);
   double shortest = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 2; ++i) {  // the first one also waits for memory
+  // the first evaluation includes memory allocation and is not measured
+  for (int i = 0; i < 2; ++i) {
     const auto begin = std::chrono::steady_clock::now();
     try {
       problem.evaluate(optim::start_design(problem), true);
-    } catch (const EvaluationError&) {  // takes its time as well
+    } catch (const EvaluationError&) {  // a failed evaluation takes time as well
     }
     const std::chrono::duration<double> lasted = std::chrono::steady_clock::now() - begin;
     shortest = std::min(shortest, lasted.count());
@@ -140,8 +143,8 @@ std::optional<Pace> SearchRun::pace() const {
   return Pace{shortest, options_.budget.evaluations};
 }
 
-// Number of waves and resonance belong together in a real ring: its plate decides. Where the resonance is given, the drive
-// frequency is the driver's to choose.
+// In a real ring, the plate determines the resonance for each number of wavelengths. If the resonance is given, the
+// drive frequency is free.
 std::vector<std::string> SearchRun::notes() const {
   const bool known = problem_.motor.stator.resonance_frequency.has_value();
   const Parameter of_ring = known ? Parameter::resonance_frequency : Parameter::frequency;
@@ -149,7 +152,8 @@ std::vector<std::string> SearchRun::notes() const {
   for (const DesignVariable& v : problem_.variables)
     if (v.parameter == Parameter::wavelengths || v.parameter == of_ring)
       varied += (varied.empty() ? "" : " and ") + std::string(info(v.parameter).name);
-  if (varied.empty() || problem_.motor.stator.geometry) return {};  // the plate is there
+  // the geometry determines the resonance
+  if (varied.empty() || problem_.motor.stator.geometry) return {};
   return {
       varied +
       " varied: the model accepts any number of waves at any frequency, but a real ring has one "
@@ -157,7 +161,7 @@ std::vector<std::string> SearchRun::notes() const {
       "of waves; check the answer against the modes of the ring, or hold both"};
 }
 
-// A search goes where the layer is thick if nothing keeps it from there.
+// Without a limit, a search may lead to thick layers, for which the model does not hold.
 std::vector<std::string> SearchRun::notes_before() const {
   const auto kept = [](const MotorLimit& limit) { return asks_layer_aspect(limit.metric); };
   if (std::any_of(problem_.limits.begin(), problem_.limits.end(), kept)) return {};
@@ -167,8 +171,8 @@ std::vector<std::string> SearchRun::notes_before() const {
           limits_entry_ + "'"};
 }
 
-// A search that was asked to stop may still hold a certified design; it is not the one that the whole
-// search would have ended with.
+// A search that was asked to stop may have a certified design, but not the one with which the whole search would have
+// ended.
 std::string SearchRun::outcome(optim::Outcome outcome, const RunContext& context) {
   return context.stop.stop_requested() ? "interrupted" : optim::to_string(outcome);
 }
@@ -185,8 +189,7 @@ const SearchRun::Answers& SearchRun::answers(std::uint64_t stage) const {
 std::optional<StoredRow> SearchRun::recompute(const StoredRow& asked) const {
   const auto& [rows, motors] = answers(asked.stage);
   const std::span design(asked.values.data(), variables());
-  if (asked.stage >=
-      kRobustStages) {  // whether a round has a value there follows from the rows before it
+  if (asked.stage >= kRobustStages) {  // the problem of a round depends on the rows before it
     StoredRow row =
         rows.row(asked.stage, asked.index, design, false, motors.evaluate(design, false));
     row.status = asked.status;
@@ -211,7 +214,7 @@ optim::Certificate SearchRun::certificate(const DesignProblem& asked,
   optim::Problem held = motor_problem(asked);
   for (std::size_t j = 0; j < design.size(); ++j) {
     optim::Variable& variable = held.variables[j];
-    // Whole numbers have no slope: the rest is certified with them as they are.
+    // Integer variables have no derivative, so the others are certified with the integers fixed.
     if (variable.integer) variable.lower = variable.upper = design[j];
   }
   return optim::certify(held, design, options_);

@@ -29,8 +29,8 @@ SensitivityResult SensitivityRun::frame(const char* method) const {
 }
 
 bool SensitivityRun::refused(MetricSensitivity& metric, const char* sample) {
-  // What is dropped lies in some corner of the box, so the rest is no sample of the box any more. A
-  // tenth shifts shares of the variance by about as much as intervals of usual samples are wide.
+  // Dropped samples usually lie in one corner of the box, so the rest is no longer a sample of the box. A tenth of
+  // them changes the shares of variance by about the width of usual intervals.
   constexpr double kMostDropped = 0.1;
   const auto dropped = static_cast<double>(metric.dropped);
   const auto all = static_cast<double>(metric.samples + metric.dropped);

@@ -11,7 +11,7 @@ std::vector<MotorLimit> limits_of(const SizeStudy& asked) {
   return limits;
 }
 
-// Of the motors that carry the duty within the limits, the one with the least of what is preferred.
+// Among the motors that carry the duty within the limits, finds the one with the best preferred metric.
 class SizeRun : public OptimumRun {
  public:
   SizeRun(const SizeStudy& asked, const StudyFile& file)

@@ -10,7 +10,7 @@
 namespace twum::studies {
 namespace {
 
-constexpr std::uint64_t kMostDoublings = 6;  // if not told otherwise: 64 times the first round
+constexpr std::uint64_t kMostDoublings = 6;  // by default 64 times the first round
 
 // Shares of the variance. Stage 0 holds the first round of blocks, d + 2 rows each; every further
 // stage as many as all before it, so that 2^m points of the sequence are complete.
@@ -43,7 +43,7 @@ class SobolSensitivity : public SensitivityRun {
   }
 
   std::optional<StoredRow> recompute(const StoredRow& asked) const override {
-    constexpr std::uint64_t kStages = 32;  // more never fit the sequence
+    constexpr std::uint64_t kStages = 32;  // limit given by the length of the sequence
     if (asked.stage >= kStages ||
         asked.index >= (end_of(asked.stage) - begin_of(asked.stage)) * design_.block_size())
       return {};

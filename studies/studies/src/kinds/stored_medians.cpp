@@ -11,7 +11,7 @@ namespace {
 constexpr unsigned kDigitBits = 16;
 constexpr std::uint64_t kSign = std::uint64_t{1} << 63U;
 
-// Whole numbers in the order of the doubles that they stand for, and back.
+// Integers in the same order as the doubles that they represent, and the inverse.
 std::uint64_t key_of(double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   return (bits & kSign) != 0 ? ~bits : bits | kSign;
@@ -36,7 +36,7 @@ class RankSearch {
     ++counts_[(key >> shift_) & ((std::uint64_t{1} << kDigitBits) - 1)];
   }
 
-  // `choose` tells the rank wanted, from 0, of how many numbers there are.
+  // `choose` returns the wanted rank, from 0, for a count of numbers.
   template <typename Choose>
   void end_pass(Choose choose) {
     if (shift_ + kDigitBits == 64) {

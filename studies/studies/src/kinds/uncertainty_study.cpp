@@ -48,13 +48,13 @@ std::vector<double> sorted(std::vector<double> values) {
   return values;
 }
 
-// A limit and the metric it looks at.
+// A limit and the position of its metric.
 struct LimitPlace {
   MotorLimit limit;
   std::size_t metric;
 };
 
-// Adds to the metrics what limits look at and the list does not have yet.
+// Adds the metrics of limits that are not yet in the list.
 std::vector<LimitPlace> place_limits(const std::vector<MotorLimit>& limits,
                                      std::vector<MetricExpression>& metrics) {
   std::vector<LimitPlace> places;
@@ -84,9 +84,9 @@ MotorDesign motor_of(const StudyFile& file, const std::string& start) {
 
 // Motors drawn by their tolerances, one row each.
 //
-// The draws are plain random numbers, not a Latin hypercube or a Sobol sequence: these would narrow the
-// scatter of means, but intervals of yield and quantiles hold for independent draws only, and would say
-// something else than they promise. Draw k of row i depends on the seed, i and k alone.
+// The draws are independent random numbers, not a Latin hypercube or a Sobol sequence. Those would reduce the scatter
+// of means, but the intervals of yield and quantiles are valid for independent draws only. Draw k of row i depends on
+// the seed, i and k alone.
 class UncertaintyRun : public StudyKindRun {
  public:
   UncertaintyRun(const UncertaintyStudy& asked, const StudyFile& file)
@@ -148,7 +148,7 @@ class UncertaintyRun : public StudyKindRun {
     }
     for (std::size_t j = 0; j < variables(); ++j) {
       const double share = variables_[j].distribution.cut_off();
-      // Less than that is no more than rounding of the probabilities.
+      // A smaller share is within rounding of the probabilities.
       if (share > 1e-12) result.cut_off.push_back({result.variables[j].name, share});
     }
     return result;

@@ -79,7 +79,7 @@ class ChoiceCheck {
            ", which says the same in another way";
   }
 
-  // What a set gives nothing else may set.
+  // A parameter given by a set must not be set elsewhere.
   void check_others(std::size_t i) {
     const DesignChoice& choice = problem_.choices[i];
     const auto refuse = [&](Parameter parameter, const char* how) {

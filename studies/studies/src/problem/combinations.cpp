@@ -12,7 +12,7 @@ namespace {
 // The number of a set in a design, from 0.
 std::size_t number_of_set(double value) { return static_cast<std::size_t>(std::lround(value)) - 1; }
 
-// Set by set, as the odometer of choices stands.
+// The motor with the sets of the combination `number`.
 MotorDesign motor_with_sets(const DesignProblem& problem, std::size_t combination) {
   MotorDesign motor = problem.motor;
   for (const DesignChoice& choice : problem.choices) {

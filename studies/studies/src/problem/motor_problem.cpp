@@ -35,7 +35,7 @@ optim::Variable variable_of(const DesignProblem& problem, const DesignVariable& 
   return v;
 }
 
-// A parameter and its twin say the same: only one of them can be free.
+// Only one of a parameter and its twin can be free.
 void refuse_twins(const DesignProblem& problem) {
   for (const DesignVariable& a : problem.variables) {
     const auto twin = info(a.parameter).twin;

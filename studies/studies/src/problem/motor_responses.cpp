@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-// Steps to the two sides of a kink, relative to the variable: far above rounding, and so short that
-// the derivative there is that of the side up to about as much.
+// Relative step to either side of a kink. It is far above rounding, and its error in the one-sided derivative is of
+// the same order.
 constexpr double kAside = 1e-7;
 // One-sided derivatives that differ by less than this, relative, are taken as one.
 constexpr double kSameSlope = 1e-4;
@@ -130,7 +130,7 @@ optim::Evaluation CombinationResponses::evaluate_motor(std::span<const double> d
   return evaluation;
 }
 
-// mu_0 - mu of the values asked for. Where it is negative the motor has mu_0 = mu, whatever mu_0 is.
+// mu_0 - mu of the requested values. If it is negative, the motor has mu_0 = mu.
 void CombinationResponses::add_friction_order(std::span<const double> design,
                                               Numbers& numbers) const {
   if (implied_.empty() || implied_.back().load) return;
@@ -163,8 +163,8 @@ void CombinationResponses::add_kinks(std::span<const double> design, const Numbe
   }
 }
 
-// The metrics know the derivative of the branch they are on; the other one is that of a design next
-// to this one.
+// Metrics return the derivative of their branch. The derivative of the other branch is computed at a design next to
+// this one.
 void CombinationResponses::add_kink(std::size_t response, std::size_t variable,
                                     std::span<const double> design,
                                     optim::Evaluation& evaluation) const {
@@ -176,9 +176,9 @@ void CombinationResponses::add_kink(std::size_t response, std::size_t variable,
       const Numbers aside = metric_values(Motor(motor), std::span(&responses_[response], 1), true,
                                           varied_.fixed_static_friction());
       return varied_.derivatives(aside[0].gradient, varied_.slopes(motor))[variable];
-    } catch (const InputError&) {  // the end of what is admissible
+    } catch (const InputError&) {  // the step leaves the admissible range
       return kNaN;
-    } catch (const EvaluationError&) {  // likewise of a derived parameter
+    } catch (const EvaluationError&) {  // likewise for a derived parameter
       return kNaN;
     }
   };

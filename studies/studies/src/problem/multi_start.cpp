@@ -49,7 +49,7 @@ class MultiStart {
   }
 
  private:
-  // False once nothing more may be spent.
+  // False once the budget is used up.
   bool solve(const std::vector<double>& start) {
     const bool first = total_.stages_used == 0;
     optim::Result result = search(start);
@@ -75,15 +75,15 @@ class MultiStart {
     return result;
   }
 
-  // What was found stays what it is, but the search was not done with.
+  // Ends the search early; the answer so far stays.
   void end_here() {
     if (rank(best_) != 2) best_.outcome = Outcome::budget;
     best_.stop = options_.stop.stop_requested() ? optim::StopReason::requested
                                                 : optim::StopReason::evaluations;
   }
 
-  // No start led to a feasible design: the least infeasible one is where the reason is looked for. What
-  // is found there is told, be the design no better than the one it began with.
+  // If no start led to a feasible design, searches the reason from the least infeasible one. The explanation is kept
+  // even if the design did not improve.
   void explain() {
     options_.analyse_infeasible = true;
     optim::Result result = search(best_.design);

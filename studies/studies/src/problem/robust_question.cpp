@@ -181,7 +181,7 @@ class RobustBuilder {
       response({statistic.metric.text, statistic.metric});
   }
 
-  // A motor that cannot carry a load keeps no limit that is asked at it.
+  // A motor that cannot carry a load violates every limit at that load.
   std::vector<std::size_t> with_implied(std::vector<std::size_t> limits,
                                         const std::vector<ImpliedLimit>& implied) const {
     const std::size_t own = limits.size();

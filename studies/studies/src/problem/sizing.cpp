@@ -18,7 +18,7 @@ double named_quantity(const char* name, std::string_view text, const Expected& e
   }
 }
 
-// Unlike speed_at(load), the torque at a speed exists whether the motor will do or not.
+// Unlike speed_at(load), the torque at a speed also exists for motors that cannot carry the load.
 std::string duty_limit(const DutyPoint& duty) {
   return "torque_at(" + number_text(duty.speed) + " rad/s) >= " + number_text(duty.torque) + " N.m";
 }

@@ -11,7 +11,7 @@ namespace {
 // than that would move mean and spread visibly away from those that were typed.
 constexpr double kMostCutOff = 0.01;
 
-// A spread has no meaning as a share of nothing.
+// A relative spread has no meaning for a value of 0.
 std::optional<ValueError> share_of_nothing(const Tolerance& tolerance, double centre) {
   for (const std::optional<Spread>& spread :
        {tolerance.sd, tolerance.range, tolerance.below, tolerance.above}) {
@@ -27,7 +27,7 @@ std::optional<ValueError> lognormal_complaint(const Tolerance& tolerance, double
   if (!(mean > 0))
     return ValueError("a lognormal distribution about " + engineering(mean, unit),
                       "the mean must be more than 0");
-  // Beyond, the variance of the logarithm is lost in rounding, or infinite.
+  // Beyond these, the variance of the logarithm is lost in rounding, or infinite.
   const double ratio = tolerance.sd->of(mean) / mean;
   if (ratio >= 1e-7 && ratio <= 1e7) return {};
   return ValueError("a lognormal distribution about " + engineering(mean, unit) +
@@ -47,7 +47,7 @@ double Tolerance::centre(double value) const {
 Distribution Tolerance::distribution(double value) const {
   const ParameterInfo& row = info(parameter);
   const double middle = centre(value);
-  // Whole numbers: each has the same share once draws are rounded.
+  // Extends the range by 1/2 for integers, so that all have the same share after rounding.
   const double half = row.integer ? 0.5 : 0.0;
   const auto whole = [&] {
     switch (shape) {

@@ -31,7 +31,7 @@ Json read_summary(const std::string& directory) {
   return stored_summary(path);
 }
 
-// SI unit of a parameter or metric; "1" for what is neither.
+// SI unit of a parameter or metric; "1" for other names.
 std::string unit_of(const std::string& name) {
   try {
     return std::string(parse_metric(name).unit());
@@ -40,7 +40,7 @@ std::string unit_of(const std::string& name) {
   }
 }
 
-// What stands below a name; an empty object if there is nothing.
+// The entry with a name; an empty object if there is none.
 const Json& below(const Json& json, const std::string& name) {
   static const Json nothing = Json::object();
   return json.is_object() && json.contains(name) ? json[name] : nothing;
@@ -119,7 +119,7 @@ class Comparer {
       text("study", "certified", certificate.value("passed", false) ? "yes" : "no");
   }
 
-  // How long a front is and how far it reaches.
+  // Size and hypervolume of a front.
   void front(const Json& summary) {
     const Json& points = below(summary, "front");
     if (!points.is_array()) return;

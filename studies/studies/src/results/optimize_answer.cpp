@@ -32,7 +32,7 @@ std::string cell(double value, const std::string& unit) {
   return std::isnan(value) ? "-" : engineering(value, unit);
 }
 
-// Whole numbers have no slope, so that no certificate tells of them.
+// Sentences on integer variables, which are not part of the certificate.
 std::string whole_end_words(const OptimizeResult& result, const std::string& name) {
   for (const BoundState& end : result.whole_ends) {
     if (end.variable.name == name) return end_words(end) + "; a wider range may have a better one";
@@ -95,7 +95,7 @@ std::string limit_table(const OptimizeResult& result) {
   return "\n" + aligned(table);
 }
 
-// "8 x nlopt:slsqp (XTOL_REACHED)": what the solvers said, most of them the same.
+// "8 x nlopt:slsqp (XTOL_REACHED)": solvers with their return codes, equal ones counted.
 std::string solver_words(const OptimizeResult& result) {
   std::map<std::string, int> said;
   for (const optim::StageReport& stage : result.stages) {
@@ -107,7 +107,7 @@ std::string solver_words(const OptimizeResult& result) {
   return text.empty() ? text : "Solver runs: " + text + ".\n";
 }
 
-// What a certificate holds as it is: "lining, wavelengths".
+// Integer variables and choices, which the certificate holds fixed: "lining, wavelengths".
 std::string whole_numbers(const OptimizeResult& result) {
   std::string names;
   for (const ChosenSet& one : result.best.choice) names += (names.empty() ? "" : ", ") + one.choice;
@@ -133,7 +133,7 @@ std::string verdict(const OptimizeResult& result) {
   return text + ".\n";
 }
 
-// Whether there is a better valley is not proven, but looked for.
+// The result of the search for a better local optimum, which is not a proof.
 std::string scan_words(const OptimizeResult& result) {
   const optim::Scan& scan = result.scan;
   if (scan.designs == 0) return {};
@@ -160,7 +160,7 @@ Json scan_json(const optim::Scan& scan) {
           {"before", number_json(scan.before)}};
 }
 
-// Of the numbers that move, those of the design: the goal comes last, if it is none of them.
+// Count of design variables among the numbers with derivatives; the goal comes last, if it is not one of them.
 std::size_t chosen_count(const OptimizeResult& result) {
   const std::size_t count = result.moving.size();
   return count > 0 && result.moving.back().name == result.goal.metric ? count - 1 : count;

@@ -37,7 +37,7 @@ std::string goal_text(const Goal& goal, double value) {
   return is_share(goal) ? percent_words(value) : engineering(value, goal.unit);
 }
 
-// Ends and knee side by side: goals first, then what they are made of.
+// Ends and knee side by side: goals first, then design variables.
 std::string front_table(const ParetoResult& result) {
   const std::vector<Shown> columns = shown(result);
   TextTable table;
@@ -70,7 +70,7 @@ std::string front_table(const ParetoResult& result) {
   return aligned(table, kSummaryWidth);
 }
 
-// More points than these are a list that nobody reads; they are in summary.json.
+// Fronts with at most this many points are listed; longer ones are in summary.json.
 constexpr std::size_t kFewPoints = 12;
 
 std::string point_text(const ParetoResult& result, std::size_t i) {
@@ -79,7 +79,7 @@ std::string point_text(const ParetoResult& result, std::size_t i) {
   return text;
 }
 
-// Every point of a short front: goals first, then what it is made of.
+// Every point of a short front: goals first, then design variables.
 std::string points_table(const ParetoResult& result) {
   if (result.front.size() > kFewPoints || result.front.size() <= shown(result).size()) return {};
   TextTable table{{{"point"}}};
@@ -100,7 +100,7 @@ std::string points_table(const ParetoResult& result) {
   return "\n" + aligned(table, kSummaryWidth);
 }
 
-// A limit that holds a point, and by how much it gives way when that is 1 % of it [SI].
+// A limit that is active at a point, and 1 % of it [SI].
 struct Holder {
   std::string name;
   double multiplier;
@@ -126,7 +126,7 @@ std::vector<Holder> holders(const DesignReport& report) {
   return list;
 }
 
-// What 1 % of each limit is worth at a point, a column for each of the goals.
+// The value of 1 % of each limit at a point, one column for each goal.
 std::string worth_table(const std::string& title, const DesignReport& report,
                         const std::vector<Goal>& goals) {
   TextTable table{{{title}}};
@@ -141,7 +141,7 @@ std::string worth_table(const std::string& title, const DesignReport& report,
   return table.rows.size() > 1 ? "\n" + aligned(table) : std::string();
 }
 
-// At the knee one goal gains while the others stay; at an end its own goal is all that is asked.
+// At the knee, gains of one goal while the others stay; at an end, gains of its own goal only.
 std::string worth_text(const ParetoResult& result) {
   if (result.alone.empty()) return {};
   std::string text;
@@ -155,7 +155,7 @@ std::string worth_text(const ParetoResult& result) {
   return text;
 }
 
-// Along how much of the front each set is the best.
+// The share of the front on which each set is the best.
 std::string choice_counts(const ParetoResult& result) {
   std::map<std::string, std::size_t> counts;
   for (const ParetoResult::Point& point : result.front)
@@ -168,7 +168,7 @@ std::string choice_counts(const ParetoResult& result) {
   return text;
 }
 
-// Limits that bind somewhere, and along how much of the front.
+// Limits that bind somewhere, with the share of the front on which they do.
 std::string binding_words(const ParetoResult& result) {
   std::string text;
   const std::string of = " of " + counted(result.front.size(), "point") + ".\n";
@@ -210,7 +210,7 @@ std::string yields_words(const ParetoResult& result) {
   return text;
 }
 
-// What the front was refused for.
+// Why there is no front.
 std::string no_front_words(const ParetoResult& result) {
   if (!result.explanation.empty()) return relaxation_words(result.explanation);
   if (!result.largest_yield) return "No point of the front was found.\n";

@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kWorthTelling =
     0.01;  // share of the failures from which a limit is named in a sentence
-constexpr double kCheapTolerance = 0.05;  // of the dearest: may be loosened
+// of the most valuable tolerance; cheaper ones may be loosened
+constexpr double kCheapTolerance = 0.05;
 
 Json robust_limit_json(const RobustLimit& limit) {
   Json importance = Json::object();
@@ -102,7 +103,7 @@ std::string risk_table(const RobustReport& report) {
   return "\n" + aligned(table);
 }
 
-// What costs next to nothing may be loosened.
+// Names tolerances that may be loosened because they have little effect.
 std::string loose_words(const RobustReport& report, const RobustTolerance& most) {
   std::vector<std::string> names;
   for (const RobustTolerance& one : report.tolerances)

@@ -12,7 +12,7 @@
 namespace twum::studies {
 namespace {
 
-// Of several goals: what a unit of relaxation improves each by while the others stay.
+// For several goals, the improvement of each per unit of relaxation while the others stay.
 void add_gains(Json& json, double multiplier, const optim::Certificate& certificate) {
   if (certificate.prices.size() < 2) return;
   json["gains"] = Json::array();
@@ -156,7 +156,7 @@ Json goal_json(const Goal& goal) {
 }
 
 std::vector<double> gains(double multiplier, const optim::Certificate& certificate) {
-  constexpr double kNoWeight = 1e-9;  // of a sum of 1: rounding of the least squares behind it
+  constexpr double kNoWeight = 1e-9;  // of a sum of 1; rounding of the least squares solution
   std::vector<double> list;
   for (std::size_t k = 0; k < certificate.prices.size(); ++k)
     list.push_back(certificate.weights[k] > kNoWeight ? multiplier / certificate.prices[k]

@@ -14,8 +14,7 @@
 namespace twum::studies {
 namespace {
 
-// A variable whose total index, or whose share of the largest effect, is surely below this does not
-// matter.
+// A variable is negligible if the upper end of its total index, or of its share of the largest effect, is below this.
 constexpr double kNegligible = 0.01;
 
 Json effect_json(const SobolShares& shares) {
@@ -102,7 +101,7 @@ std::string without_influence_sentence(const std::vector<std::string>& names) {
 
 std::string share_text(double share) { return rounded_text(100 * share, 3) + " %"; }
 
-// What a method says of one metric: a sorted table, then sentences.
+// The text for one metric: a sorted table, then sentences.
 class MetricText {
  public:
   MetricText(const SensitivityResult& result, const MetricSensitivity& metric)
@@ -113,7 +112,7 @@ class MetricText {
     TextTable table{{{"variable", "first order", "total"}}};
     std::vector<std::string> without_influence;
     double alone = 0;
-    double doubt = 0;  // how much more first indices might explain
+    double doubt = 0;  // uncertainty of the sum of first indices
     for (const std::size_t j : order) {
       table.rows.push_back({name(j), fixed(shares[j].first), fixed(shares[j].total)});
       if (shares[j].total.high < kNegligible) without_influence.push_back(name(j));

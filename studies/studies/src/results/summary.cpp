@@ -16,7 +16,7 @@ namespace {
 // More than these are in the file.
 constexpr std::size_t kReasonsShown = 5;
 
-// A number, or the set that it stands for.
+// A number, or the name of the set with this number.
 Json end_json(const StoredColumn& variable, double value) {
   const std::string* word = variable.word(value);
   return word == nullptr ? number_json(value) : Json(*word);

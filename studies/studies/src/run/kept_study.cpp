@@ -26,15 +26,15 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kDifferencesShown = 8;
-constexpr std::uint64_t kRowsRepeated =
-    8;  // before a run goes on; tells another build at its first rows
+// rows that are computed again before a run resumes, which detects another build
+constexpr std::uint64_t kRowsRepeated = 8;
 
 std::string name_of(const StudyFile& file) {
   const std::string stem = std::filesystem::path(file.path).stem().string();
   return stem.empty() || stem == "-" ? "study" : stem;
 }
 
-// A kind tells from any thread; whoever listens is told by one at a time, and nobody waits for it.
+// Forwards progress from any thread to the listener, one call at a time. A call that would have to wait is dropped.
 std::function<void(const RunProgress&)> forwarded(const RunOptions& options) {
   if (!options.progress) return {};
   const auto mutex = std::make_shared<std::mutex>();
@@ -50,8 +50,7 @@ std::unique_ptr<Executor> executor_of(const StudyFile& file, const StudyKindRun&
   return options.processes->executor(kind, resolve(file).hash(), options.jobs);
 }
 
-// Runs a kind on a store. What was stored after a request to stop is not all of it, whatever the kind
-// makes of it.
+// Runs a kind on a store. After a stop request the rows are incomplete, whatever outcome the kind returns.
 StudyResult run_on(const StudyFile& file, StudyKindRun& kind, ResultStore& store,
                    const RunOptions& options) {
   const std::unique_ptr<Executor> executor = executor_of(file, kind, options);
@@ -109,7 +108,7 @@ class KeptRun {
   }
 
  private:
-  // The study itself may be called study.yaml; a result would write over it.
+  // Refuses a study that lies in the directory as study.yaml, because the result would overwrite it.
   static const std::string& refuse_own(const StudyFile& file, const std::string& directory) {
     std::error_code ignored;
     const auto result = std::filesystem::path(directory) / ResultFolder::kStudy;
@@ -135,10 +134,11 @@ class KeptRun {
     store_->set_fact(facts::kStudyText, study_.text());
     store_->set_fact(facts::kFiles, files_text(study_));
     store_->set_fact(facts::kStarted, utc_text(std::chrono::system_clock::now()));
-    store_->set_fact(facts::kHash, study_.hash());  // last: with it the others are there
+    // written last: if it exists, the others do, too
+    store_->set_fact(facts::kHash, study_.hash());
   }
 
-  // The database if it holds rows of this very study; none if it was left before its first row.
+  // The database if it holds rows of the same study; none if the run ended before its first row.
   std::unique_ptr<ResultStore> begun_already(const std::string& path) const {
     auto stored = std::make_unique<ResultStore>(path);
     const std::string hash = stored->fact(facts::kHash);
@@ -193,8 +193,7 @@ class KeptRun {
     folder_.write(ResultFolder::kReport, page_(file_, study_text(), result, *store_));
   }
 
-  // Another program may have damaged meanwhile what was written without an error; only reading it from
-  // the files themselves shows that.
+  // Reads the files again, because another program may have damaged them after they were written without an error.
   void read_back() {
     const std::uint64_t rows = store_->rows();
     store_.reset();

@@ -8,7 +8,7 @@
 namespace twum::studies {
 namespace {
 
-// What launchers tell the processes that they start: how many there are, and which this one is.
+// Environment variables by which launchers tell processes their count and number.
 struct LauncherWords {
   const char* count;
   const char* number;

@@ -13,8 +13,8 @@
 namespace twum::studies {
 namespace {
 
-// Waits for a message of MPI take a processor each. So nobody waits in MPI: who waits asks again and again, at first at
-// once, since most answers come soon, then less and less often.
+// Blocking in MPI uses a whole processor for each thread. So threads poll instead: at first continuously, since most
+// answers come soon, then less and less often.
 class Patience {
  public:
   void wait() {

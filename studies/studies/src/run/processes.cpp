@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kGreeting = 0;  // the lane of greetings; those of threads follow
 
-// What a process says to the first before it computes.
+// The first message of a process to the first process.
 struct Greeting {
   std::string problem;  // why it cannot take part, or empty
   std::string version;
@@ -70,7 +70,7 @@ unsigned processors() {
   return static_cast<unsigned>(std::max(CPU_COUNT(&set), 1));
 }
 
-// Answers what comes on one lane, until an empty message ends it.
+// Answers the messages of one lane until an empty message arrives.
 void answer_lane(Channel& channel, int lane, ThreadExecutor& executor) {
   for (std::string asked = channel.receive(0, lane); !asked.empty();
        asked = channel.receive(0, lane))
@@ -109,7 +109,7 @@ Processes::~Processes() {
       for (unsigned job = 0; job < member.jobs; ++job)
         channel_->send(member.process, static_cast<int>(1 + job), {});
   } catch (const std::exception&) {
-    // They wait for ever; the launcher ends them with this process.
+    // The others wait; the launcher ends them with this process.
   }
 }
 

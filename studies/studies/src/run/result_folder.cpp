@@ -38,8 +38,8 @@ struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-// The head of an SQLite file, with the mark of this program in it. A file without any content is one
-// whose making was interrupted.
+// Whether a file has the header of an SQLite file of this program. An empty file counts as well: its creation was
+// interrupted.
 bool is_our_database(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::array<char, 72> head{};
@@ -58,7 +58,7 @@ ResultFolder::ResultFolder(std::string path) : path_(std::move(path)) {
   if (!fs::is_directory(path_, error)) fail(path_, "cannot be used", ENOTDIR);
   lock_ = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (lock_ < 0) fail(path_, "cannot be opened", errno);
-  // A file system that knows no locks lets everyone in; the database has its own then.
+  // On a file system without locks, the lock of the database has to be sufficient.
   if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     ::close(lock_);
     throw StoreError(path_ +
@@ -85,7 +85,7 @@ namespace {
                    "; choose another directory with -o, or remove it yourself");
 }
 
-// "07.yaml", or what was to become of it
+// "07.yaml", or its temporary file
 bool is_numbered_motor(const fs::path& path) {
   std::string name = path.filename().string();
   if (name.ends_with(kPart)) name.resize(name.size() - kPart.size());
@@ -104,7 +104,7 @@ void ResultFolder::discard_numbered() const {
       fs::remove(entry.path(), error);
       if (error) fail(entry.path().string(), "cannot be removed", error.value());
     }
-    fs::remove(folder, error);  // stays if there is something else in it
+    fs::remove(folder, error);  // the folder stays if other files are in it
   }
 }
 
@@ -129,7 +129,7 @@ void ResultFolder::discard() const {
   check_ours();
   discard_numbered();
   std::error_code error;
-  // The database last: with it the other files are known as ours.
+  // Removes the database last, because it marks the other files as results of twum.
   for (const std::string_view name : kResults) {
     for (const std::string_view suffix :
          {std::string_view("-wal"), std::string_view("-shm"), std::string_view("-journal"), kPart,
@@ -179,7 +179,7 @@ void ResultFolder::write(
     const std::function<void(const std::function<void(std::string_view)>&)>& fill) {
   check_held();
   const std::string place = file(name);
-  std::error_code ignored;  // the file itself cannot be made then
+  std::error_code ignored;  // creating the file itself will then fail
   fs::create_directories(fs::path(place).parent_path(), ignored);
   const std::string part = place + std::string(kPart);
   std::unique_ptr<std::FILE, CloseFile> stream(std::fopen(part.c_str(), "wb"));

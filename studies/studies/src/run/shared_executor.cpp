@@ -13,12 +13,12 @@
 namespace twum::studies {
 namespace {
 
-// The first byte of an answer: rows follow, or why there are none.
+// First byte of an answer: rows follow, or the text of an error.
 constexpr char kRows = 'r';
 constexpr char kError = 'e';
 
-// A message is on its way for some ten microseconds; rows for so long make that a small part, and a run that is asked to
-// stop waits no longer.
+// Rows of a message should take this long to compute. A message takes some ten microseconds, a small share of that,
+// and a stop request is not delayed for longer.
 constexpr std::chrono::milliseconds kWorthAMessage{10};
 constexpr std::size_t kMostAtATime = 256;
 
@@ -34,7 +34,7 @@ unsigned SharedExecutor::lanes() const {
   return here_.lanes() + static_cast<unsigned>(elsewhere_.size());
 }
 
-// Threads of this process, at the end of the list, are nearer than others.
+// Prefers threads of this process, which are at the end of the list.
 std::size_t SharedExecutor::take_lane() {
   std::unique_lock lock(mutex_);
   returned_.wait(lock, [this] { return !free_.empty(); });

@@ -35,7 +35,7 @@ const std::string& required_result(const std::string& directory) {
   return directory;
 }
 
-// The study as it was run; that it is wrong is damage, not a user's mistake.
+// The study as it was run. An error in it means damage, not a mistake of the user.
 StudyFile read_stored_study(const std::string& path) {
   try {
     return read_study_file(path);
@@ -52,7 +52,7 @@ std::unique_ptr<StudyKindRun> make_stored_kind(const StudyFile& file) {
   }
 }
 
-// A copy, with what a killed run left in its log, so that nothing is changed where it lies.
+// Copies the database with its log, which a killed run may have left, so that nothing changes in the directory.
 std::string copy_database(const std::string& directory, const std::string& to) {
   for (const std::string suffix : {"", "-wal"}) {
     const std::string name = std::string(ResultFolder::kDatabase) + suffix;

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A file beside a text that comes in pieces.
+// Compares a file with a text that comes in pieces.
 class TextComparison {
  public:
   explicit TextComparison(const std::string& path) : file_(path, std::ios::binary) {}
@@ -73,7 +73,7 @@ void verify_motor_files(const StudyFile& file, const StudyResult& result,
     try {
       const std::string path = (std::filesystem::path(directory) / now.file).string();
       compare_motor(read_motor_file(path).design, now, found);
-    } catch (const InputError& error) {  // missing, or changed into no motor
+    } catch (const InputError& error) {  // the file is missing or no longer a valid motor file
       complain(found, now.file + ": " + error.what());
     }
   }

@@ -46,12 +46,12 @@ void complain(Verification& found, const std::string& text) {
 bool note_deviation(Verification& found, double there, double now) {
   if (there == now || (std::isnan(there) && std::isnan(now))) return true;
   const double deviation = std::abs(there - now) / std::max(std::abs(there), std::abs(now));
-  if (!(deviation <= kVerifyTolerance)) return false;  // NaN against a number as well
+  if (!(deviation <= kVerifyTolerance)) return false;  // also true for NaN against a number
   found.deviation = std::max(found.deviation, deviation);
   return true;
 }
 
-// Selection sampling (Knuth, algorithm S): every set of rows is as likely, one pass, no memory.
+// Selection sampling (Knuth, algorithm S): all sets of rows have the same probability; one pass without memory.
 void verify_rows(const StudyKindRun& kind, const ResultStore& store, const VerifyOptions& options,
                  Verification& found) {
   found.rows = store.rows();

@@ -20,7 +20,7 @@ double number_of(const Json& json) {
 
 std::string shown(const Json& json) { return json.dump(); }
 
-// Checks whatever in a summary has a design and metrics, wherever it stands.
+// Checks every object in a summary that has a design and metrics.
 class DesignCheck {
  public:
   DesignCheck(const StudyFile& file, const StudyKindRun& kind, Verification& found)
@@ -106,7 +106,7 @@ class DesignCheck {
   void certify(const Json& report, const std::string& path) {
     const Json& there = report["certificate"];
     const bool passed = there.is_object() && there.value("passed", false);
-    if (!passed) return;  // nothing is claimed
+    if (!passed) return;  // the summary claims no optimum
     std::vector<double> variables;
     const std::vector<StoredColumn> columns = kind_.columns();
     for (std::size_t i = 0; i < kind_.variables(); ++i) {
@@ -122,8 +122,8 @@ class DesignCheck {
       complain(found_, "summary.json: " + path + ": certified there, but now: " + now->reason);
   }
 
-  // Where a front is hollow, its points are no minima of a weighted sum, and need not be: feasible and
-  // stationary is what its certificate says. Curvature is the last thing that certify() looks at.
+  // On a concave part of a front, points are not minima of a weighted sum. Their certificate requires feasibility and
+  // stationarity only. certify() tests the curvature last.
   static bool on_a_hollow_front(const optim::Certificate& now) {
     return now.weights.size() > 1 && now.reason == "stationary, but not a minimum";
   }
@@ -133,7 +133,7 @@ class DesignCheck {
   Verification& found_;
 };
 
-// Every number and word that stands in both, and that both stand in the same places.
+// Compares all numbers and words of both, and checks that both have the same structure.
 void compare_trees(const Json& there, const Json& now, const std::string& path,
                    Verification& found) {
   if (there.is_object() && now.is_object()) {
@@ -141,7 +141,7 @@ void compare_trees(const Json& there, const Json& now, const std::string& path,
       compare_trees(there.contains(key) ? there[key] : Json("(missing)"), value,
                     path.empty() ? key : path + "." + key, found);
     for (const auto& [key, value] : there.items()) {
-      if (path.empty() || now.contains(key)) continue;  // a summary says more than the answer
+      if (path.empty() || now.contains(key)) continue;  // a summary has entries besides the answer
       complain(found, "summary.json: " + path + "." + key + " is " + shown(value) +
                           " there, but does not follow from the rows");
     }
@@ -156,8 +156,8 @@ void compare_trees(const Json& there, const Json& now, const std::string& path,
   }
 }
 
-// Certificates under tolerances are those of rounds; running the study again has measured them anew, on the last round's
-// problem, and has drawn the motors of each verdict again.
+// Certificates under tolerances are those of rounds. Deriving the answer again has recomputed them on the last
+// round's problem and has drawn the motors of each verdict again.
 std::uint64_t certified_anew(const Answer& answer) {
   std::uint64_t count = 0;
   if (const auto* optimum = std::get_if<OptimizeResult>(&answer))
@@ -195,13 +195,13 @@ KindAnswer verify_answer(StudyKindRun& kind, ResultStore& store, const Json& sum
                         "' there, but follows from the rows as '" + answer.outcome + "'");
   }
   const Json now = std::visit([](const auto& one) { return answer_json(one); }, answer.answer);
-  // As text and back: numbers are compared as they stand in the file.
+  // Through a text, so that numbers are compared as they are in the file.
   compare_trees(summary, Json::parse(now.dump()), "", found);
   return answer;
 }
 
 void verify_interrupted(const ResultStore& store, const Json& summary, Verification& found) {
-  // More rows are no fault: a run that went on and was killed has written no summary.
+  // More rows are not an error: a run that resumed and was killed has not written a new summary.
   const double told = number_of(summary.value("evaluations", Json(nullptr)));
   if (static_cast<double>(store.rows()) >= told) return;
   complain(found, "results.db: holds " + std::to_string(store.rows()) +

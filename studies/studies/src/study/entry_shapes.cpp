@@ -108,7 +108,7 @@ Shape<std::vector<MotorLimit>> constraints() {
 Shape<std::uint64_t> samples() { return count("number of samples", "1000", 1, 1e9); }
 
 Shape<std::uint64_t> seed() {
-  // 2^53 - 1: above it not every whole number is a double, so that two seeds would be one.
+  // At most 2^53 - 1: above it not every integer is a double, so two seeds could be equal.
   return count("seed of the random numbers", "1", 0, 9007199254740991.0);
 }
 

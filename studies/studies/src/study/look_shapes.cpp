@@ -19,7 +19,7 @@ namespace {
 constexpr std::array<const char*, 4> kSamplings{"grid", "list", "lhs", "sobol"};
 constexpr double kMostDesigns = 1e9;  // of one sweep
 
-// Lines for files to start from.
+// Lines for templates.
 constexpr const char* kSweep =
     "amplitude: {min: 0.8 um, max: 2.2 um, points: 8}\n"
     "preload: [100 N, 160 N, 220 N]";
@@ -78,7 +78,7 @@ Shape<Variable> sweep_variable(const ParameterInfo& row) {
   return shape;
 }
 
-// Where the entries of a sweep do not fit its sampling.
+// Adds errors for entries of a sweep that do not fit its sampling.
 class SweepChecker {
  public:
   SweepChecker(const SweepStudy& study, const Given& given, Diagnostics& diagnostics)
@@ -142,7 +142,7 @@ class SweepChecker {
     }
   }
 
-  // A grid over a whole number, such as wavelengths, must hit whole numbers.
+  // A grid over an integer parameter, such as wavelengths, must consist of integers.
   void check_whole_points(const Variable& range, const YamlNode& variables) {
     if (!info(range.parameter).integer || !range.values.empty() || !(range.min < range.max)) return;
     if (range.log && !(range.min > 0)) return;
@@ -222,7 +222,7 @@ bool check_sensitivity(SensitivityStudy& study, const Given& given, Diagnostics&
   return true;
 }
 
-// Samples of morris and of sobol: the same entry, with a standard of its own for each.
+// Samples of morris and of sobol: one entry with a default for each method.
 Field<SensitivityStudy> sensitivity_samples() {
   using Method = SensitivityMethod;
   const auto text = [](Method method) { return std::to_string(standard_samples(method)); };
@@ -242,7 +242,7 @@ Field<SensitivityStudy> sensitivity_samples() {
   return field;
 }
 
-// An entry whose standard holds for lhs and sobol only.
+// An entry whose default applies to lhs and sobol only.
 Field<SweepStudy> of_drawn(Field<SweepStudy> field) {
   const YamlNode value = *field.write(SweepStudy{});
   field.has_standard = false;

@@ -29,7 +29,7 @@ bool is_joint(const stator::StatorModel& plate, std::string_view name) {
   });
 }
 
-// A radius of the design that stands where another one does and does not follow from it; nothing if there is none.
+// A radius of the design that coincides with another one and does not follow from it; nothing if there is none.
 std::optional<Parameter> radius_beside(const MotorDesign& design, Parameter radius,
                                        const std::vector<DerivedParameter>& derived) {
   if (!is_joint(*plate_model(design), info(radius).name)) return {};
@@ -65,7 +65,7 @@ class DerivativeCheck {
       for (const DesignVariable& one : asked.variables)
         if (const auto other = radius_beside(first, one.parameter, asked.derived))
           say_of_radius(one.parameter, *other, get(first, one.parameter));
-    } catch (const InputError&) {  // no such motor: the study itself says so
+    } catch (const InputError&) {  // not a valid motor; the study itself reports it
     } catch (const EvaluationError&) {
     }
   }

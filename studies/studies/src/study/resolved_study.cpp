@@ -30,7 +30,7 @@ bool gives(const YamlNode& mapping, const SchemaEntry& entry) {
          (entry.alias_counts && !entry.alias.empty() && mapping.find(entry.alias) != nullptr);
 }
 
-// Mappings from the outermost one to that at hand, whose entries decide which standards hold.
+// The enclosing mappings, outermost first; their entries decide which defaults apply.
 using Around = std::vector<const YamlNode*>;
 
 const YamlNode* standard_of(const SchemaEntry& entry, const Around& around) {
@@ -69,7 +69,7 @@ YamlNode complete_mapping(YamlNode node, const Schema& schema, Around around) {
   return node;
 }
 
-// Where a name may stand for a mapping of options, it stands for one with that name.
+// A name in place of a mapping of options becomes a mapping with that name.
 YamlNode complete_any(const YamlNode& node, const Schema& schema, const Around& around) {
   for (const Schema& one : schema.alternatives) {
     const bool named = one.kind == ValueKind::mapping && node.kind == YamlNode::Kind::scalar &&
@@ -131,7 +131,7 @@ std::string without_times(const std::string& summary) {
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-// Puts another path for a file that the study names. A set keeps the name that results know it by.
+// Replaces the path of a file that the study names. A set keeps its name in results.
 void set_path(YamlNode& study, const std::string& entry, const std::string& path) {
   for (YamlEntry& one : study.entries)
     if (one.key == entry) one.value.scalar = path;
@@ -204,7 +204,7 @@ std::string ResolvedStudy::text(const std::string& folder) const {
 }
 
 std::string ResolvedStudy::hash() const {
-  // What a file holds counts, not where it stands.
+  // The hash depends on the content of files, not on their paths.
   YamlNode by_content = meaning;
   for (const NamedFile& file : files) set_path(by_content, file.entry, file.hash);
   return hex(checksum(motor_text(motor) + "study:\n" + yaml_text(by_content, 1)));

@@ -32,7 +32,7 @@ std::vector<std::pair<std::string, const YamlNode*>> goals_of(const Given& given
   return list;
 }
 
-// Where a goal or a limit on a statistic stands in the file.
+// Place of the first goal or limit on a statistic in the file.
 const YamlNode* first_statistic(const Given& given, std::string& path) {
   for (const auto& [place, goal] : goals_of(given)) {
     if (!is_statistic(goal->scalar)) continue;

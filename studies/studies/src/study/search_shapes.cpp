@@ -15,7 +15,7 @@ using namespace shapes;
 
 namespace {
 
-// Lines for files to start from.
+// Lines for templates.
 constexpr const char* kEstimates =
     "kinetic_friction: {min: 0.05, max: 0.5}\n"
     "youngs_modulus: {min: 0.5 GPa, max: 20 GPa, scale: log}";
@@ -54,7 +54,7 @@ bool check_robust_search(T& study, const Given& given, Diagnostics& diagnostics)
   return true;
 }
 
-// A front under tolerances is searched by gradients, and holds what has none.
+// A front under tolerances needs gradients, so integer variables and choices are not possible.
 void check_robust_front(const ParetoStudy& study, const Given& given, Diagnostics& diagnostics) {
   if (study.tolerances.empty()) return;
   if (study.solver.solver == kNsga2)
@@ -101,8 +101,8 @@ Shape<DesignObjective> objective() {
       [](const DesignObjective& goal) { return Objective{goal}; });
 }
 
-// A motor carries a load at a speed if its torque there is at least as large. Unlike speed_at(load),
-// the torque exists whether the motor will do or not.
+// A motor carries a load at a speed if its torque there is at least the load. Unlike speed_at(load), the torque also
+// exists for motors that cannot carry the load.
 struct Duty {
   double torque{0};
   double speed{0};
@@ -128,7 +128,7 @@ Shape<MotorLimit> duty_point() {
       });
 }
 
-// A fit moves between the values of its variables.
+// Refuses integer variables, because a fit needs derivatives.
 bool refuse_whole_numbers(CalibrateStudy& /*study*/, const Given& given, Diagnostics& diagnostics) {
   const YamlNode* variables = given.find("variables");
   if (variables == nullptr) return true;

@@ -17,7 +17,7 @@
 namespace twum::studies {
 namespace {
 
-// A number as the solvers read it, "5e-9", whatever way it is written.
+// A number in the notation of solvers, "5e-9", from any notation.
 Shape<std::string> option_shape(const optim::SolverOption& option) {
   if (option.type == "text") {
     const std::vector<std::string>& words = option.words;
@@ -68,7 +68,7 @@ Shape<Options> options_shape() {
                           std::move(fields));
 }
 
-// How many whole numbers a range holds; 1 if it is wrong, which is said elsewhere.
+// Number of integers in a range; 1 if the range is wrong, which is reported elsewhere.
 double values_of(const YamlNode& range) {
   const YamlNode* min = range.find("min");
   const YamlNode* max = range.find("max");
@@ -78,7 +78,7 @@ double values_of(const YamlNode& range) {
   return low && high && *low < *high ? std::floor(*high) - std::ceil(*low) + 1 : 1;
 }
 
-// What a study asks of its solver.
+// Requirements of a study on its solver.
 struct Demands {
   bool front;
   bool limits;
@@ -133,7 +133,7 @@ class SolverChecker {
     if (solver != nullptr && solver->kind == YamlNode::Kind::scalar) name = solver;
     if (!demands_.front || (name != nullptr && name->scalar == kNsga2)) return;
     const double count = demands_.combinations;
-    constexpr double kMost = 64;  // as optim::pareto_front() takes
+    constexpr double kMost = 64;  // limit of optim::pareto_front()
     if (count <= kMost) return;
     diagnostics_.add(study.find("variables")->mark, study.path("variables"),
                      rounded_text(count, 6) + " combinations of whole numbers",
@@ -200,7 +200,7 @@ Shape<optim::SolveOptions> solver_shape(const optim::SolveOptions& fresh) {
       standard<O>("max_evaluations", count("evaluations at most", "2000", 1, 1e12), evaluations),
       standard<O>("seed", shapes::seed(), &O::seed),
       hidden(optional<O>("options", options_shape(), &O::solver_options, "the solver's own"))};
-  if (fresh.scan > 0)  // a front has points enough to look at
+  if (fresh.scan > 0)  // fronts have no scan
     fields.insert(fields.begin() + 2,
                   standard<O>("scan",
                               count("designs over the whole range among which a better valley is "

@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A motor file is no study, and says so better than a list of missing entries.
+// Adds a helpful error for a motor file given instead of a study, in place of a list of missing entries.
 bool refuse_motor(const YamlNode& root, Diagnostics& diagnostics) {
   const YamlNode* motor = root.find("motor");
   const bool is_motor =
@@ -37,7 +37,7 @@ bool refuse_motor(const YamlNode& root, Diagnostics& diagnostics) {
   return is_motor;
 }
 
-// The motor that a study names, without the errors of that file: those come out as a FileError.
+// The motor that a study names. Errors of that file are thrown as a FileError.
 std::optional<MotorFile> named_motor(const std::string& name, const YamlNode& node,
                                      const std::string& folder, Diagnostics& diagnostics) {
   if (name.empty()) return {};
@@ -63,7 +63,7 @@ void apply(const std::vector<shapes::Override>& overrides, const YamlNode& node,
   }
 }
 
-// Nothing if there is none, or if what stands there is wrong, which is said.
+// The motor of a study; nothing if there is none, or if it is wrong, which adds errors.
 std::optional<MotorFile> motor_of(const YamlNode& root, const std::string& folder, StudyText text,
                                   Diagnostics& diagnostics) {
   const YamlNode* node = root.find("motor");
@@ -77,8 +77,8 @@ std::optional<MotorFile> motor_of(const YamlNode& root, const std::string& folde
   return motor;
 }
 
-// What only shows once the motor is known: tolerances follow its values. Those of a motor that an earlier study found are
-// looked at when the study runs.
+// Checks that need the motor, such as tolerances relative to its values. For a motor found by an earlier study, they
+// are made when the study runs.
 void check_with_motor(const StudyText& text, const MotorDesign& design, const YamlNode& root,
                       Diagnostics& diagnostics) {
   const YamlNode* study = root.find("study");
@@ -116,7 +116,7 @@ void check_drive(const Study& study, const MotorDesign& motor, const YamlNode& r
                   "'twum init motor --driven' writes");
 }
 
-// Whether what is derived goes together with what is varied, and with the motor.
+// Checks that derived parameters fit the varied ones and the motor.
 void check_derived(const Study& study, const MotorDesign& motor, const YamlNode& root,
                    Diagnostics& diagnostics) {
   const auto check = [&](const auto& asked) {
@@ -133,13 +133,13 @@ void check_derived(const Study& study, const MotorDesign& motor, const YamlNode&
   std::visit(check, study);
 }
 
-// The values of the sets that `choose` names, and what is wrong in their files.
+// Reads the sets that `choose` names, and collects the errors in their files.
 class SetReader {
  public:
   SetReader(const std::string& folder, Diagnostics& diagnostics)
       : folder_(folder), diagnostics_(diagnostics) {}
 
-  // Of a study that has been read without an error; otherwise files are looked at, and nothing is kept.
+  // Reads the files of all sets. The values are kept only if the study has no error.
   void read(StudyText& text, YamlNode& root) {
     const auto study = std::find_if(root.entries.begin(), root.entries.end(),
                                     [](const YamlEntry& entry) { return entry.key == "study"; });
@@ -185,7 +185,7 @@ class SetReader {
   std::optional<FileError> errors_;
 };
 
-// Where in a study something stands that is wrong with a choice.
+// Place in the study of a complaint about a choice.
 std::pair<SourceMark, std::string> place_of(const ChoiceComplaint& complaint, YamlNode& study) {
   for (const char* list : {"variables", "derived"}) {
     const YamlNode* entries = study.find(list);
@@ -211,7 +211,7 @@ const YamlEntry& parameter_entry(const YamlNode& study, const char* list, Parame
   });
 }
 
-// Whether the choices of a search, and the friction that it varies, go together with the rest.
+// Checks that the choices of a search, and the friction that it varies, fit the rest of the study.
 void check_choices(const Study& study, const MotorDesign& motor, YamlNode& root,
                    Diagnostics& diagnostics) {
   const auto check = [&](const auto& asked) {

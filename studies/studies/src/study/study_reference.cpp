@@ -47,7 +47,7 @@ On a logarithmic scale equal parts are those of the logarithm. `lhs` and `sobol`
 numbers such as `wavelengths`, each with the same share (on a logarithmic scale, the whole number k has that of k to k + 1).
 )text";
 
-// What stands below `study:` for one kind; the kind itself is the heading.
+// The entries below `study:` for one kind, without `kind`, which is the heading.
 Schema entries_of(StudyKind kind) {
   Schema schema = study_schema(kind);
   std::erase_if(schema.entries, [](const SchemaEntry& entry) { return entry.name == "kind"; });

@@ -17,7 +17,7 @@ SchemaEntry entry(const char* name, const char* text, const std::string& example
   return result;
 }
 
-// In quotes where YAML would take a plain path for something else, such as null.
+// In quotes if YAML would read the plain path as something else, such as null.
 std::string path_text(std::string_view path) {
   const bool plain = path.find_first_not_of(
                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-") ==
@@ -29,7 +29,7 @@ std::string path_text(std::string_view path) {
   return text + "'";
 }
 
-// The motor's entries, with those shown that a motor under a voltage has.
+// The motor's entries, showing those of a motor under a voltage.
 std::vector<SchemaEntry> driven_motor_entries() {
   std::vector<SchemaEntry> entries = motor_shape().schema.entries;
   const auto stator = std::find_if(entries.begin(), entries.end(),
@@ -59,7 +59,7 @@ std::string study_template(StudyKind kind, std::string_view motor) {
   file.entries.back().schema = study_schema(kind);
   const std::string heading = "# A study for twum: " + file.entries.back().schema.text + ".\n" +
                               "# Check it with 'twum check FILE', run it with 'twum run FILE'.\n";
-  if (motor.empty()) {  // behind the study, which is what one comes for
+  if (motor.empty()) {  // after the study, which is more important
     file.entries.push_back(
         entry("motor", "or a motor file, from the folder of this one: 'motor: FILE'", ""));
     file.entries.back().schema.kind = ValueKind::mapping;

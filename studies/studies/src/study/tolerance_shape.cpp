@@ -36,7 +36,7 @@ Schema relative_spread() {
   return schema;
 }
 
-// "3 %" is a share of what the design has, a number with a unit is absolute.
+// "3 %" is relative to the design's value; a number with a unit is absolute.
 Shape<Spread> spread(const ParameterInfo& row, std::string text) {
   Shape<Spread> shape;
   shape.schema.text = std::move(text);
@@ -87,7 +87,7 @@ bool has(const std::vector<std::string_view>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// What a distribution of this shape has no use for, and what it lacks.
+// Adds errors for entries that a distribution of this shape does not use, and for missing ones.
 bool check_entries(Shape_ shape, const Given& given, Diagnostics& diagnostics) {
   const Entries entries = entries_of(shape);
   const std::string of = std::string("of a ") + to_string(shape) + " distribution";
@@ -195,7 +195,7 @@ void check_tolerances(const std::vector<Tolerance>& tolerances, const MotorDesig
 
 std::vector<std::string> tolerance_notes(const std::vector<Tolerance>& tolerances,
                                          const MotorDesign& design) {
-  constexpr double kSame = 1e-6;  // beyond what rounding of a typed value leaves
+  constexpr double kSame = 1e-6;  // above the rounding of a typed value
   std::vector<std::string> notes;
   for (const Tolerance& one : tolerances) {
     const double own = get(design, one.parameter);

@@ -11,7 +11,7 @@ using namespace shapes;
 
 namespace {
 
-// Probabilities stand in the list once each; 5 % is 0.05.
+// Each probability may occur only once; 5 % equals 0.05.
 bool check_uncertainty(UncertaintyStudy& study, const Given& given, Diagnostics& diagnostics) {
   check_repeats(given, diagnostics);
   if (given.find("metrics") == nullptr && given.find("limits") == nullptr)
