@@ -8,12 +8,12 @@ namespace twum::optim {
 bool Allowance::take(std::span<const double> z) {
   // A point is asked for by the objective and by two lists of limits, and a search that begins or
   // ends asks for a few points again: some ten requests in a row, far below this.
-  constexpr std::size_t kMostIdle = 1000;
+  constexpr std::size_t kMostRequestsWithoutEvaluation = 1000;
   if (used_up()) return false;
   const std::size_t evaluations = nlp_.session().counters().evaluations;
-  idle_ = evaluations == evaluations_ ? idle_ + 1 : 0;
+  requests_without_evaluation_ = evaluations == evaluations_ ? requests_without_evaluation_ + 1 : 0;
   evaluations_ = evaluations;
-  if (idle_ > kMostIdle) {
+  if (requests_without_evaluation_ > kMostRequestsWithoutEvaluation) {
     stall();
     return false;
   }

@@ -36,7 +36,7 @@ class Allowance {
  private:
   Nlp& nlp_;
   std::size_t points_;
-  std::size_t idle_{0};  // requests since the last evaluation
+  std::size_t requests_without_evaluation_{0};  // in a row
   std::size_t evaluations_{0};
   std::vector<double> last_;
   const char* word_{""};

@@ -59,10 +59,10 @@ class Investigation {
     told().design = design_ = found.design;
     told().relaxations = found.relaxations;
     told().certified = found.certified;
-    Rows kept(problem_.constraints.size());
-    std::iota(kept.begin(), kept.end(), std::size_t{0});
+    Rows remaining(problem_.constraints.size());
+    std::iota(remaining.begin(), remaining.end(), std::size_t{0});
     // Limits that are impossible on their own are removed one after the other; then the remaining ones are explained.
-    while (take_impossible(found, kept)) found = explain_rest(kept);
+    while (take_impossible(found, remaining)) found = explain_rest(remaining);
     for (const std::string& name : found.conflict) told().conflict.push_back(name);
     for (const RangeEnd& end : found.ranges) add_range(end);
     for (const RangeEnd& end : whole_number_ends(found.design)) add_range(end);
@@ -101,18 +101,18 @@ class Investigation {
     return result;
   }
 
-  // Moves the limits that are impossible by themselves from `kept` to the report. False if there is none.
-  bool take_impossible(const Infeasibility& found, Rows& kept) {
-    const std::size_t before = kept.size();
+  // Moves the limits that are impossible by themselves from `remaining` to the report. False if there is none.
+  bool take_impossible(const Infeasibility& found, Rows& remaining) {
+    const std::size_t before = remaining.size();
     for (const Relaxation& limit : found.relaxations) {
       if (limit.amount == 0.0 || possible_without(limit, found)) continue;
       const auto row = std::ranges::find_if(
-          kept, [&](std::size_t i) { return problem_.constraints[i].name == limit.name; });
-      if (row == kept.end() || !impossible(*row, limit.side)) continue;
+          remaining, [&](std::size_t i) { return problem_.constraints[i].name == limit.name; });
+      if (row == remaining.end() || !impossible(*row, limit.side)) continue;
       told().conflict.push_back(limit.name);
-      kept.erase(row);
+      remaining.erase(row);
     }
-    return kept.size() < before;
+    return remaining.size() < before;
   }
 
   // A design exists that keeps this limit if moving another one alone makes the problem feasible.
@@ -232,10 +232,10 @@ class Investigation {
   }
 
   // What is left to explain without the limits that are impossible by themselves.
-  Infeasibility explain_rest(const Rows& kept) {
-    if (kept.empty() || exhausted()) return {};
+  Infeasibility explain_rest(const Rows& remaining) {
+    if (remaining.empty() || exhausted()) return {};
     Restated rest =
-        restate(problem_, {Question::About::response, 0, problem_.objectives[0].sense, kept},
+        restate(problem_, {Question::About::response, 0, problem_.objectives[0].sense, remaining},
                 options_.observer);
     start_at(rest.problem, design_);
     return ask(rest.problem, rest.observer, true).infeasibility;

@@ -103,9 +103,9 @@ class Profile {
   // stayed twice.
   double root(double low, double high, double z_high) {
     double z_low = low;  // value of the linearised fit; only its sign matters in the end
-    int kept = 0;
+    int same_end = 0;  // steps in a row that moved the same end: > 0 the low one, < 0 the high one
     for (int step = 0; step < kMostSearchSteps && high - low > kFound * high; ++step) {
-      const bool secant = std::isfinite(z_high) && std::abs(kept) < 2 && z_high > z_low;
+      const bool secant = std::isfinite(z_high) && std::abs(same_end) < 2 && z_high > z_low;
       const double part = secant ? (1.0 - z_low) / (z_high - z_low) : 0.5;
       const double at = low + std::clamp(part, 0.02, 0.98) * (high - low);
       const double z = height(at);
@@ -113,11 +113,11 @@ class Profile {
       if (z < 1.0) {
         low = at;
         z_low = z;
-        kept = std::max(kept, 0) + 1;
+        same_end = std::max(same_end, 0) + 1;
       } else {
         high = at;
         z_high = z;
-        kept = std::min(kept, 0) - 1;
+        same_end = std::min(same_end, 0) - 1;
       }
       if (options_.stop.stop_requested()) break;
     }

@@ -147,7 +147,8 @@ class RobustSolve {
   bool judge() {
     result_.verdict = worst_verdict(problem_, result_.verification);
     if (result_.verdict == YieldVerdict::holds) {
-      if (lies() && result_.outcome == Outcome::optimal) result_.outcome = Outcome::feasible;
+      if (goal_is_biased() && result_.outcome == Outcome::optimal)
+        result_.outcome = Outcome::feasible;
       return true;
     }
     result_.outcome =
@@ -157,7 +158,7 @@ class RobustSolve {
 
   // Whether the goal is a mean or a standard deviation and too many products have no answer, so that its derivative
   // is wrong.
-  bool lies() const {
+  bool goal_is_biased() const {
     const RobustObjective& goal = problem_.goals.front();
     if (goal.kind != RobustGoal::statistic ||
         problem_.statistics[goal.index].kind == Statistic::quantile)

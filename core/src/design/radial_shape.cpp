@@ -9,7 +9,7 @@ namespace {
 using Rows = std::vector<std::pair<double, double>>;
 
 constexpr std::size_t kFewestRows = 4;  // a not-a-knot spline of four rows is one cubic
-constexpr int kLooks = 64;  // number of radii at which a table's spline has to be positive
+constexpr int kSampledRadii = 64;  // number of radii at which a table's spline has to be positive
 
 std::string millimetres(double length) {
   char text[40];
@@ -49,8 +49,8 @@ std::string table_complaint(const Rows& rows, double inner, double outer) {
     return "must cover the contact track, " + range_text(inner, outer) + ", but covers " +
            range_text(rows.front().first, rows.back().first);
   const ShapeSpline spline(rows);
-  for (int i = 0; i <= kLooks; ++i) {
-    const double radius = inner + (outer - inner) * i / kLooks, shape = spline.at(radius);
+  for (int i = 0; i <= kSampledRadii; ++i) {
+    const double radius = inner + (outer - inner) * i / kSampledRadii, shape = spline.at(radius);
     if (!(shape > 0))
       return "must be positive on the contact track, but is " + shown_number(shape) + " at " +
              millimetres(radius);
