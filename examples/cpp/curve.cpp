@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A motor file, the torque-speed curve, and where in the contact it sticks.
+// Reads a motor file and prints its torque-speed curve with the zones of stick and slip.
 #include <twum/twum.hpp>
 
 #include <cstdio>

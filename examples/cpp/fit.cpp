@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Friction and stiffness from measured torque-speed points, by least squares with exact derivatives.
+// Estimates friction and stiffness from measured torque-speed points, by least squares with exact derivatives.
 #include <twum/core.hpp>
 #include <twum/optim.hpp>
 

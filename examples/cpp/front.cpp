@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The trade-off between torque and speed: no design of the front is worse than another in both.
+// Computes the front of torque and speed: no design on it is worse than another one in both.
 #include <twum/twum.hpp>
 
 #include <cstdio>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The most power within limits, by two solvers, each answer certified from exact gradients.
+// Finds the motor with the most power within limits by two solvers, and certifies each answer.
 #include <twum/twum.hpp>
 
 #include <cstdio>

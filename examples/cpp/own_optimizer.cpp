@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A gearbox and a motor sized together by someone else's optimizer, here a golden section: the motor's
-// side is one evaluation of a metric, infeasible where the motor cannot carry the torque.
+// Sizes a gearbox and a motor together with an optimizer of your own, here a golden section search. For the motor it
+// evaluates one metric; a motor that cannot carry the torque is infeasible.
 #include <twum/core.hpp>
 
 #include <cmath>
@@ -11,9 +11,9 @@ namespace {
 
 constexpr double kJointTorque = 2.0;  // [N m]
 constexpr double kJointSpeed = 2.0;   // [rad/s]
-constexpr double kGearLoss = 0.03;    // of the torque, for each unit of the ratio's logarithm
+constexpr double kGearLoss = 0.03;    // share of the torque, for each unit of the ratio's logarithm
 
-// Power that the stator gives for the joint's duty through a gearbox [W].
+// Stator power for the duty of the joint through a gearbox [W].
 double input_power(const twum::Motor& motor, double ratio) {
   const double torque = kJointTorque / ratio * (1 + kGearLoss * std::log(ratio));
   const double speed = kJointSpeed * ratio;

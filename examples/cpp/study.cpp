@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A study file run from a program, its result as an object.
+// Runs a study file and uses its result as an object.
 #include <twum/twum.hpp>
 
 #include <cstdio>

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Ten thousand designs at once over NumPy: spread of two metrics under tolerances of three parameters."""
+"""Computes ten thousand designs at once with NumPy: the spread of two metrics under three tolerances."""
 import numpy as np
 import twum
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a parameter does all over a box of designs: exact derivatives of two thousand designs at once."""
+"""Computes exact derivatives of two thousand designs at once: the effect of a parameter all over its range."""
 import numpy as np
 import twum
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A motor, its torque-speed curve and the contact at one speed; with a file name, a picture of both."""
+"""Computes the torque-speed curve of a motor and the contact at one speed; with a file name, draws both."""
 import sys
 
 import twum

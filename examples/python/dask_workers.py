@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The searches of processes.py on two workers of Dask. For a cluster of your own make the Client from its address."""
+"""Runs the searches of processes.py on two workers of Dask. For your own cluster, make the Client with its address."""
 import twum
 from distributed import Client, LocalCluster  # type: ignore[import]
 from processes import best

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Friction and stiffness from measured torque-speed points, by the study `calibrate`."""
+"""Estimates friction and stiffness from measured torque-speed points by the study `calibrate`."""
 import pathlib
 import tempfile
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The trade-off between torque and speed: no design of the front is worse than another in both."""
+"""Computes the front of torque and speed: no design on it is worse than another one in both."""
 import twum
 
 problem = twum.DesignProblem(twum.Motor()).vary("preload", "60 N", "300 N").vary("amplitude", "0.8 um", "2.2 um")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What one percent more of each parameter does to two metrics, from exact derivatives."""
+"""Prints the change of two metrics for 1 % more of each parameter, from exact derivatives."""
 import twum
 
 motor = twum.Motor()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A gearbox and a motor sized together by an optimizer of one's own, SciPy's SLSQP: the joint needs
-2 N.m at 2 rad/s; what the stator gives is to be small. Exact gradients go into the chain rule."""
+"""Sizes a gearbox and a motor together with an optimizer of your own, SciPy's SLSQP. The joint needs 2 N.m at
+2 rad/s, and the stator power is minimized. The gradients of the motor are exact; the chain rule adds the gearbox."""
 import numpy as np
 import twum
 from scipy.optimize import minimize
@@ -23,7 +23,7 @@ def power(x):
 
 
 def spare_torque(x):
-    """What the motor has beyond what the joint asks through the gearbox, which loses a little."""
+    """Torque of the motor minus the torque that the joint needs through the gearbox with its loss."""
     return motor_of(x).torque_at(SPEED * x[2]) - TORQUE / x[2] * (1 + 0.03 * np.log(x[2]))
 
 

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Searches at once in two processes of their own: motors, questions, answers and errors travel between them."""
+"""Runs searches in two processes at once: motors, questions, answers and errors are sent between them."""
 import concurrent.futures
 
 import twum
 
 
 def best(pressure: str) -> twum.Optimum:
-    """The motor of most power whose lining bears this pressure."""
+    """The motor with the most power whose lining withstands this pressure."""
     problem = twum.DesignProblem(twum.Motor()).vary("preload", "60 N", "300 N").vary("amplitude", "0.8 um", "2.2 um")
     return problem.maximize("peak_power").limit(f"max_pressure <= {pressure}").solve(starts=2)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A motor for 0.5 N.m at 100 rpm within three limits: the one that presses its layer least."""
+"""Finds the motor for 0.5 N.m at 100 rpm within three limits that has the lowest pressure on its layer."""
 import sys
 
 import twum
