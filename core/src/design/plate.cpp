@@ -35,7 +35,8 @@ PlateInput plate_input(const MotorDesign& design) {
   return {*s.geometry, s.wavelengths, s.contact_radius, s.contact_width};
 }
 
-std::shared_ptr<const StatorModel> solved_plate(const PlateInput& input) {
+std::shared_ptr<const StatorModel> solved_plate(const PlateInput& input,
+                                                stator::OtherModes others) {
   std::array<double, kShapePoints.size() + 2> offsets{};
   const double half = 0.5 * input.contact_width;
   std::transform(kShapePoints.begin(), kShapePoints.end(), offsets.begin(),
@@ -43,19 +44,25 @@ std::shared_ptr<const StatorModel> solved_plate(const PlateInput& input) {
   offsets[kShapePoints.size()] = -half, offsets.back() = half;
   return std::make_shared<const StatorModel>(stator::stator_model(
       input.geometry, static_cast<int>(input.wavelengths), input.contact_radius,
-      stator::PlateTheory::mindlin, stator::Derivatives::all, offsets));
+      stator::PlateTheory::mindlin, stator::Derivatives::all, offsets, others));
 }
 
 }  // namespace
 
-std::shared_ptr<const StatorModel> plate_model(const MotorDesign& design) {
-  // one cache for each thread; the numbers depend on the input only
-  thread_local std::deque<KnownPlate> kept;
+std::shared_ptr<const StatorModel> plate_model(const MotorDesign& design,
+                                               stator::OtherModes others) {
+  thread_local std::deque<KnownPlate>
+      kept;  // numbers follow from the input alone, whichever thread asks
   PlateInput input = plate_input(design);
   const auto known = std::find_if(kept.begin(), kept.end(),
                                   [&](const KnownPlate& one) { return one.input == input; });
-  if (known != kept.end()) return known->model;
-  auto model = solved_plate(input);
+  const bool missing = others == stator::OtherModes::found;
+  if (known != kept.end() && !(missing && known->model->unwanted.empty())) return known->model;
+  auto model = solved_plate(input, others);
+  if (known != kept.end()) {
+    known->model = model;
+    return model;
+  }
   if (kept.size() == kKeptPlates) kept.pop_back();
   kept.push_front({std::move(input), model});
   return model;

@@ -14,6 +14,7 @@ namespace {
 using P = Parameter;
 using N = PlateNumber;
 using stator::Dimension;
+using stator::OtherModes;
 using stator::StatorModel;
 
 constexpr double kNoPlate = std::numeric_limits<double>::quiet_NaN();
@@ -112,7 +113,7 @@ std::optional<PlateNumber> plate_number_of(Parameter parameter) {
 std::array<double, kPlateNumbers> plate_numbers(const MotorDesign& design) {
   std::array<double, kPlateNumbers> values{};
   try {
-    const auto numbers = plate_values(design, *plate_model(design));
+    const auto numbers = plate_values(design, *plate_model(design, OtherModes::none));
     std::transform(numbers.begin(), numbers.end(), values.begin(),
                    [](const auto& x) { return x.v; });
   } catch (const InputError&) {
@@ -125,7 +126,7 @@ std::array<double, kPlateNumbers> plate_numbers(const MotorDesign& design) {
 
 std::array<std::array<double, kParameterCount>, kPlateNumbers> plate_jacobian(
     const MotorDesign& design) {
-  const auto plate = plate_model(design);
+  const auto plate = plate_model(design, OtherModes::none);
   const auto numbers = plate_values(design, *plate);
   std::array<std::array<double, kParameterCount>, kPlateNumbers> jacobian{};
   for (std::size_t moved = 0; moved < kParameterCount; ++moved) {
@@ -135,6 +136,26 @@ std::array<std::array<double, kParameterCount>, kPlateNumbers> plate_jacobian(
       jacobian[i][moved] = slope_of(design, *plate, numbers[i], i, parameter);
   }
   return jacobian;
+}
+
+double mode_separation(const MotorDesign& design) {
+  try {
+    return plate_model(design)->mode_separation.v;
+  } catch (const Error&) {  // no plate, or none that carries the wave
+    return kNoPlate;
+  }
+}
+
+std::array<double, kParameterCount> mode_separation_slopes(const MotorDesign& design) {
+  const auto plate = plate_model(design);
+  std::array<double, kParameterCount> slopes{};
+  for (std::size_t moved = 0; moved < kParameterCount; ++moved) {
+    const auto parameter = static_cast<Parameter>(moved);
+    if (in_use(design, parameter))
+      slopes[moved] =
+          slope_of(design, *plate, plate->mode_separation, index_of(N::mode_separation), parameter);
+  }
+  return slopes;
 }
 
 bool is_of_geometry(Parameter parameter) {
@@ -197,7 +218,7 @@ std::vector<std::string> geometry_complaints(const MotorDesign& design) {
         "resonance_frequency, modal_mass, force_factor or blocked_capacitance is given"};
   if (auto wrong = geometry_complaints(*s.geometry); !wrong.empty()) return wrong;
   try {
-    const auto plate = plate_model(design);
+    const auto plate = plate_model(design, OtherModes::none);
     const auto low = std::min_element(plate->shape_values.begin(), plate->shape_values.end(),
                                       [](const auto& a, const auto& b) { return a.v < b.v; });
     if (low->v > 0) return {};

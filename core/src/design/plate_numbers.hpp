@@ -38,13 +38,20 @@ constexpr std::size_t index_of(PlateNumber number) { return static_cast<std::siz
 /// The number of the plate that determines a parameter of a design with a geometry; nothing for other parameters.
 std::optional<PlateNumber> plate_number_of(Parameter parameter);
 
-/// Values in the order of PlateNumber; NaN where the geometry gives no plate. Never throws.
+/// Values in the order of PlateNumber; NaN where the geometry gives no plate, and for mode_separation, which takes modes of
+/// other numbers of waves. Never throws.
 std::array<double, kPlateNumbers> plate_numbers(const MotorDesign& design);
 
 /// Their derivatives with respect to each parameter in use, the others held. They are 0 for the number of
 /// wavelengths, since modes of 9 and 10 wavelengths are different modes.
 std::array<std::array<double, kParameterCount>, kPlateNumbers> plate_jacobian(
     const MotorDesign& design);
+
+/// @name Those of mode_separation
+/// @{
+double mode_separation(const MotorDesign& design);
+std::array<double, kParameterCount> mode_separation_slopes(const MotorDesign& design);
+/// @}
 
 /// @name Parameters of the geometry
 /// @{

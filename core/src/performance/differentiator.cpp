@@ -85,8 +85,8 @@ Differentiator::Differentiator(const Motor& motor, bool fixed_static_friction)
   const auto plate = plate_jacobian(design_);
   for (std::size_t i = 0; i < kShapeNumbers; ++i)
     add(plate[index_of(PlateNumber::shape) + i], kShapeIndex + i);
-  for (const PlateNumber number : kPlateMetrics)
-    add(plate[index_of(number)], static_cast<std::size_t>(plate_direction(number)));
+  constexpr PlateNumber kStress = PlateNumber::ceramic_stress;
+  add(plate[index_of(kStress)], static_cast<std::size_t>(plate_direction(kStress)));
 }
 
 std::array<double, kParameterCount> Differentiator::in_parameters(const DesignDual& dual) const {
@@ -95,6 +95,11 @@ std::array<double, kParameterCount> Differentiator::in_parameters(const DesignDu
        slopes_)  // one without a value does not count where nothing follows from it
     if (dual.d[slope.direction] != 0)
       gradient[slope.parameter] += dual.d[slope.direction] * slope.value;
+  // Modes of other numbers of waves are computed only where they are asked for.
+  if (const double share = dual.d[plate_direction(PlateNumber::mode_separation)]; share != 0) {
+    const auto slopes = mode_separation_slopes(design_);
+    for (std::size_t j = 0; j < kParameterCount; ++j) gradient[j] += share * slopes[j];
+  }
   return gradient;
 }
 

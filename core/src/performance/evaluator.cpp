@@ -56,7 +56,9 @@ double Evaluator::pull_out_speed() const {
 
 double Evaluator::of_plate(PlateNumber number) const {
   if (!motor_.design().stator.geometry) throw SearchFailure{MetricStatus::undefined};
-  return plate_numbers(motor_.design())[index_of(number)];
+  const MotorDesign& design = motor_.design();
+  return number == PlateNumber::mode_separation ? mode_separation(design)
+                                                : plate_numbers(design)[index_of(number)];
 }
 
 // To find that out by a throw takes as long as several points.

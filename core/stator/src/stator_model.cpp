@@ -105,12 +105,13 @@ struct Modes {
 };
 
 Modes find_modes(const StatorGeometry& geometry, int wavelengths, double contact_radius,
-                 PlateTheory theory, std::span<const double> offsets) {
+                 PlateTheory theory, std::span<const double> offsets, OtherModes others) {
   Modes modes{make_plate(geometry, plain_numbers(geometry, contact_radius)), {}, {}, {}, {}};
   check_wave(geometry, modes.plate, wavelengths, contact_radius);
   check_track(modes.plate, contact_radius, offsets);
-  const int lowest = std::max(0, wavelengths - 2);
-  for (int n = lowest; n <= wavelengths + 2; ++n) {
+  const int beside = others == OtherModes::found ? 2 : 0;
+  const int lowest = std::max(0, wavelengths - beside);
+  for (int n = lowest; n <= wavelengths + beside; ++n) {
     modes.orders.push_back(solve_order(modes.plate, theory, geometry.support, n, contact_radius));
   }
   modes.wave.order = static_cast<std::size_t>(wavelengths - lowest);
@@ -119,13 +120,14 @@ Modes find_modes(const StatorGeometry& geometry, int wavelengths, double contact
   const Choice choice = choose_mode(modes.order(), modes.plate, ring_inner);
   modes.wave.mode = choice.mode;
   modes.identity = choice.identity;
-  modes.others = by_distance(modes.orders, modes.wave);
+  if (others == OtherModes::found) modes.others = by_distance(modes.orders, modes.wave);
   return modes;
 }
 
 // Distance to the nearest other mode (P4.7). It has no derivative where two others are equally near, where
 // it is zero, and where the other mode crosses one of its own order.
 Derived mode_separation(const Modes& modes, const StatorPlate<Derived>* dual_plate) {
+  if (modes.others.empty()) return undifferentiated(std::numeric_limits<double>::quiet_NaN());
   const ModePlace nearest = modes.others[0];
   const double value = modes.distance(nearest);
   const double tie = 1e-9 * modes.mode(modes.wave).frequency;
@@ -174,9 +176,9 @@ std::vector<PlateMode> stator_modes(const StatorGeometry& geometry, int nodal_di
 
 StatorModel stator_model(const StatorGeometry& geometry, int wavelengths, double contact_radius,
                          PlateTheory theory, Derivatives derivatives,
-                         std::span<const double> offsets) {
+                         std::span<const double> offsets, OtherModes others) {
   check_geometry(geometry);
-  const Modes modes = find_modes(geometry, wavelengths, contact_radius, theory, offsets);
+  const Modes modes = find_modes(geometry, wavelengths, contact_radius, theory, offsets, others);
   StatorModel model = wave_numbers(modes, geometry, contact_radius, derivatives, offsets);
   const Order& order = modes.order();
   model.shape = normalized(

@@ -148,7 +148,7 @@ namespace {
 void require_wave(const MotorDesign& design) {
   if (!design.stator.geometry) return;
   try {
-    plate_model(design);
+    plate_model(design, stator::OtherModes::none);
   } catch (const InputError&) {
   }
 }

@@ -54,6 +54,10 @@ struct StatorModel {
 /// Whether derivatives are wanted.
 enum class Derivatives { none, all };
 
+/// Whether the modes beside the wave are wanted, which take four fifths of the time: without them mode_separation is NaN
+/// and `unwanted` empty.
+enum class OtherModes { none, found };
+
 /// Modes of a stator and what follows from them.
 ///
 /// Derivatives are exact for the discretized plate. They are NaN in two cases: where two modes with n nodal diameters
@@ -71,7 +75,8 @@ enum class Derivatives { none, all };
 StatorModel stator_model(const StatorGeometry& geometry, int wavelengths, double contact_radius,
                          PlateTheory theory = PlateTheory::mindlin,
                          Derivatives derivatives = Derivatives::none,
-                         std::span<const double> offsets = {});
+                         std::span<const double> offsets = {},
+                         OtherModes others = OtherModes::found);
 
 /// The modes of a stator with n nodal diameters, lowest frequency first; R is normalized as in PlateMode.
 /// @throws InputError as check_geometry(), or for n < 0 or count < 1
