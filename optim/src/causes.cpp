@@ -118,7 +118,7 @@ class Investigation {
   // A design exists that keeps this limit if moving another one alone makes the problem feasible.
   static bool possible_without(const Relaxation& limit, const Infeasibility& found) {
     return std::ranges::any_of(found.relaxations, [&](const Relaxation& other) {
-      return other.name != limit.name && std::isfinite(other.alone);
+      return other.name != limit.name && std::isfinite(other.amount_alone);
     });
   }
 
@@ -198,8 +198,9 @@ class Investigation {
       RangeEnd& end = told().ranges[i];
       const auto v = std::ranges::find(problem_.variables, end.variable, &Variable::name);
       questions_ = told().ranges.size() - i;
-      end.alone = end_alone(static_cast<std::size_t>(v - problem_.variables.begin()), end.side);
-      if (v->integer && std::isnan(end.alone))
+      end.limit_alone =
+          end_alone(static_cast<std::size_t>(v - problem_.variables.begin()), end.side);
+      if (v->integer && std::isnan(end.limit_alone))
         drop_range(i);
       else
         ++i;

@@ -219,9 +219,9 @@ void check_ends(const Made& made, const Infeasibility& told) {
     const auto at = std::ranges::find(told.ranges, end.variable, &RangeEnd::variable);
     REQUIRE(at != told.ranges.end());
     CHECK(at->side == end.side);
-    CHECK(std::isnan(at->alone) == std::isnan(end.alone));
+    CHECK(std::isnan(at->limit_alone) == std::isnan(end.alone));
     if (std::isnan(end.alone)) continue;
-    CHECK(at->alone == Approx(end.alone).epsilon(kSolver));
+    CHECK(at->limit_alone == Approx(end.alone).epsilon(kSolver));
     // All the way and a millionth more it helps, nine tenths of the way it does not.
     const double whole = end.alone + 1e-6 * (end.alone - at->limit);
     CHECK(feasible(moved(made.problem, end.variable, end.side, whole)));
@@ -298,7 +298,8 @@ TEST_CASE("causes cost at most three times the search, and do not depend on thre
       CHECK(one.counters.evaluations == three.counters.evaluations);
       REQUIRE(one.infeasibility.ranges.size() == three.infeasibility.ranges.size());
       for (std::size_t i = 0; i < one.infeasibility.ranges.size(); ++i) {
-        const double a = one.infeasibility.ranges[i].alone, b = three.infeasibility.ranges[i].alone;
+        const double a = one.infeasibility.ranges[i].limit_alone,
+                     b = three.infeasibility.ranges[i].limit_alone;
         CHECK((a == b || (std::isnan(a) && std::isnan(b))));
       }
     }
@@ -330,6 +331,6 @@ TEST_CASE("a range is extended only where the variable allows it", "[optim][infe
     };
     const Result r = solve(p);
     REQUIRE(r.outcome == Outcome::infeasible);
-    for (const RangeEnd& end : r.infeasibility.ranges) CHECK(std::isnan(end.alone));
+    for (const RangeEnd& end : r.infeasibility.ranges) CHECK(std::isnan(end.limit_alone));
   }
 }

@@ -132,8 +132,8 @@ TEST_CASE("an infeasible problem names its fighters and the smallest relaxation"
     // Solver tolerance 1e-9 of scaled rows, whose scale is 1/5.
     CHECK(std::abs(r.infeasibility.relaxations[0].amount + r.infeasibility.relaxations[1].amount -
                    gap) < 1e-6);
-    CHECK(std::abs(r.infeasibility.relaxations[0].alone - gap) < 1e-6);
-    CHECK(std::abs(r.infeasibility.relaxations[1].alone - gap) < 1e-6);
+    CHECK(std::abs(r.infeasibility.relaxations[0].amount_alone - gap) < 1e-6);
+    CHECK(std::abs(r.infeasibility.relaxations[1].amount_alone - gap) < 1e-6);
     CHECK(r.infeasibility.certified);
   }
 }
@@ -155,7 +155,7 @@ TEST_CASE("the smallest relaxation of a curved pair of limits",
   const Result r = solve(p);
   REQUIRE(r.outcome == Outcome::infeasible);
   for (const auto& relaxation : r.infeasibility.relaxations)
-    CHECK(std::abs(relaxation.alone - (relaxation.name == "disc" ? 3.0 : 1.0)) < 1e-5);
+    CHECK(std::abs(relaxation.amount_alone - (relaxation.name == "disc" ? 3.0 : 1.0)) < 1e-5);
   CHECK(r.infeasibility.conflict.size() == 2);
 }
 

@@ -76,7 +76,7 @@ TEST_CASE("the range of the preload is named where it is the cause, with the pre
   CHECK(told.ranges[0].upper);
   CHECK(told.ranges[0].limit == 100);
   const double needed = 0.8 / friction_torque(1);
-  CHECK_THAT(told.ranges[0].alone, WithinRel(needed, kSolver));
+  CHECK_THAT(told.ranges[0].limit_alone, WithinRel(needed, kSolver));
   const Json json = s.kind_json()["relaxation"];
   CHECK(json["impossible"][0]["text"] == "holding_torque >= 0.8 N.m");
   CHECK(json["impossible"][0]["ends"] == Json::array({0}));

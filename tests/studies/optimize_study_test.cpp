@@ -139,8 +139,9 @@ TEST_CASE("limits that fight are named with the relaxation that would do", "[stu
   const double phi_of_torque = exact.angle_of_preload(torque / exact.plateau_torque(1));
   const double phi_of_speed = exact.angle_of_no_load(speed);
   CHECK(r.explanation.limits[0].metric == "no_load_speed");
-  CHECK_THAT(r.explanation.limits[0].alone, WithinRel(speed - exact.no_load(phi_of_torque), 1e-5));
-  CHECK_THAT(r.explanation.limits[1].alone,
+  CHECK_THAT(r.explanation.limits[0].amount_alone,
+             WithinRel(speed - exact.no_load(phi_of_torque), 1e-5));
+  CHECK_THAT(r.explanation.limits[1].amount_alone,
              WithinRel(torque - exact.plateau_torque(exact.preload(phi_of_speed)), 1e-5));
   CHECK(s.text().find("cannot hold together") != std::string::npos);
   CHECK(s.kind_json().contains("relaxation"));

@@ -141,13 +141,14 @@ TEST_CASE("variables at a bound are found among others", "[studies][pareto][word
 TEST_CASE("many limits are in order of what 1 % of them buys, equals in theirs",
           "[studies][pareto][words]") {
   ParetoResult result = front();
-  result.alone = {result.front[2].report, result.front[0].report};
-  result.alone[0].certificate.weights = result.alone[0].certificate.prices = {1};
-  result.alone[0].constraints.clear();
+  result.single_goal_ends = {result.front[2].report, result.front[0].report};
+  result.single_goal_ends[0].certificate.weights =
+      result.single_goal_ends[0].certificate.prices = {1};
+  result.single_goal_ends[0].constraints.clear();
   for (int i = 0; i < 40; ++i) {  // 1 W to 20 W, each twice
     LimitState limit = pressure(true, 1, 1 + 7 * i % 20);
     limit.text = "limit " + std::to_string(i);
-    result.alone[0].constraints.push_back(limit);
+    result.single_goal_ends[0].constraints.push_back(limit);
   }
   std::string expected;
   for (int watts = 20; watts > 0; --watts) {
@@ -167,10 +168,10 @@ TEST_CASE("1 % of a limit is worth something of either goal, the most valuable f
   knee.constraints = {pressure(true, 1e-6, 0.02)};
   // 1 % of 150 N is 1.5 N: at 0.1 W/N it buys 150 mW, or 37.5 mN.m.
   knee.bounds = {{{"preload", "N"}, true, 150, 0.1, 0.15}, {{"width", "m"}, false, 1e-3, 0, 0}};
-  result.alone = {result.front[2].report, result.front[0].report};
-  for (DesignReport& report : result.alone)
+  result.single_goal_ends = {result.front[2].report, result.front[0].report};
+  for (DesignReport& report : result.single_goal_ends)
     report.certificate.weights = report.certificate.prices = {1};
-  result.alone[0].constraints = {pressure(true, 2e-6, 0.04)};
+  result.single_goal_ends[0].constraints = {pressure(true, 2e-6, 0.04)};
   CHECK_THAT(barred(answer_text(result)),
              EndsWith("\nper 1 % looser at the knee, one of | peak_power | stall_torque\n"
                       "preload at its largest | +150 mW | -37.5 mN.m\n"

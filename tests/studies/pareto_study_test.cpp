@@ -74,18 +74,18 @@ TEST_CASE("what a limit is worth along a front is that of the closed form, each 
     CHECK_THAT(each[1], WithinRel(faster(phi), 1e-4));
   }
   // At the ends a range of the preload stops one goal; the amplitude does nothing for stall torque.
-  REQUIRE(f.alone.size() == 2);
+  REQUIRE(f.single_goal_ends.size() == 2);
   const auto worth = [](const DesignReport& report, const std::string& name) {
     for (const BoundState& bound : report.bounds)
       if (bound.variable.name == name) return bound.multiplier;
     return 0.0;
   };
-  CHECK_THAT(worth(f.alone[0], "preload"), WithinRel(exact.plateau_torque(1), 1e-6));
-  CHECK(worth(f.alone[0], "amplitude") == 0);
+  CHECK_THAT(worth(f.single_goal_ends[0], "preload"), WithinRel(exact.plateau_torque(1), 1e-6));
+  CHECK(worth(f.single_goal_ends[0], "amplitude") == 0);
   const double phi = angle_of(f.front[f.ends[1]]);
-  CHECK_THAT(worth(f.alone[1], "preload"),
+  CHECK_THAT(worth(f.single_goal_ends[1], "preload"),
              WithinRel(-exact.no_load_slope(phi) / exact.preload_slope(phi), 1e-4));
-  CHECK_THAT(worth(f.alone[1], "amplitude"), WithinRel(faster(phi), 1e-4));
+  CHECK_THAT(worth(f.single_goal_ends[1], "amplitude"), WithinRel(faster(phi), 1e-4));
 }
 
 TEST_CASE("no point of a front lies farther beyond the line through its ends than the knee",

@@ -120,7 +120,7 @@ TEST_CASE("a front has the standings of its points, and of its ends for their ow
   front.goals = {most_power(), least_wear()};
   front.front.resize(3);
   front.front[1].report = report_of({torque_limit(0.5, 0.8)}, 0);
-  front.alone.resize(2);
+  front.single_goal_ends.resize(2);
   const Json json = standings_json(Answer(front));
   CHECK(json["front"].size() == 3);
   CHECK(json["front"][1][0]["changes"].size() == 2);

@@ -140,7 +140,7 @@ py::list limits_list(const optim::Certificate& certificate) {
 py::list relaxation_list(const optim::Infeasibility& infeasibility) {
   return list_of(infeasibility.relaxations, [](const optim::Relaxation& one) {
     return py::dict("text"_a = one.name, "limit"_a = one.limit, "amount"_a = one.amount,
-                    "alone"_a = one.alone);
+                    "alone"_a = one.amount_alone);
   });
 }
 
@@ -156,7 +156,7 @@ py::list impossible_list(const optim::Infeasibility& infeasibility) {
 py::list ranges_list(const optim::Infeasibility& infeasibility) {
   return list_of(infeasibility.ranges, [](const optim::RangeEnd& end) {
     return py::dict("variable"_a = end.variable, "side"_a = side_name(end.side),
-                    "limit"_a = end.limit, "alone"_a = end.alone);
+                    "limit"_a = end.limit, "alone"_a = end.limit_alone);
   });
 }
 

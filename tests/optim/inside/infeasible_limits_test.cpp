@@ -67,8 +67,8 @@ TEST_CASE("limits out of reach give way by their distance to the bound, and only
         CHECK(one.side == (above ? Side::lower : Side::upper));
         CHECK(one.limit == (above ? constraints[i].lower : constraints[i].upper));
         CHECK(one.amount == 1.0 + static_cast<double>(i));  // small whole numbers: exact
-        if (many == 1) CHECK(one.alone == Approx(1.0).margin(kSolver));
-        if (many == 2) CHECK(std::isnan(one.alone));  // the other one stays out of reach
+        if (many == 1) CHECK(one.amount_alone == Approx(1.0).margin(kSolver));
+        if (many == 2) CHECK(std::isnan(one.amount_alone));  // the other one stays out of reach
       }
       for (const double inside : {0.1, 0.3, 0.9}) CHECK_FALSE(explained(p, inside).certified);
       const Result r = solve(p);

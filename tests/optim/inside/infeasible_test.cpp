@@ -79,7 +79,7 @@ TEST_CASE("the least infeasible design has the smallest sum of violations",
     for (const Relaxation& each : r.infeasibility.relaxations) {
       if (each.name != "none") continue;
       CHECK(each.amount == Approx(1.0).margin(kSolver));
-      CHECK(each.alone == Approx(1.0).margin(kSolver));
+      CHECK(each.amount_alone == Approx(1.0).margin(kSolver));
     }
   }
 }
@@ -91,8 +91,8 @@ TEST_CASE("of two quarrels no limit alone can settle both", "[optim][infeasible]
   CHECK(r.infeasibility.relaxations.size() == 4);
   double sum = 0.0;
   for (const Relaxation& each : r.infeasibility.relaxations) {
-    CAPTURE(each.name, each.alone);
-    CHECK(std::isnan(each.alone));
+    CAPTURE(each.name, each.amount_alone);
+    CHECK(std::isnan(each.amount_alone));
     sum += each.amount;
   }
   CHECK(sum == Approx(2.0).margin(kSolver));

@@ -211,7 +211,7 @@ TEST_CASE("a duty needs a point, and quantities of the right dimension", "[studi
   DesignProblem problem{elastic()};
   problem.vary(P::preload, 60, 300);
   CHECK_THROWS_WITH(size(problem, std::vector<DutyPoint>{}),
-                    "a duty has at least one operating point");
+                    "a duty needs at least one operating point");
   CHECK_THROWS_WITH(duty_point("0.5 N", "100 rpm"),
                     Catch::StartsWith("torque: '0.5 N' is a force [N]"));
   CHECK_THROWS_WITH(duty_point("0.5 N.m", "100"), Catch::StartsWith("speed: '100' has no unit"));
@@ -271,7 +271,7 @@ TEST_CASE("limits that would have to give way are named as they were typed",
       REQUIRE(states.size() == 1);
       CHECK(states[0].text == texts[i]);
       CHECK(states[0].amount == 0.25);
-      CHECK(std::isnan(states[0].alone));
+      CHECK(std::isnan(states[0].amount_alone));
     }
     // Each metric once, whether it was asked for or not.
     CHECK(reporter.metrics_of(problem.motor).size() ==

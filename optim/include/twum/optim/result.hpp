@@ -45,7 +45,7 @@ struct Relaxation {
   /// relaxation that the least infeasible design needs, >= 0 [unit of the constraint]
   double amount{0.0};
   /// smallest relaxation that makes the problem feasible if only this limit is relaxed; NaN: none found
-  double alone{0.0};
+  double amount_alone{0.0};
 };
 
 /// An end of a variable's range that contributes to the infeasibility.
@@ -55,7 +55,7 @@ struct RangeEnd {
   double limit{0.0};       ///< as asked, user units
   /// The value of this end nearest to `limit` for which a feasible design was found, with all other ends and limits
   /// as asked. NaN: none was found, or the variable does not allow it (Variable::lowest, highest).
-  double alone{std::numeric_limits<double>::quiet_NaN()};
+  double limit_alone{std::numeric_limits<double>::quiet_NaN()};
 };
 
 /// A limit for which no design within the ranges was found, even without all other limits.

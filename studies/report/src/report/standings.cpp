@@ -103,8 +103,8 @@ struct Standings {
     Json json{{"front", Json::array()}, {"alone", Json::array()}};
     for (const ParetoResult::Point& point : answer.front)
       json["front"].push_back(standings_json(point.report, answer.goals));
-    for (std::size_t k = 0; k < answer.alone.size(); ++k)
-      json["alone"].push_back(standings_json(answer.alone[k], {answer.goals[k]}));
+    for (std::size_t k = 0; k < answer.single_goal_ends.size(); ++k)
+      json["alone"].push_back(standings_json(answer.single_goal_ends[k], {answer.goals[k]}));
     return json;
   }
 

@@ -196,7 +196,7 @@ Explanation DesignReporter::explanation(const optim::Infeasibility& infeasibilit
   for (const optim::Relaxation& r : infeasibility.relaxations) {
     if (const MotorLimit* limit = limit_named(r.name))
       told.limits.push_back({limit->text, limit->metric.text, limit->metric.unit(),
-                             r.side == optim::Side::lower, r.limit, r.amount, r.alone});
+                             r.side == optim::Side::lower, r.limit, r.amount, r.amount_alone});
   }
   for (const optim::Impossible& i : infeasibility.impossible) {
     if (const MotorLimit* limit = limit_named(i.name))
@@ -209,7 +209,7 @@ Explanation DesignReporter::explanation(const optim::Infeasibility& infeasibilit
     told.ranges.push_back({{end.variable, std::string(info(*parameter).unit)},
                            end.side == optim::Side::upper,
                            end.limit,
-                           end.alone});
+                           end.limit_alone});
   }
   return told;
 }

@@ -98,7 +98,7 @@ class ParetoRun : public SearchRun {
       result.ends = ends_of(result);
       result.knee = knee_of(result);
       for (std::size_t k = 0; k < result.ends.size() && certified(front); ++k)
-        result.alone.push_back(alone(k, front.points[result.ends[k]].design));
+        result.single_goal_ends.push_back(alone(k, front.points[result.ends[k]].design));
     }
     result.hypervolume = front.hypervolume;
     result.reference_point = front.reference;

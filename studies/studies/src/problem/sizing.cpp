@@ -45,7 +45,7 @@ DutyPoint duty_point(std::string_view torque, std::string_view speed) {
 
 DesignAnswer size(const DesignProblem& problem, std::span<const DutyPoint> duty,
                   const optim::SolveOptions& options) {
-  if (duty.empty()) throw InputError("a duty has at least one operating point");
+  if (duty.empty()) throw InputError("a duty needs at least one operating point");
   DesignProblem sized = problem;
   sized.limits.clear();
   for (const DutyPoint& point : duty) sized.limit(duty_limit(point));

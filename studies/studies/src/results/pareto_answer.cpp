@@ -143,15 +143,15 @@ std::string worth_table(const std::string& title, const DesignReport& report,
 
 // At the knee, gains of one goal while the others stay; at an end, gains of its own goal only.
 std::string worth_text(const ParetoResult& result) {
-  if (result.alone.empty()) return {};
+  if (result.single_goal_ends.empty()) return {};
   std::string text;
   if (result.has_knee())
     text += worth_table("per 1 % looser at the knee, one of", result.front[result.knee].report,
                         result.goals);
-  for (std::size_t k = 0; k < result.alone.size(); ++k)
+  for (std::size_t k = 0; k < result.single_goal_ends.size(); ++k)
     text += worth_table(
         std::string("per 1 % looser at the ") + (result.goals[k].maximize ? "largest" : "smallest"),
-        result.alone[k], {result.goals[k]});
+        result.single_goal_ends[k], {result.goals[k]});
   return text;
 }
 
@@ -235,7 +235,8 @@ Json answer_json(const ParetoResult& result) {
   json["knee"] = result.has_knee() ? Json(result.knee) : Json(nullptr);
   json["ends"] = result.ends;
   json["alone"] = Json::array();
-  for (const DesignReport& report : result.alone) json["alone"].push_back(limits_json(report));
+  for (const DesignReport& report : result.single_goal_ends)
+    json["alone"].push_back(limits_json(report));
   json["hypervolume"] = number_json(result.hypervolume);
   json["reference_point"] = result.reference_point;
   if (!result.explanation.empty()) json["relaxation"] = relaxation_json(result.explanation);

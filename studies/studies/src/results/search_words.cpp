@@ -113,7 +113,8 @@ std::string relaxation_table(const std::vector<RelaxationState>& limits) {
   if (limits.empty()) return {};
   TextTable table{{{"the least that would do", "all together", "this one alone"}}};
   for (const RelaxationState& state : limits)
-    table.rows.push_back({state.text, relaxed(state, state.amount), relaxed(state, state.alone)});
+    table.rows.push_back(
+        {state.text, relaxed(state, state.amount), relaxed(state, state.amount_alone)});
   return "\n" + aligned(table);
 }
 
@@ -122,8 +123,9 @@ std::string range_table(const std::vector<RangeState>& ranges) {
   TextTable table{{{"range end that takes part", "moving it alone"}}};
   for (const RangeState& end : ranges)
     table.rows.push_back(
-        {range_words(end, end.limit),
-         std::isfinite(end.alone) ? "possible with " + range_words(end, end.alone) : "none found"});
+        {range_words(end, end.limit), std::isfinite(end.limit_alone)
+                                          ? "possible with " + range_words(end, end.limit_alone)
+                                          : "none found"});
   return "\n" + aligned(table);
 }
 
@@ -210,7 +212,7 @@ Json relaxation_json(const Explanation& explanation) {
                               {"sense", sense_word(state.at_least)},
                               {"limit", number_json(state.limit)},
                               {"amount", number_json(state.amount)},
-                              {"alone", number_json(state.alone)}});
+                              {"alone", number_json(state.amount_alone)}});
   for (const ImpossibleState& state : explanation.impossible)
     json["impossible"].push_back({{"text", state.text},
                                   {"unit", state.unit},
@@ -223,7 +225,7 @@ Json relaxation_json(const Explanation& explanation) {
     json["ranges"].push_back({{"variable", end.variable.name},
                               {"side", end.upper ? "upper" : "lower"},
                               {"limit", number_json(end.limit)},
-                              {"alone", number_json(end.alone)}});
+                              {"alone", number_json(end.limit_alone)}});
   if (!explanation.choice.empty()) json["choice"] = choice_json(explanation.choice);
   for (std::size_t i = 0; i < explanation.impossible.size(); ++i)
     if (!explanation.impossible[i].choice.empty())

@@ -29,8 +29,8 @@ std::span<const CurveColumn> terminal_columns();
 /// All columns that a design has: those of the contact, and those of the terminals if it has modal data.
 std::vector<CurveColumn> curve_columns(const MotorDesign& design);
 
-/// The last speed of a curve by default [rad/s]: a little beyond the no-load speed, or the nearest speed with an
-/// answer. Costs the computation of one no-load speed; never throws.
+/// The default last speed of a curve [rad/s]: 1.05 times the no-load speed, or 1.2 times the crest speed if there is
+/// none. Costs the computation of one no-load speed; never throws.
 double last_curve_speed(const Motor& motor);
 
 /// The speed of point `index` = 0, 1, ... of `points` (at least 2), equally spaced from rest to `last`

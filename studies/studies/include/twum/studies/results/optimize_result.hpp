@@ -79,13 +79,13 @@ std::vector<double> gains(double multiplier, const optim::Certificate& certifica
 
 /// How far one limit has to be relaxed, SI.
 struct RelaxationState {
-  std::string text;      ///< as typed
-  std::string metric;    ///< what is limited
-  std::string unit;      ///< SI
-  bool at_least{false};  ///< a lower limit
-  double limit{0};       ///< as asked, SI
-  double amount{0};      ///< relaxation if all limits with an amount are relaxed together, >= 0
-  double alone{0};       ///< relaxation if only this limit is relaxed; NaN: that does not help
+  std::string text;        ///< as typed
+  std::string metric;      ///< what is limited
+  std::string unit;        ///< SI
+  bool at_least{false};    ///< a lower limit
+  double limit{0};         ///< as asked, SI
+  double amount{0};        ///< relaxation if all limits with an amount are relaxed together, >= 0
+  double amount_alone{0};  ///< relaxation if only this limit is relaxed; NaN: that does not help
 };
 
 /// A limit for which no design within the ranges was found, even without all other limits. SI.
@@ -107,7 +107,7 @@ struct RangeState {
   bool upper{false};      ///< the upper end
   double limit{0};        ///< as asked
   /// where this end has to be if nothing else changes; NaN: no such value was found
-  double alone{0};
+  double limit_alone{0};
 };
 
 /// Why no design meets all limits; empty() if one does.

@@ -27,7 +27,7 @@ struct ParetoResult {
   std::vector<std::size_t> ends;  ///< the best point of each goal
   /// The same points certified as optima of that one goal, with the multipliers of its limits. Empty for a front
   /// found without gradients.
-  std::vector<DesignReport> alone;
+  std::vector<DesignReport> single_goal_ends;
   double hypervolume{0};                  ///< product of the goals' units
   std::vector<double> reference_point;    ///< of the hypervolume, in the goals' units
   std::vector<NamedValue> before_design;  ///< variables of the motor before the search
