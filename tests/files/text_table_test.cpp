@@ -57,6 +57,20 @@ TEST_CASE("a column of words is broken between them", "[files][table]") {
   CHECK(words_of(text) == words_of(aligned(kTexts)));
 }
 
+TEST_CASE("a call is broken between its words only where no line has room for it",
+          "[files][table]") {
+  const auto broken = [](const std::string& text, std::size_t width) {
+    return aligned({{{"1", text}, {"2", ""}}}, width);
+  };
+  CHECK(broken("largest stall_torque, smallest wear_intensity_at(80 rpm)", 52) ==
+        "1  largest stall_torque, smallest\n   wear_intensity_at(80 rpm)\n2\n");
+  CHECK(broken("probability(wear_intensity_at(80 rpm) <= 5 kW/m^2)", 31) ==
+        "1  probability(wear_intensity_at(80\n   rpm) <= 5 kW/m^2)\n2\n");
+  // A remark in parentheses is no call.
+  CHECK(broken("the end of its range (as wide as the file gives it)", 40) ==
+        "1  the end of its range (as wide as the\n   file gives it)\n2\n");
+}
+
 TEST_CASE("no line is wider than asked, and no word is lost", "[files][table]") {
   TextTable table{{{"größe", "unit", "text", "reason"}}};
   for (int i = 0; i < 5; ++i)

@@ -92,7 +92,8 @@ class Browser:
         self.events.clear()
         self.send("Emulation.setDeviceMetricsOverride",
                   {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 600})
-        self.send("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": "dark" if dark else "light"}]})
+        colours = {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}
+        self.send("Emulation.setEmulatedMedia", {"media": "", "features": [colours]})
         begin = time.monotonic()
         self.send("Page.navigate", {"url": "file://" + str(path)})
         while not self.value("document.getElementById('page')?.dataset.ready === 'yes'"):

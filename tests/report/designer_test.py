@@ -269,6 +269,21 @@ class Hands(Designer):
         told = json.loads(twum("curve", ROOT / "examples/motors/ring-60.yaml", "--speeds", f"{speed!r} rad/s", "--format", "json").stdout)
         self.assertAlmostEqual(told["curve"][0]["torque"], torque, delta=1e-9)
 
+    def test_the_load_does_not_cross_the_words_of_the_point_where_it_is_met(self):
+        self.explore("ring-60")
+        for rest, at100 in (("0.2 N.m", "0.5 N.m"), ("0.5 N.m", "0.5 N.m"), ("0 N.m", "0.8 N.m")):
+            with self.subTest(rest=rest, at100=at100):
+                self.browser.value(f"{PANEL}.limits.atRest.value = '{rest}'; {PANEL}.limits.at100.value = '{at100}'; {PANEL}.limits.at100.dispatchEvent(new Event('change'))")
+                self.rest()
+                # The middle of the text as it is drawn, its width, and the load at either end and in the middle [px of the canvas].
+                place, loads = self.browser.value(f"""new Promise((done) => {{ const {{ plot: u, unit }} = {PANEL}.charts[0]; const {{ load }} = {PANEL}.state.view;
+                    const own = u.ctx.fillText; u.ctx.fillText = (text, x, y) => {{ own.call(u.ctx, text, x, y); if (!/ at /.test(text)) return;
+                      const width = u.ctx.measureText(text).width; const torque = (px) => load.rest + load.rise * u.posToVal(px, 'x', true) * rpm;
+                      delete u.ctx.fillText; done([[x, y, width], [x, x + width / 2, x + width].map((px) => u.valToPos(torque(px) / unit.divisor, 'y', true))]); }};
+                    u.redraw(false); }})""")
+                for load in loads:
+                    self.assertGreater(abs(load - place[1]), 4)  # letters are 12 px high: half of those without ascenders
+
     def test_a_kept_metric_stays_while_another_parameter_gives_way(self):
         self.explore("ring-60")
         self.browser.value(f"{PANEL}.limits.kept.value = 'no_load_speed'; {PANEL}.limits.giving.value = 'amplitude'; {PANEL}.limits.toggleLock()")

@@ -41,8 +41,7 @@ class Order(Page):
                     self.assertLessEqual(max(gaps, default=0), 25)
 
     def test_paper_holds_the_page_in_dark_ink(self):
-        # Known fault: pages of sweeps are a tenth wider than A4 when they are printed.
-        for study in (name for name in self.STUDIES if not name.startswith("sweep")):
+        for study in self.STUDIES:
             with self.subTest(study):
                 self.open(self.result(study), width=PAPER, dark=True)
                 self.browser.send("Emulation.setEmulatedMedia", {"media": "print"})
@@ -53,8 +52,8 @@ class Order(Page):
                 self.assertLess(int(ink[1:3], 16), 64)  # red of the text
                 self.assertEqual(card, "#fff")
                 self.assertTrue(all(n > 8 for n in self.colours("main canvas")))
-                # Nothing to press is on paper.
-                self.assertEqual(self.browser.value("[...document.querySelectorAll('button')].filter((b) => b.getClientRects().length).length"), 0)
+                # Nothing to press is on paper; headings that sort a table are its words there.
+                self.assertEqual(self.browser.value("[...document.querySelectorAll('button')].filter((b) => b.getClientRects().length && !b.closest('th')).length"), 0)
                 self.browser.value("dispatchEvent(new Event('afterprint'))")
                 self.browser.send("Emulation.setEmulatedMedia", {"media": ""})
 

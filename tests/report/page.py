@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the tests of report pages share: results of the examples, and a page that is asked what it shows."""
+import functools
 import json
 import pathlib
 import subprocess
@@ -21,28 +22,38 @@ def twum(*arguments, **options):
     return done
 
 
+def scratch_folder(cleanup):
+    scratch = tempfile.TemporaryDirectory(prefix="twum-report-")
+    cleanup(scratch.cleanup)
+    return pathlib.Path(scratch.name)
+
+
+@functools.cache
+def shared_results():
+    return scratch_folder(unittest.addModuleCleanup)
+
+
+@functools.cache
+def shared_browser():
+    browser = Browser()
+    unittest.addModuleCleanup(browser.close)
+    return browser
+
+
 class Page(unittest.TestCase):
-    """One browser for all; results are made once for each study."""
+    """One browser and one result of each example for all tests of a module, a scratch folder for each class."""
 
     @classmethod
     def setUpClass(cls):
-        cls.scratch = tempfile.TemporaryDirectory(prefix="twum-report-")
-        cls.folder = pathlib.Path(cls.scratch.name)
-        cls.results = {}
-        cls.browser = Browser()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.close()
-        cls.scratch.cleanup()
+        cls.folder = scratch_folder(cls.addClassCleanup)
+        cls.browser = shared_browser()
 
     def result(self, name):
         """Result directory of an example."""
-        if name not in self.results:
-            directory = self.folder / name
+        directory = shared_results() / name
+        if not directory.exists():
             twum("run", ROOT / "examples/studies" / f"{name}.yaml", "-o", directory)
-            self.results[name] = directory
-        return self.results[name]
+        return directory
 
     def open(self, directory, **options):
         self.browser.open(directory / "report.html", **options)

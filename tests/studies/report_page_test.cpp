@@ -67,13 +67,15 @@ TEST_CASE("a folder without a result has no report", "[studies][report][errors]"
     }
     return "accepted";
   };
-  const std::string remedy =
-      "; complete the study with 'twum run STUDY -o " + folder.folder() + "'";
   CHECK(refused() ==
-        folder.folder() + ": holds no complete result: there is no study.yaml" + remedy);
+        folder.folder() +
+            ": no result directory: there is no study.yaml; give one that 'twum run' wrote");
   std::ofstream(folder.path("study.yaml")) << "twum: 1\n";
   CHECK(refused() ==
-        folder.folder() + ": holds no complete result: there is no summary.json" + remedy);
+        folder.folder() +
+            ": holds no complete result: there is no summary.json; complete the study with "
+            "'twum run STUDY -o " +
+            folder.folder() + "'");
 }
 
 TEST_CASE("a report is written beside its result, and again the same", "[studies][report]") {

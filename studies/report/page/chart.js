@@ -120,12 +120,16 @@ export function isInside(u, x, y) {
   return within(x, across) && within(y, up);
 }
 
-/** Dots with their texts; taken: boxes of labels that are there. */
-export function drawMarks(u, marks, taken = []) {
+/**
+ * Dots with their texts.
+ * @param {{left: number, right: number, y: number}[]} taken  boxes of labels that are there
+ * @param {number[][]} others  what is drawn besides the series, which labels keep off likewise [canvas pixels]
+ */
+export function drawMarks(u, marks, taken = [], others = []) {
   const ratio = devicePixelRatio;
   const ctx = u.ctx;
   const there = marks.filter((m) => isInside(u, m.x, m.y));
-  const points = there.some((m) => m.text) ? drawnPlaces(u) : [];
+  const points = there.some((m) => m.text) ? [...drawnPlaces(u), ...others] : [];
   ctx.save();
   ctx.beginPath();
   ctx.rect(u.bbox.left - 6 * ratio, u.bbox.top - 24 * ratio, u.bbox.width + 12 * ratio, u.bbox.height + 30 * ratio);

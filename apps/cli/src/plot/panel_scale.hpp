@@ -3,10 +3,11 @@
 
 #include "plot/chart.hpp"
 
+#include <twum/studies/statistics/extent.hpp>
 #include <twum/studies/units/engineering.hpp>
 
-#include <cmath>
-#include <limits>
+#include <cstddef>
+#include <string>
 #include <vector>
 
 /// How values become places and units of a panel; for chart.cpp and its texts.
@@ -22,17 +23,7 @@ struct Form {
 /// Static lifetime.
 const Form& form_of(Draw draw);
 
-/// The smallest and the largest of some values.
-struct Extent {
-  double low{std::numeric_limits<double>::infinity()};
-  double high{-std::numeric_limits<double>::infinity()};
-
-  void add(double value) {
-    if (!std::isfinite(value)) return;
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-};
+using studies::Extent;
 
 /// Where a panel stands [points from the top and the left of the page].
 struct Place {

@@ -25,14 +25,30 @@ std::vector<std::size_t> widths_of(const TextTable& table) {
   return widths;
 }
 
+// Where the word that begins there ends; a call such as "torque_at(80 rpm)" is one word.
+std::size_t end_of_word(const std::string& text, std::size_t begin) {
+  int inside = 0;
+  for (std::size_t i = begin; i < text.size(); ++i) {
+    if (text[i] == '(' && (inside > 0 || (i > begin && text[i - 1] != ' '))) ++inside;
+    if (text[i] == ')' && inside > 0) --inside;
+    if (text[i] == ' ' && inside == 0) return i;
+  }
+  return text.size();
+}
+
+// The word that begins there. A call that no line has room for is broken between its own words.
+std::string word_at(const std::string& text, std::size_t begin, std::size_t width) {
+  const std::string word = text.substr(begin, end_of_word(text, begin) - begin);
+  return width_of(word) <= width ? word : word.substr(0, word.find(' '));
+}
+
 // The text in lines of at most `width`, broken between words; never empty.
 std::vector<std::string> broken_lines(const std::string& text, std::size_t width) {
   if (width_of(text) <= width) return {text};
   std::vector<std::string> lines{""};
   for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
-    const std::string word = text.substr(begin, end - begin);
-    begin = end + 1;
+    const std::string word = word_at(text, begin, width);
+    begin += word.size() + 1;
     std::string& line = lines.back();
     if (line.empty())
       line = word;

@@ -199,12 +199,21 @@ export function drawRegions(u, shown, limits) {
   }
 }
 
+/** Places of the load across the plot, near enough to each other that no label falls between them [canvas pixels]. */
+function loadLine(u, shown, load) {
+  const {min, max} = u.scales.x;
+  return Array.from({length: 101}, (_, i) => {
+    const speed = min + ((max - min) * i) / 100;
+    const torque = load.rest + load.rise * speed * rpm;
+    return [u.valToPos(speed, 'x', true), u.valToPos(torque / shown.unit.divisor, 'y', true)];
+  });
+}
+
 /** The load and the point at which motor and load meet. */
 export function drawLoad(u, shown, load, point) {
   if (!(load.rest || load.rise)) return;
   const ctx = u.ctx;
-  const [a, b] = [u.scales.x.min, u.scales.x.max];
-  const y = (speed) => u.valToPos((load.rest + load.rise * speed * rpm) / shown.unit.divisor, 'y', true);
+  const line = loadLine(u, shown, load);
   ctx.save();
   ctx.beginPath();
   ctx.rect(u.bbox.left, u.bbox.top, u.bbox.width, u.bbox.height);
@@ -213,15 +222,10 @@ export function drawLoad(u, shown, load, point) {
   ctx.lineWidth = 2 * devicePixelRatio;
   ctx.setLineDash([8 * devicePixelRatio, 4 * devicePixelRatio]);
   ctx.beginPath();
-  ctx.moveTo(u.valToPos(a, 'x', true), y(a));
-  ctx.lineTo(u.valToPos(b, 'x', true), y(b));
+  for (const [x, y] of line) ctx.lineTo(x, y);
   ctx.stroke();
   ctx.restore();
-  if (point)
-    drawMarks(u, [{
-                x: point.speed / rpm,
-                y: point.torque / shown.unit.divisor,
-                colour: 'c6',
-                text: engineering(point.torque, 'N.m', 3) + ' at ' + engineering(point.speed, 'rad/s', 3)
-              }]);
+  if (!point) return;
+  const text = engineering(point.torque, 'N.m', 3) + ' at ' + engineering(point.speed, 'rad/s', 3);
+  drawMarks(u, [{x: point.speed / rpm, y: point.torque / shown.unit.divisor, colour: 'c6', text}], [], line);
 }

@@ -2,9 +2,10 @@
 #include "report/encode.hpp"
 #include "report/rows.hpp"
 
+#include <twum/studies/statistics/extent.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace twum::studies {
@@ -13,23 +14,12 @@ namespace {
 // A picture of 800 pixels has cells of eight: fine enough for a shape, and the counts of ten columns are 2 MB.
 constexpr std::size_t kCells = 100;
 
-struct Extent {
-  double low{std::numeric_limits<double>::infinity()};
-  double high{-std::numeric_limits<double>::infinity()};
-
-  void add(double value) {
-    if (!std::isfinite(value)) return;
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-
-  // The cell of a value, kCells where it has none. The highest value belongs to the last cell.
-  std::size_t cell(double value) const {
-    if (!std::isfinite(value) || !(low < high)) return kCells;
-    const double place = (value - low) / (high - low) * static_cast<double>(kCells);
-    return std::min(static_cast<std::size_t>(place), kCells - 1);
-  }
-};
+// The cell of a value, kCells where it has none. The highest value belongs to the last cell.
+std::size_t cell_of(double value, const Extent& side) {
+  if (!std::isfinite(value) || !(side.low < side.high)) return kCells;
+  const double place = (value - side.low) / (side.high - side.low) * static_cast<double>(kCells);
+  return std::min(static_cast<std::size_t>(place), kCells - 1);
+}
 
 std::vector<Extent> extents(const ResultStore& store) {
   std::vector<Extent> list(store.columns().size());
@@ -51,7 +41,7 @@ Json densities_json(const ResultStore& store) {
         counts[i * columns + j].assign(kCells * kCells, 0);
   std::vector<std::size_t> cells(columns);
   store.read([&](const StoredRow& row) {
-    for (std::size_t i = 0; i < columns; ++i) cells[i] = sides[i].cell(row.values[i]);
+    for (std::size_t i = 0; i < columns; ++i) cells[i] = cell_of(row.values[i], sides[i]);
     for (std::size_t i = 0; i < columns; ++i)
       for (std::size_t j = i + 1; j < columns; ++j)
         if (cells[i] < kCells && cells[j] < kCells)

@@ -25,8 +25,11 @@ const std::string& required_result(const std::string& directory) {
   std::error_code ignored;
   if (!fs::is_directory(directory, ignored))
     throw InputError(directory + ": no such directory; expected one that 'twum run' wrote");
-  for (const std::string_view name :
-       {ResultFolder::kStudy, ResultFolder::kSummary, ResultFolder::kDatabase}) {
+  if (!fs::exists(fs::path(directory) / ResultFolder::kStudy, ignored)) {
+    throw InputError(directory + ": no result directory: there is no " +
+                     std::string(ResultFolder::kStudy) + "; give one that 'twum run' wrote");
+  }
+  for (const std::string_view name : {ResultFolder::kSummary, ResultFolder::kDatabase}) {
     if (!fs::exists(fs::path(directory) / name, ignored)) {
       throw InputError(directory + ": holds no complete result: there is no " + std::string(name) +
                        "; complete the study with 'twum run STUDY -o " + directory + "'");
