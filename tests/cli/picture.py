@@ -21,10 +21,13 @@ class Picture:
                 if place:
                     self.texts.append(("".join(text.itertext()).strip(), float(place[1]), float(place[2])))
         self.lines = {}
+        self.pieces = {}  # of the same lines and of shorter ones, from gap to gap
         for element in root.iter(SVG + "path"):
-            points = [tuple(map(float, p)) for p in re.findall(r"[ML]\s*(-?[\d.]+),(-?[\d.]+)", element.get("d"))]
+            pieces = [[tuple(map(float, p)) for p in re.findall(r"(-?[\d.]+),(-?[\d.]+)", piece)] for piece in element.get("d").split("M")[1:]]
+            points = [point for piece in pieces for point in piece]
             if len(points) > 50:
                 self.lines.setdefault(element.get("stroke"), []).append(points)
+            self.pieces.setdefault(element.get("stroke"), []).extend(pieces)
 
         self.dots = {}
         for element in root.iter(SVG + "use"):

@@ -60,9 +60,22 @@ class Pictures(program.Case):
             for place, value in zip(places, values, strict=True):
                 self.assertAlmostEqual(share(place, places[low], places[high]), share(value, values[low], values[high]), delta=0.02 / size)
 
+    def assert_parallel(self, picture, columns):
+        """A line for each design, which crosses each axis where the value lies between the lowest and the highest."""
+        lines = [piece for piece in picture.pieces[BLUE] if len(piece) == len(columns)]
+        self.assertEqual(len(lines), len(columns[0]))
+        for k, values in enumerate(columns):
+            low, high = min(values), max(values)
+            # What differs by rounding alone stands in the middle of the page.
+            one = high - low <= 1e-6 * max(abs(low), abs(high))
+            self.assertEqual(len({line[k][1] for line in lines}), 1)
+            for line, value in zip(lines, values):
+                # From 30 to 690 points across the page, written with two decimals.
+                self.assertAlmostEqual(line[k][0], 30 + 660 * (0.5 if one else share(value, low, high)), delta=0.02 if not one else 0.1)
+
     def test_the_front_is_that_of_the_summary(self):
         pictures = self.drawn("pareto-torque-speed")
-        self.assertEqual(set(pictures), {"front", "along-the-front", "curves"})
+        self.assertEqual(set(pictures), {"front", "along-the-front", "parallel", "curves"})
         front = [point["metrics"] for point in self.summary["front"]]
         picture = pictures["front"]
         self.assert_places(picture.dots[BLUE], [p["stall_torque"] for p in front], [p["no_load_speed"] for p in front])
@@ -70,6 +83,9 @@ class Pictures(program.Case):
         preload = [point["design"]["preload"] for point in self.summary["front"]]
         count = len(preload)
         self.assert_places(pictures["along-the-front"].dots[BLUE][count:2 * count], [p["stall_torque"] for p in front], preload)
+        goals = [[point[goal["metric"]] for point in front] for goal in self.summary["objectives"]]
+        design = [[point["design"][name] for point in self.summary["front"]] for name in self.summary["front"][0]["design"]]
+        self.assert_parallel(pictures["parallel"], goals + design)
 
     def test_the_search_is_that_of_the_rows(self):
         pictures = self.drawn("optimize-ring-60")
@@ -129,7 +145,7 @@ class Pictures(program.Case):
 
     def test_a_map_has_a_cell_for_each_design(self):
         pictures = self.drawn("map", SWEEP % (RING, PRELOAD + ", " + AMPLITUDE))
-        self.assertEqual(set(pictures), {"map-stall_torque", "map-no_load_speed", "designs"})
+        self.assertEqual(set(pictures), {"map-stall_torque", "map-no_load_speed", "designs", "parallel"})
         cells = [box for boxes in pictures["map-stall_torque"].boxes.values() for box in boxes if box[1] - box[0] > 40 and box[3] - box[2] > 30]
         self.assertEqual(len(cells), 24)
         self.assert_places(pictures["designs"].dots[BLUE], self.columns["stall_torque"], self.columns["no_load_speed"])
@@ -140,10 +156,32 @@ class Pictures(program.Case):
         self.assertTrue({"preload [N]", "stall torque [N.m]", "no-load speed [rpm]"} <= set(picture.words()))
 
     def test_many_variables_are_shown_one_by_one(self):
-        picture = self.drawn("sweep-latin-hypercube")["designs-peak_power"]
+        pictures = self.drawn("sweep-latin-hypercube")
+        self.assert_parallel(pictures["parallel"], list(self.columns.values()))
+        picture = pictures["designs-peak_power"]
         count = len(self.columns["preload"])
         self.assertEqual(len(picture.dots[BLUE]), 5 * count)
         self.assert_places(picture.dots[BLUE][2 * count:3 * count], self.columns["preload"], self.columns["peak_power"])
+
+    def test_a_density_counts_every_design(self):
+        sweep = "twum: 1\nmotor: %s\nstudy: {kind: sweep, sampling: sobol, samples: 6000, metrics: [contact_ratio, max_pressure], variables: {%s}}\n"
+        ranges = "preload: {min: 60 N, max: 300 N}, amplitude: {min: 1 um, max: 2 um}"
+        picture = self.drawn("many", sweep % (RING, ranges))["designs"]
+        self.assertNotIn(BLUE, picture.dots)
+        self.assertIn("designs in a cell", picture.words())
+        boxes = [box for shade in picture.boxes.values() for box in shade if box[1] - box[0] < 40 and box[1] < 600]
+        left, right = min(b[0] for b in boxes), max(b[1] for b in boxes)
+        top, bottom = min(b[2] for b in boxes), max(b[3] for b in boxes)
+        (xs, ys) = self.columns["contact_ratio"], self.columns["max_pressure"]
+        place = lambda v, values, low, high: low + (high - low) * share(v, min(values), max(values))  # noqa: E731
+        for x, y in zip(xs[::20], ys[::20]):
+            across, up = place(x, xs, left, right), place(y, ys, bottom, top)
+            self.assertTrue(any(l - 0.02 <= across <= r + 0.02 and high - 0.02 <= up <= low + 0.02 for l, r, high, low in boxes), (x, y))
+        # Cells along either side for ten designs in each; those that hold a design are drawn.
+        n = int((6000 / 10) ** 0.5)
+        cells = {tuple(min(n - 1, int(n * share(v, min(values), max(values)))) for v, values in ((x, xs), (y, ys))) for x, y in zip(xs, ys)}
+        self.assertEqual(len(boxes), len(cells))
+        self.assertGreater(len(picture.boxes), 3)  # shades
 
     def test_a_calibration_shows_points_fit_and_residuals(self):
         pictures = self.drawn("calibrate")

@@ -77,7 +77,8 @@ std::string axes_of(const Scaled& s, bool labelled) {
   script += labelled ? "set format x '%g'\n" + horizontal_label(panel.x.name, s.x_unit)
                      : "set format x ''\nunset xlabel\n";
   if (panel.colours.name.empty()) return script;
-  return script + range_text("cb", s.value, s.value_unit.divisor) + "set cblabel " +
+  return script + (panel.colours.log ? "set" : "unset") + " logscale cb\n" +
+         range_text("cb", s.value, s.value_unit.divisor) + "set cblabel " +
          plot_text(panel.colours.name +
                    (s.value_unit.text.empty() ? "" : " [" + s.value_unit.text + "]")) +
          " noenhanced\nset palette defined (0 '#0B2F52', 0.35 '#0072B2', 0.7 '#8CC5E3', 1 "

@@ -41,6 +41,7 @@ struct Axis {
       std::numeric_limits<double>::quiet_NaN()};  ///< ends of the axis; NaN: those of the values
   double high{std::numeric_limits<double>::quiet_NaN()};
   std::vector<std::string> words{};  ///< what 0, 1, ... stand for, in place of numbers
+  bool log{false};                   ///< of colours: by powers of ten
 };
 
 /// A point with a text beside it.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plot/study/kinds.hpp"
+#include "plot/study/parallel.hpp"
 #include "plot/study/stored_rows.hpp"
 #include "plot/style.hpp"
 
@@ -108,6 +109,23 @@ void add_front(std::vector<Picture>& pictures, const FinishedStudy& study,
   pictures.push_back(picture_of("front" + pair, {study.title("the trade"), {panel}}));
 }
 
+// Goals of the points of a front, and what they are made of.
+Picture every_quantity_of(const FinishedStudy& study, const studies::ParetoResult& answer) {
+  std::vector<ParallelAxis> axes;
+  for (std::size_t k = 0; k < answer.goals.size(); ++k) {
+    axes.push_back({studies::plain_name(answer.goals[k].metric), answer.goals[k].unit, {}});
+    for (const studies::ParetoResult::Point& point : answer.front)
+      axes.back().values.push_back(point.goals[k]);
+  }
+  for (const NamedValue& variable : answer.front.front().report.design) {
+    axes.push_back({studies::plain_name(variable.name), variable.unit, {}});
+    for (const studies::ParetoResult::Point& point : answer.front)
+      axes.back().values.push_back(value_of(point.report.design, variable.name));
+  }
+  return parallel_picture("parallel", study.title("every quantity at once"), axes,
+                          shown_rows(answer.front.size()));
+}
+
 // What the designs are made of, over the first goal.
 void add_along(std::vector<Picture>& pictures, const FinishedStudy& study,
                const studies::ParetoResult& answer) {
@@ -147,6 +165,7 @@ std::vector<Picture> pictures_of(const FinishedStudy& study, const studies::Pare
     for (std::size_t l = k + 1; l < answer.goals.size(); ++l)
       add_front(pictures, study, answer, k, l);
   add_along(pictures, study, answer);
+  pictures.push_back(every_quantity_of(study, answer));
   std::set<std::size_t> shown(answer.ends.begin(), answer.ends.end());
   if (answer.has_knee()) shown.insert(answer.knee);
   std::vector<NamedMotor> motors;

@@ -7,13 +7,6 @@
 #include <algorithm>
 
 namespace twum::cli {
-namespace {
-
-// Points on some 600 by 200 pixels; more of them only make the file longer.
-constexpr std::size_t kMostPoints = 5000;
-
-}  // namespace
-
 std::optional<std::size_t> column_of(const studies::ResultStore& store, const std::string& name) {
   const std::vector<studies::StoredColumn>& columns = store.columns();
   for (std::size_t i = 0; i < columns.size(); ++i)
@@ -37,8 +30,8 @@ Axis axis_of(const studies::StoredColumn& column, double pad) {
   return {studies::plain_name(column.name), column.unit, false, pad};
 }
 
-std::vector<std::size_t> shown_rows(std::size_t count) {
-  const std::size_t every = std::max<std::size_t>(1, (count + kMostPoints - 1) / kMostPoints);
+std::vector<std::size_t> shown_rows(std::size_t count, std::size_t most) {
+  const std::size_t every = std::max<std::size_t>(1, (count + most - 1) / most);
   std::vector<std::size_t> rows;
   for (std::size_t first = 0; first < count; first += every) {
     const std::size_t group = std::min(every, count - first);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plot/study/kinds.hpp"
+#include "plot/study/parallel.hpp"
 #include "plot/study/stored_rows.hpp"
 #include "plot/style.hpp"
 
 #include <twum/studies/metrics/plain_name.hpp>
+#include <twum/studies/statistics/extent.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -70,12 +72,68 @@ Picture swept_map(const FinishedStudy& study, const studies::SweepResult& answer
                     {study.title("map of " + studies::plain_name(metric.column.name)), {panel}});
 }
 
+// Cells along either side of a density: some ten designs in each if they fill the picture, and at most as many as the page has.
+std::size_t density_cells(std::size_t designs) {
+  return std::clamp<std::size_t>(
+      static_cast<std::size_t>(std::sqrt(static_cast<double>(designs) / 10)), 20, 100);
+}
+
+// Place of a value among n cells between two ends; the highest value belongs to the last cell.
+std::size_t cell_of(double value, const studies::Extent& side, std::size_t n) {
+  const double place = (value - side.low) / (side.high - side.low) * static_cast<double>(n);
+  return std::min(static_cast<std::size_t>(place), n - 1);
+}
+
+// How many designs lie in each cell that has any, as rows of Draw::cells.
+std::vector<std::vector<double>> counted_cells(const std::vector<double>& x,
+                                               const std::vector<double>& y,
+                                               const studies::Extent& across,
+                                               const studies::Extent& up) {
+  const std::size_t n = density_cells(x.size());
+  std::map<std::pair<std::size_t, std::size_t>, double> counts;
+  for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i)
+    if (std::isfinite(x[i]) && std::isfinite(y[i]))
+      ++counts[{cell_of(x[i], across, n), cell_of(y[i], up, n)}];
+  const auto edge = [&](const studies::Extent& side, std::size_t i) {
+    return std::lerp(side.low, side.high, static_cast<double>(i) / static_cast<double>(n));
+  };
+  std::vector<std::vector<double>> rows;
+  for (const auto& [cell, count] : counts)
+    rows.push_back({edge(across, cell.first), edge(across, cell.first + 1), edge(up, cell.second),
+                    edge(up, cell.second + 1), count});
+  return rows;
+}
+
+// Designs as points; more than can be told apart as a density, which counts them all.
 Panel scatter(const StoredColumn& across, const StoredColumn& up, const std::vector<double>& x,
               const std::vector<double>& y) {
   Panel panel{axis_of(across, 0.03), axis_of(up, 0.06), {{"", Draw::dots, colour::kBlue, {}}}};
+  studies::Extent sides[2];
+  for (const double value : x) sides[0].add(value);
+  for (const double value : y) sides[1].add(value);
+  if (x.size() > kMostPoints && sides[0].low < sides[0].high && sides[1].low < sides[1].high) {
+    panel.series = {{"", Draw::cells, "", counted_cells(x, y, sides[0], sides[1])}};
+    panel.colours = {"designs in a cell", "1"};
+    studies::Extent counts;
+    for (const std::vector<double>& cell : panel.series.front().rows) counts.add(cell[4]);
+    panel.colours.log = counts.high > 100;  // counts over several powers of ten
+    return panel;
+  }
   for (const std::size_t i : shown_rows(std::min(x.size(), y.size())))
     panel.series.front().rows.push_back({x[i], y[i]});
   return panel;
+}
+
+// Every quantity of the designs at once.
+Picture every_quantity(const FinishedStudy& study) {
+  constexpr std::size_t kMostLines = 1500;  // more would be one grey block
+  std::vector<ParallelAxis> axes;
+  for (std::size_t i = 0; i < study.store.columns().size(); ++i) {
+    const StoredColumn& column = study.store.columns()[i];
+    axes.push_back({studies::plain_name(column.name), column.unit, column_values(study.store, i)});
+  }
+  return parallel_picture("parallel", study.title("every quantity at once"), axes,
+                          shown_rows(axes.front().values.size(), kMostLines));
 }
 
 // Of many variables, one metric over each of them.
@@ -109,6 +167,7 @@ std::vector<Picture> pictures_of(const FinishedStudy& study, const studies::Swee
                                               {scatter(a, b, column_values(study.store, a),
                                                        column_values(study.store, b))}}));
   }
+  pictures.push_back(every_quantity(study));
   return pictures;
 }
 
