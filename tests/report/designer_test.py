@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The page of twum explore in a real browser: designer_test.py TWUM"""
+"""The page of twum explore in a real browser, and its panel in reports: designer_test.py TWUM"""
 import json
 import pathlib
 import re
@@ -7,37 +7,11 @@ import sys
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
-from page import ROOT, RPM, Page, main, twum  # noqa: E402
+from designer_page import PANEL, Designer  # noqa: E402
+from page import ROOT, main, twum  # noqa: E402
 
 MOTORS = sorted(path.stem for path in (ROOT / "examples/motors").glob("*.yaml"))
 HOSTILE = "</script><script>window.hacked=1</script><img src=x onerror=hacked=1> \"quoted\" 'single' 電動機 محرك µ " + "long " * 40
-PANEL = "document.getElementById('page').panel"
-
-
-class Designer(Page):
-    def explore(self, name, motor=None, **options):
-        """Opens the page of an example, or of another motor file, and waits until everything has been computed."""
-        page = self.folder / f"{name}.html"
-        if not page.exists():
-            twum("explore", motor or ROOT / "examples/motors" / f"{name}.yaml", "-o", page)
-        self.browser.open(page, **options)
-        self.rest()
-        return page
-
-    def rest(self):
-        """Waits until the page has nothing left to compute."""
-        until = time.monotonic() + 60
-        while not self.browser.value(f"(p => !p || (p.waiting === null && !p.changed))({PANEL})"):
-            self.assertLess(time.monotonic(), until, "the page does not come to rest")
-            time.sleep(0.02)
-
-    def quiet(self, page):
-        self.assertEqual(self.browser.complaints(), [])
-        self.assertEqual([u for u in self.browser.requests() if not u.startswith(("blob:", "data:"))], ["file://" + str(page)])
-
-    def set(self, name, value):
-        self.browser.value(f"{PANEL}.setValue({json.dumps(name)}, {value!r}); true")
-        self.browser.settle()
 
 
 class Looks(Designer):
@@ -213,153 +187,6 @@ class Sizing(Designer):
         best = json.loads((self.folder / "sized/summary.json").read_text())["best"]["design"]["preload"]
         # The study keeps a limit to a millionth; preload grows with pressure no faster than to its power of 3/2.
         self.assertAlmostEqual(best, by_hand, delta=2e-6 * by_hand)
-
-
-class Hands(Designer):
-    def test_a_slider_moves_the_motor_and_steps_back(self):
-        self.explore("ring-60")
-        stall = f"{PANEL}.metrics.stall_torque.value"
-        before = self.browser.value(stall)
-        self.browser.value("(s => { s.value = 900; s.dispatchEvent(new Event('input', {bubbles: true})); s.value = 950; s.dispatchEvent(new Event('input', {bubbles: true})); s.dispatchEvent(new Event('change', {bubbles: true})); })(document.querySelector('[data-parameter=preload] input[type=range]'))")
-        self.browser.settle()
-        preload = self.browser.value(f"{PANEL}.state.motor.values.preload")
-        self.assertGreater(preload, 300)
-        # mu F_N r at rest, where the whole contact slips one way (theory section 8), to rounding.
-        self.assertAlmostEqual(self.browser.value(stall), 0.2 * 0.0265 * preload, delta=1e-12)
-        self.browser.value(f"{PANEL}.stepTo('back')")
-        self.browser.settle()
-        self.assertEqual(self.browser.value(stall), before)
-        self.browser.value(f"{PANEL}.stepTo('forth')")
-        self.browser.settle()
-        self.assertEqual(self.browser.value(f"{PANEL}.state.motor.values.preload"), preload)
-
-    def test_a_typed_number_takes_its_unit_and_a_wrong_one_is_refused(self):
-        self.explore("ring-60")
-        field = "document.querySelector('[data-parameter=thickness] .exact')"
-        for text, value in (("0.25 mm", 0.00025), ("200", 0.0002), ("180 µm", 0.00018), ("0,3 mm", 0.0003)):
-            self.browser.value(f"{field}.value = {json.dumps(text)}; {field}.dispatchEvent(new Event('change'))")
-            self.browser.settle()
-            self.assertEqual(self.browser.value(f"{PANEL}.state.motor.values.thickness"), value)
-        self.browser.value(f"{field}.value = '3 N'; {field}.dispatchEvent(new Event('change'))")
-        self.assertIn("3 N has the unit N that this page does not know here", self.text("[data-parameter=thickness] .wrong"))
-        self.browser.value(f"{field}.value = '-3 mm'; {field}.dispatchEvent(new Event('change'))")
-        self.browser.settle()
-        self.assertIn("thickness must be at least", self.text(".say"))
-
-    def test_effects_beside_the_sliders_are_what_a_small_step_does(self):
-        self.explore("ring-60")
-        effects = self.browser.value("Object.fromEntries([...document.querySelectorAll('.row[data-parameter]')].map(r => [r.dataset.parameter, r.querySelector('.effect').textContent]))")
-        base = self.browser.value(f"{PANEL}.metrics.peak_power.value")
-        for name in ("amplitude", "preload", "thickness", "kinetic_friction", "contact_radius"):
-            value = self.browser.value(f"{PANEL}.state.motor.values.{name}")
-            self.set(name, value * 1.001)
-            moved = self.browser.value(f"{PANEL}.metrics.peak_power.value")
-            self.set(name, value)
-            shown = float(effects[name].replace("\u2212", "-").rstrip(" %"))
-            # A one-sided step of 0.1 % misses by half of the curvature of some percent; the page rounds to 0.01.
-            self.assertAlmostEqual((moved / base - 1) / 0.001, shown, delta=0.012, msg=name)
-
-    def test_a_load_is_met_where_the_curve_crosses_it(self):
-        self.explore("ring-60")
-        self.browser.value(f"{PANEL}.limits.atRest.value = '0.2 N.m'; {PANEL}.limits.at100.value = '0.5 N.m'; {PANEL}.limits.at100.dispatchEvent(new Event('change'))")
-        self.browser.settle()
-        self.rest()
-        speed, torque = self.browser.value(f"(m => [m.speed, m.torque])({PANEL}.meeting)")
-        self.assertAlmostEqual(torque, 0.2 + 0.3 * speed / (100 * RPM), delta=1e-9)
-        told = json.loads(twum("curve", ROOT / "examples/motors/ring-60.yaml", "--speeds", f"{speed!r} rad/s", "--format", "json").stdout)
-        self.assertAlmostEqual(told["curve"][0]["torque"], torque, delta=1e-9)
-
-    def test_the_load_does_not_cross_the_words_of_the_point_where_it_is_met(self):
-        self.explore("ring-60")
-        for rest, at100 in (("0.2 N.m", "0.5 N.m"), ("0.5 N.m", "0.5 N.m"), ("0 N.m", "0.8 N.m")):
-            with self.subTest(rest=rest, at100=at100):
-                self.browser.value(f"{PANEL}.limits.atRest.value = '{rest}'; {PANEL}.limits.at100.value = '{at100}'; {PANEL}.limits.at100.dispatchEvent(new Event('change'))")
-                self.rest()
-                # The middle of the text as it is drawn, its width, and the load at either end and in the middle [px of the canvas].
-                place, loads = self.browser.value(f"""new Promise((done) => {{ const {{ plot: u, unit }} = {PANEL}.charts[0]; const {{ load }} = {PANEL}.state.view;
-                    const own = u.ctx.fillText; u.ctx.fillText = (text, x, y) => {{ own.call(u.ctx, text, x, y); if (!/ at /.test(text)) return;
-                      const width = u.ctx.measureText(text).width; const torque = (px) => load.rest + load.rise * u.posToVal(px, 'x', true) * rpm;
-                      delete u.ctx.fillText; done([[x, y, width], [x, x + width / 2, x + width].map((px) => u.valToPos(torque(px) / unit.divisor, 'y', true))]); }};
-                    u.redraw(false); }})""")
-                for load in loads:
-                    self.assertGreater(abs(load - place[1]), 4)  # letters are 12 px high: half of those without ascenders
-
-    def test_a_kept_metric_stays_while_another_parameter_gives_way(self):
-        self.explore("ring-60")
-        self.browser.value(f"{PANEL}.limits.kept.value = 'no_load_speed'; {PANEL}.limits.giving.value = 'amplitude'; {PANEL}.limits.toggleLock()")
-        self.browser.settle()
-        before = self.browser.value(f"{PANEL}.metrics.no_load_speed.value")
-        self.set("preload", 200)
-        after, amplitude = self.browser.value(f"[{PANEL}.metrics.no_load_speed.value, {PANEL}.state.motor.values.amplitude]")
-        self.assertAlmostEqual(after, before, delta=2e-9 * before)  # twice what the solver is asked for
-        self.assertNotEqual(amplitude, 1.6e-6)
-
-    def test_the_address_brings_the_motor_back(self):
-        page = self.explore("ring-60")
-        self.set("preload", 123.5)
-        self.set("kinetic_friction", 0.25)
-        self.browser.value(f"{PANEL}.state.view.limits.push({{metric: 'stall_torque', argument: 'none', at: 0, sense: '>=', value: 0.5}}); {PANEL}.changed = true")
-        time.sleep(0.5)
-        self.rest()
-        hash_ = self.browser.value("location.hash")
-        before = self.browser.value(f"{PANEL}.state.snapshot()")
-        self.browser.open(str(page) + hash_)
-        self.rest()
-        self.assertEqual(json.loads(self.browser.value(f"{PANEL}.state.snapshot()"))["motor"], json.loads(before)["motor"])
-        self.assertEqual(self.lines(".limits li span"), ["stall torque at least 500 mN·m"])
-
-    def test_a_wide_contact_takes_one_slice_while_a_slider_moves_and_all_at_rest(self):
-        self.explore("ring-60")
-        self.set("radial_slices", 0)
-        self.rest()
-        whole = self.browser.value(f"{PANEL}.metrics.peak_power.value")
-        self.browser.value(f"{PANEL}.setValue('preload', 160.5, 'drag'); true")
-        self.browser.settle()
-        self.assertIn("one slice while the slider moves", self.text("[data-fields]"))
-        self.assertEqual(self.browser.value("document.getElementById('page').dataset.sketch"), "yes")
-        took = self.browser.value(f"""new Promise(done => {{ const p = {PANEL}; p.setValue('preload', 160, 'drag'); p.settled(); const begin = performance.now();
-            const look = () => (p.waiting !== null || p.changed || p.sketch ? setTimeout(look, 1) : done(performance.now() - begin)); setTimeout(look, 30); }})""")
-        print(f"ring-60 with all slices, derivatives and notes after {took:.0f} ms of rest")
-        self.assertNotIn("one slice", self.text("[data-fields]"))
-        self.assertEqual(self.browser.value(f"{PANEL}.metrics.peak_power.value"), whole)
-        told = json.loads(twum("curve", ROOT / "examples/motors/ring-60.yaml", "--set", "radial_slices=auto", "--points", 2, "--format", "json").stdout)
-        self.assertAlmostEqual(whole, told["metrics"]["peak_power"], delta=1e-9 * whole)
-
-    def test_keys_move_the_speed(self):
-        self.explore("ring-60")
-        self.browser.value("document.querySelector('[data-chart=torque]').focus()")
-        self.browser.key("Home")
-        self.assertRegex(self.text("[data-fields]"), "^at 0 rpm")
-        self.browser.key("ArrowRight")
-        self.assertNotRegex(self.text("[data-fields]"), "^at 0 rpm")
-
-    def test_measured_points_are_read_with_their_units(self):
-        self.explore("ring-60")
-        points = self.browser.value("readPoints('speed [rpm],torque [mN.m]\\n60,500\\n,1\\n# note\\n120,100\\n', %s.tables)" % PANEL)
-        self.assertEqual(len(points), 2)
-        self.assertAlmostEqual(points[0]["speed"], 60 * RPM, delta=1e-12)
-        self.assertEqual(points[0]["torque"], 0.5)
-
-
-class Pace(Designer):
-    def work(self, name, parameter, low, high):
-        """Frames of two seconds in which a slider moves, and what the page works in each of them [ms], in rising order."""
-        self.explore(name)
-        return sorted(self.browser.value(f"""new Promise(done => {{
-            const p = {PANEL}; const times = []; const begin = performance.now();
-            const step = (now) => {{ const share = (now - begin) / 2000; times.push(p.times.frame);
-              if (share >= 1) {{ p.settled(); done(times.slice(5)); return; }}
-              p.setValue('{parameter}', {low} + ({high} - {low}) * share, 'drag'); requestAnimationFrame(step); }};
-            requestAnimationFrame(step); }})"""))
-
-    def test_curve_fields_and_numbers_follow_a_slider_within_a_frame(self):
-        # Headless, without a graphics card, while other tests run beside this one: the median shows what the page works for
-        # itself. 60 frames a second leave 16.7 ms.
-        for name, parameter, low, high in (("ring-60", "amplitude", 1.2e-6, 2e-6), ("ring-30", "preload", 20, 30), ("drive-60", "voltage", 118, 150)):
-            with self.subTest(name):
-                times = self.work(name, parameter, low, high)
-                print(f"{name}: {len(times)} frames in 2 s, work of one {times[len(times) // 2]:.1f} ms (median), {times[int(0.95 * len(times))]:.1f} ms (95 %)")
-                self.assertLess(times[len(times) // 2], 16.7)
 
 
 class InReports(Designer):

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The panel: what a person moves goes to the core, and what the core says is drawn, once a frame.
 
-import {drawMarks, keyStep} from '../chart.js';
-import {el, legend} from '../dom.js';
+import {keyStep} from '../chart.js';
+import {el} from '../dom.js';
 import {capital, shortName} from '../names.js';
-import {engineering, percent, rpm} from '../units.js';
+import {engineering, percent} from '../units.js';
 
-import {drawLoad, drawRegions, LiveChart} from './charts.js';
 import {ParameterRow, partTitles, Tiles} from './controls.js';
 import {CoreError} from './core.js';
 import {LimitsEditor, meetingPoint, showBroken, solveLock} from './limits.js';
+import {motorCharts, zoneLegend} from './motor_charts.js';
 import {SectionView} from './section.js';
 import {DesignState} from './state.js';
 import {designerTools} from './tools.js';
@@ -76,71 +76,13 @@ export class DesignerPanel {
   }
 
   buildCharts(torque, power, efficiency, wave, traction, velocity, section) {
-    const {view} = this.state;
-    this.charts = [
-      new LiveChart(
-          torque, {
-            name: 'torque',
-            unit: 'N.m',
-            height: 300,
-            lines: [{column: 'torque', name: 'torque', colour: 'c0'}],
-            ground: (u, shown) => shown.curve && drawRegions(u, shown, this.state.view.limits),
-            front: (u, shown) => this.drawOnTorque(u, shown)
-          },
-          this),
-      new LiveChart(
-          power, {
-            name: 'power',
-            unit: 'W',
-            height: 240,
-            lines: [
-              {column: 'output_power', name: 'output', colour: 'c0'},
-              {column: 'friction_power', name: 'friction loss', colour: 'c1'},
-              {column: 'layer_loss', name: 'layer loss', colour: 'c2'},
-              {column: 'stator_loss', name: 'stator loss', colour: 'c3'}
-            ]
-          },
-          this),
-      new LiveChart(
-          efficiency, {
-            name: 'efficiency',
-            unit: '%',
-            top: 100,
-            height: 240,
-            lines: [
-              {column: 'efficiency', name: 'motor', colour: 'c0'},
-              {column: 'contact_efficiency', name: 'contact', colour: 'c1'},
-              {column: 'overall_efficiency', name: 'at the terminals', colour: 'c3'}
-            ]
-          },
-          this),
-    ];
-    power.prepend(legend([
-      {name: 'output', colour: 'c0'}, {name: 'friction loss', colour: 'c1'}, {name: 'layer loss', colour: 'c2'},
-      {name: 'stator loss', colour: 'c3'}
-    ]));
-    const efficiencies = legend([
-      {name: 'motor', colour: 'c0'}, {name: 'contact alone', colour: 'c1'}, {name: 'at the terminals', colour: 'c3'}
-    ]);
-    this.ofTerminals = efficiencies.lastElementChild;
-    efficiency.prepend(efficiencies);
-    torque.prepend(legend([
-      {name: 'torque', colour: 'c0'}, {name: 'load', colour: 'c6', kind: 'dash'},
-      {name: 'pinned motor: thin dashes', colour: 'soft', kind: 'dash'}
-    ]));
+    const {charts, ofTerminals} = motorCharts(this, torque, power, efficiency);
+    this.charts = charts;
+    this.ofTerminals = ofTerminals;
     this.wave = new WaveView(wave);
     this.fields = new FieldsView([traction, velocity]);
     this.section = new SectionView(section);
-    this.limits.show(view);
-  }
-
-  drawOnTorque(u, shown) {
-    const {load} = this.state.view;
-    drawLoad(u, shown, load, this.meeting);
-    if (this.measured)
-      drawMarks(
-          u,
-          this.measured.map((p) => ({x: p.speed / rpm, y: p.torque / shown.unit.divisor, colour: 'c1', small: true})));
+    this.limits.show(this.state.view);
   }
 
   goalChoice() {
@@ -438,14 +380,4 @@ export class DesignerPanel {
         ': ' + words.join(', ') + (this.sketch ? ' (one slice while the slider moves)' : ''));
     for (const one of this.charts) one.plot.redraw(false);
   }
-}
-
-function zoneLegend() {
-  return legend([
-    {name: 'slip+: the stator drives', colour: 'slip-plus', kind: 'area'},
-    {name: 'stick', colour: 'stick', kind: 'area'},
-    {name: 'slip-: the stator brakes', colour: 'slip-minus', kind: 'area'},
-    {name: 'friction bound', colour: 'soft', kind: 'dash'}, {name: 'stator', colour: 'c0'},
-    {name: 'layer', colour: 'c1', kind: 'dash'}
-  ]);
 }
