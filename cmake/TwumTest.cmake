@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-# twum_test(NAME SOURCES ... [LIBRARIES ...] [RAPIDCHECK] [LABELS ...] [TIMEOUT SECONDS])
+# twum_test(NAME SOURCES ... [LIBRARIES ...] [RAPIDCHECK] [LABELS ...] [TIMEOUT SECONDS] [COST SECONDS] [RECORDS]
+#   [PRECOMPILED HEADER... | PRECOMPILED_AS OTHER])
 #
 # Makes the Catch2 program NAME_tests and one ctest for each of its test cases, named "NAME.case".
 #
 #  - LIBRARIES  what it links besides Catch2 (with its main) and the project's compile flags.
 #  - RAPIDCHECK links rapidcheck and its Catch2 glue; the seed is fixed, failures print it.
+#  - COST: seconds of its longest cases; ctest begins with what takes longest.
+#  - RECORDS: what its cases record of deviations goes to ${TWUM_DEVIATIONS}, for house.validation.
+#  - PRECOMPILED: headers besides Catch2's, if TWUM_PRECOMPILE; PRECOMPILED_AS takes those of another test.
 #  - A test case tagged [.long] is hidden from ctest; scripts/test-long.sh runs it.
 #  - `#include "support/x.hpp"` finds tests/support/x.hpp.
 #  - The sources may use TWUM_SOURCE_DIR and TWUM_TEST_DATA (tests/data), both string literals.
@@ -17,9 +21,12 @@ find_program(TWUM_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH)
 find_program(TWUM_PYTHON NAMES python3 REQUIRED)
 
 function(twum_test name)
-  cmake_parse_arguments(ARG "RAPIDCHECK" "TIMEOUT" "SOURCES;LIBRARIES;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "RAPIDCHECK;RECORDS" "TIMEOUT;COST;PRECOMPILED_AS" "SOURCES;LIBRARIES;LABELS;PRECOMPILED" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)
+  endif()
+  if(NOT ARG_COST)
+    set(ARG_COST 0)
   endif()
   set(target ${name}_tests)
   add_executable(${target} ${ARG_SOURCES})
@@ -33,13 +40,32 @@ function(twum_test name)
     target_link_libraries(${target} PRIVATE rapidcheck rapidcheck_catch)
   endif()
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
-  if(TWUM_PRECOMPILE)
-    target_precompile_headers(${target} PRIVATE <catch2/catch.hpp>)
+  if(TWUM_PRECOMPILE AND ARG_PRECOMPILED_AS)
+    target_precompile_headers(${target} REUSE_FROM ${ARG_PRECOMPILED_AS}_tests)
+  elseif(TWUM_PRECOMPILE)
+    target_precompile_headers(${target} PRIVATE <catch2/catch.hpp> ${ARG_PRECOMPILED})
   endif()
   # -w NoTests: a name that matches nothing is a failure, not a silent pass.
-  catch_discover_tests(${target}
-    TEST_PREFIX "${name}."
-    EXTRA_ARGS -w NoTests
-    PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${name};${ARG_LABELS}" ENVIRONMENT "RC_PARAMS=seed=42")
+  catch_discover_tests(${target} TEST_PREFIX "${name}." EXTRA_ARGS -w NoTests)
+  set(labels ${name} ${ARG_LABELS})
+  twum_case_properties(${target} "${labels}" ${ARG_TIMEOUT} ${ARG_COST} "${ARG_RECORDS}")
   set_property(GLOBAL APPEND PROPERTY TWUM_TEST_PROGRAMS $<TARGET_FILE:${target}>)
+endfunction()
+
+# Properties of the cases of a program, which ctest sets once it knows them: those that catch_discover_tests passes on cannot be lists.
+function(twum_case_properties target labels timeout cost records)
+  set(environment "RC_PARAMS=seed=42")
+  set(fixtures "")
+  if(records)
+    list(APPEND environment "TWUM_DEVIATIONS=${TWUM_DEVIATIONS}")
+    set(fixtures "FIXTURES_REQUIRED no_deviations FIXTURES_SETUP deviations")
+  endif()
+  set(file ${CMAKE_CURRENT_BINARY_DIR}/${target}_properties.cmake)
+  file(CONFIGURE OUTPUT ${file} @ONLY CONTENT [[
+if(@target@_TESTS)
+  set_tests_properties(${@target@_TESTS} PROPERTIES
+    LABELS "@labels@" TIMEOUT @timeout@ COST @cost@ ENVIRONMENT "@environment@" @fixtures@)
+endif()
+]])
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${file})
 endfunction()

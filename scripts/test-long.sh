@@ -9,7 +9,7 @@
 # Exits with an error if a step failed.
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-all_steps=(cases properties validation kill stop damage no-ipopt no-gsl mpi shared asan tsan valgrind coverage clang fuzz package lint)
+all_steps=(cases properties kill stop damage no-ipopt no-gsl mpi shared asan tsan valgrind coverage clang fuzz package lint)
 
 build() {  # PRESET [CMAKE ARGUMENT...]
   configure "$@" && cmake --build --preset "$1" -j "$(jobs)"
@@ -33,11 +33,6 @@ step_properties() {
   build ci && while read -r program; do
     RC_PARAMS="seed=$seed max_success=1000" "$program" || return 1
   done <build/ci/test_programs.txt
-}
-
-# Every number of docs/validation.md, those of slow cases included.
-step_validation() {
-  build ci && tests/validation/validation_page.py build/ci/tests/bin/core_tests --all
 }
 
 # Kills each example study at 50 random moments; its results must be those of a run in peace.

@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """docs/validation.md from the deviations that the core's tests record.
 
-    validation_page.py CORE_TESTS            compares the page with a run of all but the slow cases
-    validation_page.py CORE_TESTS --all      with a run of the slow ones too
+    validation_page.py --recorded FILE       compares the page with what the tests have recorded
+    validation_page.py CORE_TESTS            with a run of the tests
     validation_page.py CORE_TESTS --update   makes the page
 
-In page.md.in a line "@ RECORD | TEXT" is a row, "@*" one of a slow case, "@@" the head of the table. Each record of
+In page.md.in a line "@ RECORD | TEXT" is a row, "@@" the head of the table. Each record of
 tests/support/deviations.hpp has exactly one row. A row holds if its tolerance is the same, the number of comparisons
 agrees to 5 % and the deviation within a factor of 10 (or both are below 2e-15): rounding differs from machine to machine.
 """
@@ -39,19 +39,21 @@ def rounded_up(value):
     return f"{digit}e{exponent}" if exponent < -2 else f"{digit * 10.0**exponent:g}"
 
 
-def records_of(program, slow):
-    """Runs the tests; what they recorded, cases that run several times put together."""
+def run_of(program, path):
+    """Runs the tests, which append to this file what they record."""
+    done = subprocess.run([program, "~[long]"], capture_output=True, text=True,
+                          env=os.environ | {"TWUM_DEVIATIONS": str(path), "RC_PARAMS": "seed=42"})
+    if done.returncode:
+        sys.exit(f"validation_page.py: {program} fails\n{done.stdout[-2000:]}{done.stderr}")
+
+
+def records_of(path):
+    """What the tests recorded, cases that run several times put together."""
     found = {}
-    with tempfile.TemporaryDirectory() as folder:
-        path = pathlib.Path(folder) / "deviations.csv"
-        done = subprocess.run([program, "~[long]" if slow else "~[slow]~[long]"], capture_output=True, text=True,
-                              env=os.environ | {"TWUM_DEVIATIONS": str(path), "RC_PARAMS": "seed=42"})
-        if done.returncode:
-            sys.exit(f"validation_page.py: {program} fails\n{done.stdout[-2000:]}{done.stderr}")
-        for line in path.read_text(encoding="utf-8").splitlines():
-            name, largest, allowed, count = line.rsplit(",", 3)
-            before = found.get(name, Record(0.0, 0.0, 0))
-            found[name] = Record(max(before.largest, float(largest)), float(allowed), before.count + int(count))
+    for line in path.read_text(encoding="utf-8").splitlines():
+        name, largest, allowed, count = line.rsplit(",", 3)
+        before = found.get(name, Record(0.0, 0.0, 0))
+        found[name] = Record(max(before.largest, float(largest)), float(allowed), before.count + int(count))
     return found
 
 
@@ -72,24 +74,19 @@ def same(found, shown):
     return max(x, y) <= ROUNDING or max(x, y) <= 10 * min(x, y)
 
 
-def page(records, shown):
-    """The page's lines: rows from the records, those of slow cases that did not run from the page shown."""
-    known = {line.strip("|").split("|")[0].strip(): line for line in shown if line.startswith("|")}
+def page(records):
+    """The page's lines."""
     lines, used = [], set()
     for line in TEMPLATE.read_text(encoding="utf-8").splitlines():
-        entry = re.fullmatch(r"@(\*?) (.+?) \| (.+)", line)
+        entry = re.fullmatch(r"@ (.+?) \| (.+)", line)
         if line == "@@":
             lines += HEAD.split("\n")
         elif entry:
-            slow, name, text = entry.groups()
-            text += " *" if slow else ""
-            used.add(name)
-            if name in records:
-                lines.append(row(records[name], text))
-            elif slow and text in known:
-                lines.append(known[text])
-            else:
+            name, text = entry.groups()
+            if name not in records:
                 sys.exit(f"validation_page.py: no record of '{name}'")
+            used.add(name)
+            lines.append(row(records[name], text))
         else:
             lines.append(line)
     if set(records) - used:
@@ -99,15 +96,19 @@ def page(records, shown):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program", help="the program core_tests")
-    parser.add_argument("--all", action="store_true", help="slow cases too")
+    parser.add_argument("program", nargs="?", help="the program core_tests")
+    parser.add_argument("--recorded", type=pathlib.Path, metavar="FILE", help="what its cases have recorded")
     parser.add_argument("--update", action="store_true", help="write the page")
     arguments = parser.parse_args()
-    shown = PAGE.read_text(encoding="utf-8").splitlines() if PAGE.exists() else []
-    lines = page(records_of(arguments.program, arguments.all or arguments.update), shown)
+    with tempfile.TemporaryDirectory() as folder:
+        recorded = arguments.recorded or pathlib.Path(folder) / "deviations.csv"
+        if arguments.program:
+            run_of(arguments.program, recorded)
+        lines = page(records_of(recorded))
     if arguments.update:
         PAGE.write_text("\n".join(lines) + "\n", encoding="utf-8")
         return
+    shown = PAGE.read_text(encoding="utf-8").splitlines()
     wrong = [f"docs/validation.md: found   {a}\n                    shown   {b}" for a, b in zip(lines, shown)
              if a != b and not (a.startswith("|") and b.startswith("|") and same(a, b))]
     if len(lines) != len(shown):
