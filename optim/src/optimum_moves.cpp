@@ -20,6 +20,11 @@ struct NoMoves {
   std::string reason;
 };
 
+// Beyond such a limit the optimum would move, and before it not: there are two derivatives.
+std::string without_force(const std::string& met) {
+  return met + " but does not restrict the optimum (multiplier 0)";
+}
+
 // Step of the differences, relative to a range or a held value. Truncation (the square of the step) and rounding over
 // the step are both about 1e-8.
 constexpr double kDifference = 1e-4;
@@ -44,7 +49,7 @@ class Sensitivity {
         variables_(static_cast<Index>(at.size() - held)),
         count_(static_cast<Index>(at.size())),
         sign_(problem.objectives.front().sense == Sense::maximize ? -1.0 : 1.0) {
-    if (!certificate.passed) throw NoMoves{"the design is no certified optimum"};
+    if (!certificate.passed) throw NoMoves{"the design is not a certified optimum"};
     refuse(certificate.findings);
     choose(certificate.limits);
     size_.resize(count_);
@@ -120,9 +125,10 @@ class Sensitivity {
     } catch (const EvaluationError& error) {
       found.failure = error.reason();
     }
-    if (!found.ok()) throw NoMoves{"a design next to it cannot be evaluated: " + found.failure};
+    if (!found.ok()) throw NoMoves{"a neighbouring design cannot be evaluated: " + found.failure};
     for (const KinkedEntry& kink : found.kinks)
-      if (counts(kink.response)) throw NoMoves{"a derivative jumps at it or next to it"};
+      if (counts(kink.response))
+        throw NoMoves{"the objective or an active limit has a kink at the optimum"};
     const auto row = [&](std::size_t response) {
       return Eigen::Map<const Eigen::VectorXd>(found.jacobian.data() + response * at.size(), count_)
           .cwiseProduct(size_)
@@ -132,7 +138,7 @@ class Sensitivity {
     for (std::size_t i = 0; i < rows_.size(); ++i)
       result.active.row(static_cast<Index>(i)) = row(1 + rows_[i]).transpose();
     if (!result.objective.allFinite() || !result.active.allFinite())
-      throw NoMoves{"a derivative does not exist at it or next to it"};
+      throw NoMoves{"the objective or an active limit has no derivative at the optimum"};
     return result;
   }
 
@@ -151,7 +157,7 @@ class Sensitivity {
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(a * inverse.asDiagonal());
     qr.setThreshold(1e-8);
     if (qr.rank() < a.cols())
-      throw NoMoves{"the gradients of the limits that are met are dependent"};
+      throw NoMoves{"the gradients of the active limits are linearly dependent"};
     multipliers_ = qr.solve(here_.objective(free_).matrix()).cwiseProduct(inverse);
   }
 
@@ -182,7 +188,8 @@ class Sensitivity {
     const double value = at_[index(k)];
     if (k >= variables_) return kDifference * size_[k];
     const double h = std::min({kDifference * size_[k], value - v.lower, v.upper - value});
-    if (h < kLeastStep * size_[k]) throw NoMoves{v.name + " is at an end of its range by chance"};
+    if (h < kLeastStep * size_[k])
+      throw NoMoves{without_force(v.name + " is at an end of its range")};
     return h;
   }
 
@@ -193,13 +200,13 @@ class Sensitivity {
     const Eigen::VectorXd pull = lagrangian(here_);
     for (const Index k : bound_)
       if (std::abs(pull[k]) <= kStrict * size)
-        throw NoMoves{name(k) + " is at an end of its range that does not hold it"};
+        throw NoMoves{without_force(name(k) + " is at an end of its range")};
     for (Index i = 0; i < multipliers_.size(); ++i) {
       const std::size_t row = rows_[index(i)];
       const double weight = std::abs(multipliers_[i]) * here_.active.row(i)(free_).norm();
       const Constraint& limit = problem_.constraints[row];
       if (limit.lower != limit.upper && weight <= kStrict * size)
-        throw NoMoves{"the limit " + limit.name + " is met but does not hold the design back"};
+        throw NoMoves{without_force("the limit " + limit.name + " is met exactly")};
     }
   }
 
@@ -215,7 +222,7 @@ class Sensitivity {
     if (z.cols() == 0) return;
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(z.transpose() * hessian * z);
     if (eigen.eigenvalues()[0] <= kNoCurvature * hessian.cwiseAbs().maxCoeff())
-      throw NoMoves{"the objective is flat along some change of the design, to second order"};
+      throw NoMoves{"the objective is flat in some direction of the variables, to second order"};
   }
 
   // Also the derivatives of the optimal objective by the held numbers, which are those of the Lagrangian.

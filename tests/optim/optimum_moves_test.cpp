@@ -179,7 +179,7 @@ TEST_CASE("where the optimum has no derivative the reason is said", "[optim][mov
     Certificate none;
     CHECK_THAT(
         optimum_moves(posed.problem(true), std::vector<double>{0, 0, 1, 0.5}, 2, none).reason,
-        Contains("no certified optimum"));
+        Contains("not a certified optimum"));
   }
   SECTION("a kink") {
     Posed posed = nearest();

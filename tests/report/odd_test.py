@@ -173,11 +173,11 @@ class Calibration(Study):
 
 
 class Moves(Study):
-    def test_an_optimum_says_how_it_moves(self):
-        summary = self.study("moves", "kind: size, variables: {preload: {min: 60 N, max: 300 N}}, duty: [{torque: 0.5 N.m, speed: 20 rpm}]")
+    def test_an_optimum_says_how_it_changes_with_what_is_fixed(self):
+        self.study("moves", "kind: size, variables: {preload: {min: 60 N, max: 300 N}}, duty: [{torque: 0.5 N.m, speed: 20 rpm}]")
         row = next(row for row in self.lines("[data-table=moves] tr") if "kinetic friction" in row)
         # Torque is mu F r: 1 % more friction takes 1 % less preload.
-        self.assertIn("%.4g N" % (0.99 * summary["best"]["design"]["preload"]), row)
+        self.assertIn("-1 %", row)
 
 
 class TwoLimits(Study):

@@ -142,7 +142,7 @@ function correlationTable() {
   return node;
 }
 
-/** What to measure next, and the widths of the intervals after it in parts of those now. */
+/** What to measure next, and the widths of the intervals after it, relative to the present widths. */
 function planTable() {
   const names = Object.keys(summary.estimates).filter((n) => n in summary.plan[0].widths);
   const lines = summary.plan.map((p) => [readingText(p), percent(p.mean), ...names.map((n) => percent(p.widths[n]))]);
@@ -180,8 +180,8 @@ function pointsCard(torques) {
 function planCard() {
   if (!(summary.plan || []).length) return;
   const first = !summary.data.length;
-  const text = 'The measurement that narrows the intervals most comes first; widths are those after it, in parts of ' +
-      (first ? 'the ranges.' : 'those now.');
+  const text = 'The measurement that narrows the intervals most comes first; widths are those after it, relative to ' +
+      (first ? 'the ranges.' : 'the present widths.');
   card(first ? 'The first measurements' : 'The next measurements', text, 'wide').append(planTable());
 }
 

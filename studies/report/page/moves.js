@@ -1,30 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
-// How an answer moves with the parameters that it holds fixed.
+// How an answer changes with the parameters that it holds fixed.
 
 import {summary, unitOf} from './data.js';
 import {card} from './dom.js';
-import {named, quantity, table} from './table.js';
+import {named, quantity, table, words} from './table.js';
+import {engineering, noBreak, rounded} from './units.js';
 import {plain} from './words.js';
 
-/**
- * What the answer would be, were a parameter that is held fixed 1 % larger. `value` gives the numbers of the answer by
- * their names.
- */
+const title = 'How the answer changes if a fixed parameter is 1 % larger';
+
+/** "-1 %", to hundredths of a percent; the change itself of a number that is 0. */
+function change(by, from, unit) {
+  if (by === null) return words('-');
+  const percent = Math.round(1e4 * by / from) / 100;
+  const text = from === 0 ? engineering(by, unit, 3) : rounded(percent, 6) + noBreak + '%';
+  return {text: (by > 0 && percent !== 0 ? '+' : '') + text, value: by, unit};
+}
+
+/** The changes to first order; `value` gives the numbers of the answer by their names. */
 export function movesCard(value) {
   const moves = Object.entries(summary.moves || {});
   if (!moves.length) {
     if (summary.moves_missing)
-      card(
-          'With other values of what is held fixed',
-          'How the optimum moves cannot be said: ' + summary.moves_missing + '.', 'wide');
+      card(title, 'How the optimum changes with a fixed parameter is unknown: ' + summary.moves_missing + '.', 'wide');
     return;
   }
   const names = Object.keys(moves[0][1].slopes);
   const line = ([held, {value: at, unit, slopes}]) =>
-      [named(held), quantity(1.01 * at, unit),
-       ...names.map((n) => quantity(value(n) + 0.01 * at * slopes[n], unitOf(n)))];
-  card(
-      'With other values of what is held fixed',
-      'Each row has one parameter 1 % larger, the rest as it is, and the answer found anew.', 'wide')
-      .append(table('moves', ['held fixed', 'if it were', ...names.map(plain)], moves.map(line)));
+      [named(held), quantity(at, unit),
+       ...names.map((n) => change(slopes[n] === null ? null : 0.01 * at * slopes[n], value(n), unitOf(n)))];
+  const now = [words('(answer now)'), '', ...names.map((n) => quantity(value(n), unitOf(n)))];
+  card(title, 'Each row has one parameter 1 % larger, the others as they are, and the answer found again.', 'wide')
+      .append(table('moves', ['fixed parameter', 'value', ...names.map(plain)], [now, ...moves.map(line)]));
 }

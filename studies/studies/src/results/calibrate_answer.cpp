@@ -295,7 +295,7 @@ std::string optima_table(const CalibrateResult& result) {
     const bool answer = &optimum == &result.optima.front();
     table.rows.back().emplace_back(answer ? "" : optimum.fits_as_well ? "fits as well" : "");
   }
-  return "\n" + aligned(table);
+  return "\n" + aligned(table, kSummaryWidth);
 }
 
 }  // namespace

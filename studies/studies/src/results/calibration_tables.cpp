@@ -58,23 +58,22 @@ std::string plan_rows(const CalibrateResult& result, const char* heading) {
     table.rows.push_back({reading_words(planned.point), shown(planned.mean)});
     for (const double width : planned.widths) table.rows.back().push_back(shown(width));
   }
-  return aligned(table);
+  return aligned(table, kSummaryWidth);
 }
 
 }  // namespace
 
 std::string plan_table(const CalibrateResult& result) {
   if (result.plan.empty()) return {};
-  return "\nThe next measurements, and the widths of the intervals after each, in parts of those "
-         "now\n\n" +
+  return "\nThe next measurements; widths of the intervals after each, relative to the present "
+         "ones\n\n" +
          plan_rows(result, "measure next");
 }
 
 std::string first_plan_words(const CalibrateResult& result) {
   if (result.plan.empty()) return "No measurement can be planned: the motor has no value at any.\n";
   std::string text =
-      "The first measurements, and the widths of the intervals after each, in parts of the "
-      "ranges\n\n" +
+      "The first measurements; widths of the intervals after each, relative to the ranges\n\n" +
       plan_rows(result, "measure") + "\nPlanned for the motor with";
   const char* comma = " ";
   for (const CalibrateResult::Estimate& e : result.estimates) {

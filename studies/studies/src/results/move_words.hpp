@@ -15,8 +15,8 @@ namespace twum::studies {
 /// @param answer  the numbers that move, in the order of the slopes
 Json moves_json(const std::vector<NamedValue>& answer, const std::vector<Move>& moves);
 
-/// What the numbers of the answer would be, were held parameters 1 % larger: those that count most, and one of them in words.
-/// Empty where none counts.
+/// By how much the numbers of the answer change if a held parameter is 1 % larger: a row for each of those that count most, and
+/// one of them in words. Numbers that do not change are named below the table. Empty where no parameter counts.
 /// @param chosen  how many of the numbers, from the first, are values of parameters
 /// @param word    what these are: "best"
 std::string moves_table(const std::vector<NamedValue>& answer, const std::vector<Move>& moves,

@@ -209,8 +209,7 @@ std::string answer_text(const OptimizeResult& result) {
   text += finding_words(result.best.certificate) + solver_words(result) +
           moves_table(result.moving, result.moves, chosen_count(result), "best");
   if (!result.unmoved.empty())
-    text +=
-        "How the optimum moves with what is held fixed cannot be said: " + result.unmoved + ".\n";
+    text += "How the optimum changes with a fixed parameter is unknown: " + result.unmoved + ".\n";
   return text;
 }
 

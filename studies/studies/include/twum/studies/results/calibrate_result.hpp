@@ -113,10 +113,11 @@ struct CalibrateResult {
 
   /// A measurement worth making next, and what the estimates would be like after it and those before it in the plan.
   struct Planned {
-    Point point;                 ///< what to read, and where; without values
-    std::vector<double> widths;  ///< of the intervals, in parts of those now, for each parameter
-    double volume{1};            ///< of the joint region of the estimates, likewise
-    double mean{1};  ///< root of the mean square of the widths in parts of the ranges, likewise
+    Point point;  ///< what to read, and where; without values
+    std::vector<double>
+        widths;        ///< of the intervals relative to the present ones, for each parameter
+    double volume{1};  ///< of the joint region of the estimates, likewise
+    double mean{1};    ///< root of the mean square of the widths in parts of the ranges, likewise
   };
 
   /// One local fit.
