@@ -379,7 +379,8 @@ TEST_CASE("wrong columns of measurements are refused with place and remedy",
   const Pair pairs[] = {
       {"no_load_speed [rpm]\n140\n", "ok"},
       {"speed [rpm],torque [N.m],electrical_power_at [W]\n10,1,2\n",
-       "several kinds need; add the column"},
+       "points.csv:1:13: torque: no standard deviation, which data of several kinds need; add the "
+       "column 'torque_sd'"},
       {"speed [rpm],torque,torque_sd,no_load_speed,no_load_speed_sd\n10,1,0.1,,\n20,,,15,1\n",
        "ok"},
       {"speed,torque,torque_sd,no_load_speed,no_load_speed_sd\n10,1,0.1,,\n20,,,15,\n",
@@ -414,4 +415,12 @@ TEST_CASE("wrong columns of measurements are refused with place and remedy",
       make_kind(one.file("speed,torque\n1,1\n")),
       Contains("points.csv:1:7: torque: no standard deviation, on which 'scatter: stated' "
                "stands; add the column 'torque_sd', or leave out 'scatter'"));
+  one.more = "starts: 1";
+  StudyFile two = one.file("speed,torque,torque_sd\n1,0.8,0.1\n");
+  std::ofstream(one.folder.path("other.csv")) << "# bench 2\nspeed,torque\n2,0.8\n";
+  std::get<CalibrateStudy>(two.asked).data = {"points.csv", "other.csv"};
+  CHECK_THROWS_WITH(
+      make_kind(two),
+      Contains("other.csv:2:7: torque: no standard deviation, which data of tables of which some "
+               "give them need; add the column 'torque_sd'"));
 }

@@ -271,17 +271,10 @@ MeasuredPoints joined(std::vector<MeasuredPoints> files) {
   }
   const bool alike = one_kind(all.points);
   if (files.size() == 1 && alike) return all;
-  const auto bare = std::find_if(all.points.begin(), all.points.end(),
-                                 [](const MeasuredPoint& point) { return point.deviation == 0; });
-  const bool none = std::all_of(all.points.begin(), all.points.end(),
-                                [](const MeasuredPoint& point) { return point.deviation == 0; });
-  if (none && alike) return all;
-  if (bare != all.points.end()) {
-    const std::string name(name_of(bare->reading));
-    throw InputError(name + " has no standard deviation, which data of " +
-                     (alike ? "files that give some" : "several kinds") +
-                     " need; add the column '" + (name == "torque_at" ? "torque" : name) + "_sd'");
-  }
+  const auto bare = std::count_if(all.points.begin(), all.points.end(),
+                                  [](const MeasuredPoint& point) { return point.deviation == 0; });
+  if (alike && bare == std::ssize(all.points)) return all;
+  if (bare != 0) throw InputError("measured points: some have no standard deviation");
   for (MeasuredPoint& point : all.points) point.weight = 1 / (point.deviation * point.deviation);
   double sum = 0;
   for (const MeasuredPoint& point : all.points) sum += point.weight;

@@ -57,8 +57,9 @@ std::string column_name(const Reading& reading) {
   return name == "torque_at" ? "torque" : name;
 }
 
-// Refuses `scatter: stated` if standard deviations are missing; one error for each column without them.
-void refuse_bare(const MeasuredPoints& table, Diagnostics& diagnostics) {
+// One place for each column without standard deviations.
+void refuse_bare(const MeasuredPoints& table, const std::string& need, const std::string& instead,
+                 Diagnostics& diagnostics) {
   std::vector<std::string_view> said;
   for (const MeasuredPoint& point : table.points) {
     const std::string_view quantity = name_of(point.reading);
@@ -66,8 +67,8 @@ void refuse_bare(const MeasuredPoints& table, Diagnostics& diagnostics) {
       continue;
     said.push_back(quantity);
     const std::string name = column_name(point.reading);
-    diagnostics.add(point.heading, name, "no standard deviation, on which 'scatter: stated' stands",
-                    "add the column '" + name + "_sd', or leave out 'scatter'");
+    diagnostics.add(point.heading, name, "no standard deviation, " + need,
+                    "add the column '" + name + "_sd'" + instead);
   }
 }
 
@@ -104,7 +105,9 @@ MeasuredPoints checked_table(const CalibrateStudy& asked, const std::string& pat
   const Source source = read_source(path);
   Diagnostics diagnostics(source);
   refuse_set(table, asked, diagnostics);
-  if (asked.scatter == Scatter::stated) refuse_bare(table, diagnostics);
+  if (asked.scatter == Scatter::stated)
+    refuse_bare(table, "on which 'scatter: stated' stands", ", or leave out 'scatter'",
+                diagnostics);
   if (asked.scatter == Scatter::by_column) refuse_short(table, asked.variables.size(), diagnostics);
   diagnostics.throw_if_any();
   return table;
@@ -139,21 +142,45 @@ std::vector<std::size_t> columns_of(const std::vector<MeasuredPoint>& points) {
   return columns;
 }
 
+// Numbers of several kinds are weighed by their standard deviations, and so are those of tables of which some give them.
+void require_deviations(const std::vector<MeasuredPoints>& tables,
+                        const std::vector<std::string>& paths) {
+  bool alike = true;
+  bool given = false;
+  for (const MeasuredPoints& table : tables) {
+    for (const MeasuredPoint& point : table.points) {
+      alike = alike && same_kind(point.reading, tables.front().points.front().reading);
+      given = given || point.deviation > 0;
+    }
+  }
+  if (alike && !given) return;
+  const std::string need = std::string("which data of ") +
+                           (alike ? "tables of which some give them" : "several kinds") + " need";
+  for (std::size_t k = 0; k < tables.size(); ++k) {
+    const Source source = read_source(paths[k]);
+    Diagnostics diagnostics(source);
+    refuse_bare(tables[k], need, "", diagnostics);
+    diagnostics.throw_if_any();
+  }
+}
+
 }  // namespace
 
 AskedFit asked_fit(const CalibrateStudy& asked, const StudyFile& file) {
   std::vector<MeasuredPoints> tables;
-  std::string paths;
+  std::vector<std::string> paths;
+  std::string names;
   for (const std::string& name : asked.data) {
-    const std::string path = (std::filesystem::path(file.folder) / name).string();
-    paths += (paths.empty() ? "" : ", ") + path;
-    tables.push_back(checked_table(asked, path));
+    paths.push_back((std::filesystem::path(file.folder) / name).string());
+    names += (names.empty() ? "" : ", ") + paths.back();
+    tables.push_back(checked_table(asked, paths.back()));
     if (asked.scatter == Scatter::by_column) give_sizes(tables.back().points);
   }
+  require_deviations(tables, paths);
   MeasuredPoints table = joined(std::move(tables));
   std::vector<MeasuredPoint>& points = table.points;
   if (points.size() < asked.variables.size())
-    throw InputError(paths + ": " + counted(points.size(), "point") + " cannot determine " +
+    throw InputError(names + ": " + counted(points.size(), "point") + " cannot determine " +
                      counted(asked.variables.size(), "parameter") +
                      "; measure more points or estimate fewer parameters");
   std::vector<std::string> notes = unit_notes(table);
