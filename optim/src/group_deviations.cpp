@@ -3,6 +3,7 @@
 
 #include <twum/base/error.hpp>
 
+#include "fit_rounds.hpp"
 #include "fitted_space.hpp"
 
 #include <Eigen/Core>
@@ -24,13 +25,13 @@ class GroupedFit {
   }
 
   GroupDeviations run() {
-    constexpr int kMostRounds = 60;
-    for (int round = 0; round < kMostRounds; ++round) {
+    bool done = false;
+    for (int round = 0; round < kMostRounds && !done; ++round) {
       step();
-      const bool over = options_.max_evaluations <= counters_.evaluations;
-      if (result_.fit.estimates.empty() || over || options_.stop.stop_requested()) break;
-      if (settled()) break;
+      if (result_.fit.estimates.empty() || cut_short(options_, counters_)) break;
+      done = settled();
     }
+    if (!done) leave_unsettled(options_, counters_, result_.fit);
     result_.fit.counters = counters_;
     return result_;
   }

@@ -2,6 +2,7 @@
 // Fits under Huber's loss: local fits of softened residuals, in turn with the scale of the residuals.
 #include "huber_fit.hpp"
 
+#include "fit_rounds.hpp"
 #include "fit_statistics.hpp"
 
 #include <Eigen/Core>
@@ -49,16 +50,16 @@ class HuberFit {
  private:
   // Scale and parameters in turn lower one function that is convex where the residuals are linear (Huber 1981, chapter 7).
   void alternate() {
-    constexpr int kMostRounds = 60;
     constexpr double kSettled = 1e-10;
     for (int round = 0; round < kMostRounds && !fit_.estimates.empty(); ++round) {
       const double before = scale_;
       scale_ = scale_here();
       const bool settled = std::abs(scale_ - before) <= kSettled * scale_;
-      if (scale_ == 0.0 || settled || options_.stop.stop_requested()) return;
-      if (options_.max_evaluations <= counters_.evaluations) return;
+      if (scale_ == 0.0 || settled) return;
+      if (cut_short(options_, counters_)) break;
       step();
     }
+    leave_unsettled(options_, counters_, fit_);
   }
 
   // A scale far below the scatter about the fit would count nothing but signs.

@@ -189,6 +189,25 @@ TEST_CASE("starts that end in different places are told apart", "[studies][calib
   CHECK(calibration({fit}, {{}, {}}).outcome == "failed");
 }
 
+TEST_CASE("a fit whose columns have no settled scatter is not called fitted",
+          "[studies][calibrate]") {
+  Case one;
+  const MeasuredFit fit(one.design(), {{Parameter::kinetic_friction, 0.05, 0.5}},
+                        {torque_point(1, 0.8), torque_point(2, 0.8), torque_point(3, 0.8)});
+  optim::LeastSquaresResult best;
+  best.outcome = optim::Outcome::optimal;
+  best.estimates = {{"kinetic_friction", 0.189, 0.001, 0.187, 0.191, false}};
+  best.correlation = {1};
+  best.degrees_of_freedom = 2;
+  CHECK(calibration({fit}, {best}).outcome == "fitted");
+  CalibrationAsked asked{fit};
+  asked.unsettled = "it went round and round";
+  const KindAnswer answer = calibration(asked, {best});
+  CHECK(answer.outcome == "feasible");
+  CHECK_THAT(answer_text(std::get<CalibrateResult>(answer.answer)),
+             Contains("stopped short of the least residuals: it went round and round."));
+}
+
 TEST_CASE("threads and interruptions do not change a calibration",
           "[studies][calibrate][determinism]") {
   Case one;

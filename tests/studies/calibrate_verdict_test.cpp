@@ -148,7 +148,7 @@ TEST_CASE(
   Case one;
   one.variables = "kinetic_friction: {min: 0.05, max: 0.5}, amplitude: {min: 1.61 um, max: 2.2 um}";
   const Run run(
-      one.file(points_of(one.design(), 40e-3)));  // the wave is 1.6 um, less than the range has
+      one.file(points_of(one.design(), 20e-3)));  // the wave is 1.6 um, less than the range has
   CHECK_FALSE(run.result().poor());
   CHECK(run.result().estimates[1].bound == CalibrateResult::Bound::min);
   CHECK(run.answer.outcome == "undetermined");

@@ -12,7 +12,8 @@ namespace twum::optim {
 /// What a fit says of residuals in groups, each with a standard deviation of its own.
 struct GroupDeviations {
   std::vector<double> deviations;  ///< of the groups, in units of the residuals
-  LeastSquaresResult fit;          ///< of the residuals in parts of these; its scatter is 1
+  /// Of the residuals relative to these; its scatter is 1. Not optimal where parameters and deviations have not settled.
+  LeastSquaresResult fit;
   /// Comparable among fits from different starts: the logarithm of the geometric mean of the deviations, each counted by the
   /// degrees of freedom of its group. The least fits best.
   double level{0.0};
@@ -26,7 +27,7 @@ struct GroupDeviations {
 Residuals in_deviations(Residuals raw, std::span<const std::size_t> groups,
                         std::span<const double> deviations);
 
-/// Estimates parameters and the deviation of each group of residuals in turn until both stay (L9.1). A group that a fit can go
+/// Estimates parameters and the deviation of each group of residuals in turn until both stay (L9.1), for 60 rounds at most. A group that a fit can go
 /// through has no scatter to estimate: each needs more residuals than there are parameters.
 /// @param groups   number of the group of each residual, from 0
 /// @param options  with the loss of squares and no known deviation

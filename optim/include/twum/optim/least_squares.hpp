@@ -71,7 +71,8 @@ struct Direction {
 
 /// What a fit has found.
 struct LeastSquaresResult {
-  Outcome outcome{Outcome::failed};   ///< optimal: the gradient test passes
+  /// optimal: the gradient test passes, and a scatter that is estimated in turn with the parameters has settled
+  Outcome outcome{Outcome::failed};
   std::vector<Estimate> estimates;    ///< in the order of the parameters
   std::vector<double> correlation;    ///< parameters x parameters; NaN where undetermined
   std::vector<double> covariance;     ///< likewise; 0 for parameters held by a bound
@@ -116,7 +117,7 @@ const std::vector<SolverInfo>& least_squares_solvers();
 /// The residuals should be smooth in the parameters. Local: other starts may find other optima. Safe from
 /// any number of threads if the residuals are. Cost: one evaluation a step, and m n^2 operations for m
 /// residuals of n parameters. Under Huber's loss parameters and scatter are estimated in turn, about ten fits; covariance and
-/// intervals are those of (L8.3).
+/// intervals are those of (L8.3). If they do not settle in 60 rounds the outcome is feasible, and the word says so.
 /// @throws InputError for an unknown solver or one that this build lacks, for no parameters, names missing or twice, fewer residuals than free
 ///         parameters, a start without a value
 LeastSquaresResult least_squares(const std::vector<Variable>& parameters,

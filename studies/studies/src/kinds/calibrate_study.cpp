@@ -109,7 +109,7 @@ class CalibrateRun final : public StudyKindRun {
       if (better.empty() || context.stop.stop_requested()) break;
       fits.push_back(one_fit(context, stage++, better, teller));
     }
-    return calibration({fit, tables_, confidence_, columns_}, fits, found);
+    return calibration({fit, tables_, confidence_, columns_, unsettled_}, fits, found);
   }
 
   std::optional<StoredRow> recompute(const StoredRow& asked) const override {
@@ -188,6 +188,7 @@ class CalibrateRun final : public StudyKindRun {
       least = one.level;
       freedom_ = one.freedom;
       deviations_ = one.deviations;
+      unsettled_ = one.fit.outcome == optim::Outcome::optimal ? "" : one.fit.word;
     }
   }
 
@@ -303,6 +304,7 @@ class CalibrateRun final : public StudyKindRun {
   double confidence_;
   std::vector<double> deviations_;                            // of the columns, once they are known
   double freedom_{std::numeric_limits<double>::quiet_NaN()};  // that these are known to
+  std::string unsettled_;                                     // why they are not settled
   bool stated_;  // the intervals stand on the standard deviations of the data
 };
 

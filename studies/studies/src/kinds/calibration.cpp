@@ -25,7 +25,7 @@ bool as_good(double a, double b, const MeasuredFit& fit) {
 class Calibration {
  public:
   Calibration(const CalibrationAsked& asked, const std::vector<LeastSquaresResult>& fits)
-      : fit_(asked.fit), fits_(fits) {
+      : fit_(asked.fit), fits_(fits), unsettled_(asked.unsettled) {
     result_.confidence = asked.confidence;
     for (const LeastSquaresResult& one : fits_) result_.starts.push_back(start_of(one));
     result_.unit = fit_.unit();
@@ -56,7 +56,8 @@ class Calibration {
     const bool ended = best.outcome == Outcome::optimal || best.outcome == Outcome::feasible;
     if (ended) result_.moves = moves_of(fit_, best);
     if (ended) result_.plan = measurement_plan(fit_, best);
-    std::string outcome = outcome_of(best);
+    result_.unfinished = best.outcome == Outcome::optimal ? unsettled_ : best.word;
+    std::string outcome = outcome_of(best.outcome);
     return {std::move(outcome), std::move(result_)};
   }
 
@@ -77,10 +78,12 @@ class Calibration {
   }
 
   // The least sum of squares is not yet a fit; and a search that stopped short of it says so only where it would be one.
-  std::string outcome_of(const LeastSquaresResult& best) const {
+  std::string outcome_of(Outcome search) const {
     const std::string verdict = result_.verdict();
-    const bool doubted = best.outcome == Outcome::feasible && verdict != "fitted";
-    return best.outcome == Outcome::optimal || doubted ? verdict : optim::to_string(best.outcome);
+    if (search == Outcome::optimal && result_.unfinished.empty()) return verdict;
+    if (search == Outcome::optimal || search == Outcome::feasible)
+      return verdict == "fitted" ? optim::to_string(Outcome::feasible) : verdict;
+    return optim::to_string(search);
   }
 
   CalibrateResult::Start start_of(const LeastSquaresResult& one) const {
@@ -264,7 +267,7 @@ class Calibration {
     double sum = 0;
     for (const CalibrateResult::Point& point : result_.data)
       if (point.counts) sum += std::pow(point.residual / point.deviation, 2);
-    const std::size_t freedom = result_.chi_square_freedom();
+    const std::size_t freedom = result_.counting_freedom();
     if (freedom == 0) return;
     result_.chi_square = sum;
     result_.chi_square_p = chi_square_tail(sum, freedom);
@@ -341,6 +344,7 @@ class Calibration {
 
   const MeasuredFit& fit_;
   const std::vector<LeastSquaresResult>& fits_;
+  std::string unsettled_;
   CalibrateResult result_;
 };
 

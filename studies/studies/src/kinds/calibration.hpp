@@ -17,7 +17,8 @@ struct CalibrationAsked {
   std::vector<std::string> tables{};  ///< of the measurements, without folders
   double confidence{0.95};            ///< level of the intervals
   std::vector<std::size_t>
-      columns{};  ///< as AskedFit::columns; the fit is in parts of their deviations
+      columns{};            ///< as AskedFit::columns; the fit is in parts of their deviations
+  std::string unsettled{};  ///< why these deviations are not settled; empty: they are
 };
 
 /// A measured point as a result shows it; fitted and residual are NaN.

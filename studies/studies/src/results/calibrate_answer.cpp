@@ -69,6 +69,7 @@ Json correlation_json(const CalibrateResult& result) {
 
 Json tests_json(const CalibrateResult& result) {
   Json json{{"exact", result.exact}, {"poor", result.poor()}};
+  json["unfinished"] = result.unfinished.empty() ? Json(nullptr) : Json(result.unfinished);
   json["runs"] = nullptr;
   json["chi_square"] = nullptr;
   if (result.runs)
@@ -76,7 +77,7 @@ Json tests_json(const CalibrateResult& result) {
         {"count", result.runs->count}, {"runs", result.runs->runs}, {"p", result.runs->p}};
   if (result.chi_square)
     json["chi_square"] = {{"value", *result.chi_square},
-                          {"degrees_of_freedom", result.chi_square_freedom()},
+                          {"degrees_of_freedom", result.counting_freedom()},
                           {"p", result.chi_square_p}};
   return json;
 }
@@ -269,7 +270,7 @@ std::string test_words(const CalibrateResult& result) {
   if (result.chi_square) {
     text += "Scatter against the standard deviations given: chi-square " +
             rounded_text(*result.chi_square, 4) + " with " +
-            counted(result.chi_square_freedom(), "degree") +
+            counted(result.counting_freedom(), "degree") +
             " of freedom, p = " + rounded_text(result.chi_square_p, 2) + "\n";
   }
   if (result.runs) {

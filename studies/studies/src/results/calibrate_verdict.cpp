@@ -8,26 +8,32 @@ namespace twum::studies {
 
 namespace {
 
+// Part of the largest value that is noticed.
+constexpr double kNoticeable = 0.02;
+
+double largest(const std::vector<CalibrateResult::Point>& data, const std::string& quantity) {
+  double size = 0;
+  for (const auto& point : data)
+    if (point.quantity == quantity) size = std::max(size, std::fabs(point.value));
+  return size;
+}
+
 // Of numbers of several kinds the standard deviations are the measure; there is no largest one.
 double part_of_largest(double rms, const std::vector<CalibrateResult::Point>& data) {
-  double largest = 0;
-  for (const auto& point : data) {
-    if (point.quantity != data.front().quantity) return 0;
-    largest = std::max(largest, std::fabs(point.value));
-  }
-  return largest > 0 && rms > 0 ? rms / largest : 0;
+  const bool mixed = std::any_of(data.begin(), data.end(), [&](const auto& point) {
+    return point.quantity != data.front().quantity;
+  });
+  const double size = data.empty() || mixed ? 0 : largest(data, data.front().quantity);
+  return size > 0 && rms > 0 ? rms / size : 0;
 }
 
 }  // namespace
 
 double CalibrateResult::misfit() const {
   double part = 0;
-  for (const ColumnScatter& column : columns) {
-    double largest = 0;
-    for (const Point& point : data)
-      if (point.quantity == column.quantity) largest = std::max(largest, std::fabs(point.value));
-    if (largest > 0) part = std::max(part, column.deviation / largest);
-  }
+  for (const ColumnScatter& column : columns)
+    if (const double size = largest(data, column.quantity); size > 0)
+      part = std::max(part, column.deviation / size);
   return columns.empty() ? part_of_largest(residual_rms, data) : part;
 }
 
@@ -42,13 +48,27 @@ bool CalibrateResult::at_bounds() const {
 
 bool CalibrateResult::poor() const {
   constexpr double kRare = 0.01;
-  constexpr double kNoticeable = 0.02;
   const double chance = std::min(runs ? runs->p : 1.0, chi_square ? chi_square_p : 1.0);
-  return chance < kRare || (chance < kUnlikely && misfit() > kNoticeable) ||
-         (!chi_square && misfit() > kLarge);
+  if (chance < kRare || (chance < kUnlikely && misfit() > kNoticeable)) return true;
+  return !chi_square && (misfit() > kLarge || missed() != nullptr);
 }
 
-std::size_t CalibrateResult::chi_square_freedom() const {
+const CalibrateResult::Point* CalibrateResult::missed() const {
+  if (chi_square || counting_freedom() >= kKnownScatter) return nullptr;
+  const Point* worst = nullptr;
+  double most = 1;
+  for (const Point& point : data) {
+    const double allowed =
+        std::max(kLarge * std::fabs(point.value), kNoticeable * largest(data, point.quantity));
+    const double part = std::sqrt(point.weight) * std::fabs(point.residual) / allowed;
+    if (!point.counts || !(part > most)) continue;
+    most = part;
+    worst = &point;
+  }
+  return worst;
+}
+
+std::size_t CalibrateResult::counting_freedom() const {
   const auto left_out = static_cast<std::size_t>(
       std::count_if(data.begin(), data.end(), [](const Point& point) { return !point.counts; }));
   return degrees_of_freedom > left_out ? degrees_of_freedom - left_out : 0;

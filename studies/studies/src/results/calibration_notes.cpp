@@ -59,6 +59,25 @@ void add_unit_hints(const CalibrateResult& result, Notes& notes) {
                     "braking one was: check the unit of speed in the data file.");
 }
 
+// "torque at 105 rpm", "no_load_speed"
+std::string reading_of(const CalibrateResult::Point& point) {
+  return point.torque() ? "torque" + place_words(point) : place_words(point).substr(4);
+}
+
+// " It misses the torque at 100 rpm by 60 mN.m, 12 % of it. ..."
+std::string missed_words(const CalibrateResult& result) {
+  const CalibrateResult::Point* point = result.missed();
+  if (point == nullptr) return {};
+  const double part = std::fabs(point->residual / point->value);
+  return " It misses the " + reading_of(*point) + " by " +
+         engineering(std::fabs(point->residual), point->unit, 3) +
+         (std::isfinite(part) ? ", " + about(100 * part) + " % of it" : "") +
+         ". Without standard deviations, and with fewer than " +
+         std::to_string(CalibrateResult::kKnownScatter) +
+         " points more than parameters, a number may be missed by 5 % of itself or 2 % of the "
+         "largest.";
+}
+
 void add_misfit(const CalibrateResult& result, Notes& notes) {
   if (!result.poor()) return;
   std::string text = "The fit is poor: the residuals";
@@ -74,15 +93,9 @@ void add_misfit(const CalibrateResult& result, Notes& notes) {
              : result.data.front().torque() ? "torque"
                                             : result.data.front().quantity) +
             " (root mean square)";
-  notes.push_back(
-      text +
-      ". The model lacks something, a parameter that was not estimated, or a point or a "
-      "unit is wrong; the intervals mean little.");
-}
-
-// "its torque at 105 rpm", "its no_load_speed"
-std::string reading_of(const CalibrateResult::Point& point) {
-  return point.torque() ? "its torque" + place_words(point) : "its" + place_words(point).substr(3);
+  notes.push_back(text + "." + missed_words(result) +
+                  " The model lacks something, a parameter that was not estimated, or a point or a "
+                  "unit is wrong; the intervals mean little.");
 }
 
 void add_outliers(const CalibrateResult& result, Notes& notes) {
@@ -99,7 +112,7 @@ void add_outliers(const CalibrateResult& result, Notes& notes) {
     const double size = std::fabs(one.distance);
     const std::string where =
         point.where.empty() ? "point " + std::to_string(one.point + 1) : point.where;
-    notes.push_back("Outlier " + where + ": " + reading_of(point) + " is " +
+    notes.push_back("Outlier " + where + ": " + "its " + reading_of(point) + " is " +
                     (size > kFar ? "more than 1000" : rounded_text(size, 2)) +
                     " standard deviations " + (one.distance > 0 ? "above" : "below") +
                     " the motor that the other points give (p = " + rounded_text(one.p, 2) + ")." +
@@ -231,6 +244,12 @@ void add_starts(const CalibrateResult& result, Notes& notes) {
                     " did not reach an optimum; summary.json says why.");
 }
 
+void add_unfinished(const CalibrateResult& result, Notes& notes) {
+  if (!result.unfinished.empty())
+    notes.push_back("The search stopped short of the least residuals: " + result.unfinished +
+                    ". Run the study again with more starts.");
+}
+
 void add_freedom(const CalibrateResult& result, Notes& notes) {
   if (result.degrees_of_freedom == 0)
     notes.emplace_back(
@@ -267,6 +286,7 @@ std::vector<std::string> calibration_notes(const CalibrateResult& result) {
   add_wide(result, notes);
   add_correlated(result, notes);
   if (!result.at_bounds()) add_held(result, notes);
+  add_unfinished(result, notes);
   add_freedom(result, notes);
   add_starts(result, notes);
   return notes;

@@ -158,10 +158,16 @@ struct CalibrateResult {
       plan;  ///< the next measurements in their order; empty where the scatter is unknown
   std::vector<Point> data;  ///< in the order of the file; fitted is NaN without estimates
 
+  /// Why the search stopped short of the least residuals, or the scatter of the columns is not settled; empty: neither.
+  std::string unfinished{};
+
   double static_ratio{1};  ///< static to kinetic friction, kept where only the latter is estimated
 
-  /// A misfit() that no unknown scatter excuses.
-  static constexpr double kLarge = 0.1;
+  /// A misfit() that scatter which nobody stated does not excuse.
+  static constexpr double kLarge = 0.05;
+  /// Degrees of freedom from which on the residuals show by themselves what the scatter is: a standard deviation of ten lies
+  /// within 0.70 and 1.75 of the true one (95 %).
+  static constexpr std::size_t kKnownScatter = 10;
 
   /// Root mean square of the residuals in parts of the largest torque measured; 0 without estimates.
   double misfit() const;
@@ -169,12 +175,14 @@ struct CalibrateResult {
   double misfit_of(const Optimum& optimum) const;
   /// Every parameter is held by an end of its range: nothing was fitted.
   bool at_bounds() const;
-  /// A misfit that chance gives less often than one time in a hundred; or one time in twenty, if it is
-  /// larger than 2 % of the largest torque; or, without standard deviations that would explain it, one
-  /// larger than 10 % of that.
+  /// The residuals do not agree with the scatter. Chance gives them less often than one time in a hundred, or one time in
+  /// twenty if misfit() exceeds 2 %; or, without a chi-square, misfit() exceeds 5 %, or one number is missed().
   bool poor() const;
-  /// Degrees of freedom of the chi-square: less those of the points that do not count.
-  std::size_t chi_square_freedom() const;
+  /// Where the scatter is neither stated nor shown by ten degrees of freedom: the point that is missed most among those
+  /// missed by more than 5 % of their value and 2 % of the largest one; its weight counts.
+  const Point* missed() const;
+  /// Degrees of freedom of the points that count.
+  std::size_t counting_freedom() const;
   /// How many of the optima the data cannot tell from the best, that one included.
   std::size_t equals() const;
   /// An interval says something: its ends differ by a factor of 3 at most, or by a tenth of the range that was
