@@ -192,7 +192,7 @@ TEST_CASE("starts that end in different places are told apart", "[studies][calib
 TEST_CASE("a fit whose columns have no settled scatter is not called fitted",
           "[studies][calibrate]") {
   Case one;
-  const MeasuredFit fit(one.design(), {{Parameter::kinetic_friction, 0.05, 0.5}},
+  const MeasuredFit fit(one.design(), {DesignVariable{Parameter::kinetic_friction, 0.05, 0.5}},
                         {torque_point(1, 0.8), torque_point(2, 0.8), torque_point(3, 0.8)});
   optim::LeastSquaresResult best;
   best.outcome = optim::Outcome::optimal;

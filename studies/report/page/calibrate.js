@@ -207,7 +207,8 @@ export function calibratePage() {
   movesCard((n) => summary.estimates[n].value);
   planCard();
   const fitted = curves.filter(Boolean);
-  if (fitted.length) curveSection(fitted, ['fitted motor'], 'The fitted motor');
+  const names = fitted.length > 1 ? fitted.map((c) => c.label) : ['fitted motor'];
+  if (fitted.length) curveSection(fitted, names, fitted.length > 1 ? 'The fitted motors' : 'The fitted motor');
   const explore = fitted.length ? designerButton(fitted[0].design, 'fitted motor', 'Explore the fitted motor') : null;
   if (explore) card('The fitted motor as a page', null, 'wide').append(explore);
 }

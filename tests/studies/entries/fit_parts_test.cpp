@@ -141,7 +141,8 @@ TEST_CASE("static friction that is estimated itself does not follow the kinetic 
         for (std::size_t i = 0; i < before; ++i) ranges.push_back({others[i], 1, 2});
         for (const P p : here) ranges.push_back({p, 0.1, 0.5});
         for (std::size_t i = before; i < before + after; ++i) ranges.push_back({others[i], 1, 2});
-        return MeasuredFit(motor, ranges, two_points(0.8, 0.8)).static_ratio();
+        return MeasuredFit(motor, {ranges.begin(), ranges.end()}, two_points(0.8, 0.8))
+            .static_ratio();
       };
       CHECK(ratio({P::kinetic_friction}) == Approx(1.5).epsilon(1e-15));
       CHECK(ratio({P::kinetic_friction, P::static_friction}) == 1);
@@ -160,7 +161,7 @@ TEST_CASE("a fit begins where the study says, else at the motor if that is in th
                                            {P::preload, 200, 300},           // 160 N
                                            {P::amplitude, 1e-7, 1e-6},       // 1.6 um
                                            {P::thickness, 1e-4, 1e-3, true, 5e-4}};
-  const MeasuredFit fit(elastic(), ranges, two_points(0.8, 0.8));
+  const MeasuredFit fit(elastic(), {ranges.begin(), ranges.end()}, two_points(0.8, 0.8));
   const auto own = fit.variables({});
   CHECK(own[0].start == 0.2);
   CHECK(std::isnan(own[1].start));  // below its range: the middle
@@ -236,7 +237,7 @@ TEST_CASE("what undoes a change of one factor of a product is the other factor",
       ranges.push_back({P::kinetic_friction, 0.1, 0.5});
       for (std::size_t i = before; i < before + between; ++i) ranges.push_back(rest[i]);
       ranges.push_back({P::preload, 100, 300});
-      const MeasuredFit fit(motor, ranges, two_points(0.8, 0.9));
+      const MeasuredFit fit(motor, {ranges.begin(), ranges.end()}, two_points(0.8, 0.9));
       optim::LeastSquaresResult one;
       one.outcome = optim::Outcome::optimal;
       for (const DesignVariable& range : ranges)

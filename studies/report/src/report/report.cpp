@@ -26,13 +26,6 @@ void add(Json& curves, Json curve) {
   if (!curve.is_null()) curves.push_back(std::move(curve));
 }
 
-DesignValues estimates(const CalibrateResult& answer) {
-  std::vector<NamedValue> values = answer.derived;
-  for (const CalibrateResult::Estimate& estimate : answer.estimates)
-    values.push_back(estimate.parameter);
-  return design_values(values);
-}
-
 // The curves that the page of an answer shows.
 struct AnswerCurves {
   const MotorDesign& base;
@@ -66,7 +59,9 @@ struct AnswerCurves {
 
   Json operator()(const CalibrateResult& answer) const {
     Json curves = Json::array();
-    add(curves, curve_json(base, estimates(answer), "fitted", Detail::fields));
+    for (const std::string& file : answer.files())
+      add(curves, curve_json(base, design_values(answer.motor_values(file)),
+                             file.empty() ? "fitted" : file, Detail::fields));
     return curves;
   }
 
@@ -80,7 +75,9 @@ struct AnswerCurves {
 };
 
 Json fit_json(const CalibrateResult& answer, const MotorDesign& base) {
-  const DesignValues values = estimates(answer);
+  const std::vector<std::string> files = answer.files();
+  if (files.size() > 1) return nullptr;  // one curve for all points there is none
+  const DesignValues values = design_values(answer.motor_values(files.front()));
   std::vector<std::string> names;
   for (const auto& [name, value] : values) names.push_back(name);
   double first = 0;

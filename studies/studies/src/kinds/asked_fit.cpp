@@ -100,6 +100,19 @@ void refuse_short(const MeasuredPoints& table, std::size_t parameters, Diagnosti
   }
 }
 
+// Each variable once, or once for each table where these have values of their own.
+std::vector<FitParameter> fit_parameters(const CalibrateStudy& asked) {
+  const std::vector<std::string> files = file_names(asked.data);
+  std::vector<FitParameter> list;
+  for (const DesignVariable& range : asked.variables) {
+    const bool own = std::find(asked.per_file.begin(), asked.per_file.end(), range.parameter) !=
+                     asked.per_file.end();
+    if (!own) list.emplace_back(range);
+    for (std::size_t k = 0; own && k < files.size(); ++k) list.emplace_back(range, k, files[k]);
+  }
+  return list;
+}
+
 MeasuredPoints checked_table(const CalibrateStudy& asked, const std::string& path) {
   MeasuredPoints table = points_of(path);
   const Source source = read_source(path);
@@ -108,7 +121,8 @@ MeasuredPoints checked_table(const CalibrateStudy& asked, const std::string& pat
   if (asked.scatter == Scatter::stated)
     refuse_bare(table, "on which 'scatter: stated' stands", ", or leave out 'scatter'",
                 diagnostics);
-  if (asked.scatter == Scatter::by_column) refuse_short(table, asked.variables.size(), diagnostics);
+  if (asked.scatter == Scatter::by_column)
+    refuse_short(table, fit_parameters(asked).size(), diagnostics);
   diagnostics.throw_if_any();
   return table;
 }
@@ -166,6 +180,13 @@ void require_deviations(const std::vector<MeasuredPoints>& tables,
 
 }  // namespace
 
+std::vector<std::string> file_names(const std::vector<std::string>& paths) {
+  std::vector<std::string> names;
+  for (const std::string& path : paths)
+    names.push_back(std::filesystem::path(path).filename().string());
+  return names;
+}
+
 AskedFit asked_fit(const CalibrateStudy& asked, const StudyFile& file) {
   std::vector<MeasuredPoints> tables;
   std::vector<std::string> paths;
@@ -179,14 +200,15 @@ AskedFit asked_fit(const CalibrateStudy& asked, const StudyFile& file) {
   require_deviations(tables, paths);
   MeasuredPoints table = joined(std::move(tables));
   std::vector<MeasuredPoint>& points = table.points;
-  if (points.size() < asked.variables.size())
+  std::vector<FitParameter> parameters = fit_parameters(asked);
+  if (points.size() < parameters.size())
     throw InputError(names + ": " + counted(points.size(), "point") + " cannot determine " +
-                     counted(asked.variables.size(), "parameter") +
+                     counted(parameters.size(), "parameter") +
                      "; measure more points or estimate fewer parameters");
   std::vector<std::string> notes = unit_notes(table);
   std::vector<std::size_t> columns;
   if (asked.scatter == Scatter::by_column) columns = columns_of(points);
-  return {{file.motor.design, asked.variables, std::move(points), asked.derived},
+  return {{file.motor.design, std::move(parameters), std::move(points), asked.derived},
           std::move(notes),
           std::move(columns)};
 }

@@ -20,6 +20,9 @@ struct AskedFit {
   std::vector<std::size_t> columns;
 };
 
+/// Names of tables without folders: a result directory has other paths to the same ones.
+std::vector<std::string> file_names(const std::vector<std::string>& paths);
+
 /// Reads the tables of a calibration.
 /// @throws InputError, or FileError with the places in a table, if they do not make a fit
 AskedFit asked_fit(const CalibrateStudy& asked, const StudyFile& file);

@@ -19,7 +19,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
 #include <iterator>
 #include <limits>
 #include <mutex>
@@ -52,14 +51,6 @@ class Teller {
 // How often the search for intervals may find a better fit; more than one is rare.
 constexpr int kMostRounds = 4;
 
-// Without folders: a result directory has other paths to the same tables.
-std::vector<std::string> file_names(const std::vector<std::string>& paths) {
-  std::vector<std::string> names;
-  for (const std::string& path : paths)
-    names.push_back(std::filesystem::path(path).filename().string());
-  return names;
-}
-
 class CalibrateRun final : public StudyKindRun {
  public:
   CalibrateRun(const CalibrateStudy& asked, AskedFit fit)
@@ -76,10 +67,8 @@ class CalibrateRun final : public StudyKindRun {
 
   std::vector<StoredColumn> columns() const override {
     std::vector<StoredColumn> columns;
-    for (const DesignVariable& range : fit_.parameters()) {
-      const ParameterInfo& row = info(range.parameter);
-      columns.push_back({std::string(row.name), std::string(row.unit)});
-    }
+    for (const FitParameter& range : fit_.parameters())
+      columns.push_back({range.name(), std::string(info(range.parameter).unit)});
     columns.push_back({"residual_rms", fit_.unit()});
     return columns;
   }
@@ -244,7 +233,7 @@ class CalibrateRun final : public StudyKindRun {
   std::vector<std::vector<double>> start_values() const {
     std::vector<std::vector<double>> starts{{}};
     if (starts_ < 2) return starts;
-    const UnitBox box(fit_.parameters());
+    const UnitBox box({fit_.parameters().begin(), fit_.parameters().end()});
     for (const auto& unit : optim::sobol_points(box.size(), starts_ - 1, seed_))
       starts.push_back(box.values(unit));
     return starts;

@@ -55,7 +55,7 @@ class Calibration {
     if (!result_.determined()) name_combinations(best);
     const bool ended = best.outcome == Outcome::optimal || best.outcome == Outcome::feasible;
     if (ended) result_.moves = moves_of(fit_, best);
-    if (ended) result_.plan = measurement_plan(fit_, best);
+    if (ended && !fit_.per_file()) result_.plan = measurement_plan(fit_, best);
     result_.unfinished = best.outcome == Outcome::optimal ? unsettled_ : best.word;
     std::string outcome = outcome_of(best.outcome);
     return {std::move(outcome), std::move(result_)};
@@ -183,8 +183,9 @@ class Calibration {
   void add_estimates(const LeastSquaresResult& best) {
     for (std::size_t j = 0; j < best.estimates.size(); ++j) {
       const optim::Estimate& e = best.estimates[j];
-      const DesignVariable& range = fit_.parameters()[j];
+      const FitParameter& range = fit_.parameters()[j];
       CalibrateResult::Estimate estimate;
+      estimate.file = range.file;
       estimate.parameter = {e.name, std::string(info(range.parameter).unit), e.value};
       estimate.deviation = e.standard_deviation;
       estimate.low = e.low;

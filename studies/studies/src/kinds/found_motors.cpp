@@ -27,6 +27,10 @@ MotorFile motor_with(const StudyFile& file, const std::vector<NamedValue>& value
           with(file.motor.design, replaced)};
 }
 
+std::string two_digits(std::size_t number) {
+  return std::string(number < 10 ? "0" : "") + std::to_string(number) + ".yaml";
+}
+
 struct Finder {
   const StudyFile& file;
   const StudyResult& result;
@@ -50,18 +54,24 @@ struct Finder {
     return motors;
   }
 
+  // Tables with values of their own have a motor each.
   std::vector<FoundMotor> operator()(const CalibrateResult& answer) const {
-    if (result.outcome == "fitted")
-      return {
-          {"fitted.yaml", "fitted motor",
-           motor_with(file, values_at(answer, answer.optima.front()), "fit of " + result.study)}};
     std::vector<FoundMotor> motors;
-    if (result.outcome != "several") return motors;
+    if (result.outcome != "fitted" && result.outcome != "several") return motors;
+    const bool one = result.outcome == "fitted";
+    const std::vector<std::string> files = answer.files();
     for (const CalibrateResult::Optimum& optimum : answer.optima) {
-      if (!optimum.fits_as_well) continue;
-      const std::string number = std::to_string(motors.size() + 1);
-      motors.push_back({optimum_file(motors.size() + 1), "motor " + number + " that fits",
-                        motor_with(file, values_at(answer, optimum), "fit " + number)});
+      if (!optimum.fits_as_well || (one && !motors.empty())) continue;
+      for (const std::string& table : files) {
+        const std::string number = std::to_string(motors.size() + 1);
+        const std::string of = table.empty() ? "" : " of " + table;
+        const std::string path = !one                ? optimum_file(motors.size() + 1)
+                                 : files.size() == 1 ? "fitted.yaml"
+                                                     : "fitted/" + two_digits(motors.size() + 1);
+        motors.push_back({path, one ? "fitted motor" + of : "motor " + number + " that fits" + of,
+                          motor_with(file, values_at(answer, optimum, table),
+                                     one ? "fit of " + result.study + of : "fit " + number + of)});
+      }
     }
     return motors;
   }
@@ -73,12 +83,9 @@ struct Finder {
 
  private:
   static std::vector<NamedValue> values_at(const CalibrateResult& answer,
-                                           const CalibrateResult::Optimum& optimum) {
-    std::vector<NamedValue> values;
-    for (std::size_t j = 0; j < optimum.values.size(); ++j) {
-      values.push_back(answer.estimates[j].parameter);
-      values.back().value = optimum.values[j];
-    }
+                                           const CalibrateResult::Optimum& optimum,
+                                           const std::string& table) {
+    std::vector<NamedValue> values = answer.motor_values(optimum.values, table);
     values.insert(values.end(), optimum.derived.begin(), optimum.derived.end());
     return values;
   }
@@ -125,9 +132,7 @@ std::string front_file(std::size_t number, std::size_t count) {
   return "front/" + std::string(digits - text.size(), '0') + text + ".yaml";
 }
 
-std::string optimum_file(std::size_t number) {
-  return "optima/" + std::string(number < 10 ? "0" : "") + std::to_string(number) + ".yaml";
-}
+std::string optimum_file(std::size_t number) { return "optima/" + two_digits(number); }
 
 std::vector<FoundMotor> found_motors(const StudyFile& file, const StudyResult& result) {
   if (result.outcome == "interrupted") return {};

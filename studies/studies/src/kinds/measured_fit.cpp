@@ -24,14 +24,24 @@ std::string failure_name(const Reading& reading) {
   return name == "torque_at" ? "torque" : name;
 }
 
+std::vector<double> picked(std::span<const double> values, const std::vector<std::size_t>& places) {
+  std::vector<double> list;
+  for (const std::size_t j : places) list.push_back(values[j]);
+  return list;
+}
+
 }  // namespace
 
-MeasuredFit::MeasuredFit(const MotorDesign& motor, std::vector<DesignVariable> parameters,
+std::string FitParameter::name() const {
+  return std::string(info(parameter).name) + (table ? " (" + file + ")" : "");
+}
+
+MeasuredFit::MeasuredFit(const MotorDesign& motor, std::vector<FitParameter> parameters,
                          std::vector<MeasuredPoint> points, std::vector<DerivedParameter> derived)
     : motor_(motor),
       parameters_(std::move(parameters)),
       points_(std::move(points)),
-      varied_(motor_, parameters_of(parameters_), derived) {
+      varied_(motor_, parameters_at(places_in(0)), derived) {
   for (std::size_t i = 0; i < points_.size(); ++i) {
     Condition& condition = condition_of(points_[i], derived);
     condition.points.push_back(i);
@@ -41,13 +51,37 @@ MeasuredFit::MeasuredFit(const MotorDesign& motor, std::vector<DesignVariable> p
   }
 }
 
+std::vector<std::size_t> MeasuredFit::places_in(std::size_t table) const {
+  std::vector<std::size_t> places;
+  for (std::size_t j = 0; j < parameters_.size(); ++j)
+    if (parameters_[j].table.value_or(table) == table) places.push_back(j);
+  return places;
+}
+
+std::vector<Parameter> MeasuredFit::parameters_at(const std::vector<std::size_t>& places) const {
+  std::vector<Parameter> list;
+  for (const std::size_t j : places) list.push_back(parameters_[j].parameter);
+  return list;
+}
+
+bool MeasuredFit::per_file() const {
+  return std::any_of(parameters_.begin(), parameters_.end(),
+                     [](const FitParameter& one) { return one.table.has_value(); });
+}
+
+MotorDesign MeasuredFit::motor_at(std::span<const double> values) const {
+  return varied_.motor(picked(values, places_in(0)));
+}
+
 MeasuredFit::Condition& MeasuredFit::condition_of(const MeasuredPoint& point,
                                                   const std::vector<DerivedParameter>& derived) {
-  const auto known = std::find_if(conditions_.begin(), conditions_.end(),
-                                  [&](const Condition& c) { return c.set == point.set; });
+  std::vector<std::size_t> places = places_in(point.table);
+  const auto known = std::find_if(conditions_.begin(), conditions_.end(), [&](const Condition& c) {
+    return c.set == point.set && c.places == places;
+  });
   if (known != conditions_.end()) return *known;
-  VariedParameters varied(with(motor_, point.set), parameters_of(parameters_), derived);
-  conditions_.push_back({point.set, std::move(varied), {}, {}});
+  VariedParameters varied(with(motor_, point.set), parameters_at(places), derived);
+  conditions_.push_back({point.set, std::move(places), std::move(varied), {}, {}});
   return conditions_.back();
 }
 
@@ -65,8 +99,8 @@ bool MeasuredFit::sets(Parameter parameter) const {
 }
 
 MeasuredFit MeasuredFit::varying(const std::vector<Parameter>& more) const {
-  std::vector<DesignVariable> all = parameters_;
-  for (const Parameter parameter : more) all.push_back({parameter});
+  std::vector<FitParameter> all = parameters_;
+  for (const Parameter parameter : more) all.emplace_back(DesignVariable{parameter});
   return {motor_, std::move(all), points_, varied_.derived()};
 }
 
@@ -107,7 +141,7 @@ optim::Residuals MeasuredFit::all_residuals(std::span<const double> values) cons
 
 void MeasuredFit::add(const Condition& condition, std::span<const double> values,
                       optim::Residuals& result) const {
-  const MotorDesign motor = condition.varied.motor(values);
+  const MotorDesign motor = condition.varied.motor(picked(values, condition.places));
   const auto slopes = condition.varied.slopes(motor);
   const bool fixed = condition.varied.fixed_static_friction();
   std::vector<MetricDerivative> metrics;
@@ -121,7 +155,8 @@ void MeasuredFit::add(const Condition& condition, std::span<const double> values
     const double root = std::sqrt(point.weight);
     result.values[i] = root * (found.value.value - point.value);
     const auto by = condition.varied.derivatives(found.gradient, slopes);
-    for (std::size_t j = 0; j < by.size(); ++j) result.jacobian[i * by.size() + j] = root * by[j];
+    for (std::size_t j = 0; j < by.size(); ++j)
+      result.jacobian[i * values.size() + condition.places[j]] = root * by[j];
   }
 }
 
@@ -148,7 +183,7 @@ double MeasuredFit::size() const {
 
 std::vector<NamedValue> MeasuredFit::derived(std::span<const double> values) const {
   if (varied_.derived().empty()) return {};
-  const MotorDesign motor = varied_.motor(values);
+  const MotorDesign motor = motor_at(values);
   std::vector<NamedValue> list;
   for (const DerivedParameter& rule : varied_.derived()) {
     const ParameterInfo& row = info(rule.parameter);
@@ -169,10 +204,10 @@ double MeasuredFit::static_ratio() const {
 std::vector<optim::Variable> MeasuredFit::variables(std::span<const double> start) const {
   std::vector<optim::Variable> result;
   for (std::size_t j = 0; j < parameters_.size(); ++j) {
-    const DesignVariable& range = parameters_[j];
+    const FitParameter& range = parameters_[j];
     const double own = get(motor_, range.parameter);
-    optim::Variable variable{std::string(info(range.parameter).name), range.min, range.max,
-                             range.start, range.log ? optim::Scale::log : optim::Scale::linear};
+    optim::Variable variable{range.name(), range.min, range.max, range.start,
+                             range.log ? optim::Scale::log : optim::Scale::linear};
     if (!start.empty())
       variable.start = start[j];
     else if (std::isnan(range.start) && own >= range.min && own <= range.max)

@@ -10,11 +10,28 @@
 #include <twum/core/performance/metrics.hpp>
 #include <twum/optim/least_squares.hpp>
 
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace twum::studies {
+
+/// A parameter of a fit: of all tables of measurements, or of one.
+struct FitParameter : DesignVariable {
+  /// Of all.
+  FitParameter(const DesignVariable& range) : DesignVariable(range) {}  // NOLINT: it is one
+  /// Of the table of this number and name.
+  FitParameter(const DesignVariable& range, std::size_t number, std::string name)
+      : DesignVariable(range), table(number), file(std::move(name)) {}
+
+  std::optional<std::size_t> table{};
+  std::string file{};
+
+  /// "amplitude", or "amplitude (b.csv)".
+  std::string name() const;
+};
 
 /// The residuals of a calibration: computed minus measured values, times the root of the point's weight (L1.1). They
 /// are in the unit of the points if all are of one kind, else in standard deviations. Quantities that the bench sets,
@@ -27,13 +44,15 @@ class MeasuredFit {
   /// @param points  at least one
   /// @throws ValueError as VariedParameters; InputError for a motor that is not admissible with the parameters that a
   ///          point sets
-  MeasuredFit(const MotorDesign& motor, std::vector<DesignVariable> parameters,
+  MeasuredFit(const MotorDesign& motor, std::vector<FitParameter> parameters,
               std::vector<MeasuredPoint> points, std::vector<DerivedParameter> derived = {});
 
   /// The motor before the fit.
   const MotorDesign& motor() const noexcept { return motor_; }
-  /// The motor with the parameters at these values.
-  MotorDesign motor_at(std::span<const double> values) const { return varied_.motor(values); }
+  /// The motor with the parameters at these values; with those of the first table where tables have their own.
+  MotorDesign motor_at(std::span<const double> values) const;
+  /// Whether tables have values of their own.
+  bool per_file() const;
   /// Whether the fit estimates or derives the parameter or its twin, or a point sets it.
   bool sets(Parameter parameter) const;
   /// The same fit with further parameters varied, after its own.
@@ -46,7 +65,7 @@ class MeasuredFit {
   /// The same fit with other points.
   MeasuredFit asking(std::vector<MeasuredPoint> points) const;
 
-  const std::vector<DesignVariable>& parameters() const noexcept { return parameters_; }
+  const std::vector<FitParameter>& parameters() const noexcept { return parameters_; }
   const std::vector<MeasuredPoint>& points() const noexcept { return points_; }
 
   /// Residuals with the exact Jacobian. Fails if the motor has no value for one of the points.
@@ -77,23 +96,26 @@ class MeasuredFit {
   std::vector<optim::Variable> variables(std::span<const double> start) const;
 
  private:
-  // Points with the same parameters set on the bench.
+  // Points that the same parameters were set for, in one table where tables have values of their own.
   struct Condition {
     std::vector<ParameterValue> set;
+    std::vector<std::size_t> places;  // of its parameters among all
     VariedParameters varied;
     std::vector<std::size_t> points;      // their numbers
     std::vector<MetricRequest> requests;  // requests of the points that are metrics, in their order
   };
 
+  std::vector<std::size_t> places_in(std::size_t table) const;
+  std::vector<Parameter> parameters_at(const std::vector<std::size_t>& places) const;
   Condition& condition_of(const MeasuredPoint& point, const std::vector<DerivedParameter>& derived);
   void add(const Condition& condition, std::span<const double> values,
            optim::Residuals& result) const;
   optim::Residuals all_residuals(std::span<const double> values) const;
 
   MotorDesign motor_;
-  std::vector<DesignVariable> parameters_;
+  std::vector<FitParameter> parameters_;
   std::vector<MeasuredPoint> points_;
-  VariedParameters varied_;  // varied parameters of the motor of the study
+  VariedParameters varied_;  // of the motor as it is, in the first table
   std::vector<Condition> conditions_;
   bool mixed_{false};
 };

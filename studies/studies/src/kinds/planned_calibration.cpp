@@ -25,7 +25,9 @@ std::vector<MeasuredPoint> readings_of(const MotorDesign& motor) {
 class PlanRun final : public StudyKindRun {
  public:
   PlanRun(const CalibrateStudy& asked, const MotorDesign& motor)
-      : readings_(motor, asked.variables, readings_of(motor), asked.derived), seed_(asked.seed) {}
+      : readings_(motor, {asked.variables.begin(), asked.variables.end()}, readings_of(motor),
+                  asked.derived),
+        seed_(asked.seed) {}
 
   std::vector<StoredColumn> columns() const override {
     std::vector<StoredColumn> columns;

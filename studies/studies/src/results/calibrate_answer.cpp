@@ -51,6 +51,7 @@ Json estimates_json(const CalibrateResult& result) {
                               {"interval", e.profiled ? "profile" : "linear"},
                               {"cut_off", cut_off_json(e)},
                               {"remark", remark(result, e)}};
+    if (!e.file.empty()) json[e.parameter.name]["file"] = e.file;
   }
   return json;
 }

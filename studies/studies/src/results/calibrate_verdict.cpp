@@ -41,6 +41,34 @@ double CalibrateResult::misfit_of(const Optimum& optimum) const {
   return part_of_largest(optimum.residual_rms, data);
 }
 
+std::vector<std::string> CalibrateResult::files() const {
+  std::vector<std::string> list;
+  for (const Estimate& e : estimates)
+    if (!e.file.empty() && std::find(list.begin(), list.end(), e.file) == list.end())
+      list.push_back(e.file);
+  return list.empty() ? std::vector<std::string>{""} : list;
+}
+
+std::vector<NamedValue> CalibrateResult::motor_values(const std::vector<double>& values,
+                                                      const std::string& file) const {
+  std::vector<NamedValue> list;
+  for (std::size_t j = 0; j < values.size(); ++j) {
+    const Estimate& e = estimates[j];
+    if (!e.file.empty() && e.file != file) continue;
+    const std::string name = e.parameter.name.substr(0, e.parameter.name.find(" ("));
+    list.push_back({name, e.parameter.unit, values[j]});
+  }
+  return list;
+}
+
+std::vector<NamedValue> CalibrateResult::motor_values(const std::string& file) const {
+  std::vector<double> values;
+  for (const Estimate& e : estimates) values.push_back(e.parameter.value);
+  std::vector<NamedValue> list = motor_values(values, file);
+  list.insert(list.end(), derived.begin(), derived.end());
+  return list;
+}
+
 bool CalibrateResult::at_bounds() const {
   return !estimates.empty() && std::all_of(estimates.begin(), estimates.end(),
                                            [](const auto& e) { return e.bound != Bound::none; });

@@ -27,8 +27,9 @@ constexpr std::string_view kPart = ".part";
 constexpr std::array<std::string_view, 7> kResults{"study.yaml",  "results.csv", "summary.json",
                                                    "report.html", "best.yaml",   "fitted.yaml",
                                                    "results.db"};
-// Folders of numbered motor files, such as 01.yaml: points of a front, motors that fit equally well.
-constexpr std::array<std::string_view, 2> kNumbered{"front", "optima"};
+// Folders of numbered motor files, such as 01.yaml: points of a front, motors that fit equally well, fitted motors
+// of several tables.
+constexpr std::array<std::string_view, 3> kNumbered{"front", "optima", "fitted"};
 
 [[noreturn]] void fail(const std::string& path, const std::string& what, int reason) {
   throw StoreError(path + ": " + what + ": " + std::strerror(reason));

@@ -13,7 +13,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -131,10 +130,28 @@ std::string without_times(const std::string& summary) {
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-// Replaces the path of a file that the study names. A set keeps its name in results.
+// A path that an entry names, and by what it is known: "data", and of a list "data", "data[1]", ...
+struct PathEntry {
+  std::string name;
+  YamlNode* node;
+};
+
+std::vector<PathEntry> path_entries(YamlNode& study) {
+  std::vector<PathEntry> list;
+  for (YamlEntry& entry : study.entries) {
+    if (entry.key != "data" && entry.key != "start") continue;
+    if (entry.value.kind != YamlNode::Kind::list) list.push_back({entry.key, &entry.value});
+    for (std::size_t k = 0; k < entry.value.items.size(); ++k)
+      list.push_back(
+          {entry.key + (k == 0 ? "" : "[" + std::to_string(k) + "]"), &entry.value.items[k]});
+  }
+  return list;
+}
+
+// Puts another path for a file that the study names. A set keeps the name that results know it by.
 void set_path(YamlNode& study, const std::string& entry, const std::string& path) {
-  for (YamlEntry& one : study.entries)
-    if (one.key == entry) one.value.scalar = path;
+  for (const PathEntry& one : path_entries(study))
+    if (one.name == entry) one.node->scalar = path;
   for (const shapes::SetFile& file : shapes::set_files(study)) {
     if (file.entry != entry) continue;
     if (file.item != file.path) {
@@ -177,15 +194,13 @@ ResolvedStudy resolve(const StudyFile& file) {
     const std::string path = (fs::path(file.folder) / file_of_set.path->scalar).string();
     result.files.push_back({file_of_set.entry, path, hex(checksum(content_of(path)))});
   }
-  constexpr std::array<std::string_view, 2> kPaths{"data", "start"};
-  for (const std::string_view entry : kPaths) {
-    const YamlNode* node = result.study.find(entry);
-    if (node == nullptr) continue;
-    const std::string path = (fs::path(file.folder) / node->scalar).string();
+  for (const PathEntry& entry : path_entries(result.study)) {
+    const std::string path = (fs::path(file.folder) / entry.node->scalar).string();
     const std::string content =
-        entry == "start" ? without_times(content_of((fs::path(path) / "summary.json").string()))
-                         : content_of(path);
-    result.files.push_back({std::string(entry), path, hex(checksum(content))});
+        entry.name == "start"
+            ? without_times(content_of((fs::path(path) / "summary.json").string()))
+            : content_of(path);
+    result.files.push_back({entry.name, path, hex(checksum(content))});
   }
   return result;
 }

@@ -13,7 +13,7 @@ namespace twum::studies {
 struct ResolvedStudy {
   /// A file that the study names, by the entry that names it.
   struct NamedFile {
-    std::string entry;  ///< "data", "start" or "choose.lining[0]"
+    std::string entry;  ///< "data", "data[1]", "start" or "choose.lining[0]"
     std::string path;   ///< from the current folder
     std::string hash;   ///< of its content, times aside
   };

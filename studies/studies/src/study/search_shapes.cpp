@@ -7,7 +7,12 @@
 #include "study/solver_entry.hpp"
 
 #include <twum/optim/least_squares.hpp>
+#include <twum/studies/motor/settings.hpp>
 #include <twum/studies/text/words.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
 
 namespace twum::studies {
 
@@ -165,6 +170,31 @@ Shape<std::vector<std::string>> data_files() {
   return shape;
 }
 
+// Values of their own need tables that can be told apart by their names, and nothing that follows from them.
+void check_per_file(const CalibrateStudy& study, const Given& given, Diagnostics& diagnostics) {
+  const YamlNode* node = given.find("per_file");
+  if (node == nullptr) return;
+  const auto wrong = [&](std::string found, std::string expected) {
+    diagnostics.add(node->mark, given.path("per_file"), std::move(found), std::move(expected));
+  };
+  for (const Parameter parameter : study.per_file) {
+    const auto varied = parameters_of(study.variables);
+    const std::string name(info(parameter).name);
+    if (std::find(varied.begin(), varied.end(), parameter) == varied.end())
+      wrong(name + " is not estimated", "a parameter that stands in 'variables'");
+    if (std::count(study.per_file.begin(), study.per_file.end(), parameter) > 1)
+      wrong(name + " is named twice", "each parameter once");
+  }
+  std::set<std::string> names;
+  for (const std::string& path : study.data)
+    names.insert(std::filesystem::path(path).filename().string());
+  if (study.data.size() < 2 || names.size() < study.data.size())
+    wrong(counted(names.size(), "name") + " of tables in 'data'",
+          "two tables or more, each with a name of its own");
+  if (!study.derived.empty())
+    wrong("beside 'derived'", "one of them: a derived parameter has one value");
+}
+
 bool check_fit(CalibrateStudy& study, const Given& given, Diagnostics& diagnostics) {
   const optim::SolverInfo& solver =
       optim::least_squares_solvers()[static_cast<std::size_t>(study.solver)];
@@ -176,7 +206,15 @@ bool check_fit(CalibrateStudy& study, const Given& given, Diagnostics& diagnosti
     diagnostics.add(given.find("loss")->mark, given.path("loss"),
                     "'huber' beside 'scatter: by-column'",
                     "one of them: the scatter of a column is estimated from squares");
+  check_per_file(study, given, diagnostics);
   return refuse_whole_numbers(study, given, diagnostics);
+}
+
+Shape<std::vector<Parameter>> own_per_file() {
+  return list("parameters of 'variables' that have a value of their own in each table of 'data'",
+              text_of<Parameter>(
+                  "parameter by name", "kinetic_friction", parse_parameter,
+                  [](const Parameter& parameter) { return std::string(info(parameter).name); }));
 }
 
 }  // namespace
@@ -229,6 +267,8 @@ Shape<CalibrateStudy> CalibrateStudy::shape() {
       {kind_field<S>(),
        optional<S>("data", data_files(), &S::data, "none: the first ten measurements are planned"),
        required<S>("variables", shapes::variables("what is estimated", kEstimates), &S::variables),
+       hidden(
+           optional<S>("per_file", own_per_file(), &S::per_file, "none: one value for all tables")),
        derived_field<S>(),
        standard<S>("confidence", fraction("level of the confidence intervals", "0.95"),
                    &S::confidence),

@@ -21,13 +21,6 @@ bool on_the_curve(const CalibrateResult::Point& point) {
   return point.torque() && point.set.empty();
 }
 
-std::vector<studies::NamedValue> estimates_of(const CalibrateResult& answer) {
-  std::vector<studies::NamedValue> values = answer.derived;
-  for (const CalibrateResult::Estimate& estimate : answer.estimates)
-    values.push_back(estimate.parameter);
-  return values;
-}
-
 // Half width of the band of the fitted torque: the intervals of the estimates, carried to the torque by its derivatives.
 double half_width(const CalibrateResult& answer, const MetricDerivative& torque) {
   const std::size_t count = answer.estimates.size();
@@ -127,9 +120,12 @@ std::vector<Picture> pictures_of(const FinishedStudy& study, const CalibrateResu
   std::vector<Picture> pictures;
   std::vector<NamedMotor> motors;
   if (answer.estimates.empty()) return pictures;
-  add_motor(motors, "fitted motor", study.file.motor.design, estimates_of(answer));
+  const std::vector<std::string> files = answer.files();
+  for (const std::string& file : files)
+    add_motor(motors, file.empty() ? "fitted motor" : file, study.file.motor.design,
+              answer.motor_values(file));
   if (motors.empty()) return pictures;
-  if (std::any_of(answer.data.begin(), answer.data.end(), on_the_curve))
+  if (files.size() == 1 && std::any_of(answer.data.begin(), answer.data.end(), on_the_curve))
     pictures.push_back(fit(study, answer, motors.front().motor));
   pictures.push_back(residuals(study, answer));
   add_curve_pictures(pictures, study.title("the fitted motor"), motors);

@@ -29,7 +29,7 @@ struct CalibrateResult {
 
   /// What the fit says of one parameter, SI.
   struct Estimate {
-    NamedValue parameter;  ///< which one, and its value
+    NamedValue parameter;  ///< which one, and its value; of one table: "amplitude (b.csv)"
     double deviation{0};   ///< standard deviation; NaN if the data do not determine it
     double low{0};  ///< confidence interval, Student's t with the scatter of the residuals; in the
         ///< logarithm where the variable has a log scale; from the profile of the sum of
@@ -43,6 +43,7 @@ struct CalibrateResult {
     double max{0};                    ///< its upper end
     bool log{false};                  ///< searched in the logarithm
     std::vector<Follower> followers;  ///< where held: what the free ones would do
+    std::string file{};  ///< table of measurements whose own value it is; empty: of all
   };
 
   /// One measured number, and the fit there.
@@ -173,6 +174,13 @@ struct CalibrateResult {
   double misfit() const;
   /// Likewise of one of the optima.
   double misfit_of(const Optimum& optimum) const;
+  /// Tables with values of their own, in their order; one without a name if none has.
+  std::vector<std::string> files() const;
+  /// What the motor of such a table has at these values of the estimates, by the names of its parameters.
+  std::vector<NamedValue> motor_values(const std::vector<double>& values,
+                                       const std::string& file) const;
+  /// Likewise at the estimates.
+  std::vector<NamedValue> motor_values(const std::string& file) const;
   /// Every parameter is held by an end of its range: nothing was fitted.
   bool at_bounds() const;
   /// The residuals do not agree with the scatter. Chance gives them less often than one time in a hundred, or one time in

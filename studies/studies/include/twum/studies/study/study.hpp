@@ -217,6 +217,7 @@ struct CalibrateStudy {
   /// paths of the tables of measurements; none: plan the first measurements
   std::vector<std::string> data;
   std::vector<DesignVariable> variables;  ///< what is estimated
+  std::vector<Parameter> per_file;  ///< of these: with a value of its own in each of several tables
   std::vector<DerivedParameter> derived;  ///< what follows from the variables
   double confidence{0.95};                ///< level of the intervals
   Scatter scatter{Scatter::estimated};    ///< what the intervals stand on

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parameters with a value of their own in each of several tables of measurements.
+#include "calibrate_support.hpp"
+#include "kinds/found_motors.hpp"
+#include "study/resolved_study.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+using namespace twum;
+using namespace twum::studies;
+using namespace twum::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+const char* const kFriction = "kinetic_friction: {min: 0.05, max: 0.5}";
+const char* const kModulus = "youngs_modulus: {min: 0.5 GPa, max: 20 GPa, scale: log}";
+
+// One study of two tables.
+struct Benches {
+  ScratchFolder folder;
+  std::string motor{"ring-60"};
+  std::string variables{std::string(kFriction) + ", " + kModulus};
+  std::string per_file{"kinetic_friction"};
+  std::string data{"[a.csv, b.csv]"};
+  std::string more{"starts: 1"};
+
+  StudyFile file(const std::string& a, const std::string& b) const {
+    std::ofstream(folder.path("a.csv")) << a;
+    std::ofstream(folder.path("b.csv")) << b;
+    std::ofstream(folder.path("study.yaml"))
+        << "twum: 1\nmotor: " << TWUM_SOURCE_DIR << "/examples/motors/" << motor
+        << ".yaml\nstudy: {kind: calibrate, data: " << data << ", variables: {" << variables
+        << "}, per_file: [" << per_file << "], " << more << "}\n";
+    return read_study_file(folder.path("study.yaml"));
+  }
+};
+
+MotorDesign bench(double friction) {
+  const std::vector<ParameterValue> values{{Parameter::kinetic_friction, friction},
+                                           {Parameter::youngs_modulus, 2.2e9}};
+  return with(Case().design(), values);
+}
+
+// Torques of a bench that has friction alone: T = mu F r while all of the contact slips.
+std::string plateau(double torque) {
+  std::string csv = "speed [rpm],torque\n";
+  for (int i = 1; i <= 4; ++i) csv += number(i) + "," + number(torque) + "\n";
+  return csv;
+}
+
+std::vector<std::string> names_of(const CalibrateResult& result) {
+  std::vector<std::string> names;
+  for (const auto& e : result.estimates) names.push_back(e.parameter.name);
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("frictions of two benches and the modulus of their one layer are found",
+          "[studies][calibrate]") {
+  const Benches two;
+  const StudyFile exact = two.file(points_of(bench(0.23)), points_of(bench(0.19)));
+  const Run run(exact);
+  CHECK(run.answer.outcome == "fitted");
+  const auto& e = run.result().estimates;
+  CHECK(names_of(run.result()) == std::vector<std::string>{"kinetic_friction (a.csv)",
+                                                           "kinetic_friction (b.csv)",
+                                                           "youngs_modulus"});
+  CHECK(run.result().degrees_of_freedom == 2 * 28 - 3);
+  // The search ends where its steps are below 1e-9 of the parameters.
+  CHECK(e[0].parameter.value == Approx(0.23).epsilon(1e-7));
+  CHECK(e[1].parameter.value == Approx(0.19).epsilon(1e-7));
+  CHECK(e[2].parameter.value == Approx(2.2e9).epsilon(1e-7));
+  CHECK_THAT(run.json(), Contains("\"kinetic_friction (b.csv)\":{") &&
+                             Contains("\"file\":\"b.csv\"") && Contains("\"plan\":[]"));
+  CHECK_THAT(run.text(), Contains("\nkinetic_friction (a.csv)  0.23"));
+
+  StudyResult stored;
+  stored.outcome = run.answer.outcome;
+  stored.answer = run.answer.answer;
+  const auto motors = found_motors(exact, stored);
+  REQUIRE(motors.size() == 2);
+  CHECK(motors[0].file == "fitted/01.yaml");
+  CHECK(motors[1].what == "fitted motor of b.csv");
+  CHECK(motors[1].motor.design.friction.kinetic == Approx(0.19).epsilon(1e-7));
+  CHECK(motors[0].motor.design.friction.kinetic == Approx(0.23).epsilon(1e-7));
+
+  const Run noisy(two.file(points_of(bench(0.23), 4e-3, 1), points_of(bench(0.19), 4e-3, 2)));
+  CHECK(noisy.answer.outcome == "fitted");
+  const double truth[] = {0.23, 0.19, 2.2e9};
+  // Four standard deviations: normal noise leaves them once in 16,000 times. The modulus is estimated in its logarithm.
+  for (std::size_t j = 0; j < 3; ++j)
+    CHECK(std::fabs(noisy.result().estimates[j].parameter.value - truth[j]) <
+          4 * noisy.result().estimates[j].deviation);
+}
+
+TEST_CASE("with every parameter per file a study is one study for each file",
+          "[studies][calibrate][identity]") {
+  const std::string tables[] = {points_of(bench(0.23), 4e-3, 3), points_of(bench(0.19), 4e-3, 4)};
+  Benches two;
+  two.per_file = "youngs_modulus, kinetic_friction";
+  const Run both(two.file(tables[0], tables[1]));
+  REQUIRE(both.result().estimates.size() == 4);
+  CHECK(both.result().degrees_of_freedom == 2 * 28 - 4);
+  for (std::size_t k = 0; k < 2; ++k) {
+    Case one;
+    one.variables = two.variables;
+    const Run alone(one.file(tables[k]));
+    for (std::size_t j = 0; j < 2; ++j) {
+      const auto& joint = both.result().estimates[2 * j + k];
+      // Two searches, each to 1e-13 of its sum of squares: about the root of it.
+      CHECK(joint.parameter.value ==
+            Approx(alone.result().estimates[j].parameter.value).epsilon(1e-6));
+      // The scatter is that of all residuals; the rest of a standard deviation is the table's own.
+      CHECK(joint.deviation / both.result().residual_deviation ==
+            Approx(alone.result().estimates[j].deviation / alone.result().residual_deviation)
+                .epsilon(1e-5));
+    }
+    // Numbers of different tables have nothing to do with each other.
+    CHECK(std::fabs(both.result().correlation[0 * 4 + 1]) < 1e-9);
+  }
+}
+
+TEST_CASE("each bench's friction makes up for the preload (L5.1)",
+          "[studies][calibrate][closed-form]") {
+  Benches two;
+  two.variables = kFriction;
+  const Run run(two.file(plateau(0.8), plateau(0.7)));
+  const MotorDesign motor = Case().design();
+  REQUIRE(run.result().estimates.size() == 2);
+  const auto move = std::find_if(run.result().moves.begin(), run.result().moves.end(),
+                                 [](const Move& m) { return m.held.name == "preload"; });
+  REQUIRE(move != run.result().moves.end());
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double friction = run.result().estimates[k].parameter.value;
+    // The contact's width moves the mean of the track by less than a thousandth of the radius.
+    CHECK(
+        friction ==
+        Approx((k == 0 ? 0.8 : 0.7) / (motor.preload * motor.stator.contact_radius)).epsilon(1e-3));
+    // Differences of steps of 1e-5: their square, and rounding over them.
+    CHECK(move->slopes[k] == Approx(-friction / move->held.value).epsilon(1e-7));
+  }
+}
+
+TEST_CASE("a table that does not see its own parameter is named", "[studies][calibrate]") {
+  Benches two;
+  two.motor = "elastic-layer";
+  two.per_file = "youngs_modulus";
+  Case elastic;
+  elastic.motor = two.motor;
+  const MotorDesign motor = elastic.design();
+  const double torque = Motor(motor).operating_point(kRpm).torque;
+  const Run run(two.file(points_of(motor), plateau(torque)));
+  CHECK(run.answer.outcome == "undetermined");
+  CHECK_THAT(run.text(), Contains("The data say nothing about youngs_modulus (b.csv)"));
+  CHECK(run.result().undetermined.size() == 1);
+}
+
+TEST_CASE("a study of several tables is known by what each of them holds", "[studies][calibrate]") {
+  const Benches two, same, other;
+  const ResolvedStudy resolved = resolve(two.file(plateau(0.8), plateau(0.7)));
+  REQUIRE(resolved.files.size() == 2);
+  CHECK(resolved.hash() == resolve(same.file(plateau(0.8), plateau(0.7))).hash());
+  CHECK(resolved.hash() != resolve(other.file(plateau(0.8), plateau(0.6))).hash());
+  CHECK(resolved.hash() != resolve(other.file(plateau(0.9), plateau(0.7))).hash());
+  const std::string text = resolved.text(two.folder.path("result"));
+  CHECK_THAT(text, Contains("../a.csv") && Contains("../b.csv"));
+}
+
+TEST_CASE("values per file that cannot be are refused", "[studies][calibrate][errors]") {
+  const auto complaint = [](const Benches& two) -> std::string {
+    try {
+      two.file(plateau(0.8), plateau(0.7));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "ok";
+  };
+  CHECK(complaint({}) == "ok");
+  Benches wrong;
+  wrong.per_file = "amplitude";
+  CHECK_THAT(complaint(wrong), Contains("study.per_file: amplitude is not estimated"));
+  wrong.per_file = "kinetic_friction, mu";
+  CHECK_THAT(complaint(wrong), Contains("kinetic_friction is named twice"));
+  wrong.per_file = "frction";
+  CHECK_THAT(complaint(wrong), Contains("unknown parameter 'frction'"));
+  wrong.per_file = "kinetic_friction";
+  wrong.data = "a.csv";
+  CHECK_THAT(complaint(wrong), Contains("two tables or more, each with a name of its own"));
+  wrong.data = "[a.csv, ./a.csv]";
+  CHECK_THAT(complaint(wrong), Contains("two tables or more, each with a name of its own"));
+  wrong.data = "[a.csv, b.csv]";
+  wrong.more = "derived: {preload: \"700 N * kinetic_friction\"}";
+  CHECK_THAT(complaint(wrong), Contains("study.per_file: beside 'derived'"));
+}
