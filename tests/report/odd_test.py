@@ -164,6 +164,16 @@ class Calibration(Study):
         self.study("kinds", "kind: calibrate, data: kinds.csv, starts: 1, variables: {amplitude: {min: 1 um, max: 2.2 um}}")
         self.assertTrue(self.browser.value("['speed_at', 'no_load_speed'].every((n) => document.querySelector(`[data-chart='residuals ${n}']`))"))
 
+    def test_each_table_has_a_value_and_a_curve_of_its_own(self):
+        for name, torque in (("left", 0.84), ("right", 0.74)):
+            (self.folder / (name + ".csv")).write_text("speed [rpm],torque [N.m]\n" + "".join(f"{s},{torque}\n" for s in (2, 4, 6)))
+        summary = self.study("tables", "kind: calibrate, data: [left.csv, right.csv], starts: 1, per_file: [kinetic_friction], "
+                             "variables: {kinetic_friction: {min: 0.05, max: 0.5}}")
+        self.assertEqual([e["file"] for e in summary["estimates"].values()], ["left.csv", "right.csv"])
+        rows = " ".join(self.lines("[data-table=estimates] tr"))
+        self.assertTrue("kinetic friction (left.csv)" in rows and "kinetic friction (right.csv)" in rows, rows)
+        self.assertTrue({"left.csv", "right.csv"} <= set(" ".join(self.lines(".legend")).replace("csv", "csv ").split()), self.lines(".legend"))
+
     def test_without_data_the_page_is_the_plan(self):
         summary = self.study("first", "kind: calibrate, variables: {kinetic_friction: {min: 0.05, max: 0.5}}")
         self.assertEqual(len(summary["plan"]), 10)
