@@ -108,10 +108,11 @@ class Hands(Designer):
         self.set("radial_slices", 0)
         self.rest()
         whole = self.browser.value(f"{PANEL}.metrics.peak_power.value")
-        self.browser.value(f"{PANEL}.setValue('preload', 160.5, 'drag'); true")
-        self.browser.settle()
-        self.assertIn("one slice while the slider moves", self.text("[data-fields]"))
-        self.assertEqual(self.browser.value("document.getElementById('page').dataset.sketch"), "yes")
+        text, sketch = self.browser.value(f"""new Promise(done => {{ {PANEL}.setValue('preload', 160.5, 'drag');
+            requestAnimationFrame(() => requestAnimationFrame(() => done(
+                [document.querySelector('[data-fields]').textContent, document.getElementById('page').dataset.sketch]))); }})""")
+        self.assertIn("one slice while the slider moves", text)
+        self.assertEqual(sketch, "yes")
         took = self.browser.value(f"""new Promise(done => {{ const p = {PANEL}; p.setValue('preload', 160, 'drag'); p.settled(); const begin = performance.now();
             const look = () => (p.waiting !== null || p.changed || p.sketch ? setTimeout(look, 1) : done(performance.now() - begin)); setTimeout(look, 30); }})""")
         print(f"ring-60 with all slices, derivatives and notes after {took:.0f} ms of rest")

@@ -96,7 +96,8 @@ std::array<double, kParameterCount> Differentiator::in_parameters(const DesignDu
     if (dual.d[slope.direction] != 0)
       gradient[slope.parameter] += dual.d[slope.direction] * slope.value;
   // Modes of other numbers of waves are computed only where they are asked for.
-  if (const double share = dual.d[plate_direction(PlateNumber::mode_separation)]; share != 0) {
+  const double share = dual.d[plate_direction(PlateNumber::mode_separation)];
+  if (design_.stator.geometry && share != 0) {
     const auto slopes = mode_separation_slopes(design_);
     for (std::size_t j = 0; j < kParameterCount; ++j) gradient[j] += share * slopes[j];
   }
