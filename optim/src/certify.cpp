@@ -254,7 +254,7 @@ class Certifier {
       if (g.row(k).cwiseAbs().maxCoeff() == 0.0) names.push_back(variable_name(k));
     if (static_cast<Index>(names.size()) == g.rows() && g.rows() > 0 && flat_at_start())
       certificate().findings.push_back(
-          {Degeneracy::flat_objective, "the objective has no slope in any variable", names});
+          {Degeneracy::flat_objective, "the gradient of the objective is zero", names});
   }
 
   bool flat_at_start() const { return objectives_ == 1 && scaling_.flat_at_start(0); }
@@ -298,7 +298,7 @@ class Certifier {
     else if (!stationary())
       c.reason = "not stationary: the objective can still improve to first order";
     else if (c.complementarity > options_.tolerance)
-      c.reason = "a limit with a multiplier is not met";
+      c.reason = "a limit with a nonzero multiplier is not active";
     else if (has(Degeneracy::negative_curvature))
       c.reason = "stationary, but not a minimum";
     c.passed = c.reason.empty();

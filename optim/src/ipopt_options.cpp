@@ -36,15 +36,17 @@ const std::vector<Entry>& table() {
   static const std::vector<Entry> entries{
       number("tol", 1e-14, 1e-1, "1e-9",
              "relative error of the optimality conditions at which to stop"),
-      number("acceptable_tol", 1e-14, 1.0, "1e-7", "looser error that will do if it lasts"),
-      number("constr_viol_tol", 1e-14, 1.0, "1e-9", "scaled violation that counts as none"),
+      number("acceptable_tol", 1e-14, 1.0, "1e-7",
+             "looser tolerance that is accepted if it holds for several steps"),
+      number("constr_viol_tol", 1e-14, 1.0, "1e-9", "largest scaled violation that counts as zero"),
       integer("max_iter", 0, 1e6, "500", "iterations"),
       choice("mu_strategy", {"monotone", "adaptive"}, "adaptive",
-             "how the barrier parameter falls"),
+             "update strategy of the barrier parameter"),
       number("mu_init", 1e-12, 1e6, "", "first barrier parameter"),
-      number("bound_relax_factor", 0, 1e-2, "0", "by how much bounds are widened inside"),
+      number("bound_relax_factor", 0, 1e-2, "0", "relative relaxation of bounds inside Ipopt"),
       integer("limited_memory_max_history", 1, 1000, "12", "gradients kept for the Hessian"),
-      choice("nlp_scaling_method", {"none", "gradient-based"}, "none", "ours is done before"),
+      choice("nlp_scaling_method", {"none", "gradient-based"}, "none",
+             "scaling inside Ipopt; twum scales the problem before"),
       integer("print_level", 0, 12, "0", "what Ipopt itself prints to standard output")};
   return entries;
 }

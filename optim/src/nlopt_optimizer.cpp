@@ -340,7 +340,8 @@ std::vector<SolverOption> nlopt_options() {
   return {
       {"nlopt", "xtol_rel", "number", "relative change of the variables at which to stop", 0, 1},
       {"nlopt", "ftol_rel", "number", "relative change of the objective at which to stop", 0, 1},
-      {"nlopt", "constraint_tolerance", "number", "scaled violation that counts as none", 0, 1},
+      {"nlopt", "constraint_tolerance", "number", "largest scaled violation that counts as zero", 0,
+       1},
       {"nlopt", "population", "integer", "size of the population; 0: the algorithm's own", 0, 1e6},
       {"nlopt", "vector_storage", "integer", "gradients that lbfgs and var keep; 0: its own", 0,
        1e4},

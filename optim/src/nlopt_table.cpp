@@ -7,16 +7,15 @@ namespace {
 constexpr nlopt_algorithm kNone = NLOPT_NUM_ALGORITHMS;
 constexpr const char* kCxx = "it needs the C++ build of NLopt (nlopt_cxx), which is not linked";
 constexpr const char* kCrashes =
-    "NLopt reads memory that is not its own when this is stopped early; use nlopt:direct";
+    "NLopt reads invalid memory if this algorithm is stopped early; use nlopt:direct";
 constexpr bool y = true;
 constexpr bool n = false;
 
 // name, id, description, gradient, inequality, equality, global, stochastic, compares only,
 // subsidiary, refusal
 constexpr NloptAlgorithm kAlgorithms[] = {
-    {"slsqp", NLOPT_LD_SLSQP,
-     "sequential quadratic programming; the fast one for small smooth problems", y, y, y, n, n, n,
-     kNone, ""},
+    {"slsqp", NLOPT_LD_SLSQP, "sequential quadratic programming; fast for small smooth problems", y,
+     y, y, n, n, n, kNone, ""},
     {"mma", NLOPT_LD_MMA, "method of moving asymptotes", y, y, n, n, n, n, kNone, ""},
     {"ccsaq", NLOPT_LD_CCSAQ, "conservative convex separable quadratic approximations", y, y, n, n,
      n, n, kNone, ""},
@@ -25,15 +24,15 @@ constexpr NloptAlgorithm kAlgorithms[] = {
     {"bobyqa", NLOPT_LN_BOBYQA, "quadratic model without derivatives", n, n, n, n, n, n, kNone, ""},
     {"newuoa_bound", NLOPT_LN_NEWUOA_BOUND,
      "quadratic model without derivatives, older than bobyqa", n, n, n, n, n, n, kNone,
-     "its inner search may go on for ever (issue 117 of NLopt); use nlopt:bobyqa"},
+     "its inner search may never end (issue 117 of NLopt); use nlopt:bobyqa"},
     {"newuoa", NLOPT_LN_NEWUOA, "quadratic model without derivatives or bounds", n, n, n, n, n, n,
-     kNone, "it takes no bounds; use nlopt:bobyqa"},
+     kNone, "it does not support bounds; use nlopt:bobyqa"},
     {"praxis", NLOPT_LN_PRAXIS, "principal axes without derivatives", n, n, n, n, y, n, kNone, ""},
     {"neldermead", NLOPT_LN_NELDERMEAD, "simplex of Nelder and Mead", n, n, n, n, n, y, kNone, ""},
     {"sbplx", NLOPT_LN_SBPLX, "Nelder-Mead on subspaces", n, n, n, n, n, y, kNone, ""},
     {"lbfgs", NLOPT_LD_LBFGS, "limited-memory BFGS", y, n, n, n, n, n, kNone, ""},
     {"lbfgs_nocedal", NLOPT_LD_LBFGS_NOCEDAL, "limited-memory BFGS by Nocedal", y, n, n, n, n, n,
-     kNone, "this NLopt carries only its name; use nlopt:lbfgs"},
+     kNone, "this NLopt contains only its name; use nlopt:lbfgs"},
     {"var1", NLOPT_LD_VAR1, "shifted limited-memory variable metric, rank 1", y, n, n, n, n, n,
      kNone, ""},
     {"var2", NLOPT_LD_VAR2, "shifted limited-memory variable metric, rank 2", y, n, n, n, n, n,

@@ -206,8 +206,8 @@ TEST_CASE("what is no result is refused by the name of its directory",
   const Results results({"{}", "[]", "{", R"({"best": {"certificate": {"passed": "perhaps"}}})"});
   const auto& names = results.names();
   CHECK(refusal({names[0], names[0]}) == "accepted");
-  CHECK(refusal({names[0], names[1]}) == names[1] + "/summary.json: is damaged: no JSON object");
-  CHECK(refusal({names[2]}) == names[2] + "/summary.json: is damaged: no JSON object");
+  CHECK(refusal({names[0], names[1]}) == names[1] + "/summary.json: is damaged: not a JSON object");
+  CHECK(refusal({names[2]}) == names[2] + "/summary.json: is damaged: not a JSON object");
   CHECK_THAT(refusal({names[3]}), Contains(names[3] + "/summary.json: is damaged: "));
   CHECK_THROWS_AS(compare_results(std::vector{names[3]}), StoreError);
 

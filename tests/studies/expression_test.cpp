@@ -50,9 +50,9 @@ const Bad kBad[] = {
     {"2 * torque_at(5 N)", 16,
      "torque_at: '5 N' is a force [N]; expected an angular speed [rad/s] such as '100 rpm'"},
     {"stall_torque(100 rpm)", 12,
-     "'stall_torque' takes nothing in parentheses; write it without them"},
+     "'stall_torque' takes nothing in parentheses; write it without parentheses"},
     {"preload(100 rpm)", 7,
-     "'preload' is a parameter and takes nothing in parentheses; write it without them"},
+     "'preload' is a parameter and takes nothing in parentheses; write it without parentheses"},
 };
 
 MetricRequest request(const char* text) { return *parse_metric(text).request(); }

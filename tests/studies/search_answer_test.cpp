@@ -180,7 +180,7 @@ TEST_CASE("a design that is not certified says why, and what is odd about it",
   CHECK_THAT(text, !Contains("1 % looser"));
   CHECK_THAT(text,
              EndsWith("\n\nNot certified as an optimum: the evaluations ran out.\n"
-                      "Without influence here: width and thickness.\n"
+                      "Without influence at this design: width and thickness.\n"
                       "A valley: preload, thickness and width can change together without changing "
                       "the answer; this design is one of many.\n"
                       "A valley: preload can change without changing the answer; this design is "

@@ -99,7 +99,7 @@ const Bad kBad[] = {
     {"3 mm @ 2", "m", "'3 mm @ 2': 'mm @ 2' is not a unit; expected a length [m] such as 'x'"},
     {"3 1/s", "Hz", "'3 1/s': '1/s' is not a unit; expected a frequency [Hz] such as 'x'"},
     {"3 W/m.K", "m",
-     "'3 W/m.K': 'W/m.K' is ambiguous, put parentheses round what stands below the line; expected "
+     "'3 W/m.K': 'W/m.K' is ambiguous; put parentheses around the denominator; expected "
      "a length [m] such as "
      "'x'"},
     {"0,3 mm", "m", "'0,3 mm' has a decimal comma; write '0.3 mm'"},

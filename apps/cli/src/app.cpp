@@ -29,7 +29,7 @@ constexpr const char* kExamples = R"text(Examples:
   twum curve ring.yaml --set "preload=140 N" --format csv -o curve.csv
   twum evaluate ring.yaml --designs designs.csv --metrics "stall_torque, speed_at(0.5 N.m)"
   twum init optimize -o study.yaml                    a commented study file to start from
-  twum run study.yaml                                 runs it, or goes on with it
+  twum run study.yaml                                 runs it, or resumes it
 
 Exit status: 0 done; 1 no feasible or converged answer; 2 the input is wrong;
 3 a file could not be written, or an internal error; 130 interrupted.)text";
@@ -97,7 +97,7 @@ int explain(const CLI::App& app, const CLI::ParseError& error) {
   if (app.get_subcommands().empty()) {
     const std::vector<std::string> rest = app.remaining(true);
     if (!rest.empty()) return unknown_command(app, rest.front());
-    return complain("twum: which command?\n\n" + app.help(), kWrongInput);
+    return complain("twum: no command given\n\n" + app.help(), kWrongInput);
   }
   const CLI::App& command = *app.get_subcommands().front();
   if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {

@@ -67,8 +67,8 @@ std::size_t parse_count(const std::string& option, const std::string& text, std:
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size() || value < least || value > most) {
     throw InputError(option + ": " + studies::quoted(text) +
-                     " cannot be; expected a whole number from " + std::to_string(least) + " to " +
-                     std::to_string(most));
+                     " is not valid; expected a whole number from " + std::to_string(least) +
+                     " to " + std::to_string(most));
   }
   return value;
 }

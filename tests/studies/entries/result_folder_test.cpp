@@ -36,7 +36,7 @@ TEST_CASE("a directory is made with those above it, and a file is none", "[studi
   CHECK_THROWS_WITH(ResultFolder(folder.path("file")),
                     StartsWith(folder.path("file") + ": cannot be "));
   CHECK_THROWS_WITH(ResultFolder(folder.path("file/below")),
-                    Contains("cannot be made a directory: Not a directory"));
+                    Contains("cannot be created as a directory: Not a directory"));
 }
 
 TEST_CASE("one directory is for one run at a time", "[studies][run]") {
@@ -44,7 +44,7 @@ TEST_CASE("one directory is for one run at a time", "[studies][run]") {
   {
     const ResultFolder first(folder.path("out"));
     CHECK_THROWS_WITH(ResultFolder(folder.path("out")),
-                      Contains("another twum is at work in this directory"));
+                      Contains("another twum process is using this directory"));
   }
   CHECK_NOTHROW(ResultFolder(folder.path("out")));
 }
@@ -59,7 +59,7 @@ TEST_CASE("files that are not known as results are left alone", "[studies][run]"
   fs::create_directory(folder.path("front"));
   write(folder.path(name), "somebody's");
   CHECK_THROWS_WITH(results.check_ours(), Contains(folder.path(name)) &&
-                                              Contains("is no result of twum") &&
+                                              Contains("is not a result of twum") &&
                                               Contains("there is no results.db with it"));
   CHECK_THROWS_AS(results.discard(), InputError);
   CHECK(content(folder.path(name)) == "somebody's");
@@ -68,7 +68,7 @@ TEST_CASE("files that are not known as results are left alone", "[studies][run]"
 TEST_CASE("a database of another program and a file called front are refused", "[studies][run]") {
   const ScratchFolder folder;
   const ResultFolder results(folder.folder());
-  const auto complaint = Contains("is there already and is no result of twum; choose");
+  const auto complaint = Contains("exists already and is not a result of twum; choose");
   SECTION("a short file") { write(folder.path("results.db"), "mine"); }
   SECTION("an SQLite file without our mark") {
     write(folder.path("results.db"), "SQLite format 3" + std::string(200, '\0'));

@@ -141,7 +141,7 @@ TEST_CASE("rounds of samples end above where they begin", "[studies][study][erro
   CHECK(sobol(", width: 0.1, max_samples: 2").empty());  // of samples nothing is said
   CHECK(sobol(", samples: 1000, width: 0.1").empty());
   CHECK(sobol(", samples: 1000, max_samples: 999") ==
-        Lines{"study.max_samples: given without a width; only where 'width' asks for rounds"});
+        Lines{"study.max_samples: given without a width; used with 'width' only; leave it out"});
   CHECK(sobol(", samples: [1], width: 0.1, max_samples: 999").size() == 1);
 }
 
@@ -208,7 +208,7 @@ TEST_CASE("a solver has to be one that can be used, with options of its own",
   CHECK(optimize("solver: nlopt:slsqp").empty());
   CHECK(optimize("solver: {name: auto}").empty());
   CHECK(optimize("solver: nlopt:newuoa") ==
-        Lines{"study.solver: 'nlopt:newuoa' cannot be used here; it takes no bounds; use "
+        Lines{"study.solver: 'nlopt:newuoa' cannot be used here; it does not support bounds; use "
               "nlopt:bobyqa"});
   CHECK(optimize("solver: {name: nlopt:newuoa}").at(0).starts_with("study.solver.name: "));
   CHECK(optimize("solver: magic") ==
@@ -248,8 +248,8 @@ TEST_CASE("a front over many whole numbers needs the search that finds such",
   CHECK(complaints("{kind: optimize, maximize: peak_power, variables: {" + waves + "}}").empty());
   CHECK(
       complaints("{kind: calibrate, data: x.csv, variables: {wavelengths: {min: 8, max: 10}}}") ==
-      Lines{"study.variables.wavelengths: only whole numbers, which a fit cannot move between; set "
-            "it in the motor, one study for each value"});
+      Lines{"study.variables.wavelengths: only whole numbers, which a fit cannot estimate; set it "
+            "in the motor, one study for each value"});
 }
 
 TEST_CASE("options of a solver are read as the study says, and as the solver reads them",

@@ -217,7 +217,7 @@ TEST_CASE("a column without a unit is one of numbers", "[studies][units]") {
   for (const char* none : {"", "1", "-", " "}) {
     CAPTURE(none);
     CHECK(parse_unit(none, {"1", "0.2"}).factor() == 1);
-    CHECK_THROWS_WITH(parse_unit(none, {"N", "160 N"}), Contains("is no unit"));
+    CHECK_THROWS_WITH(parse_unit(none, {"N", "160 N"}), Contains("is not a unit"));
   }
   CHECK(parse_unit("kN", {"N", "160 N"}).factor() == 1000);
 }

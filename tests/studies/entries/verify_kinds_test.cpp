@@ -93,8 +93,9 @@ TEST_CASE("a fit is verified from its directory, and without its points it canno
   CHECK(one.result.outcome == "fitted");
   check_all_holds(one);
   fs::remove(one.folder.path("points.csv"));
-  CHECK_THROWS_WITH(verify_study(one.out()),
-                    StartsWith("the stored study cannot be repeated: ") && Contains("points.csv"));
+  CHECK_THROWS_WITH(
+      verify_study(one.out()),
+      StartsWith("the stored study cannot be evaluated again: ") && Contains("points.csv"));
   CHECK_THROWS_AS(verify_study(one.out()), StoreError);
 }
 

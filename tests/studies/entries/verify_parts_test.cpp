@@ -170,7 +170,7 @@ TEST_CASE("a design that is no motor and a metric that is none are named with th
     return found.complaints[0];
   };
   CHECK(complaint(R"({"design": {"colour": 3}, "metrics": {}})") ==
-        "summary.json: best: 'colour' is no parameter");
+        "summary.json: best: 'colour' is not a parameter");
   CHECK_THAT(complaint(design("-1", "0.5")), StartsWith("summary.json: best: preload "));
   CHECK_THAT(complaint(design(R"("much")", "0.5")), StartsWith("summary.json: best: preload "));
   CHECK_THAT(complaint(R"({"design": {}, "metrics": {"stall_torqe": 1}})"),
@@ -330,5 +330,5 @@ TEST_CASE("rows that the study asks for and the database has not are counted",
   Verification found;
   verify_answer(kind, store, summary, found);
   CHECK(found.complaints ==
-        std::vector<std::string>{"results.db: 3 rows are missing that the study asks for"});
+        std::vector<std::string>{"results.db: 3 rows of the study are missing"});
 }

@@ -84,7 +84,7 @@ int run_check(const MotorOptions& options) {
 void add_check(CLI::App& app, Action& action) {
   const auto options = std::make_shared<MotorOptions>();
   CLI::App* command =
-      app.add_subcommand("check", "Says everything that is wrong with a file, without running it");
+      app.add_subcommand("check", "Checks a file and reports every error, without running it");
   command->add_option("FILE", options->path, "File to check ('-': standard input)")
       ->required()
       ->type_name("FILE");

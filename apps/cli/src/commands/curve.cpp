@@ -229,7 +229,7 @@ std::set<std::string> reasons_in(const Curve& curve) {
 int run_curve(const CurveOptions& options) {
   if (options.compare_slices && options.output.format == "csv")
     throw InputError(
-        "--compare-slices compares metrics, which CSV does not hold; use --format json");
+        "--compare-slices compares metrics, which a CSV file does not contain; use --format json");
   Output output(options.output.path, {options.motor.path});
   const std::optional<PlotFile> plot =
       plot_file(options.plot, {options.motor.path, options.output.path});
@@ -260,11 +260,11 @@ void add_curve(CLI::App& app, Action& action) {
   command->add_option("--points", options->points,
                       "Number of points from rest to a little beyond no-load (default: 51)");
   command->add_option("--speeds", options->speeds,
-                      "Rotor speeds between commas, instead of --points");
+                      "Rotor speeds separated by commas, instead of --points");
   add_output_options(*command, options->output, {"table", "csv", "json"});
   add_plot_option(*command, options->plot);
   command->add_flag("--compare-slices", options->compare_slices,
-                    "Show what the width of the contact track changes in each metric");
+                    "Show how the width of the contact track changes each metric");
   command->footer(kCurveExamples);
   command->callback([options, &action] { action = [options] { return run_curve(*options); }; });
 }

@@ -171,9 +171,9 @@ void add_evaluate(CLI::App& app, Action& action) {
   add_motor_options(*command, options->motor);
   add_branch_option(*command, options->motor);
   command
-      ->add_option(
-          "--designs", options->designs,
-          "CSV table, one design a row ('-': standard input); without it, the motor itself")
+      ->add_option("--designs", options->designs,
+                   "CSV table with one design in each row ('-': standard input); without it, the "
+                   "motor itself")
       ->type_name("FILE");
   command->add_option("--metrics", options->metrics,
                       "Metrics or expressions between commas (default: all metrics without "

@@ -61,7 +61,8 @@ int run_explore(const ExploreOptions& options) {
 void add_explore(CLI::App& app, Action& action) {
   const auto options = std::make_shared<ExploreOptions>();
   CLI::App* command = app.add_subcommand(
-      "explore", "A page in which the motor answers while its parameters are moved");
+      "explore",
+      "Writes an interactive page that computes the motor while you change its parameters");
   add_motor_options(*command, options->motor);
   add_branch_option(*command, options->motor);
   command

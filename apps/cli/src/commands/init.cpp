@@ -69,7 +69,8 @@ int run_init(const InitOptions& options) {
 
 void add_init(CLI::App& app, Action& action) {
   const auto options = std::make_shared<InitOptions>();
-  CLI::App* command = app.add_subcommand("init", "A commented file to start from");
+  CLI::App* command =
+      app.add_subcommand("init", "Writes a commented template of a motor or study file");
   command->add_option("KIND", options->kind, "motor, or a kind of study")
       ->required()
       ->check(CLI::IsMember(kinds()))

@@ -35,7 +35,7 @@ std::string made_directory(const PlotOptions& options) {
   fs::create_directories(path, error);
   if (error || !fs::is_directory(path, error))
     throw OutputError(path.string() + ": this directory cannot be made: " +
-                      (error ? error.message() : "a file has its name") +
+                      (error ? error.message() : "a file has this name") +
                       "; choose another one with -o");
   return path.string();
 }

@@ -33,7 +33,8 @@ int run_report(const std::string& directory) {
 
 void add_report(CLI::App& app, Action& action) {
   const auto directory = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("report", "Builds the page of a study's results again");
+  CLI::App* command =
+      app.add_subcommand("report", "Writes the report page of a study's results again");
   command->add_option("DIR", *directory, "Directory that 'twum run' wrote")
       ->required()
       ->type_name("DIR");

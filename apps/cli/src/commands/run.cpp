@@ -25,13 +25,13 @@ constexpr const char* kRunExamples = R"text(Examples:
   twum run study.yaml                       results in results/study
   twum run study.yaml -o first --jobs 4
   twum run study.yaml --set "preload=140 N" -o first-140N
-  twum run study.yaml -o first --fresh      discards what is in there and starts anew
+  twum run study.yaml -o first --fresh      discards the stored results and starts again
   mpirun -n 8 twum run study.yaml           shares the work among processes (a build with MPI)
 
 DIR then holds study.yaml (the study in full), results.db (SQLite: every evaluation), results.csv,
 summary.json, report.html, and what was found as motor files: best.yaml, fitted.yaml, or those of a
-front in front/, or of motors that fit equally well in optima/. A study that was interrupted, by Ctrl-C or in any other way, goes on
-where it was when the same command is given again, and ends with the same results.)text";
+front in front/, or of motors that fit equally well in optima/. If a study was interrupted, by Ctrl-C or
+in any other way, the same command resumes it and ends with the same results.)text";
 
 struct StudyOptions {
   std::string path;
@@ -108,7 +108,7 @@ int run_first(const StudyOptions& options, studies::RunOptions run) {
   if (!pace.empty()) std::fprintf(stderr, "note: %s\n", pace.c_str());
   const studies::StudyResult result = run_with_progress(file, directory, run);
   if (result.was_complete) {
-    std::fprintf(stderr, "twum: %s holds this result already; --fresh computes it anew\n",
+    std::fprintf(stderr, "twum: %s holds this result already; --fresh computes it again\n",
                  directory.c_str());
   }
   Output output("");
@@ -148,7 +148,7 @@ int run_study(const StudyOptions& options) {
 
 void add_run(CLI::App& app, Action& action) {
   const auto options = std::make_shared<StudyOptions>();
-  CLI::App* command = app.add_subcommand("run", "Runs a study, or goes on with it");
+  CLI::App* command = app.add_subcommand("run", "Runs a study, or resumes it");
   command->add_option("STUDY", options->path, "Study file ('-': standard input)")
       ->required()
       ->type_name("FILE");
@@ -162,7 +162,7 @@ void add_run(CLI::App& app, Action& action) {
   command->add_option("--jobs", options->jobs,
                       "Threads (default: all processors); the result does not depend on it");
   command->add_flag("--fresh", options->fresh,
-                    "Discard the results that are in the directory and start anew");
+                    "Discard the stored results in the directory and start again");
   command->footer(kRunExamples);
   command->callback([options, &action] { action = [options] { return run_study(*options); }; });
 }

@@ -16,24 +16,16 @@ namespace twum::cli {
 namespace {
 
 constexpr const char* kText =
-    "Names as in `solver: {name: ...}` of a study. `auto`, the default, searches from several "
-    "starts, "
-    "certifies the best\n"
-    "and tries other solvers where that fails (see [optimization](../optimization.md)). "
-    "\"gradient\" "
-    "says what a solver\n"
-    "needs; exact gradients are always there. Every available solver keeps to the bounds of the "
-    "variables; limits on\n"
-    "metrics are inequalities. The last two are for `calibrate`, as `solver: gsl:lm`. This page is "
-    "the output of `twum solvers --format markdown`; "
-    "`twum solvers --options`\n"
-    "lists the options alone.";
+    R"text(Give one of these names in `solver: {name: ...}` of a study. `auto`, the default, searches from several
+starts, certifies the best design, and tries other solvers if that fails (see
+[optimization](../optimization.md)). The column "gradient" says whether a solver needs gradients; exact
+gradients are always available. Every available solver stays within the bounds of the variables; limits on
+metrics are inequalities. The last two are for `calibrate`, as `solver: gsl:lm`. This page is the output of
+`twum solvers --format markdown`; `twum solvers --options` lists the options only.)text";
 
 constexpr const char* kOptionsText =
-    "Options of single solvers, as entries of `solver:` beside `name`. Those of `nlopt` are for "
-    "every "
-    "solver whose name\n"
-    "begins so.";
+    R"text(Options of single solvers, as entries of `solver:` beside `name`. Those of `nlopt` are for every solver
+whose name begins with `nlopt:`.)text";
 
 constexpr const char* kSolversExamples = R"text(Examples:
   twum solvers
@@ -92,7 +84,7 @@ int run_solvers(const SolversOptions& options) {
 void add_solvers(CLI::App& app, Action& action) {
   const auto options = std::make_shared<SolversOptions>();
   CLI::App* command =
-      app.add_subcommand("solvers", "Lists the solvers, what they need and what they take");
+      app.add_subcommand("solvers", "Lists the solvers, their requirements and their options");
   command->add_flag("--options", options->options, "List the options of the solvers instead");
   add_output_options(*command, options->output, {"table", "csv", "json", "markdown"});
   command->footer(kSolversExamples);

@@ -39,7 +39,7 @@ std::string report(const studies::Verification& found) {
   text += "  " + std::to_string(found.rows_checked) + " of " + counted(found.rows, "stored row") +
           " evaluated again\n";
   if (found.rows_skipped > 0)
-    text += "  " + counted(found.rows_skipped, "row") + " cannot be evaluated alone\n";
+    text += "  " + counted(found.rows_skipped, "row") + " cannot be evaluated without other rows\n";
   text += "  " + counted(found.designs, "design") + " of the summary evaluated again\n";
   if (found.certificates > 0)
     text += "  " + counted(found.certificates, "certificate") + " measured again\n";
@@ -72,7 +72,7 @@ int run_verify(const VerifyCommand& command) {
 void add_verify(CLI::App& app, Action& action) {
   const auto options = std::make_shared<VerifyCommand>();
   CLI::App* command =
-      app.add_subcommand("verify", "Computes a study's results again and says whether they hold");
+      app.add_subcommand("verify", "Computes a study's results again and reports differences");
   command->add_option("DIR", options->directory, "Directory that 'twum run' wrote")
       ->required()
       ->type_name("DIR");

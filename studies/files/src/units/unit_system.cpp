@@ -176,8 +176,7 @@ std::string unit_form_complaint(std::string_view unit) {
   if (unit.size() > kLongestUnit || !starts_well || shift || !numbers_are_exponents(unit)) {
     return "is not a unit";
   }
-  if (product_after_slash(unit))
-    return "is ambiguous, put parentheses round what stands below the line";
+  if (product_after_slash(unit)) return "is ambiguous; put parentheses around the denominator";
   return {};
 }
 

@@ -206,7 +206,7 @@ Scale parse_unit(std::string_view unit, const Expected& expected) {
   unit = trimmed(unit);
   if (unit.empty() || unit == "1" || unit == "-") {
     if (dimensionless(expected.unit)) return {};
-    throw ValueError(quoted(unit) + " is no unit", expectation(std::span(&expected, 1)));
+    throw ValueError(quoted(unit) + " is not a unit", expectation(std::span(&expected, 1)));
   }
   return match_unit(unit, unit, 0, std::span(&expected, 1)).scale;
 }

@@ -68,8 +68,8 @@ MetricRequest parse_request(const MetricInfo& metric, std::string_view text, std
     return {metric.metric, Argument::none, 0};
   }
   if (metric.argument == Argument::none) {
-    throw ValueError(quoted(metric.name) + " takes nothing in parentheses", "write it without them",
-                     open);
+    throw ValueError(quoted(metric.name) + " takes nothing in parentheses",
+                     "write it without parentheses", open);
   }
   const std::string_view argument = trimmed(text.substr(open + 1, text.size() - open - 2));
   return parse_argument(metric, argument, static_cast<std::size_t>(argument.data() - text.data()));
@@ -92,7 +92,7 @@ Term parse_term(std::string_view text, bool whole_text) {
   if (!whole_text) refuse_symbol(info(*parameter), name);
   if (open != std::string_view::npos) {
     throw ValueError(quoted(name) + " is a parameter and takes nothing in parentheses",
-                     "write it without them", open);
+                     "write it without parentheses", open);
   }
   return *parameter;
 }

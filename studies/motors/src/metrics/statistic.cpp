@@ -55,10 +55,11 @@ auto read_at(std::string_view part, std::size_t begin, Read read) {
 double quantity_of(std::string_view text, std::size_t begin, const Formula* like,
                    const char* expected) {
   const MetricExpression side = read_at(text, begin, parse_side);
-  if (!side.formula.constant()) throw ValueError(quoted(text) + " is no quantity", expected, begin);
+  if (!side.formula.constant())
+    throw ValueError(quoted(text) + " is not a quantity", expected, begin);
   if (like != nullptr) require_same_dimension(*like, side.formula, ">=", begin);
   if (like == nullptr && side.unit() != "1")
-    throw ValueError(quoted(text) + " is no share", expected, begin);
+    throw ValueError(quoted(text) + " is not a share of the motors", expected, begin);
   return side.formula.value({});
 }
 
@@ -90,7 +91,7 @@ bool is_statistic(std::string_view text) { return kind_of(trimmed(text)).has_val
 StatisticRequest parse_statistic(std::string_view text) {
   text = trimmed(text);
   const auto kind = kind_of(text);
-  if (!kind) throw ValueError(quoted(text) + " is no statistic", kStatisticUsage, 0);
+  if (!kind) throw ValueError(quoted(text) + " is not a statistic", kStatisticUsage, 0);
   const std::size_t length = length_of(text, *kind);
   if (length != text.size())
     throw ValueError(quoted(text) + " is more than one statistic",
@@ -114,7 +115,7 @@ StatisticRequest parse_statistic(std::string_view text) {
 StatisticLimit parse_statistic_limit(std::string_view text) {
   text = trimmed(text);
   const auto kind = kind_of(text);
-  if (!kind) throw ValueError(quoted(text) + " is no limit on a statistic", kStatisticUsage, 0);
+  if (!kind) throw ValueError(quoted(text) + " is not a limit on a statistic", kStatisticUsage, 0);
   const std::size_t length = length_of(text, *kind);
   StatisticLimit limit{std::string(text), parse_statistic(text.substr(0, length))};
   const std::size_t sign = text.find_first_not_of(' ', length);

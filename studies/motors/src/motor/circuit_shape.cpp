@@ -33,10 +33,11 @@ const Shape<EquivalentCircuit>& circuit_shape() {
                    &C::motional_capacitance),
        required<C>("blocked_capacitance", positive("C_0 in parallel with it", "F", "8.5 nF"),
                    &C::blocked_capacitance),
-       required<C>("force_factor",
-                   positive("modal force of a phase per volt; the impedance does not say it", "N/V",
-                            "0.55 N/V"),
-                   &C::force_factor)});
+       required<C>(
+           "force_factor",
+           positive("modal force of a phase per volt; it does not follow from the impedance", "N/V",
+                    "0.55 N/V"),
+           &C::force_factor)});
   return shape;
 }
 

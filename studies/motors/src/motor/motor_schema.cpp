@@ -33,8 +33,8 @@ Shape<double> slices(const ParameterInfo& row) {
   schema.min = 1;
   const Shape<double> count = number(schema);
   const Shape<double> automatic = shape_as<double, std::size_t>(
-      choice("as many as the torque needs", {"auto"}), [](std::size_t) { return kAutoSlices; },
-      [](const double&) { return std::size_t{0}; });
+      choice("as many as an accurate torque needs", {"auto"}),
+      [](std::size_t) { return kAutoSlices; }, [](const double&) { return std::size_t{0}; });
   Shape<double> shape;
   shape.schema.kind = ValueKind::any_of;
   shape.schema.text = row.text;
@@ -89,7 +89,7 @@ Field<GivenMotor> field_of(const ParameterInfo& row) {
     field.entry.fallback = "none; a voltage needs it";
   if (row.parameter == Parameter::voltage_ratio) field.entry.fallback = "1";
   if (row.parameter == Parameter::rotor_mass)
-    field.entry.fallback = "none: the rotor follows the wave at once";
+    field.entry.fallback = "none: the rotor has no inertia";
   if (row.parameter == Parameter::sensor_load_resistance)
     field.entry.fallback = "none: the electrode is open";
   if (field.entry.fallback.empty()) field.entry.fallback = geometry_fallback(row.parameter);
@@ -151,7 +151,8 @@ Shape<std::pair<double, double>> shape_row() {
 
 Field<GivenMotor> branch_field() {
   return hidden(optional<GivenMotor>(
-      "branch", word<Branch>("which stable wave a voltage is taken to hold", {"running", "dead"}),
+      "branch",
+      word<Branch>("which stable wave of a motor under a voltage is meant", {"running", "dead"}),
       &GivenMotor::branch, "running"));
 }
 
@@ -204,13 +205,13 @@ constexpr Section kSections[] = {
     {"contact_layer", "the layer between stator and rotor"},
     {"stator.radial_shape", "amplitude of the wave across the track, 1 at the contact radius",
      check_shape, false},
-    {"stator.imbalance", "what is unequal between the two phases and the two modes", nullptr,
+    {"stator.imbalance", "differences between the two phases and between the two modes", nullptr,
      false},
     {"stator.sensor", "an electrode that senses the wave", nullptr, false},
     {"friction", "Coulomb friction between stator and contact layer", check_friction},
     {"rotor", "the rotor's face", nullptr, false},
     {"stator.geometry",
-     "the stator as it is drawn, instead of modal data, neutral plane distance and radial shape",
+     "geometry of the stator, instead of modal data, neutral plane distance and radial shape",
      nullptr, false},
     {"stator.geometry.substrate", "the metal plate"},
     {"stator.geometry.web", "thinner part of the metal plate from the clamp to the ring"},
@@ -349,9 +350,8 @@ Shape<double> parameter_shape(const ParameterInfo& parameter) {
 const Shape<MotorFile>& motor_shape() {
   static const Shape<MotorFile> shape = [] {
     std::vector<Field<GivenMotor>> fields = fields_below("");
-    fields.insert(fields.begin(),
-                  optional<GivenMotor>("name", path("what the motor is called", "ring-60"),
-                                       &GivenMotor::name, "no name"));
+    fields.insert(fields.begin(), optional<GivenMotor>("name", path("name of the motor", "ring-60"),
+                                                       &GivenMotor::name, "no name"));
     return shape_as<MotorFile, GivenMotor>(
         mapping<GivenMotor>("one motor", std::move(fields), check_motor), motor_of, given_by);
   }();
@@ -362,7 +362,7 @@ const Shape<std::vector<ParameterValue>>& parameter_set_shape() {
   using Values = std::vector<ParameterValue>;
   static const Shape<Values> shape = [] {
     std::vector<Field<GivenMotor>> fields = fields_below("", Extent::part);
-    fields.insert(fields.begin(), optional<GivenMotor>("name", path("what it is called", "PEEK"),
+    fields.insert(fields.begin(), optional<GivenMotor>("name", path("name of the set", "PEEK"),
                                                        &GivenMotor::name, "no name"));
     Field<GivenMotor> version = version_field<GivenMotor>();
     version.entry.required = false;

@@ -105,7 +105,7 @@ DesignTable::TableColumn DesignTable::read_column(const std::string& text) {
     for (const ParameterInfo& row : parameter_table()) names.push_back(row.name);
     if (const auto meant = nearest(heading.name, names); !meant.empty()) {
       warnings_.push_back("column " + quoted(text) +
-                          " is no parameter and is only copied; did you mean '" +
+                          " is not a parameter and is only copied; did you mean '" +
                           std::string(meant) + "'?");
     }
     return {text, text, {}, {}};

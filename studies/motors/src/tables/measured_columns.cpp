@@ -142,7 +142,7 @@ class ColumnReader {
       if (columns_[k].name == name) column.of = k;
     if (columns_[column.of].name == name && columns_[column.of].role != ColumnRole::measured)
       diagnostics_.add(column.mark, column.name, quoted(name) + " is set, not measured",
-                       "give standard deviations of what was measured");
+                       "give standard deviations of measured columns");
   }
 
   // The argument that a metric of a point is read at.
@@ -172,7 +172,7 @@ class ColumnReader {
     else if (has("torque"))
       diagnostics_.add(begin, "", "no column 'speed'", "expected one such as 'speed [rpm]'");
     else
-      diagnostics_.add(begin, "", "no column of what was measured",
+      diagnostics_.add(begin, "", "no column with measured values",
                        "expected one such as 'torque [N.m]' beside 'speed [rpm]', or "
                        "'no_load_speed [rpm]'");
   }

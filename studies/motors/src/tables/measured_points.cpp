@@ -208,7 +208,7 @@ class PointReader {
     for (std::size_t i = 0; i < points_.size(); ++i) {
       if (points_[i].weight > 0) continue;
       diagnostics_.add(weight_marks_[i].first, weight_marks_[i].second,
-                       "so far from the others that the point would count nothing",
+                       "the weight of the point is negligible beside the others",
                        "to ignore a point leave out its line");
     }
   }

@@ -41,7 +41,7 @@ bool SensitivityRun::refused(MetricSensitivity& metric, const char* sample) {
   }
   metric.note = std::to_string(metric.dropped) + " of " +
                 std::to_string(metric.samples + metric.dropped) + " " + sample +
-                " have a motor without a value: no indices (a smaller box may have them)";
+                " have a motor without a value, so there are no indices; try smaller ranges";
   return true;
 }
 

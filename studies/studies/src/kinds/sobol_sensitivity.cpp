@@ -122,7 +122,7 @@ class SobolSensitivity : public SensitivityRun {
       result.samples = metric.samples + metric.dropped;
       if (refused(metric, "samples")) continue;
       if (indices[i].constant()) {
-        metric.note = "the same in the whole box: no variable matters";
+        metric.note = "the same over the whole ranges: no variable matters";
         continue;
       }
       const std::vector<SobolShares> shares = indices[i].shares(confidence_);

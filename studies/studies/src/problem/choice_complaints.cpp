@@ -50,7 +50,7 @@ class ChoiceCheck {
   void check_names(std::size_t i) {
     const DesignChoice& choice = problem_.choices[i];
     if (!is_plain(choice.name))
-      complain(i, {}, quoted(choice.name) + " is no name for a choice",
+      complain(i, {}, quoted(choice.name) + " cannot be the name of a choice",
                "expected letters, digits, '_' and '-', a letter first, such as 'lining'");
     else if (is_taken(choice.name))
       complain(i, {}, quoted(choice.name) + " is the name of a parameter, metric or column",

@@ -256,7 +256,8 @@ std::optional<ValueError> search_complaint(const Tolerance& tolerance) {
         "a tolerance about a value of its own",
         "in a search a tolerance follows the design: give the spread alone, such as '3 %'");
   if (info(tolerance.parameter).integer)
-    return ValueError("a tolerance of a whole number", "hold it, or use an uncertainty study");
+    return ValueError("a tolerance of a whole number",
+                      "leave it out of the tolerances, or use an uncertainty study");
   if (tolerance.below && tolerance.above && tolerance.below->relative != tolerance.above->relative)
     return ValueError("one side in % and the other with a unit", "give both sides the same way");
   return {};

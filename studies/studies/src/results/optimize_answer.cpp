@@ -205,7 +205,7 @@ std::string answer_text(const OptimizeResult& result) {
   if (infeasible) return text + solver_words(result);
   text += verdict(result) + scan_words(result);
   if (!result.without_influence.empty())
-    text += "Without influence here: " + enumeration(result.without_influence) + ".\n";
+    text += "Without influence at this design: " + enumeration(result.without_influence) + ".\n";
   text += finding_words(result.best.certificate) + solver_words(result) +
           moves_table(result.moving, result.moves, chosen_count(result), "best");
   if (!result.unmoved.empty())

@@ -13,7 +13,7 @@ nlohmann::ordered_json stored_summary(const std::string& path) {
   std::ostringstream text;
   if (!file || !(text << file.rdbuf())) throw StoreError(path + ": cannot be read");
   nlohmann::ordered_json json = nlohmann::ordered_json::parse(text.str(), nullptr, false);
-  if (!json.is_object()) throw StoreError(path + ": is damaged: no JSON object");
+  if (!json.is_object()) throw StoreError(path + ": is damaged: not a JSON object");
   return json;
 }
 

@@ -161,8 +161,10 @@ class KeptRun {
     Verification found;
     verify_rows(*kind_, stored, {.samples = kRowsRepeated}, found);
     if (found.holds()) return;
-    refuse("holds numbers that this program does not repeat, as of another build or damaged since:",
-           found.complaints);
+    refuse(
+        "holds numbers that this program does not reproduce; they are from another build, or "
+        "damaged:",
+        found.complaints);
   }
 
   [[noreturn]] void refuse(const std::string& what, const std::vector<std::string>& differ) const {

@@ -55,7 +55,7 @@ bool is_our_database(const std::string& path) {
 ResultFolder::ResultFolder(std::string path) : path_(std::move(path)) {
   std::error_code error;
   fs::create_directories(path_, error);
-  if (error) fail(path_, "cannot be made a directory", error.value());
+  if (error) fail(path_, "cannot be created as a directory", error.value());
   if (!fs::is_directory(path_, error)) fail(path_, "cannot be used", ENOTDIR);
   lock_ = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (lock_ < 0) fail(path_, "cannot be opened", errno);
@@ -63,7 +63,7 @@ ResultFolder::ResultFolder(std::string path) : path_(std::move(path)) {
   if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     ::close(lock_);
     throw StoreError(path_ +
-                     ": another twum is at work in this directory; wait for it or end it, "
+                     ": another twum process is using this directory; wait for it or end it, "
                      "or choose another directory with -o");
   }
 }
@@ -82,7 +82,7 @@ bool ResultFolder::has(std::string_view name) const {
 namespace {
 
 [[noreturn]] void refuse_foreign(const std::string& path, const std::string& remark) {
-  throw InputError(path + ": is there already and is no result of twum" + remark +
+  throw InputError(path + ": exists already and is not a result of twum" + remark +
                    "; choose another directory with -o, or remove it yourself");
 }
 

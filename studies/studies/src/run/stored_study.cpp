@@ -51,7 +51,7 @@ std::unique_ptr<StudyKindRun> make_stored_kind(const StudyFile& file) {
   try {
     return make_kind(file);
   } catch (const InputError& error) {
-    throw StoreError(std::string("the stored study cannot be repeated: ") + error.what());
+    throw StoreError(std::string("the stored study cannot be evaluated again: ") + error.what());
   }
 }
 
@@ -72,7 +72,7 @@ ScratchFolder::ScratchFolder() {
   path_ = (fs::temp_directory_path(error) / "twum-result-XXXXXX").string();
   if (error || ::mkdtemp(path_.data()) == nullptr) {
     throw StoreError(
-        "no folder for a copy of the results can be made in that for temporary files: " +
+        "cannot create a directory for a copy of the results among the temporary files: " +
         (error ? error.message() : path_ + ": " + std::strerror(errno)) +
         "; set TMPDIR to another one");
   }
@@ -109,7 +109,7 @@ StudyResult StoredStudy::answer() {
   if (store_.rows() != rows) {
     throw StoreError(folder_.file(ResultFolder::kDatabase) + ": " +
                      std::to_string(store_.rows() - rows) +
-                     " rows are missing that the study asks for; run the study again");
+                     " rows of the study are missing; run the study again");
   }
   result.study = name();
   result.hash = store_.fact(facts::kHash);

@@ -84,7 +84,7 @@ class DesignCheck {
     std::vector<ParameterValue> values;
     for (const auto& [name, value] : design.items()) {
       const auto parameter = find_parameter(name);
-      if (!parameter) throw InputError("'" + name + "' is no parameter");
+      if (!parameter) throw InputError("'" + name + "' is not a parameter");
       values.emplace_back(*parameter, number_of(value));
     }
     return values;
@@ -188,7 +188,7 @@ KindAnswer verify_answer(StudyKindRun& kind, ResultStore& store, const Json& sum
   found.certificates += certified_anew(answer.answer);
   if (store.rows() != before) {
     complain(found, "results.db: " + std::to_string(store.rows() - before) +
-                        " rows are missing that the study asks for");
+                        " rows of the study are missing");
   }
   if (answer.outcome != summary.value("outcome", "")) {
     complain(found, "summary.json: outcome is '" + summary.value("outcome", "") +

@@ -20,7 +20,7 @@ Shape<ParameterSet> set_of_file() {
   const Shape<ParameterSet> with_name = mapping<ParameterSet>(
       "a file and its name",
       {required<ParameterSet>("file", file, &ParameterSet::file),
-       required<ParameterSet>("name", path("what results call it", "PEEK"), &ParameterSet::name)});
+       required<ParameterSet>("name", path("name in results", "PEEK"), &ParameterSet::name)});
   return one_of<ParameterSet>("the file of a set", {plain, with_name}, [](const ParameterSet& set) {
     return set.name == set.file ? std::size_t{0} : 1;
   });

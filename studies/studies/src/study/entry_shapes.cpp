@@ -84,7 +84,7 @@ Shape<DesignObjective> wanted(std::string text, bool maximize, std::string examp
     if (!read(into, node, spot, diagnostics)) return false;
     into.maximize = maximize;
     if (maximize || !is_share(into)) return true;
-    diagnostics.add(node.mark, spot.path, "a share of the motors to be small",
+    diagnostics.add(node.mark, spot.path, "minimizes a share of the motors",
                     "expected 'maximize: " + into.text() + "' in an optimize study");
     return false;
   };

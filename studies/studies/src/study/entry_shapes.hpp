@@ -49,10 +49,10 @@ std::vector<Field<T>> goal(DesignObjective T::*member) {
     return one;
   };
   return {field("maximize",
-                "what is to be large: a metric, or under tolerances a statistic such as "
+                "what to maximize: a metric, or under tolerances a statistic such as "
                 "mean(peak_power) or yield",
                 "minimize", true),
-          field("minimize", "what is to be small: a metric, or under tolerances a statistic",
+          field("minimize", "what to minimize: a metric, or under tolerances a statistic",
                 "maximize", false)};
 }
 

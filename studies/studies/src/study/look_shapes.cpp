@@ -110,7 +110,7 @@ class SweepChecker {
     const YamlNode* node = given_.find(name);
     if (node == nullptr) return;
     diagnostics_.add(node->mark, given_.path(name), "given for sampling '" + word_ + "'",
-                     "only of lhs and sobol; leave it out");
+                     "used by lhs and sobol only; leave it out");
   }
 
   void refuse_points(const YamlEntry& entry) {
@@ -118,7 +118,7 @@ class SweepChecker {
     if (points == nullptr) return;
     diagnostics_.add(points->mark, path_of(entry.key) + ".points",
                      "given for sampling '" + word_ + "'",
-                     "only of a grid; 'samples' below 'study' says how many designs are drawn");
+                     "used by grid only; 'samples' below 'study' is the number of designs");
   }
 
   void require_list(const YamlEntry& entry) {
@@ -195,7 +195,7 @@ void refuse_starts(const Given& given, const std::string& method, Diagnostics& d
     if (start == nullptr) continue;
     diagnostics.add(start->mark, given.path("variables") + "." + entry.key + ".start",
                     "given for method '" + method + "'",
-                    "only of method 'local'; the others look at the whole range");
+                    "used by method 'local' only; the other methods use the whole range");
   }
 }
 
@@ -208,11 +208,11 @@ bool check_sensitivity(SensitivityStudy& study, const Given& given, Diagnostics&
   if (method == "local")
     refuse(given, "samples", found, "derivatives need no samples; leave it out", diagnostics);
   if (method == "local" || method == "morris") {
-    refuse(given, "width", found, "only of method 'sobol'; leave it out", diagnostics);
-    refuse(given, "max_samples", found, "only of method 'sobol'; leave it out", diagnostics);
+    refuse(given, "width", found, "used by method 'sobol' only; leave it out", diagnostics);
+    refuse(given, "max_samples", found, "used by method 'sobol' only; leave it out", diagnostics);
   }
   if (method == "sobol" && given.find("width") == nullptr)
-    refuse(given, "max_samples", "given without a width", "only where 'width' asks for rounds",
+    refuse(given, "max_samples", "given without a width", "used with 'width' only; leave it out",
            diagnostics);
   if (method == "morris" || method == "sobol") refuse_starts(given, method, diagnostics);
   const bool fewer = given.right("samples") != nullptr && given.right("max_samples") != nullptr &&
@@ -284,8 +284,9 @@ Shape<FrequencyStudy> FrequencyStudy::shape() {
        hidden(optional<F>("torque", loads(), &F::torque, "0 N.m")),
        hidden(optional<F>("speed",
                           quantity("speed of the rotor, in place of a torque", "rad/s", "0 rpm"),
-                          &F::speed, "as the torque makes it")),
-       standard<F>("direction", word<SweepDirection>("which way", {"up", "down", "both"}),
+                          &F::speed, "it follows from the torque")),
+       standard<F>("direction",
+                   word<SweepDirection>("direction of the sweeps", {"up", "down", "both"}),
                    &F::direction)},
       [](F& study, const Given& given, Diagnostics& diagnostics) {
         if (study.from && study.to)
@@ -351,8 +352,7 @@ Shape<SensitivityStudy> SensitivityStudy::shape() {
            "width",
            fraction("sobol: double the samples until no interval is wider than this", "0.05"),
            &S::width, "one round")),
-       hidden(optional<S>("max_samples",
-                          count("base samples at which to stop nevertheless", "65536", 1, 1e12),
+       hidden(optional<S>("max_samples", count("largest number of base samples", "65536", 1, 1e12),
                           &S::max_samples, "64 times samples")),
        standard<S>("seed", shapes::seed(), &S::seed)},
       check_sensitivity);

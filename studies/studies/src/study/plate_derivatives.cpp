@@ -83,7 +83,7 @@ class DerivativeCheck {
     const std::string name(info(radius).name), beside(info(other).name);
     add(radius,
         "begins at " + engineering(place, "m") + ", where " + beside +
-            " is too: at such a place the derivative in one radius alone means nothing",
+            " begins, too; the derivative in one of two equal radii has no meaning",
         "move both, with 'derived: {" + beside + ": " + name + "}', or start beside it");
   }
 

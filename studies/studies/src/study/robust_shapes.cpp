@@ -79,7 +79,7 @@ void check_statistics(const std::vector<Tolerance>& tolerances,
       if (one.statistic.unit() == "1" && trimmed(goal->scalar) == one.statistic.text)
         diagnostics.add(goal->mark, place,
                         quoted(goal->scalar) + " is limited too by " + quoted(one.text),
-                        "leave out the limit: the answer tells the largest one");
+                        "leave out the limit: the answer is the largest possible one");
   for (const Tolerance& tolerance : tolerances) {
     const auto wrong = search_complaint(tolerance);
     if (!wrong) continue;

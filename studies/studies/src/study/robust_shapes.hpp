@@ -48,7 +48,7 @@ Field<S> limits_field(const char* name, std::vector<MotorLimit> S::*member) {
 template <typename S>
 Field<S> tolerances_field() {
   return hidden(optional<S>("tolerances", tolerances("how built motors differ from the design"),
-                            &S::tolerances, "every motor is the design"));
+                            &S::tolerances, "every motor equals the design"));
 }
 
 /// Adds errors for tolerances that a search cannot use, for statistics without tolerances, and for tolerances without

@@ -65,7 +65,7 @@ void check_robust_front(const ParetoStudy& study, const Given& given, Diagnostic
   if (study.solver.solver == kNsga2)
     diagnostics.add(given.find("solver")->mark, given.path("solver"),
                     quoted(kNsga2) + " beside tolerances",
-                    "leave it out: the front takes gradients");
+                    "leave it out: a front under tolerances needs gradients");
   if (const YamlNode* choose = given.find("choose"))
     diagnostics.add(choose->mark, given.path("choose"), "a choice in a front under tolerances",
                     "one study for each set, or an optimize study");
@@ -75,7 +75,7 @@ void check_robust_front(const ParetoStudy& study, const Given& given, Diagnostic
     const auto parameter = find_parameter(entry.key);
     if (parameter && info(*parameter).integer)
       diagnostics.add(entry.key_mark, given.path("variables") + "." + entry.key,
-                      "only whole numbers, in a front under tolerances",
+                      "a parameter of whole numbers in a front under tolerances",
                       "set it in the motor, one study for each value");
   }
 }
@@ -83,7 +83,7 @@ void check_robust_front(const ParetoStudy& study, const Given& given, Diagnostic
 // Two goals of a front have to be different.
 bool check_front(ParetoStudy& study, const Given& given, Diagnostics& diagnostics) {
   if (const YamlNode* list = given.find("objectives")) {
-    Repeats repeats(given.path("objectives"), "a front is between different metrics", diagnostics);
+    Repeats repeats(given.path("objectives"), "the objectives of a front must differ", diagnostics);
     for (const YamlNode& objective : list->items) {
       const YamlNode* goal = objective.find("maximize");
       if (goal == nullptr) goal = objective.find("minimize");
@@ -141,7 +141,7 @@ bool refuse_whole_numbers(CalibrateStudy& /*study*/, const Given& given, Diagnos
     const auto parameter = find_parameter(entry.key);
     if (parameter && info(*parameter).integer)
       diagnostics.add(entry.key_mark, given.path("variables") + "." + entry.key,
-                      "only whole numbers, which a fit cannot move between",
+                      "only whole numbers, which a fit cannot estimate",
                       "set it in the motor, one study for each value");
   }
   return true;
@@ -248,16 +248,16 @@ Shape<SizeStudy> SizeStudy::shape() {
   using S = SizeStudy;
   auto duty = list("operating points the motor must reach", duty_point());
   duty.schema.sample = "- {torque: 0.5 N.m, speed: 100 rpm}";
-  return mapping<S>(
-      "a motor for a duty",
-      {kind_field<S>(), variables_field<S>("what may be changed"), derived_field<S>(),
-       choose_field<S>(), required<S>("duty", duty, &S::duty), limits_field("limits", &S::limits),
-       tolerances_field<S>(),
-       standard<S>("prefer",
-                   wanted("what is minimized among the motors that will do", false, "max_pressure"),
-                   &S::prefer),
-       solver_field<S>(), start_field<S>()},
-      check_robust_search<S>);
+  return mapping<S>("a motor for a duty",
+                    {kind_field<S>(), variables_field<S>("what may be changed"), derived_field<S>(),
+                     choose_field<S>(), required<S>("duty", duty, &S::duty),
+                     limits_field("limits", &S::limits), tolerances_field<S>(),
+                     standard<S>("prefer",
+                                 wanted("what is minimized among the motors that carry the duty",
+                                        false, "max_pressure"),
+                                 &S::prefer),
+                     solver_field<S>(), start_field<S>()},
+                    check_robust_search<S>);
 }
 
 Shape<CalibrateStudy> CalibrateStudy::shape() {

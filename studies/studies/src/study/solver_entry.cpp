@@ -197,16 +197,19 @@ Shape<optim::SolveOptions> solver_shape(const optim::SolveOptions& fresh) {
       standard<O>("name", name, &O::solver),
       standard<O>("starts", count("local searches from different starts", "8", 1, 1e6), &O::starts),
       standard<O>("tolerance", fraction("relative accuracy of the optimum", "1e-8"), &O::tolerance),
-      standard<O>("max_evaluations", count("evaluations at most", "2000", 1, 1e12), evaluations),
+      standard<O>("max_evaluations", count("largest number of evaluations", "2000", 1, 1e12),
+                  evaluations),
       standard<O>("seed", shapes::seed(), &O::seed),
       hidden(optional<O>("options", options_shape(), &O::solver_options, "the solver's own"))};
   if (fresh.scan > 0)  // fronts have no scan
-    fields.insert(fields.begin() + 2,
-                  standard<O>("scan",
-                              count("designs over the whole range among which a better valley is "
-                                    "looked for, once the searches have ended; 0: none",
-                                    "512", 0, 1e6),
-                              &O::scan));
+    fields.insert(
+        fields.begin() + 2,
+        standard<O>(
+            "scan",
+            count("designs sampled over the whole range after the searches, to find a better "
+                  "local optimum; 0: none",
+                  "512", 0, 1e6),
+            &O::scan));
   const auto options = mapping<O>("a solver and its options", std::move(fields), {}, fresh);
   const auto plain = shape_as<O, std::string>(
       name,

@@ -146,8 +146,8 @@ Shape<Tolerance> spelled_out(const ParameterInfo& row) {
                    &T::shape, "normal; with 'range' uniform"),
        number("mean", &T::mean, "the design's value"),
        width("sd", "standard deviation, of a normal or lognormal one", &T::sd),
-       width("range", "to both sides, of a uniform one", &T::range),
-       width("below", "from the design's value down, of a triangular one", &T::below),
+       width("range", "half width, of a uniform one", &T::range),
+       width("below", "width below the design's value, of a triangular one", &T::below),
        width("above", "and up", &T::above), number("min", &T::min, "not between limits"),
        number("mode", &T::mode, "likewise"), number("max", &T::max, "likewise")},
       [](T& into, const Given& given, Diagnostics& diagnostics) {
