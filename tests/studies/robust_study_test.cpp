@@ -48,6 +48,27 @@ TEST_CASE("a study finds the exact preload of a wanted yield", "[studies][robust
   CHECK(robust.nominal_yield.value == Approx(0.5208).margin(0.014));
 }
 
+TEST_CASE("a robust study tells how much of the budget its round has used", "[studies][robust]") {
+  const StudyFile file = largest_preload();
+  const auto kind = make_search(file);
+  ResultStore store(":memory:", kind->columns());
+  std::vector<RunProgress> told;
+  ThreadExecutor executor(*kind);
+  RunContext context{store, executor, {}, [&](const RunProgress& now) {
+                       if (now.stage.starts_with("under tolerances")) told.push_back(now);
+                     }};
+  kind->run(context);
+  REQUIRE(told.size() > 1);
+  CHECK(told.front().stage == "under tolerances, round 1");
+  // One evaluation after the other, of the same budget.
+  CHECK(told[1].fraction() == Approx(2 * told[0].fraction()).epsilon(1e-12));
+  for (const RunProgress& now : told) {
+    CHECK(now.budget);
+    CHECK(now.fraction() > 0);
+    CHECK(now.fraction() <= 1);
+  }
+}
+
 TEST_CASE("a robust study is the same for any number of threads and however often interrupted",
           "[studies][robust]") {
   const StudyFile file = largest_preload();

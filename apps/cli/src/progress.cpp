@@ -51,17 +51,21 @@ Progress::~Progress() {
 
 void Progress::show(const ProgressState& now) {
   const auto time = Clock::now();
-  if (!counting_) {
+  // A round that begins has its own rate and its own share of a budget.
+  const bool anew = now.fraction < fraction_last_;
+  if (anew) begin_ = time;
+  if (anew || !counting_) {
     counting_ = true;
     done_before_ = now.done;
     fraction_before_ = now.fraction;
   }
+  fraction_last_ = now.fraction;
   if (time - last_ < std::chrono::milliseconds(200) || dumb_terminal()) return;
   const std::optional<std::size_t> width = terminal_width(STDERR_FILENO);
   if (!width) return;
   last_ = time;
   shown_ = true;
-  const double seconds = std::chrono::duration<double>(time - begin_).count();
+  const double seconds = std::max(std::chrono::duration<double>(time - begin_).count(), 0.2);
   // The last column stays free, because some terminals wrap the line after it.
   std::fprintf(stderr, "\r\033[K%s", line(now, seconds, *width - 1).c_str());
   std::fflush(stderr);

@@ -37,6 +37,7 @@ class Progress {
   Clock::time_point last_;
   std::size_t done_before_{0};  // evaluations of an earlier run
   double fraction_before_{0};
+  double fraction_last_{0};
   bool counting_{false};
 };
 

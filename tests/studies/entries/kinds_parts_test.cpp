@@ -234,6 +234,13 @@ TEST_CASE("a fit tells how far it is, and the least residuals so far", "[studies
   fit.kind->run(context);
   REQUIRE(told.size() == store.rows());
   for (std::size_t i = 0; i < told.size(); ++i) CHECK(told[i].done == i + 1);
+  // Two fits, then the two ends of the interval of one parameter.
+  CHECK(told.front().stage == "fit 1 of 2");
+  CHECK(told.front().fraction() == 0);
+  CHECK(std::ranges::is_sorted(told, {}, &RunProgress::fraction));
+  CHECK(told.back().stage == "intervals");
+  CHECK(told.back().fraction() >= 0.5);
+  CHECK(told.back().fraction() < 1);  // the last end is being looked for
   // Six points alternate by 1 mN.m: 0.5 mN.m off their mean.
   CHECK(told.back().best == "residual_rms 500 uN.m");
   // Where nothing could be evaluated there is no best.

@@ -51,10 +51,6 @@ std::string directory_of(const StudyOptions& options) {
   return (std::filesystem::path("results") / name).string();
 }
 
-double fraction_of(std::uint64_t done, std::uint64_t total) {
-  return total > 0 ? static_cast<double>(done) / static_cast<double>(total) : 0;
-}
-
 // A search that used up its budget may still have found a design within all limits, or a part of a front.
 bool has_feasible_design(const studies::StudyResult& result) {
   if (const auto* front = std::get_if<studies::ParetoResult>(&result.answer))
@@ -77,7 +73,7 @@ studies::StudyResult run_with_progress(const studies::StudyFile& file, const std
   options.stop = stop.token();
   Progress progress;
   options.progress = [&](const studies::RunProgress& now) {
-    progress.show({now.done, fraction_of(now.done, now.total), now.budget, now.stage, now.best});
+    progress.show({now.done, now.fraction(), now.budget, now.stage, now.best});
   };
   return studies::run_study(file, directory, options);
 }

@@ -29,7 +29,9 @@ namespace {
 // How far the fits are, for the eye.
 class Teller {
  public:
-  Teller(const RunContext& context, std::string unit) : context_(context), unit_(std::move(unit)) {}
+  /// @param fits, ends  how many fits there are, and ends of intervals after them
+  Teller(const RunContext& context, std::string unit, std::uint64_t fits, std::uint64_t ends)
+      : context_(context), unit_(std::move(unit)), fits_(fits), ends_(ends) {}
 
   void see(double rms) {
     const std::lock_guard lock(mutex_);
@@ -37,13 +39,27 @@ class Teller {
     if (!(rms >= best_)) best_ = rms;
     if (!context_.progress) return;
     const std::string text = std::isnan(best_) ? "" : "residual_rms " + engineering(best_, unit_);
-    context_.progress({.done = done_, .best = text});
+    const double share = static_cast<double>(ended_) / static_cast<double>(fits_ + ends_);
+    context_.progress(
+        {.done = done_, .best = text, .stage = stage(), .share = std::min(share, 1.0)});
+  }
+
+  /// A fit, or the search for an end of an interval, has ended.
+  void end() {
+    const std::lock_guard lock(mutex_);
+    ++ended_;
   }
 
  private:
+  std::string stage() const {
+    if (ended_ < fits_) return "fit " + std::to_string(ended_ + 1) + " of " + std::to_string(fits_);
+    return "intervals";
+  }
+
   const RunContext& context_;
   std::string unit_;
   std::mutex mutex_;
+  std::uint64_t fits_, ends_, ended_{0};
   std::uint64_t done_{0};
   double best_{std::numeric_limits<double>::quiet_NaN()};
 };
@@ -79,7 +95,7 @@ class CalibrateRun final : public StudyKindRun {
 
   KindAnswer run(RunContext& context) override {
     const auto starts = start_values();
-    Teller teller(context, fit_.unit());
+    Teller teller(context, fit_.unit(), columns_.empty() ? starts_ : 2 * starts_, 2 * variables());
     std::uint64_t stage = 0;
     if (!columns_.empty()) {
       find_deviations(context, starts, teller);
@@ -117,6 +133,9 @@ class CalibrateRun final : public StudyKindRun {
         if (row.index == stored_.size()) stored_.push_back(row);
       });
     }
+    StageLog(const StageLog&) = delete;
+    StageLog& operator=(const StageLog&) = delete;
+    ~StageLog() { teller_.end(); }
 
     optim::Residuals residuals(std::span<const double> values) {
       const std::uint64_t at = next_++;

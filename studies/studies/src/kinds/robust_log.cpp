@@ -3,6 +3,8 @@
 
 #include "kinds/row_bytes.hpp"
 
+#include <algorithm>
+
 namespace twum::studies {
 namespace {
 
@@ -38,6 +40,7 @@ optim::RobustOptions RobustLog::options(const optim::SolveOptions& solve) {
   optim::RobustOptions options;
   options.solve = solve;
   options.solve.observer = {};
+  budget_ = solve.budget.evaluations;
   options.solve.first_stage = kRobustStages + kStagesOfASearch * search_;
   options.recall = [this](std::uint64_t round, std::span<const double> y, bool gradient,
                           const optim::Evaluator& evaluate) {
@@ -76,7 +79,20 @@ void RobustLog::observe(std::uint64_t round, const optim::Observation& observati
   append_numbers(row.detail, observation.evaluation.jacobian);
   context_.store.add(row);
   ++done_;
-  if (context_.progress) context_.progress({.done = done_, .stage = "under tolerances"});
+  tell(round);
+}
+
+void RobustLog::tell(std::uint64_t round) {
+  in_round_ = round == round_ ? in_round_ + 1 : 1;
+  round_ = round;
+  if (!context_.progress) return;
+  const double share =
+      budget_ > 0 ? static_cast<double>(in_round_) / static_cast<double>(budget_) : 0;
+  context_.progress(
+      {.done = done_,
+       .budget = true,
+       .stage = "under tolerances, round " + std::to_string(1 + round % kRoundsOfASearch),
+       .share = std::min(share, 1.0)});
 }
 
 }  // namespace twum::studies

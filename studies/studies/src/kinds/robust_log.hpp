@@ -27,6 +27,7 @@ class RobustLog {
                            const optim::Evaluator& evaluate) const;
   // For RobustOptions::observer.
   void observe(std::uint64_t round, const optim::Observation& observation);
+  void tell(std::uint64_t round);
   static std::string key(std::uint64_t round, std::span<const double> y, bool gradient);
 
   RunContext& context_;
@@ -37,6 +38,9 @@ class RobustLog {
   MotorResponses motors_;
   std::unordered_map<std::string, optim::Evaluation> stored_;
   std::uint64_t done_;
+  std::uint64_t budget_{0};    // of a round
+  std::uint64_t round_{0};     // the present one
+  std::uint64_t in_round_{0};  // its evaluations
 };
 
 }  // namespace twum::studies
