@@ -221,7 +221,7 @@ class Refusals(Run):
         point = self.folder / "mine/front/1.yaml"
         point.write_text("mine")
         for option in ([], ["--fresh"]):
-            self.assertIn("front/1.yaml: is there already", self.refused(
+            self.assertIn("front/1.yaml: exists already", self.refused(
                 "run", self.study(), "-o", self.folder / "mine", *option))
         self.assertEqual(point.read_text(), "mine")
         point.rename(self.folder / "mine/front/notes.yaml")  # which no point of a front is called
@@ -230,7 +230,7 @@ class Refusals(Run):
     def test_a_file_in_the_place_of_a_front_is_found_before_the_run(self):
         (self.folder / "out").mkdir()
         (self.folder / "out/front").write_text("mine")
-        self.assertIn("front: is there already", self.refused("run", self.study(), "-o", self.folder / "out"))
+        self.assertIn("front: exists already", self.refused("run", self.study(), "-o", self.folder / "out"))
         self.assertFalse((self.folder / "out/results.db").exists())
 
     def test_what_check_lets_pass_begins(self):

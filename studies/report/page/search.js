@@ -10,7 +10,7 @@ import {figure} from './figure.js';
 import {savedMotor} from './motor.js';
 import {movesCard} from './moves.js';
 import {robustCards} from './robust.js';
-import {csvText, named, quantity, table, tableSaved, valuesTable, words} from './table.js';
+import {csvText, named, parameterCell, quantity, table, tableSaved, valuesTable, words} from './table.js';
 import {between, displayUnit, engineering, rounded} from './units.js';
 import {axisLabel, goalText, goalValue, holderList, keepsLimits, limitWords, plain, rateWords} from './words.js';
 import {ratioUnit, signed, slopeText, standingName, standingState, wholeEnds} from './words.js';
@@ -226,7 +226,7 @@ export function designTable(file, names, columns, choice = {}) {
   const ends = (n) => words(range(n) ? between(range(n).min, range(n).max, unitOf(n)) : '');
   const sets = Object.entries(choice).map(([n, set]) => [n, columns.map((c) => (c.name === 'before' ? '' : set))]);
   const lines = [
-    ...names.map((n) => [named(n), ...columns.map((c) => quantity(c.values[n], unitOf(n))), ends(n)]),
+    ...names.map((n) => [named(n), ...columns.map((c) => parameterCell(n, c.values[n])), ends(n)]),
     ...sets.map(([n, chosen]) => [named(n), ...chosen.map((set) => words(set)), words('chosen')])
   ];
   const saved = [

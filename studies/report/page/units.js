@@ -73,3 +73,9 @@ export function between(low, high, unit) {
 export function percent(share, digits = 3) {
   return share === null || !Number.isFinite(share) ? '-' : rounded(100 * share, digits) + noBreak + '%';
 }
+
+/** radial_slices as a file has it: 0 is auto, -N auto with N slices a panel. */
+export function slicesText(value) {
+  if (value > 0) return String(value);
+  return value === 0 ? 'auto' : 'auto ' + -value;
+}

@@ -14,9 +14,8 @@ enum class IntervalEnd : unsigned char { low, high };
 /// An end of the confidence interval of one parameter.
 struct ProfileEnd {
   double value{0.0};  ///< in user units, inside the parameter's bounds
-  bool linear{
-      /// the linearised end was taken: the profile agrees with it to a tenth of the half width
-      false};
+  /// the linearised end was taken: the profile agrees with it to a tenth of the half width
+  bool linear{false};
   bool cut_off{false};  ///< the interval is cut off by the bound; the data allow values beyond it
   /// Parameters found on the way whose sum of squares is less than that of the fit, which is then not the minimum;
   /// empty if there are none.

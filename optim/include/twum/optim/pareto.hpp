@@ -19,9 +19,8 @@ struct ParetoOptions {
   std::size_t points{100};  ///< largest number of points; >= 1
   /// reference point of the hypervolume, user units; empty: a tenth of the front's span beyond its worst values
   std::vector<double> reference;
-  std::size_t coarse{
-      /// number of points that are searched from several starts, to find disconnected pieces of the front
-      12};
+  /// number of points that are searched from several starts, to find disconnected pieces of the front
+  std::size_t coarse{12};
   std::size_t coarse_starts{3};  ///< low-discrepancy starts for each of them
   /// Basin hopping for an end of the front stops after this many random steps in a row without success. It is used
   /// where the starts lead to different optima.

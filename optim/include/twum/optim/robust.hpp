@@ -73,19 +73,16 @@ struct RobustRoundReport {
 
 /// Result of a robust search.
 struct RobustResult {
-  Outcome outcome{
-      Outcome::
-          /// optimal: the yield holds; feasible: not distinguishable; infeasible: violated, or no design exists
-      failed};
+  /// optimal: the yield holds; feasible: not distinguishable; infeasible: violated, or no design exists
+  Outcome outcome{Outcome::failed};
   YieldVerdict verdict{YieldVerdict::broken};  ///< verdict of the target with the worst result
   std::vector<double> design;                  ///< values of the variables
   /// result of the last round's problem, in variables and reliability indices, with its certificate; its stages
   /// report the goal
   Result last;
-  double goal_per_objective{
-      /// Derivative of the goal with respect to the objective of `last`, which is the logarithm of a risk for a yield
-      /// and a variance for a standard deviation.
-      1.0};
+  /// Derivative of the goal with respect to the objective of `last`, which is the logarithm of a risk for a yield
+  /// and a variance for a standard deviation.
+  double goal_per_objective{1.0};
   Verification verification;           ///< independent sample of products of the design
   std::vector<RiskShare> risks;        ///< one for every end of a limit
   std::vector<TolerancePrice> prices;  ///< one for every input

@@ -7,6 +7,7 @@
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/text/value_error.hpp>
 #include <twum/studies/text/words.hpp>
+#include <twum/studies/units/engineering.hpp>
 
 #include <vector>
 
@@ -37,6 +38,11 @@ std::optional<int> automatic_slices(std::string_view text) {
   const std::optional<double> nodes = parse_number(trimmed(text.substr(kAuto.size())));
   const bool count = nodes && *nodes >= 1 && complaint(Parameter::radial_slices, -*nodes).empty();
   return count ? std::optional(-static_cast<int>(*nodes)) : std::nullopt;
+}
+
+std::string parameter_text(std::string_view name, double value, std::string_view unit) {
+  const bool slices = name == info(Parameter::radial_slices).name;
+  return slices ? slices_text(static_cast<int>(value)) : engineering(value, unit);
 }
 
 ParameterValue parse_setting(std::string_view text) {

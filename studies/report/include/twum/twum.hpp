@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-/// @file The headers that most programs need: motors and their metrics, design problems and their solvers, files with
+/// @file
+/// The headers that most programs need: motors and their metrics, design problems and their solvers, files with
 ///         units, studies and their results. twum/core.hpp and twum/optim.hpp hold the parts that can be used on
 ///         their own. Tables, texts and schemas behind the files have headers of their own.
 

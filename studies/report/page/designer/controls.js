@@ -3,9 +3,9 @@
 
 import {colour, el} from '../dom.js';
 import {capital, shortName} from '../names.js';
-import {displayUnit, engineering, percent} from '../units.js';
+import {displayUnit, engineering, percent, slicesText} from '../units.js';
 
-import {automaticSlices, slicesText} from './motor.js';
+import {automaticSlices} from './motor.js';
 import {readQuantity, typedNumber} from './quantity.js';
 import {surface} from './wave.js';
 

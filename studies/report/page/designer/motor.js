@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Motors and studies as files: motor.yaml read and written, study.yaml written.
 
+import {slicesText} from '../units.js';
+
 import {plainUnit, readQuantity, typedQuantity, unitFactors} from './quantity.js';
 
 /** Lines of a nested mapping; values are texts that YAML reads as they stand. */
@@ -19,12 +21,6 @@ function putEntry(tree, path, value) {
   let node = tree;
   for (const step of steps.slice(0, -1)) node = node[step] ??= {};
   node[steps[steps.length - 1]] = value;
-}
-
-/** radial_slices as a file has it: 0 is auto, -N auto with N slices a panel. */
-export function slicesText(value) {
-  if (value > 0) return String(value);
-  return value === 0 ? 'auto' : 'auto ' + -value;
 }
 
 /** The value of `auto` or `auto N`; null for other texts. */

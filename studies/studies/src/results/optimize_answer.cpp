@@ -4,6 +4,7 @@
 #include "results/search_words.hpp"
 
 #include <twum/core/design/parameters.hpp>
+#include <twum/studies/motor/settings.hpp>
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/text/text_table.hpp>
 #include <twum/studies/text/words.hpp>
@@ -30,6 +31,10 @@ Json stages_json(const std::vector<optim::StageReport>& stages) {
 
 std::string cell(double value, const std::string& unit) {
   return std::isnan(value) ? "-" : engineering(value, unit);
+}
+
+std::string design_cell(const NamedValue& parameter, double value) {
+  return std::isnan(value) ? "-" : parameter_text(parameter.name, value, parameter.unit);
 }
 
 // Sentences on integer variables, which are not part of the certificate.
@@ -64,8 +69,9 @@ std::string design_table(const OptimizeResult& result) {
   for (const ChosenSet& one : result.best.choice)
     table.rows.push_back({one.choice, "-", printable(one.set), "chosen"});
   for (const NamedValue& value : result.best.design)
-    table.rows.push_back({value.name, cell(value_of(result.before_design, value.name), value.unit),
-                          cell(value.value, value.unit), bound_words(result, value.name)});
+    table.rows.push_back({value.name,
+                          design_cell(value, value_of(result.before_design, value.name)),
+                          design_cell(value, value.value), bound_words(result, value.name)});
   return aligned(table);
 }
 

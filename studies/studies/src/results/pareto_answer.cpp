@@ -2,6 +2,7 @@
 #include "results/robust_answer.hpp"
 #include "results/search_words.hpp"
 
+#include <twum/studies/motor/settings.hpp>
 #include <twum/studies/text/text_table.hpp>
 #include <twum/studies/text/words.hpp>
 #include <twum/studies/units/engineering.hpp>
@@ -94,7 +95,8 @@ std::string points_table(const ParetoResult& result) {
       row.push_back(goal_text(result.goals[k], point.goals[k]));
     for (const ChosenSet& one : point.report.choice) row.push_back(printable(one.set));
     for (const NamedValue& variable : first.design)
-      row.push_back(engineering(value_of(point.report.design, variable.name), variable.unit));
+      row.push_back(parameter_text(variable.name, value_of(point.report.design, variable.name),
+                                   variable.unit));
     table.rows.push_back(std::move(row));
   }
   return "\n" + aligned(table, kSummaryWidth);

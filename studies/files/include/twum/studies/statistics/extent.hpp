@@ -9,8 +9,8 @@ namespace twum::studies {
 
 /// The smallest and the largest of some values; infinite the wrong way round while there are none.
 struct Extent {
-  double low{std::numeric_limits<double>::infinity()};
-  double high{-std::numeric_limits<double>::infinity()};
+  double low{std::numeric_limits<double>::infinity()};    ///< smallest
+  double high{-std::numeric_limits<double>::infinity()};  ///< largest
 
   /// Takes a value in, unless it is not finite.
   void add(double value) {

@@ -25,6 +25,9 @@ std::string slices_text(int slices);
 std::optional<int> automatic_slices(std::string_view text);
 /// @}
 
+/// A parameter's value in SI with the unit that suits it, or as slices_text().
+std::string parameter_text(std::string_view name, double value, std::string_view unit);
+
 /// Reads "thickness=0.3 mm": a name or symbol, and a value with its unit.
 /// @throws ValueError if the name is unknown, or the value has a wrong unit or is out of range.
 ParameterValue parse_setting(std::string_view text);

@@ -76,10 +76,9 @@ struct RobustReport {
   /// means, standard deviations and quantiles with a limit or as a goal
   std::vector<RobustStatistic> statistics;
   double objective{0};  ///< the goal at the robust optimum, SI
-  double nominal_objective{
-      /// Goal at the optimum without tolerances, SI. NaN if the goal has no value without tolerances; the nominal
-      /// design below is then the motor before the search.
-      0};
+  /// Goal at the optimum without tolerances, SI. NaN if the goal has no value without tolerances; the nominal
+  /// design below is then the motor before the search.
+  double nominal_objective{0};
   std::vector<NamedValue> nominal_design;   ///< its variables
   Estimate nominal_yield;                   ///< yield of its motors
   std::vector<RobustLimit> limits;          ///< contribution of each limit to the risk

@@ -16,7 +16,8 @@
 #include <variant>
 #include <vector>
 
-/// @file The questions of all study kinds as plain values in SI units. This is the only place of their defaults.
+/// @file
+/// The questions of all study kinds as plain values in SI units. This is the only place of their defaults.
 
 namespace twum::studies {
 
