@@ -4,13 +4,13 @@
 namespace twum::performance {
 namespace {
 
-// The number of slices for `auto` follows from the motor under the wave at first_speed().
+// The number of slices for `auto` follows from the motor under the wave of one slice at first_speed(), which is near enough
+// to that of the track.
 TrackRule track_of(const MotorDesign& design) {
   if (design.stator.radial_slices != kAutoSlices) return track_rule(design);
-  constexpr int kFirstSlices = -8;
-  const MotorDesign first = with(design, Parameter::radial_slices, kFirstSlices);
-  const double amplitude = Drive(first).first_motor().amplitude;
-  if (!(amplitude > 0)) return track_rule(first);
+  constexpr int kWithoutWave = -8;
+  const double amplitude = Drive(with(design, Parameter::radial_slices, 1)).first_motor().amplitude;
+  if (!(amplitude > 0)) return track_rule(with(design, Parameter::radial_slices, kWithoutWave));
   MotorDesign given = design;  // the amplitude may exceed the range of the parameter
   given.stator.voltage.reset();
   given.stator.amplitude = amplitude;
