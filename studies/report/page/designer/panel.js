@@ -291,18 +291,18 @@ export class DesignerPanel {
     this.showFields();
   }
 
+  /** Tasks for half a frame, then a pause in which a slider may be moved: a timer of its own for each takes 4 ms. */
   nextTask() {
-    const task = this.tasks.shift();
+    const begin = performance.now();
     this.waiting = null;
-    if (!task) return;
     try {
-      task();
+      while (this.tasks.length && performance.now() - begin < 8) this.tasks.shift()();
     } catch (error) {
       if (!(error instanceof CoreError)) throw error;
       this.tasks = [];
       this.tell(error.message, true);
     }
-    if (!this.changed) this.waiting = setTimeout(() => this.nextTask(), 0);
+    if (this.tasks.length && !this.changed) this.waiting = setTimeout(() => this.nextTask(), 0);
   }
 
   showNotes() { this.tell(this.core.notes(true).map((note) => 'Note: ' + note + '.').join(' ')); }
