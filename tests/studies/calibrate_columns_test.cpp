@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// Columns of measurements: those of a data sheet, and wrong ones.
+#include "calibrate_support.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <fstream>
+#include <string>
+#include <utility>
+
+using namespace twum;
+using namespace twum::studies;
+using namespace twum::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+// "ok", or the message with the folder left out.
+std::string complaint_about(const std::string& csv) {
+  Case one;
+  one.variables = "kinetic_friction: {min: 0.05, max: 0.5}";
+  try {
+    make_kind(one.file(csv));
+    return "ok";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a data sheet's five numbers say what they determine", "[studies][calibrate]") {
+  const std::string sheet =
+      "torque [N.m],speed_at [rpm],speed_at_sd [rpm],electrical_power_at "
+      "[W],electrical_power_at_sd [W],"
+      "no_load_speed [rpm],no_load_speed_sd [rpm],holding_torque [N.m],holding_torque_sd [N.m],"
+      "start_voltage [V],start_voltage_sd [V]\n0.5,125,2,16,0.5,146,2,1.02,0.03,115,3\n";
+  Case one;
+  one.motor = "drive-60";
+  one.variables =
+      "force_factor: {min: 0.3 N/V, max: 0.9 N/V}, kinetic_friction: {min: 0.1, max: 0.4}, "
+      "youngs_modulus: {min: 0.1 GPa, max: 10 GPa, scale: log}";
+  one.more = "starts: 4, scatter: stated";
+  const Run three(one.file(sheet));
+  CHECK(three.answer.outcome == "fitted");
+  CHECK_THAT(three.text(), Contains("speed_at(500 mN.m)") && Contains("start_voltage"));
+  CHECK_THAT(three.json(), Contains("\"quantity\":\"no_load_speed\""));
+  // The thickness besides the modulus, and the loss of the ceramic beside that of the stator, are more than they can tell.
+  one.variables +=
+      ", thickness: {min: 0.1 mm, max: 2 mm, scale: log}, loss_tangent: {min: 0.001, max: 0.05}";
+  const Run five(one.file(sheet));
+  CHECK(five.answer.outcome != "fitted");
+  CHECK_FALSE(five.result().determined());
+  CHECK_FALSE(five.result().combinations.empty());
+}
+
+TEST_CASE("wrong columns of measurements are refused with place and remedy",
+          "[studies][calibrate][errors]") {
+  using Pair = std::pair<const char*, const char*>;
+  const Pair pairs[] = {
+      {"no_load_speed [rpm]\n140\n", "ok"},
+      {"speed [rpm],torque [N.m],electrical_power_at [W]\n10,1,2\n",
+       "points.csv:1:13: torque: no standard deviation, which data of several kinds need; add the "
+       "column 'torque_sd'"},
+      {"speed [rpm],torque,torque_sd,no_load_speed,no_load_speed_sd\n10,1,0.1,,\n20,,,15,1\n",
+       "ok"},
+      {"speed,torque,torque_sd,no_load_speed,no_load_speed_sd\n10,1,0.1,,\n20,,,15,\n",
+       "points.csv:3:9: no_load_speed_sd: no number"},
+      {"speed,torque,no_load_speed\n1,,\n",
+       "points.csv:2:1: nothing was measured; leave out the line"},
+      {"electrical_power_at\n1\n", "points.csv:1:1: no column 'speed'"},
+      {"speed,speed_at\n1,1\n",
+       "points.csv:1:7: speed_at: read at a torque that no column gives; leave out 'speed'"},
+      {"speed_at\n1\n",
+       "read at a torque that no column gives; expected a column such as 'torque [N.m]'"},
+      {"preload [N]\n1\n", "points.csv:1:1: no column with measured values"},
+      {"no_load_speed,preload [mm]\n1,1\n", "points.csv:1:15: preload: 'mm' is a length"},
+      {"no_load_speed,preload\n1,-5\n", "points.csv:2:3: preload: '-5'"},
+      {"no_load_sped\n1\n", "unknown column 'no_load_sped'; did you mean 'no_load_speed'?"},
+      {"no_load_speed,holding_torque,weight\n1,1,1\n",
+       "weight: weights of several columns; give standard deviations"},
+      {"speed,speed_sd,torque\n1,1,1\n", "speed_sd: 'speed' is set, not measured"},
+      {"speed,torque,kinetic_friction\n1,1,0.2\n",
+       "points.csv:1:14: kinetic_friction: set here, and estimated by the study; leave out the "
+       "column"},
+      {"frequency,impedance [mm]\n1,1\n", "impedance: 'mm' is a length"},
+  };
+  for (const auto& [csv, message] : pairs) {
+    CAPTURE(csv);
+    CHECK_THAT(complaint_about(csv), Contains(message));
+  }
+  Case one;
+  one.variables = "kinetic_friction: {min: 0.05, max: 0.5}";
+  one.more = "scatter: stated";
+  CHECK_THROWS_WITH(
+      make_kind(one.file("speed,torque\n1,1\n")),
+      Contains("points.csv:1:7: torque: no standard deviation, on which 'scatter: stated' "
+               "stands; add the column 'torque_sd', or leave out 'scatter'"));
+  one.more = "starts: 1";
+  StudyFile two = one.file("speed,torque,torque_sd\n1,0.8,0.1\n");
+  std::ofstream(one.folder.path("other.csv")) << "# bench 2\nspeed,torque\n2,0.8\n";
+  std::get<CalibrateStudy>(two.asked).data = {"points.csv", "other.csv"};
+  CHECK_THROWS_WITH(
+      make_kind(two),
+      Contains("other.csv:2:7: torque: no standard deviation, which data of tables of which some "
+               "give them need; add the column 'torque_sd'"));
+}
