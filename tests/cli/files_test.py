@@ -174,6 +174,13 @@ class Schema(program.Case):
             self.validator.validate(yaml.safe_load(file.read_text()))
         self.validator.validate(yaml.safe_load(self.ok("init", "motor")))
 
+    def test_slices_of_a_found_motor_are_valid(self):
+        motor = yaml.safe_load(self.ok("init", "motor"))
+        for slices, valid in (("auto", True), ("auto 10", True), (8, True), ("atuo", False), ("auto 0", False), (0, False)):
+            with self.subTest(slices):
+                motor["motor"]["stator"]["radial_slices"] = slices
+                self.assertEqual(self.validator.is_valid(motor), valid)
+
     def test_it_refuses_what_a_schema_can_see(self):
         for name in ("unknown-entry", "missing", "missing-section", "missing-twin", "wrong-version", "both-twins",
                      "all-twins", "empty-value", "list-for-value", "value-for-section", "no-unit", "too-large", "fraction",

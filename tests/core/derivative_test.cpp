@@ -84,8 +84,8 @@ TEST_CASE(
   check_every_metric(check_designs(20250102, 6, annulus_of));
 }
 
-// Where the search for a split takes one step more the torque steps by 1e-9 of its scale, seldom 1e-8 (W4.4): over the
-// difference 1e-5. The
+// Where the search for a split takes one step more the torque steps by 1e-9 of its scale (W4.4): 5e-6 of it over
+// the difference of 2e-4. The
 // third derivatives that a central difference leaves are of order 1e2 of the scale: 1e-8 times that.
 TEST_CASE("a track that is split where zones begin has the derivatives of differences (W4.4)",
           "[core][annulus][derivative][differential]") {

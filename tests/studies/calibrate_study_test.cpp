@@ -159,7 +159,7 @@ TEST_CASE("standard deviations weigh like 1 / s^2 (L1.1), and the scatter is tes
 TEST_CASE("starts that end in different places are told apart", "[studies][calibrate]") {
   const DesignVariable range{Parameter::kinetic_friction, 0.05, 0.5};
   Case one;
-  const MeasuredFit fit(one.design(), {range},
+  const MeasuredFit fit(one.design(), {FitParameter(range)},
                         {torque_point(1, 0.8), torque_point(2, 0.9), torque_point(3, 0.85)});
   const auto ended = [](double value, double sum, optim::Outcome outcome) {
     optim::LeastSquaresResult result;
@@ -192,7 +192,7 @@ TEST_CASE("starts that end in different places are told apart", "[studies][calib
 TEST_CASE("a fit whose columns have no settled scatter is not called fitted",
           "[studies][calibrate]") {
   Case one;
-  const MeasuredFit fit(one.design(), {DesignVariable{Parameter::kinetic_friction, 0.05, 0.5}},
+  const MeasuredFit fit(one.design(), {FitParameter{{Parameter::kinetic_friction, 0.05, 0.5}}},
                         {torque_point(1, 0.8), torque_point(2, 0.8), torque_point(3, 0.8)});
   optim::LeastSquaresResult best;
   best.outcome = optim::Outcome::optimal;

@@ -186,10 +186,9 @@ class SolvedPoint {
 
   SolvedSlice first_;  // undefined for special points
   std::vector<SolvedSlice>
-      others_;       // none where the motor is one slice: a point then costs no memory
-  double lever_{0};  // of a split track
-  std::vector<Split>
-      splits_;  // of the track where zones appear; none: the slices are those of the motor
+      others_;                 // none where the motor is one slice: a point then costs no memory
+  double lever_{0};            // of a split track
+  std::vector<Split> splits_;  // none: the slices are those of the motor
 };
 
 /// Solves one operating point.

@@ -8,14 +8,15 @@
 namespace twum::performance {
 namespace {
 
-// In parts of a piece. A zone of length l = d^(1/2) adds l^2 = d to the means (W4.4), so that a split that is off by d leaves d
-// of the derivatives and d^2 of the means.
-constexpr double kNear =
-    1e-4;  // to where a zone vanishes: the next secant step is good to its square
-constexpr double kClose = 1e-6;    // of a bracket where no zone vanishes
-constexpr double kNarrow = 0.005;  // zones that come and go within it
-constexpr double kHopeful =
-    0.7;  // share of a bracket of which no more is known than its nearer end
+// Lengths along the track are in parts of a piece. A zone of length l = d^(1/2) adds l^2 = d to the means (W4.4): a split that
+// is off by d leaves d of the derivatives and d^2 of the means. A secant step of kNear is good to its square.
+constexpr double kNear = 1e-4;
+// A bracket in which no zone vanishes is narrowed to this.
+constexpr double kClose = 1e-6;
+// Zones that come and go within this are not split twice.
+constexpr double kNarrow = 0.005;
+// Where only one end of a bracket has a short zone, the next place lies this share of the bracket towards that end.
+constexpr double kHopeful = 0.7;
 constexpr int kMostLooks = 40;
 constexpr int kMostSplits = 6;  // between two nodes
 

@@ -101,7 +101,7 @@ TEST_CASE("the slope of a variable by its coordinate is its range, or that of it
 TEST_CASE("residuals and their slopes are those of the plateau", "[studies][calibrate]") {
   const MeasuredFit fit(
       elastic(),
-      {DesignVariable{P::kinetic_friction, 0.1, 0.4}, DesignVariable{P::preload, 50, 200}},
+      {FitParameter{{P::kinetic_friction, 0.1, 0.4}}, FitParameter{{P::preload, 50, 200}}},
       {torque_point(1 * kRpm, 0.5, 4), torque_point(2 * kRpm, 0.6)});
   const std::vector<double> values{0.25, 100};
   const optim::Residuals r = fit.residuals(values);
@@ -119,14 +119,14 @@ TEST_CASE("residuals and their slopes are those of the plateau", "[studies][cali
 
 TEST_CASE("values that make no motor, and motors without a torque, are failures with a reason",
           "[studies][calibrate]") {
-  const MeasuredFit fit(elastic(), {DesignVariable{P::static_friction, 0.05, 0.5}},
+  const MeasuredFit fit(elastic(), {FitParameter{{P::static_friction, 0.05, 0.5}}},
                         two_points(0.8, 0.8));
   const optim::Residuals none = fit.residuals(std::vector<double>{0.1});  // below the kinetic 0.2
   CHECK_THAT(none.failure, StartsWith("not a motor: "));
   CHECK(none.values.empty());
   CHECK(fit.residuals(std::vector<double>{0.3}).failure.empty());
   // Faster backwards than the wave itself: there the model has no operating point.
-  const MeasuredFit beyond(elastic(), {DesignVariable{P::preload, 50, 200}},
+  const MeasuredFit beyond(elastic(), {FitParameter{{P::preload, 50, 200}}},
                            {torque_point(-1e6, 0.8)});
   CHECK(beyond.residuals(std::vector<double>{100}).failure == "torque: out-of-range");
 }
@@ -155,7 +155,7 @@ TEST_CASE("static friction that is estimated itself does not follow the kinetic 
     }
   }
   motor.friction = {0, 0.3};  // no ratio to keep
-  CHECK(MeasuredFit(motor, {DesignVariable{P::kinetic_friction, 0.1, 0.5}}, two_points(1, 1))
+  CHECK(MeasuredFit(motor, {FitParameter{{P::kinetic_friction, 0.1, 0.5}}}, two_points(1, 1))
             .static_ratio() == 1);
 }
 
@@ -180,7 +180,7 @@ TEST_CASE("a fit begins where the study says, else at the motor if that is in th
 TEST_CASE("the best fit is an optimum, unless one that stopped short is better",
           "[studies][calibrate]") {
   using optim::Outcome;
-  const MeasuredFit fit(elastic(), {DesignVariable{P::kinetic_friction, 0.1, 0.5}},
+  const MeasuredFit fit(elastic(), {FitParameter{{P::kinetic_friction, 0.1, 0.5}}},
                         two_points(plateau(0.2, 160), plateau(0.2, 160)));
   const auto chosen = [&](const std::vector<optim::LeastSquaresResult>& fits) {
     return result_of(calibration({fit}, fits)).estimates[0].parameter.value;
@@ -199,7 +199,7 @@ TEST_CASE("the best fit is an optimum, unless one that stopped short is better",
 
 TEST_CASE("starts that ended in one place are counted together", "[studies][calibrate]") {
   using optim::Outcome;
-  const MeasuredFit fit(elastic(), {DesignVariable{P::kinetic_friction, 0.1, 0.5}},
+  const MeasuredFit fit(elastic(), {FitParameter{{P::kinetic_friction, 0.1, 0.5}}},
                         two_points(plateau(0.2, 160), plateau(0.2, 160)));
   const auto optima = [&](const std::vector<optim::LeastSquaresResult>& fits) {
     return result_of(calibration({fit}, fits)).optima;
@@ -294,7 +294,7 @@ TEST_CASE("points in any order of speed are tested in the order of speed", "[stu
       points.push_back(
           torque_point((1 + 0.01 * place) * kRpm, torque + (i % 2 == 0 ? 0.01 : -0.01)));
     }
-    const MeasuredFit fit(motor, {DesignVariable{P::kinetic_friction, 0.1, 0.5}}, points);
+    const MeasuredFit fit(motor, {FitParameter{{P::kinetic_friction, 0.1, 0.5}}}, points);
     optim::LeastSquaresResult one = fit_at(0.2, 0.01, optim::Outcome::optimal);
     one.degrees_of_freedom = 19;
     return result_of(calibration({fit}, {one})).runs->runs;
@@ -311,7 +311,7 @@ TEST_CASE("points in any order of speed are tested in the order of speed", "[stu
     for (const std::size_t place : order)
       points.push_back(torque_point((1 + 0.01 * static_cast<double>(place)) * kRpm,
                                     torque + (2 * place < size ? 0.01 : -0.01)));
-    const MeasuredFit fit(motor, {DesignVariable{P::kinetic_friction, 0.1, 0.5}}, points);
+    const MeasuredFit fit(motor, {FitParameter{{P::kinetic_friction, 0.1, 0.5}}}, points);
     optim::LeastSquaresResult one = fit_at(0.2, 0.01, optim::Outcome::optimal);
     one.degrees_of_freedom = size - 1;
     CHECK(result_of(calibration({fit}, {one})).runs->runs == 2);
@@ -322,7 +322,7 @@ TEST_CASE("an estimate at a bound tells who follows it, if that is known and not
           "[studies][calibrate]") {
   const MeasuredFit fit(
       elastic(),
-      {DesignVariable{P::kinetic_friction, 0.1, 0.2}, DesignVariable{P::preload, 100, 300}},
+      {FitParameter{{P::kinetic_friction, 0.1, 0.2}}, FitParameter{{P::preload, 100, 300}}},
       two_points(plateau(0.2, 160), plateau(0.2, 160)));
   optim::LeastSquaresResult one;
   one.outcome = optim::Outcome::optimal;

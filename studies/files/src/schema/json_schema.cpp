@@ -45,7 +45,9 @@ Json one_of_words(const Schema& schema) {
     if (word.find_first_not_of("0123456789") == std::string::npos)
       choices.push_back(std::stoi(word));
   }
-  return {{"enum", choices}};
+  const Json words{{"enum", choices}};
+  if (schema.pattern.empty()) return words;
+  return {{"anyOf", Json::array({words, {{"type", "string"}, {"pattern", schema.pattern}}})}};
 }
 
 Json has(const std::string& name) { return {{"required", Json::array({name})}}; }

@@ -21,7 +21,7 @@ namespace twum::studies {
 /// A parameter of a fit: of all tables of measurements, or of one.
 struct FitParameter : DesignVariable {
   /// Of all.
-  FitParameter(const DesignVariable& range) : DesignVariable(range) {}  // NOLINT: it is one
+  explicit FitParameter(const DesignVariable& range) : DesignVariable(range) {}
   /// Of the table of this number and name.
   FitParameter(const DesignVariable& range, std::size_t number, std::string name)
       : DesignVariable(range), table(number), file(std::move(name)) {}

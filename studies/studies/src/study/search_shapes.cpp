@@ -181,18 +181,18 @@ void check_per_file(const CalibrateStudy& study, const Given& given, Diagnostics
     const auto varied = parameters_of(study.variables);
     const std::string name(info(parameter).name);
     if (std::find(varied.begin(), varied.end(), parameter) == varied.end())
-      wrong(name + " is not estimated", "a parameter that stands in 'variables'");
+      wrong(name + " is not estimated", "expected a parameter that stands in 'variables'");
     if (std::count(study.per_file.begin(), study.per_file.end(), parameter) > 1)
-      wrong(name + " is named twice", "each parameter once");
+      wrong(name + " is named twice", "name each parameter once");
   }
   std::set<std::string> names;
   for (const std::string& path : study.data)
     names.insert(std::filesystem::path(path).filename().string());
   if (study.data.size() < 2 || names.size() < study.data.size())
     wrong(counted(names.size(), "name") + " of tables in 'data'",
-          "two tables or more, each with a name of its own");
+          "expected two tables or more, each with a name of its own");
   if (!study.derived.empty())
-    wrong("beside 'derived'", "one of them: a derived parameter has one value");
+    wrong("beside 'derived'", "leave out one of them: a derived parameter has one value");
 }
 
 bool check_fit(CalibrateStudy& study, const Given& given, Diagnostics& diagnostics) {

@@ -49,7 +49,9 @@ struct Schema {
   bool max_excluded{false};                              ///< the value must be less than `max`
   bool whole{false};  ///< quantity without unit: whole numbers only
 
-  std::vector<std::string> words;    ///< word: the choices
+  std::vector<std::string> words;  ///< word: the choices
+  std::string
+      pattern;  ///< word: regular expression of other texts that may stand there, for editors
   std::vector<SchemaEntry> entries;  ///< mapping
   std::vector<Schema> items;         ///< list, named: one element, what the items are
   std::size_t min_items{1};          ///< list
