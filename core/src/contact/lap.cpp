@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/lap.hpp"
 
-#include "contact/scalars.hpp"
 #include "contact/short_slip.hpp"
 #include "contact/zone_ends.hpp"
 #include "contact/zone_integrals.hpp"
@@ -10,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <type_traits>
 
 namespace twum::contact {
 namespace {
@@ -23,7 +21,7 @@ constexpr int kMaxZones = 200'000;
 constexpr double kForgotten = 37;
 
 // The return map needs no means.
-template <typename S, Ends kEnds = Ends::searched, bool kHasMeans = !std::is_same_v<S, StateDual>>
+template <typename S, Ends kEnds = Ends::searched, bool kHasMeans = true>
 class LapRunner {
  public:
   LapRunner(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
@@ -232,6 +230,14 @@ Lap<S> run_lap(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
   Lap<S> lap;
   LapRunner<S>(numbers, layer, sequence, trace, lap).run(entry);
   return lap;
+}
+
+LayerState<StateDual> next_entry(const ContactNumbers<StateDual>& numbers,
+                                 const LayerMotion<StateDual>& layer,
+                                 const LapEntry<StateDual>& entry, const ZoneSequence* sequence) {
+  Lap<StateDual> lap;
+  LapRunner<StateDual, Ends::searched, false>(numbers, layer, sequence, nullptr, lap).run(entry);
+  return lap.next.layer;
 }
 
 void prove_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,

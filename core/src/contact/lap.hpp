@@ -3,6 +3,7 @@
 
 #include "contact/contact_numbers.hpp"
 #include "contact/layer_motion.hpp"
+#include "contact/scalars.hpp"
 
 #include <twum/core/contact/zone.hpp>
 
@@ -84,6 +85,12 @@ template <typename S>
 Lap<S> run_lap(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
                const LapEntry<S>& entry, const ZoneSequence* sequence = nullptr,
                std::vector<ZoneTrace>* trace = nullptr);
+
+/// The return map alone: the layer at the next entry, without the means.
+/// @param sequence  as in run_lap()
+LayerState<StateDual> next_entry(const ContactNumbers<StateDual>& numbers,
+                                 const LayerMotion<StateDual>& layer,
+                                 const LapEntry<StateDual>& entry, const ZoneSequence* sequence);
 
 /// run_lap() where the ends of the zones are known from a lap nearby, if there is one, but not yet proven to be
 /// the first (E3.6).

@@ -10,29 +10,35 @@ namespace twum {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
+// of the angle, and of what it lacks of pi; what a step leaves is its third power
+constexpr double kLastStep = 1e-6;
+constexpr double kRounding = 5e-16;  // of the load
 
-double load_shape(double t) {
-  if (t > contact::kLoadSeriesReach) return std::sin(t) - t * std::cos(t);
-  return contact::load_shape_series(t);
+// The inverse of t^3 / 3 (1 - t^2 / 10 + t^4 / 280 - ...) below, of pi - (pi - t)^2 pi / 2 near pi.
+double first_angle(double load) {
+  if (!(load < 2.0)) return kPi - std::sqrt(2 * (kPi - load) / kPi);
+  const double c = std::cbrt(3 * load), square = c * c;
+  return c * (1 + square * (1.0 / 30 + square * (4.0 / 900 - 1.0 / 840)));
 }
 
 }  // namespace
 
-// Newton's method from the right side of the root: the left-hand side is t^3 / 3 (1 - t^2 / 10 + ...)
-// below pi / 2 and falls short of pi by (pi - t)^2 pi / 2 near pi. A bracket guards every step.
+// Halley's method for sin t - t cos t = load. A bracket guards every step.
 double contact_half_angle(double load) {
   if (!(load > 0)) return 0;
-  double low = 0, high = kPi;
-  double t = load < 2.0 ? std::cbrt(3 * load) : kPi - std::sqrt(2 * (kPi - load) / kPi);
+  double low = 0, high = kPi, t = first_angle(load);
   for (int i = 0; i < 60; ++i) {
-    const double excess = load_shape(t) - load;
-    if (excess == 0) break;
+    const double s = std::sin(t), c = std::cos(t);
+    const double shape = t > contact::kLoadSeriesReach ? s - t * c : contact::load_shape_series(t);
+    const double excess = shape - load, slope = t * s;
+    if (std::fabs(excess) <= kRounding * load) break;
     (excess > 0 ? high : low) = t;
-    double next = t - excess / (t * std::sin(t));
+    const double newton = excess / slope;
+    double next = t - newton / (1 - 0.5 * newton * (s + t * c) / slope);
     if (!(next >= low && next <= high)) next = 0.5 * (low + high);
     const double step = std::fabs(next - t);
     t = next;
-    if (step <= 4e-16 * t) break;
+    if (step <= kLastStep * std::fmin(t, kPi - t)) break;
   }
   return t;
 }

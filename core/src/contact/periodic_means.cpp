@@ -110,7 +110,7 @@ ContactMeans<S> periodic_means(const ContactNumbers<S>& numbers,
   template ContactMeans<S> periodic_means(const ContactNumbers<S>&, const ContactNumbers<double>&, \
                                           const PeriodicState&);
 TWUM_INSTANTIATE(double)
-TWUM_INSTANTIATE(SpeedDual)
+TWUM_INSTANTIATE(MotionDual)
 TWUM_INSTANTIATE(NumbersDual)
 TWUM_INSTANTIATE(NumbersDual2)
 #undef TWUM_INSTANTIATE

@@ -58,7 +58,7 @@ Matrix2 return_jacobian(const ContactNumbers<double>& numbers, const LapEntry<do
   LapEntry<StateDual> entry = constant_entry<StateDual>(at);
   entry.layer.e.d[0] = 1;
   entry.layer.rate.d[1] = 1;
-  const LayerState<StateDual> next = run_lap(n, {n.inertia, n.damping}, entry, sequence).next.layer;
+  const LayerState<StateDual> next = next_entry(n, {n.inertia, n.damping}, entry, sequence);
   return {next.e.d[0], next.e.d[1], next.rate.d[0], next.rate.d[1]};
 }
 

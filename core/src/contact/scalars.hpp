@@ -5,9 +5,10 @@
 
 namespace twum::contact {
 
+using MotionDual = Dual<double, 2>;  ///< derivatives in the speed and in the wave's amplitude
+inline constexpr int kInSpeed = 0, kInAmplitude = 1;
+using StateDual = Dual<double, 2>;        ///< derivatives in the layer's state at entry
 using SpeedDual = Dual<double, 1>;        ///< derivative along the speed
-using StateDual = Dual<double, 2>;        ///< derivatives in the layer's state at entry, for the
-                                          ///< return map alone: its laps have no means
 using NumbersDual = Dual<double, 7>;      ///< derivatives in the seven contact numbers
 using NumbersDual2 = Dual<SpeedDual, 7>;  ///< and theirs along the speed
 
@@ -24,12 +25,11 @@ struct WithState<Dual<double, N>> {
 /// The closed list of scalars that the contact runs on.
 #define TWUM_FOR_EACH_CONTACT_SCALAR(X) \
   X(double)                             \
-  X(SpeedDual)                          \
-  X(StateDual)                          \
+  X(MotionDual)                         \
   X(NumbersDual)                        \
   X(NumbersDual2)
 
 /// Those of them that the periodic state is differentiated with in one lap.
 #define TWUM_FOR_EACH_WITH_STATE(X) \
-  X(WithState<SpeedDual>::Type)     \
+  X(WithState<MotionDual>::Type)    \
   X(WithState<NumbersDual>::Type)

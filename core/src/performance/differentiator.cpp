@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "performance/differentiator.hpp"
 
-#include "performance/curve/prescribed_curve.hpp"
+#include "performance/motor_curve.hpp"
 
 #include <cmath>
 #include <limits>

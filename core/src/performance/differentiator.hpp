@@ -70,7 +70,6 @@ class Differentiator {
     return {a.dual * b.dual, worse(a.smoothness, b.smoothness)};
   }
   CurveSearch& search() { return values_.search(); }
-  CurveSearch& electrical_search() { return values_.electrical_search(); }
 
  private:
   /// How a direction moves with a parameter in use.

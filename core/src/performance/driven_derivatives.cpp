@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Derivatives of what a motor under a voltage has besides its points: where it pulls out, starts and holds.
-#include "performance/curve/prescribed_curve.hpp"
 #include "performance/differentiator.hpp"
+#include "performance/motor_curve.hpp"
 
 #include <cmath>
 

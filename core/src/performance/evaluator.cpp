@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "performance/evaluator.hpp"
 
-#include "performance/curve/prescribed_curve.hpp"
-#include "performance/drive/driven_curve.hpp"
+#include "performance/motor_curve.hpp"
 
 #include <cmath>
 #include <limits>
@@ -12,9 +11,10 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-std::unique_ptr<const Curve> curve_of(const Motor& motor) {
-  if (!motor.drive()) return std::make_unique<PrescribedCurve>(motor.model());
-  return std::make_unique<DrivenCurve>(*motor.drive(), motor.model(), Input::mechanical);
+std::unique_ptr<const Curve> curve_of(const Motor& motor,
+                                      const std::optional<StatorModes<double>>& modes) {
+  if (!motor.drive()) return std::make_unique<PrescribedCurve>(motor.model(), modes);
+  return std::make_unique<DrivenCurve>(*motor.drive(), motor.model());
 }
 
 }  // namespace
@@ -23,7 +23,7 @@ Evaluator::Evaluator(const Motor& motor)
     : motor_(motor),
       m_(motor.model()),
       modes_(stator_modes(motor.design())),
-      curve_(curve_of(motor)),
+      curve_(curve_of(motor, modes_)),
       search_(*curve_) {}
 
 const StatorModes<double>& Evaluator::modes() const {
@@ -31,18 +31,11 @@ const StatorModes<double>& Evaluator::modes() const {
   return *modes_;
 }
 
-CurveSearch& Evaluator::electrical_search() {
-  if (electrical_search_) return *electrical_search_;
-  if (motor_.drive())
-    electrical_curve_ = std::make_unique<DrivenCurve>(*motor_.drive(), m_, Input::electrical);
-  else
-    electrical_curve_ = std::make_unique<TerminalCurve>(m_, modes());
-  return electrical_search_.emplace(*electrical_curve_);
-}
-
 Thresholds& Evaluator::thresholds() {
   modes();
-  if (!thresholds_) thresholds_.emplace(motor_.design(), m_.track);
+  if (!thresholds_)
+    thresholds_.emplace(motor_.design(), m_.track,
+                        motor_.drive() ? std::optional(motor_.drive()->extrema()) : std::nullopt);
   return *thresholds_;
 }
 

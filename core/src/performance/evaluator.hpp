@@ -55,8 +55,6 @@ class Evaluator {
   double of_plate(PlateNumber number) const;
   double product(double a, double b) const { return a * b; }
   CurveSearch& search() { return search_; }
-  /// With the power at the terminals as input. @throws SearchFailure without modal data
-  CurveSearch& electrical_search();
 
   const Motor& motor() const { return motor_; }
   /// The point at a speed. @throws SearchFailure if it has no answer
@@ -88,9 +86,8 @@ class Evaluator {
   const Motor& motor_;
   const DrivenMotor<double>& m_;  // under the wave that the curve begins with
   std::optional<StatorModes<double>> modes_;
-  std::unique_ptr<const Curve> curve_, electrical_curve_;
+  std::unique_ptr<const Curve> curve_;
   CurveSearch search_;
-  std::optional<CurveSearch> electrical_search_;
   std::optional<Thresholds> thresholds_;
   // References stay valid.
   std::deque<Known> points_;

@@ -196,9 +196,9 @@ typename Answers::Number metric_row(Answers& to, const MetricRequest& request) {
     case M::pressure_nonuniformity:
       return to.of_contact([](const auto& m) { return pressure_nonuniformity(m); });
     case M::max_overall_efficiency:
-      return to.at_peak(M::overall_efficiency_at, to.electrical_search().max_efficiency());
+      return to.at_peak(M::overall_efficiency_at, search.max_overall_efficiency());
     case M::speed_at_max_overall_efficiency:
-      return to.speed_of_peak(M::overall_efficiency_at, to.electrical_search().max_efficiency());
+      return to.speed_of_peak(M::overall_efficiency_at, search.max_overall_efficiency());
     case M::pull_out_torque: return to.at_pull_out(M::torque_at);
     case M::start_voltage:
     case M::hold_voltage:

@@ -20,7 +20,7 @@ SpeedDerivative differentiate_in_speed(const Motor& motor, double speed) {
   }
   const DrivenMotor<double>& m = motor.model();
   const SolvedPoint solved = solve_point(m, speed);
-  const auto n = solved.differentiated(m, contact::SpeedDual::variable(speed, 0));
+  const auto n = solved.differentiated(m, contact::MotionDual::variable(speed, contact::kInSpeed));
   d.torque = n.torque.d[0];
   d.output_power = d.point.torque + speed * d.torque;
   d.stator_power = n.stator_power.d[0];

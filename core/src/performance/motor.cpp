@@ -116,7 +116,7 @@ void require_speed(const performance::DrivenMotor<double>& m, double speed) {
   }
 }
 
-void require_admissible(Parameter parameter, double value) {
+void require_on_the_wave(Parameter parameter, double value) {
   const std::string wrong = complaint(parameter, value);
   if (!wrong.empty()) throw InputError(std::string(info(parameter).name) + " " + wrong);
 }
@@ -140,8 +140,8 @@ OperatingPoint Motor::operating_point(double speed) const {
 }
 
 OperatingPoint Motor::operating_point(const OperatingConditions& at) const {
-  require_admissible(Parameter::amplitude, at.amplitude);
-  require_admissible(Parameter::frequency, at.frequency);
+  require_on_the_wave(Parameter::amplitude, at.amplitude);
+  require_on_the_wave(Parameter::frequency, at.frequency);
   const performance::DrivenMotor<double> m =
       driven<double>(*model_, {at.amplitude, 2 * std::numbers::pi * at.frequency});
   require_speed(m, at.speed);

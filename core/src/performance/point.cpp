@@ -16,6 +16,8 @@ namespace {
 using contact::LayerMotion;
 using contact::PeriodicStatus;
 
+constexpr double kRough = 1e-6;  // accuracy for which a track needs no splits
+
 PointStatus point_status(PeriodicStatus status) {
   switch (status) {
     case PeriodicStatus::ok: return PointStatus::ok;
@@ -223,7 +225,8 @@ SolvedPoint::SolvedPoint(const DrivenMotor<double>& m, double speed,
     : first_(solve_slice(m, m.slices()[0], speed, layer, guess ? &guess->of_slice(0) : nullptr,
                          accuracy)) {
   solve_others(m, m.slices(), speed, layer, guess, accuracy);
-  if (m.track.splits && status == PointStatus::ok) split(m, speed, layer, accuracy);
+  if (m.track.splits && status == PointStatus::ok && accuracy < kRough)
+    split(m, speed, layer, accuracy);
 }
 
 void SolvedPoint::solve_others(const DrivenMotor<double>& m, std::span<const Slice<double>> slices,
@@ -252,13 +255,34 @@ void SolvedPoint::split(const DrivenMotor<double>& m, double speed,
   splits_ = zone_splits(m, zones, [&](double radius) {
     const Slice<double> there = slice_at(m, radius, m.b);
     if (!(there.contact.half_angle > 0)) return SliceZones{0, HUGE_VAL};
-    return zones_of(solve_slice(m, there, speed, layer, nullptr, accuracy));
+    return zones_of(solve_slice(m, there, speed, layer, entry_at(m.slices(), radius), accuracy));
   });
-  if (splits_.empty()) return;
+  if (!splits_.empty()) solve_split(m, speed, layer, nullptr, accuracy);
+}
+
+const WarmStart::Entry* SolvedPoint::entry_at(std::span<const Slice<double>> slices,
+                                              double radius) const {
+  const auto far = [radius](const Slice<double>& s) { return std::fabs(s.radius - radius); };
+  std::size_t nearest = 0;
+  for (std::size_t k = 1; k < size(); ++k)
+    if (far(slices[k]) < far(slices[nearest])) nearest = k;
+  const SolvedSlice& near = slice(nearest);
+  return near.locked || near.slips_one_way() ? nullptr : &near.state.entry;
+}
+
+void SolvedPoint::solve_split(const DrivenMotor<double>& m, double speed,
+                              const LayerMotion<double>& layer, const WarmStart* guess,
+                              double accuracy) {
   const std::vector<Slice<double>> slices = annulus_of<double>(m, splits_);
   lever_ = lever_of<double>(slices, m.preload);
-  first_ = solve_slice(m, slices[0], speed, layer, nullptr, accuracy);
-  solve_others(m, slices, speed, layer, nullptr, accuracy);
+  if (guess && guess->size() != slices.size()) guess = nullptr;
+  first_ = solve_slice(m, slices[0], speed, layer, guess ? &guess->of_slice(0) : nullptr, accuracy);
+  solve_others(m, slices, speed, layer, guess, accuracy);
+}
+
+bool SolvedPoint::has_pieces_of_splits(const DrivenMotor<double>& m) const {
+  return std::all_of(splits_.begin(), splits_.end(),
+                     [&m](const Split& s) { return s.piece < m.pieces.size(); });
 }
 
 namespace {
@@ -322,11 +346,23 @@ SolvedPoint solve_point(const DrivenMotor<double>& m, double speed, const WarmSt
   if (guess && guess->size() != m.slices().size()) guess = nullptr;
   SolvedPoint point =
       special ? SolvedPoint::of_special(m, speed) : SolvedPoint(m, speed, guess, accuracy);
-  const bool lawful = accuracy > 0
-                          ? std::isfinite(point.numbers.torque + point.numbers.stator_power)
-                          : keeps_laws(m, point.numbers, speed, point.lever(m));
-  if (point.status == PointStatus::ok && !lawful) point.status = PointStatus::inaccurate;
-  return point;
+  return std::move(point).checked(m, speed, accuracy);
+}
+
+SolvedPoint solve_point_near(const DrivenMotor<double>& m, double speed, const SolvedPoint& near) {
+  const WarmStart start = near.start();
+  if (near.splits_.empty() || !near.has_pieces_of_splits(m)) return solve_point(m, speed, &start);
+  SolvedPoint point;
+  point.splits_ = near.splits_;
+  point.solve_split(m, speed, layer_of(m, speed), &start, 0);
+  return std::move(point).checked(m, speed, 0);
+}
+
+SolvedPoint SolvedPoint::checked(const DrivenMotor<double>& m, double speed, double accuracy) && {
+  const bool lawful = accuracy > 0 ? std::isfinite(numbers.torque + numbers.stator_power)
+                                   : keeps_laws(m, numbers, speed, lever(m));
+  if (status == PointStatus::ok && !lawful) status = PointStatus::inaccurate;
+  return std::move(*this);
 }
 
 #define TWUM_INSTANTIATE(S, R)                                                             \
@@ -335,17 +371,17 @@ SolvedPoint solve_point(const DrivenMotor<double>& m, double speed, const WarmSt
   template PointNumbers<R> special_point(const DrivenMotor<S>&, const R&);
 TWUM_FOR_EACH_MODEL_SCALAR(TWUM_INSTANTIATE)
 #undef TWUM_INSTANTIATE
-template PointNumbers<contact::SpeedDual> locked_slice(const DrivenMotor<double>&,
-                                                       const Slice<double>&,
-                                                       const contact::SpeedDual&);
-template PointNumbers<contact::SpeedDual> special_point(const DrivenMotor<double>&,
-                                                        const contact::SpeedDual&);
-template bool locks_at_rest(const DrivenMotor<contact::SpeedDual>&,
-                            const Slice<contact::SpeedDual>&);
-template PointNumbers<contact::SpeedDual> locked_slice(const DrivenMotor<contact::SpeedDual>&,
-                                                       const Slice<contact::SpeedDual>&,
-                                                       const contact::SpeedDual&);
-template PointNumbers<contact::SpeedDual> special_point(const DrivenMotor<contact::SpeedDual>&,
-                                                        const contact::SpeedDual&);
+template PointNumbers<contact::MotionDual> locked_slice(const DrivenMotor<double>&,
+                                                        const Slice<double>&,
+                                                        const contact::MotionDual&);
+template PointNumbers<contact::MotionDual> special_point(const DrivenMotor<double>&,
+                                                         const contact::MotionDual&);
+template bool locks_at_rest(const DrivenMotor<contact::MotionDual>&,
+                            const Slice<contact::MotionDual>&);
+template PointNumbers<contact::MotionDual> locked_slice(const DrivenMotor<contact::MotionDual>&,
+                                                        const Slice<contact::MotionDual>&,
+                                                        const contact::MotionDual&);
+template PointNumbers<contact::MotionDual> special_point(const DrivenMotor<contact::MotionDual>&,
+                                                         const contact::MotionDual&);
 
 }  // namespace twum::performance

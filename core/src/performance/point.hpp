@@ -144,15 +144,16 @@ class SolvedPoint {
   /// differentiated in its own seven numbers and chained.
   template <typename S>
   PointNumbers<S> differentiated(const DrivenMotor<S>& motor, const S& speed) const;
-  /// The numbers with derivatives in speed.
-  PointNumbers<contact::SpeedDual> differentiated(const DrivenMotor<double>& motor,
-                                                  const contact::SpeedDual& speed) const;
-  /// The numbers with derivatives along a path on which the wave and the speed move.
-  PointNumbers<contact::SpeedDual> differentiated(const DrivenMotor<contact::SpeedDual>& motor,
-                                                  const contact::SpeedDual& speed) const;
+  /// The numbers with derivatives in speed (and in an amplitude, which does not move).
+  PointNumbers<contact::MotionDual> differentiated(const DrivenMotor<double>& motor,
+                                                   const contact::MotionDual& speed) const;
+  /// The numbers with derivatives in speed and amplitude.
+  PointNumbers<contact::MotionDual> differentiated(const DrivenMotor<contact::MotionDual>& motor,
+                                                   const contact::MotionDual& speed) const;
 
  private:
   friend SolvedPoint solve_point(const DrivenMotor<double>&, double, const WarmStart*, double);
+  friend SolvedPoint solve_point_near(const DrivenMotor<double>&, double, const SolvedPoint&);
   SolvedPoint(const DrivenMotor<double>& motor, double speed, const WarmStart* guess,
               double accuracy);
   SolvedPoint(const DrivenMotor<double>& motor, double speed,
@@ -170,6 +171,14 @@ class SolvedPoint {
   /// Solves the track anew where it is split.
   void split(const DrivenMotor<double>& motor, double speed,
              const contact::LayerMotion<double>& layer, double accuracy);
+  /// Solves the track with its splits.
+  void solve_split(const DrivenMotor<double>& motor, double speed,
+                   const contact::LayerMotion<double>& layer, const WarmStart* guess,
+                   double accuracy);
+  bool has_pieces_of_splits(const DrivenMotor<double>& motor) const;
+  SolvedPoint checked(const DrivenMotor<double>& motor, double speed, double accuracy) &&;
+  /// Where the search at a radius may begin: what the nearest slice says.
+  const WarmStart::Entry* entry_at(std::span<const Slice<double>> slices, double radius) const;
 
   std::size_t size() const { return 1 + others_.size(); }
   const SolvedSlice& slice(std::size_t k) const { return k == 0 ? first_ : others_[k - 1]; }
@@ -177,8 +186,8 @@ class SolvedPoint {
   std::optional<WarmStart::Entry> entry_near(std::span<const Slice<double>> slices, std::size_t k,
                                              const WarmStart* guess) const;
   template <typename S>
-  PointNumbers<contact::SpeedDual> differentiated_along(const DrivenMotor<S>& motor,
-                                                        const contact::SpeedDual& speed) const;
+  PointNumbers<contact::MotionDual> differentiated_along(const DrivenMotor<S>& motor,
+                                                         const contact::MotionDual& speed) const;
 
   template <typename S, typename R, typename Differentiate>
   PointNumbers<R> summed(const DrivenMotor<S>& motor, const R& speed,
@@ -193,9 +202,13 @@ class SolvedPoint {
 
 /// Solves one operating point.
 /// @param guess     what a neighbouring point says; null: the layer enters at rest
-/// @param accuracy  of the periodic state, as find_periodic_state()
+/// @param accuracy  of the periodic state, as find_periodic_state(); from 1e-6 on a track is not split
 SolvedPoint solve_point(const DrivenMotor<double>& motor, double speed,
                         const WarmStart* guess = nullptr, double accuracy = 0);
+
+/// The same beside a point with nearly the same speed and wave: the track is split where it is there.
+SolvedPoint solve_point_near(const DrivenMotor<double>& motor, double speed,
+                             const SolvedPoint& near);
 
 /// True if the whole contact sticks at rest (theory section 10).
 bool locks_at_rest(const DrivenMotor<double>& motor);

@@ -10,6 +10,7 @@ namespace twum::performance {
 namespace {
 
 using contact::ContactNumbers;
+using contact::MotionDual;
 using contact::NumbersDual;
 using contact::NumbersDual2;
 using contact::SpeedDual;
@@ -155,38 +156,30 @@ PointNumbers<S> SolvedPoint::differentiated(const DrivenMotor<S>& m, const S& sp
 }
 
 template <typename S>
-PointNumbers<SpeedDual> SolvedPoint::differentiated_along(const DrivenMotor<S>& m,
-                                                          const SpeedDual& speed) const {
+PointNumbers<MotionDual> SolvedPoint::differentiated_along(const DrivenMotor<S>& m,
+                                                           const MotionDual& speed) const {
   return summed(m, speed,
-                [](const ContactNumbers<SpeedDual>& n, const contact::PeriodicState& state) {
+                [](const ContactNumbers<MotionDual>& n, const contact::PeriodicState& state) {
                   return contact::periodic_means(n, values_of(n), state);
                 });
 }
 
-PointNumbers<SpeedDual> SolvedPoint::differentiated(const DrivenMotor<double>& m,
-                                                    const SpeedDual& speed) const {
+PointNumbers<MotionDual> SolvedPoint::differentiated(const DrivenMotor<double>& m,
+                                                     const MotionDual& speed) const {
   return differentiated_along(m, speed);
 }
 
-PointNumbers<SpeedDual> SolvedPoint::differentiated(const DrivenMotor<SpeedDual>& m,
-                                                    const SpeedDual& speed) const {
+PointNumbers<MotionDual> SolvedPoint::differentiated(const DrivenMotor<MotionDual>& m,
+                                                     const MotionDual& speed) const {
   return differentiated_along(m, speed);
-}
-
-TorqueSlope torque_slope(const DrivenMotor<double>& m, double speed, const WarmStart* guess) {
-  const SolvedPoint point = solve_point(m, speed, guess);
-  if (point.status != PointStatus::ok) return {0, 0, 0, 0, point.status, {}};
-  const PointNumbers<SpeedDual> n = point.differentiated(m, SpeedDual::variable(speed, 0));
-  return {n.torque.v,          n.torque.d[0], n.stator_power.v,
-          n.stator_power.d[0], point.status,  point.start()};
 }
 
 namespace {
 
 Margin margin_in(const DrivenMotor<double>& m, const Slice<double>& slice, double speed) {
   const contact::SlipMargin low = contact::slip_margin(contact_numbers(m, slice, speed));
-  const SpeedDual omega = SpeedDual::variable(speed, 0);
-  const SpeedDual at = contact::slip_margin_at(contact_numbers(m, slice, omega), low);
+  const MotionDual omega = MotionDual::variable(speed, contact::kInSpeed);
+  const MotionDual at = contact::slip_margin_at(contact_numbers(m, slice, omega), low);
   return {at.v, at.d[0], low.place, low.exit, low.slips};
 }
 

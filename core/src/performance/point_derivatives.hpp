@@ -32,17 +32,6 @@ ModelDual speed_variable<ModelDual>(double speed);
 template <>
 ModelDual2 speed_variable<ModelDual2>(double speed);
 
-/// Torque and its slope in speed.
-struct TorqueSlope {
-  double torque, slope;  ///< [N m], [N m s]
-  double stator_power, power_slope;
-  PointStatus status;
-  WarmStart start;  ///< for neighbouring points
-};
-/// @param guess  as solve_point()
-TorqueSlope torque_slope(const DrivenMotor<double>& model, double speed,
-                         const WarmStart* guess = nullptr);
-
 /// Smallest v_rel margin -v_rel s / V0 of a contact that slips and drives all through, at `speed`:
 /// positive on the plateau of the torque, zero at its end (T7.17). Of several slices that of the first one to stick.
 struct Margin {

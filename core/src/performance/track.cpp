@@ -261,7 +261,7 @@ S pressure_nonuniformity(const DrivenMotor<S>& m) {
   template S largest_pressure(const DrivenMotor<S>&);                                       \
   template S pressure_nonuniformity(const DrivenMotor<S>&);
 TWUM_FOR_EACH_MODEL_SCALAR(TWUM_INSTANTIATE)
-TWUM_INSTANTIATE(contact::SpeedDual, contact::SpeedDual)
+TWUM_INSTANTIATE(contact::MotionDual, contact::MotionDual)
 #undef TWUM_INSTANTIATE
 
 }  // namespace twum::performance

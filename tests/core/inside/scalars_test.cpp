@@ -49,7 +49,7 @@ TEST_CASE("the derivative path gives the bits of the double path", "[core][deriv
   Dice dice(51);
   for (int i = 0; i < 600; ++i) {
     const ContactNumbers<double> n = random_contact(dice, i, i % 3 == 0);
-    check_same_bits<SpeedDual>(n);
+    check_same_bits<MotionDual>(n);
     check_same_return(n);
     check_same_bits<NumbersDual>(n);
     check_same_bits<NumbersDual2>(n);

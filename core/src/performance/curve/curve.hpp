@@ -25,7 +25,8 @@ struct CurvePoint {
   static constexpr std::uint64_t kNoSignature = ~std::uint64_t{0};
 
   double speed{0}, torque{0};  ///< [rad/s], [N m]
-  double input{0};             ///< power that the efficiency is a share of [W]
+  double input{0};             ///< stator power and stator loss (T7.7) [W]
+  double electrical_input{0};  ///< the power at the terminals (D4.3), NaN if it is not known [W]
   MetricStatus status{MetricStatus::ok};
   bool plateau{false};                    ///< the whole contact slips and drives
   bool special{false};                    ///< in closed form: tells its neighbours nothing
@@ -39,7 +40,7 @@ struct CurvePoint {
 /// The same with slopes.
 struct CurveSlope {
   double speed{0};
-  Sloped torque, input;  ///< as of CurvePoint
+  Sloped torque, input, electrical_input;  ///< as of CurvePoint
   WarmStart start{};
 };
 

@@ -25,7 +25,8 @@ struct Peak {
 };
 
 /// What is to be as large as possible over speed.
-enum class Goal : unsigned char { torque, power, efficiency };
+enum class Goal : unsigned char { torque, power, efficiency, overall_efficiency };
+inline constexpr std::size_t kGoals = 4;
 
 /// A goal along the curve.
 class GoalCurve {
@@ -37,11 +38,13 @@ class GoalCurve {
 
   Goal goal() const { return goal_; }
   double value(const CurvePoint& p) const {
-    return sloped(p.speed, {p.torque, 0}, {p.input, 0}).value;
+    return sloped(p.speed, {p.torque, 0}, {is_overall() ? p.electrical_input : p.input, 0}).value;
   }
   /// @throws SearchFailure if the point has no answer
   Sloped at(double speed) const { return sloped(points_.slope(speed)); }
-  Sloped sloped(const CurveSlope& s) const { return sloped(s.speed, s.torque, s.input); }
+  Sloped sloped(const CurveSlope& s) const {
+    return sloped(s.speed, s.torque, is_overall() ? s.electrical_input : s.input);
+  }
 
   /// Position of the highest point, the slowest one of several.
   std::size_t highest(const std::vector<CurvePoint>& nodes) const;
@@ -51,6 +54,7 @@ class GoalCurve {
   Peak peak_at(const CurvePoint& p, PeakKind inside) const;
 
  private:
+  bool is_overall() const { return goal_ == Goal::overall_efficiency; }
   // (T7.1), (T7.7) and their slopes.
   Sloped sloped(double speed, const Sloped& torque, const Sloped& input) const {
     if (goal_ == Goal::torque) return torque;

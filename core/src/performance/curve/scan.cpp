@@ -12,6 +12,7 @@ namespace {
 constexpr int kJumpingIntervals = 40;  // in place of kIntervals where torque may jump
 constexpr int kMissing = 4;            // points without an answer that may follow one another
 constexpr double kFarthest = 1e4;      // times the crest speed
+constexpr double kRounding = 1e-15;    // of a speed
 constexpr double kHighest = 1.3;       // times the crest speed: no wave drives beyond
 
 // True if less than half of the layer's own motion is left after a turn. What is left longer can upset the
@@ -40,12 +41,19 @@ CurvePoint CurveScan::first_that_drives(const CurvePoint& begin) {
     if (!high.ok()) break;
     if (high.torque > 0) {
       const auto torque = [&](double speed) { return points_.answered(speed).torque; };
-      return points_.answered(
-          close_in(torque, {low.speed, high.speed, low.torque, high.torque}).high);
+      return just_beyond(close_in(torque, {low.speed, high.speed, low.torque, high.torque}).high);
     }
     low = high;
   }
   return begin;
+}
+
+// The torque may be exactly zero where it rises through zero.
+CurvePoint CurveScan::just_beyond(double zero) {
+  CurvePoint p = points_.answered(zero);
+  for (double step = kRounding * zero; !(p.torque > 0) && step < kAccuracy * zero; step *= 2)
+    p = points_.answered(zero + step);
+  return p;
 }
 
 void CurveScan::require_drive() {
@@ -72,6 +80,19 @@ CurvePoint CurveScan::node(double speed, Walk& walk) {
   if (n.plateau && starts_on_plateau()) n.torque = first().torque;
   const bool in_doubt = std::fabs(n.torque) < 1e3 * kAccuracy * points_.curve().holding();
   return n.ok() && in_doubt ? walk.at(speed) : n;
+}
+
+const std::vector<CurvePoint>& CurveScan::between(const CurvePoint& low, const CurvePoint& high,
+                                                  int parts) {
+  const auto [place, fresh] = between_.try_emplace(low.speed);
+  if (!fresh) return place->second;
+  Walk walk(points_);
+  walk.pass(low);
+  for (int i = 1; i < parts; ++i) {
+    const CurvePoint next = node(low.speed + (high.speed - low.speed) * i / parts, walk);
+    if (next.ok()) place->second.push_back(next);
+  }
+  return place->second;
 }
 
 // A layer that slips all through at one speed does so at every lower one: halving finds the last node on

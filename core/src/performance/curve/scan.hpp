@@ -3,6 +3,7 @@
 
 #include "performance/curve/points.hpp"
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -33,16 +34,20 @@ class CurveScan {
   /// @throws SearchFailure (undefined) unless it drives, and if there is no end of the curve
   const std::vector<CurvePoint>& nodes();
 
-  /// A point as good as those of the scan: only good enough to say where to look.
-  CurvePoint node(double speed, Walk& walk);
+  /// More points between a node and the next, as good as those of the scan: only good enough to say where to look. Those
+  /// without an answer are left out.
+  const std::vector<CurvePoint>& between(const CurvePoint& low, const CurvePoint& high, int parts);
 
  private:
+  CurvePoint node(double speed, Walk& walk);
   void run();
   CurvePoint first_that_drives(const CurvePoint& begin);
+  CurvePoint just_beyond(double zero);
   std::vector<CurvePoint> skip_plateau(double step, Walk& walk);
 
   CurvePoints& points_;
   std::vector<CurvePoint> nodes_;
+  std::map<double, std::vector<CurvePoint>> between_;  // by the speed of the node below
   std::optional<MetricStatus> failure_;
   bool done_{false};
 };

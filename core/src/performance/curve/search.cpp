@@ -38,9 +38,9 @@ Peak CurveSearch::working_peak() {
   return peak_power();
 }
 
-Peak CurveSearch::max_efficiency() {
+Peak CurveSearch::efficiency_peak(Goal goal) {
   if (!points_.curve().has_input()) throw SearchFailure{MetricStatus::undefined};
-  return peak(Goal::efficiency);
+  return peak(goal);
 }
 
 Peak CurveSearch::peak(Goal goal) {

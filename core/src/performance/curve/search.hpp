@@ -24,12 +24,15 @@ class CurveSearch {
   double plateau_end() { return crossings_.plateau_end(); }  ///< (T7.17)
   Peak max_torque() { return peak(Goal::torque); }           ///< (T7.13)
   Peak peak_power();                                         ///< (T7.16)
-  Peak working_peak();               ///< the same, of a motor that has a stall torque
-  Peak max_efficiency();             ///< (T7.18)
+  Peak working_peak();  ///< the same, of a motor that has a stall torque
+  Peak max_efficiency() { return efficiency_peak(Goal::efficiency); }  ///< (T7.18)
+  /// Of the power at the terminals, which has to be known.
+  Peak max_overall_efficiency() { return efficiency_peak(Goal::overall_efficiency); }
   Crossing speed_at(double torque);  ///< (T7.15)
 
  private:
   Peak peak(Goal goal);
+  Peak efficiency_peak(Goal goal);
   Peak found_peak(Goal goal);
   std::vector<CurvePoint> nodes_around(double torque);
   Crossing falls_through(double torque, const Peak& top);
@@ -37,7 +40,7 @@ class CurveSearch {
   CurvePoints points_;
   CurveScan scan_;
   CurveCrossings crossings_;
-  std::array<std::optional<Peak>, 3> peaks_;
+  std::array<std::optional<Peak>, kGoals> peaks_;
 };
 
 }  // namespace twum::performance

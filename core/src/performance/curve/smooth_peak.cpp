@@ -54,7 +54,7 @@ Peak SmoothPeakSearch::find() {
   return best;
 }
 
-// More nodes where a ripple between two of them may be the highest. Those without an answer are left out.
+// More nodes where a ripple between two of them may be the highest.
 std::vector<CurvePoint> SmoothPeakSearch::with_ripples(std::vector<CurvePoint> nodes) {
   const Curve& curve = points_.curve();
   const double wanted = nodes_of_ripples(curve.motor()), spacing = curve.crest() / wanted;
@@ -64,12 +64,10 @@ std::vector<CurvePoint> SmoothPeakSearch::with_ripples(std::vector<CurvePoint> n
   for (std::size_t k = 1; k < nodes.size(); ++k) {
     const CurvePoint &low = nodes[k - 1], &high = nodes[k];
     const bool worthy = !high.plateau && std::max(goal_.value(low), goal_.value(high)) >= worth;
-    const int parts = worthy ? static_cast<int>(std::ceil((high.speed - low.speed) / spacing)) : 1;
-    Walk walk(points_);
-    walk.pass(low);
-    for (int i = 1; i < parts; ++i) {
-      const CurvePoint between = scan_.node(low.speed + (high.speed - low.speed) * i / parts, walk);
-      if (between.ok()) all.push_back(between);
+    if (worthy) {
+      const int parts = static_cast<int>(std::ceil((high.speed - low.speed) / spacing));
+      const std::vector<CurvePoint>& more = scan_.between(low, high, parts);
+      all.insert(all.end(), more.begin(), more.end());
     }
     all.push_back(high);
   }

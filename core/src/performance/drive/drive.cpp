@@ -20,7 +20,10 @@ TrackRule track_of(const MotorDesign& design) {
 }  // namespace
 
 Drive::Drive(const MotorDesign& design)
-    : asked_(design.stator.branch), waves_(waves_of(design)), branch_(waves_) {}
+    : asked_(design.stator.branch),
+      waves_(waves_of(design)),
+      extrema_(force_extrema(waves_, 0)),
+      branch_(waves_, extrema_) {}
 
 DrivenWaves Drive::waves_of(const MotorDesign& design) { return {design, track_of(design)}; }
 
@@ -49,11 +52,10 @@ MotorPoint Drive::without_wave(PointStatus status) const {
 
 MotorPoint Drive::running(double speed) const {
   if (!branch_.exists()) return without_wave(PointStatus::no_running_branch);
-  const std::optional<BranchWave> wave = branch_.at(speed);
-  if (!wave) return without_wave(PointStatus::pulled_out);
-  if (!branch_.steady(*wave)) return without_wave(PointStatus::unstable_amplitude);
-  const DrivenMotor<double> motor = waves_.motor(wave->amplitude);
-  return {motor, solve_point(motor, speed, &wave->start)};
+  std::optional<MotorPoint> point = branch_.at(speed);
+  if (!point) return without_wave(PointStatus::pulled_out);
+  if (!branch_.steady(*point, speed)) return without_wave(PointStatus::unstable_amplitude);
+  return std::move(*point);
 }
 
 // Below the maximum of H that a start has to pass there is at most one solution.

@@ -7,12 +7,6 @@
 
 namespace twum::performance {
 
-/// A motor at a speed: the wave there, and the contact under it.
-struct MotorPoint {
-  DrivenMotor<double> motor;
-  SolvedPoint solved;
-};
-
 /// A motor whose wave follows from voltage and load. Immutable.
 class Drive {
  public:
@@ -37,6 +31,8 @@ class Drive {
   DrivenMotor<double> first_motor() const;
 
   const DrivenWaves& waves() const { return waves_; }
+  /// Extrema of H at rest.
+  const std::vector<ForceExtremum>& extrema() const { return extrema_; }
   const RunningBranch& branch() const { return branch_; }
 
  private:
@@ -46,6 +42,7 @@ class Drive {
 
   Branch asked_;
   DrivenWaves waves_;
+  std::vector<ForceExtremum> extrema_;
   RunningBranch branch_;
 };
 

@@ -13,11 +13,13 @@
 namespace twum::performance {
 namespace {
 
-using contact::SpeedDual;
+using contact::kInAmplitude;
+using contact::kInSpeed;
+using contact::MotionDual;
 
-ModelArray<SpeedDual> constants(const ModelArray<double>& values) {
-  ModelArray<SpeedDual> p;
-  for (std::size_t i = 0; i < p.size(); ++i) p[i] = SpeedDual(values[i]);
+ModelArray<MotionDual> constants(const ModelArray<double>& values) {
+  ModelArray<MotionDual> p;
+  for (std::size_t i = 0; i < p.size(); ++i) p[i] = MotionDual(values[i]);
   return p;
 }
 
@@ -39,12 +41,6 @@ double drive_force(const MotorDesign& design) {
   const StatorModes<double> modes = modes_of(design);
   return std::numbers::sqrt2 * design.stator.voltage.value_or(0) * modes.force_factor *
          modes.unequal.share();
-}
-
-SpeedDual moving(double value, double seed) {
-  SpeedDual x(value);
-  x.d[0] = seed;
-  return x;
 }
 
 // k of (D2.10). A table's spline may be slightly larger between the sampled radii.
@@ -76,13 +72,11 @@ DrivenWaves DrivenWaves::at_frequency(double omega) const {
   other.omega_ = omega;
   if (!loss_factor_) return other;
   other.model_.viscosity = shear_viscosity_of(*loss_factor_, model_.shear, omega);
-  other.dual_model_.viscosity = SpeedDual(other.model_.viscosity);
+  other.dual_model_.viscosity = MotionDual(other.model_.viscosity);
   return other;
 }
 
-DrivenWave DrivenWaves::at(double amplitude, double speed, const WarmStart* guess,
-                           double accuracy) const {
-  const SolvedPoint point = solve_point(motor(amplitude), speed, guess, accuracy);
+DrivenWave DrivenWaves::wave_of(const SolvedPoint& point, double amplitude, double speed) const {
   const WarmStart start = point.start();
   const long slices = static_cast<long>(start.size());
   return {amplitude,           speed, balance(point.numbers, amplitude),
@@ -90,40 +84,39 @@ DrivenWave DrivenWaves::at(double amplitude, double speed, const WarmStart* gues
           point.numbers.torque};
 }
 
-PointNumbers<SpeedDual> DrivenWaves::along(const SolvedPoint& point, double amplitude, double speed,
-                                           double amplitude_seed, double speed_seed) const {
-  const SpeedDual a = moving(amplitude, amplitude_seed);
-  return point.differentiated(driven(dual_model_, {a, SpeedDual(omega_)}),
-                              moving(speed, speed_seed));
+DrivenWave DrivenWaves::at(double amplitude, double speed, const WarmStart* guess,
+                           double accuracy) const {
+  return wave_of(solve_point(motor(amplitude), speed, guess, accuracy), amplitude, speed);
 }
 
-SlopedWave DrivenWaves::sloped(const SolvedPoint& point, double amplitude, double speed,
-                               double amplitude_seed, double speed_seed) const {
-  SlopedWave result;
-  const WarmStart start = point.start();
-  const long slices = static_cast<long>(start.size());
-  result.wave = {amplitude,           speed, {0, 0},
-                 point.status,        start, point.zones_followed() / slices,
-                 point.numbers.torque};
-  if (point.status != PointStatus::ok) return result;
-  const PointNumbers<SpeedDual> n = along(point, amplitude, speed, amplitude_seed, speed_seed);
-  const WaveBalance<SpeedDual> b =
-      wave_balance(constant_modes<SpeedDual>(modes_), moving(amplitude, amplitude_seed),
-                   SpeedDual(omega_), n.reactive_force, n.stator_power);
-  result.wave.balance = {b.real.v, b.imaginary.v};
-  result.slope = {b.real.d[0], b.imaginary.d[0]};
-  result.torque_slope = n.torque.d[0];
-  return result;
+DrivenWaves::MovingWave DrivenWaves::moving(const SolvedPoint& point, double amplitude,
+                                            double speed) const {
+  const MotionDual a = MotionDual::variable(amplitude, kInAmplitude), omega(omega_);
+  const PointNumbers<MotionDual> n =
+      point.differentiated(driven(dual_model_, {a, omega}), MotionDual::variable(speed, kInSpeed));
+  return {
+      n, a,
+      wave_balance(constant_modes<MotionDual>(modes_), a, omega, n.reactive_force, n.stator_power)};
 }
 
-SlopedWave DrivenWaves::in_amplitude(double amplitude, double speed, const WarmStart* guess) const {
-  return sloped(solve_point(motor(amplitude), speed, guess), amplitude, speed, 1, 0);
+double DrivenWaves::MovingWave::amplitude_per_speed() const {
+  const MotionDual square = balance.real * balance.real + balance.imaginary * balance.imaginary;
+  return -square.d[kInSpeed] / square.d[kInAmplitude];
 }
 
 DrivenWaves::LevelSlopes DrivenWaves::slopes(double amplitude, double speed,
                                              const WarmStart* guess) const {
-  const SolvedPoint point = solve_point(motor(amplitude), speed, guess);
-  return {point, sloped(point, amplitude, speed, 1, 0), sloped(point, amplitude, speed, 0, 1)};
+  LevelSlopes s{solve_point(motor(amplitude), speed, guess), {}};
+  SlopedWave& a = s.in_amplitude;
+  a.wave = wave_of(s.solved, amplitude, speed);
+  if (a.wave.status != PointStatus::ok) return s;
+  const MovingWave w = moving(s.solved, amplitude, speed);
+  const MotionDual& torque = w.numbers.torque;
+  a.slope = {w.balance.real.d[kInAmplitude], w.balance.imaginary.d[kInAmplitude]};
+  a.torque_slope = torque.d[kInAmplitude];
+  s.amplitude_per_speed = w.amplitude_per_speed();
+  s.torque_per_speed = torque.d[kInSpeed] + a.torque_slope * s.amplitude_per_speed;
+  return s;
 }
 
 Stability DrivenWaves::stability(const SlopedWave& w) const {

@@ -8,6 +8,12 @@
 
 namespace twum::performance {
 
+/// A motor at a speed: the wave there, and the contact under it.
+struct MotorPoint {
+  DrivenMotor<double> motor;
+  SolvedPoint solved;
+};
+
 /// A wave of a prescribed amplitude at a speed, and what drives it there.
 struct DrivenWave {
   double amplitude{0}, speed{0};
@@ -18,18 +24,20 @@ struct DrivenWave {
   double torque{0};  ///< on the rotor [N m]
 
   double force() const { return balance.force(); }
+  /// H times its slope where the balance has this one.
+  double fold_along(const WaveBalance<double>& slope) const {
+    return balance.real * slope.real + balance.imaginary * slope.imaginary;
+  }
 };
 
-/// The same with its derivatives at fixed speed in amplitude, or along another path.
+/// The same with its derivatives in amplitude at fixed speed.
 struct SlopedWave {
   DrivenWave wave;
   WaveBalance<double> slope;  ///< R_A, I_A [N/m]
   double torque_slope{0};     ///< T_A [N]
 
   /// H H_A; zero at folds.
-  double fold() const {
-    return wave.balance.real * slope.real + wave.balance.imaginary * slope.imaginary;
-  }
+  double fold() const { return wave.fold_along(slope); }
   double force_slope() const { return fold() / wave.force(); }  ///< H_A [N/m]
 };
 
@@ -53,22 +61,25 @@ class DrivenWaves {
 
   DrivenWave at(double amplitude, double speed, const WarmStart* guess = nullptr,
                 double accuracy = 0) const;
-  /// The contact's numbers with derivatives along a path, on which amplitude and speed move as their seeds say.
-  PointNumbers<contact::SpeedDual> along(const SolvedPoint& point, double amplitude, double speed,
-                                         double amplitude_seed, double speed_seed) const;
-  /// With derivatives in amplitude.
-  SlopedWave in_amplitude(double amplitude, double speed, const WarmStart* guess = nullptr) const;
-  /// The same beside the derivatives in speed at fixed amplitude.
-  struct LevelSlopes {
-    SolvedPoint solved;
-    SlopedWave in_amplitude, in_speed;
+  /// A solved wave, with derivatives in speed and amplitude.
+  struct MovingWave {
+    PointNumbers<contact::MotionDual> numbers;
+    contact::MotionDual amplitude;
+    WaveBalance<contact::MotionDual> balance;
 
     /// dA / dOmega along H(A, Omega) = Theta u_0 (D2.9).
-    double amplitude_per_speed() const { return -in_speed.fold() / in_amplitude.fold(); }
-    /// dT / dOmega along the same.
-    double torque_per_speed() const {
-      return in_speed.torque_slope + in_amplitude.torque_slope * amplitude_per_speed();
-    }
+    double amplitude_per_speed() const;
+  };
+  MovingWave moving(const SolvedPoint& point, double amplitude, double speed) const;
+  /// With derivatives in amplitude.
+  SlopedWave in_amplitude(double amplitude, double speed, const WarmStart* guess = nullptr) const {
+    return slopes(amplitude, speed, guess).in_amplitude;
+  }
+  /// The same beside the derivatives along H(A, Omega) = Theta u_0 (D2.9).
+  struct LevelSlopes {
+    SolvedPoint solved;
+    SlopedWave in_amplitude;
+    double amplitude_per_speed{0}, torque_per_speed{0};
   };
   LevelSlopes slopes(double amplitude, double speed, const WarmStart* guess = nullptr) const;
 
@@ -79,6 +90,8 @@ class DrivenWaves {
   DrivenMotor<double> motor(double amplitude) const { return driven(model_, {amplitude, omega_}); }
   Stability stability(const SlopedWave& wave) const;
 
+  /// The track is split where zones begin.
+  bool splits() const { return model_.track.splits; }
   /// The torque may jump over the speed: mu_0 > mu.
   bool may_jump() const { return model_.static_ > model_.kinetic; }
   const StatorModes<double>& modes() const { return modes_; }
@@ -96,11 +109,10 @@ class DrivenWaves {
   double pressure_bound() const { return reach_ * model_.preload; }
 
  private:
-  SlopedWave sloped(const SolvedPoint& point, double amplitude, double speed, double amplitude_seed,
-                    double speed_seed) const;
+  DrivenWave wave_of(const SolvedPoint& point, double amplitude, double speed) const;
 
   MotorModel<double> model_;
-  MotorModel<contact::SpeedDual> dual_model_;
+  MotorModel<contact::MotionDual> dual_model_;
   StatorModes<double> modes_;
   double drive_;  // Theta u_0, the force of the voltage's peak [N]
   double omega_;

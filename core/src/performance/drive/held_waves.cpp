@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "performance/drive/held_waves.hpp"
 
+#include "performance/drive/learned_slopes.hpp"
+
 #include <boost/math/tools/toms748_solve.hpp>
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -27,31 +28,6 @@ constexpr double kNearRoot = 1e-10;
 constexpr int kMostPolishes = 12;
 // of mu_0 F_N r; a larger residual means a jump instead of a root
 constexpr double kTorqueKept = 1e-9;
-
-using Pair = std::array<double, 2>;
-
-// Inverse Jacobian of two residuals in two unknowns, learned from steps (Broyden's inverse update). It starts as if
-// each residual fell as its own unknown rises.
-class LearnedSlopes {
- public:
-  Pair step(const Pair& f) const {
-    return {k_[0][0] * f[0] + k_[0][1] * f[1], k_[1][0] * f[0] + k_[1][1] * f[1]};
-  }
-  /// Updates after a step s that has reduced the residuals by y.
-  void learn(const Pair& s, const Pair& y) {
-    const Pair told = step(y),
-               back{s[0] * k_[0][0] + s[1] * k_[1][0], s[0] * k_[0][1] + s[1] * k_[1][1]};
-    const double scale = s[0] * told[0] + s[1] * told[1];
-    if (scale == 0) return;
-    for (std::size_t i = 0; i < 2; ++i)
-      for (std::size_t j = 0; j < 2; ++j) k_[i][j] += (s[i] - told[i]) * back[j] / scale;
-  }
-  /// How the second residual falls with its own unknown.
-  double second() const { return k_[0][0] / (k_[0][0] * k_[1][1] - k_[0][1] * k_[1][0]); }
-
- private:
-  double k_[2][2]{{1, 0}, {0, 1}};
-};
 
 // R of the flank on a side (D5.1).
 double wanted_force(const DrivenWaves& waves, const DrivenWave& wave, double side) {
@@ -227,7 +203,7 @@ bool HeldWaves::lasts(const ResponseWave& wave) const {
   if (!loaded)
     return waves.stability(waves.in_amplitude(wave.amplitude, wave.speed, &wave.start)).stable();
   const DrivenWaves::LevelSlopes s = waves.slopes(wave.amplitude, wave.speed, &wave.start);
-  return waves.stability(s.in_amplitude).stable() && s.torque_per_speed() < 0;
+  return waves.stability(s.in_amplitude).stable() && s.torque_per_speed < 0;
 }
 
 // A Newton step for H = Theta u_0 and, if a torque is given, for that torque, at a fixed frequency. Broyden steps
@@ -241,8 +217,8 @@ std::optional<ResponseWave> HeldWaves::polished(ResponseWave wave) const {
   const auto newton = [&](const DrivenWave& w) -> Pair {
     const double step = 0.5 * (waves.drive() - w.force()) * (waves.drive() + w.force()) / a.fold();
     if (!loaded) return {step, 0};
-    const double turn = (load_.value - w.torque - a.torque_slope * step) / s.torque_per_speed();
-    return {step + s.amplitude_per_speed() * turn, turn};
+    const double turn = (load_.value - w.torque - a.torque_slope * step) / s.torque_per_speed;
+    return {step + s.amplitude_per_speed * turn, turn};
   };
   DrivenWave found = a.wave;
   LearnedSlopes slopes;

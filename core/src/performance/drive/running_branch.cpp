@@ -25,9 +25,12 @@ constexpr double kNodeSettled = 3e-4;
 constexpr double kSettled = 1e-13;  // of the amplitude; largest error after the last secant
 constexpr double kReach = 0.2;      // of the amplitude: largest step of a secant
 // largest change of the layer's state over three turns: during the search,
-constexpr double kNearState = 1e-9;
+constexpr double kFarState = 1e-4;
+constexpr double kForcePerGap = 10;      // relative change of H with the state at entry, at most
 constexpr double kSettledState = 1e-13;  // and in the answer, whose amplitude has the same error
 constexpr int kMostFollowed = 4;         // amplitudes
+constexpr double kBalanced =
+    1e-11;  // of the drive's force: followed turns may go through zones that are not there
 
 // The largest running solution.
 std::optional<DrivenWave> largest(const std::vector<WaveSolution>& solutions) {
@@ -38,8 +41,9 @@ std::optional<DrivenWave> largest(const std::vector<WaveSolution>& solutions) {
 
 }  // namespace
 
-RunningBranch::RunningBranch(const DrivenWaves& waves) : waves_(waves) {
-  const std::optional<Node> first = first_node();
+RunningBranch::RunningBranch(const DrivenWaves& waves, const std::vector<ForceExtremum>& extrema)
+    : waves_(waves) {
+  const std::optional<Node> first = first_node(extrema);
   if (!first) return;
   nodes_.push_back(*first);
   step_ = waves.crest_speed_per_amplitude() * first->amplitude / kSteps;
@@ -54,12 +58,21 @@ RunningBranch::RunningBranch(const DrivenWaves& waves) : waves_(waves) {
   std::reverse(nodes_.begin(), nodes_.end());
 }
 
+// Between the extrema of H if that is enough to find it.
+std::optional<DrivenWave> RunningBranch::running_at_rest(
+    const std::vector<ForceExtremum>& extrema) const {
+  if (!extrema.empty() && !waves_.may_jump())
+    if (const auto wave = largest(wave_solutions(waves_, 0, extrema).found)) return wave;
+  return largest(wave_solutions(waves_, 0).found);
+}
+
 // The node at rest, or at the lowest speed of a grid with a running solution.
-std::optional<RunningBranch::Node> RunningBranch::first_node() const {
-  if (const auto at_rest = largest(wave_solutions(waves_, 0).found))
+std::optional<RunningBranch::Node> RunningBranch::first_node(
+    const std::vector<ForceExtremum>& extrema) const {
+  if (const auto at_rest = running_at_rest(extrema))
     return node(0, at_rest->amplitude, &at_rest->start).node;
   double hold = 0;
-  for (const ForceExtremum& e : force_extrema(waves_, 0))
+  for (const ForceExtremum& e : extrema)
     if (!e.maximum) hold = e.amplitude;
   const double step = waves_.crest_speed_per_amplitude() * hold / kSteps;
   long zones = 0;
@@ -88,7 +101,7 @@ RunningBranch::NodeSearch RunningBranch::node(double speed, double guess,
     a += step;
     if (!(std::fabs(a - guess) <= kStraight * guess)) return {{}, zones};
     if (std::fabs(step) <= kNodeSettled * a)
-      return {Node{speed, a, s.amplitude_per_speed(), w.force_slope(),
+      return {Node{speed, a, s.amplitude_per_speed, w.force_slope(),
                    !(waves_.stability(w).trace < 0), s.solved},
               zones};
     from = w.wave.start, start = &from;
@@ -97,24 +110,27 @@ RunningBranch::NodeSearch RunningBranch::node(double speed, double guess,
 }
 
 // Secants for H(A) = Theta u_0 near a guess, on turns of the wave with the same zones as a node. Nothing unless the
-// layer's state and the amplitude converge quickly.
+// layer's state and the amplitude converge quickly. A secant's slope is uncertain by its length and by what the gaps between
+// turns leave open; where that is much, the slope of the nodes is kept.
 std::optional<BranchWave> RunningBranch::followed(double speed, double guess, double force_slope,
                                                   const WarmStart& start,
                                                   const SolvedPoint& node) const {
-  double slope = force_slope, before = 0, excess_before = 0, a = guess;
+  double slope = force_slope, before = 0, excess_before = 0, gap_before = 0, a = guess;
   WarmStart last, from = start;
   for (int i = 0; i < kMostFollowed; ++i) {
     const auto turns = node.followed(waves_.motor(a), speed, from);
-    if (!turns || !(turns->gap <= kNearState)) return {};
+    if (!turns || !(turns->gap <= kFarState)) return {};
     const double excess = waves_.balance(turns->numbers, a).force() - waves_.drive();
-    if (i > 0 && a != before) slope = (excess - excess_before) / (a - before);
-    const double step = -excess / slope, last_step = i > 0 ? a - before : kReach * a;
+    const double length = std::fabs(a - before) / a,
+                 doubt = length + kForcePerGap * std::fmax(turns->gap, gap_before) / length;
+    const bool secant = i > 0 && doubt < kReach;
+    if (secant) slope = (excess - excess_before) / (a - before);
+    const double step = -excess / slope;
     if (!(slope > 0 && std::fabs(step) <= kReach * guess)) return {};
-    from =
-        i > 0 && a != before ? WarmStart::beyond(last, turns->next, step / last_step) : turns->next;
-    const bool settled = std::fabs(step * last_step) <= kSettled * a * a;
+    from = secant ? WarmStart::beyond(last, turns->next, step / (a - before)) : turns->next;
+    const bool settled = std::fabs(step) * (secant ? doubt : kReach) <= kSettled * a;
     if (settled && turns->gap <= kSettledState) return BranchWave{a + step, speed, from};
-    last = turns->next, before = a, excess_before = excess;
+    last = turns->next, before = a, excess_before = excess, gap_before = turns->gap;
     a += step;
   }
   return {};
@@ -259,36 +275,66 @@ std::optional<BranchWave> RunningBranch::beyond(const Node& last, const BranchEn
   return polished(speed, at.amplitude, at.force_slope, at.solved.start());
 }
 
-std::optional<BranchWave> RunningBranch::at(double speed) const {
-  if (nodes_.empty() || speed < lower_.speed || speed > upper_.speed) return {};
-  for (const BranchEnd& end : {lower_, upper_})
-    if (speed == end.speed) return BranchWave{end.amplitude, speed, nodes_.front().solved.start()};
-  const auto above = std::upper_bound(nodes_.begin(), nodes_.end(), speed,
-                                      [](double s, const Node& n) { return s < n.speed; });
-  if (above == nodes_.begin()) return beyond(nodes_.front(), lower_, speed);
-  const Node& a = *(above - 1);
-  if (a.speed == speed) return polished(speed, a.amplitude, a.force_slope, a.solved.start());
-  if (above == nodes_.end()) return beyond(a, upper_, speed);
-  // Hermite's cubic between the nodes.
-  const Node& b = *above;
+MotorPoint RunningBranch::solved(const BranchWave& wave) const {
+  const DrivenMotor<double> motor = waves_.motor(wave.amplitude);
+  return {motor, solve_point(motor, wave.speed, &wave.start)};
+}
+
+bool RunningBranch::balances(const MotorPoint& p) const {
+  const double force = waves_.balance(p.solved.numbers, p.motor.amplitude).force();
+  return p.solved.status == PointStatus::ok &&
+         std::fabs(force - waves_.drive()) <= kBalanced * waves_.drive();
+}
+
+// Begins where Hermite's cubic between the nodes leads. Turns are followed through the zones of the nearer node, or, as splits
+// move with the speed, of the guess itself; whether these are the zones of the wave found only its own contact tells.
+std::optional<MotorPoint> RunningBranch::between(const Node& a, const Node& b, double speed) const {
   const double d = b.speed - a.speed, t = (speed - a.speed) / d, u = 1 - t;
   const double guess = u * u * (1 + 2 * t) * a.amplitude + t * t * (1 + 2 * u) * b.amplitude +
                        t * u * d * (u * a.slope - t * b.slope);
   const double slope = u * a.force_slope + t * b.force_slope;
+  if (waves_.splits()) {
+    const SolvedPoint here = solve_point(waves_.motor(guess), speed);
+    if (const auto wave = followed(speed, guess, slope, here.start(), here)) {
+      const DrivenMotor<double> motor = waves_.motor(wave->amplitude);
+      const MotorPoint point{motor, solve_point_near(motor, speed, here)};
+      if (balances(point)) return point;
+    }
+  }
   const WarmStart start = WarmStart::beyond(a.solved.start(), b.solved.start(), t - 1);
-  if (const auto wave = followed(speed, guess, slope, start, t < 0.5 ? a.solved : b.solved))
-    return wave;
-  if (const auto wave = polished(speed, guess, slope, start)) return wave;
-  return beyond(a, {HUGE_VAL, 0}, speed);
+  if (!waves_.splits())
+    if (const auto wave = followed(speed, guess, slope, start, t < 0.5 ? a.solved : b.solved))
+      if (const MotorPoint point = solved(*wave); balances(point)) return point;
+  if (const auto wave = polished(speed, guess, slope, start)) return solved(*wave);
+  if (const auto wave = beyond(a, {HUGE_VAL, 0}, speed)) return solved(*wave);
+  return {};
+}
+
+std::optional<MotorPoint> RunningBranch::at(double speed) const {
+  if (nodes_.empty() || speed < lower_.speed || speed > upper_.speed) return {};
+  for (const BranchEnd& end : {lower_, upper_})
+    if (speed == end.speed) return solved({end.amplitude, speed, nodes_.front().solved.start()});
+  const auto above = std::upper_bound(nodes_.begin(), nodes_.end(), speed,
+                                      [](double s, const Node& n) { return s < n.speed; });
+  const auto solved_if = [this](const std::optional<BranchWave>& wave) {
+    return wave ? std::optional(solved(*wave)) : std::nullopt;
+  };
+  if (above == nodes_.begin()) return solved_if(beyond(nodes_.front(), lower_, speed));
+  const Node& a = *(above - 1);
+  if (a.speed == speed)
+    return solved_if(polished(speed, a.amplitude, a.force_slope, a.solved.start()));
+  if (above == nodes_.end()) return solved_if(beyond(a, upper_, speed));
+  return between(a, *above, speed);
 }
 
 // The trace changes little between two nodes, so it is computed only if a disturbance grows at one of them.
-bool RunningBranch::steady(const BranchWave& wave) const {
-  const auto above = std::upper_bound(nodes_.begin(), nodes_.end(), wave.speed,
+bool RunningBranch::steady(const MotorPoint& point, double speed) const {
+  const auto above = std::upper_bound(nodes_.begin(), nodes_.end(), speed,
                                       [](double s, const Node& n) { return s < n.speed; });
   const bool inside = above != nodes_.begin() && above != nodes_.end();
   if (inside && !above->grows && !(above - 1)->grows) return true;
-  return waves_.stability(waves_.in_amplitude(wave.amplitude, wave.speed, &wave.start)).trace < 0;
+  const WarmStart start = point.solved.start();
+  return waves_.stability(waves_.in_amplitude(point.motor.amplitude, speed, &start)).trace < 0;
 }
 
 }  // namespace twum::performance

@@ -29,7 +29,8 @@ struct BranchEnd {
 /// lowest speed at which one does.
 class RunningBranch {
  public:
-  explicit RunningBranch(const DrivenWaves& waves);
+  /// @param extrema  of H at rest
+  RunningBranch(const DrivenWaves& waves, const std::vector<ForceExtremum>& extrema);
 
   bool exists() const { return !nodes_.empty(); }
   const BranchEnd& lower() const { return lower_; }
@@ -37,10 +38,10 @@ class RunningBranch {
   /// Amplitude where the branch begins: at rest, or where it pulls out.
   double first_amplitude() const;
 
-  /// The wave at a speed; without a value off the branch.
-  std::optional<BranchWave> at(double speed) const;
+  /// The motor under the wave at a speed; without a value off the branch.
+  std::optional<MotorPoint> at(double speed) const;
   /// True if a disturbance of the wave there dies away.
-  bool steady(const BranchWave& wave) const;
+  bool steady(const MotorPoint& point, double speed) const;
 
  private:
   struct Node {
@@ -56,9 +57,13 @@ class RunningBranch {
     long zones;  // followed
   };
 
-  std::optional<Node> first_node() const;
+  std::optional<DrivenWave> running_at_rest(const std::vector<ForceExtremum>& extrema) const;
+  std::optional<Node> first_node(const std::vector<ForceExtremum>& extrema) const;
   NodeSearch node(double speed, double guess, const WarmStart* start) const;
 
+  MotorPoint solved(const BranchWave& wave) const;
+  bool balances(const MotorPoint& point) const;
+  std::optional<MotorPoint> between(const Node& a, const Node& b, double speed) const;
   std::optional<BranchWave> followed(double speed, double guess, double force_slope,
                                      const WarmStart& start, const SolvedPoint& node) const;
   std::optional<BranchWave> polished(double speed, double guess, double force_slope,

@@ -2,6 +2,7 @@
 #include "performance/drive/thresholds.hpp"
 
 #include "performance/curve/curve.hpp"
+#include "performance/drive/learned_slopes.hpp"
 
 #include <twum/base/error.hpp>
 
@@ -9,17 +10,17 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace twum::performance {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kStride = 1.25;             // of the distance to the free resonance
-constexpr double kFrequencySettled = 1e-13;  // of the frequency
-constexpr double kProbe = 0.01;      // of the amplitude; first step, to measure the curvature of H
-constexpr double kShortStep = 3e-5;  // of the amplitude; its cube is below the rounding of H
-constexpr double kSettledPlace = 1e-7;  // of the amplitude; the error is its square
-constexpr int kMostSteps = 60;
+constexpr double kStride = 0.5;  // of the logarithms: longest step
+constexpr double kPlaceSettled =
+    1e-9;                        // of the same: last step; what it leaves is a hundredth of it
+constexpr double kProbe = 1e-3;  // of the amplitude
+constexpr int kMostTries = 30, kMostSearches = 12;
 
 // dH / df at fixed amplitude, without the dependence of the contact on the frequency.
 double force_slope_in_frequency(const DrivenWaves& waves, double amplitude) {
@@ -50,10 +51,12 @@ std::optional<ForceExtremum> chosen(const std::vector<ForceExtremum>& extrema, b
 
 }  // namespace
 
-Thresholds::Thresholds(const MotorDesign& design, const TrackRule& track)
+Thresholds::Thresholds(const MotorDesign& design, const TrackRule& track,
+                       std::optional<std::vector<ForceExtremum>> extrema)
     : waves_(design, track),
       given_voltage_(design.stator.voltage.has_value()),
-      frequency_(drive_frequency(design)) {}
+      frequency_(drive_frequency(design)),
+      extrema_(std::move(extrema)) {}
 
 const Threshold& Thresholds::at(Metric metric) {
   std::optional<Threshold>& kept = found_[place_of(metric)];
@@ -84,61 +87,62 @@ Threshold Thresholds::voltage(bool start) {
   return {e->force / force_per_volt, e->amplitude, frequency_};
 }
 
-// The extremum of H falls with the frequency, from the free resonance on, until it vanishes. Secants follow it from
-// the design's frequency to where it equals the drive's force. A step is at most a share of the distance to the free
-// resonance.
+// The extremum of H falls with the frequency, from the free resonance on, until it vanishes. It is followed from the design's
+// frequency to where it equals the drive's force; where that fails, it is searched anew at the frequency reached.
 Threshold Thresholds::frequency(bool start) {
   if (!given_voltage_) throw SearchFailure{MetricStatus::undefined};
-  const double free = waves_.modes().resonance / kTurn;
-  double f = frequency_, before = 0, excess_before = 0, drift = 0;
-  std::optional<Extremum> e = bent(own_extremum(start));
-  for (int i = 0; e && i < kMostSteps; ++i) {
-    const DrivenWaves waves = waves_at(f);
-    const double excess = e->at.force - waves.drive();
-    const double slope = i > 0 ? (excess - excess_before) / (f - before)
-                               : force_slope_in_frequency(waves, e->at.amplitude);
-    const double wanted = f - excess / slope;
-    const double next =
-        std::clamp(wanted, free + (f - free) / kStride, free + (f - free) * kStride);
-    if (std::fabs(next - f) <= kFrequencySettled * f) return {next, e->at.amplitude, next};
-    before = f, excess_before = excess, f = next;
-    const double amplitude_before = e->at.amplitude;
-    e = followed(waves_at(f), *e, drift * (f - before));
-    if (!e) e = bent(chosen(force_extrema(waves_at(f), 0), start));
-    if (e) drift = (e->at.amplitude - amplitude_before) / (f - before);
+  double f = frequency_;
+  std::optional<ForceExtremum> e = own_extremum(start);
+  for (int i = 0; e && i < kMostSearches; ++i) {
+    const Followed end = followed(*e, f);
+    if (end.settled) return {end.frequency, end.amplitude, end.frequency};
+    f = end.frequency;
+    e = chosen(force_extrema(waves_at(f), 0), start);
   }
   // it vanishes before it reaches the force, or never falls so far
   throw SearchFailure{MetricStatus::undefined};
 }
 
-std::optional<Thresholds::Extremum> Thresholds::bent(const std::optional<ForceExtremum>& e) {
-  if (!e) return {};
-  return Extremum{*e, std::numeric_limits<double>::quiet_NaN()};
+// Broyden's method for H_A = 0 and H = Theta u_0, in p = ln (A x) and v = ln x, where x is the distance to the free resonance:
+// extrema lie at amplitudes that go like 1 / x. The first steps are those of Newton's method with p fixed to v.
+Thresholds::Followed Thresholds::followed(const ForceExtremum& from, double frequency) const {
+  const double free = waves_.modes().resonance / kTurn, from_place = std::log(frequency - free);
+  const double bend = from.bend * from.amplitude * from.amplitude / from.force,
+               fall = force_slope_in_frequency(waves_at(frequency), from.amplitude) *
+                      (frequency - free) / from.force;
+  std::optional<WarmStart> layer;
+  const auto residuals = [&](const Followed& at) -> std::optional<Pair> {
+    const DrivenWaves waves = waves_at(at.frequency);
+    const SlopedWave w = waves.in_amplitude(at.amplitude, 0, layer ? &*layer : nullptr);
+    if (w.wave.status != PointStatus::ok) return {};
+    layer = w.wave.start;
+    const double slope = w.force_slope() * at.amplitude / w.wave.force();
+    const double excess = std::log(w.wave.force() / waves.drive()) - 0.5 * slope * slope / bend;
+    return Pair{-slope / bend, -excess / fall};
+  };
+  Pair x{std::log(from.amplitude) + from_place, from_place};
+  Followed at{from.amplitude, frequency, false};
+  LearnedSlopes slopes;
+  auto f = residuals(at);
+  for (int i = 0; f && i < kMostTries; ++i) {
+    Pair step = slopes.step(*f);
+    step[1] = std::clamp(step[1], -kStride, kStride);
+    if (!(std::fabs(step[0]) < kStride)) break;
+    x = {x[0] + step[0], x[1] + step[1]};
+    at = {std::exp(x[0] - x[1]), free + std::exp(x[1]), false};
+    if (std::fabs(step[0]) <= kPlaceSettled && std::fabs(step[1]) <= kPlaceSettled)
+      return {at.amplitude, at.frequency, is_extremum(at, from.maximum)};
+    const auto next = residuals(at);
+    if (next) slopes.learn(step, {(*f)[0] - (*next)[0], (*f)[1] - (*next)[1]});
+    f = next;
+  }
+  return at;
 }
 
-// Secants for H_A = 0 near an extremum at another frequency, starting with its second derivative. The last step is
-// not solved again; the parabola gives the force.
-std::optional<Thresholds::Extremum> Thresholds::followed(const DrivenWaves& waves,
-                                                         const Extremum& near, double drift) const {
-  const double size = near.at.amplitude;
-  double a = size + drift, before = 0, slope_before = 0, bend = near.bend;
-  WarmStart from;
-  for (int i = 0; i < kMostSteps; ++i) {
-    const SlopedWave w = waves.in_amplitude(a, 0, i > 0 ? &from : nullptr);
-    if (w.wave.status != PointStatus::ok) return {};
-    const double slope = w.force_slope();
-    if (i > 0) bend = (slope - slope_before) / (a - before);
-    const double last_step = i > 0 ? a - before : size;
-    const double step = std::isnan(bend) ? kProbe * size : -slope / bend;
-    if (!std::isnan(bend) && (bend < 0) != near.at.maximum) return {};
-    if (!(std::fabs(a + step - size) < 0.5 * size)) return {};
-    if (std::fabs(step) <= kShortStep * size &&
-        std::fabs(step * last_step) <= kSettledPlace * size * size)
-      return Extremum{{a + step, w.wave.force() + 0.5 * slope * step, near.at.maximum}, bend};
-    before = a, slope_before = slope, from = w.wave.start;
-    a += step;
-  }
-  return {};
+// H falls beyond a maximum and rises beyond a minimum.
+bool Thresholds::is_extremum(const Followed& at, bool maximum) const {
+  const SlopedWave beyond = waves_at(at.frequency).in_amplitude((1 + kProbe) * at.amplitude, 0);
+  return beyond.wave.status == PointStatus::ok && (beyond.fold() < 0) == maximum;
 }
 
 }  // namespace twum::performance

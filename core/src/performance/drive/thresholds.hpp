@@ -21,9 +21,11 @@ struct Threshold {
 /// Where a motor at rest starts by itself and where it stops running (D3.2 to D3.4). Each threshold is computed once.
 class Thresholds {
  public:
-  /// @param design  with modal data
-  /// @param track   of its motor
-  Thresholds(const MotorDesign& design, const TrackRule& track);
+  /// @param design   with modal data
+  /// @param track    of its motor
+  /// @param extrema  of H at rest, if they are known
+  Thresholds(const MotorDesign& design, const TrackRule& track,
+             std::optional<std::vector<ForceExtremum>> extrema);
 
   /// @param metric  start_voltage, hold_voltage, start_frequency or pull_out_frequency
   /// @throws SearchFailure `undefined` for a frequency if no voltage is given or no frequency starts or ends the
@@ -38,15 +40,12 @@ class Thresholds {
   Threshold frequency(bool start);
   std::optional<ForceExtremum> own_extremum(bool start);
 
-  /// An extremum of H and its second derivative there; NaN: not known.
-  struct Extremum {
-    ForceExtremum at;
-    double bend;
+  struct Followed {
+    double amplitude, frequency;
+    bool settled;  ///< H has its extremum there, and it is the drive's force
   };
-  static std::optional<Extremum> bent(const std::optional<ForceExtremum>& extremum);
-  /// @param drift  expected change of its amplitude
-  std::optional<Extremum> followed(const DrivenWaves& waves, const Extremum& near,
-                                   double drift) const;
+  Followed followed(const ForceExtremum& from, double frequency) const;
+  bool is_extremum(const Followed& at, bool maximum) const;
 
   DrivenWaves waves_;  // at the design's own frequency
   bool given_voltage_;

@@ -15,12 +15,15 @@ namespace twum::performance {
 namespace {
 
 constexpr double kRatio = 1.25;  // of neighbouring samples; H bends over amplitudes of its own size
-constexpr double kScanAccuracy = 1e-9;
+constexpr double kScanAccuracy = 1e-6;
 // Limit of zones that one search may follow in a slice, some ten milliseconds. Usual motors need a thousand, contacts
 // unlike any motor millions.
 constexpr long kMostZonesToSolve = 50'000;
 constexpr int kMostDecades = 20;
 constexpr double kLargest = 1, kSmallest = 1e-30;  // [m], far beyond amplitudes of any motor
+constexpr double kShortStep = 3e-5;     // of the amplitude; its cube is below the rounding of H
+constexpr double kSettledPlace = 1e-7;  // of the amplitude; the error is its square
+constexpr int kMostSlopes = 60;
 constexpr int kHalfOfDigits = 26;  // bits to which the position of an extremum can be known
 
 // Minimizes by Brent's method in units of the interval's end, because its tolerance is absolute.
@@ -38,16 +41,57 @@ struct Range {
   double low, high;
 };
 
+struct ExtremumSearch {
+  std::optional<ForceExtremum> found;
+  long zones;  // followed
+};
+
+// Where H_A vanishes between two amplitudes: secants from a vertex nearby, halving where they leave the interval. The last step
+// is not solved again; the parabola gives the force.
+ExtremumSearch extremum_between(const DrivenWaves& waves, double speed, const ForceExtremum& near,
+                                double low, double high) {
+  double a = std::clamp(near.amplitude, low, high), bend = near.bend, before = 0, slope_before = 0;
+  long zones = 0;
+  WarmStart from;
+  for (int i = 0; i < kMostSlopes && zones <= kMostZonesToSolve; ++i) {
+    const SlopedWave w = waves.in_amplitude(a, speed, i > 0 ? &from : nullptr);
+    zones += w.wave.zones;
+    if (w.wave.status != PointStatus::ok) break;
+    const double slope = w.force_slope();
+    if (i > 0 && slope != slope_before) bend = (slope - slope_before) / (a - before);
+    (slope > 0) == near.maximum ? low = a : high = a;
+    const double secant = a - slope / bend;
+    const bool inside = (bend < 0) == near.maximum && secant >= low && secant <= high;
+    const double step = (inside ? secant : 0.5 * (low + high)) - a, last = i > 0 ? a - before : a;
+    if (std::fabs(step) <= kShortStep * a && std::fabs(step * last) <= kSettledPlace * a * a)
+      return {ForceExtremum{a + step, w.wave.force() + 0.5 * slope * step, near.maximum, bend},
+              zones};
+    before = a, slope_before = slope, from = w.wave.start;
+    a += step;
+  }
+  return {{}, zones};
+}
+
 // H over the amplitude at one speed.
 class ForceCurve {
  public:
-  ForceCurve(const DrivenWaves& waves, double speed, const Range& range)
-      : waves_(waves), speed_(speed) {
+  ForceCurve(const DrivenWaves& waves, double speed) : waves_(waves), speed_(speed) {}
+
+  void sample(const Range& range) {
     for (double a = range.low; a < range.high; a *= kRatio) sample(a);
     sample(range.high);
-    const double full = waves.full_contact_amplitude();
+    const double full = waves_.full_contact_amplitude();
     if (full > range.low && full < range.high) sample(full);
     std::sort(samples_.begin(), samples_.end(), below);
+  }
+
+  // The ends of a range, and extrema inside it.
+  void sample(const Range& range, const std::vector<ForceExtremum>& extrema) {
+    sample(range.low);
+    for (const ForceExtremum& e : extrema)
+      if (e.amplitude > range.low && e.amplitude < range.high)
+        samples_.push_back({e.amplitude, e.force, std::nullopt});
+    sample(range.high);
   }
 
   // Extends the samples to smaller amplitudes until H is below a force; H(0) = 0.
@@ -67,14 +111,7 @@ class ForceCurve {
       const bool maximum = b.force >= a.force && b.force > c.force,
                  minimum = b.force <= a.force && b.force < c.force;
       if (!(maximum || minimum) || !wanted(b.force, maximum)) continue;
-      const double sign = maximum ? -1 : 1;
-      try {
-        const auto [place, value] = minimum_of([&](double x) { return sign * force(x, b.guess()); },
-                                               a.amplitude, c.amplitude);
-        found.push_back({place, sign * value, maximum});
-      } catch (const NoState&) {
-        found.push_back({b.amplitude, b.force, maximum});
-      }
+      found.push_back(extremum(a, b, c, maximum));
     }
     for (const ForceExtremum& e : found) samples_.push_back({e.amplitude, e.force, std::nullopt});
     std::sort(samples_.begin(), samples_.end(), below);
@@ -119,6 +156,20 @@ class ForceCurve {
     const DrivenWave wave = waves_.at(amplitude, speed_, guess, kScanAccuracy);
     zones_ += wave.zones;
     if (wave.status == PointStatus::ok) samples_.push_back({amplitude, wave.force(), wave.start});
+  }
+
+  // The extremum about a sample, from the vertex of the parabola through it and its neighbours; the sample itself where the
+  // contact has no answer.
+  ForceExtremum extremum(const Sample& a, const Sample& b, const Sample& c, bool maximum) {
+    const double before = (b.force - a.force) / (b.amplitude - a.amplitude),
+                 after = (c.force - b.force) / (c.amplitude - b.amplitude),
+                 bend = 2 * (after - before) / (c.amplitude - a.amplitude);
+    const double vertex = 0.5 * (a.amplitude + b.amplitude) - before / bend;
+    const ForceExtremum near{std::isfinite(vertex) ? vertex : b.amplitude, b.force, maximum, bend};
+    if (zones_ > kMostZonesToSolve) return near;
+    const ExtremumSearch search = extremum_between(waves_, speed_, near, a.amplitude, c.amplitude);
+    zones_ += search.zones;
+    return search.found.value_or(ForceExtremum{b.amplitude, b.force, maximum, bend});
   }
 
   double force(double amplitude, const WarmStart* guess) {
@@ -167,21 +218,44 @@ double steepest(const DrivenWaves& w) {
 
 }  // namespace
 
-WaveSolutions wave_solutions(const DrivenWaves& waves, double speed) {
-  const double drive = waves.drive(), high = largest_amplitude(waves);
-  if (!(drive > 0)) return {{}, 0};
-  const double low = std::fmax(std::fmin(0.1 * drive / steepest(waves), 0.1 * high), kSmallest);
-  ForceCurve curve(waves, speed, {low, high});
-  curve.begin_below(drive);
-  curve.refine([&](double force, bool maximum) { return (force < drive) == maximum; });
+namespace {
+
+// Amplitudes between which all solutions lie.
+Range range_of_solutions(const DrivenWaves& waves) {
+  const double high = largest_amplitude(waves);
+  return {std::fmax(std::fmin(0.1 * waves.drive() / steepest(waves), 0.1 * high), kSmallest), high};
+}
+
+std::vector<WaveSolution> solutions_on(ForceCurve& curve, const DrivenWaves& waves, double speed) {
   std::vector<WaveSolution> solutions;
-  for (const double amplitude : curve.crossings(drive)) {
+  for (const double amplitude : curve.crossings(waves.drive())) {
     const SlopedWave wave = waves.in_amplitude(amplitude, speed);
     solutions.push_back({wave, waves.stability(wave), !curve.rises_below(amplitude), false});
   }
+  return solutions;
+}
+
+}  // namespace
+
+WaveSolutions wave_solutions(const DrivenWaves& waves, double speed) {
+  const double drive = waves.drive();
+  if (!(drive > 0)) return {{}, 0};
+  ForceCurve curve(waves, speed);
+  curve.sample(range_of_solutions(waves));
+  curve.begin_below(drive);
+  curve.refine([&](double force, bool maximum) { return (force < drive) == maximum; });
+  std::vector<WaveSolution> solutions = solutions_on(curve, waves, speed);
   if (solutions.size() == 1 && !solutions[0].beyond_start())
     solutions[0].only_one = force_extrema(waves, speed).empty();
   return {solutions, curve.zones()};
+}
+
+WaveSolutions wave_solutions(const DrivenWaves& waves, double speed,
+                             const std::vector<ForceExtremum>& extrema) {
+  if (!(waves.drive() > 0)) return {{}, 0};
+  ForceCurve curve(waves, speed);
+  curve.sample(range_of_solutions(waves), extrema);
+  return {solutions_on(curve, waves, speed), curve.zones()};
 }
 
 // Beyond the backbone, where R stays negative, both |R| and I grow.
@@ -192,7 +266,9 @@ std::vector<ForceExtremum> force_extrema(const DrivenWaves& waves, double speed)
                                 kLargest),
                low = std::fmin(0.01 * waves.full_contact_amplitude(), 1e-3 * high);
   if (!(low > kSmallest)) return {};  // no preload: nothing bends
-  return ForceCurve(waves, speed, {low, high}).refine([](double, bool) { return true; });
+  ForceCurve curve(waves, speed);
+  curve.sample({low, high});
+  return curve.refine([](double, bool) { return true; });
 }
 
 ForceExtremum least_force(const DrivenWaves& waves, double speed, double low, double high) {
@@ -205,7 +281,7 @@ ForceExtremum least_force(const DrivenWaves& waves, double speed, double low, do
         return wave.force();
       },
       low, high);
-  return {place, force, false};
+  return {place, force, false, 0};
 }
 
 }  // namespace twum::performance

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "performance/curve/curve.hpp"
+#include "performance/drive/drive.hpp"
+
+#include <optional>
+
+namespace twum::performance {
+
+/// What a metric says that needs a point without an answer.
+MetricStatus metric_status(PointStatus status);
+
+/// The curve of a motor under one wave, from rest on.
+class PrescribedCurve final : public Curve {
+ public:
+  /// @param modes  of its stator if they are known; both have to outlive the curve
+  PrescribedCurve(const DrivenMotor<double>& motor, const std::optional<StatorModes<double>>& modes)
+      : Curve(motor), modes_(modes) {}
+
+  CurvePoint point(double speed, const WarmStart* guess, double accuracy) const override;
+  CurveSlope slope(double speed, const WarmStart* guess) const override;
+
+ private:
+  const std::optional<StatorModes<double>>& modes_;
+};
+
+/// The curve of a motor under a voltage: the wave follows the speed.
+class DrivenCurve final : public Curve {
+ public:
+  /// @param motor  of Drive::first_motor(); both have to outlive the curve
+  DrivenCurve(const Drive& drive, const DrivenMotor<double>& motor)
+      : Curve(motor, drive.begin()), drive_(drive) {}
+
+  CurvePoint point(double speed, const WarmStart* guess, double accuracy) const override;
+  CurveSlope slope(double speed, const WarmStart* guess) const override;
+
+ private:
+  const Drive& drive_;
+};
+
+}  // namespace twum::performance
