@@ -10,7 +10,7 @@ import program
 from program import DRIVE, RING
 
 POINT = ["speed", "torque", "output_power", "stator_power", "friction_power", "layer_loss", "contact_efficiency",
-         "wear_intensity", "stick_fraction", "zones"]
+         "wear_intensity", "stick_fraction", "zones", "squeals"]
 METRICS = ["stall_torque", "max_torque", "holding_torque", "no_load_speed", "plateau_speed", "peak_power",
            "speed_at_peak_power", "torque_at_peak_power", "contact_efficiency_at_peak_power", "max_efficiency",
            "speed_at_max_efficiency", "contact_half_length", "contact_ratio", "max_pressure", "layer_aspect",
@@ -29,7 +29,7 @@ class Driven(program.Case):
     def test_columns_and_metrics_of_the_terminals_come_last(self):
         result = self.curve("--points", 5)
         self.assertEqual(list(result["metrics"]), METRICS + OF_MODES)
-        self.assertEqual(list(result["curve"][0]), POINT[:-1] + TERMINALS + ["zones"])
+        self.assertEqual(list(result["curve"][0]), POINT[:-2] + TERMINALS + POINT[-2:])
         self.assertEqual(result["units"]["phase_current"], "A")
 
     def test_output_and_losses_make_up_the_electrical_power(self):
@@ -156,7 +156,7 @@ class Curve(program.Case):
             for zone in point["zones"]:
                 self.assertIn(zone["state"], ("slip+", "stick", "slip-"))
                 self.assertLess(zone["from"], zone["to"])
-        for name in [*result["motor"], *METRICS, *POINT[:-1], "from", "to"]:
+        for name in [*result["motor"], *METRICS, *POINT[:-2], "from", "to"]:
             self.assertIn(name, result["units"])
 
     def test_the_curve_goes_from_rest_to_beyond_no_load(self):
@@ -178,6 +178,24 @@ class Curve(program.Case):
         self.assertEqual(len(rows), 6)
         exact = json.loads(self.ok("curve", RING, "--points", 5, "--format", "json"))["curve"]
         self.assertEqual([float(r[1]) for r in rows[1:]], [p["torque"] for p in exact])
+
+    def test_points_at_which_a_motor_squeals_say_so(self):
+        # The sign of the metric, which is computed another way, at 9 speeds of a motor that squeals under load only.
+        elastic = (DRIVE, "--set", "shear_viscosity=0 Pa.s", "--set", "inertia=0 Pa.s^2", "--set", "rotor_mass=100 g")
+        points = json.loads(self.ok("curve", *elastic, "--points", 9, "--format", "json"))["curve"]
+        metrics = ", ".join(f"squeal_rate_at({p['speed']!r} rad/s)" for p in points)
+        values = list(next(csv.reader(io.StringIO(self.ok("evaluate", *elastic, "--metrics", metrics).split("\n", 1)[1]))))
+        self.assertEqual({p["squeals"] for p in points}, {True, False})
+        self.assertEqual([p["squeals"] for p in points], [float(v) > 0 for v in values[:9]])
+        rows = list(csv.DictReader(io.StringIO(self.ok("curve", *elastic, "--points", 9, "--format", "csv"))))
+        self.assertEqual([r["squeals"] for r in rows], ["yes" if p["squeals"] else "no" for p in points])
+        self.assertEqual(self.ok("curve", *elastic, "--points", 9).count(", squeals"), sum(p["squeals"] for p in points))
+        # A layer with damping that sticks somewhere: not known.
+        sticks = json.loads(self.ok("curve", DRIVE, "--points", 9, "--format", "json"))["curve"]
+        self.assertIn(None, [p["squeals"] for p in sticks])
+        for motor, squeals in ((elastic, True), ((DRIVE, "--set", "quality_factor=5"), False)):
+            self.ok("curve", *motor, "--plot", self.folder / "squeal.svg")
+            self.assertEqual("squeals" in (self.folder / "squeal.svg").read_text(), squeals)
 
     def test_a_file_gets_the_format_of_its_name(self):
         for name, begin in (("c.csv", "speed ["), ("c.json", "{"), ("c.txt", "ring-60"), ("c", "ring-60")):

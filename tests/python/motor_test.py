@@ -122,6 +122,16 @@ class Answers(unittest.TestCase):
         for name in ("speed", "torque", "friction_power", "stick_fraction"):
             self.assertEqual([point[name] for point in printed["curve"]], list(getattr(curve, name)))
 
+    def test_the_data_sheet_is_that_of_the_command(self):
+        motor = twum.Motor(ROOT / "examples/motors/drive-60.yaml")
+        for options, given in (((), {}), (("--torque", "0.5 N.m"), {"torque": 0.5}), (("--speed", "100 rpm"), {"speed": "100 rpm"})):
+            done = subprocess.run([PROGRAM, "datasheet", "-", "-o", "-", *options], input=motor.file_text(), capture_output=True, text=True, timeout=60)
+            self.assertEqual(motor.datasheet(**given), done.stdout)
+        with self.assertRaisesRegex(twum.InputError, "a speed or a torque"):
+            motor.datasheet(1.0, torque=1.0)
+        with self.assertRaises(twum.EvaluationError):
+            motor.datasheet(torque="100 N.m")
+
     def test_what_has_no_value_says_so(self):
         motor = twum.Motor(modal_damping=0)
         self.assertTrue(math.isnan(motor.metrics("max_efficiency")["max_efficiency"]))

@@ -13,8 +13,8 @@ MOTORS = ROOT / "examples/motors"
 FULL = [word for pair in ("voltage_ratio=0.95", "phase_error=5 deg", "mode_splitting=0.001", "sensor_force_factor=0.05 N/V",
                           "sensor_capacitance=1 nF", "sensor_load_capacitance=1 nF", "sensor_load_resistance=1 Mohm",
                           "sensor_position=10 deg", "rotor_mass=50 g", "thickness=1 mm") for word in ("--set", pair)]
-PREFIXES = {"": 1, "T": 1e12, "G": 1e9, "M": 1e6, "k": 1e3, "m": 1e-3, "u": 1e-6, "n": 1e-9, "p": 1e-12}
-UNITS = {"rpm": RPM, "%": 0.01, "N.m": 1, "W": 1, "m": 1, "Pa": 1, "V": 1, "Hz": 1, "A": 1, "": 1, "W/m^2": 1, "rad": 1}
+PREFIXES = {"": 1, "T": 1e12, "G": 1e9, "M": 1e6, "k": 1e3, "m": 1e-3, "µ": 1e-6, "n": 1e-9, "p": 1e-12}
+UNITS = {"rpm": RPM, "%": 0.01, "N·m": 1, "W": 1, "m": 1, "Pa": 1, "V": 1, "Hz": 1, "A": 1, "": 1, "W/m²": 1, "rad": 1}
 # Boxes of the texts of all drawings, and of the drawings themselves, on the screen.
 TEXTS = """[...document.querySelectorAll('svg')].flatMap((svg) => { const out = svg.getBoundingClientRect();
     return [...svg.querySelectorAll('text')].map((t) => { const b = t.getBoundingClientRect();
@@ -22,7 +22,7 @@ TEXTS = """[...document.querySelectorAll('svg')].flatMap((svg) => { const out = 
 
 
 def si(text):
-    """The SI value of a text such as "1.036 N.m"."""
+    """The SI value of a text such as "1.036 N·m"."""
     number, unit = (text.split(" ") + [""])[:2]
     if unit in UNITS:
         return float(number) * UNITS[unit]
@@ -72,7 +72,7 @@ class Sheet(page.Page):
         self.assertEqual(sheet["Rated point"]["overall efficiency"], sheet["Electrical"]["max overall efficiency"])
         self.show(self.sheet(MOTORS / "drive-60.yaml", "--torque", "0.5 N.m"), 1400)
         rated = self.lines()["Rated point"]
-        self.assertEqual(rated["torque"], "500 mN.m")
+        self.assertEqual(rated["torque"], "500 mN·m")
         # Power is torque times speed, and all losses and the output make up the electrical power; four digits each.
         self.assertAlmostEqual(si(rated["output power"]), 0.5 * si(rated["speed"]), delta=2e-3 * si(rated["output power"]))
         whole = sum(si(rated[name]) for name in ("output power", "friction power", "layer loss", "stator loss", "dielectric loss"))

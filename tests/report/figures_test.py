@@ -15,11 +15,19 @@ PREFIXES = {"T": 1e12, "G": 1e9, "M": 1e6, "k": 1e3, "": 1, "m": 1e-3, "µ": 1e-
 WIDTHS = tuple((width, dark) for width in (1400, 400, 360) for dark in (False, True))
 PAPER = 794  # A4 at 96 px an inch
 
+# Words of up to 20 letters that stand on two lines.
+BROKEN = """(() => { const found = []; const range = document.createRange(); const walk = document.createTreeWalker(document.querySelector('main'), NodeFilter.SHOW_TEXT);
+    while (walk.nextNode()) for (const {0: word, index} of walk.currentNode.data.matchAll(/[^\\s\\-\\/]{2,20}/g)) {
+        range.setStart(walk.currentNode, index); range.setEnd(walk.currentNode, index + word.length);
+        if (!walk.currentNode.parentElement.closest('pre, code') && new Set([...range.getClientRects()].map((r) => Math.round(r.top))).size > 1) found.push(word); }
+    return found; })()"""
+
 
 class Order(Page):
     """The answer, the picture, then the rest; at every width."""
 
-    STUDIES = ("optimize-ring-60", "size-05Nm-100rpm", "pareto-power-wear", "sweep-sobol", "sweep-grid", "paper-figure-4", "tolerances", "calibrate")
+    STUDIES = ("optimize-ring-60", "size-05Nm-100rpm", "pareto-power-wear", "sweep-sobol", "sweep-grid", "paper-figure-4", "tolerances", "calibrate",
+               "sensitivity-morris", "frequency-voltages", "robust-ring-60")
 
     def test_a_picture_follows_the_verdict_and_nothing_is_empty_or_cut(self):
         for study in self.STUDIES:
@@ -28,7 +36,7 @@ class Order(Page):
                 with self.subTest(study, width=width, dark=dark):
                     self.open(directory, width=width, dark=dark)
                     self.clean(directory)
-                    verdict, picture = self.browser.value("[...document.querySelectorAll('.card')].slice(0, 2).map((c) => [c.classList.contains('verdict'), c.querySelectorAll('canvas').length])")
+                    verdict, picture = self.browser.value("[...document.querySelectorAll('.card')].slice(0, 2).map((c) => [c.classList.contains('verdict'), c.querySelectorAll('canvas, .bars svg').length])")
                     self.assertTrue(verdict[0])
                     self.assertGreater(picture[1], 0)
                     self.assertLessEqual(self.browser.value("document.documentElement.scrollWidth"), width)
@@ -39,6 +47,9 @@ class Order(Page):
                     gaps = self.browser.value("""[...document.querySelectorAll('.card')].filter((c) => c.lastElementChild.classList.contains('figure'))
                         .map((c) => c.getBoundingClientRect().bottom - c.querySelector('.figure:last-child canvas').getBoundingClientRect().bottom)""")
                     self.assertLessEqual(max(gaps, default=0), 25)
+                    self.assertEqual(self.browser.value(BROKEN), [])
+                    # Bars have room: no shorter than a word of twelve letters, with the zero line at 1 % of it.
+                    self.assertGreaterEqual(min(self.browser.value("[...document.querySelectorAll('.bars svg')].map((s) => s.getBoundingClientRect().width)"), default=96), 95)
 
     def test_paper_holds_the_page_in_dark_ink(self):
         for study in self.STUDIES:
@@ -97,15 +108,19 @@ class Notation(Page):
     def test_a_value_reads_back_to_four_digits(self):
         self.open(self.result("optimize-ring-60"))
         chance = random.Random(5)
-        for unit, shown in (("m", "m"), ("Pa", "Pa"), ("N.m", "N·m"), ("W/m^2", "W/m²"), ("N.s/m", "N·s/m"), ("W/(rad/s)", "W/(rad/s)")):
+        for unit, shown in (("m", "m"), ("Pa", "Pa"), ("N.m", "N·m"), ("W/m^2", "W/m²"), ("N.s/m", "N·s/m")):
             for _ in range(40):
                 value = chance.choice((-1, 1)) * 10 ** chance.uniform(-11.9, 12.9)
                 number, text = self.browser.value(f"engineering({value!r}, '{unit}')").split("\u00a0")
                 self.assertTrue(text.endswith(shown))
                 self.assertAlmostEqual(float(number) * PREFIXES[text[:-len(shown)]], value, delta=5.001e-4 * abs(value))
                 self.assertLess(abs(float(number)), 1000 if abs(value) < 9.999e14 else math.inf)
-        for unit in ("kg/m^3", "1/s", "m^2"):  # a prefix would be wrong
-            self.assertNotRegex(self.browser.value(f"engineering(12345, '{unit}')"), "[kM](kg|1/|m²)")
+        for unit in ("kg/m^3", "1/s"):  # a prefix would be wrong
+            self.assertNotRegex(self.browser.value(f"engineering(12345, '{unit}')"), "[kM](kg|1/)")
+        for slope, text in (("slopeText(-6.967, 'W', 'rad/s')", "-6.967\u00a0W/(rad/s)"), ("slopeText(8746, 'W', 'm')", "8.746\u00a0kW/m"),
+                            ("slopeText(2.4e8, 'Pa', 'm')", "240\u00a0MPa/m"), ("slopeText(3, 'N.m', '1')", "3\u00a0N·m"), ("slopeText(3, '1', '1')", "3")):
+            self.assertEqual(self.browser.value(slope), text)
+        self.assertEqual(self.browser.complaints(), [])  # a unit that the program did not list
         self.assertEqual(self.browser.value("spreadText(1.8e-16, 'N.m', 0.85)"), "0")
 
 
@@ -191,6 +206,17 @@ class Figures(Page):
         speed = next(float(v) for k, v in row.items() if k.startswith("speed_at")) / RPM
         self.assertAlmostEqual(x, speed, delta=1e-3 * speed)  # 161 points of the curve, linear between them
         self.assertEqual((y, least), (0.2, True))
+
+    def test_speeds_at_which_a_motor_squeals_are_marked_on_its_torque(self):
+        directory = self.result("optimize-ring-60")
+        self.open(directory)
+        self.assertIn("squeals", self.lines(".card:has([data-chart=torque]) .legend span"))
+        self.assertEqual(self.browser.value("curves[0].squeals"), [])
+        (first, last), = self.browser.value("curves[1].squeals")
+        # The program's own points, which are as far apart as those of the page [rad/s].
+        points = json.loads(twum("curve", directory / "best.yaml", "--points", 51, "--format", "json").stdout)["curve"]
+        speeds = [p["speed"] for p in points if p["squeals"]]
+        self.assertEqual((first, last), (speeds[0], speeds[-1]))
 
     def test_labels_of_a_front_cover_no_point(self):
         for study in ("pareto-power-wear", "pareto-torque-speed"):

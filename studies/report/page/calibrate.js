@@ -145,7 +145,8 @@ function correlationTable() {
 /** What to measure next, and the widths of the intervals after it, relative to the present widths. */
 function planTable() {
   const names = Object.keys(summary.estimates).filter((n) => n in summary.plan[0].widths);
-  const lines = summary.plan.map((p) => [readingText(p), percent(p.mean), ...names.map((n) => percent(p.widths[n]))]);
+  const lines =
+      summary.plan.map((p) => [words(readingText(p)), percent(p.mean), ...names.map((n) => percent(p.widths[n]))]);
   return table('plan', ['measure next', 'all', ...names.map(plain)], lines);
 }
 

@@ -68,6 +68,29 @@ function curveMarks(curve, name, unit, full) {
       .map(([x, y, text]) => ({x: x / rpm, y: y / unit.divisor, text: full ? text : '', small: !full}));
 }
 
+/** The parts of curves on which a motor squeals, as broad strokes below the lines. */
+function drawSqueals(u, list) {
+  const {ctx, bbox} = u;
+  const ratio = devicePixelRatio;
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+  ctx.clip();
+  ctx.lineWidth = 10 * ratio;
+  ctx.setLineDash([]);
+  list.forEach((curve, k) => curve.squeals.forEach(([from, to]) => {
+    ctx.strokeStyle = colour(seriesColours[k % 7]) + '50';
+    ctx.beginPath();
+    u.data[0].forEach((x, i) => {
+      const y = u.data[k + 1][i];
+      if (y === null || x * rpm < from || x * rpm > to) return;
+      ctx.lineTo(u.valToPos(x, 'x', true), u.valToPos(y, 'y', true));
+    });
+    ctx.stroke();
+  }));
+  ctx.restore();
+}
+
 /** Series of curves; one with a `tint` has the colour of the curve of that number, and is dashed. */
 function seriesOf(list, names, name, speeds, unit) {
   return list.map((c, i) => ({
@@ -109,6 +132,9 @@ export function curvesChart(node, list, names, name, label, options = {}) {
   const marks = own.flatMap((c, i) => marksOf(c, i).map((m) => ({...m, colour: tinted ? seriesColours[i % 7] : null})));
   const limits = limitsOnCurve(options.limits ?? [], name, list[last], unit);
   const range = options.range ?? paddedRange([...series.map((s) => s.y), limits.map((l) => l.y)], true);
+  const squeals = name === 'torque' && own.some((c) => c.squeals.length);
+  const lines = tinted ? series.map((s) => ({name: s.name, colour: s.colour, kind: s.dash ? 'dash' : ''})) : [];
+  const entries = squeals ? [...lines, {name: 'squeals', colour: tinted ? 'soft' : 'c0', kind: 'broad'}] : lines;
   const told = (i) =>
       series.filter((s) => Number.isFinite(s.y[i])).map((s) => [s.name, rounded(s.y[i]) + ' ' + unit.text]);
   return speedChart(node, speeds, series, {
@@ -116,9 +142,10 @@ export function curvesChart(node, list, names, name, label, options = {}) {
     unit,
     marks,
     title: options.title,
-    legend: tinted ? series.map((s) => ({name: s.name, colour: s.colour, kind: s.dash ? 'dash' : ''})) : null,
+    legend: entries.length ? entries : null,
     height: options.height ?? 300,
     y: {label: axisLabel(label, unit), range},
+    ground: (u) => squeals && drawSqueals(u, own),
     front: (u, taken) => drawLimits(u, limits, taken),
     tell: told,
     buttons: options.buttons,

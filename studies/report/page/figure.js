@@ -15,7 +15,8 @@ function drawLegend(ctx, entries, x, y, ratio) {
   let at = x;
   for (const entry of entries) {
     ctx.strokeStyle = ctx.fillStyle = colour(entry.colour);
-    ctx.lineWidth = 3 * ratio;
+    ctx.lineWidth = (entry.kind === 'broad' ? 10 : 3) * ratio;
+    ctx.globalAlpha = entry.kind === 'broad' ? 0.35 : 1;
     ctx.setLineDash(entry.kind === 'dash' ? [5 * ratio, 3 * ratio] : []);
     if (entry.kind === 'area' || entry.kind === 'dot')
       ctx.fillRect(at, y - 5 * ratio, 12 * ratio, 10 * ratio);
@@ -25,6 +26,7 @@ function drawLegend(ctx, entries, x, y, ratio) {
       ctx.lineTo(at + 20 * ratio, y);
       ctx.stroke();
     }
+    ctx.globalAlpha = 1;
     ctx.fillStyle = colour('ink');
     ctx.fillText(entry.name, at + 26 * ratio, y);
     at += ctx.measureText(entry.name).width + 42 * ratio;

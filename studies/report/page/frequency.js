@@ -114,7 +114,7 @@ export function frequencySections() {
   return [
     ...responses.filter(([, name]) => name !== given).map(([title,
                                                             name]) => () => responseChart(title, name, names, grid)),
-    () => card('Margin', far, 'half').append(marginsTable(names)),
-    () => card('Jumps', jumps, 'half').append(jumpsTable(names))
+    () => card('Margin', far, 'wide').append(marginsTable(names)),
+    () => card('Jumps', jumps, 'wide').append(jumpsTable(names))
   ];
 }

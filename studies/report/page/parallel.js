@@ -193,7 +193,7 @@ class Parallel {
   word(ctx, text, x, y, align, name) {
     ctx.textAlign = align;
     ctx.textBaseline = 'middle';
-    ctx.lineWidth = 3;
+    ctx.lineWidth = 5;
     ctx.strokeStyle = colour('card');
     ctx.strokeText(text, x, y);
     ctx.fillStyle = colour(name);

@@ -44,7 +44,7 @@ export function rampLegend(name, low, high) {
   const paint = () => strip.replaceChildren(...Array.from({length: 40}, bar));
   paint();
   onTheme(paint);
-  return el('div', {class: 'legend'}, el('span', {}, name), el('span', {}, low), strip, el('span', {}, high));
+  return el('div', {class: 'legend'}, el('span', {}, name), el('span', {}, low, strip, high));
 }
 
 /** A colour such as #0072b2 as one pixel, little-endian RGBA. */

@@ -155,8 +155,10 @@ function histogramMarks(u, {unit, range, limits, quantiles}, siUnit) {
   for (const l of limits) upright(u, place(l), 'c1', false);
   ctx.restore();
   const taken = [];
+  const lines = [...quantiles.map((q) => q.value), ...limits.map(place)].map((v) => u.valToPos(v, 'x', true));
+  const places = lines.flatMap((x) => Array.from({length: 12}, (_, i) => [x, bbox.top + 6 * i * ratio]));
   const label = (text, value, line) =>
-      drawLabel(u, text, u.valToPos(value, 'x', true) - 4 * ratio, bbox.top + (14 + line) * ratio, taken);
+      drawLabel(u, text, u.valToPos(value, 'x', true), bbox.top + (14 + line) * ratio, taken, places);
   for (const l of limits)
     if (place(l) > range[0] && place(l) < range[1])
       label((l.sense === 'at least' ? '≥ ' : '≤ ') + engineering(l.limit, siUnit), place(l), 0);

@@ -1,38 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values as engineers write them: the prefix that leaves one to three digits before the point, speeds in rpm.
+// Values as engineers write them. The units come with the page; here one is chosen and the number rounded.
 
-/** @type {[string, number][]} */
-const prefixes =
-    [['T', 1e12], ['G', 1e9], ['M', 1e6], ['k', 1e3], ['', 1], ['m', 1e-3], ['µ', 1e-6], ['n', 1e-9], ['p', 1e-12]];
+/**
+ * The units in which values of an SI unit are shown, largest first; display_units() of the program.
+ * @type {Record<string, {text: string, typed: string, divisor: number}[]>}  as one reads it, as one types it, and the
+ *     SI value of one
+ */
+const shownUnits = JSON.parse(document.getElementById('units').textContent);
 
 /** SI value of a revolution per minute [rad/s]. */
-export const rpm = Math.PI / 30;
+export const rpm = shownUnits['rad/s'][0].divisor;
 
 /** Between a number and its unit: they stay on one line. */
 export const noBreak = '\u00a0';
 
-/** A unit as one reads it: "N·m" and "W/m²" for N.m and W/m^2. */
-export function unitText(unit) { return unit.replaceAll('.', '·').replaceAll('^2', '²').replaceAll('^3', '³'); }
-
-/** A prefix before a bare kg, a 1 or a power would be wrong: mm² is a millionth of m². */
-function takesPrefix(unit) {
-  if (unit.startsWith('kg') || unit.startsWith('%') || unit.startsWith('1')) return false;
-  const end = unit.search(/[./^(]/);
-  return end < 0 || (unit[end] !== '^' && unit[end] !== '(');
+function unitsOf(unit) {
+  const units = shownUnits[unit || '1'];
+  if (!units) console.error('no units in which to show ' + unit);
+  return units ?? [{text: unit, typed: unit, divisor: 1}];
 }
 
-/**
- * Unit in which a value of this size is shown.
- * @returns {{text: string, typed: string, divisor: number}} as one reads it, as one types it, and the SI value of one
- */
+/** An SI unit as one reads it: "N·m" and "W/m²" for N.m and W/m^2. */
+export function siUnitText(unit) { return unitsOf(unit).find((u) => u.divisor === 1)?.text ?? unit; }
+
+/** Unit in which a value of this size has one to three digits before the point, where the unit takes a prefix. */
 export function displayUnit(size, unit) {
-  if (unit === '1' || !unit) return {text: '', typed: '', divisor: 1};
-  if (unit === 'rad/s') return {text: 'rpm', typed: 'rpm', divisor: rpm};
+  const units = unitsOf(unit);
   const magnitude = Math.abs(size);
-  if (!takesPrefix(unit) || !(magnitude >= 1e-12) || !Number.isFinite(magnitude))
-    return {text: unitText(unit), typed: unit, divisor: 1};
-  const [prefix, divisor] = prefixes.find(([, value]) => magnitude >= value * (1 - 1e-9)) || ['', 1];
-  return {text: prefix + unitText(unit), typed: (prefix === 'µ' ? 'u' : prefix) + unit, divisor};
+  const fits = (u) => Number.isFinite(magnitude) && magnitude >= u.divisor * (1 - 1e-9);
+  return units.find(fits) ?? units.find((u) => u.divisor === 1) ?? units[0];
 }
 
 export function largest(arrays) {

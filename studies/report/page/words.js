@@ -4,7 +4,7 @@
 import {data, isShare, rows, summary, unitOf} from './data.js';
 import {bold, el} from './dom.js';
 import {shortName} from './names.js';
-import {displayUnit, engineering, largest, noBreak, percent, rounded, unitText} from './units.js';
+import {displayUnit, engineering, largest, noBreak, percent, rounded, siUnitText} from './units.js';
 
 const signs = {
   'at least': ' ≥ ',
@@ -209,12 +209,12 @@ export function rateWords(s, goal) {
 /** "W/(rad/s)": SI on both sides, as one types it. */
 export function ratioUnit(above, below) {
   if (below === '1' || !below) return above === '1' ? '' : above;
-  return above + '/' + (below.includes('/') || below.includes('.') ? '(' + below + ')' : below);
+  return above + '/' + (['/', '.', '·'].some((sign) => below.includes(sign)) ? '(' + below + ')' : below);
 }
 
-/** A slope with its unit, with a prefix where the unit takes one. */
+/** A slope with its unit, with a prefix where the unit above takes one. */
 export function slopeText(value, above, below, digits = 4) {
-  const unit = ratioUnit(above, below);
-  if (above === '1' || !unit) return engineering(value, '1', digits) + (unit ? noBreak + unitText(unit) : '');
-  return engineering(value, unit, digits);
+  const shown = displayUnit(value, above);
+  const unit = ratioUnit(shown.text || '1', siUnitText(below || '1') || '1');
+  return rounded(value / shown.divisor, digits) + (unit ? noBreak + unit : '');
 }

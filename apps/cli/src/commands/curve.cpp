@@ -57,7 +57,8 @@ struct Curve {
   std::vector<MetricValue> values;
   std::vector<OperatingPoint> points;
   std::vector<std::vector<Zone>> zones;
-  std::optional<SliceComparison> slices;  // if it was asked for
+  std::vector<std::optional<bool>> squeals;  // nothing where it is unknown
+  std::optional<SliceComparison> slices;     // if it was asked for
 };
 
 std::vector<double> speeds_of(const CurveOptions& options, const Motor& motor) {
@@ -87,6 +88,7 @@ Curve compute(const CurveOptions& options) {
     if (interrupted()) break;
     curve.points.push_back(motor.operating_point(speed));
     curve.zones.push_back(motor.zones(speed));
+    curve.squeals.push_back(studies::squeals(curve.file.design, motor.backward_wave(speed)));
   }
   if (options.compare_slices) curve.slices = compare_slices(curve.file.design);
   return curve;
@@ -98,6 +100,7 @@ Json point_json(const Curve& curve, std::size_t i) {
   for (const CurveColumn& column : curve.columns)
     json[column.name] = number_json(column.value(point));
   json["zones"] = zones_json(curve.zones[i]);
+  json["squeals"] = curve.squeals[i] ? Json(*curve.squeals[i]) : Json(nullptr);
   if (point.status != PointStatus::ok) json["status"] = to_string(point.status);
   return json;
 }
@@ -123,11 +126,13 @@ std::string as_csv(const Curve& curve) {
   std::vector<std::string> cells;
   for (const CurveColumn& column : curve.columns)
     cells.push_back(std::string(column.name) + " [" + column.unit + "]");
-  cells.emplace_back("status");
+  cells.insert(cells.end(), {"squeals", "status"});
   std::string text = csv_line(cells);
-  for (const OperatingPoint& point : curve.points) {
+  for (std::size_t i = 0; i < curve.points.size(); ++i) {
+    const OperatingPoint& point = curve.points[i];
     cells.clear();
     for (const CurveColumn& column : curve.columns) cells.push_back(cell_of(column.value(point)));
+    cells.emplace_back(!curve.squeals[i] ? "" : *curve.squeals[i] ? "yes" : "no");
     cells.emplace_back(to_string(point.status));
     text += csv_line(cells);
   }
@@ -146,13 +151,13 @@ std::string metrics_table(const Curve& curve) {
   return aligned(table);
 }
 
-// "slip+/stick/slip-", or why there is no answer.
-std::string zones_text(const OperatingPoint& point, const std::vector<Zone>& zones) {
-  if (point.status != PointStatus::ok) return to_string(point.status);
+// "slip+/stick/slip-" or "slip+, squeals"; or why there is no answer.
+std::string zones_text(const Curve& curve, std::size_t i) {
+  if (curve.points[i].status != PointStatus::ok) return to_string(curve.points[i].status);
   std::string text;
-  for (const Zone& zone : zones)
+  for (const Zone& zone : curve.zones[i])
     text += (text.empty() ? "" : "/") + std::string(to_string(zone.state));
-  return text;
+  return curve.squeals[i].value_or(false) ? text + ", squeals" : text;
 }
 
 ColumnScale scale_of(const CurveColumn& column, const std::vector<OperatingPoint>& points) {
@@ -202,7 +207,7 @@ std::string as_table(const Curve& curve, std::size_t width) {
   const std::string name = curve.file.name.empty() ? "motor" : studies::printable(curve.file.name);
   const std::string contact = points_table(
       curve, studies::contact_columns(), "zones",
-      [&](std::size_t i) { return zones_text(curve.points[i], curve.zones[i]); }, width);
+      [&](std::size_t i) { return zones_text(curve, i); }, width);
   const std::string metrics = curve.slices ? comparison_text(*curve.slices) : metrics_table(curve);
   const std::string text = name + "\n\n" + metrics + "\n" + contact;
   return has_modal_data(curve.file.design) ? text + "\n" + terminals_table(curve, width) : text;

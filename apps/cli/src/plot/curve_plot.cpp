@@ -5,6 +5,7 @@
 
 #include <twum/core/performance/metrics.hpp>
 #include <twum/core/performance/motor.hpp>
+#include <twum/studies/motor/curve_points.hpp>
 
 #include <algorithm>
 #include <array>
@@ -35,7 +36,8 @@ enum Column : int {
   kUpToFriction,
   kUpToLayer,
   kUpToStator,
-  kUpToCeramic
+  kUpToCeramic,
+  kSquealTorque  // NaN where the motor does not squeal
 };
 
 struct Mark {
@@ -50,6 +52,7 @@ struct Mark {
 struct Picture {
   std::vector<std::vector<double>> rows;
   std::vector<Mark> marks;
+  bool squeals{false};  // at some speed
   studies::DisplayUnit speed;
   studies::DisplayUnit torque;
   studies::DisplayUnit power;
@@ -92,6 +95,9 @@ std::vector<std::vector<double>> rows_of(const Motor& motor, double first, doubl
                     p.contact_efficiency(), p.efficiency(), p.overall_efficiency()});
     const std::vector<double> stack = stacked(p);
     rows.back().insert(rows.back().end(), stack.begin(), stack.end());
+    const bool squeals =
+        studies::squeals(motor.design(), motor.backward_wave(speed)).value_or(false);
+    rows.back().push_back(squeals ? p.torque : std::nan(""));
   }
   return rows;
 }
@@ -186,8 +192,13 @@ std::string torque_panel(const Picture& picture) {
     script += point_label(mark.speed / picture.speed.divisor, mark.torque / picture.torque.divisor,
                           plot_text(mark.power > 0 ? mark.name : mark.text), mark.place);
   }
-  return script + "plot " + series(picture, kTorque, picture.torque, "", colour::kBlue, "1") +
-         kEndOfPanel;
+  script += "plot ";
+  if (picture.squeals) {
+    script += "$curve using " + in_unit(kSpeed, picture.speed) + ":" +
+              in_unit(kSquealTorque, picture.torque) +
+              " with lines linewidth 10 linecolor rgb '#b8d5e8' title 'squeals', ";
+  }
+  return script + series(picture, kTorque, picture.torque, "", colour::kBlue, "1") + kEndOfPanel;
 }
 
 std::string power_panel(const Picture& picture) {
@@ -257,6 +268,7 @@ std::string curve_plot(const studies::MotorFile& file, double first, double last
   Picture picture;
   picture.rows = rows_of(motor, first, last);
   picture.marks = marks_of(motor, first, last);
+  picture.squeals = largest(picture.rows, kSquealTorque, kSquealTorque) > 0;
   picture.first = first;
   picture.last = last;
   picture.damped = modal_damping(file.design) > 0;

@@ -3,6 +3,7 @@
 
 #include <twum/core/performance/metrics.hpp>
 
+#include <cmath>
 #include <iterator>
 
 namespace twum::studies {
@@ -43,6 +44,24 @@ std::vector<CurveColumn> curve_columns(const MotorDesign& design) {
   if (has_modal_data(design))
     columns.insert(columns.end(), std::begin(kTerminals), std::end(kTerminals));
   return columns;
+}
+
+std::optional<bool> squeals(const MotorDesign& design, const BackwardWave& wave) {
+  if (std::isnan(wave.fed_damping)) return {};
+  const double damping = modal_damping(design);
+  return wave.fed_damping > (damping > 0 ? damping : 0);
+}
+
+std::vector<SquealRange> squeal_ranges(const Motor& motor, std::span<const double> speeds) {
+  std::vector<SquealRange> ranges;
+  bool before = false;
+  for (const double speed : speeds) {
+    const bool now = squeals(motor.design(), motor.backward_wave(speed)).value_or(false);
+    if (now && !before) ranges.push_back({speed, speed});
+    if (now) ranges.back().last = speed;
+    before = now;
+  }
+  return ranges;
 }
 
 double last_curve_speed(const Motor& motor) {

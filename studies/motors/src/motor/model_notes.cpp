@@ -6,6 +6,7 @@
 #include <twum/core/design/parameters.hpp>
 #include <twum/core/design/plate.hpp>
 #include <twum/core/performance/metrics.hpp>
+#include <twum/studies/motor/curve_points.hpp>
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/units/engineering.hpp>
 
@@ -131,13 +132,13 @@ struct SquealSpeeds {
   double rate{0};      // largest, where it is known [1/s]
 };
 
-SquealSpeeds squeal_speeds(const Motor& motor, double no_load, double damping) {
+SquealSpeeds squeal_speeds(const Motor& motor, double no_load) {
   constexpr int kLooks = 24;
   SquealSpeeds found;
   for (int i = 0; i < kLooks; ++i) {
     const double speed = no_load * i / kLooks;
     const BackwardWave wave = motor.backward_wave(speed);
-    if (!(wave.fed_damping > damping)) continue;
+    if (!squeals(motor.design(), wave).value_or(false)) continue;
     found = {speed, std::fmax(found.fed, wave.fed_damping),
              std::fmax(found.rate, wave.squeal_rate)};
   }
@@ -149,7 +150,7 @@ void add_squeal(const Motor& motor, std::vector<ModelNote>& notes) {
   if (no_load.status != MetricStatus::ok) return;
   const bool modal = has_modal_data(motor.design());
   const double given = modal_damping(motor.design()), damping = given > 0 ? given : 0;
-  const SquealSpeeds squeal = squeal_speeds(motor, no_load.value, damping);
+  const SquealSpeeds squeal = squeal_speeds(motor, no_load.value);
   if (squeal.fastest < 0) return;
   const auto in_words = [](double d) { return rounded_text(d, 4) + " N.s/m"; };
   const std::string cause =

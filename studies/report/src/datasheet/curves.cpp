@@ -101,7 +101,7 @@ std::string axis_title(const SheetCurve& curve, bool left) {
                  {{"class", curve.look + std::string(" title")},
                   {"text-anchor", "middle"},
                   {"transform", "translate(" + place(x) + " " + place(y) + ") rotate(-90)"}},
-                 escaped(curve.name + " [" + curve.shown.text + "]"));
+                 escaped(curve.name + " [" + printed_unit(curve.shown.text) + "]"));
 }
 
 std::string axes(const SheetChart& chart) {

@@ -52,10 +52,10 @@ std::string motor_hash(const MotorFile& motor) {
 
 std::string kind_of_motor(const MotorDesign& design) {
   const Stator& s = design.stator;
-  const std::string drive = s.voltage ? "driven by " + engineering(*s.voltage, "V") + " rms"
-                                      : "with a wave of " + engineering(s.amplitude, "m");
-  return "Travelling wave ultrasonic motor with " + engineering(s.wavelengths, "1") +
-         " wavelengths, " + drive + " at " + engineering(drive_frequency(design), "Hz");
+  const std::string drive = s.voltage ? "driven by " + printed_engineering(*s.voltage, "V") + " rms"
+                                      : "with a wave of " + printed_engineering(s.amplitude, "m");
+  return "Travelling wave ultrasonic motor with " + printed_engineering(s.wavelengths, "1") +
+         " wavelengths, " + drive + " at " + printed_engineering(drive_frequency(design), "Hz");
 }
 
 std::string block(const std::string& look, const std::string& heading, const std::string& content) {
@@ -66,8 +66,10 @@ std::string block(const std::string& look, const std::string& heading, const std
 
 std::string notes(const MotorDesign& design) {
   std::string text;
-  for (const ModelNote& note : model_notes_at_length(design))
+  for (ModelNote& note : model_notes_at_length(design)) {
+    if (!note.text.empty() && note.text[0] >= 'a' && note.text[0] <= 'z') note.text[0] -= 'a' - 'A';
     text += "<li>" + escaped(note.text) + ".</li>\n";
+  }
   return std::string("<p>") + kLeftOut + "</p>\n" +
          (text.empty() ? "" : "<ul>\n" + text + "</ul>\n");
 }

@@ -48,7 +48,7 @@ std::string list(const std::vector<Line>& lines) {
 std::string shown(double value, std::string_view unit, std::string_view name) {
   if (unit == "1" && name.find("efficiency") != std::string_view::npos)
     return rounded_text(100 * value, 4) + " %";
-  return engineering(value, unit);
+  return printed_engineering(value, unit);
 }
 
 }  // namespace twum::studies::datasheet

@@ -111,9 +111,10 @@ std::string section(const MotorDesign& design) {
   }
   drawing += element(
       "path", {{"class", "axis"}, {"d", "M" + place(middle) + " 0V" + place(top + depth + 8)}});
-  drawing += dimension(middle - radius, middle + radius, top + depth + 16,
-                       "contact diameter " + engineering(2 * design.stator.contact_radius, "m") +
-                           ", track " + engineering(design.stator.contact_width, "m") + " wide");
+  drawing +=
+      dimension(middle - radius, middle + radius, top + depth + 16,
+                "contact diameter " + printed_engineering(2 * design.stator.contact_radius, "m") +
+                    ", track " + printed_engineering(design.stator.contact_width, "m") + " wide");
   return element("svg",
                  {{"class", "section"},
                   {"viewBox", "0 0 " + place(kDrawing) + " " + place(top + depth + 38)},

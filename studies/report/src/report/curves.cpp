@@ -97,6 +97,14 @@ Json fields_json(const Motor& motor) {
   return json;
 }
 
+// [[first, last], ...]: the speeds at which the motor squeals [rad/s].
+Json squeals_json(const Motor& motor) {
+  Json json = Json::array();
+  for (const auto& [first, last] : squeal_ranges(motor, curve_speeds(motor, kFieldSpeeds)))
+    json.push_back({first, last});
+  return json;
+}
+
 Json metrics_json(const Motor& motor) {
   const std::vector<MetricExpression> metrics = plain_metrics(motor.design());
   std::vector<MetricValue> values(metrics.size());
@@ -137,6 +145,7 @@ Json curve_json(const MotorDesign& base, const DesignValues& values, const std::
   for (const CurveColumn& one : curve_columns(motor->design())) add(one.name, one.value);
   add("efficiency", [](const OperatingPoint& p) { return p.efficiency(); });
   add("stator_loss", [](const OperatingPoint& p) { return p.stator_loss; });
+  json["squeals"] = squeals_json(*motor);
   json["one_slice_torque"] = one_slice_torque_json(*motor, speeds);
   json["fields"] = detail == Detail::fields ? fields_json(*motor) : Json(nullptr);
   json["track"] = detail == Detail::fields ? track_json(*motor) : Json(nullptr);

@@ -20,8 +20,9 @@ std::string designer_html(const MotorFile& motor) {
                   {"materials", materials_json()},
                   {"motor", stated_motor_json(motor.name, motor.design)},
                   {"core", base64(assets::core_module())}};
-  const std::string page = dressed(assets::designer_page(), {assets::style(), assets::style_hash()},
-                                   {assets::designer_script(), assets::designer_script_hash()});
+  std::string page = dressed(assets::designer_page(), {assets::style(), assets::style_hash()},
+                             {assets::designer_script(), assets::designer_script_hash()});
+  page = filled(page, "/*UNITS*/", embedded(display_units_json(data)));
   return filled(page, "/*DATA*/", embedded(data));
 }
 

@@ -161,6 +161,7 @@ std::string report_html(const StudyFile& study, const std::string& text, const S
   // The data are inserted last, so that no text in them is mistaken for a mark.
   std::string page = dressed(assets::page(), {assets::style(), assets::style_hash()},
                              {assets::script(), assets::script_hash()});
+  page = filled(page, "/*UNITS*/", embedded(display_units_json(data)));
   page = filled(page, "/*CORE*/", base64(assets::core_module()));
   return filled(page, "/*DATA*/", embedded(data));
 }

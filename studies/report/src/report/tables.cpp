@@ -6,19 +6,22 @@
 #include <twum/studies/materials/catalogue.hpp>
 #include <twum/studies/metrics/reasons.hpp>
 #include <twum/studies/text/value_error.hpp>
+#include <twum/studies/units/engineering.hpp>
 #include <twum/studies/units/units.hpp>
 
 #include <cmath>
+#include <iterator>
 #include <set>
 
 namespace twum::studies {
 namespace {
 
-// Further units offered to users, besides SI units with a prefix; each is tried for every dimension.
+// Units that a page shows besides those of its tables.
+constexpr const char* kShownUnits[] = {"1", "%", "rad/s", "m/s", "Hz", "1/s", "ohm", "H"};
+// Further units offered to users, besides those shown; each is tried for every dimension.
 constexpr const char* kOtherUnits[] = {"rpm",    "deg",    "cm",     "in",  "lbf",    "bar",
                                        "psi",    "kgf.cm", "ozf.in", "%",   "g/cm^3", "W/cm^2",
                                        "W/mm^2", "N/mm^2", "N.mm",   "pC/N"};
-constexpr const char* kPrefixes[] = {"", "T", "G", "M", "k", "m", "u", "n", "p"};
 
 void add_unit(Json& units, const std::string& text, std::string_view si_unit) {
   try {
@@ -30,10 +33,30 @@ void add_unit(Json& units, const std::string& text, std::string_view si_unit) {
 
 Json units_of(std::string_view si_unit) {
   Json units = Json::object();
-  for (const char* prefix : kPrefixes) add_unit(units, prefix + std::string(si_unit), si_unit);
+  add_unit(units, std::string(si_unit), si_unit);
+  for (const DisplayUnit& shown : display_units(si_unit)) add_unit(units, shown.text, si_unit);
   if (si_unit == "kg") add_unit(units, "g", si_unit), add_unit(units, "mg", si_unit);
   for (const char* other : kOtherUnits) add_unit(units, other, si_unit);
   return units;
+}
+
+// Units of parameters and metrics.
+std::set<std::string> units_of_tables() {
+  std::set<std::string> units;
+  for (const ParameterInfo& row : parameter_table()) units.emplace(row.unit);
+  for (const MetricInfo& row : metric_table()) units.emplace(row.unit);
+  return units;
+}
+
+// The values of every entry "unit" of a page, and of those in every object "units".
+void add_units_in(const Json& json, std::set<std::string>& units) {
+  for (const auto& [key, value] : json.items()) {
+    if (key == "unit" && value.is_string()) units.insert(value.get<std::string>());
+    if (key == "units" && value.is_object())
+      for (const Json& unit : value)
+        if (unit.is_string()) units.insert(unit.get<std::string>());
+    if (value.is_structured()) add_units_in(value, units);
+  }
 }
 
 const char* argument_word(Argument argument) {
@@ -109,12 +132,25 @@ Json reasons_json() {
 }
 
 Json units_json() {
-  std::set<std::string> si_units{"ohm", "H"};  // of an equivalent circuit
-  for (const ParameterInfo& row : parameter_table()) si_units.emplace(row.unit);
-  for (const MetricInfo& row : metric_table()) si_units.emplace(row.unit);
+  std::set<std::string> si_units = units_of_tables();
+  si_units.insert({"ohm", "H"});  // of an equivalent circuit
   Json json = Json::object();
   for (const std::string& unit : si_units)
     if (unit != "1") json[unit] = units_of(unit);
+  return json;
+}
+
+Json display_units_json(const Json& page) {
+  std::set<std::string> si_units = units_of_tables();
+  si_units.insert(std::begin(kShownUnits), std::end(kShownUnits));
+  add_units_in(page, si_units);
+  Json json = Json::object();
+  for (const std::string& si_unit : si_units) {
+    json[si_unit] = Json::array();
+    for (const DisplayUnit& unit : display_units(si_unit))
+      json[si_unit].push_back(
+          {{"text", printed_unit(unit.text)}, {"typed", unit.text}, {"divisor", unit.divisor}});
+  }
   return json;
 }
 

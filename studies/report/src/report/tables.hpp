@@ -23,6 +23,10 @@ Json reasons_json();
 /// {SI unit: {unit that one may type: SI value of it}} for the units of parameters and metrics.
 Json units_json();
 
+/// {SI unit: [{"text": "kN·m", "typed": "kN.m", "divisor": SI value of it}, largest first]} for the units of parameters and
+/// metrics, those that scripts name, and those in the data of a page: its entries "unit" and "units".
+Json display_units_json(const Json& page);
+
 /// {material: {property: SI value}}
 Json materials_json();
 

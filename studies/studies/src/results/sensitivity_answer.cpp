@@ -170,7 +170,7 @@ class MetricText {
 
   std::string gradient(double value, std::size_t j) const {
     if (!std::isfinite(value)) return "-";
-    return rounded_text(value, 4) + " " + metric_.metric.unit + " per " + result_.variables[j].unit;
+    return engineering(value, metric_.metric.unit) + " per " + result_.variables[j].unit;
   }
 
   std::string smoothness_sentence() const {

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -40,5 +41,19 @@ double curve_speed(double last, std::uint64_t index, std::uint64_t points);
 /// Equally spaced speeds from rest to last_curve_speed() [rad/s].
 /// @param points  at least 2
 std::vector<double> curve_speeds(const Motor& motor, std::size_t points);
+
+/// Whether a backward wave grows beside the wave of a motor, so that the motor squeals (D6.8): friction gives it more
+/// than modal_damping takes, which is 0 if it is not given. Nothing where that is unknown.
+std::optional<bool> squeals(const MotorDesign& design, const BackwardWave& wave);
+
+/// Speeds between which a motor squeals [rad/s].
+struct SquealRange {
+  double first;
+  double last;
+};
+
+/// Where a motor squeals, as far as these speeds tell; they are in ascending order [rad/s]. Costs about a point of the
+/// curve for each speed.
+std::vector<SquealRange> squeal_ranges(const Motor& motor, std::span<const double> speeds);
 
 }  // namespace twum::studies
