@@ -27,7 +27,7 @@ class Curve(program.Case):
         data = json.loads(self.ok("curve", RING, "--format", "json"))
         right = max(y for _, _, y in picture.texts if y < 840)
         self.assertIn("speed [rpm]", picture.words())
-        self.assertIn("torque [mN.m]", picture.words())
+        self.assertIn("torque [mN·m]", picture.words())
         self.assertIn("power [W]", picture.words())
         tics_x = picture.numbers(0, right - 20, right)
         per_rpm, zero = scale(tics_x)

@@ -79,7 +79,7 @@ class Pictures(program.Case):
         front = [point["metrics"] for point in self.summary["front"]]
         picture = pictures["front"]
         self.assert_places(picture.dots[BLUE], [p["stall_torque"] for p in front], [p["no_load_speed"] for p in front])
-        self.assertTrue({"stall torque [N.m]", "no-load speed [rpm]", "largest stall torque", "largest no-load speed"} <= set(picture.words()))
+        self.assertTrue({"stall torque [N·m]", "no-load speed [rpm]", "largest stall torque", "largest no-load speed"} <= set(picture.words()))
         preload = [point["design"]["preload"] for point in self.summary["front"]]
         count = len(preload)
         self.assert_places(pictures["along-the-front"].dots[BLUE][count:2 * count], [p["stall_torque"] for p in front], preload)
@@ -96,14 +96,25 @@ class Pictures(program.Case):
                     for sign in ((1,) if c["sense"] == "at least" else (-1,))) for i in range(count)]
         self.assertEqual(len(dots[GREEN]), sum(kept))
         self.assertEqual(len(dots["rgb(187, 187, 187)"]), count - sum(kept))
-        self.assert_places(dots["rgb(187, 187, 187)"], [i for i in range(count) if not kept[i]], [p for p, k in zip(power, kept) if not k])
+        # Dots beyond the axis, which ends a little above the best, stand at its ends; the others where their values are.
+        grey = dots["rgb(187, 187, 187)"]
+        broken = [(i, p) for i, (p, k) in enumerate(zip(power, kept)) if not k]
+        top, bottom = min(y for _, y in grey), max(y for _, y in grey)
+        inside = [n for n, (_, y) in enumerate(grey) if top + 0.1 < y < bottom - 0.1]
+        self.assert_places([grey[n] for n in inside], [broken[n][0] for n in inside], [broken[n][1] for n in inside])
+        self.assertLess(max(broken[n][1] for n in inside), 1.2 * self.summary["best"]["metrics"]["peak_power"])
+        first, last = (min(inside, key=lambda n: grey[n][1] * sign) for sign in (1, -1))
+        watts = (broken[first][1] - broken[last][1]) / (grey[first][1] - grey[last][1])
+        high, low = (broken[first][1] + watts * (y - grey[first][1]) for y in (top, bottom))
+        beyond = sum(not low <= p <= high for p in power)
+        self.assertIn(f"evaluation; {beyond} beyond the axis stand at its edge", pictures["search"].words())
         # The best is found early: the line ends as high as the highest green dot.
         self.assertAlmostEqual(pictures["search"].lines[BLUE][-1][-1][1], min(y for _, y in dots[GREEN]), delta=0.02)
 
     def test_curves_before_and_after_with_the_duty(self):
         pictures = self.drawn("size-05Nm-100rpm")
         picture = pictures["curves"]
-        self.assertTrue({"before", "best design", "at least", "torque [mN.m]", "speed [rpm]"} <= set(picture.words()))
+        self.assertTrue({"before", "best design", "at least", "torque [mN·m]", "speed [rpm]"} <= set(picture.words()))
         # The best design carries the duty of 0.5 N.m at 100 rpm, and its speed falls from there: the triangle is on or below the line.
         (x, y), = [dot for dot in picture.dots["rgb(  0,   0,   0)"]]
         line = picture.lines[VERMILION][0]
@@ -126,7 +137,7 @@ class Pictures(program.Case):
         # Heights have two decimals, on some 30 bars of together 5000 points.
         self.assertAlmostEqual(heights[BLUE] / (heights[BLUE] + heights[VERMILION]), kept / len(torque), delta=1e-3)
         self.assertAlmostEqual(max(right for _, right, _, _ in boxes[VERMILION]), min(left for left, _, _, _ in boxes[BLUE]), delta=0.02)
-        self.assertTrue({"≥ 750 mN.m", "5 %", "50 %", "95 %", "keeps the limit", "breaks it"} <= set(pictures["histogram-stall_torque"].words()))
+        self.assertTrue({"≥ 750 mN·m", "5 %", "50 %", "95 %", "keeps the limit", "breaks it"} <= set(pictures["histogram-stall_torque"].words()))
 
     def test_bars_are_as_long_as_the_effects(self):
         for study, size in (("sensitivity-sobol", lambda e: e["total"]["value"]), ("sensitivity-morris", lambda e: e["mu_star"]),
@@ -153,7 +164,7 @@ class Pictures(program.Case):
     def test_a_sweep_of_one_variable_is_a_line(self):
         picture = self.drawn("line", SWEEP % (RING, PRELOAD))["lines"]
         self.assert_places(picture.dots[BLUE][:6], self.columns["preload"], self.columns["stall_torque"])
-        self.assertTrue({"preload [N]", "stall torque [N.m]", "no-load speed [rpm]"} <= set(picture.words()))
+        self.assertTrue({"preload [N]", "stall torque [N·m]", "no-load speed [rpm]"} <= set(picture.words()))
 
     def test_many_variables_are_shown_one_by_one(self):
         pictures = self.drawn("sweep-latin-hypercube")

@@ -180,7 +180,7 @@ function yieldPriceCard() {
       'What the yield costs',
       'The best ' + plain(goal.metric) +
           ' over the share of motors that keep all limits, with everything else chosen anew.' + ends,
-      'half');
+      'wide');
   const unit =
       isShare(goal.metric) ? percentUnit : displayUnit(largest([list.map((p) => p.objective)]), unitOf(goal.metric));
   const y = Float64Array.from(list.map((p) => p.objective / unit.divisor));

@@ -103,10 +103,12 @@ function searchCard() {
     if (Number.isFinite(v) && inRange !== v / unit.divisor) ++beyond;
     return inRange;
   });
+  // Limits hold without tolerances here, so the best of these motors is not the best under tolerances.
+  const kept = 'keeps every limit' + (summary.robust ? ' without tolerances' : '');
+  const best = {name: 'best so far', y: shown(trace.best), colour: 'c0', steps: true};
   const series = [
     {name: 'breaks a limit', y: shown(trace.outside), colour: 'faint', scatter: true},
-    {name: 'keeps every limit', y: shown(trace.inside), colour: 'c2', scatter: true},
-    {name: 'best so far', y: shown(trace.best), colour: 'c0', steps: true}
+    {name: kept, y: shown(trace.inside), colour: 'c2', scatter: true}, ...(summary.robust ? [] : [best])
   ];
   const edge = beyond ? ' ' + beyond + ' of them lie beyond the axis and stand at its edge.' : '';
   const node = card('How the search went', 'The motors that were computed, in order.' + edge, 'wide');

@@ -80,7 +80,9 @@ std::string axes_of(const Scaled& s, bool labelled) {
   return script + (panel.colours.log ? "set" : "unset") + " logscale cb\n" +
          range_text("cb", s.value, s.value_unit.divisor) + "set cblabel " +
          plot_text(panel.colours.name +
-                   (s.value_unit.text.empty() ? "" : " [" + s.value_unit.text + "]")) +
+                   (s.value_unit.text.empty()
+                        ? ""
+                        : " [" + studies::printed_unit(s.value_unit.text) + "]")) +
          " noenhanced\nset palette defined (0 '#0B2F52', 0.35 '#0072B2', 0.7 '#8CC5E3', 1 "
          "'#F6E8B1')\n";
 }
@@ -166,7 +168,7 @@ Picture picture_of(const std::string& name, const Chart& chart) {
     top = places.back().bottom + (labelled ? kBelow : kBetween);
   }
   std::string script =
-      plot_style(plot_text(studies::printable(chart.title, 68)), top) + "set multiplot\n";
+      plot_style(plot_text(studies::printable(chart.title, 84)), top) + "set multiplot\n";
   std::size_t number = 0;
   for (std::size_t i = 0; i < chart.panels.size(); ++i) {
     const bool labelled = !chart.shared || i + 1 == chart.panels.size();

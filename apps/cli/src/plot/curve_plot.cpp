@@ -123,7 +123,7 @@ std::vector<Mark> marks_of(const Motor& motor, double first, double last) {
   const std::vector<MetricValue> values = evaluate(motor, requests);
   const auto has = [&](std::size_t i) { return values[i].status == MetricStatus::ok; };
   const auto text = [&](std::size_t i, const char* unit) {
-    return studies::engineering(values[i].value, unit, 3);
+    return studies::printed_engineering(values[i].value, unit, 3);
   };
   const double none = std::nan("");
   std::vector<Mark> marks;
@@ -152,7 +152,7 @@ std::vector<Mark> marks_of(const Motor& motor, double first, double last) {
     const double speed = motor.first_speed();
     marks.push_back(
         {"pull-out", speed, values[6].value, none,
-         "pull-out " + text(6, "N.m") + " at " + studies::engineering(speed, "rad/s", 3),
+         "pull-out " + text(6, "N.m") + " at " + studies::printed_engineering(speed, "rad/s", 3),
          "right offset character -0.6, character -1"});
   }
   std::erase_if(marks, [&](const Mark& m) { return m.speed < first || m.speed > last; });
@@ -195,8 +195,8 @@ std::string torque_panel(const Picture& picture) {
   script += "plot ";
   if (picture.squeals) {
     script += "$curve using " + in_unit(kSpeed, picture.speed) + ":" +
-              in_unit(kSquealTorque, picture.torque) +
-              " with lines linewidth 10 linecolor rgb '#b8d5e8' title 'squeals', ";
+              in_unit(kSquealTorque, picture.torque) + " with lines linewidth 10 linecolor rgb '" +
+              colour::pale(colour::kBlue) + "' title 'squeals', ";
   }
   return script + series(picture, kTorque, picture.torque, "", colour::kBlue, "1") + kEndOfPanel;
 }

@@ -56,9 +56,11 @@ FieldsMap map_of(const MotorDesign& design, double speed) {
 std::string panel(const FieldsMap& map, int column, const char* quantity, double largest,
                   const char* unit) {
   const studies::DisplayUnit shown = studies::display_unit(largest, unit);
-  std::string script = "set cblabel " + plot_text(std::string(quantity) + " [" + shown.text + "]") +
-                       "\nset cbrange [0:*]\nplot $cells using 1:2:" + in_unit(column, shown) +
-                       " with image title ''";
+  std::string script =
+      "set cblabel " +
+      plot_text(std::string(quantity) + " [" + studies::printed_unit(shown.text) + "]") +
+      "\nset cbrange [0:*]\nplot $cells using 1:2:" + in_unit(column, shown) +
+      " with image title ''";
   if (!map.stick.empty())
     script +=
         ", $stick using 1:2 with points pointtype 7 pointsize 0.25 linecolor rgb '#FFFFFF' "
@@ -74,8 +76,8 @@ std::string fields_map(const studies::MotorFile& file, double speed) {
   const std::string radius = vertical_label("radius", {"mm", 1});
   return plot_data("cells", map.cells) + plot_data("stick", map.stick) +
          plot_style(plot_text(motor_title(file) + " at " +
-                              studies::engineering(map.point.speed, "rad/s") + ", " +
-                              studies::engineering(map.point.torque, "N.m"))) +
+                              studies::printed_engineering(map.point.speed, "rad/s") + ", " +
+                              studies::printed_engineering(map.point.torque, "N.m"))) +
          "set multiplot\nset xrange [-" + edge + ":" + edge +
          "]\nset yrange [*:*] noextend\nunset grid\n" +
          "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n" +

@@ -150,8 +150,8 @@ std::string fields_plot(const studies::MotorFile& file, double speed) {
   const std::string edge = plot_number(picture.edge / kDegree);
   return plot_data("fields", picture.rows) +
          plot_style(plot_text(motor_title(file) + " at " +
-                              studies::engineering(point.speed, "rad/s") + ", " +
-                              studies::engineering(point.torque, "N.m"))) +
+                              studies::printed_engineering(point.speed, "rad/s") + ", " +
+                              studies::printed_engineering(point.torque, "N.m"))) +
          "set multiplot\nset xrange [-" + edge + ":" + edge + "]\n" + zone_ground(picture) +
          pressure_panel(picture) + traction_panel(picture) + velocity_panel(picture) +
          "unset multiplot\n";

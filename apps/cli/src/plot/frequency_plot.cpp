@@ -85,9 +85,9 @@ std::string jump_arrows(const FrequencyPicture& picture, const ResponseSeries& s
 
 // The margin and the operating frequency are named once, above the first panel.
 std::string names_of_marks(const FrequencyPicture& picture) {
-  std::string text = "drive at " + studies::engineering(picture.operating, "Hz");
+  std::string text = "drive at " + studies::printed_engineering(picture.operating, "Hz");
   if (picture.pull_out && *picture.pull_out < picture.operating)
-    text += ", pulls out below " + studies::engineering(*picture.pull_out, "Hz");
+    text += ", pulls out below " + studies::printed_engineering(*picture.pull_out, "Hz");
   return "set label 97 " + plot_text(text) +
          " at graph 1, graph 1.02 right offset 0, character 0.4 font 'Arial,11' noenhanced\n";
 }

@@ -115,7 +115,7 @@ std::string spectrum_panel(const MotorDesign& design, const stator::StatorModel&
          "' title 'other modes', $drive using 1:2 with points pointtype 7 pointsize 1.2 linecolor "
          "rgb '" +
          colour::kVermilion + "' title " +
-         plot_text("drive, " + studies::engineering(plate.frequency.v, "Hz")) + "\n";
+         plot_text("drive, " + studies::printed_engineering(plate.frequency.v, "Hz")) + "\n";
 }
 
 }  // namespace

@@ -5,14 +5,31 @@
 
 #include <twum/studies/text/words.hpp>
 
+#include <array>
+#include <cstdio>
+
 namespace twum::cli {
 namespace {
 
+// Letters that fill the width of the page in the large font, with room to spare.
+constexpr std::size_t kLongTitle = 62;
+
 std::string with_unit(const std::string& quantity, const studies::DisplayUnit& unit) {
-  return plot_text(unit.text.empty() ? quantity : quantity + " [" + unit.text + "]");
+  return plot_text(unit.text.empty() ? quantity
+                                     : quantity + " [" + studies::printed_unit(unit.text) + "]");
 }
 
 }  // namespace
+
+std::string colour::pale(const std::string& colour) {
+  std::array<char, 8> text{};
+  const unsigned long rgb = std::stoul(colour.substr(1), nullptr, 16);
+  const auto mixed = [&](int shift) {
+    return static_cast<unsigned>((3 * 255 + ((rgb >> shift) & 255)) / 4);
+  };
+  std::snprintf(text.data(), text.size(), "#%02X%02X%02X", mixed(16), mixed(8), mixed(0));
+  return text.data();
+}
 
 std::string plot_style(const std::string& title, int height) {
   return "set border 3 linewidth 1 linecolor rgb '#444444'\n"
@@ -22,7 +39,7 @@ std::string plot_style(const std::string& title, int height) {
          "noenhanced\n"
          "set label 99 " +
          title + " at screen 0.03, screen " + plot_number(1 - 24.0 / height) +
-         " left font 'Arial,15' noenhanced\n";
+         " left font 'Arial," + (title.size() > kLongTitle ? "12" : "15") + "' noenhanced\n";
 }
 
 std::string motor_title(const studies::MotorFile& file) {

@@ -15,6 +15,8 @@ inline constexpr const char* kVermilion = "#D55E00";
 inline constexpr const char* kGreen = "#009E73";
 inline constexpr const char* kOrange = "#E69F00";
 inline constexpr const char* kGrey = "#666666";
+/// A colour on paper with three quarters of white, of what stands below a line of this colour.
+std::string pale(const std::string& colour);
 }  // namespace colour
 
 /// Borders, tics, grid and key that all panels share, and the title of the whole picture.

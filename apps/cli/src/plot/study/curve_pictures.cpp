@@ -77,6 +77,24 @@ Panel panel_of(const std::vector<NamedMotor>& motors, const Quantity& quantity, 
   return panel;
 }
 
+// The parts of the torque at which a motor squeals, below the lines.
+void add_squeals(Panel& panel, const std::vector<NamedMotor>& motors) {
+  std::vector<Series> broad;
+  for (std::size_t i = 0; i < motors.size(); ++i) {
+    const Motor& motor = motors[i].motor;
+    Series series{broad.empty() ? "squeals" : "", Draw::broad, colour::pale(colour_of(i)), {}};
+    bool any = false;
+    for (const std::vector<double>& row : panel.series[i].rows) {
+      const bool here =
+          studies::squeals(motor.design(), motor.backward_wave(row[0])).value_or(false);
+      series.rows.push_back({row[0], here ? row[1] : studies::kNoValue});
+      any = any || here;
+    }
+    if (any) broad.push_back(std::move(series));
+  }
+  panel.series.insert(panel.series.begin(), broad.begin(), broad.end());
+}
+
 // A limit as a point in the plane of speed and torque; nothing if it is none.
 std::vector<double> point_of(const MetricRequest& request, double limit) {
   switch (request.metric) {
@@ -143,6 +161,7 @@ void add_curve_pictures(std::vector<Picture>& pictures, const std::string& title
   if (motors.empty()) return;
   if (motors.size() == 1 && limits.empty()) return add_alone(pictures, title, motors.front().motor);
   Chart curves{title, {panel_of(motors, kTorque, true)}, true};
+  add_squeals(curves.panels.front(), motors);
   add_limits(curves.panels.front(), limits);
   for (const Quantity& quantity : {kPower, efficiency_of(motors), kFriction})
     curves.panels.push_back(panel_of(motors, quantity, false));

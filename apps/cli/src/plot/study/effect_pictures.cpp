@@ -58,7 +58,7 @@ Method method_of(const std::string& name, const std::string& unit) {
   if (name == "sobol")
     return {"sources of its variance", "share of the variance", "with interactions", "%"};
   if (name == "morris") return {"change across each range", "change", "", unit};
-  return {"change for 1 % more of each", "change [%]", "", "1"};
+  return {"change for 1 % more", "change [%]", "", "1"};
 }
 
 Picture effects(const FinishedStudy& study, const studies::SensitivityResult& answer,

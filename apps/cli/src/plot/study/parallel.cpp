@@ -59,7 +59,8 @@ std::string label(const std::string& text, double x, int y, const char* side) {
 // Its line, its name above the left end, and the values of both ends below them.
 std::string axis_text(const PlacedAxis& a) {
   const std::string y = std::to_string(a.y);
-  const std::string unit = a.unit.text.empty() ? "" : " [" + a.unit.text + "]";
+  const std::string unit =
+      a.unit.text.empty() ? "" : " [" + studies::printed_unit(a.unit.text) + "]";
   const auto number = [&](double value) {
     return studies::rounded_text(value / a.unit.divisor, 3);
   };

@@ -13,9 +13,9 @@ namespace twum::cli {
 namespace {
 
 std::string member_name(const std::optional<studies::StoredColumn>& family, double value) {
-  return family
-             ? studies::plain_name(family->name) + " " + studies::engineering(value, family->unit)
-             : "motor";
+  return family ? studies::plain_name(family->name) + " " +
+                      studies::printed_engineering(value, family->unit)
+                : "motor";
 }
 
 std::vector<studies::NamedValue> member_values(const std::optional<studies::StoredColumn>& family,

@@ -2,6 +2,7 @@
 #include "plot/study/kinds.hpp"
 #include "plot/style.hpp"
 
+#include <twum/studies/metrics/motor_limit.hpp>
 #include <twum/studies/metrics/plain_name.hpp>
 
 #include <algorithm>
@@ -54,21 +55,32 @@ Picture density_of(const FinishedStudy& study, const RobustReport& report,
   Panel panel{{studies::plain_name(density.metric), density.unit},
               {"motors per bin", "%", true, 0.2},
               {kept, failed, other}};
+  const double last = edge(density.motors.size()), span = last - density.first;
   for (const double limit : {density.lower, density.upper}) {
-    if (std::isfinite(limit))
-      panel.guides.push_back(
-          {limit, true,
-           (limit == density.lower ? "≥ " : "≤ ") + studies::engineering(limit, density.unit),
-           colour::kVermilion});
+    // A limit is drawn unless it is far from all motors.
+    if (limit > density.first - span && limit < last + span)
+      panel.guides.push_back({limit, true,
+                              (limit == density.lower ? "≥ " : "≤ ") +
+                                  studies::printed_engineering(limit, density.unit),
+                              colour::kVermilion});
   }
   return picture_of("density-" + file_word(density.metric),
                     {study.title("spread of " + studies::plain_name(density.metric)), {panel}});
 }
 
+// "stall torque ≥ 800 mN·m"; a limit with two sides as it is typed.
+std::string limit_words(const studies::RobustLimit& one) {
+  const studies::MotorLimit limit = studies::parse_limit(one.text);
+  if (!limit.sides.empty()) return studies::plain_limit(one.text);
+  return studies::plain_name(limit.metric.text) + (one.at_least ? " ≥ " : " ≤ ") +
+         studies::printed_engineering(one.at_least ? limit.lower : limit.upper,
+                                      limit.metric.unit());
+}
+
 Picture risk(const FinishedStudy& study, const RobustReport& report) {
   std::vector<NamedShare> bars;
   for (const studies::RobustLimit& limit : report.limits)
-    bars.push_back({studies::plain_limit(limit.text), limit.share});
+    bars.push_back({limit_words(limit), limit.share});
   return picture_of("risk", {study.title("which limits the failing motors break"),
                              {sorted_bars(std::move(bars), "of the failing motors", "%")}});
 }

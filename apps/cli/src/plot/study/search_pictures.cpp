@@ -34,6 +34,35 @@ std::vector<bool> rows_that_keep(const FinishedStudy& study, const DesignReport&
   return keeps;
 }
 
+struct Shown {
+  double low, high;
+};
+
+// The range in which the search went on: that of the motors that keep the limits, the worst tenth of them aside, or
+// of the middle half of all if fewer than ten keep them; with the best so far.
+Shown search_range(const std::vector<double>& values, const std::vector<bool>& keeps,
+                   const std::vector<double>& record, bool maximize) {
+  std::vector<double> kept, all, ends;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!std::isfinite(values[i])) continue;
+    all.push_back(values[i]);
+    if (keeps[i]) kept.push_back(values[i]);
+    if (std::isfinite(record[i])) ends.push_back(record[i]);
+  }
+  std::sort(all.begin(), all.end());
+  std::sort(kept.begin(), kept.end());
+  if (kept.size() < 10) {
+    ends.insert(ends.end(), kept.begin(), kept.end());
+    ends.insert(ends.end(), {all[all.size() / 4], all[3 * all.size() / 4]});
+  } else {
+    const std::size_t tenth = kept.size() / 10;
+    ends.push_back(kept[maximize ? tenth : kept.size() - 1 - tenth]);
+  }
+  const auto [low, high] = std::minmax_element(ends.begin(), ends.end());
+  const double pad = 0.09 * (*high > *low ? *high - *low : std::abs(*high));
+  return {*low - pad, *high + pad};
+}
+
 void add_history(std::vector<Picture>& pictures, const FinishedStudy& study,
                  const studies::OptimizeResult& answer) {
   const auto column = column_of(study.store, answer.goal.metric);
@@ -50,16 +79,29 @@ void add_history(std::vector<Picture>& pictures, const FinishedStudy& study,
                         !(answer.goal.maximize ? values[i] <= before : values[i] >= before);
     record[i] = better ? values[i] : before;
   }
+  if (std::none_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); })) return;
+  const auto [low, high] = search_range(values, keeps, record, answer.goal.maximize);
+  std::size_t beyond = 0;
   for (const std::size_t i : shown_rows(values.size())) {
     const double number = static_cast<double>(i) + 1;
-    (keeps[i] ? inside : outside).rows.push_back({number, values[i]});
+    beyond += values[i] < low || values[i] > high ? 1 : 0;
+    const double at = std::isfinite(values[i]) ? std::clamp(values[i], low, high) : values[i];
+    (keeps[i] ? inside : outside).rows.push_back({number, at});
     best.rows.push_back({number, record[i]});
   }
+  const std::string edge =
+      beyond == 0 ? "" : "; " + std::to_string(beyond) + " beyond the axis stand at its edge";
+  // Limits hold without tolerances here, so the best of these motors is not the best under tolerances.
+  std::vector<Series> shown{outside, inside};
+  if (answer.robust)
+    shown.back().name += " without tolerances";
+  else
+    shown.push_back(best);
   pictures.push_back(picture_of(
       "search", {study.title("how the search went"),
-                 {{{"evaluation", "1"},
-                   {studies::plain_name(answer.goal.metric), answer.goal.unit, false, 0.06},
-                   {outside, inside, best}}}}));
+                 {{{"evaluation" + edge, "1"},
+                   {studies::plain_name(answer.goal.metric), answer.goal.unit, false, 0, low, high},
+                   shown}}}));
 }
 
 std::vector<studies::MotorLimit> limits_of(const studies::Study& asked) {

@@ -39,8 +39,8 @@ void add_limit_guides(Panel& panel, const Window& window, const Bins& bins) {
   for (const double limit : {window.lower, window.upper}) {
     if (!(limit > bins.first - span && limit < last + span)) continue;
     const std::string sign = limit == window.lower ? "≥ " : "≤ ";
-    panel.guides.push_back(
-        {limit, true, sign + studies::engineering(limit, panel.x.unit), colour::kVermilion});
+    panel.guides.push_back({limit, true, sign + studies::printed_engineering(limit, panel.x.unit),
+                            colour::kVermilion});
   }
 }
 
