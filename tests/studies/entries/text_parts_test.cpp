@@ -242,6 +242,25 @@ TEST_CASE("a size beyond all prefixes is shown in its plain unit", "[studies][un
   CHECK(engineering(0.25, "1") == "0.25");
 }
 
+TEST_CASE("units of display are read back by UDUNITS, and print as in books", "[studies][units]") {
+  for (const char* si : {"m", "Pa", "N.m", "W/m^2", "N.s/m", "kg/m^3", "1/s", "Hz", "rad/s"}) {
+    const std::vector<DisplayUnit> units = display_units(si);
+    CHECK(units.size() == (std::string(si).find_first_of("k1r") == 0 ? 1 : 9));
+    for (std::size_t i = 0; i < units.size(); ++i) {
+      // Decimal factors are exact; that of rpm is a product of two roundings.
+      CHECK(parse_unit(units[i].text, {si, ""}).factor() == Approx(units[i].divisor).epsilon(1e-15));
+      CHECK((i == 0 || units[i].divisor < units[i - 1].divisor));
+    }
+  }
+  CHECK(display_unit(2e-6, "m").text == "um");
+  CHECK(printed_unit("um") == "µm");
+  CHECK(printed_unit("N.s/m") == "N·s/m");
+  CHECK(printed_unit("kW/m^2") == "kW/m²");
+  CHECK(printed_unit("kg/m^3") == "kg/m³");
+  CHECK(printed_engineering(1.6e-6, "m") == "1.6 µm");
+  CHECK(printed_engineering(0.25, "1") == "0.25");
+}
+
 TEST_CASE("every kind of YAML node has its words", "[studies][yaml]") {
   CHECK(kind_phrase(YamlNode::Kind::empty) == "empty");
   CHECK(kind_phrase(YamlNode::Kind::scalar) == "a text");
