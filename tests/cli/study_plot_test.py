@@ -90,6 +90,7 @@ class Pictures(program.Case):
     def test_the_search_is_that_of_the_rows(self):
         pictures = self.drawn("optimize-ring-60")
         self.assertEqual(set(pictures), {"curves", "search"})
+        self.assertIn("squeals", pictures["curves"].words())  # of the best design
         dots = pictures["search"].dots
         power, count = self.columns["peak_power"], len(self.columns["peak_power"])
         kept = [all(self.columns[c["metric"]][i] * sign >= sign * c["limit"] - 1e-6 * abs(c["limit"]) for c in self.summary["best"]["constraints"]
