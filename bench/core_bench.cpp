@@ -56,7 +56,7 @@ void points_over_speed(benchmark::State& state, const MotorDesign& design) {
   report(state, seconds);
 }
 
-// Distribution over designs that someone might build, at any speed from -0.2 to 1.3 V0 / r.
+// Distribution over realistic designs, at any speed from -0.2 to 1.3 V0 / r.
 void points_over_designs(benchmark::State& state) {
   std::vector<double> seconds;
   double failures = 0;

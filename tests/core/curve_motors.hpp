@@ -44,7 +44,7 @@ inline MotorDesign ringing_motor(Uniform& random, int i) {
   return design;
 }
 
-/// A motor that someone might build, mu_0 = mu for odd i and well above it for even ones.
+/// A realistic motor, mu_0 = mu for odd i and well above it for even ones.
 inline MotorDesign holding_motor(Uniform& random, int i) {
   MotorDesign design = realistic_design(random);
   design.friction.static_ = design.friction.kinetic * (i % 2 == 1 ? 1 : random(1.02, 2.5));

@@ -102,7 +102,7 @@ TEST_CASE("narrow contacts of layers soft and stiff in shear keep the identity (
   CHECK(identity.holds());
 }
 
-TEST_CASE("input power is output plus losses on random motors that someone might build (T7.10)",
+TEST_CASE("input power is output plus losses on random realistic motors (T7.10)",
           "[core][performance][identity]") {
   Deviation identity("identity on 300 realistic designs x 6 speeds", 1e-11);
   Uniform random(20240611);

@@ -151,7 +151,7 @@ TEST_CASE("ripples of an undamped layer hide no peak (T7.16, T7.18)",
   CHECK(rippled > 5);
 }
 
-TEST_CASE("the peaks of motors that someone might build are those of a fine scan (T7.16, T7.18)",
+TEST_CASE("the peaks of realistic motors are those of a fine scan (T7.16, T7.18)",
           "[core][metrics][brute_force]") {
   for (const std::uint64_t seed : {3U, 7U, 11U}) {
     Uniform random(seed);

@@ -36,7 +36,7 @@ double full_contact_load(const MotorDesign& design);
 /// The motor with a preload in units of that at which contact becomes full.
 MotorDesign at_load(MotorDesign design, double load);
 
-/// A motor that someone might build: ring motors of 25 to 90 mm, partial contact.
+/// A realistic motor: ring motors of 25 to 90 mm, partial contact.
 MotorDesign realistic_design(Uniform& random);
 
 /// Point of the unit cube -> design and speed in the box of theory section 10 (last bullet).
