@@ -110,8 +110,9 @@ const std::vector<SolverInfo>& least_squares_solvers() {
     own.name = kOwnFit;
     own.description = "Levenberg and Marquardt's method with steps cut off at the bounds";
     gsl.name = kGslFit;
-    gsl.description = has_gsl() ? "GSL's trust region method on the parameters that no bound holds"
-                                : "this build was made without GSL (TWUM_WITH_GSL=OFF)";
+    gsl.description = has_gsl()
+                          ? "GSL's trust region method on the parameters that are not at a bound"
+                          : "this build was made without GSL (TWUM_WITH_GSL=OFF)";
     gsl.available = has_gsl();
     for (SolverInfo* one : {&own, &gsl}) {
       one->gradient = true;
@@ -137,7 +138,7 @@ LeastSquaresResult least_squares(const std::vector<Variable>& parameters,
     for (std::size_t i = 0; i <= j; ++i)
       if (parameters[j].name.empty() || (i < j && parameters[i].name == parameters[j].name))
         throw InputError("parameter '" + parameters[j].name +
-                         "': the name is empty or there twice");
+                         "': the name is empty or given twice");
   if (options.loss == Loss::huber) return huber_fit(parameters, residuals, options);
   FitSpace space(parameters, residuals, options);
   return space.result(search(space, options.solver));

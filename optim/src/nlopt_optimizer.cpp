@@ -343,9 +343,10 @@ std::vector<SolverOption> nlopt_options() {
       {"nlopt", "constraint_tolerance", "number", "largest scaled violation that counts as zero", 0,
        1},
       {"nlopt", "population", "integer", "size of the population; 0: the algorithm's own", 0, 1e6},
-      {"nlopt", "vector_storage", "integer", "gradients that lbfgs and var keep; 0: its own", 0,
-       1e4},
-      {"nlopt", "initial_step", "number", "first step in the unit box; 0: its own", 0, 1},
+      {"nlopt", "vector_storage", "integer",
+       "gradients that lbfgs and var keep; 0: the algorithm's own", 0, 1e4},
+      {"nlopt", "initial_step", "number", "first step in the unit box; 0: the algorithm's own", 0,
+       1},
       {"nlopt", "inner_evaluations", "integer",
        "limit of each search within an augmented Lagrangian or mlsl", 1, 1e9}};
 }

@@ -36,7 +36,7 @@ void require_names(const std::vector<Named>& entries, const std::string& what) {
   std::set<std::string> seen;
   for (const auto& entry : entries) {
     require(!entry.name.empty(), "a " + what + " has no name");
-    require(seen.insert(entry.name).second, what + " '" + entry.name + "' is there twice");
+    require(seen.insert(entry.name).second, what + " '" + entry.name + "' is given twice");
   }
 }
 

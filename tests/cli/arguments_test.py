@@ -31,7 +31,7 @@ class Mistakes(program.Case):
 
     def test_unknown_command(self):
         self.assertEqual(self.refused("curv", RING),
-                         "twum: unknown command 'curv'; did you mean 'curve'?; 'twum --help' says more\n")
+                         "twum: unknown command 'curv'; did you mean 'curve'? ('twum --help' lists the commands)\n")
         self.assertIn("expected one of curve", self.refused("paint"))
 
     def test_an_empty_text_is_not_the_default(self):

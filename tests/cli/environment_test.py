@@ -198,7 +198,7 @@ class Environment(program.Case):
         self.assertEqual([len(row) for row in csv.reader(done.stdout.decode().splitlines()[3:])], [count + 2])
         again = self.write("twice.csv", ",".join(["preload"] * count) + "\n" + ",".join(["160"] * count) + "\n")
         error = self.refused("evaluate", RING, "--designs", again, "--metrics", "preload", timeout=240)
-        self.assertIn("there twice", error)
+        self.assertIn("given twice", error)
         self.assertLess(len(error), 100000)
 
     def test_no_terminal_and_closed_channels(self):

@@ -164,7 +164,7 @@ class Evaluate(program.Case):
 
     def test_a_heading_without_a_unit_is_told(self):
         done = twum("evaluate", RING, "--designs", self.write("a.csv", "preload,poisson_ratio,thickness [mm],h2\n160,0.3,0.3,1\n"))
-        self.assertIn("columns without a unit are read in SI units: preload [N]; a heading such as 'preload [N]' says so", done.stderr)
+        self.assertIn("columns without a unit are read in SI units: preload [N]; to name the unit, write a heading such as 'preload [N]'", done.stderr)
         done = twum("evaluate", RING, "--designs", self.write("b.csv", "preload [N],poisson_ratio\n160,0.3\n"))
         self.assertNotIn("unit", done.stderr)
 

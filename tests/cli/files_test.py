@@ -46,7 +46,7 @@ class Check(program.Case):
                                      "variables: {kinetic_friction: {min: 0.1, max: 0.3}}}\n")
         done = program.twum("check", study)
         self.assertEqual(done.returncode, 0)
-        self.assertIn("points.csv: not there yet", done.stderr)
+        self.assertIn("points.csv: does not exist yet", done.stderr)
         self.assertIn("expected measured points", self.refused("run", study, "-o", self.folder / "fit"))
         self.write("points.csv", "speed,torqe\n1,2\n")
         self.assertIn("did you mean 'torque'?", self.refused("check", study))

@@ -109,7 +109,7 @@ class Results(program.Case):
         self.assertIn("no such directory", self.refused("verify", self.folder / "none"))
         self.assertIn("no such directory", self.refused("compare", folder, self.folder / "none"))
         (self.folder / "empty").mkdir()
-        self.assertIn("no result directory", self.refused("verify", self.folder / "empty"))
+        self.assertIn("not a result directory", self.refused("verify", self.folder / "empty"))
         self.assertIn("no summary.json", self.refused("compare", folder, self.folder / "empty"))
         self.assertIn("two or more", self.refused("compare", folder))
         self.assertIn("--samples", self.refused("verify", folder, "--samples", "-1"))

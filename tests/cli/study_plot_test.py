@@ -275,7 +275,7 @@ class Command(program.Case):
         self.assertIn("no such directory", self.refused("plot", self.folder / "absent"))
         empty = self.folder / "empty"
         empty.mkdir()
-        self.assertIn("no result directory: there is no study.yaml; give one that 'twum run' wrote", self.refused("plot", empty))
+        self.assertIn("not a result directory: it has no study.yaml; give a directory that 'twum run' wrote", self.refused("plot", empty))
         directory = self.result()
         summary = json.loads((directory / "summary.json").read_text())
         (directory / "summary.json").write_text(json.dumps({**summary, "outcome": "interrupted"}))

@@ -54,9 +54,9 @@ ONLY_IN_SOURCES = {
 }
 
 # Public headers are installed, and a program that uses them has none of our third-party headers.
-# A browser build has no file, thread or solver library: core stands on the standard library, on that
-# part of it which every toolchain of ours has, and inside its .cpp files on header-only Boost; the stator's
-# eigenvalue problems on Eigen and Spectra besides, which are header-only too.
+# A browser build has no file, thread or solver library: core uses only the standard library, and of it
+# only the part that every supported toolchain has. Its .cpp files also use Boost, and those of the stator Eigen and
+# Spectra for eigenvalue problems; all three are header-only.
 CORE_INCLUDES = re.compile(r"(twum/|[a-z_]+$)")  # ours or standard
 CORE_SOURCE_INCLUDES = re.compile(r"(twum/|[a-z_]+$|boost/(math|numeric|random)/)")
 STATOR_SOURCE_INCLUDES = re.compile(r"(twum/|[a-z_]+$|boost/math/|Eigen/|Spectra/)")
@@ -120,9 +120,9 @@ def check(path):
         admitted = in_source if path.suffix == ".cpp" else CORE_INCLUDES
         if here.startswith("core") and not admitted.match(spelled):
             also = "Boost, Eigen and Spectra" if here == "core/stator" else "Boost"
-            yield f"{place}: core stands on the standard library (and {also} in a .cpp), not on <{spelled}>"
+            yield f"{place}: core uses only the standard library (and {also} in a .cpp), not on <{spelled}>"
         elif "include" in path.parts[:-1] and not CORE_INCLUDES.match(spelled):
-            yield f"{place}: a public header stands on the standard library, not on <{spelled}>"
+            yield f"{place}: a public header uses only the standard library, not on <{spelled}>"
         for pattern, layers in ONLY_IN_SOURCES.items():
             if not re.fullmatch(pattern, spelled) or here.startswith("tests"):
                 continue

@@ -257,8 +257,9 @@ TEST_CASE("an end of a range that is the cause is named with the place where it 
   for (const Made& made : range_causes()) check_made(made);
 }
 
-TEST_CASE("limits that exclude each other are named together, with the range end that takes part",
-          "[optim][infeasible][closed_form]") {
+TEST_CASE(
+    "limits that exclude each other are named together, with the end of the range that causes it",
+    "[optim][infeasible][closed_form]") {
   for (const Made& made : group_causes()) check_made(made);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ends of intervals by the profile of the sum of squares, and the statistics that verdicts stand on.
+// Ends of intervals by the profile of the sum of squares, and the statistics behind the verdicts.
 #include <twum/optim/fit_profile.hpp>
 
 #include <catch2/catch.hpp>

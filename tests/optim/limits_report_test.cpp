@@ -165,7 +165,7 @@ TEST_CASE("broken limits are broken by what is missing in their own unit",
   }
 }
 
-TEST_CASE("what a limit buys is a change towards the better side of the first objective",
+TEST_CASE("what a looser limit gains is a change towards the better side of the first objective",
           "[optim][certificate][pareto]") {
   // Less room for x + y moves f down and, where it is to be large, up.
   const Certificate least = opposed(Sense::minimize), most = opposed(Sense::maximize);

@@ -88,7 +88,7 @@ TEST_CASE("problems built around an optimum give it back, with its multipliers",
   }
 }
 
-TEST_CASE("what a relaxed limit buys is what a new solve gets",
+TEST_CASE("the gain of a relaxed limit is that of a new solve",
           "[optim][manufactured][certificate]") {
   const Manufactured known = draw(7);
   const Result r = solve(known.problem);

@@ -285,7 +285,7 @@ TEST_CASE("problems that cannot be posed are refused by the entry that is wrong"
   CHECK_THAT(refusal([](Problem& p) { p.constraints[0].name.clear(); }),
              Contains("a constraint has no name"));
   CHECK_THAT(refusal([](Problem& p) { p.variables[1].name = "x1"; }),
-             Contains("variable 'x1' is there twice"));
+             Contains("variable 'x1' is given twice"));
   CHECK_THAT(refusal([](Problem& p) { p.objectives.clear(); }), Contains("no objective"));
   CHECK_THAT(refusal([](Problem& p) { p.variables.clear(); }), Contains("no variable"));
   CHECK_THAT(refusal([](Problem& p) { p.evaluate = nullptr; }), Contains("no evaluator"));
@@ -313,8 +313,8 @@ TEST_CASE("fits that cannot be posed are refused by the parameter that is wrong"
   refused(0, {"a", 1.0, -1.0}, "parameter 'a': the bounds do not fit");
   refused(0, {"a", 0.0, 1.0, kNaN, Scale::log}, "parameter 'a': the bounds do not fit");
   refused(0, {"a", -kInfinity, kInfinity}, "parameter 'a': it needs a start");
-  refused(0, {"", 0.0, 1.0}, "the name is empty or there twice");
-  refused(0, {"b", 0.0, 1.0}, "the name is empty or there twice");
+  refused(0, {"", 0.0, 1.0}, "the name is empty or given twice");
+  refused(0, {"b", 0.0, 1.0}, "the name is empty or given twice");
   CHECK_THROWS_WITH(least_squares({}, line), Contains("there is no parameter"));
   CHECK_THROWS_WITH(least_squares(good,
                                   [](std::span<const double>) {

@@ -56,7 +56,7 @@ TEST_CASE("an augmented Lagrangian ends at the optimum without Newton's help", "
       const Result r = solve(bent(equality), options);
       CAPTURE(equality, solver, x);
       REQUIRE_FALSE(r.stages.empty());
-      // A violation of 1e-8 in units of the box, which is 4 wide, buys 4e-8 times the limit's
+      // A violation of 1e-8 in units of the box, which is 4 wide, gains 4e-8 times the limit's
       // price; that is below 1. The solvers stop at steps of 1e-11: a margin for their rest.
       CHECK(std::abs(r.stages.front().objective - least) < 1e-6);
     }

@@ -342,7 +342,7 @@ TEST_CASE("wrong problems, names and options are refused with the right word", "
   options.solver_options = {{"xtol_rel", "small"}};
   CHECK_THROWS_AS(solve(p, options), InputError);
   p.variables[1].name = "x1";
-  CHECK_THROWS_WITH(solve(p), Contains("there twice"));
+  CHECK_THROWS_WITH(solve(p), Contains("given twice"));
   p.variables[1].name = "x2";
   p.variables[1].lower = 3.0;
   CHECK_THROWS_AS(solve(p), InputError);

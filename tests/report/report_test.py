@@ -346,7 +346,7 @@ class Command(Page):
     def test_a_directory_without_result_is_refused(self):
         done = subprocess.run([PROGRAM, "report", str(self.folder)], capture_output=True, text=True)
         self.assertEqual(done.returncode, 2)
-        self.assertIn("no result directory: there is no study.yaml; give one that 'twum run' wrote", done.stderr)
+        self.assertIn("not a result directory: it has no study.yaml; give a directory that 'twum run' wrote", done.stderr)
 
 
 if __name__ == "__main__":

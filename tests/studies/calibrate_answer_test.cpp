@@ -302,13 +302,13 @@ TEST_CASE("intervals of little use, and those that the range cuts off, are named
   CHECK(answer_json(result)["estimates"]["kinetic_friction"]["cut_off"] == "both");
 }
 
-TEST_CASE("a combination that the data do not see is told as a change of the motor",
+TEST_CASE("a combination that the data do not determine is reported as a change of the motor",
           "[studies][calibrate][words]") {
   CalibrateResult result = fit();
   result.combinations = {{{{"youngs_modulus", -10}, {"amplitude", -3.214}}, 0.25, false}};
   CHECK(noted(result,
               "A softer layer (youngs_modulus -10 %) with a smaller wave (amplitude -3.2 %) fits "
-              "nearly as well: what was measured changes by 0.25 standard deviations (root mean "
+              "nearly as well: the measured numbers change by 0.25 standard deviations (root mean "
               "square)."));
   CHECK(answer_json(result)["combinations"][0] ==
         Json{{"words",
@@ -318,12 +318,13 @@ TEST_CASE("a combination that the data do not see is told as a change of the mot
              {"unseen", false}});
   result.combinations[0].effect = 2;
   CHECK_THAT(note(result, "A softer layer"),
-             Contains("is what the data see least: what was measured"));
+             Contains("is the change that the data determine least: the measured numbers"));
   result.combinations[0].effect = kNaN;
-  CHECK_THAT(note(result, "A softer layer"), EndsWith("is what the data see least."));
+  CHECK_THAT(note(result, "A softer layer"),
+             EndsWith("is the change that the data determine least."));
   result.combinations[0].unseen = true;
   CHECK_THAT(note(result, "A softer layer"),
-             EndsWith("fits as well: to first order nothing that was measured changes."));
+             EndsWith("fits equally well: to first order no measured number changes."));
   result.combinations[0].parts = {{"teeth_height", 10}, {"preload", 5}};
   CHECK_FALSE(note(result, "More teeth_height (teeth_height +10 %) with more preload").empty());
 }

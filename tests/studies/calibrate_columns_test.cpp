@@ -94,8 +94,8 @@ TEST_CASE("wrong columns of measurements are refused with place and remedy",
   one.more = "scatter: stated";
   CHECK_THROWS_WITH(
       make_kind(one.file("speed,torque\n1,1\n")),
-      Contains("points.csv:1:7: torque: no standard deviation, on which 'scatter: stated' "
-               "stands; add the column 'torque_sd', or leave out 'scatter'"));
+      Contains("points.csv:1:7: torque: no standard deviation, which 'scatter: stated' "
+               "needs; add the column 'torque_sd', or leave out 'scatter'"));
   one.more = "starts: 1";
   StudyFile two = one.file("speed,torque,torque_sd\n1,0.8,0.1\n");
   std::ofstream(one.folder.path("other.csv")) << "# bench 2\nspeed,torque\n2,0.8\n";

@@ -319,8 +319,9 @@ TEST_CASE("a choice that cannot be is refused at its place", "[studies][choose][
   CHECK_THAT(said("{lining: [hard.yaml, soft.yaml]}", "{E: {min: 1 GPa, max: 2 GPa}}"),
              Contains("study.variables.E: youngs_modulus is varied, and 'hard.yaml' of 'lining' "
                       "gives it too; leave it out here, or in the files of 'lining'"));
-  CHECK_THAT(said("{lining: [twin.yaml]}", "{poisson_ratio: {min: 0.3, max: 0.4}}"),
-             Contains("'twin.yaml' of 'lining' gives shear_modulus, which says the same"));
+  CHECK_THAT(
+      said("{lining: [twin.yaml]}", "{poisson_ratio: {min: 0.3, max: 0.4}}"),
+      Contains("'twin.yaml' of 'lining' gives shear_modulus, which cannot be given beside it"));
   CHECK_THAT(said("{lining: [hard.yaml]}", preload, "derived: {loss_factor: \"0.1\"}, "),
              Contains("study.derived.loss_factor: loss_factor is derived, and 'hard.yaml'"));
   CHECK_THAT(said("{first: [hard.yaml], second: [soft.yaml]}", preload),
@@ -329,9 +330,10 @@ TEST_CASE("a choice that cannot be is refused at its place", "[studies][choose][
   CHECK_THAT(said("{thickness: [hard.yaml]}", preload),
              Contains("study.choose.thickness: 'thickness' is the name of a parameter"));
   CHECK_THAT(said("{lining: [hard.yaml, hard.yaml]}", preload),
-             Contains("study.choose.lining[1]: 'hard.yaml' is there twice"));
-  CHECK_THAT(said("{lining: [below.yaml]}", preload),
-             Contains("study.choose.lining[0]: 'below.yaml' makes no motor: static_friction"));
+             Contains("study.choose.lining[1]: 'hard.yaml' is given twice"));
+  CHECK_THAT(
+      said("{lining: [below.yaml]}", preload),
+      Contains("study.choose.lining[0]: 'below.yaml' gives an invalid motor: static_friction"));
   // Errors in a file stand at their own line and column, those of the study beside them.
   const std::string both = said("{lining: [wrong.yaml, absent.yaml]}", preload);
   CHECK_THAT(both, Contains("wrong.yaml:2:19: contact_layer.youngs_modulus: '3 N' is a force [N]"));

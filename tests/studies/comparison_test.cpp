@@ -213,7 +213,7 @@ TEST_CASE("what is no result is refused by the name of its directory",
 
   const test::ScratchFolder folder;
   CHECK(refusal({folder.path("none")}) ==
-        folder.path("none") + ": no such directory; expected one that 'twum run' wrote");
+        folder.path("none") + ": no such directory; give one that 'twum run' wrote");
   CHECK(refusal({folder.folder()}) ==
         folder.folder() + ": holds no result: there is no summary.json");
   CHECK_THROWS_AS(compare_results(std::vector{folder.folder()}), InputError);

@@ -155,7 +155,7 @@ TEST_CASE("curves show what the paper says of its figures 4 to 6", "[studies][cu
   }
 }
 
-TEST_CASE("a value that makes no motor is refused before anything runs",
+TEST_CASE("a value that gives an invalid motor is refused before anything runs",
           "[studies][curve][error]") {
   CHECK_THROWS_WITH(Curves("ring-60.yaml", "  family: {static_friction: [0.3, 0.1]}\n"),
                     Catch::Contains("study.family: static_friction = 0.1"));

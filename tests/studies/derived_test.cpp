@@ -72,7 +72,7 @@ TEST_CASE("derived parameters that cannot be are refused", "[studies][derived][e
   CHECK(refusal({P::contact_width}, {Rule{P::contact_width, "4 mm"}}) ==
         "contact_width is varied or derived already; leave out one of the two");
   CHECK(refusal({P::poisson_ratio}, {Rule{P::shear_modulus, "youngs_modulus / 3"}}) ==
-        "shear_modulus and poisson_ratio say the same in two ways; leave out one of the two");
+        "shear_modulus and poisson_ratio exclude each other; leave out one of the two");
   CHECK(refusal({P::preload}, {Rule{P::contact_width, "2 * preload"}}) ==
         "'2 * preload' is a force [N]; expected a length [m] such as '4 mm'");
   CHECK(refusal({P::preload}, {Rule{P::preload, "2 N * stall_torque / 1 N.m"}}) ==

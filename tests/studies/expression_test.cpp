@@ -109,7 +109,7 @@ TEST_CASE("a list keeps its order and refuses repetitions", "[studies][metrics]"
   REQUIRE(list.size() == 3);
   CHECK(list[1].text == "torque_at(100 rpm)");
   CHECK_THROWS_WITH(parse_metric_list("stall_torque, stall_torque"),
-                    "'stall_torque' is there twice; leave one of them out");
+                    "'stall_torque' is given twice; leave one of them out");
   CHECK_THROWS_AS(parse_metric_list("stall_torque,"), ValueError);
   try {
     parse_metric_list("stall_torque, torque_at(1 N)");

@@ -131,7 +131,7 @@ TEST_CASE("lists and numbers beyond reason are refused or read at once",
       "  variables: {preload: {distribution: normal, mean: 160 N, sd: 8 N}}\n  quantiles: [";
   CHECK(study_of(tolerances + quantiles + "]\n").kind() == StudyKind::uncertainty);
   CHECK_THROWS_WITH(study_of(tolerances + quantiles + ", 0.10]\n"),
-                    Catch::Contains("'0.10' is there twice"));
+                    Catch::Contains("'0.10' is given twice"));
   // A second where the time grows with the list; a comparison of all pairs took minutes, and the
   // points of the grid have no end, which the limit of every test ends.
 }

@@ -62,7 +62,7 @@ TEST_CASE("the largest stall torque under a no-load limit is that of the closed 
   CHECK(r.best.certificate.passed);
 }
 
-TEST_CASE("the multiplier of a limit is what relaxing it buys", "[studies][optimize]") {
+TEST_CASE("the multiplier of a limit is the gain of relaxing it", "[studies][optimize]") {
   const PreloadSearch s;
   const LimitState& limit = s.search.optimum().best.constraints.at(0);
   // dT/dOmega along the optimum: both are functions of phi alone.

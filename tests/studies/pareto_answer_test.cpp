@@ -138,7 +138,7 @@ TEST_CASE("variables at a bound are found among others", "[studies][pareto][word
                                            "g is at a bound at 1 of 3 points.\n"));
 }
 
-TEST_CASE("many limits are in order of what 1 % of them buys, equals in theirs",
+TEST_CASE("many limits are in order of the gain of 1 %, equals in theirs",
           "[studies][pareto][words]") {
   ParetoResult result = front();
   result.single_goal_ends = {result.front[2].report, result.front[0].report};
@@ -164,9 +164,9 @@ TEST_CASE("1 % of a limit is worth something of either goal, the most valuable f
           "[studies][pareto][words]") {
   ParetoResult result = front();
   DesignReport& knee = result.front[1].report;
-  // 1 % of 2 MPa is 20 kPa: at 1 uW/Pa it buys 20 mW, or a quarter of that in N.m, torque that goes.
+  // 1 % of 2 MPa is 20 kPa: at 1 uW/Pa it gains 20 mW, or a quarter of that in N.m, torque that goes.
   knee.constraints = {pressure(true, 1e-6, 0.02)};
-  // 1 % of 150 N is 1.5 N: at 0.1 W/N it buys 150 mW, or 37.5 mN.m.
+  // 1 % of 150 N is 1.5 N: at 0.1 W/N it gains 150 mW, or 37.5 mN.m.
   knee.bounds = {{{"preload", "N"}, true, 150, 0.1, 0.15}, {{"width", "m"}, false, 1e-3, 0, 0}};
   result.single_goal_ends = {result.front[2].report, result.front[0].report};
   for (DesignReport& report : result.single_goal_ends)

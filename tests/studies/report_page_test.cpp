@@ -67,9 +67,10 @@ TEST_CASE("a folder without a result has no report", "[studies][report][errors]"
     }
     return "accepted";
   };
-  CHECK(refused() ==
-        folder.folder() +
-            ": no result directory: there is no study.yaml; give one that 'twum run' wrote");
+  CHECK(
+      refused() ==
+      folder.folder() +
+          ": not a result directory: it has no study.yaml; give a directory that 'twum run' wrote");
   std::ofstream(folder.path("study.yaml")) << "twum: 1\n";
   CHECK(refused() ==
         folder.folder() +

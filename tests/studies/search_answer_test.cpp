@@ -228,7 +228,7 @@ TEST_CASE("limits that no design keeps are named with what would do",
              StartsWith("No design satisfies all limits; these cannot hold together: stall_torque "
                         ">= 1 N.m and max_pressure <= 2 MPa.\n"
                         "\n"
-                        "the least that would do | all together | this one alone\n"
+                        "limit to loosen | together with the others | alone\n"
                         "stall_torque >= 1 N.m | >= 900 mN.m | >= 700 mN.m\n"
                         "max_torque <= 1 N.m | as it is | does not help alone\n"
                         "peak_torque <= 1 N.m | <= 1.25 N.m | <= 1.5 N.m\n"
@@ -278,10 +278,10 @@ TEST_CASE("limits impossible alone come first, then those that exclude each othe
           "at preload at most 100 N and amplitude at least 1 um.\n"
           "Without it these cannot hold together: a <= 2 m and a >= 3 m.\n"
           "\n"
-          "the least that would do | all together | this one alone\n"
+          "limit to loosen | together with the others | alone\n"
           "stall_torque >= 1 N.m | >= 500 mN.m | does not help alone\n"
           "\n"
-          "range end that takes part | moving it alone\n"
+          "end of a range to move | alone\n"
           "preload at most 100 N | possible with preload at most 180 N\n"
           "amplitude at least 1 um | none found\n"));
   const Json json = answer_json(result)["relaxation"];

@@ -71,7 +71,7 @@ std::vector<std::string> option_names(const CLI::App& command) {
 int unknown_command(const CLI::App& app, const std::string& word) {
   const std::vector<std::string_view> names = command_names(app);
   return complain("twum: unknown command " + studies::quoted(word) + "; " +
-                      studies::did_you_mean(word, names) + "; 'twum --help' says more",
+                      studies::did_you_mean(word, names) + " ('twum --help' lists the commands)",
                   kWrongInput);
 }
 

@@ -29,9 +29,8 @@ bool has_timer = false;
 // timer_settime, timer_gettime.
 extern "C" void end_now(int /*signal*/) {
   constexpr const char* kText =
-      "\ntwum: interrupted before what was at work came to its end; what a study has stored is "
-      "kept, "
-      "and the same command goes on from there\n";
+      "\ntwum: interrupted before the current step ended; the stored results of a study are kept, "
+      "and the same command resumes it\n";
   [[maybe_unused]] const ssize_t ignored = write(STDERR_FILENO, kText, std::strlen(kText));
   _exit(kInterrupted);
 }

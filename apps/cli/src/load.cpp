@@ -13,11 +13,16 @@
 namespace twum::cli {
 
 void add_load_options(CLI::App& command, LoadOptions& options, std::size_t least) {
-  CLI::Option_group* at =
-      command.add_option_group("At", least == 1 ? "One of the two" : "At most one of the two");
-  at->add_option("--speed", options.speed, "Rotor speed, such as \"100 rpm\"");
-  at->add_option("--torque", options.torque, "Load torque, such as \"0.5 N.m\"");
-  at->require_option(static_cast<int>(least), 1);
+  const CLI::Option* speed =
+      command.add_option("--speed", options.speed, "Rotor speed, such as \"100 rpm\"");
+  const CLI::Option* torque = command.add_option(
+      "--torque", options.torque, "Load torque, such as \"0.5 N.m\", in place of --speed");
+  command.parse_complete_callback([speed, torque, least] {
+    const std::size_t given = speed->count() + torque->count();
+    if (given > 1)
+      throw CLI::ValidationError("--speed and --torque exclude each other", "give one of the two");
+    if (given < least) throw CLI::RequiredError("--speed or --torque");
+  });
 }
 
 std::optional<double> speed_of(const LoadOptions& options, const Motor& motor) {

@@ -51,7 +51,8 @@ void refuse_twins(const std::vector<ParameterColumn>& columns, const ParameterCo
     const bool same = other.parameter == one.parameter;
     if (same || info(one.parameter).twin == other.parameter)
       throw InputError(std::string(info(other.parameter).name) + " and " +
-                       std::string(info(one.parameter).name) + " say the same; give one of them");
+                       std::string(info(one.parameter).name) +
+                       " exclude each other; give one of them");
   }
 }
 

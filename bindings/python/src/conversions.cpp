@@ -169,7 +169,7 @@ std::vector<studies::MetricExpression> to_metrics(py::handle metrics) {
     studies::MetricExpression expression = studies::parse_metric(py::cast<std::string>(one));
     const bool twice = std::any_of(
         list.begin(), list.end(), [&](const auto& other) { return other.text == expression.text; });
-    if (twice) throw InputError("metrics: '" + expression.text + "' is there twice");
+    if (twice) throw InputError("metrics: '" + expression.text + "' is given twice");
     list.push_back(std::move(expression));
   }
   return list;

@@ -161,8 +161,7 @@ void require_no_twins(std::span<const ParameterValue> values) {
     for (const auto& [other, other_value] : values) {
       if (info(parameter).twin == other) {
         throw InputError(std::string(info(parameter).name) + " and " +
-                         std::string(info(other).name) +
-                         " say the same in two ways; give one of them");
+                         std::string(info(other).name) + " exclude each other; give one of them");
       }
     }
   }

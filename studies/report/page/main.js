@@ -18,7 +18,7 @@ import {between, engineering, percent, rounded} from './units.js';
 import {verdicts} from './verdict.js';
 import {memberText, plain} from './words.js';
 
-/** Members of the answer with their curves; one that makes no motor has none. */
+/** Members of the answer with their curves; an invalid one has none. */
 function membersWithCurves() {
   const parameter = summary.family?.parameter;
   const curveOf = (c) => curves.find((k) => k && (!parameter || k.design[parameter] === c[parameter]));

@@ -146,7 +146,7 @@ export function relaxationCard() {
       (l) =>
           [{text: limitWords(l.text), value: l.text, words: true}, quantity(l.limit, l.unit),
            quantity(l.amount, l.unit), l.alone === null ? words('does not help alone') : quantity(l.alone, l.unit)]);
-  const header = ['limit', 'asked for', 'to loosen, all together', 'to loosen, this one alone'];
+  const header = ['limit', 'asked for', 'loosened with the others', 'loosened alone'];
   node.append(table('relaxation', header, lines));
   const ends = r.ranges.map((end) => {
     const unit = unitOf(end.variable);
@@ -155,7 +155,7 @@ export function relaxationCard() {
       end.alone === null ? words('none found') : quantity(end.alone, unit)
     ];
   });
-  const endHeader = ['parameter', 'end of its range', 'asked for', 'to move to, this one alone'];
+  const endHeader = ['parameter', 'end of its range', 'given', 'moved alone'];
   if (ends.length) node.append(table('range-ends', endHeader, ends));
 }
 

@@ -60,7 +60,7 @@ function cureText({limits, ranges}) {
   return begin + least.join('; or ') + '.';
 }
 
-/** Limits that no design satisfies, and the least that would do. */
+/** Limits that no design satisfies, and the smallest sufficient changes. */
 function relaxationVerdict() {
   const r = summary.relaxation;
   const choice = r.choice ?

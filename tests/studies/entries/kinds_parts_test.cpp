@@ -154,7 +154,7 @@ TEST_CASE("a variable without influence leaves nothing to share out", "[studies]
 
 TEST_CASE("blocks with a motor that is none are dropped, and named if they are too many",
           "[studies][sensitivity]") {
-  // Static friction below the kinetic 0.2 makes no motor: a third of the box. A block holds two points
+  // Static friction below the kinetic 0.2 gives an invalid motor: a third of the box. A block holds two points
   // of one variable, so (2/3)^2 of 256 blocks have both of them; a sequence in base 2 is within a few.
   const StudyResult result = run_in_memory(
       "{kind: sensitivity, method: sobol, samples: 256, metrics: [preload], variables: "

@@ -301,7 +301,7 @@ TEST_CASE("a search starts from the best earlier design that keeps the limits", 
   CHECK(start({150, 180, 250}) == 180);  // the largest torque within the limit
   CHECK(start({180, 150}) == 180);
   CHECK(start({250, 220, 300}) == 220);  // the one that breaks it least
-  // -5 N makes no motor.
+  // -5 N gives an invalid motor.
   CHECK(start({-5, 100}) == 100);
   CHECK(start({100, -5}) == 100);
   problem.objectives = {{parse_metric("stall_torque"), false}};

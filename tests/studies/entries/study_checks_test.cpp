@@ -154,7 +154,7 @@ TEST_CASE("a probability is there once, however it is written", "[studies][study
   };
   CHECK(quantiles("[0.05, 0.5]").empty());
   CHECK(quantiles("[0.05, 5 %]") ==
-        Lines{"study.quantiles: '5 %' is there twice; leave one of them out"});
+        Lines{"study.quantiles: '5 %' is given twice; leave one of them out"});
   CHECK(quantiles("[0.50, 0.5]").size() == 1);
   CHECK(quantiles("[half, half]").size() == 2);  // no numbers, and that alone is said
   CHECK(quantiles("[[0.5], [0.5]]").size() == 2);

@@ -73,7 +73,8 @@ int run_check(const MotorOptions& options) {
   output.write(options.path + ": " + found.words + "\n");
   output.finish();
   if (!found.missing.empty())
-    std::fprintf(stderr, "note: %s: not there yet; 'twum run' needs it\n", found.missing.c_str());
+    std::fprintf(stderr, "note: %s: does not exist yet; 'twum run' needs it\n",
+                 found.missing.c_str());
   for (const std::string& note : found.notes) std::fprintf(stderr, "note: %s\n", note.c_str());
   print_model_notes(found.motor, found.notes);
   return kDone;

@@ -101,7 +101,7 @@ std::string as_json(const Comparison& comparison) {
 
 int run_compare(const CompareOptions& options) {
   if (options.directories.size() < 2)
-    throw InputError("compare: one directory; expected two or more");
+    throw InputError("compare: only one directory is given; give two or more");
   const Comparison comparison = studies::compare_results(options.directories);
   Output output(options.output.path);
   output.write(options.output.format == "json" ? as_json(comparison)

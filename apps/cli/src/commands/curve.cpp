@@ -63,7 +63,7 @@ struct Curve {
 
 std::vector<double> speeds_of(const CurveOptions& options, const Motor& motor) {
   if (!options.speeds.empty() && !options.points.empty())
-    throw InputError("--speeds and --points say the same in two ways; give one of them");
+    throw InputError("--speeds and --points exclude each other; give one of them");
   if (!options.speeds.empty()) {
     std::vector<double> speeds;
     for (const std::string_view one : studies::split_list(options.speeds))

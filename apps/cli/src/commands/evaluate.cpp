@@ -154,7 +154,8 @@ int run_evaluate(const EvaluateOptions& options) {
   if (counts.rows == 0)
     std::fprintf(stderr, "twum: %s has no designs below its header\n", reader.name().c_str());
   if (counts.failed > 0) {
-    std::fprintf(stderr, "twum: %zu of %zu designs have no full answer, see the column status\n",
+    std::fprintf(stderr,
+                 "twum: %zu of %zu designs failed or are incomplete; see the column 'status'\n",
                  counts.failed, counts.rows);
   }
   for (const std::string& note : counts.notes) std::fprintf(stderr, "note: %s\n", note.c_str());

@@ -21,7 +21,7 @@ constexpr const char* kReportExamples = R"text(Examples:
 int run_report(const std::string& directory) {
   std::error_code ignored;
   if (!std::filesystem::is_directory(directory, ignored))
-    throw InputError(directory + ": no such directory; expected one that 'twum run' wrote");
+    throw InputError(directory + ": no such directory; give one that 'twum run' wrote");
   const std::string path = studies::write_report(directory);
   Output output("");
   output.write(path + "\n");

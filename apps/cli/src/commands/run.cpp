@@ -113,7 +113,7 @@ int run_first(const StudyOptions& options, studies::RunOptions run) {
   std::fprintf(stderr, "results: %s\n", directory.c_str());
   say_motor_files(result, directory);
   if (result.outcome == "interrupted")
-    std::fprintf(stderr, "twum: interrupted; the same command goes on from here\n");
+    std::fprintf(stderr, "twum: interrupted; the same command resumes the study\n");
   return status_of(result);
 }
 

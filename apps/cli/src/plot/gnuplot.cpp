@@ -126,7 +126,7 @@ PlotFile::PlotFile(std::string path, const std::vector<std::string>& inputs)
     : path_(std::move(path)), vector_graphics_(path_.ends_with(".svg")) {
   if (!vector_graphics_ && !path_.ends_with(".png")) {
     throw InputError("--plot: " + studies::quoted(path_) +
-                     " should end in .svg or .png, which says what to draw");
+                     " must end in .svg or .png; the ending selects the format");
   }
   for (const std::string& input : inputs) {
     if (same_file(path_, input))

@@ -79,7 +79,7 @@ struct LeastSquaresResult {
   double sum_of_squares{0.0};         ///< of the residuals; of Huber's, twice the loss over `share`
   double residual_deviation{0.0};     ///< sqrt(sum / degrees of freedom); NaN without freedom
   std::size_t degrees_of_freedom{0};  ///< residuals less free parameters
-  /// Deviation of a residual that the intervals stand on: the known one, else the estimated one.
+  /// Standard deviation of a residual that gives the width of the intervals: the known one, else the estimated one.
   double scatter{0.0};
   bool scatter_known{false};  ///< it was given
   /// Size of residual beyond which it counts linearly (L8.1), and the part of the residuals within it.
@@ -105,7 +105,7 @@ struct LeastSquaresResult {
 };
 
 /// The solvers of fits, those that this build lacks included: "twum:lm", Levenberg and Marquardt's method that
-/// projects onto the bounds, and "gsl:lm", GSL's trust region method on the parameters that no bound holds.
+/// projects onto the bounds, and "gsl:lm", GSL's trust region method on the parameters that are not at a bound.
 const std::vector<SolverInfo>& least_squares_solvers();
 
 /// Fits parameters within bounds by least squares; log scales are fitted in the logarithm, and linear systems are

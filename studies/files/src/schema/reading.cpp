@@ -69,7 +69,7 @@ void say_both(const YamlEntry& own, const YamlEntry& twin, const Spot& spot,
               Diagnostics& diagnostics) {
   if (&own < &twin) return;
   diagnostics.add({own.key_mark, spot.entry(own.key, {}).path,
-                   "says the same as '" + twin.key + "' in another way", "give one of the two",
+                   "cannot be given beside '" + twin.key + "'", "give one of the two",
                    twin.key_mark, "'" + twin.key + "' given here"});
 }
 

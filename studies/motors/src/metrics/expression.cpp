@@ -256,7 +256,7 @@ std::vector<MetricExpression> parse_metric_list(std::string_view text) {
     }
     for (std::size_t i = 0; i + 1 < list.size(); ++i) {
       if (list[i].text == list.back().text) {
-        throw ValueError(quoted(piece) + " is there twice", "leave one of them out", offset);
+        throw ValueError(quoted(piece) + " is given twice", "leave one of them out", offset);
       }
     }
   }

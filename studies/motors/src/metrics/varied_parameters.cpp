@@ -115,9 +115,8 @@ void VariedParameters::refuse_twice() const {
         throw ValueError(name_of(other) + " is varied or derived already",
                          "leave out one of the two");
       if (info(other).twin == rule.parameter)
-        throw ValueError(
-            name_of(rule.parameter) + " and " + name_of(other) + " say the same in two ways",
-            "leave out one of the two");
+        throw ValueError(name_of(rule.parameter) + " and " + name_of(other) + " exclude each other",
+                         "leave out one of the two");
     }
     set.push_back(rule.parameter);
   }

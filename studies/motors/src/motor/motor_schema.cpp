@@ -27,7 +27,7 @@ std::string value_text(double value, const ParameterInfo& row) {
   return number_text(value) + (row.unit == "1" ? "" : " " + std::string(row.unit));
 }
 
-// A number of slices, or `auto`, alone or with the number of nodes that it has come to.
+// A number of slices, or `auto`, alone or with the number of nodes that a search has chosen.
 Shape<double> slices(const ParameterInfo& row) {
   Schema schema = parameter_schema(row);
   schema.min = 1;
@@ -49,7 +49,13 @@ Shape<double> slices(const ParameterInfo& row) {
     }
     const bool number =
         !node.scalar.empty() && std::isalpha(static_cast<unsigned char>(node.scalar.front())) == 0;
-    return (number ? count : automatic).read(into, node, spot, diagnostics);
+    if (number) return count.read(into, node, spot, diagnostics);
+    diagnostics.add(node.mark, spot.path,
+                    node.kind == YamlNode::Kind::scalar
+                        ? quoted(node.scalar) + " is no number of slices"
+                        : "no number of slices",
+                    "expected 'auto', or a whole number such as '8'");
+    return false;
   };
   shape.write = [&row](const double& value) { return scalar_node(value_text(value, row)); };
   return shape;

@@ -23,7 +23,9 @@ Parameter parse_parameter(std::string_view name) {
       throw ValueError("unknown parameter " + quoted(name),
                        "did you mean '" + std::string(row.name) + "'?");
   }
-  throw ValueError("unknown parameter " + quoted(name), did_you_mean(name, names));
+  throw ValueError("unknown parameter " + quoted(name),
+                   nearest(name, names).empty() ? "'twum parameters' lists the parameters"
+                                                : did_you_mean(name, names));
 }
 
 std::string slices_text(int slices) {

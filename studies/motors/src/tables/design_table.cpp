@@ -131,7 +131,8 @@ bool DesignTable::is_computed(const std::string& heading) const {
 void DesignTable::add_column_warnings() {
   if (!without_unit_.empty())
     warnings_.push_back("columns without a unit are read in SI units: " + joined(without_unit_) +
-                        "; a heading such as '" + without_unit_.front() + "' says so");
+                        "; to name the unit, write a heading such as '" + without_unit_.front() +
+                        "'");
   std::vector<std::string> computed;
   for (const TableColumn& column : columns_)
     if (column.computed && !column.parameter) computed.push_back(quoted(column.heading));
@@ -145,13 +146,13 @@ void DesignTable::check_twins(std::vector<std::string>& wrong) const {
     if (!column.parameter) continue;
     if (!first.emplace(*column.parameter, &column).second) {
       wrong.push_back("column " + quoted(column.name) +
-                      ": the parameter is there twice; leave one of them out");
+                      ": the parameter is given twice; leave one of them out");
     }
     const auto twin = info(*column.parameter).twin;
     const auto before = twin ? first.find(*twin) : first.end();
     if (before != first.end()) {
-      wrong.push_back("column " + quoted(column.name) + ": says the same as " +
-                      quoted(before->second->name) + " in another way; give one of the two");
+      wrong.push_back("column " + quoted(column.name) + ": cannot be given beside " +
+                      quoted(before->second->name) + "; give one of the two");
     }
   }
 }

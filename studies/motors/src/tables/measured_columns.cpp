@@ -45,8 +45,12 @@ class ColumnReader {
     std::optional<MeasuredColumn> column = column_of(std::string(parts.name));
     if (!column) {
       unknown_ = true;
-      diagnostics_.add(heading.mark, "", "unknown column " + quoted(heading.text),
-                       did_you_mean(parts.name, known_names()));
+      diagnostics_.add(
+          heading.mark, "", "unknown column " + quoted(heading.text),
+          nearest(parts.name, known_names()).empty()
+              ? "expected speed, torque, a metric ('twum metrics' lists them), a "
+                "parameter ('twum parameters') or a standard deviation such as torque_sd"
+              : did_you_mean(parts.name, known_names()));
       columns_.emplace_back();
       return;
     }
@@ -130,7 +134,7 @@ class ColumnReader {
         const MeasuredColumn& a = columns_[i];
         const MeasuredColumn& b = columns_[j];
         if (a.name.empty() || a.name != b.name) continue;
-        diagnostics_.add({a.mark, a.name, "the column is there twice", "leave one of them out",
+        diagnostics_.add({a.mark, a.name, "the column is given twice", "leave one of them out",
                           b.mark, "first given here"});
       }
     }

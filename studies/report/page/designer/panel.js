@@ -114,7 +114,7 @@ export class DesignerPanel {
     this.changed = true;
   }
 
-  /** Gives the other of two parameters that say the same, with the value that it has now. */
+  /** Gives the other of two parameters of which a motor has one, with the value that it has now. */
   swapTwin(name, twin) {
     const value = this.now?.values[twin];
     if (!Number.isFinite(value)) {

@@ -119,8 +119,7 @@ MeasuredPoints checked_table(const CalibrateStudy& asked, const std::string& pat
   Diagnostics diagnostics(source);
   refuse_set(table, asked, diagnostics);
   if (asked.scatter == Scatter::stated)
-    refuse_bare(table, "on which 'scatter: stated' stands", ", or leave out 'scatter'",
-                diagnostics);
+    refuse_bare(table, "which 'scatter: stated' needs", ", or leave out 'scatter'", diagnostics);
   if (asked.scatter == Scatter::by_column)
     refuse_short(table, fit_parameters(asked).size(), diagnostics);
   diagnostics.throw_if_any();

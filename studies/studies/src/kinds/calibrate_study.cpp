@@ -313,7 +313,7 @@ class CalibrateRun final : public StudyKindRun {
   std::vector<double> deviations_;                            // of the columns, once they are known
   double freedom_{std::numeric_limits<double>::quiet_NaN()};  // that these are known to
   std::string unsettled_;                                     // why they are not settled
-  bool stated_;  // the intervals stand on the standard deviations of the data
+  bool stated_;  // the width of the intervals follows from the standard deviations of the data
 };
 
 }  // namespace

@@ -27,7 +27,7 @@ Motor member_motor(const MotorDesign& base, Parameter parameter, double value) {
   } catch (const InputError& error) {
     const ParameterInfo& row = info(parameter);
     throw InputError("study.family: " + std::string(row.name) + " = " +
-                     engineering(value, row.unit) + " makes no motor: " + error.what());
+                     engineering(value, row.unit) + " gives an invalid motor: " + error.what());
   }
 }
 

@@ -48,7 +48,7 @@ std::vector<SweptMotor> members_of(const FrequencyStudy& asked, const MotorDesig
       members.push_back({value, with(base, asked.family->parameter, value), load_of(asked)});
     } catch (const InputError& error) {
       throw InputError("study.family: " + std::string(row.name) + " = " +
-                       engineering(value, row.unit) + " makes no motor: " + error.what());
+                       engineering(value, row.unit) + " gives an invalid motor: " + error.what());
     }
   }
   return members;

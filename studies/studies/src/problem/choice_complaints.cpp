@@ -63,7 +63,7 @@ class ChoiceCheck {
     for (std::size_t s = 0; s < choice.sets.size(); ++s)
       for (std::size_t k = 0; k < s; ++k)
         if (choice.sets[k].name == choice.sets[s].name)
-          complain(i, s, quoted(choice.sets[s].name) + " is there twice",
+          complain(i, s, quoted(choice.sets[s].name) + " is given twice",
                    "leave one of them out, or give it a name of its own");
   }
 
@@ -76,7 +76,7 @@ class ChoiceCheck {
     for (const auto& [given, ignored] : set.values)
       if (given == parameter) return " gives it too";
     return " gives " + std::string(info(*info(parameter).twin).name) +
-           ", which says the same in another way";
+           ", which cannot be given beside it";
   }
 
   // A parameter given by a set must not be set elsewhere.
@@ -135,9 +135,10 @@ class ChoiceCheck {
         try {
           combinations(one);
         } catch (const InputError& error) {
-          complain(i, s,
-                   quoted(problem_.choices[i].sets[s].name) + " makes no motor: " + error.what(),
-                   "change it, or the motor");
+          complain(
+              i, s,
+              quoted(problem_.choices[i].sets[s].name) + " gives an invalid motor: " + error.what(),
+              "change it, or the motor");
         }
       }
       if (!complaints_.empty()) return;

@@ -43,7 +43,7 @@ void refuse_twins(const DesignProblem& problem) {
       if (twin == b.parameter)
         throw InputError(std::string(info(a.parameter).name) + " and " +
                          std::string(info(b.parameter).name) +
-                         " say the same in two ways; vary one of them");
+                         " exclude each other; vary one of them");
     }
   }
 }

@@ -93,9 +93,10 @@ void add_misfit(const CalibrateResult& result, Notes& notes) {
              : result.data.front().torque() ? "torque"
                                             : result.data.front().quantity) +
             " (root mean square)";
-  notes.push_back(text + "." + missed_words(result) +
-                  " The model lacks something, a parameter that was not estimated, or a point or a "
-                  "unit is wrong; the intervals mean little.");
+  notes.push_back(
+      text + "." + missed_words(result) +
+      " Possible causes: an effect that the model leaves out, a parameter that should be "
+      "estimated too, a wrong point or a wrong unit. The intervals are not reliable.");
 }
 
 void add_outliers(const CalibrateResult& result, Notes& notes) {
@@ -138,20 +139,21 @@ void add_undetermined(const CalibrateResult::Undetermined& set, Notes& notes) {
   notes.push_back(std::move(text));
 }
 
-// What the data see least, as a change of the motor.
+// The change of the motor that the data determine least.
 void add_combination(const CalibrateResult::Combination& combination, Notes& notes) {
   if (combination.parts.size() < 2 && combination.unseen) return;  // told with its name
   std::string text = combination_words(combination);
   text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   constexpr double kNothing = 1e-3;  // standard deviations
   if (combination.unseen || combination.effect < kNothing)
-    text += " fits as well: to first order nothing that was measured changes.";
+    text += " fits equally well: to first order no measured number changes.";
   else if (std::isfinite(combination.effect))
-    text += (combination.effect < 1 ? " fits nearly as well: " : " is what the data see least: ") +
-            std::string("what was measured changes by ") + rounded_text(combination.effect, 2) +
+    text += (combination.effect < 1 ? " fits nearly as well: "
+                                    : " is the change that the data determine least: ") +
+            std::string("the measured numbers change by ") + rounded_text(combination.effect, 2) +
             " standard deviations (root mean square).";
   else
-    text += " is what the data see least.";
+    text += " is the change that the data determine least.";
   notes.push_back(std::move(text));
 }
 

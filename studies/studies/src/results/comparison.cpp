@@ -24,7 +24,7 @@ using Json = nlohmann::ordered_json;
 Json read_summary(const std::string& directory) {
   std::error_code ignored;
   if (!fs::is_directory(directory, ignored))
-    throw InputError(directory + ": no such directory; expected one that 'twum run' wrote");
+    throw InputError(directory + ": no such directory; give one that 'twum run' wrote");
   const std::string path = (fs::path(directory) / "summary.json").string();
   if (!fs::exists(path, ignored))
     throw InputError(directory + ": holds no result: there is no summary.json");

@@ -111,7 +111,7 @@ std::string cause_words(const Explanation& told) {
 
 std::string relaxation_table(const std::vector<RelaxationState>& limits) {
   if (limits.empty()) return {};
-  TextTable table{{{"the least that would do", "all together", "this one alone"}}};
+  TextTable table{{{"limit to loosen", "together with the others", "alone"}}};
   for (const RelaxationState& state : limits)
     table.rows.push_back(
         {state.text, relaxed(state, state.amount), relaxed(state, state.amount_alone)});
@@ -120,7 +120,7 @@ std::string relaxation_table(const std::vector<RelaxationState>& limits) {
 
 std::string range_table(const std::vector<RangeState>& ranges) {
   if (ranges.empty()) return {};
-  TextTable table{{{"range end that takes part", "moving it alone"}}};
+  TextTable table{{{"end of a range to move", "alone"}}};
   for (const RangeState& end : ranges)
     table.rows.push_back(
         {range_words(end, end.limit), std::isfinite(end.limit_alone)

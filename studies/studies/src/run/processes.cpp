@@ -88,14 +88,13 @@ struct Processes::Member {
 Processes::Processes() : channel_(std::make_unique<Channel>()) {
   const unsigned count = channel_->count(), number = channel_->number();
   if (count == launched_processes() && number == launched_number()) return;
-  throw Error("the launcher calls this process " + std::to_string(launched_number()) + " of " +
-              std::to_string(launched_processes()) + ", but MPI calls it " +
-              std::to_string(number) + " of " + std::to_string(count) +
-              ": its functions are those of another library; start the processes with the mpirun "
-              "of the MPI "
-              "library that twum was built with, and load no other that has its functions, such as "
-              "sequential "
-              "MUMPS");
+  throw Error(
+      "mpirun started this process as number " + std::to_string(launched_number()) + " of " +
+      std::to_string(launched_processes()) + ", but the loaded MPI library reports number " +
+      std::to_string(number) + " of " + std::to_string(count) +
+      ": this is not the MPI library of that mpirun; use the mpirun of the MPI library that "
+      "twum was built with, and load no other library with the same functions, such as "
+      "sequential MUMPS");
 }
 
 Processes::~Processes() {

@@ -24,10 +24,11 @@ namespace fs = std::filesystem;
 const std::string& required_result(const std::string& directory) {
   std::error_code ignored;
   if (!fs::is_directory(directory, ignored))
-    throw InputError(directory + ": no such directory; expected one that 'twum run' wrote");
+    throw InputError(directory + ": no such directory; give one that 'twum run' wrote");
   if (!fs::exists(fs::path(directory) / ResultFolder::kStudy, ignored)) {
-    throw InputError(directory + ": no result directory: there is no " +
-                     std::string(ResultFolder::kStudy) + "; give one that 'twum run' wrote");
+    throw InputError(directory + ": not a result directory: it has no " +
+                     std::string(ResultFolder::kStudy) +
+                     "; give a directory that 'twum run' wrote");
   }
   for (const std::string_view name : {ResultFolder::kSummary, ResultFolder::kDatabase}) {
     if (!fs::exists(fs::path(directory) / name, ignored)) {

@@ -8,7 +8,7 @@ namespace twum::studies {
 void Repeats::see(const YamlNode& item, const std::string& meaning) {
   const auto [first, added] = first_.emplace(meaning, item.mark);
   if (added) return;
-  diagnostics_.add({item.mark, path_, studies::quoted(item.scalar) + " is there twice", remedy_,
+  diagnostics_.add({item.mark, path_, studies::quoted(item.scalar) + " is given twice", remedy_,
                     first->second, "first given here"});
 }
 

@@ -274,10 +274,11 @@ Shape<CalibrateStudy> CalibrateStudy::shape() {
                    &S::confidence),
        standard<S>(
            "scatter",
-           word<Scatter>("what the intervals stand on: the scatter of the residuals, or the "
-                         "standard deviations in the data, or the scatter of each column of each "
-                         "table",
-                         {"estimated", "stated", "by-column"}),
+           word<Scatter>(
+               "what the width of the intervals follows from: the scatter of the residuals, or the "
+               "standard deviations in the data, or the scatter of each column of each "
+               "table",
+               {"estimated", "stated", "by-column"}),
            &S::scatter),
        standard<S>("loss",
                    word<FitLoss>("how residuals count: by their squares; or by their size where "

@@ -148,8 +148,10 @@ Shape<Tolerance> spelled_out(const ParameterInfo& row) {
        width("sd", "standard deviation, of a normal or lognormal one", &T::sd),
        width("range", "half width, of a uniform one", &T::range),
        width("below", "width below the design's value, of a triangular one", &T::below),
-       width("above", "and up", &T::above), number("min", &T::min, "not between limits"),
-       number("mode", &T::mode, "likewise"), number("max", &T::max, "likewise")},
+       width("above", "width above the design's value, of a triangular one", &T::above),
+       number("min", &T::min, "none: no fixed values"),
+       number("mode", &T::mode, "none: no fixed values"),
+       number("max", &T::max, "none: no fixed values")},
       [](T& into, const Given& given, Diagnostics& diagnostics) {
         const YamlNode* named = given.find("distribution");
         if (named == nullptr && given.find("range") != nullptr) into.shape = Shape_::uniform;

@@ -89,7 +89,7 @@ struct CalibrateResult {
     double undone_by{std::numeric_limits<double>::quiet_NaN()};
   };
 
-  /// A change of several parameters together that the data hardly see, or do not see at all (L2.3).
+  /// A change of several parameters together that hardly changes the measured numbers, or does not change them at all (L2.3).
   struct Combination {
     /// One parameter's share.
     struct Part {
@@ -136,7 +136,8 @@ struct CalibrateResult {
   bool huber{false};       ///< large residuals count by their size, not by their square (L8.1)
   bool unmeasured{false};  ///< there are no data, and the plan is of first measurements
   std::vector<ColumnScatter> columns;  ///< where each column has a scatter of its own
-  bool stated{false};               ///< the intervals stand on the standard deviations of the data
+  bool stated{
+      false};  ///< the width of the intervals follows from the standard deviations of the data
   std::vector<Estimate> estimates;  ///< empty if no start could be evaluated
   std::vector<NamedValue> derived;  ///< parameters that follow from the estimates
   std::vector<double> correlation;  ///< row after row; NaN where undetermined

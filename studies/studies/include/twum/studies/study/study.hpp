@@ -221,7 +221,7 @@ struct CalibrateStudy {
   std::vector<Parameter> per_file;  ///< of these: with a value of its own in each of several tables
   std::vector<DerivedParameter> derived;  ///< what follows from the variables
   double confidence{0.95};                ///< level of the intervals
-  Scatter scatter{Scatter::estimated};    ///< what the intervals stand on
+  Scatter scatter{Scatter::estimated};    ///< what the width of the intervals follows from
   FitLoss loss{FitLoss::squares};         ///< how residuals count
   std::uint64_t starts{8};                ///< local fits from different starts
   FitSolver solver{FitSolver::own};       ///< of each of them
