@@ -167,7 +167,7 @@ void fill_directions(const Eigen::MatrixXd& columns, const FittedState& state,
     for (Index i = 0; i < n; ++i) {
       const auto j = static_cast<std::size_t>(state.free[static_cast<std::size_t>(i)]);
       direction.change[j] = v[i] / size;
-      direction.alone[j] = relative.col(i).norm() * std::abs(v[i] / size);
+      direction.part_norms[j] = relative.col(i).norm() * std::abs(v[i] / size);
     }
     result.directions.push_back(std::move(direction));
   }

@@ -20,7 +20,7 @@ std::size_t checked(std::size_t dimension) {
 }
 
 // Point 2^b of the sequence is the sum modulo 2 of the directions of the bits of its Gray code, b and
-// b - 1; so the points 1, 2, 4, ... tell all directions.
+// b - 1; so the points 1, 2, 4, ... contain all directions.
 std::vector<std::vector<std::uint64_t>> directions(std::size_t dimension) {
   boost::random::sobol engine(dimension);
   std::vector<std::vector<std::uint64_t>> table(kBits, std::vector<std::uint64_t>(dimension));

@@ -20,7 +20,7 @@ struct NoMoves {
   std::string reason;
 };
 
-// Beyond such a limit the optimum would move, and before it not: there are two derivatives.
+// The optimum moves if such a limit is tightened, but not if it is loosened: there are two derivatives.
 std::string without_force(const std::string& met) {
   return met + " but does not restrict the optimum (multiplier 0)";
 }

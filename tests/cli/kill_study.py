@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Kills `twum run` at random moments and runs it again: the results must be those of a run in peace.
+"""Kills `twum run` at random moments and runs it again: the results must be those of an uninterrupted run.
 
     kill_study.py TWUM STUDY.yaml [STUDY.yaml ...] [--count 50] [--jobs 2] [--seed 1] [--processes 3]
 
@@ -38,7 +38,7 @@ def start(program, study, folder, jobs, processes=1):
 
 
 def kill(process, processes, chance):
-    """Kills the program, or one of those that mpirun has started, if they are there yet."""
+    """Kills the program, or one of those that mpirun has started, if they are running already."""
     if processes == 1:
         return process.kill()
     children = pathlib.Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()

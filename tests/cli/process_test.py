@@ -76,7 +76,7 @@ class Interrupts(program.Case):
             self.result.unlink()
 
     def reading(self):
-        """A program that waits for ever for a motor file: nothing in it looks at signals."""
+        """A program that waits for a motor file without end, and checks no signals meanwhile."""
         process = subprocess.Popen([program.PROGRAM, "curve", "-"], stdin=subprocess.PIPE,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         while not self.listens(process):

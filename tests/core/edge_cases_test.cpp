@@ -129,7 +129,7 @@ TEST_CASE("without amplitude the contact is full and brakes any motion", "[core]
     const auto point = motor.operating_point(speed);
     CAPTURE(speed);
     REQUIRE(point.status == PointStatus::ok);
-    // Uniform pressure and no drive: the layer hangs back at its full friction, for ever.
+    // Uniform pressure and no drive: the layer lags behind by its full friction and stays there.
     CHECK(point.torque == Approx(speed > 0 ? -full : full).epsilon(1e-13));
     CHECK(point.friction_power == Approx(full * std::abs(speed)).epsilon(1e-13));
     CHECK(point.stator_power == 0);

@@ -13,7 +13,7 @@
 #include <set>
 #include <vector>
 
-// The speed at which a load is carried (T7.15), where a search over speed has its corners.
+// The speed at which a load is carried (T7.15), at the special cases of the search over speed.
 namespace {
 
 using namespace twum;

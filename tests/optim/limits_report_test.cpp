@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a certificate says of limits: sides, values and what giving way by one unit or one percent
-// is worth, of functions where all of it is known by hand.
+// What a certificate reports about limits: sides, values, and the gain if a limit is loosened by one unit or one
+// per cent, for functions where all of it is known by hand.
 #include "optim/bank/dual_problem.hpp"
 
 #include <twum/optim/solve.hpp>
@@ -55,7 +55,7 @@ Problem corner(bool maximize) {
   return p;
 }
 
-// A variable moves by the limit's step over its factor in the limit. A limit of zero gives way by
+// A variable moves by the limit's step over its factor in the limit. A limit of zero is loosened by
 // 1 % of what its response spans: the box for a bound, 0.5 times 8 for "flat".
 const std::vector<Expected> kExpected{{"floor", false, Side::lower, 1.5, 1.5, 6.0, 0.015},
                                       {"one", false, Side::upper, 1.0, 1.0, 2.0, 0.01},

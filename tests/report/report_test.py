@@ -92,7 +92,7 @@ class Numbers(Page):
         shown = [i for i, p in enumerate(output) if p >= 0]
         self.assertGreater(len(shown), 100)
         for i in shown:
-            # Each loss stands on the last; together they are what the terminals take, to rounding of the page's numbers [W].
+            # The losses are stacked; together they are the electrical power, to rounding of the page's numbers [W].
             self.assertEqual([s[i] for s in sums], sorted(s[i] for s in sums))
             self.assertAlmostEqual(sums[-1][i] * unit, power[i], delta=1e-9 * power[0])
         self.assertTrue(all(s[i] is None for s in sums for i in range(len(output)) if i not in shown))
@@ -288,7 +288,7 @@ class Numbers(Page):
 
 
 class Hostile(Page):
-    """Names as an enemy would choose them: markup, quotes, other scripts, very long."""
+    """Names chosen to break the page: markup, quotes, other scripts, very long."""
 
     KINDS = {
         "curve": "points: 11, family: {preload: [100 N, 160 N]}",

@@ -162,7 +162,7 @@ TEST_CASE("no start that could be evaluated is one sentence", "[studies][calibra
   CHECK(json["data"][0]["fitted"].is_null());
 }
 
-TEST_CASE("torques of another unit are told by their size", "[studies][calibrate][words]") {
+TEST_CASE("torques in another unit are recognized by their size", "[studies][calibrate][words]") {
   // Root mean square of 0.5, 0.4, 0.3, 0.2: sqrt(0.54 / 4) = 0.3674.
   CHECK_THAT(
       note(fitted_by(0.25), "The torques measured are "),
@@ -209,7 +209,7 @@ TEST_CASE("a poor fit says what makes it poor", "[studies][calibrate][words]") {
   CHECK(note(fit(), "The fit is poor").empty());
 }
 
-TEST_CASE("parameters that only count together say what undoes what",
+TEST_CASE("parameters that count only in combination: the text says which changes cancel",
           "[studies][calibrate][words]") {
   CalibrateResult result = fit();
   result.undetermined = {{{"amplitude"}, kNaN}};
@@ -329,11 +329,11 @@ TEST_CASE("a combination that the data do not determine is reported as a change 
   CHECK_FALSE(note(result, "More teeth_height (teeth_height +10 %) with more preload").empty());
 }
 
-TEST_CASE("starts are told by where they ended", "[studies][calibrate][words]") {
+TEST_CASE("starts are reported by where they ended", "[studies][calibrate][words]") {
   CalibrateResult result = fit();
   result.optima = {{{0.2, 1.5e-6}, 0.001, 3, true, {}}};
   start(result, optim::Outcome::optimal, {0.2, 1.5e-6});
-  CHECK(calibration_notes(result).empty());  // of one start there is nothing to tell
+  CHECK(calibration_notes(result).empty());  // one start needs no report
   start(result, optim::Outcome::optimal, {0.2, 1.5e-6});
   CHECK(noted(result, "All 2 starts ended in the same place."));
   result.undetermined = {{{"kinetic_friction", "amplitude"}, kNaN}};

@@ -97,7 +97,7 @@ TEST_CASE("a report is written beside its result, and again the same", "[studies
   CHECK((content() == first));  // without printing both
 }
 
-TEST_CASE("no text of a study ends the data of the page", "[studies][report]") {
+TEST_CASE("no text of a study can end the data element of the page", "[studies][report]") {
   const std::string hostile = "# </script><script>alert(1)</script> <!-- /*SCRIPT*/ /*DATA*/\n";
   const Json data = page_data("{kind: curve}", CurveResult{}, hostile);
   CHECK(data["study"] == hostile);
@@ -120,7 +120,7 @@ TEST_CASE("a family has a curve for each member that is a motor", "[studies][rep
     family.members.back().value = newtons;
   }
   const Json data = page_data("{kind: curve, family: {preload: [100 N, 200 N]}}", family);
-  REQUIRE(labels(data) == Labels(2, "preload"));  // one is no motor and is left out
+  REQUIRE(labels(data) == Labels(2, "preload"));  // one is not a valid motor and is left out
   CHECK(data["curves"][0]["design"]["preload"] == 100);
   CHECK(data["curves"][1]["design"]["preload"] == 120);
   CurveResult alone;

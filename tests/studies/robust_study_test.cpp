@@ -48,7 +48,7 @@ TEST_CASE("a study finds the exact preload of a wanted yield", "[studies][robust
   CHECK(robust.nominal_yield.value == Approx(0.5208).margin(0.014));
 }
 
-TEST_CASE("a robust study tells how much of the budget its round has used", "[studies][robust]") {
+TEST_CASE("a robust study reports how much of the budget its round has used", "[studies][robust]") {
   const StudyFile file = largest_preload();
   const auto kind = make_search(file);
   ResultStore store(":memory:", kind->columns());
@@ -93,7 +93,7 @@ TEST_CASE("a probability of one limit is a yield of it alone", "[studies][robust
         Approx(value(yield.optimum().best.design, "preload")).epsilon(1e-6));
 }
 
-TEST_CASE("summary and terminal tell the yield, its price and where the risk goes",
+TEST_CASE("summary and terminal show the yield, its price and where the risk goes",
           "[studies][robust]") {
   const Search s(largest_preload());
   const Json robust = s.kind_json()["robust"];

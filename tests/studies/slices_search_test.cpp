@@ -32,7 +32,8 @@ StudyFile narrow_ring(const std::string& slices, const std::string& more = "") {
 
 // Both end where the certificate's tolerance of 1e-8 allows, on a goal whose curvature is of order one on the scale of the search:
 // designs then agree to its root, 1e-4, and goals to 1e-8.
-TEST_CASE("a search goes on with as many nodes as auto takes where it ended", "[studies][slices]") {
+TEST_CASE("a search continues with the number of nodes that auto takes at its end",
+          "[studies][slices]") {
   const Search counted(narrow_ring("auto"));
   CHECK(counted.answer.outcome == "optimal");
   const auto& best = counted.optimum().best;
@@ -49,7 +50,7 @@ TEST_CASE("a search goes on with as many nodes as auto takes where it ended", "[
         Approx(test::value(given.optimum().best.metrics, "peak_power")).epsilon(1e-8));
 }
 
-TEST_CASE("a search cut anywhere goes on to the same answer with more slices",
+TEST_CASE("a search interrupted anywhere continues to the same answer with more slices",
           "[studies][slices]") {
   const StudyFile file = narrow_ring("auto");
   const Search whole(file);

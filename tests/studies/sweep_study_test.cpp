@@ -250,7 +250,7 @@ TEST_CASE("what a sweep stored is verified from its directory alone", "[studies]
   CHECK_THROWS_AS(verify_study(sweep.folder.path("none")), InputError);
 }
 
-TEST_CASE("a front that is hollow holds all the same", "[studies][verify]") {
+TEST_CASE("a concave front is verified as well", "[studies][verify]") {
   const test::ScratchFolder folder;
   const std::string path = folder.path("front.yaml");
   std::ofstream(path)

@@ -10,7 +10,7 @@
 
 namespace twum::test {
 
-/// A folder of one's own that goes when the test does.
+/// A temporary folder, removed at the end of the test.
 class ScratchFolder {
  public:
   ScratchFolder() {

@@ -77,7 +77,7 @@ class StickCurve {
     return positive ? Glance::no_zero : Glance::unknown;
   }
 
-  /// The zero on (0, length) where a glance has told that there is one.
+  /// The zero on (0, length) after glance() has reported one zero.
   /// @param near  a place close to it, or kNoZero
   double only_zero(double length, double near) const {
     const double guess = near > 0 && near < length ? near : taylor_zero(first(), length);

@@ -140,7 +140,7 @@ function startsCard() {
 export function relaxationCard() {
   const r = summary.relaxation;
   if (!r) return;
-  const note = 'How far each limit has to give way: all together, and if it is the only one.';
+  const note = 'How far each limit has to be loosened: together with the others, or alone.';
   const node = card('What would make it possible', note, 'wide');
   const lines = r.limits.map(
       (l) =>

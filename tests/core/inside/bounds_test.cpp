@@ -100,7 +100,7 @@ struct RandomStick {
 
 }  // namespace
 
-TEST_CASE("where a glance at a stick zone tells one zero, there is just one (E4.7)",
+TEST_CASE("where a glance at a stick zone reports one zero, there is exactly one (E4.7)",
           "[core][events][identity]") {
   Dice dice(15);
   int convex_end = 0, convex_start = 0, rising = 0, found = 0;
@@ -135,7 +135,7 @@ TEST_CASE("where a glance at a stick zone tells one zero, there is just one (E4.
   CHECK(rising > 100);
 }
 
-TEST_CASE("where a glance at a stick zone tells no zero, there is none (E4.8)",
+TEST_CASE("where a glance at a stick zone reports no zero, there is none (E4.8)",
           "[core][events][identity]") {
   Dice dice(16);
   int kinds[2][2] = {};
@@ -152,7 +152,7 @@ TEST_CASE("where a glance at a stick zone tells no zero, there is none (E4.8)",
   }
 }
 
-TEST_CASE("a glance says nothing of what it cannot see", "[core][events][range]") {
+TEST_CASE("a glance decides nothing where its bounds do not hold", "[core][events][range]") {
   // cos x - 0.5 over more than half a turn, and a curve that starts below zero.
   const StickCurve turn({0.5, 0, -1, 0}, 0, trig(0.0));
   CHECK(turn.glance(3.15, StartOrder::positive, trig(3.15)) == StickCurve::Glance::unknown);

@@ -33,7 +33,7 @@ ContactNumbers<double> ringing_contact(Dice& dice) {
   return n;
 }
 
-// Layers heavier than the wave lets them be.
+// Layers with M > 1: their own resonance lies below the wave's frequency.
 ContactNumbers<double> heavy_contact(Dice& dice) {
   ContactNumbers<double> n = random_contact(dice, 2);
   n.inertia = dice.uniform(1.2, 4);
@@ -88,7 +88,7 @@ double rounding(const ContactNumbers<double>& n, const LayerMotion<double>& laye
 
 }  // namespace
 
-TEST_CASE("a layer that slips all through comes back to the state at entry that it is told (E6.2)",
+TEST_CASE("a layer that slips all through returns to the given state at entry (E6.2)",
           "[core][contact][identity]") {
   Dice dice(81);
   int decayed = 0, remembers = 0;

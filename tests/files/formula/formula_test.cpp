@@ -198,7 +198,7 @@ TEST_CASE("derivatives of every operation agree with differences", "[files][form
   }
 }
 
-TEST_CASE("kinks and missing derivatives are told", "[files][formula]") {
+TEST_CASE("kinks and missing derivatives are reported", "[files][formula]") {
   const auto at = [](const char* text, double x, double y) {
     return read(text).differentiate(std::vector<double>{x, y, 0, 0});
   };

@@ -9,7 +9,7 @@
 using namespace twum::studies;
 using Catch::Matchers::WithinRel;
 
-TEST_CASE("runs and chi-square have the probabilities of the books", "[studies][statistics]") {
+TEST_CASE("runs and chi-square have the probabilities of textbooks", "[studies][statistics]") {
   // All 2^9 patterns of signs, each as likely as any other.
   constexpr int kCount = 9;
   std::vector<int> with_runs(kCount + 1);

@@ -116,7 +116,8 @@ TEST_CASE("what neighbours agree in all along a front is predicted",
   }
 }
 
-TEST_CASE("a prediction that Newton steps cannot settle is none", "[optim][pareto][manufactured]") {
+TEST_CASE("a prediction that Newton steps cannot confirm is discarded",
+          "[optim][pareto][manufactured]") {
   // Both objectives rise with z near the ends and fall with it, as linearly, in the middle: there
   // the bound is no place for z, and nothing curved tells how far off it is.
   test::ScaledSearch s(test::posed<3>(
@@ -193,7 +194,7 @@ TEST_CASE("a front stops where a hump begins and goes on where it is left behind
     if (x < 0.5) left = std::max(left, x);
     if (x > 0.5) right = std::min(right, x);
   }
-  // Whoever comes within 1e-6 of the front need go no further. Half the curvature is 2.
+  // A search may stop within 1e-6 of the front. Half the curvature is 2.
   CHECK(2.0 * (left - 0.3) * (left - 0.3) < 1e-6);
   CHECK(right == Approx(0.7).margin(1e-5));
 }
@@ -219,7 +220,7 @@ TEST_CASE("a front leaves out a part along which one objective gains nothing",
   CHECK(std::count_if(x.begin(), x.end(), [](double v) { return v > 0.301 && v < 0.599; }) <= 1);
 }
 
-TEST_CASE("a wide gap is looked at from elsewhere", "[optim][pareto][manufactured]") {
+TEST_CASE("a wide gap is searched from other starts too", "[optim][pareto][manufactured]") {
   // With z = 0 no design between x = 0.3 and 0.6 is allowed. With z = 0.8 all are, for 0.00064 of the
   // second objective, but from z = 0 the way there leads uphill: z^2 (z - 0.6) falls until 0.4.
   Problem p = test::posed<3>(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which limits are said to have to give way, and by how much, where that can be seen by hand.
+// Which limits have to be loosened, and by how much, where that can be computed by hand.
 #include "infeasibility.hpp"
 
 #include "optim/bank/dual_problem.hpp"

@@ -146,7 +146,7 @@ TEST_CASE("a full disk leaves what was there before", "[studies][run]") {
   const ScratchFolder folder;
   ResultFolder results(folder.folder());
   results.write("summary.json", std::string("before"));
-  // Everything that is written to /dev/full fails for want of room.
+  // Everything that is written to /dev/full fails because the disk is full.
   fs::create_symlink("/dev/full", folder.path("summary.json.part"));
   const std::size_t size =
       GENERATE(std::size_t{10}, std::size_t{1000000});  // less and more than is kept in memory

@@ -253,7 +253,7 @@ TEST_CASE("what an earlier study changed is the motor, varied or not", "[studies
   CHECK(own.first[0] == 150);
 }
 
-TEST_CASE("limits that would have to give way are named as they were typed",
+TEST_CASE("limits that would have to be loosened are named as they were typed",
           "[studies][optimize]") {
   DesignProblem problem{elastic()};
   problem.vary(P::preload, 60, 300).maximize("peak_power");

@@ -79,7 +79,7 @@ TEST_CASE("numbers hold up to a relative 1e-12, and the largest deviation is not
   CHECK(found.failed == 0);  // to complain is the caller's
 }
 
-TEST_CASE("a row that is another one now is named with both values", "[studies][verify]") {
+TEST_CASE("a row that has changed is named with both values", "[studies][verify]") {
   const StoredRow there = row_of(0, 7, {100, 0.53});
   CHECK(compared(there, there).holds());
   CHECK(compared(there, there).rows_checked == 1);
@@ -154,14 +154,15 @@ TEST_CASE("designs are looked for wherever they stand in a summary", "[studies][
              StartsWith("summary.json: front[1].metrics.stall_torque is 0.6 there, 0.5"));
 }
 
-TEST_CASE("what is no number in a summary is no number now either", "[studies][verify]") {
+TEST_CASE("a missing number in a summary is missing in the new computation too",
+          "[studies][verify]") {
   const Question question;
   const Verification found = question.designs(design("100", "null"));
   REQUIRE(found.failed == 1);
   CHECK_THAT(found.complaints[0], Contains("stall_torque is null there, 0.5"));
 }
 
-TEST_CASE("a design that is no motor and a metric that is none are named with their place",
+TEST_CASE("an invalid design and an unknown metric are named with their place",
           "[studies][verify]") {
   const Question question;
   const auto complaint = [&](const std::string& text) {
@@ -200,7 +201,7 @@ TEST_CASE("the members of a family are checked at their own value", "[studies][v
             .holds());
 }
 
-TEST_CASE("a certificate is measured again where one is claimed", "[studies][verify]") {
+TEST_CASE("a claimed certificate is computed again", "[studies][verify]") {
   Question question;
   const std::string torque = number_json(kTorque).dump();
   const auto with_certificate = [&](const std::string& certificate) {
@@ -225,7 +226,7 @@ TEST_CASE("a certificate is measured again where one is claimed", "[studies][ver
   CHECK(found.complaints ==
         std::vector<std::string>{"summary.json: best: certified there, but now: not stationary"});
 
-  // Of several goals a front may be hollow: stationary is all that is claimed then.
+  // With several goals a front may be concave: only stationarity is claimed then.
   now.reason = "stationary, but not a minimum";
   now.weights = {0.5, 0.5};
   CHECK(with_certificate(R"({"passed": true})").holds());

@@ -55,7 +55,7 @@ struct Estimate {
   double value{0.0};               ///< at the least sum of squares
   double standard_deviation{0.0};  ///< NaN if the data do not determine it
   double low{
-      0.0};  ///< confidence interval, Student's t, of a log scale in the logarithm; NaN likewise
+      0.0};  ///< lower end of the confidence interval (Student's t; of the logarithm on a log scale), or NaN
   double high{0.0};      ///< its other end
   bool at_bound{false};  ///< held by a bound: then it counts as known
 };
@@ -65,8 +65,8 @@ struct Direction {
   /// Of each parameter in parts of its value (of its range where the value is 0); the largest is 1. 0 for held ones.
   std::vector<double> change;
   std::vector<double>
-      alone;  ///< norm of what each parameter's part by itself does to the residuals, in their unit
-  double effect{0.0};  ///< norm of the change of the residuals that they make together
+      part_norms;  ///< for each parameter: norm of the change of the residuals if only this one changes
+  double effect{0.0};  ///< norm of the change of the residuals if all change together
 };
 
 /// What a fit has found.

@@ -305,11 +305,11 @@ class Calibration {
     constexpr double kStep = 0.1;
     constexpr double kNotable = 0.05;
     constexpr double kCounts = 0.1;
-    const double most = *std::max_element(direction.alone.begin(), direction.alone.end());
+    const double most = *std::max_element(direction.part_norms.begin(), direction.part_norms.end());
     CalibrateResult::Combination result;
     double percent = 0;
     for (std::size_t j = 0; j < direction.change.size(); ++j) {
-      const bool counts = direction.alone[j] > kCounts * most;
+      const bool counts = direction.part_norms[j] > kCounts * most;
       if (!(std::fabs(direction.change[j]) >= kNotable) && !counts) continue;
       if (percent == 0) percent = std::copysign(100 * kStep, direction.change[j]);
       result.parts.push_back({best.estimates[j].name, percent * direction.change[j]});

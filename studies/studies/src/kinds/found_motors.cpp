@@ -109,7 +109,7 @@ std::vector<FoundMotor> asked_about(const StudyFile& file, const StudyResult& re
   return motors;
 }
 
-// A search keeps the nodes a panel that it begins with; what it found may take more.
+// A search keeps the nodes a panel that it begins with; the motor that it finds may need more.
 std::string slices_note(const StudyFile& file, const std::vector<FoundMotor>& found) {
   if (file.motor.design.stator.radial_slices != kAutoSlices) return "";
   for (const FoundMotor& each : found) {

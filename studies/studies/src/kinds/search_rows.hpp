@@ -19,7 +19,7 @@ namespace twum::studies {
 inline constexpr std::uint64_t kRobustStages = 1'000'000;
 
 /// @name Stages of a search that goes on with `auto` of some nodes a panel
-/// The stage tells the number of nodes, so that each row can be computed by itself.
+/// The stage gives the number of nodes, so that each row can be computed by itself.
 /// @{
 inline constexpr std::uint64_t kAutoStages = 500'000;
 inline constexpr std::uint64_t kStagesOfNodes = 1900;  // 256 nodes end before kRobustStages

@@ -15,7 +15,7 @@ namespace twum {
 /// Each thread keeps the last few results, so that asking again for the same geometry, wavelengths and track costs
 /// microseconds. The first time costs 6 milliseconds, and a fourth of it without the modes beside the wave.
 /// @param others  whether mode_separation and the list of unwanted modes are wanted
-/// @throws InputError if the design has no geometry, or one that cannot be built or does not go with wavelengths and track
+/// @throws InputError if the design has no geometry, or one that cannot be built or does not fit wavelengths and track
 /// @throws EvaluationError "no-ring-mode" as stator::stator_model()
 std::shared_ptr<const stator::StatorModel> plate_model(
     const MotorDesign& design, stator::OtherModes others = stator::OtherModes::found);

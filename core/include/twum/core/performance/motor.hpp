@@ -132,10 +132,10 @@ class Motor {
   /// Pressure between wave and rotor at the contact radius, the same at every speed (T3.1 to T3.4, W2.2).
   const NormalContact<double>& contact() const noexcept;
 
-  /// The design's radial_slices; where it is kAutoSlices, -N with the number N of nodes a panel that `auto` comes to for it.
+  /// The design's radial_slices; where it is kAutoSlices, -N with the number N of nodes a panel that `auto` chooses for it.
   /// `with(design, Parameter::radial_slices, motor.radial_slices())` fixes them while the design moves.
   int radial_slices() const noexcept;
-  /// Radii of the slices that touch, in rising order [m]; the contact radius alone if there is one slice. Those of `auto` where
+  /// Radii of the slices that touch, in rising order [m]; the contact radius alone if there is one slice. With `auto`, those where
   /// no zone appears along the track.
   std::vector<double> slice_radii() const;
 

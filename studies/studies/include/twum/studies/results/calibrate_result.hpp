@@ -29,38 +29,39 @@ struct CalibrateResult {
 
   /// What the fit says of one parameter, SI.
   struct Estimate {
-    NamedValue parameter;  ///< which one, and its value; of one table: "amplitude (b.csv)"
-    double deviation{0};   ///< standard deviation; NaN if the data do not determine it
+    NamedValue
+        parameter;        ///< name and value; a parameter of one table is named "amplitude (b.csv)"
+    double deviation{0};  ///< standard deviation; NaN if the data do not determine it
     double low{0};  ///< confidence interval, Student's t with the scatter of the residuals; in the
         ///< logarithm where the variable has a log scale; from the profile of the sum of
         ///< squares where that differs, so that it holds admissible values only
-    double high{0};                   ///< its upper end
-    bool profiled{false};             ///< one of the ends comes from the profile
-    bool low_cut{false};              ///< the range ends there: the data allow smaller values
-    bool high_cut{false};             ///< likewise for larger ones
-    Bound bound{Bound::none};         ///< held there: it counts as known, and has no interval
-    double min{0};                    ///< range that was searched
-    double max{0};                    ///< its upper end
-    bool log{false};                  ///< searched in the logarithm
-    std::vector<Follower> followers;  ///< where held: what the free ones would do
-    std::string file{};  ///< table of measurements whose own value it is; empty: of all
+    double high{0};            ///< its upper end
+    bool profiled{false};      ///< one of the ends comes from the profile
+    bool low_cut{false};       ///< the range cuts the interval off: the data allow smaller values
+    bool high_cut{false};      ///< likewise for larger ones
+    Bound bound{Bound::none};  ///< end of the range where the estimate lies: it has no interval
+    double min{0};             ///< range that was searched
+    double max{0};             ///< its upper end
+    bool log{false};           ///< searched in the logarithm
+    std::vector<Follower> followers;  ///< if at a bound: changes of the free parameters
+    std::string file{};  ///< table of measurements that it belongs to; empty: all tables
   };
 
-  /// One measured number, and the fit there.
+  /// One measured number, and the fitted value of it.
   struct Point {
-    double at{0};        ///< speed of the rotor [rad/s] or torque [N m] that it was read at
+    double at{0};        ///< speed of the rotor [rad/s] or torque [N m] of the measurement
     double value{0};     ///< measured
-    double weight{1};    ///< of its squared residual; mean 1 where all are of one kind
-    double fitted{0};    ///< of the motor with the estimates
+    double weight{1};    ///< factor of the squared residual; mean 1 if all numbers are of one kind
+    double fitted{0};    ///< value of the motor with the estimates
     double residual{0};  ///< measured - fitted
-    std::string quantity{"torque_at"};   ///< what it is
+    std::string quantity{"torque_at"};   ///< metric or circuit quantity
     std::string unit{"N.m"};             ///< its SI unit
     Argument argument{Argument::speed};  ///< what `at` is
     double deviation{0};                 ///< standard deviation; 0: not given
-    std::vector<NamedValue> set{};       ///< parameters that the bench had set
+    std::vector<NamedValue> set{};       ///< settings of the bench
     std::string where{};  ///< table and line, such as "points.csv:12"; empty: not from a table
     bool outlier{false};  ///< one of CalibrateResult::outliers
-    bool counts{true};    ///< in residual_rms and in the tests of the fit
+    bool counts{true};    ///< included in residual_rms and in the tests of the fit
 
     /// A torque at a speed.
     bool torque() const { return quantity == "torque_at"; }
@@ -70,10 +71,10 @@ struct CalibrateResult {
   struct Outlier {
     std::size_t point{0};  ///< its number in the data
     double distance{0};  ///< from the fit of the others, in standard deviations; > 0: measured more
-    double p{1};         ///< how often chance puts one of the points so far away
+    double p{1};         ///< probability that chance puts one of the points so far away
   };
 
-  /// The scatter of what one column of a table holds, from its residuals.
+  /// The scatter of one column of a table, estimated from its residuals.
   struct ColumnScatter {
     std::string quantity;  ///< what it is
     std::string unit;      ///< its SI unit
@@ -82,7 +83,7 @@ struct CalibrateResult {
     double deviation{0};   ///< their standard deviation, SI
   };
 
-  /// Parameters that only count together.
+  /// Parameters that the data determine only in combination.
   struct Undetermined {
     std::vector<std::string> names;  ///< of the parameters
     /// Of two: by how many percent the second has to change to undo 1 % more of the first.
@@ -94,10 +95,10 @@ struct CalibrateResult {
     /// One parameter's share.
     struct Part {
       std::string name;   ///< of the parameter
-      double percent{0};  ///< change of its value, of its range where the value is 0
+      double percent{0};  ///< relative change; if the value is 0, relative to the range
     };
     std::vector<Part> parts;  ///< the largest is 10 %
-    /// Change of what is measured, root mean square in standard deviations of its scatter; NaN if that is
+    /// Change of the measured numbers, root mean square in standard deviations; NaN if these are
     /// not known.
     double effect{0};
     bool unseen{false};  ///< to first order nothing changes
@@ -109,7 +110,7 @@ struct CalibrateResult {
     double residual_rms{0};           ///< of the fit there
     std::size_t starts{0};            ///< how many ended there
     bool fits_as_well{false};         ///< the data cannot tell this motor from the first
-    std::vector<NamedValue> derived;  ///< parameters that follow
+    std::vector<NamedValue> derived;  ///< derived parameters
   };
 
   /// A measurement worth making next, and what the estimates would be like after it and those before it in the plan.
@@ -139,21 +140,21 @@ struct CalibrateResult {
   bool stated{
       false};  ///< the width of the intervals follows from the standard deviations of the data
   std::vector<Estimate> estimates;  ///< empty if no start could be evaluated
-  std::vector<NamedValue> derived;  ///< parameters that follow from the estimates
+  std::vector<NamedValue> derived;  ///< derived parameters at the estimates
   std::vector<double> correlation;  ///< row after row; NaN where undetermined
   double residual_rms{std::numeric_limits<
       double>::quiet_NaN()};  ///< root of the weighted mean square, of points that count
   double residual_deviation{std::numeric_limits<double>::quiet_NaN()};  ///< by degrees of freedom
-  std::size_t degrees_of_freedom{0};       ///< points less free parameters
-  double student_t{0};                     ///< half width of an interval in standard deviations
-  bool exact{false};                       ///< residuals are no more than rounding: nothing to test
+  std::size_t degrees_of_freedom{0};  ///< points less free parameters
+  double student_t{0};  ///< half width of an interval in standard deviations of the estimate
+  bool exact{false};    ///< residuals are no more than rounding: nothing to test
   std::optional<RunsTest> runs;            ///< of the residuals in order of speed
   std::optional<double> chi_square;        ///< where standard deviations were measured
   double chi_square_p{1};                  ///< how often chance gives as much or more
   std::vector<Outlier> outliers;           ///< the farthest first
   std::vector<Undetermined> undetermined;  ///< none if the data determine all
   std::vector<Combination> combinations;  ///< least visible first; none if the intervals are of use
-  std::vector<Optimum> optima;            ///< places where starts ended, best first
+  std::vector<Optimum> optima;            ///< local optima where starts ended, best first
   std::vector<Start> starts;              ///< every local fit
   std::vector<Move> moves;                ///< of the estimates, by each held parameter that counts
   std::vector<Planned>
@@ -165,13 +166,13 @@ struct CalibrateResult {
 
   double static_ratio{1};  ///< static to kinetic friction, kept where only the latter is estimated
 
-  /// A misfit() that scatter which nobody stated does not excuse.
+  /// A larger misfit() is poor if no standard deviations are given.
   static constexpr double kLarge = 0.05;
   /// Degrees of freedom from which on the residuals show by themselves what the scatter is: a standard deviation of ten lies
   /// within 0.70 and 1.75 of the true one (95 %).
   static constexpr std::size_t kKnownScatter = 10;
 
-  /// Root mean square of the residuals in parts of the largest torque measured; 0 without estimates.
+  /// Root mean square of the residuals relative to the largest measured torque; 0 without estimates.
   double misfit() const;
   /// Likewise of one of the optima.
   double misfit_of(const Optimum& optimum) const;
@@ -187,19 +188,19 @@ struct CalibrateResult {
   /// The residuals do not agree with the scatter. Chance gives them less often than one time in a hundred, or one time in
   /// twenty if misfit() exceeds 2 %; or, without a chi-square, misfit() exceeds 5 %, or one number is missed().
   bool poor() const;
-  /// Where the scatter is neither stated nor shown by ten degrees of freedom: the point that is missed most among those
-  /// missed by more than 5 % of their value and 2 % of the largest one; its weight counts.
+  /// Without standard deviations and with fewer than ten degrees of freedom: the worst of the points that the fit misses
+  /// by more than 5 % of their value and 2 % of the largest value (by 1 / sqrt(weight) as much); else null.
   const Point* missed() const;
   /// Degrees of freedom of the points that count.
   std::size_t counting_freedom() const;
   /// How many of the optima the data cannot tell from the best, that one included.
   std::size_t equals() const;
-  /// An interval says something: its ends differ by a factor of 3 at most, or by a tenth of the range that was
-  /// searched; and the range is not what cuts off both ends. A held parameter has none.
+  /// An interval is narrow enough: its ends differ by a factor of 3 at most, or by a tenth of the range that was
+  /// searched; and the range does not cut off both ends. A parameter at a bound has none.
   static bool of_use(const Estimate& estimate);
   /// Every parameter has an interval of use.
   bool determined() const;
-  /// What a finished search has come to: "at-bounds", "poor", "several", "undetermined" or "fitted".
+  /// Outcome of a finished search: "at-bounds", "poor", "several", "undetermined" or "fitted".
   const char* verdict() const;
 };
 

@@ -37,15 +37,15 @@ struct StudyResult {
   std::string study;                 ///< name: that of the file without extension
   StudyKind kind{StudyKind::curve};  ///< what it asked
   std::string motor;                 ///< name of the motor
-  /// "optimal", "feasible", "infeasible", "budget" or "failed" for a search; "fitted", "poor" (the motor does not
-  /// follow the points), "at-bounds" (every parameter is), "several" (motors fit equally well), "undetermined" (by
-  /// the points), or as a search; "done" or "failed" (nothing could be evaluated) of the others; "interrupted" if it
-  /// was asked to stop
-  /// What the study has come to. "interrupted" if a stop was requested. Otherwise
-  /// * a search: "optimal", "feasible", "infeasible", "budget" or "failed";
-  /// * a calibration: "fitted", "poor" (the motor does not follow the points), "at-bounds" (every parameter is),
-  ///   "several" (motors fit equally well), "undetermined" (by the points), or as a search;
-  /// * other kinds: "done", or "failed" if nothing could be evaluated.
+  /// Outcome: "interrupted" if a stop was requested, otherwise
+  /// * of a search: "optimal", "feasible", "infeasible", "budget" or "failed";
+  /// * of a calibration: one of these words, or
+  ///   "fitted",
+  ///   "poor" if the motor does not follow the points,
+  ///   "at-bounds" if every parameter is at an end of its range,
+  ///   "several" if different motors fit equally well,
+  ///   "undetermined" if the points do not determine every parameter;
+  /// * of other kinds: "done", or "failed" if nothing could be evaluated.
   std::string outcome;
   std::uint64_t evaluations{0};                   ///< rows of the store
   std::map<std::string, std::uint64_t> failures;  ///< count by reason
