@@ -35,7 +35,7 @@ step_properties() {
   done <build/ci/test_programs.txt
 }
 
-# Kills each example study at 50 random moments; its results must be those of a run in peace.
+# Kills each example study at 50 random moments; its results must be those of an uninterrupted run.
 step_kill() {
   build ci && python3 tests/cli/kill_study.py build/ci/bin/twum examples/studies/*.yaml --count 50
 }

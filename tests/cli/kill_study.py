@@ -3,7 +3,7 @@
 
     kill_study.py TWUM STUDY.yaml [STUDY.yaml ...] [--count 50] [--jobs 2] [--seed 1] [--processes 3]
 
-With several processes mpirun starts them, one of them is killed, and the run in peace is that of one process. Ends with exit status 0 and one line for each study, or says which bytes differ.
+With several processes mpirun starts them, one of them is killed, and the uninterrupted run is that of one process. Ends with exit status 0 and one line for each study, or says which bytes differ.
 """
 import argparse
 import os

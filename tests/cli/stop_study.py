@@ -4,7 +4,7 @@
     stop_study.py TWUM [--count 100] [--seed 1] [--minutes M] [--keep DIR] [--solver NAME ...]
 
 The motors have light damping, static friction above kinetic, or neither; the limits may be met, kept by no design, or
-lie where a design has no answer. Each study runs twice: in peace, where a search that stores no new evaluation for 60 s
+lie where a design has no answer. Each study runs twice: without a signal, where a search that stores no new evaluation for 60 s
 counts as endless (one evaluation of these motors takes up to some seconds); and with one SIGINT or SIGTERM at a random
 moment. A study that still finds its way after a minute is not waited for. Ends with exit status 0 and one line of counts, or names the studies at fault.
 """

@@ -196,11 +196,11 @@ TEST_CASE("at its thresholds the number of waves changes", "[core][driven][limit
                hold = value(Motor(driven_motor()), {Metric::hold_voltage});
   const auto waves = [](double volts) { return Motor(driven_motor(volts)).wave_states(0).size(); };
   // A fold is quadratic: its force is known to 1e-12.
-  for (const double hair : {1e-3, 1e-6, 1e-9}) {
-    CHECK(waves(start * (1 - hair)) == 3);
-    CHECK(waves(start * (1 + hair)) == 1);
-    CHECK(waves(hold * (1 + hair)) == 3);
-    CHECK(waves(hold * (1 - hair)) == 1);
+  for (const double offset : {1e-3, 1e-6, 1e-9}) {
+    CHECK(waves(start * (1 - offset)) == 3);
+    CHECK(waves(start * (1 + offset)) == 1);
+    CHECK(waves(hold * (1 + offset)) == 3);
+    CHECK(waves(hold * (1 - offset)) == 1);
   }
   // Near the hold fold the running wave lags by less than a quarter of a turn.
   const std::vector<WaveState> held = Motor(driven_motor(hold * 1.0001)).wave_states(0);
@@ -229,13 +229,13 @@ TEST_CASE("a curve that begins with a torque against the motion drives further o
   const Motor motor(driven_motor(40, 39'671.6));
   REQUIRE(value(motor, {Metric::pull_out_torque}) < 0);
   const double speed = value(motor, {Metric::no_load_speed});
-  const double hair = 1e-3 * speed;
+  const double offset = 1e-3 * speed;
   CHECK(std::fabs(motor.operating_point(speed).torque) <= 1e-9 * motor.holding_torque());
-  CHECK(motor.operating_point(speed - hair).torque > 0);  // it runs there by itself
-  CHECK(motor.operating_point(speed + hair).torque < 0);
+  CHECK(motor.operating_point(speed - offset).torque > 0);  // it runs there by itself
+  CHECK(motor.operating_point(speed + offset).torque < 0);
   const double most = value(motor, {Metric::max_torque}),
                power = value(motor, {Metric::peak_power});
-  for (double s = motor.first_speed() + hair; s < speed; s += 0.02 * speed) {
+  for (double s = motor.first_speed() + offset; s < speed; s += 0.02 * speed) {
     const OperatingPoint p = motor.operating_point(s);
     CHECK(p.torque <= most * (1 + 1e-9));
     CHECK(p.torque * s <= power * (1 + 1e-9));

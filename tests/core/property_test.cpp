@@ -80,7 +80,7 @@ TEST_CASE("twenty thousand points of the box keep the laws or name a reason (T7.
   CHECK(found.slowest.front().value < 2.0);
   CHECK(found.statuses.at("ok") >
         17000);  // most of the rest: mu_0 > mu in full contact or undamped
-  // only undamped layers may ring on for ever; a million points have some seventy of them
+  // only undamped layers may ring without end; a million points have some seventy of them
   CHECK(found.statuses["not-converged"] <= 10);
 }
 

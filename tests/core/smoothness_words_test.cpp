@@ -100,7 +100,7 @@ TEST_CASE(
         const double middle = 0.5 * (left + right);
         (count(middle) == first ? left : right) = middle;
       }
-      // Neighbouring speeds on both sides, some within the hair of 1e-9 that counts as there, and some far off it.
+      // Neighbouring speeds on both sides, some within 1e-9, which counts as the same speed, and some far off it.
       for (const double off : {-1e-3, -1e-10, 0.0, 1e-10, 1e-3}) {
         for (const double edge : {left, right}) {
           const double speed = edge + off * motor.crest_speed();

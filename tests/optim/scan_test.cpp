@@ -153,7 +153,7 @@ TEST_CASE("a search that looked goes the same way once more", "[optim][scan]") {
     std::map<std::pair<std::uint64_t, std::uint64_t>, double> designs;
     SolveOptions options = local_search();
     options.observer = [&](const Observation& o) {
-      // Stage and index name an evaluation for ever.
+      // Stage and index identify an evaluation permanently.
       CHECK(designs.emplace(std::pair{o.stage, o.index}, o.design[0]).second);
     };
     looked(problem, options);

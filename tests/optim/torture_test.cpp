@@ -372,7 +372,7 @@ TEST_CASE("every algorithm that is offered runs, with and without constraints", 
   }
 }
 
-// nlopt:newuoa_bound is not offered since it went on for ever on one of these, without an evaluation.
+// nlopt:newuoa_bound is not offered because it never returned on one of these and evaluated nothing.
 TEST_CASE("every algorithm that is offered comes to an end on textbook problems",
           "[optim][nlopt][budget]") {
   for (const auto& info : solvers()) {

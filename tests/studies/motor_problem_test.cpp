@@ -83,7 +83,7 @@ TEST_CASE("the Jacobian of a question is that of differences", "[studies][proble
   expect_jacobian(q, {1.7e-6, 170, 2.5e-4, 4e9, 0.21, 4.1e4}, 1e-6);
 }
 
-TEST_CASE("metrics at a load out of reach go on with a gradient", "[studies][problem]") {
+TEST_CASE("metrics at an unreachable load have a value with a gradient", "[studies][problem]") {
   // 60 N and mu = 0.2 carry 0.318 N.m.
   DesignProblem q{ring(), {}, {}, {}};
   q.vary(Parameter::preload, 40, 300).vary(Parameter::amplitude, 1e-6, 2e-6);

@@ -213,7 +213,7 @@ TEST_CASE("a front that no design is on says what stands in the way", "[studies]
   CHECK(answer_json(result)["knee"].is_null());
   result.explanation.conflict = {"stall_torque >= 1 N.m"};
   CHECK(answer_text(result) ==
-        "No design satisfies all limits: stall_torque >= 1 N.m is out of reach.\n");
+        "No design satisfies all limits: stall_torque >= 1 N.m cannot be reached.\n");
   CHECK(answer_json(result)["relaxation"]["conflict"] == Json::array({"stall_torque >= 1 N.m"}));
   result.explanation.conflict.clear();
   result.explanation.limits = {

@@ -65,7 +65,8 @@ TEST_CASE("the largest probability of one limit leaves the others to the design"
   CHECK(share.high >= 0.963214054253);
 }
 
-TEST_CASE("the smallest spread of a study is told as a standard deviation", "[studies][robust]") {
+TEST_CASE("the smallest spread of a study is reported as a standard deviation",
+          "[studies][robust]") {
   const Search s(
       holding_torque("minimize: sd(holding_torque)", "'quantile(holding_torque, 5 %) >= 0.7 N.m'"));
   CHECK(s.answer.outcome == "optimal");

@@ -250,12 +250,13 @@ TEST_CASE("limits that no design keeps are named with what would do",
                                   {"alone", 0.3}});
   CHECK(json["limits"][1]["alone"].is_null());
 
-  // One limit that is out of reach by itself, without a way out; and a way out without a conflict.
+  // One limit that cannot be reached by itself, without a way out; and a way out without a conflict.
   result.explanation.conflict = {"stall_torque >= 1 N.m"};
   result.explanation.limits.clear();
-  CHECK_THAT(answer_text(result),
-             StartsWith("No design satisfies all limits: stall_torque >= 1 N.m is out of reach.\n\n"
-                        "The design that breaks them least:\n"));
+  CHECK_THAT(
+      answer_text(result),
+      StartsWith("No design satisfies all limits: stall_torque >= 1 N.m cannot be reached.\n\n"
+                 "The design that breaks them least:\n"));
   CHECK(answer_json(result).contains("relaxation"));
   result.explanation.conflict.clear();
   result.explanation.limits = {relaxation("stall_torque >= 1 N.m", true, 0.1, 0.1)};

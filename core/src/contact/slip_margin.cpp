@@ -110,12 +110,12 @@ SlipMargin slip_margin(const ContactNumbers<double>& n) {
   SlipMargin low{contact.sample(0).f, 0, false, false, entry};
   const double at_exit = contact.sample(contact.length).f;
   if (at_exit < low.value) low = {at_exit, contact.length, true, false, entry};
-  const double hair = 1e-14 * (n.stick_rate * (1 + std::fabs(n.speed_ratio)) + n.kinetic);
+  const double slack = 1e-14 * (n.stick_rate * (1 + std::fabs(n.speed_ratio)) + n.kinetic);
   double x = 0;
   long samples = 0;
   StartOrder order = StartOrder::positive;
   while (x < contact.length) {
-    const double zero = first_zero(contact.curve(low.value - hair, x), contact.length - x, order,
+    const double zero = first_zero(contact.curve(low.value - slack, x), contact.length - x, order,
                                    samples, kMostSamples);
     if (!(zero < contact.length - x)) break;
     x = next_minimum(contact, x + zero);

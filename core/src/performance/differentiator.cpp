@@ -17,11 +17,11 @@ constexpr double kVanishing = 1e-8;  // length of a zone that counts as about to
 constexpr double kBeside = 1e-9;  // of the crest speed: a zone about to appear is there so far away
 constexpr double kNoDerivative = std::numeric_limits<double>::quiet_NaN();
 
-// Zones come or go a hair away from the speed.
+// Whether zones begin or end close to the speed.
 bool zones_change_beside(const DrivenMotor<double>& m, const SolvedPoint& p, double speed) {
-  const double hair = kBeside * m.crest_velocity / m.r;
+  const double offset = kBeside * m.crest_velocity / m.r;
   const WarmStart start = p.start();
-  for (const double beside : {speed - hair, speed + hair}) {
+  for (const double beside : {speed - offset, speed + offset}) {
     if (!wave_meets_rotor(m, beside)) continue;
     const SolvedPoint near = solve_point(m, beside, &start);
     if (near.status == PointStatus::ok && near.signature() != p.signature()) return true;

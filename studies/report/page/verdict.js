@@ -37,7 +37,7 @@ function causeText({impossible, conflict}) {
   const group = conflict.filter((text) => !impossible.some((limit) => limit.text === text)).map(limitWords);
   const lines = impossible.map(impossibleWords);
   const begin = impossible.length ? 'The others exclude each other as well: ' : 'These cannot hold together: ';
-  if (group.length === 1) lines.push(group[0] + ' is out of reach.');
+  if (group.length === 1) lines.push(group[0] + ' cannot be reached.');
   if (group.length > 1) lines.push(begin + group.join('; ') + '.');
   return lines.join(' ');
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What could keep a search going for ever: limits that cannot be met, points that are remembered, numbers
+// What could keep a search going without end: limits that cannot be met, points that are remembered, numbers
 // that overflow, and a request to stop that nobody looks at.
 #include "optim/inside/scaled_search.hpp"
 

@@ -42,7 +42,7 @@ Infeasibility explained(const Problem& p, double x) {
 
 }  // namespace
 
-TEST_CASE("limits out of reach give way by their distance to the bound, and only there",
+TEST_CASE("unreachable limits are loosened by their distance to the bound, and only there",
           "[optim][infeasible][closed_form]") {
   // Bounds of 0 and 1 with one limit 1 beyond, and then one 2 beyond as well, from either side. In a box
   // that is one wide scaled violations are those in user units.

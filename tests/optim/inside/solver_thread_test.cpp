@@ -221,7 +221,7 @@ TEST_CASE("NLopt asks for the same points to the last bit in a thread of its own
   }
 }
 
-TEST_CASE("COBYLA that turns for ever stalls, and the best design so far is kept",
+TEST_CASE("COBYLA that never returns stalls, and the best design so far is kept",
           "[optim][threads][solvers][budget]") {
   const Problem p = endless();
   const Result r = solve(p, by_cobyla());
@@ -232,7 +232,7 @@ TEST_CASE("COBYLA that turns for ever stalls, and the best design so far is kept
   CHECK(p.evaluate(r.design, false).values[0] > std::sqrt(3.0) / 4.0);
 }
 
-TEST_CASE("a request to stop ends a solver that turns for ever",
+TEST_CASE("a request to stop ends a solver that never returns",
           "[optim][threads][solvers][budget]") {
   std::atomic<std::size_t> calls{0};
   std::stop_source source;

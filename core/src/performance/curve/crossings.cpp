@@ -73,8 +73,8 @@ double CurveCrossings::plateau_end() {
   const auto beyond =
       std::find_if(nodes.begin(), nodes.end(), [](const CurvePoint& n) { return !n.plateau; });
   const double low = beyond[-1].speed, high = beyond->speed;
-  const double hair = 1e-4 * curve.crest();  // nodes are not exact
-  double speed = margin_end(std::max(low - hair, curve.begin()), high + hair);
+  const double slack = 1e-4 * curve.crest();  // nodes are not exact
+  double speed = margin_end(std::max(low - slack, curve.begin()), high + slack);
   // With mu_0 > mu the layer may hold on to sticking where slipping all through would be possible too.
   if (curve.may_jump() && !points_.at(speed * (1 - 1e-9)).plateau)
     speed = last_on_plateau(low, speed);

@@ -76,7 +76,7 @@ std::pair<CurvePoint, CurvePoint> CurveStretches::stretch_end(const CurvePoint& 
           past_jump(right, right.speed + kInset * (end.speed - right.speed))};
 }
 
-// The end of a stretch, or where the torque jumps a hair inside of it: a zone that is just born may grow at once.
+// The end of a stretch, or a place just inside of it where the torque jumps: a zone that has just begun may grow at once.
 CurvePoint CurveStretches::past_jump(const CurvePoint& end, double inside) {
   CurvePoint past = halving_.at(inside);
   const auto near = [this](const CurvePoint& a, const CurvePoint& b) {

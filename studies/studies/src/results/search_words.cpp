@@ -98,7 +98,7 @@ std::string cause_words(const Explanation& told) {
     if (std::ranges::find(told.impossible, name, &ImpossibleState::text) == told.impossible.end())
       group.push_back(name);
   if (told.impossible.empty() && group.size() == 1)
-    text += ": " + group.front() + " is out of reach";
+    text += ": " + group.front() + " cannot be reached";
   if (told.impossible.empty() && group.size() > 1)
     text += "; these cannot hold together: " + enumeration(group);
   text += ".\n";
