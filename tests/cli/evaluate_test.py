@@ -99,7 +99,7 @@ class Evaluate(program.Case):
         done = twum("evaluate", RING, "--designs", designs, "--metrics", "stall_torque", "--jobs", 2)
         curve = twum("curve", RING, "--set", "thickness=0.8 mm", "--format", "csv")
         note, = [line for line in curve.stderr.splitlines() if "contact length" in line]
-        self.assertEqual(done.stderr, note.replace("note: ", "note: line 4: ") + "; 1 other likewise, by less\n")
+        self.assertEqual(done.stderr, note.replace("note: ", "note: line 4: ") + "; the same for 1 other, to a smaller extent\n")
 
     def test_wrong_tables_are_refused(self):
         for text in ("", "\n\n", "id\n1\n", "preload [m]\n1\n", "preload,F_N\n1,2\n", "nu,G\n1,2\n", "preload;h\n1;2\n",

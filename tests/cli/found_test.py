@@ -137,7 +137,7 @@ class Notes(Found):
         self.run_study("family", text)
         note, = self.summary("family")["model_notes"]
         self.assertTrue(note.startswith("motor with thickness 1 mm: thickness 1 mm is "), note)
-        self.assertTrue(note.endswith("; 1 other likewise, by less"), note)
+        self.assertTrue(note.endswith("; the same for 1 other, to a smaller extent"), note)
 
     def test_of_equals_none_is_less(self):
         # Three amplitudes with one layer that is never open: full contact has no size.
@@ -145,7 +145,7 @@ class Notes(Found):
                 "study: {kind: curve, family: {amplitude: [1.0 um, 1.5 um, 2.0 um]}, points: 3}\n")
         self.run_study("closed", text)
         note, = [note for note in self.summary("closed")["model_notes"] if "all round" in note]
-        self.assertTrue(note.endswith("a real wave; 2 others likewise"), note)
+        self.assertTrue(note.endswith("a real wave; the same for 2 others"), note)
 
     def test_a_search_from_a_thick_layer_names_the_limit_to_add(self):
         # 1 mm is 27 % of the contact length; the notes on what is found are about other motors.

@@ -213,10 +213,11 @@ TEST_CASE("parameters that count only in combination: the text says which change
           "[studies][calibrate][words]") {
   CalibrateResult result = fit();
   result.undetermined = {{{"amplitude"}, kNaN}};
-  CHECK(noted(result, "The data say nothing about amplitude: set it in the motor."));
+  CHECK(noted(result,
+              "The data do not determine amplitude: give it in the motor, do not estimate it."));
   const std::string together =
-      "kinetic_friction and preload only count together: the data do not tell them apart. Set one "
-      "of them in the motor.";
+      "kinetic_friction and preload act only in combination: the data do not tell them apart. Give "
+      "one of them in the motor, do not estimate it.";
   result.undetermined = {{{"kinetic_friction", "preload"}, -1}};
   CHECK(noted(result, together + " 1 % more kinetic_friction is undone by 1 % less preload."));
   result.undetermined[0].undone_by = 2.5;
@@ -362,8 +363,8 @@ TEST_CASE("what leaves no doubt, or no way to tell, is said", "[studies][calibra
   CalibrateResult result = fit();
   result.degrees_of_freedom = 0;
   CHECK(noted(result,
-              "As many points as parameters: there is nothing left to tell how good the "
-              "estimates are."));
+              "As many points as parameters: no residuals are left that show how good "
+              "the estimates are."));
   result.exact = true;
   CHECK(noted(result, "The points lie on the curve to rounding."));
   CHECK(answer_json(result)["fit"]["exact"] == true);

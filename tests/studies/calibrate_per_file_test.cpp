@@ -157,7 +157,7 @@ TEST_CASE("a table that does not see its own parameter is named", "[studies][cal
   const double torque = Motor(motor).operating_point(kRpm).torque;
   const Run run(two.file(points_of(motor), plateau(torque)));
   CHECK(run.answer.outcome == "undetermined");
-  CHECK_THAT(run.text(), Contains("The data say nothing about youngs_modulus (b.csv)"));
+  CHECK_THAT(run.text(), Contains("The data do not determine youngs_modulus (b.csv)"));
   CHECK(run.result().undetermined.size() == 1);
 }
 

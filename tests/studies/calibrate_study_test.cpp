@@ -107,7 +107,7 @@ TEST_CASE("modulus and thickness of an elastic layer only count together",
   CHECK(std::isnan(result.estimates[0].low));
   CHECK(std::isnan(result.estimates[1].high));
   CHECK(std::isfinite(result.estimates[2].low));
-  CHECK_THAT(run.text(), Contains("youngs_modulus and thickness only count together"));
+  CHECK_THAT(run.text(), Contains("youngs_modulus and thickness act only in combination"));
   CHECK_THAT(run.text(), Contains("1 % more youngs_modulus is undone by 1 % more thickness"));
 }
 
@@ -118,7 +118,7 @@ TEST_CASE("a parameter without influence is named alone", "[studies][calibrate]"
   const Run run(one.file(points_of(one.design())));
   REQUIRE(run.result().undetermined.size() == 1);
   CHECK(run.result().undetermined[0].names == std::vector<std::string>{"modal_damping"});
-  CHECK_THAT(run.text(), Contains("The data say nothing about modal_damping"));
+  CHECK_THAT(run.text(), Contains("The data do not determine modal_damping"));
 }
 
 TEST_CASE("standard deviations weigh like 1 / s^2 (L1.1), and the scatter is tested against them",

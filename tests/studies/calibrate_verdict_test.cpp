@@ -112,8 +112,8 @@ TEST_CASE("combinations that the points cannot see are named, in ten cases",
       {{"mu", "r"}, true, {"kinetic_friction", "contact_radius"}, "with a smaller contact radius"},
       {{"F", "r"}, true, {"preload", "contact_radius"}, "with a smaller contact radius"},
       {{"mu", "F", "r"}, true, {"kinetic_friction", "preload", "contact_radius"}, "fits as well"},
-      {{"mu", "d"}, false, {"modal_damping"}, "The data say nothing about modal_damping"},
-      {{"mu", "E"}, true, {"youngs_modulus"}, "The data say nothing about youngs_modulus"},
+      {{"mu", "d"}, false, {"modal_damping"}, "The data do not determine modal_damping"},
+      {{"mu", "E"}, true, {"youngs_modulus"}, "The data do not determine youngs_modulus"},
   };
   const std::map<std::string, std::string> ranges{
       {"E", "youngs_modulus: {min: 1 GPa, max: 10 GPa}"},

@@ -233,7 +233,7 @@ TEST_CASE("limits that no design keeps are named with what would do",
                         "max_torque <= 1 N.m | as it is | does not help alone\n"
                         "peak_torque <= 1 N.m | <= 1.25 N.m | <= 1.5 N.m\n"
                         "\n"
-                        "The design that breaks them least:\n"
+                        "The design with the smallest violation:\n"
                         "\n"
                         "design | start | best\n"));
   CHECK_THAT(text, !Contains("Verified local optimum"));
@@ -256,7 +256,7 @@ TEST_CASE("limits that no design keeps are named with what would do",
   CHECK_THAT(
       answer_text(result),
       StartsWith("No design satisfies all limits: stall_torque >= 1 N.m cannot be reached.\n\n"
-                 "The design that breaks them least:\n"));
+                 "The design with the smallest violation:\n"));
   CHECK(answer_json(result).contains("relaxation"));
   result.explanation.conflict.clear();
   result.explanation.limits = {relaxation("stall_torque >= 1 N.m", true, 0.1, 0.1)};
@@ -310,7 +310,7 @@ TEST_CASE("limits impossible alone come first, then those that exclude each othe
       answer_text(result),
       StartsWith(
           "No design satisfies all limits.\nmax_pressure <= 1 MPa cannot be reached: the least "
-          "found within the ranges is 2 MPa.\n\nThe design that breaks them least:\n"));
+          "found within the ranges is 2 MPa.\n\nThe design with the smallest violation:\n"));
 }
 
 TEST_CASE("changes have a sign, and no change is nothing", "[studies][optimize][words]") {

@@ -99,7 +99,7 @@ function densityChart(d) {
 function riskCard() {
   const node = card(
       'Where the risk goes',
-      'Share of the failing motors that break a limit, and what of it each tolerance causes. The index is the ' +
+      'Share of the failing motors that violate each limit, and the part of it that each tolerance causes. The index is the ' +
           'number of standard deviations between the design and the limit.',
       'wide');
   const limits = summary.robust.limits;
@@ -107,7 +107,7 @@ function riskCard() {
   node.append(
       barRows(limits.map((l) => ({name: limitWords(l.text), value: l.share, text: percent(l.share, 3)})), 0, 1));
   node.append(table(
-      'risk', ['limit', 'motors that break it', 'of the failures', 'index', ...names.map(plain)],
+      'risk', ['limit', 'motors that violate it', 'of the failures', 'index', ...names.map(plain)],
       limits.map(
           (l) =>
               [{text: limitWords(l.text), value: l.text, words: true},

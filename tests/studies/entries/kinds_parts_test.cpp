@@ -334,9 +334,9 @@ TEST_CASE("a doubt that several motors share is told of the worst, with the numb
   const std::string rising = one_about(notes("amplitude: [6 um, 10 um, 7 um]"), "amplitude");
   CHECK_THAT(rising,
              StartsWith("motor with amplitude 10 um: amplitude 10 um is outside 50 nm to 5 um") &&
-                 EndsWith("; 2 others likewise, by less"));
+                 EndsWith("; the same for 2 others, to a smaller extent"));
   const std::string alone = one_about(notes("amplitude: [1.6 um, 6 um]"), "amplitude");
-  CHECK_THAT(alone, StartsWith("motor with amplitude 6 um: ") && !Contains("likewise"));
+  CHECK_THAT(alone, StartsWith("motor with amplitude 6 um: ") && !Contains("the same for"));
   const std::string low = one_about(notes("frequency: [10 kHz, 40 kHz]"), "frequency");
   CHECK_THAT(low, Contains("frequency 10 kHz is outside 20 kHz to 150 kHz"));
   // The preload changes nothing about the thickness of the layer: equally far off.
@@ -344,5 +344,6 @@ TEST_CASE("a doubt that several motors share is told of the worst, with the numb
   StudyFile file =
       study_in(folder, "{kind: curve, points: 2, family: {modal_damping: [1 N.s/m, 2 N.s/m]}}");
   file.motor.design.stator.amplitude = 6e-6;
-  CHECK_THAT(one_about(run_study(file).model_notes, "amplitude"), EndsWith("; 1 other likewise"));
+  CHECK_THAT(one_about(run_study(file).model_notes, "amplitude"),
+             EndsWith("; the same for 1 other"));
 }

@@ -177,7 +177,7 @@ TEST_CASE("each doubt about members of a family is told once", "[studies][run]")
     std::size_t count = 0;
     for (const std::string& note : notes)
       count += note.find(": " + std::string(info(parameter).name) + " ") != std::string::npos &&
-                       note.ends_with("; 2 others likewise")
+                       note.ends_with("; the same for 2 others")
                    ? 1
                    : 0;
     return count;

@@ -36,8 +36,8 @@ std::vector<std::string> WorstNotes::texts() const {
   for (const Worst& one : worst_) {
     std::string text = (motors_ == 1 ? "" : one.what + ": ") + one.note.text;
     if (one.others > 0)
-      text += "; " + counted(one.others, "other") + " likewise" +
-              (one.smallest < one.note.size ? ", by less" : "");
+      text += "; the same for " + counted(one.others, "other") +
+              (one.smallest < one.note.size ? ", to a smaller extent" : "");
     texts.push_back(std::move(text));
   }
   return texts;

@@ -334,7 +334,8 @@ std::string answer_text(const CalibrateResult& result) {
     return result.data.front().torque()
                ? "No start could be evaluated: the motor has no torque at one of the speeds "
                  "measured.\n"
-               : "No start could be evaluated: the motor lacks one of the numbers measured.\n";
+               : "No start could be evaluated: the motor has no value for one of the measured "
+                 "numbers.\n";
   std::string text = "Estimates with intervals of " + percent(result.confidence) + "\n\n" +
                      estimates_table(result) + "\n";
   for (const NamedValue& value : result.derived)

@@ -126,12 +126,13 @@ void add_outliers(const CalibrateResult& result, Notes& notes) {
 
 void add_undetermined(const CalibrateResult::Undetermined& set, Notes& notes) {
   if (set.names.size() == 1) {
-    notes.push_back("The data say nothing about " + set.names[0] + ": set it in the motor.");
+    notes.push_back("The data do not determine " + set.names[0] +
+                    ": give it in the motor, do not estimate it.");
     return;
   }
   std::string text = enumeration(set.names) +
-                     " only count together: the data do not tell them apart. Set one of them in "
-                     "the motor.";
+                     " act only in combination: the data do not tell them apart. Give one of them "
+                     "in the motor, do not estimate it.";
   if (std::isfinite(set.undone_by))
     text += " 1 % more " + set.names[0] + " is undone by " +
             rounded_text(std::fabs(set.undone_by), 3) + " % " +
@@ -255,7 +256,8 @@ void add_unfinished(const CalibrateResult& result, Notes& notes) {
 void add_freedom(const CalibrateResult& result, Notes& notes) {
   if (result.degrees_of_freedom == 0)
     notes.emplace_back(
-        "As many points as parameters: there is nothing left to tell how good the estimates are.");
+        "As many points as parameters: no residuals are left that show how good the estimates "
+        "are.");
   if (result.exact) notes.emplace_back("The points lie on the curve to rounding.");
   if (result.static_ratio != 1)
     notes.push_back("static_friction is " + rounded_text(result.static_ratio, 4) +

@@ -201,7 +201,7 @@ std::string answer_text(const OptimizeResult& result) {
   const bool infeasible = !result.explanation.empty();
   std::string text;
   if (infeasible)
-    text = relaxation_words(result.explanation) + "\nThe design that breaks them least:\n\n";
+    text = relaxation_words(result.explanation) + "\nThe design with the smallest violation:\n\n";
   else
     text = goal_words(result.goal) + ": " +
            value_words(goal_value(result.best, result.goal), result.goal) + " (was " +

@@ -65,7 +65,7 @@ const RobustTolerance* dearest(const RobustReport& report) {
   return most == report.tolerances.end() || !(most->gain != 0) ? nullptr : &*most;
 }
 
-// "52 % break wear_intensity_at(80 rpm) <= 5 kW/m^2, 46 % break no_load_speed >= 100 rpm"
+// "52 % violate wear_intensity_at(80 rpm) <= 5 kW/m^2, 46 % violate no_load_speed >= 100 rpm"
 std::string failing_words(const RobustReport& report) {
   std::vector<const RobustLimit*> list;
   for (const RobustLimit& limit : report.limits)
@@ -74,7 +74,7 @@ std::string failing_words(const RobustReport& report) {
                    [](const auto* a, const auto* b) { return a->share > b->share; });
   std::string text;
   for (const RobustLimit* limit : list)
-    text += (text.empty() ? "" : ", ") + percent_words(limit->share, 2) + " break " + limit->text;
+    text += (text.empty() ? "" : ", ") + percent_words(limit->share, 2) + " violate " + limit->text;
   return text;
 }
 
@@ -89,7 +89,7 @@ std::string price_words(const RobustReport& report, const Goal& goal) {
 }
 
 std::string risk_table(const RobustReport& report) {
-  TextTable table{{{"limit", "motors that break it", "of the failures", "index", "mostly by"}}};
+  TextTable table{{{"limit", "motors that violate it", "of the failures", "index", "mostly by"}}};
   for (const RobustLimit& limit : report.limits) {
     const auto most = std::max_element(
         limit.importance.begin(), limit.importance.end(),
