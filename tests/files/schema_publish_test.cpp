@@ -252,7 +252,7 @@ TEST_CASE("a mapping is one by parameter if every name of it has a symbol that c
   }
 }
 
-TEST_CASE("the table says what is needed, and what stands for what", "[studies][schema]") {
+TEST_CASE("the table says what is required, and which entry replaces which", "[studies][schema]") {
   SchemaEntry a = entry("a", of_kind(ValueKind::text, "this | that"), true);
   SchemaEntry b = entry("b", of_kind(ValueKind::text));
   SchemaEntry c = entry("c", of_kind(ValueKind::text), true);
@@ -261,9 +261,9 @@ TEST_CASE("the table says what is needed, and what stands for what", "[studies][
   b.twin = "a";
   d.fallback = "1000";
   const std::string table = markdown_table(mapping({a, b, c, d}));
-  CHECK(row(table, "a") == "| `a` | text | needed, or `b` | this \\| that |");
+  CHECK(row(table, "a") == "| `a` | text | required, or `b` | this \\| that |");
   CHECK(row(table, "b") == "| `b` | text | instead of `a` | a text |");
-  CHECK(row(table, "c") == "| `c` | text | needed | a text |");
+  CHECK(row(table, "c") == "| `c` | text | required | a text |");
   CHECK(row(table, "d") == "| `d` | text | 1000 | a text |");
 }
 

@@ -89,8 +89,9 @@ inline constexpr std::array<ParameterInfo, kParameterCount - kGeometryRows.size(
      "a whole turn of the wave either way"},
     {P::radial_slices, "radial_slices", "", "1", "stator.radial_slices", -256, 256, true, false,
      kNoTwin, "8",
-     "slices of each smooth piece of the contact track; 1 takes all at the contact radius, auto "
-     "(0 as a number) as many as the torque needs",
+     "slices of each smooth piece of the contact track; 1: the whole contact at the contact "
+     "radius; "
+     "auto (0 as a number): as many as an accurate torque needs",
      "256 slices of a smooth piece leave rounding errors only, and 1e-6 of the torque next to "
      "kinks"},
     {P::shape_exponent, "shape_exponent", "", "1", "stator.radial_shape.exponent", -20, 20, false,

@@ -178,7 +178,7 @@ function histogram(node, column, info) {
   const range = histogramRange(bins, limits).map((v) => v / unit.divisor);
   const quantiles = Object.entries(info.quantiles || {})
                         .map(([p, v]) => ({value: v / unit.divisor, name: rounded(100 * Number(p)) + ' %'}));
-  const broken = [{name: 'violates it', colour: 'c1', kind: 'area'}, {name: 'limit', colour: 'c1'}];
+  const broken = [{name: 'breaks it', colour: 'c1', kind: 'area'}, {name: 'limit', colour: 'c1'}];
   const hatched = (l) =>
       (l.sense === 'at least' ? [range[0], l.limit / unit.divisor] : [l.limit / unit.divisor, range[1]]);
   const series =

@@ -25,7 +25,7 @@ constexpr const char* kInitExamples = R"text(Examples:
   twum init motor -o my-motor.yaml)text";
 
 constexpr const char* kMotorHeading =
-    "# A motor for twum. Values carry their unit; any unit of the right dimension will do.\n"
+    "# A motor for twum. Values carry their unit; any unit of the right dimension is accepted.\n"
     "# Check it with 'twum check FILE', see what it does with 'twum curve FILE'.\n";
 
 struct InitOptions {

@@ -51,7 +51,7 @@ std::string need_text(const ParameterInfo& row) {
   if (!entry->spared_by.empty()) others += (others.empty() ? "" : ", ") + entry->spared_by;
   if (row.required) return others.empty() ? "yes" : "or " + others;
   if (!twin.empty()) return "instead of " + twin;
-  return "no; left out: " + entry->fallback;
+  return "no; default: " + entry->fallback;
 }
 
 Listing parameters() {

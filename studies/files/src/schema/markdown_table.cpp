@@ -80,17 +80,17 @@ class TableWriter {
 
  private:
   void one(const SchemaEntry& entry, const std::string& path, const std::string& when) {
-    std::string left_out = entry.required ? "needed" : entry.fallback;
+    std::string default_text = entry.required ? "required" : entry.fallback;
     if (!entry.twin.empty() && !in_parameter_) {
-      left_out =
-          entry.required ? "needed, or `" + entry.twin + "`" : "instead of `" + entry.twin + "`";
+      default_text =
+          entry.required ? "required, or `" + entry.twin + "`" : "instead of `" + entry.twin + "`";
     }
     if (!entry.spared_by.empty() && entry.required)
-      left_out += (entry.twin.empty() ? ", or `" : " or `") + entry.spared_by + "`";
+      default_text += (entry.twin.empty() ? ", or `" : " or `") + entry.spared_by + "`";
     const std::string what =
         in_parameter_ ? role_text(entry.name, entry.schema.text) : entry.schema.text;
     const std::string text = (when.empty() ? "" : "`" + when + "`: ") + what;
-    text_ += "| `" + path + "` | " + cell(value(entry.schema)) + " | " + left_out + " | " +
+    text_ += "| `" + path + "` | " + cell(value(entry.schema)) + " | " + default_text + " | " +
              cell(text) + " |\n";
     // Options of single solvers have a page of their own.
     if (entry.name != "options") inside(entry.schema, path, when);
@@ -164,7 +164,7 @@ class TableWriter {
 std::string markdown_table(const Schema& mapping) {
   TableWriter writer;
   writer.entries(mapping, "", "");
-  return "| entry | value | left out | text |\n| --- | --- | --- | --- |\n" + writer.take();
+  return "| entry | value | default | text |\n| --- | --- | --- | --- |\n" + writer.take();
 }
 
 }  // namespace twum::studies

@@ -40,7 +40,7 @@ class TemplateWriter {
   // An entry with its example behind it, or its sample below it.
   void value(const SchemaEntry& entry, std::size_t depth, bool hidden) {
     std::string comment = entry.schema.text;
-    if (!entry.fallback.empty()) comment += " (optional; left out: " + entry.fallback + ")";
+    if (!entry.fallback.empty()) comment += " (optional; default: " + entry.fallback + ")";
     if (!entry.twin.empty() && !entry.required) comment += " (instead of " + entry.twin + ")";
     if (entry.schema.sample.empty()) {
       line(depth, hidden, entry.name + ": " + entry.schema.example, comment);

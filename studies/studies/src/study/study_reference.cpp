@@ -30,7 +30,7 @@ study:
 
 Values carry units; a number without a unit is for a parameter without one. `NAME` stands for a [parameter](parameters.md), by name or
 symbol (below `choose`, for a name of your own); its values are quantities of its dimension within its range. Where a [metric](metrics.md) may stand, a parameter
-may too. `[]` stands for every item of a list. The third column says what holds if an entry is left out. Options of single
+may too. `[]` stands for every item of a list. The third column is the default of an entry that is left out. Options of single
 solvers, below `solver: options:`, are on the page of the [solvers](solvers.md).
 
 )text";
