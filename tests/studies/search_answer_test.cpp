@@ -124,7 +124,8 @@ TEST_CASE("a check that holds whole numbers as they are says so", "[studies][opt
   OptimizeResult result = optimum();
   result.best.design.push_back({"wavelengths", "1", 9});
   const std::string text = answer_text(result);
-  CHECK(text.find("Verified local optimum, wavelengths held: no feasible change of the rest "
+  CHECK(text.find("Verified local optimum with wavelengths fixed: no feasible change of the other "
+                  "variables "
                   "improves it to first order (stationarity 1.2e-07)") != std::string::npos);
   result.whole_ends = {{{"wavelengths", "1"}, true, 9}};
   CHECK_THAT(barred(answer_text(result)),

@@ -11,9 +11,10 @@ std::span<const Reason> reasons() {
        "or log of a negative number"},
       {MetricStatus::unreachable, "the motor cannot carry this load"},
       {MetricStatus::no_periodic_state,
-       "the contact never repeats itself from wave to wave; usual if static friction exceeds "
-       "kinetic friction"},
-      {MetricStatus::not_converged, "no steady state was found; usual for a layer without damping"},
+       "the motion of the contact does not repeat from one wave to the next; common if static "
+       "friction exceeds kinetic friction"},
+      {MetricStatus::not_converged,
+       "no steady state was found; common for a layer without damping"},
       {MetricStatus::resonance, "the layer has no damping and is driven at its own resonance"},
       {MetricStatus::unresolved, "more zones of stick and slip than can be followed"},
       {MetricStatus::inaccurate,
@@ -21,10 +22,11 @@ std::span<const Reason> reasons() {
        "change them"},
       {MetricStatus::out_of_range, "the rotor runs backward as fast as the wave, or faster"},
       {MetricStatus::pulled_out,
-       "the voltage keeps no running wave at the speed that is needed; raise the voltage or the "
+       "the voltage cannot sustain a running wave at this speed; raise the voltage or the "
        "frequency"},
       {MetricStatus::no_running_branch,
-       "the voltage keeps no running wave at any speed; raise the voltage or the frequency"},
+       "the voltage cannot sustain a running wave at any speed; raise the voltage or the "
+       "frequency"},
       {MetricStatus::no_dead_branch,
        "the motor starts by itself, so there is no wave too small to move the rotor; lower the "
        "voltage or the frequency"},
@@ -34,7 +36,8 @@ std::span<const Reason> reasons() {
        "the backward wave is not computed for this contact. It is computed if the whole contact "
        "slips one way, and for layers with loss_factor 0, density 0 and equal friction "
        "coefficients"},
-      {MetricStatus::does_not_pull_out, "the running wave exists down to rest"}};
+      {MetricStatus::does_not_pull_out,
+       "the running wave exists at every speed down to rest, so there is no pull-out torque"}};
   return kReasons;
 }
 

@@ -125,8 +125,8 @@ std::string whole_numbers(const OptimizeResult& result) {
 
 std::string optimal_words(const OptimizeResult& result) {
   const std::string held = whole_numbers(result);
-  return "Verified local optimum" + (held.empty() ? "" : ", " + held + " held") +
-         ": no feasible change " + (held.empty() ? "" : "of the rest ") +
+  return "Verified local optimum" + (held.empty() ? "" : " with " + held + " fixed") +
+         ": no feasible change " + (held.empty() ? "" : "of the other variables ") +
          "improves it to first order (stationarity " +
          rounded_text(result.best.certificate.stationarity, 2) + ")";
 }
