@@ -36,7 +36,7 @@ void add_output_options(CLI::App& command, OutputOptions& options,
   const CLI::Option* given =
       command
           .add_option("--format", options.format,
-                      "How to write the result (default: by the name of the file, or a table)")
+                      "Format of the result (default: by the ending of the file, else a table)")
           ->check(CLI::IsMember(formats))
           ->type_name(names);
   command

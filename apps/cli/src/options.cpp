@@ -44,7 +44,7 @@ void add_branch_option(CLI::App& command, MotorOptions& options) {
       .add_option(
           "--branch", options.branch,
           "Which stable wave of a motor under a voltage: the large one of a running motor, or "
-          "the small one that the rotor clamps")
+          "the small one that does not turn the rotor")
       ->check(CLI::IsMember(std::vector<std::string>{"running", "dead"}))
       ->type_name("running|dead");
 }

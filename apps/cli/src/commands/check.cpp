@@ -26,8 +26,8 @@ constexpr const char* kCheckExamples = R"text(Examples:
   twum check study.yaml              with the files that the study names
   twum check ring-60.yaml --set "thickness=0.2 mm"
 
-A file that is right may still be odd: lines that begin with "note:" say where a motor is outside
-what the solver is tested for, or what its model is good for.)text";
+A valid file may still describe an unusual motor. Lines that begin with "note:" name values outside
+the range in which the solver is tested, and assumptions of the model that do not hold.)text";
 
 // A valid file: its description, its motor, and what is still missing.
 struct Checked {

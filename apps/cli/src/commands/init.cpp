@@ -78,11 +78,10 @@ void add_init(CLI::App& app, Action& action) {
   command
       ->add_option(
           "--motor", options->motor,
-          "Of a study: the motor file that it names, from its own folder (default: a motor "
-          "written into the study)")
+          "For a study: motor file that it names (default: the study file contains a motor)")
       ->type_name("FILE");
   command->add_flag("--driven", options->driven,
-                    "Of a motor: one whose wave follows from voltage, frequency and load");
+                    "For a motor: its wave follows from voltage, frequency and load");
   command->add_option("-o,--output", options->path, "Write the result to this new file")
       ->type_name("FILE");
   command->footer(kInitExamples);

@@ -23,8 +23,8 @@ constexpr const char* kVerifyExamples = R"text(Examples:
 
 Computes again: rows of results.db drawn at random, the designs of summary.json, their
 certificates, and the answer as it follows from the rows; and compares summary.json, results.csv and
-the motor files with them, and study.yaml with its hash (not report.html: 'twum report' makes it
-anew). Exit status 0: all of it holds to 1e-12 of each number; 1: something does not; 3: the results
+the motor files with them, and study.yaml with its hash (not report.html: 'twum report' writes it
+again). Exit status 0: every number agrees to 1e-12 of itself; 1: something differs; 3: the results
 cannot be read.)text";
 
 struct VerifyCommand {
