@@ -78,7 +78,8 @@ void add_init(CLI::App& app, Action& action) {
   command
       ->add_option(
           "--motor", options->motor,
-          "For a study: motor file that it names (default: the study file contains a motor)")
+          "For a study: motor file that it names, as a path from the study's folder (default: the "
+          "study file contains a motor)")
       ->type_name("FILE");
   command->add_flag("--driven", options->driven,
                     "For a motor: its wave follows from voltage, frequency and load");

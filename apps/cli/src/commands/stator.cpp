@@ -229,7 +229,7 @@ void add_stator(CLI::App& app, Action& action) {
   add_load_options(*command, options->load, 0);
   command->add_option(
       "--modes", options->modes,
-      "Number of modes of the geometry to list, nearest to the drive's first (default: 6)");
+      "Number of modes of the geometry to list, those nearest to the drive's mode (default: 6)");
   add_output_options(*command, options->output, {"table", "json"});
   add_plot_option(*command, options->plot);
   command->footer(kStatorExamples);
