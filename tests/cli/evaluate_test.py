@@ -78,7 +78,7 @@ class Evaluate(program.Case):
             "line 4: preload must be at least 0 N, but is -1 N", "line 6: 2 cells, the header has 1",
             "speed_at(0.6 N.m): unreachable"])
         self.assertEqual({len(row) for row in rows}, {4})
-        self.assertIn("4 of 5 designs have no full answer", done.stderr)
+        self.assertIn("4 of 5 designs failed or are incomplete", done.stderr)
 
     def test_a_table_without_any_answer_has_a_status_of_its_own(self):
         designs = self.write("designs.csv", "preload [N]\nx\n-1\n")
@@ -91,7 +91,7 @@ class Evaluate(program.Case):
         done = twum("evaluate", RING, "--set", "modal_damping=0 N.s/m", "--designs", designs,
                             "--metrics", "stall_torque, max_efficiency")
         self.assertEqual(done.returncode, 0)
-        self.assertIn("1 of 1 designs have no full answer", done.stderr)
+        self.assertIn("1 of 1 designs failed or are incomplete", done.stderr)
         self.assertIn(b"max_efficiency: undefined", done.stdout)
 
     def test_reasons_to_doubt_the_model_are_those_of_the_curve_command(self):

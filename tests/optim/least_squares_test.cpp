@@ -44,7 +44,8 @@ TEST_CASE("intervals cover the truth as often as they say",
   CHECK(std::abs(covered / double(repeats) - 0.95) < 0.0195);
 }
 
-TEST_CASE("parameters that only count together are named", "[optim][least_squares][degenerate]") {
+TEST_CASE("parameters that act only in combination are named",
+          "[optim][least_squares][degenerate]") {
   std::vector<Variable> v{{"a", 0.1, 10.0, 1.0}, {"b", 0.1, 10.0, 1.0}, {"c", -10.0, 10.0, 0.0}};
   const auto fit = least_squares(v, [](std::span<const double> p) {
     Residuals r;

@@ -85,7 +85,7 @@ TEST_CASE("intervals cover the true parameters as often as they say, many times"
   check_coverage(3000);
 }
 
-TEST_CASE("modulus and thickness of an elastic layer only count together",
+TEST_CASE("modulus and thickness of an elastic layer act only in combination",
           "[studies][calibrate][closed-form]") {
   Case one;
   one.motor = "elastic-layer";

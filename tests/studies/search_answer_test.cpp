@@ -261,7 +261,7 @@ TEST_CASE("limits that no design keeps are named with what would do",
   CHECK(answer_json(result).contains("relaxation"));
   result.explanation.conflict.clear();
   result.explanation.limits = {relaxation("stall_torque >= 1 N.m", true, 0.1, 0.1)};
-  CHECK_THAT(answer_text(result), StartsWith("No design satisfies all limits.\n\nthe least"));
+  CHECK_THAT(answer_text(result), StartsWith("No design satisfies all limits.\n\nlimit to loosen"));
 }
 
 TEST_CASE("limits impossible alone come first, then those that exclude each other, then the ranges",
