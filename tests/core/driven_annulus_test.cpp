@@ -124,7 +124,7 @@ TEST_CASE("no wave of a wide contact is missed (D2.8, D2.10)",
   }
 }
 
-TEST_CASE("each point's wave is one that the search over all amplitudes finds at its speed (D2.4)",
+TEST_CASE("each point's wave is one that the search over all amplitudes finds at its speed (D2.9)",
           "[core][driven][differential]") {
   std::mt19937_64 engine(64);
   const auto between = [&engine](double low, double high) {

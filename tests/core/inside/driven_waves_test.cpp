@@ -71,30 +71,3 @@ TEST_CASE("no wave is missed below the largest there can be (D2.7, D2.8)",
   CHECK(several > 3);
   CHECK(compared > 60);
 }
-
-TEST_CASE("the branch passes through the solutions at each of its speeds (D2.9)",
-          "[core][driven][identity]") {
-  Dice dice(92);
-  int points = 0;
-  for (int i = 0; i < 40; ++i) {
-    const Drive drive(random_driven(dice, i));
-    if (!drive.branch().exists()) continue;
-    const double first = drive.branch().first_amplitude();
-    const double crest = drive.waves().crest_speed_per_amplitude() * first;
-    for (const double share : {0.0, 0.31, 0.62, 0.9}) {
-      if (share == 0 && drive.begin() > 0)
-        continue;  // the fold itself, where two solutions are one
-      const double speed = drive.begin() + share * crest;
-      const std::optional<BranchWave> wave = drive.branch().at(speed);
-      if (!wave) continue;
-      double nearest = 1;
-      for (const WaveSolution& s : drive.solutions(speed))
-        nearest = std::fmin(nearest, std::fabs(s.wave().amplitude / wave->amplitude - 1));
-      CAPTURE(i, speed, wave->amplitude);
-      // Both searches end within rounding of H, which its slope makes 1e-12 or less of the amplitude away from folds.
-      CHECK(nearest <= 1e-10);
-      ++points;
-    }
-  }
-  CHECK(points > 50);
-}
