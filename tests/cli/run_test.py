@@ -344,7 +344,7 @@ class Processes(Run):
                 out, errors = process.communicate(timeout=600)
                 self.assertEqual(process.returncode, 130, errors)
                 self.assertIn(b"interrupted", out.splitlines()[0])
-                self.assertIn(b"goes on", errors)
+                self.assertIn(b"resumes", errors)
                 summary = self.summary(name)
                 self.assertEqual(summary["outcome"], "interrupted")
                 self.assertLess(summary["evaluations"], LARGE)

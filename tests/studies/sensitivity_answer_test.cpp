@@ -191,7 +191,7 @@ TEST_CASE("local effects stand beside the motor where they hold", "[studies][sen
         "\n"
         "stall_torque: 600 mN.m\n"
         "variable | at | elasticity | gradient\n"
-        "preload | 160 N | 1.000 | 0.00375 N.m per N\n"
+        "preload | 160 N | 1.000 | 3.75 mN.m per N\n"
         "kinetic_friction | 0.2 | 1.000 | 3 N.m per 1\n"
         "amplitude | 1.6 um | 0.000 | 0 N.m per m\n"
         "preload matters most: 1 % more of it changes stall_torque by 1 %.\n");

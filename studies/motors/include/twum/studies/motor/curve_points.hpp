@@ -48,8 +48,8 @@ std::optional<bool> squeals(const MotorDesign& design, const BackwardWave& wave)
 
 /// Speeds between which a motor squeals [rad/s].
 struct SquealRange {
-  double first;
-  double last;
+  double first;  ///< the lower one
+  double last;   ///< the upper one
 };
 
 /// Where a motor squeals, as far as these speeds tell; they are in ascending order [rad/s]. Costs about a point of the
