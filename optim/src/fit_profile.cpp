@@ -35,7 +35,7 @@ class Profile {
         lowest_((1.0 - kBetter) * fit.sum_of_squares) {
     const Estimate& e = fit.estimates[which_];
     log_ = parameters[which_].scale == Scale::log;
-    width_ = fit.student_t * e.standard_deviation / (log_ ? e.value : 1.0);
+    width_ = log_ ? std::log(e.high / e.value) : e.high - e.value;
     const double bound =
         end == IntervalEnd::high ? parameters[which_].upper : parameters[which_].lower;
     farthest_ = std::abs(log_ ? std::log(bound / e.value) : bound - e.value) / width_;
@@ -65,8 +65,10 @@ class Profile {
                       parameters_[which_].upper);
   }
 
-  ProfileEnd answer(double u, bool linear, bool cut_off) const {
-    return {value(u), linear, cut_off, better_};
+  ProfileEnd answer(double u, bool linear, bool cut_off) {
+    std::sort(points_.begin(), points_.end(),
+              [](const ProfilePoint& a, const ProfilePoint& b) { return a.value < b.value; });
+    return {value(u), linear, cut_off, better_, points_};
   }
 
   // Problem with the parameter held at u half widths. The others start at the values of the linearised fit.
@@ -95,8 +97,25 @@ class Profile {
       better_.clear();
       for (const Estimate& e : found.estimates) better_.push_back(e.value);
     }
-    const double unit = fit_.student_t * fit_.scatter;
-    return std::sqrt(std::max(found.sum_of_squares - fit_.sum_of_squares, 0.0)) / unit;
+    const double z = std::sqrt(std::max(found.sum_of_squares - fit_.sum_of_squares, 0.0)) /
+                     fit_.estimates[which_].rise;
+    add_point(found, z);
+    return z;
+  }
+
+  // The others are at their optimum or held, so that the least sum of squares rises as the sum itself does, by 2 J^T r (L3.2).
+  void add_point(const LeastSquaresResult& found, double z) {
+    const double noise = 1e-3;  // below, z is the root of a rounding error
+    if (!(z > noise)) return;
+    std::vector<double> b;
+    for (const Estimate& e : found.estimates) b.push_back(e.value);
+    const Residuals here = residuals_(b);
+    if (!here.failure.empty()) return;
+    double slope = 0.0;
+    for (std::size_t i = 0; i < here.values.size(); ++i)
+      slope += here.values[i] * here.jacobian[i * b.size() + which_];
+    const double rise = fit_.estimates[which_].rise;
+    points_.push_back({b[which_], sign_ * z, sign_ * slope / (z * rise * rise)});
   }
 
   // Finds z = 1, where z rises from below 1 at `low` to 1 or more at `high`, by regula falsi; bisects if one end has
@@ -135,6 +154,7 @@ class Profile {
   double farthest_{0.0};        // bound, in half widths
   double lowest_;               // least sum of squares found below that of the fit
   std::vector<double> better_;  // where
+  std::vector<ProfilePoint> points_;
 };
 
 }  // namespace

@@ -74,8 +74,27 @@ void set_interval(Estimate& e, Scale scale, double t) {
   e.high = log ? e.value * std::exp(half / e.value) : e.value + half;
 }
 
+// Covariance of the free parameters, with what scatters of groups add to the standard deviations (L9.3).
+Eigen::MatrixXd widened(Eigen::MatrixXd covariance, const FittedState& state,
+                        const LeastSquaresOptions& options) {
+  for (std::size_t i = 0; i < state.free.size() && !options.small_sample.empty(); ++i) {
+    const double factor = options.small_sample[static_cast<std::size_t>(state.free[i])].widening;
+    covariance.row(static_cast<Index>(i)) *= factor;
+    covariance.col(static_cast<Index>(i)) *= factor;
+  }
+  return covariance;
+}
+
+// Half width of the interval of a parameter in its standard deviations.
+double half_width(std::size_t parameter, const LeastSquaresOptions& options,
+                  const LeastSquaresResult& result) {
+  if (options.small_sample.empty() || !std::isfinite(result.student_t)) return result.student_t;
+  return quantile(StudentsT(options.small_sample[parameter].freedom),
+                  0.5 + 0.5 * options.confidence);
+}
+
 void fill_estimates(const Eigen::MatrixXd& covariance, const FittedState& state,
-                    LeastSquaresResult& result) {
+                    const LeastSquaresOptions& options, LeastSquaresResult& result) {
   const std::size_t n = result.estimates.size();
   result.covariance.assign(n * n, 0.0);
   result.correlation.assign(n * n, 0.0);
@@ -88,7 +107,10 @@ void fill_estimates(const Eigen::MatrixXd& covariance, const FittedState& state,
     const auto row = static_cast<Index>(i);
     Estimate& e = result.estimates[a];
     e.standard_deviation = std::sqrt(covariance(row, row));
-    set_interval(e, state.parameters[a].scale, result.student_t);
+    const double t = half_width(a, options, result);
+    set_interval(e, state.parameters[a].scale, t);
+    e.rise = t * result.scatter;
+    if (!options.small_sample.empty()) e.rise *= options.small_sample[a].widening;
     for (std::size_t k = 0; k < state.free.size(); ++k) {
       const auto b = static_cast<std::size_t>(state.free[k]);
       const auto column = static_cast<Index>(k);
@@ -116,13 +138,21 @@ void fill_follows(const Eigen::JacobiSVD<Eigen::MatrixXd>& svd, const Eigen::Vec
   }
 }
 
+// Degrees of freedom that the scatter is known to; of groups the fewest of a free parameter.
+double known_to(const FittedState& state, const LeastSquaresOptions& options,
+                const LeastSquaresResult& result) {
+  double freedom = static_cast<double>(result.degrees_of_freedom);
+  for (const Index j : state.free)
+    if (!options.small_sample.empty())
+      freedom = std::min(freedom, options.small_sample[static_cast<std::size_t>(j)].freedom);
+  return freedom;
+}
+
 // Scatter of the residuals, and what follows from it for intervals of one parameter and of all together.
 void fill_scatter(const FittedState& state, const LeastSquaresOptions& options,
                   LeastSquaresResult& result) {
   const std::size_t parameters = state.free.size();
-  const double freedom = std::isfinite(options.freedom) && result.degrees_of_freedom > 0
-                             ? options.freedom
-                             : static_cast<double>(result.degrees_of_freedom);
+  const double freedom = known_to(state, options, result);
   const double count = static_cast<double>(parameters);
   const bool known = result.scatter_known = std::isfinite(options.deviation);
   result.scatter = known ? options.deviation : result.residual_deviation;
@@ -191,7 +221,7 @@ void fit_statistics(const FittedState& state, const LeastSquaresOptions& options
   result.residual_deviation =
       freedom > 0.0 ? state.residuals.stableNorm() / std::sqrt(freedom) : kNan;
   fill_scatter(state, options, result);
-  if (n == 0) return fill_estimates({}, state, result);
+  if (n == 0) return fill_estimates({}, state, options, result);
   const Eigen::MatrixXd columns = free_columns(state);
   fill_directions(columns, state, result);
   const Scaled scaled = scaled_columns(columns);
@@ -204,7 +234,7 @@ void fit_statistics(const FittedState& state, const LeastSquaresOptions& options
   name_undetermined(svd.matrixV(), rank, state.free, result);
   const double variance = result.scatter * result.scatter;
   const Eigen::MatrixXd covariance = variance * inverse_normal(svd, rank, scaled.size);
-  fill_estimates(covariance, state, result);
+  fill_estimates(widened(covariance, state, options), state, options, result);
   fill_follows(svd, scaled.size, state, result);
 }
 

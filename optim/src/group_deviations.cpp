@@ -76,26 +76,47 @@ class GroupedFit {
       found.squares[groups_[i]] += here.values[i] * here.values[i];
       found.freedom[groups_[i]] += 1.0 - q.row(static_cast<Index>(i)).squaredNorm();
     }
-    result_.freedom = effective_freedom(columns, found.freedom);
+    result_.small_sample.assign(b.size(), {static_cast<double>(columns.rows() - columns.cols())});
+    find_small_sample(columns, q, free);
     return found;
   }
 
-  // Welch and Satterthwaite (L9.2): an estimate is a sum of a_i times reading i; its variance has a share of each group.
-  double effective_freedom(Eigen::MatrixXd columns, const std::vector<double>& freedom) const {
+  // Kenward and Roger (L9.2, L9.3). Row i of the fitted space q has the share q_i q_i^T of what is known of the parameters;
+  // h_k sums those of group k.
+  void find_small_sample(Eigen::MatrixXd columns, const Eigen::MatrixXd& q,
+                         const std::vector<Index>& free) {
+    const auto count = static_cast<Index>(result_.deviations.size());
+    std::vector<Eigen::MatrixXd> h(result_.deviations.size(),
+                                   Eigen::MatrixXd::Zero(q.cols(), q.cols()));
+    Eigen::MatrixXd information = Eigen::MatrixXd::Zero(count, count);
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+      const auto row = q.row(static_cast<Index>(i));
+      h[groups_[i]] += row.transpose() * row;
+      const auto k = static_cast<Index>(groups_[i]);
+      information(k, k) += 0.5 - row.squaredNorm();
+    }
+    for (Index k = 0; k < count; ++k)
+      for (Index l = 0; l < count; ++l) information(k, l) += 0.5 * product(h, k, l).trace();
+    const Eigen::MatrixXd w = information.completeOrthogonalDecomposition().pseudoInverse();
+    Eigen::MatrixXd more = Eigen::MatrixXd::Zero(q.cols(), q.cols());
+    for (Index k = 0; k < count; ++k) {
+      more += w(k, k) * h[static_cast<std::size_t>(k)];
+      for (Index l = 0; l < count; ++l) more -= w(k, l) * product(h, k, l);
+    }
     for (Index j = 0; j < columns.cols(); ++j)
       if (const double size = columns.col(j).stableNorm(); size > 0.0) columns.col(j) /= size;
     const Eigen::MatrixXd a = columns.completeOrthogonalDecomposition().pseudoInverse();
-    double fewest = static_cast<double>(columns.rows() - columns.cols());
-    for (Index j = 0; j < a.rows(); ++j) {
-      std::vector<double> shares(freedom.size(), 0.0);
-      for (std::size_t i = 0; i < groups_.size(); ++i)
-        shares[groups_[i]] += std::pow(a(j, static_cast<Index>(i)), 2);
-      double squares = 0.0;
-      for (std::size_t k = 0; k < shares.size(); ++k)
-        if (shares[k] > 0.0) squares += shares[k] * shares[k] / freedom[k];
-      fewest = std::min(fewest, std::pow(a.row(j).squaredNorm(), 2) / squares);
+    for (std::size_t j = 0; j < free.size(); ++j) {
+      const Eigen::VectorXd c = (a.row(static_cast<Index>(j)) * q).transpose().normalized();
+      Eigen::VectorXd v(count);
+      for (Index k = 0; k < count; ++k) v[k] = c.dot(h[static_cast<std::size_t>(k)] * c);
+      result_.small_sample[static_cast<std::size_t>(free[j])] = {
+          2.0 / v.dot(w * v), std::sqrt(1.0 + 2.0 * std::max(c.dot(more * c), 0.0))};
     }
-    return fewest;
+  }
+
+  static Eigen::MatrixXd product(const std::vector<Eigen::MatrixXd>& h, Index k, Index l) {
+    return h[static_cast<std::size_t>(k)] * h[static_cast<std::size_t>(l)];
   }
 
   // True if the residuals have the deviations that the fit was made with (L9.1); else these change.

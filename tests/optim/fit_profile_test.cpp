@@ -70,6 +70,14 @@ TEST_CASE("a bent model has the interval that its sum of squares has (L3.1)",
   // The root of S / t^2 is met within 1e-3; its slope 4 p / t is 0.29 at the low end and 2.9 at the high one.
   CHECK(low.value == Approx(std::sqrt(1.0 - kNormal / 2.0)).margin(1e-3 / 0.28));
   CHECK(high.value == Approx(std::sqrt(1.0 + kNormal / 2.0)).margin(1e-3 / 2.8));
+  // z = 2 (p^2 - 1) / t along the whole profile, where its root is not one of rounding; the slope (L3.2) is exact.
+  for (const auto& end : {low, high}) {
+    REQUIRE(end.points.size() > 1);
+    for (const ProfilePoint& point : end.points) {
+      CHECK(point.z == Approx(2.0 * (point.value * point.value - 1.0) / kNormal).epsilon(1e-6));
+      CHECK(point.slope == Approx(4.0 * point.value / kNormal).epsilon(1e-6));
+    }
+  }
   // Of a logarithm the interval is the same: the profile knows no scale.
   const std::vector<Variable> log{{"p", 0.05, 10.0, 0.9, Scale::log}};
   const auto again = least_squares(log, squares(1.0), known());

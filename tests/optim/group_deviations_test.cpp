@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -32,6 +33,42 @@ struct Readings {
     return group_deviations({{"level", -100, 100, 0}}, residuals(), instrument);
   }
 };
+
+// Kenward and Roger for the mean of 5 readings of the variance `a` and 4 of the variance `b`, from scalars (L9.2, L9.3).
+void check_small_sample(double a, double b, const SmallSample& found) {
+  // The readings without their level: 4 differences of the variance a, 3 of b, and that of the two means. A normal number of
+  // the variance v(a, b) has the information (dv/di dv/dj) / (2 v^2).
+  const double v = a / 5 + b / 4;
+  const double aa = 0.5 * (4 / (a * a) + 1 / (25 * v * v));
+  const double bb = 0.5 * (3 / (b * b) + 1 / (16 * v * v));
+  const double ab = 0.5 / (20 * v * v);
+  const double det = aa * bb - ab * ab;
+  const double w[2][2] = {{bb / det, -ab / det}, {-ab / det, aa / det}};  // covariance of a and b
+  const auto weight = [](double x, double y) {
+    return 5 / x / (5 / x + 4 / y);
+  };  // of the first mean
+  const auto variance = [](double x, double y) { return 1 / (5 / x + 4 / y); };
+  const auto slopes = [&](auto f) {
+    const double h = 1e-5;
+    return std::array{(f(a * (1 + h), b) - f(a * (1 - h), b)) / (2 * h * a),
+                      (f(a, b * (1 + h)) - f(a, b * (1 - h))) / (2 * h * b)};
+  };
+  const auto by_variance = slopes(variance);
+  const auto by_weight = slopes(weight);
+  double spread = 0;  // of the estimated variance
+  double moved =
+      0;  // variance of the level by that of the weights: d level = d weight (difference of the means)
+  for (const std::size_t i : {0U, 1U}) {
+    for (const std::size_t j : {0U, 1U}) {
+      spread += w[i][j] * by_variance[i] * by_variance[j];
+      moved += w[i][j] * by_weight[i] * by_weight[j] * v;
+    }
+  }
+  const double here = variance(a, b);
+  // Differences of steps of 1e-5: their square, and rounding over them.
+  CHECK(found.freedom == Approx(2 * here * here / spread).epsilon(1e-5));
+  CHECK(found.widening == Approx(std::sqrt(1 + 2 * moved / here)).epsilon(1e-5));
+}
 
 }  // namespace
 
@@ -77,13 +114,7 @@ TEST_CASE("a level read by two instruments has the likeliest deviations (L9.1)",
   CHECK(found.deviations[1] == Approx(best[1]).epsilon(1e-6));
   CHECK(found.fit.residual_deviation == Approx(1.0).epsilon(1e-7));
 
-  // The level is the mean of the instruments' means, weighed by w = m / d^2: its variance is sum w / (sum w)^2, with a share
-  // of w in it. An instrument's deviation is known to m less its part of the one parameter, w / sum w (L9.2).
-  const double w[] = {5 / (best[0] * best[0]), 4 / (best[1] * best[1])};
-  const double all = w[0] + w[1];
-  const double freedom =
-      all * all / (w[0] * w[0] / (5 - w[0] / all) + w[1] * w[1] / (4 - w[1] / all));
-  CHECK(found.freedom == Approx(freedom).epsilon(1e-5));
+  check_small_sample(best[0] * best[0], best[1] * best[1], found.small_sample[0]);
 }
 
 TEST_CASE("deviations of groups are found, and the better instrument counts more",

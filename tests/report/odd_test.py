@@ -2,6 +2,7 @@
 """Report pages of answers that are none, or hardly one, and of very many motors: odd_test.py TWUM"""
 import csv
 import json
+import math
 import pathlib
 import sys
 
@@ -12,9 +13,9 @@ RING = ROOT / "examples/motors/ring-60.yaml"
 
 
 class Study(Page):
-    def study(self, name, entries, settings=""):
-        """Runs a study of the ring motor and opens its page; its summary."""
-        (self.folder / f"{name}.yaml").write_text(f"twum: 1\nmotor: {RING}\n{settings}study: {{{entries}}}\n")
+    def study(self, name, entries, settings="", motor=RING):
+        """Runs a study of a motor and opens its page; its summary."""
+        (self.folder / f"{name}.yaml").write_text(f"twum: 1\nmotor: {motor}\n{settings}study: {{{entries}}}\n")
         twum("run", self.folder / f"{name}.yaml", "-o", self.folder / name)
         return self.show(name)
 
@@ -125,7 +126,7 @@ class Calibration(Study):
         low, high = self.scale("fit", "x")
         self.assertLess(low, -40)
         self.assertGreater(high, 100)
-        speeds, torques = (self.browser.value("[...numbers(data.fit.%s, Float64Array)]" % name) for name in ("speed", "torque"))
+        speeds, torques = (self.browser.value("[...numbers(data.fit[0].%s, Float64Array)]" % name) for name in ("at", "value"))
         # The curve begins and ends at a point: the same motor at the same speed, to rounding of either.
         for at, point in ((0, summary["data"][0]), (-1, summary["data"][-1])):
             self.assertAlmostEqual(speeds[at], point["speed"], delta=1e-12 * abs(point["speed"]))
@@ -166,13 +167,35 @@ class Calibration(Study):
 
     def test_each_table_has_a_value_and_a_curve_of_its_own(self):
         for name, torque in (("left", 0.84), ("right", 0.74)):
-            (self.folder / (name + ".csv")).write_text("speed [rpm],torque [N.m]\n" + "".join(f"{s},{torque}\n" for s in (2, 4, 6)))
+            (self.folder / (name + ".csv")).write_text("speed [rpm],torque [N.m]\n" + "".join(f"{s},{torque + d}\n" for s, d in ((2, 0.002), (4, -0.003), (6, 0.001))))
         summary = self.study("tables", "kind: calibrate, data: [left.csv, right.csv], starts: 1, per_file: [kinetic_friction], "
                              "variables: {kinetic_friction: {min: 0.05, max: 0.5}}")
         self.assertEqual([e["file"] for e in summary["estimates"].values()], ["left.csv", "right.csv"])
         rows = " ".join(self.lines("[data-table=estimates] tr"))
         self.assertTrue("kinetic friction (left.csv)" in rows and "kinetic friction (right.csv)" in rows, rows)
         self.assertTrue({"left.csv", "right.csv"} <= set(" ".join(self.lines(".legend")).replace("csv", "csv ").split()), self.lines(".legend"))
+
+        # One chart of both tables: a curve and the two edges of its band for each, over the speed.
+        self.assertEqual(self.browser.value("document.querySelector('[data-chart=fit]').plot.data.length"), 1 + 3 * 2)
+        self.assertRegex(" ".join(self.lines("[data-table=plan] tr")), r"\((left|right)\.csv\)")
+        # The plateau is linear in the friction: the profile is 1 where the interval ends.
+        for name, e in summary["estimates"].items():
+            self.assertEqual(self.browser.value(f"Boolean(document.querySelector('[data-chart=\"profile {name}\"]').plot)"), True)
+            for end in (e["low"], e["high"]):
+                self.assertAlmostEqual(self.browser.value(f"alongProfile(summary.estimates['{name}'].profile, {end!r}) ** 2"), 1, delta=1e-6)
+
+    def test_an_impedance_circle_has_its_parts_and_itself(self):
+        # 1 / (R + jX) beside a capacitance, about the resonance of drive-60.
+        rows = "frequency [Hz],conductance [S],conductance_sd [S],susceptance [S],susceptance_sd [S]\n"
+        for f in range(38700, 39301, 60):
+            y = 1 / complex(132, 132 * 153 * (f / 39000 - 39000 / f)) + 2j * math.pi * f * 8.5e-9
+            rows += f"{f},{y.real},1e-4,{y.imag},1e-4\n"
+        (self.folder / "circle.csv").write_text(rows)
+        summary = self.study("circle", "kind: calibrate, data: circle.csv, starts: 1, variables: {quality_factor: {min: 50, max: 400}, "
+                             "modal_mass: {min: 10 g, max: 60 g}}", motor=ROOT / "examples/motors/drive-60.yaml")
+        self.assertEqual(len(summary["data"]), 22)
+        for chart in ("fit conductance", "fit susceptance", "circle"):
+            self.assertTrue(self.browser.value(f"Boolean(document.querySelector('[data-chart=\"{chart}\"]').plot)"), chart)
 
     def test_without_data_the_page_is_the_plan(self):
         summary = self.study("first", "kind: calibrate, variables: {kinetic_friction: {min: 0.05, max: 0.5}}")

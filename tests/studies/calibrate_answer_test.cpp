@@ -131,7 +131,8 @@ TEST_CASE("a fit in summary.json has its estimates, tests and starts", "[studies
   CHECK(json["correlation"]["amplitude"]["kinetic_friction"] == 0.5);
   CHECK(json["fit"]["poor"] == false);
   CHECK(json["fit"]["chi_square"] == Json{{"value", 3.5}, {"degrees_of_freedom", 2}, {"p", 0.17}});
-  CHECK(json["fit"]["runs"] == Json{{"count", 3}, {"runs", 3}, {"p", 1.0}});
+  CHECK(json["fit"]["runs"] ==
+        Json{{"quantity", "torque_at"}, {"over", "speed"}, {"count", 3}, {"runs", 3}, {"p", 1.0}});
   CHECK(json["undetermined"][0] ==
         Json{{"parameters", {"kinetic_friction", "preload"}}, {"undone_by", -1.0}});
   CHECK(json["undetermined"][1]["undone_by"].is_null());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parameters with a value of their own in each of several tables of measurements.
 #include "calibrate_support.hpp"
+#include "kinds/fit_curves.hpp"
 #include "kinds/found_motors.hpp"
 #include "study/resolved_study.hpp"
 
@@ -76,8 +77,8 @@ TEST_CASE("frictions of two benches and the modulus of their one layer are found
   CHECK(e[0].parameter.value == Approx(0.23).epsilon(1e-7));
   CHECK(e[1].parameter.value == Approx(0.19).epsilon(1e-7));
   CHECK(e[2].parameter.value == Approx(2.2e9).epsilon(1e-7));
-  CHECK_THAT(run.json(), Contains("\"kinetic_friction (b.csv)\":{") &&
-                             Contains("\"file\":\"b.csv\"") && Contains("\"plan\":[]"));
+  CHECK_THAT(run.json(),
+             Contains("\"kinetic_friction (b.csv)\":{") && Contains("\"file\":\"b.csv\""));
   CHECK_THAT(run.text(), Contains("\nkinetic_friction (a.csv)  0.23"));
 
   StudyResult stored;
@@ -123,6 +124,54 @@ TEST_CASE("with every parameter per file a study is one study for each file",
     }
     // Numbers of different tables have nothing to do with each other.
     CHECK(std::fabs(both.result().correlation[0 * 4 + 1]) < 1e-9);
+  }
+}
+
+TEST_CASE("a measurement on one of two motors says nothing about the other (L6.2)",
+          "[studies][calibrate][identity]") {
+  Benches two;
+  two.per_file = "youngs_modulus, kinetic_friction";
+  const Run run(two.file(points_of(bench(0.23), 4e-3, 3), points_of(bench(0.19), 4e-3, 4)));
+  REQUIRE(run.result().plan.size() == 10);
+  std::vector<double> widths(4, 1.0);
+  for (const auto& planned : run.result().plan) {
+    CAPTURE(planned.file);
+    REQUIRE((planned.file == "a.csv" || planned.file == "b.csv"));
+    for (std::size_t j = 0; j < 4; ++j) {
+      // Its gradient by the parameters of the other motor is 0, and so is their covariance, to rounding.
+      if (run.result().estimates[j].file == planned.file)
+        CHECK(planned.widths[j] <= widths[j]);
+      else
+        CHECK(planned.widths[j] == Approx(widths[j]).epsilon(1e-9));
+    }
+    widths = planned.widths;
+  }
+  CHECK_THAT(run.text(), Contains(" rpm), preload 200 N (b.csv)"));
+}
+
+TEST_CASE("each table has a curve of its own with the band of its parameters (L2.4)",
+          "[studies][calibrate][closed-form]") {
+  Benches two;
+  two.variables = kFriction;
+  two.motor = "elastic-layer";
+  const StudyFile file = two.file("speed [rpm],torque\n1,0.80\n2,0.81\n3,0.79\n",
+                                  "speed [rpm],torque\n1,0.70\n2,0.71\n4,0.70\n");
+  const Run run(file);
+  const auto curves = fit_curves(file, run.result());
+  REQUIRE(curves.size() == 2);
+  const MotorDesign motor = file.motor.design;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto& e = run.result().estimates[k];
+    CHECK(curves[k].file == e.file);
+    CHECK(curves[k].points.size() == 3);
+    CHECK(curves[k].at.back() == Approx((k == 0 ? 3 : 4) * kRpm).epsilon(1e-12));
+    // T = mu F r where all of the contact slips (C8.5); its band is that of mu times F r.
+    const double lever = motor.preload * motor.stator.contact_radius;
+    for (std::size_t i = 0; i < curves[k].at.size(); ++i) {
+      CHECK(curves[k].value[i] == Approx(e.parameter.value * lever).epsilon(1e-9));
+      CHECK(curves[k].half[i] ==
+            Approx(run.result().student_t * e.deviation * lever).epsilon(1e-9));
+    }
   }
 }
 

@@ -172,20 +172,21 @@ TEST_CASE("a fit has its curve and its band, where something was estimated", "[s
   const std::string entries =
       std::string("{kind: calibrate, data: points.csv, ") + kVariables + "}";
   CalibrateResult fit;
-  fit.estimates.resize(2);
+  fit.estimates.resize(1);
   fit.estimates[0].parameter = preload(120);
-  fit.estimates[1].parameter = {"amplitude", "m", std::numeric_limits<double>::quiet_NaN()};
-  fit.correlation.assign(4, 0.0);
+  fit.correlation = {1.0};
   fit.data.resize(2);
   fit.data[0].at = -1, fit.data[1].at = 3;
   const Json data = page_data(entries, fit);
   CHECK(labels(data) == Labels{"fitted"});
   CHECK(data["curves"][0]["design"]["preload"] == 120);
   CHECK(data["curves"][0]["design"]["amplitude"] == 1.6e-6);
-  CHECK(data["fit"]["gradients"].size() == 1);  // of what was estimated only
-  CHECK(data["fit"]["gradients"].contains("preload"));
+  REQUIRE(data["fit"].size() == 1);
+  CHECK(data["fit"][0]["quantity"] == "torque_at");
+  CHECK(data["fit"][0]["over"] == Json{{"name", "speed"}, {"unit", "rad/s"}});
+  CHECK(data["fit"][0]["points"] == Json{0, 1});
   fit.estimates.clear(), fit.correlation.clear();
-  CHECK(page_data(entries, fit)["fit"].is_null());
+  CHECK(page_data(entries, fit)["fit"].empty());
 }
 
 TEST_CASE("studies that look at many motors show the curve of their own", "[studies][report]") {

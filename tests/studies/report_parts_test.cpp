@@ -121,30 +121,12 @@ TEST_CASE("only speeds with a periodic state have fields", "[studies][report]") 
 TEST_CASE("values that make no motor have no curve", "[studies][report]") {
   const MotorDesign base = elastic_motor();
   CHECK(curve_json(base, {{"preload", -1}}, "x", Detail::fields).is_null());
-  CHECK(slopes_json(base, {{"preload", -1}}, {"preload"}, 0, 1).is_null());
 }
 
 TEST_CASE("a value that is no number is left out of a design", "[studies][report]") {
   const DesignValues values = design_values(
       {{"preload", "N", 160}, {"amplitude", "m", std::numeric_limits<double>::quiet_NaN()}});
   CHECK(values == DesignValues{{"preload", 160.0}});
-}
-
-TEST_CASE("slopes of a fit are those of the product on the plateau (C8.5)", "[studies][report]") {
-  const ElasticLayer exact{elastic_motor()};
-  const Json slopes =
-      slopes_json(exact.motor, {{"preload", 120}}, {"kinetic_friction", "unknown"}, 0, 0.5);
-  const auto speed = numbers<double>(slopes["speed"]);
-  const auto torque = numbers<double>(slopes["torque"]);
-  const auto friction = numbers<double>(slopes["gradients"]["kinetic_friction"]);
-  CHECK(speed.front() == 0);
-  CHECK(speed.back() == 0.5);  // 5 rpm, where the whole contact slips
-  for (std::size_t i = 0; i < speed.size(); ++i) {
-    CHECK_THAT(torque[i], WithinRel(exact.plateau_torque(120), 1e-12));
-    CHECK_THAT(friction[i], WithinRel(120 * exact.motor.stator.contact_radius, 1e-12));
-  }
-  for (const double gradient : numbers<double>(slopes["gradients"]["unknown"]))
-    CHECK(std::isnan(gradient));
 }
 
 TEST_CASE("rows of a report are those of the store", "[studies][report]") {

@@ -1,83 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measured points with the fit and its band, residuals, correlation of the estimates.
+// A calibration: estimates, residuals, correlation, the next measurements.
 
-import {numbers} from './bytes.js';
-import {paddedRange, scaled} from './chart.js';
+import {paddedRange} from './chart.js';
 import {curveSection} from './curve.js';
-import {curves, data, summary, unitOf} from './data.js';
+import {curves, summary, unitOf} from './data.js';
 import {designerButton} from './designer/inside.js';
 import {card, colour} from './dom.js';
 import {figure} from './figure.js';
+import {fitCharts, profileCharts, quantityName, settingText} from './fit.js';
 import {movesCard} from './moves.js';
 import {named, quantity, table, words} from './table.js';
 import {displayUnit, engineering, largest, percent, rounded} from './units.js';
 import {axisLabel, plain} from './words.js';
-
-/**
- * Half width of the band of the fitted torque: the factor of the estimates' own intervals, carried to the torque; NaN
- * where they have none.
- */
-function fitBand() {
-  const names = Object.keys(summary.estimates)
-                    .filter((n) => Number.isFinite(summary.estimates[n].sd) && summary.estimates[n].sd > 0);
-  const speeds = numbers(data.fit.speed, Float64Array);
-  const gradients = names.map((n) => numbers(data.fit.gradients[n], Float64Array));
-  const factor = names.length ? summary.student_t : NaN;
-  return Float64Array.from(speeds, (_, s) => {
-    let variance = 0;
-    names.forEach((a, i) => names.forEach((b, j) => {
-      variance += gradients[i][s] * gradients[j][s] * summary.estimates[a].sd * summary.estimates[b].sd *
-          (i === j ? 1 : (summary.correlation[a] || {})[b] ?? 0);
-    }));
-    return factor * Math.sqrt(Math.max(variance, 0));
-  });
-}
-
-/** The measured numbers that stand on the curve of the fitted motor: torques at speeds, with the motor as it is. */
-function torquePoints() { return summary.data.filter((p) => !p.quantity && !p.set); }
 
 /** What a measured number is, and where it was read. */
 function readingText(p) {
   const at = p.speed !== undefined         ? ' at ' + engineering(p.speed, 'rad/s', 4) :
       p.quantity && p.torque !== undefined ? ' at ' + engineering(p.torque, 'N.m', 4) :
                                              '';
-  return plain((p.quantity || 'torque_at').replace(/_at$/, '')) + at +
-      Object.entries(p.set || {}).map(([n, v]) => ', ' + plain(n) + ' ' + engineering(v, unitOf(n), 4)).join('');
-}
-
-function fitChart(node) {
-  const speeds = scaled(numbers(data.fit.speed, Float64Array), Math.PI / 30);
-  const torque = numbers(data.fit.torque, Float64Array);
-  const band = fitBand();
-  const points = torquePoints();
-  const measuredSpeeds = points.map((p) => (p.speed * 30) / Math.PI);
-  const unit = displayUnit(largest([torque, points.map((p) => p.torque)]), 'N.m');
-  const low = torque.map((t, i) => (t - band[i]) / unit.divisor);
-  const high = torque.map((t, i) => (t + band[i]) / unit.divisor);
-  const measured = points.map((p) => p.torque / unit.divisor);
-  const bandEntry = {name: percent(summary.confidence) + ' band of the fit', colour: 'band', kind: 'area'};
-  figure(
-      node, speeds,
-      [
-        {name: 'fit', y: scaled(torque, unit.divisor), colour: 'c0'}, {name: 'low', y: low, colour: 'band'},
-        {name: 'high', y: high, colour: 'band'}
-      ],
-      {
-        name: 'fit',
-        title: 'Measured and fitted',
-        legend: [
-          {name: 'measured', colour: 'ink', kind: 'dot'}, {name: 'fit', colour: 'c0'},
-          ...(low.some(Number.isFinite) ? [bandEntry] : [])
-        ],
-        x: {
-          label: 'speed [rpm]',
-          range: [Math.min(0, 1.04 * Math.min(...measuredSpeeds)), 1.04 * Math.max(0, ...measuredSpeeds) || 1]
-        },
-        y: {label: axisLabel('torque', unit), range: paddedRange([low, high, scaled(torque, unit.divisor), measured])},
-        height: 320,
-        bands: [{series: [3, 2], fill: () => colour('band') + '55'}],
-        marks: points.map((_, i) => ({x: measuredSpeeds[i], y: measured[i], small: true})),
-      });
+  return quantityName(p.quantity) + at + settingText(p.set) + (p.file ? ' (' + p.file + ')' : '');
 }
 
 /** Where a number was read: its speed, its load, its frequency, or else its place in the data. */
@@ -119,7 +60,7 @@ function residualCards() {
     if (name && points.length < 2) continue;
     residualChart(
         card(
-            'Residuals' + (kinds.size > 1 ? ' of the ' + plain((name || 'torque_at').replace(/_at$/, '')) : ''),
+            'Residuals' + (kinds.size > 1 ? ' of the ' + quantityName(name) : ''),
             'They should scatter about zero without a pattern.', 'half'),
         name, points);
   }
@@ -193,7 +134,7 @@ export function calibratePage() {
     return;
   }
   const torques = summary.data.every((p) => !p.quantity && !p.set);
-  if (data.fit && torquePoints().length) fitChart(card('Measured and fitted', null, 'wide'));
+  fitCharts();
   const list = Object.entries(summary.estimates);
   const held = list.some(([, e]) => e.remark);
   const line = ([n, e]) =>
@@ -203,6 +144,7 @@ export function calibratePage() {
       .append(table('estimates', ['parameter', 'value', 'low', 'high', ...(held ? ['remark'] : [])], list.map(line)));
   card('Correlation of the estimates', 'Near 1 or -1: the data tell only a combination.', 'half')
       .append(correlationTable());
+  profileCharts();
   residualCards();
   pointsCard(torques);
   movesCard((n) => summary.estimates[n].value);

@@ -11,6 +11,13 @@ namespace twum::optim {
 /// Which end of an interval.
 enum class IntervalEnd : unsigned char { low, high };
 
+/// A point of a profile: z^2 is the rise of the least sum of squares in parts of that at the end of the interval (L3.1).
+struct ProfilePoint {
+  double value{0.0};  ///< of the parameter, in user units
+  double z{0.0};      ///< negative below the estimate; -1 and 1 at the ends of the interval
+  double slope{0.0};  ///< dz/dvalue
+};
+
 /// An end of the confidence interval of one parameter.
 struct ProfileEnd {
   double value{0.0};  ///< in user units, inside the parameter's bounds
@@ -20,6 +27,7 @@ struct ProfileEnd {
   /// Parameters found on the way whose sum of squares is less than that of the fit, which is then not the minimum;
   /// empty if there are none.
   std::vector<double> better;
+  std::vector<ProfilePoint> points{};  ///< of the profile that were met, from the least value on
 };
 
 /// The end of a confidence interval from the profile of the sum of squares (L3.1). The profile is the least sum of

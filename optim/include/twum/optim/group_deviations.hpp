@@ -17,9 +17,8 @@ struct GroupDeviations {
   /// Comparable among fits from different starts: the logarithm of the geometric mean of the deviations, each counted by the
   /// degrees of freedom of its group. The least fits best.
   double level{0.0};
-  /// Degrees of freedom that the deviation of an estimate is known to, of the estimate where they are fewest (L9.2); for
-  /// LeastSquaresOptions::freedom of a fit in parts of the deviations.
-  double freedom{0.0};
+  /// Of each parameter (L9.2, L9.3), for LeastSquaresOptions::small_sample of a fit in parts of the deviations.
+  std::vector<SmallSample> small_sample;
 };
 
 /// Residuals in parts of the deviations of their groups.

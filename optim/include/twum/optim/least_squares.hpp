@@ -30,6 +30,12 @@ enum class Loss : unsigned char {
   huber  ///< beyond 1.345 standard deviations by their size, so that a few that are far off move the fit little
 };
 
+/// What groups of residuals with a scatter of their own make of the interval of one parameter (L9.2, L9.3).
+struct SmallSample {
+  double freedom{0.0};   ///< degrees of freedom that its standard deviation is known to
+  double widening{1.0};  ///< factor on the linearised standard deviation
+};
+
 /// How to fit.
 struct LeastSquaresOptions {
   std::string solver{kOwnFit};        ///< one of least_squares_solvers()
@@ -43,9 +49,9 @@ struct LeastSquaresOptions {
   /// Standard deviation of every residual where it is known, in units of the weights, more than 0; NaN: it is estimated
   /// from the residuals.
   double deviation{std::numeric_limits<double>::quiet_NaN()};
-  /// Degrees of freedom that an estimated scatter is known to, where these are not residuals less parameters (L9.2); NaN:
-  /// they are.
-  double freedom{std::numeric_limits<double>::quiet_NaN()};
+  /// Of each parameter, where the residuals are in parts of estimated deviations of groups; empty: one scatter, known to
+  /// residuals less parameters.
+  std::vector<SmallSample> small_sample{};
   std::stop_token stop;  ///< a request ends the search with what has been found
 };
 
@@ -57,6 +63,7 @@ struct Estimate {
   double low{
       0.0};  ///< lower end of the confidence interval (Student's t; of the logarithm on a log scale), or NaN
   double high{0.0};      ///< its other end
+  double rise{0.0};      ///< root of the rise of the sum of squares where the interval ends (L3.1)
   bool at_bound{false};  ///< held by a bound: then it counts as known
 };
 
@@ -87,7 +94,8 @@ struct LeastSquaresResult {
   double bend{kInfinity};
   double share{1.0};
   /// @}
-  /// Half width of an interval in deviations: Student's t, or of the normal law if the scatter is known; NaN likewise.
+  /// Half width of an interval in deviations: Student's t, or of the normal law if the scatter is known; the largest, where
+  /// groups have a scatter of their own; NaN likewise.
   double student_t{0.0};
   /// Largest sum of squares in the joint confidence region of all free parameters (L2.2); NaN likewise.
   double joint_limit{0.0};

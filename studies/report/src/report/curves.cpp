@@ -152,29 +152,4 @@ Json curve_json(const MotorDesign& base, const DesignValues& values, const std::
   return json;
 }
 
-Json slopes_json(const MotorDesign& base, const DesignValues& values,
-                 const std::vector<std::string>& names, double first_speed, double last_speed) {
-  const std::optional<Motor> motor = motor_of(base, values);
-  if (!motor) return nullptr;
-  Numbers speeds;
-  Numbers torques;
-  std::vector<Numbers> gradients(names.size());
-  for (std::size_t i = 0; i < kCurvePoints; ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(kCurvePoints - 1);
-    const double speed = std::lerp(first_speed, last_speed, share);
-    const MetricRequest request{Metric::torque_at, Argument::speed, speed};
-    const MetricDerivative torque = differentiate(*motor, {&request, 1}).front();
-    speeds.push_back(speed);
-    torques.push_back(torque.value.value);
-    for (std::size_t j = 0; j < names.size(); ++j) {
-      const auto parameter = find_parameter(names[j]);
-      gradients[j].push_back(parameter ? torque.gradient[index_of(*parameter)]
-                                       : std::numeric_limits<double>::quiet_NaN());
-    }
-  }
-  Json json{{"speed", base64(speeds)}, {"torque", base64(torques)}, {"gradients", Json::object()}};
-  for (std::size_t j = 0; j < names.size(); ++j) json["gradients"][names[j]] = base64(gradients[j]);
-  return json;
-}
-
 }  // namespace twum::studies

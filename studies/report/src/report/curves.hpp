@@ -28,10 +28,4 @@ enum class Detail : unsigned char {
 Json curve_json(const MotorDesign& base, const DesignValues& values, const std::string& label,
                 Detail detail);
 
-/// The torque at speeds from the first to the last [rad/s] and its derivative in each of the
-/// parameters named, for the band of a fit:
-/// {"speed": base64, "torque": base64, "gradients": {name: base64}}.
-Json slopes_json(const MotorDesign& base, const DesignValues& values,
-                 const std::vector<std::string>& names, double first_speed, double last_speed);
-
 }  // namespace twum::studies

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/studies/report/report.hpp>
 
+#include "kinds/fit_curves.hpp"
 #include "kinds/found_motors.hpp"
 #include "report/assets.hpp"
 #include "report/curves.hpp"
@@ -11,6 +12,7 @@
 #include "report/standings.hpp"
 #include "report/tables.hpp"
 #include "results/answers.hpp"
+#include "results/search_words.hpp"
 #include "run/stored_study.hpp"
 
 #include <twum/base/error.hpp>
@@ -74,20 +76,19 @@ struct AnswerCurves {
   }
 };
 
-Json fit_json(const CalibrateResult& answer, const MotorDesign& base) {
-  const std::vector<std::string> files = answer.files();
-  if (files.size() > 1) return nullptr;  // one curve for all points there is none
-  const DesignValues values = design_values(answer.motor_values(files.front()));
-  std::vector<std::string> names;
-  for (const auto& [name, value] : values) names.push_back(name);
-  double first = 0;
-  double last = 0;
-  for (const CalibrateResult::Point& point : answer.data) {
-    if (point.argument != Argument::speed) continue;
-    first = std::min(first, point.at);
-    last = std::max(last, point.at);
-  }
-  return names.empty() ? Json(nullptr) : slopes_json(base, values, names, first, last);
+Json fit_json(const StudyFile& study, const CalibrateResult& answer) {
+  Json json = Json::array();
+  for (const FitCurve& curve : fit_curves(study, answer))
+    json.push_back({{"quantity", curve.quantity},
+                    {"unit", curve.unit},
+                    {"over", {{"name", curve.over.name}, {"unit", curve.over.unit}}},
+                    {"set", values_json(curve.set)},
+                    {"file", curve.file},
+                    {"at", base64(curve.at)},
+                    {"value", base64(curve.value)},
+                    {"half", base64(curve.half)},
+                    {"points", curve.points}});
+  return json;
 }
 
 Json base_json(const MotorDesign& base) {
@@ -157,7 +158,7 @@ std::string report_html(const StudyFile& study, const std::string& text, const S
       {"rows", rows}};
   if (study.kind() == StudyKind::sweep) data["row_curves"] = row_curves_json(store, base);
   if (const auto* fit = std::get_if<CalibrateResult>(&result.answer))
-    data["fit"] = fit_json(*fit, base);
+    data["fit"] = fit_json(study, *fit);
   // The data are inserted last, so that no text in them is mistaken for a mark.
   std::string page = dressed(assets::page(), {assets::style(), assets::style_hash()},
                              {assets::script(), assets::script_hash()});

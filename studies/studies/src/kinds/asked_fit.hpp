@@ -23,6 +23,9 @@ struct AskedFit {
 /// Names of tables without folders: a result directory has other paths to the same ones.
 std::vector<std::string> file_names(const std::vector<std::string>& paths);
 
+/// Each variable of the study once, or once for each table where these have values of their own.
+std::vector<FitParameter> fit_parameters(const CalibrateStudy& asked);
+
 /// Reads the tables of a calibration.
 /// @throws InputError, or FileError with the places in a table, if they do not make a fit
 AskedFit asked_fit(const CalibrateStudy& asked, const StudyFile& file);

@@ -114,7 +114,10 @@ class CalibrateRun final : public StudyKindRun {
       if (better.empty() || context.stop.stop_requested()) break;
       fits.push_back(one_fit(context, stage++, better, teller));
     }
-    return calibration({fit, tables_, confidence_, columns_, unsettled_}, fits, found);
+    const auto joined = [&](const optim::LeastSquaresResult& best, std::span<const double> other) {
+      return path_joins(context, best, other, stage++, teller);
+    };
+    return calibration({fit, tables_, confidence_, columns_, unsettled_, joined}, fits, found);
   }
 
   std::optional<StoredRow> recompute(const StoredRow& asked) const override {
@@ -175,7 +178,7 @@ class CalibrateRun final : public StudyKindRun {
     options.loss = loss_;
     options.confidence = confidence_;
     if (stated_) options.deviation = fit_.stated_deviation();
-    options.freedom = freedom_;
+    options.small_sample = small_sample_;
     options.stop = context.stop;
     return options;
   }
@@ -194,7 +197,7 @@ class CalibrateRun final : public StudyKindRun {
     for (const optim::GroupDeviations& one : all) {
       if (one.fit.estimates.empty() || !(one.level < least)) continue;
       least = one.level;
-      freedom_ = one.freedom;
+      small_sample_ = one.small_sample;
       deviations_ = one.deviations;
       unsettled_ = one.fit.outcome == optim::Outcome::optimal ? "" : one.fit.word;
     }
@@ -208,6 +211,31 @@ class CalibrateRun final : public StudyKindRun {
         options(context));
   }
 
+  // Leads the parameter in which two places differ most from one to the other, and fits the others on the way.
+  bool path_joins(RunContext& context, const optim::LeastSquaresResult& best,
+                  std::span<const double> other, std::uint64_t stage, Teller& teller) const {
+    constexpr int kSteps = 8;
+    const auto apart = [&](std::size_t j) {
+      return std::fabs(fit_.parameters()[j].part(best.estimates[j].value, other[j]));
+    };
+    std::size_t which = 0;
+    for (std::size_t j = 1; j < other.size(); ++j)
+      if (apart(j) > apart(which)) which = j;
+    StageLog log(*this, context, stage, teller);
+    for (int k = 1; k < kSteps; ++k) {
+      std::vector<double> between;
+      for (std::size_t j = 0; j < other.size(); ++j)
+        between.push_back(fit_.parameters()[j].between(best.estimates[j].value, other[j],
+                                                       static_cast<double>(k) / kSteps));
+      std::vector<optim::Variable> held = fit_.variables(between);
+      held[which].lower = held[which].upper = held[which].start;
+      const auto found = optim::least_squares(
+          held, [&](auto values) { return log.residuals(values); }, options(context));
+      if (found.estimates.empty() || !(found.sum_of_squares <= best.joint_limit)) return false;
+    }
+    return true;
+  }
+
   // A place that the search for intervals met and that fits better than the fit.
   static std::vector<double> better_place(const std::vector<ProfiledInterval>& intervals) {
     for (const ProfiledInterval& one : intervals) {
@@ -217,8 +245,8 @@ class CalibrateRun final : public StudyKindRun {
     return {};
   }
 
-  // Two stages for each parameter. Nothing is to be found where the residuals are
-  // rounding, nor for a parameter that is held or not determined.
+  // Two stages for each parameter. Nothing is to be found where the residuals are rounding and nothing
+  // is stated of the scatter, nor for a parameter that is held or not determined.
   std::vector<ProfiledInterval> intervals(RunContext& context, const MeasuredFit& fit,
                                           const optim::LeastSquaresResult& best,
                                           std::uint64_t stage, Teller& teller) const {
@@ -226,7 +254,7 @@ class CalibrateRun final : public StudyKindRun {
     std::vector<ProfiledInterval> list(n);
     const bool ended =
         best.outcome == optim::Outcome::optimal || best.outcome == optim::Outcome::feasible;
-    if (!ended || fit.exact(root_mean(best, fit))) return list;
+    if (!ended || (!stated_ && fit.exact(root_mean(best, fit)))) return list;
     const auto ends = in_order<std::optional<optim::ProfileEnd>>(
         context, 2 * n, [&](std::uint64_t i) { return profiled(context, best, i, stage, teller); });
     for (std::size_t i = 0; i < ends.size(); ++i)
@@ -310,9 +338,9 @@ class CalibrateRun final : public StudyKindRun {
   std::string solver_;
   std::uint64_t seed_;
   double confidence_;
-  std::vector<double> deviations_;                            // of the columns, once they are known
-  double freedom_{std::numeric_limits<double>::quiet_NaN()};  // that these are known to
-  std::string unsettled_;                                     // why they are not settled
+  std::vector<double> deviations_;                // of the columns, once they are known
+  std::vector<optim::SmallSample> small_sample_;  // what they make of each interval
+  std::string unsettled_;                         // why they are not settled
   bool stated_;  // the width of the intervals follows from the standard deviations of the data
 };
 

@@ -3,6 +3,8 @@
 
 #include "kinds/answer_moves.hpp"
 #include "kinds/measurement_plan.hpp"
+#include "kinds/residual_tests.hpp"
+#include "kinds/unseen_changes.hpp"
 
 #include <twum/optim/outliers.hpp>
 
@@ -25,7 +27,11 @@ bool as_good(double a, double b, const MeasuredFit& fit) {
 class Calibration {
  public:
   Calibration(const CalibrationAsked& asked, const std::vector<LeastSquaresResult>& fits)
-      : fit_(asked.fit), fits_(fits), unsettled_(asked.unsettled) {
+      : fit_(asked.fit),
+        fits_(fits),
+        tables_(asked.tables),
+        joined_(asked.joined),
+        unsettled_(asked.unsettled) {
     result_.confidence = asked.confidence;
     for (const LeastSquaresResult& one : fits_) result_.starts.push_back(start_of(one));
     result_.unit = fit_.unit();
@@ -45,17 +51,19 @@ class Calibration {
     add_optima(*number);
     add_estimates(best);
     for (std::size_t j = 0; j < intervals.size(); ++j)
-      set_interval(intervals[j], result_.estimates[j]);
+      set_interval(intervals[j], best.estimates[j].high, result_.estimates[j]);
     const auto residuals = fit_.residuals(result_.optima.front().values);
     add_data(residuals);
     name_outliers(best, residuals);
-    test_fit();
+    test_residuals(result_, fit_.deviations_given());
     compare_optima(best, residuals);
-    name_undetermined(best, residuals);
-    if (!result_.determined()) name_combinations(best);
+    result_.undetermined = unseen_sets(best, residuals);
+    if (!result_.determined())
+      result_.combinations =
+          hardly_seen(best, fit_.points().size(), result_.exact && !result_.stated);
     const bool ended = best.outcome == Outcome::optimal || best.outcome == Outcome::feasible;
     if (ended) result_.moves = moves_of(fit_, best);
-    if (ended && !fit_.per_file()) result_.plan = measurement_plan(fit_, best);
+    if (ended) result_.plan = measurement_plan(fit_, best, tables_);
     result_.unfinished = best.outcome == Outcome::optimal ? unsettled_ : best.word;
     std::string outcome = outcome_of(best.outcome);
     return {std::move(outcome), std::move(result_)};
@@ -103,10 +111,7 @@ class Calibration {
     constexpr double kNear = 1e-3;  // of the range
     if (!as_good(a.residual_rms, b.residual_rms, fit_)) return false;
     for (std::size_t j = 0; j < a.values.size(); ++j) {
-      const DesignVariable& range = fit_.parameters()[j];
-      const double part =
-          range.log ? std::log(a.values[j] / b.values[j]) / std::log(range.max / range.min)
-                    : (a.values[j] - b.values[j]) / (range.max - range.min);
+      const double part = fit_.parameters()[j].part(b.values[j], a.values[j]);
       if (!(std::fabs(part) <= kNear) && !undetermined(fit, fit.estimates[j].name)) return false;
     }
     return true;
@@ -135,22 +140,37 @@ class Calibration {
         ++known->starts;
       else
         result_.optima.push_back(
-            {start.values, start.residual_rms, 1, false, fit_.derived(start.values)});
+            {start.values, start.residual_rms, 1, false, fit_.derived(start.values), false});
     }
   }
 
-  static void set_interval(const ProfiledInterval& found, CalibrateResult::Estimate& e) {
+  // A linearised interval knows no range.
+  static void cut_off(CalibrateResult::Estimate& e) {
+    e.low_cut = e.low < e.min;
+    e.high_cut = e.high > e.max;
+    if (e.low_cut) e.low = e.min;
+    if (e.high_cut) e.high = e.max;
+  }
+
+  // `linear_high` is the upper end of the linearised interval.
+  static void set_interval(const ProfiledInterval& found, double linear_high,
+                           CalibrateResult::Estimate& e) {
     if (!found.low || !found.high) return;
-    e.low = found.low->linear ? e.low : found.low->value;
-    e.high = found.high->linear ? e.high : found.high->value;
+    const double b = e.parameter.value;
+    const double half_width = e.log ? b * std::log(linear_high / b) : linear_high - b;
+    e.low = found.low->value;
+    e.high = found.high->value;
     e.profiled = !found.low->linear || !found.high->linear;
     e.low_cut = found.low->cut_off;
     e.high_cut = found.high->cut_off;
+    e.profile = found.low->points;
+    e.profile.push_back({b, 0, 1 / half_width});
+    e.profile.insert(e.profile.end(), found.high->points.begin(), found.high->points.end());
   }
 
   // Another optimum fits as well if its sum of squares is in the joint confidence region (L2.2), though it is not there
-  // itself: places that the linearised region of the best one holds belong to the same valley. Few points leave so large
-  // a region that a motor which misses them by far is in it; such a one does not fit.
+  // itself: places that the linearised region of the best one holds, or that a path leads to, belong to the same valley.
+  // Few points leave so large a region that a motor which misses them by far is in it; such a one does not fit.
   void compare_optima(const LeastSquaresResult& best, const optim::Residuals& residuals) {
     const double count = static_cast<double>(fit_.points().size());
     for (std::size_t k = 0; k < result_.optima.size(); ++k) {
@@ -162,7 +182,9 @@ class Calibration {
           linear_increase(residuals, other.values) <= best.joint_limit - best.sum_of_squares;
       const bool far =
           !fit_.deviations_given() && result_.misfit_of(other) > CalibrateResult::kLarge;
-      other.fits_as_well = k == 0 || (equal && !near && !far);
+      const bool apart = k > 0 && equal && !near && !far;
+      other.same_valley = apart && joined_ && joined_(best, other.values);
+      other.fits_as_well = k == 0 || (apart && !other.same_valley);
     }
   }
 
@@ -193,6 +215,7 @@ class Calibration {
       estimate.min = range.min;
       estimate.max = range.max;
       estimate.log = range.log;
+      cut_off(estimate);
       if (e.at_bound)
         estimate.bound = e.value - range.min < range.max - e.value ? CalibrateResult::Bound::min
                                                                    : CalibrateResult::Bound::max;
@@ -254,97 +277,10 @@ class Calibration {
     result_.residual_rms = fit_.rms(counting);
   }
 
-  void test_fit() {
-    if (result_.exact || result_.degrees_of_freedom == 0) return;
-    std::vector<const CalibrateResult::Point*> ordered;
-    for (const CalibrateResult::Point& point : result_.data)
-      if (point.torque() && point.counts) ordered.push_back(&point);
-    std::stable_sort(ordered.begin(), ordered.end(),
-                     [](const auto* a, const auto* b) { return a->at < b->at; });
-    std::vector<double> residuals;
-    for (const CalibrateResult::Point* point : ordered) residuals.push_back(point->residual);
-    if (!residuals.empty()) result_.runs = runs_test(residuals);
-    if (!fit_.deviations_given() || !result_.columns.empty()) return;
-    double sum = 0;
-    for (const CalibrateResult::Point& point : result_.data)
-      if (point.counts) sum += std::pow(point.residual / point.deviation, 2);
-    const std::size_t freedom = result_.counting_freedom();
-    if (freedom == 0) return;
-    result_.chi_square = sum;
-    result_.chi_square_p = chi_square_tail(sum, freedom);
-  }
-
-  void name_undetermined(const LeastSquaresResult& best, const optim::Residuals& residuals) {
-    for (const auto& names : best.undetermined) {
-      CalibrateResult::Undetermined set;
-      set.names = names;
-      if (names.size() == 2) set.undone_by = undone_by(best, residuals, names);
-      result_.undetermined.push_back(std::move(set));
-    }
-  }
-
-  // Directions along which a confidence interval is half of the values wide, or more.
-  void name_combinations(const LeastSquaresResult& best) {
-    constexpr double kHalf = 0.5;
-    constexpr double kUnseen = 1e-10;  // as for the rank: of the best visible one
-    const double most = best.directions.empty() ? 0 : best.directions.back().effect;
-    for (const optim::Direction& direction : best.directions) {
-      const bool unseen = direction.effect <= kUnseen * most;
-      const double half_width = best.student_t * best.scatter / direction.effect;
-      const bool wide = !result_.exact && half_width > kHalf;
-      if (!unseen && !wide && !result_.combinations.empty()) break;
-      result_.combinations.push_back(combination(best, direction, unseen));
-      if (!unseen && !wide) break;  // the worst is told even where it is not bad
-    }
-  }
-
-  // A change of 10 % of what moves most, the first of the parameters upwards. Left out is what moves by less than a
-  // twentieth of that and does less than a tenth of what another part does.
-  CalibrateResult::Combination combination(const LeastSquaresResult& best,
-                                           const optim::Direction& direction, bool unseen) const {
-    constexpr double kStep = 0.1;
-    constexpr double kNotable = 0.05;
-    constexpr double kCounts = 0.1;
-    const double most = *std::max_element(direction.part_norms.begin(), direction.part_norms.end());
-    CalibrateResult::Combination result;
-    double percent = 0;
-    for (std::size_t j = 0; j < direction.change.size(); ++j) {
-      const bool counts = direction.part_norms[j] > kCounts * most;
-      if (!(std::fabs(direction.change[j]) >= kNotable) && !counts) continue;
-      if (percent == 0) percent = std::copysign(100 * kStep, direction.change[j]);
-      result.parts.push_back({best.estimates[j].name, percent * direction.change[j]});
-    }
-    const double count = static_cast<double>(fit_.points().size());
-    result.effect = kStep * direction.effect / std::sqrt(count) / best.scatter;
-    if (result_.exact) result.effect = std::numeric_limits<double>::quiet_NaN();
-    result.unseen = unseen;
-    return result;
-  }
-
-  // The change of b, in percent, that undoes 1 % more of a: their columns are parallel.
-  static double undone_by(const LeastSquaresResult& best, const optim::Residuals& residuals,
-                          const std::vector<std::string>& names) {
-    const std::size_t n = best.estimates.size();
-    const auto place = [&](const std::string& name) {
-      return static_cast<std::size_t>(
-          std::find_if(best.estimates.begin(), best.estimates.end(),
-                       [&](const optim::Estimate& e) { return e.name == name; }) -
-          best.estimates.begin());
-    };
-    const std::size_t a = place(names[0]);
-    const std::size_t b = place(names[1]);
-    double both = 0;
-    double second = 0;
-    for (std::size_t i = 0; i < residuals.values.size(); ++i) {
-      const double slope = residuals.jacobian[i * n + b];
-      both += residuals.jacobian[i * n + a] * slope;
-      second += slope * slope;
-    }
-    return -both / second * best.estimates[a].value / best.estimates[b].value;
-  }
-
   const MeasuredFit& fit_;
   const std::vector<LeastSquaresResult>& fits_;
+  std::vector<std::string> tables_;
+  decltype(CalibrationAsked::joined) joined_;
   std::string unsettled_;
   CalibrateResult result_;
 };

@@ -6,7 +6,9 @@
 
 #include <twum/optim/fit_profile.hpp>
 
+#include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace twum::studies {
@@ -19,6 +21,9 @@ struct CalibrationAsked {
   std::vector<std::size_t>
       columns{};            ///< as AskedFit::columns; the fit is in parts of their deviations
   std::string unsettled{};  ///< why these deviations are not settled; empty: they are
+  /// Whether a path joins another optimum to the best fit inside the joint confidence region; none: never.
+  std::function<bool(const optim::LeastSquaresResult& best, std::span<const double> other)>
+      joined{};
 };
 
 /// A measured point as a result shows it; fitted and residual are NaN.

@@ -36,6 +36,15 @@ std::string FitParameter::name() const {
   return std::string(info(parameter).name) + (table ? " (" + file + ")" : "");
 }
 
+double FitParameter::part(double a, double b) const {
+  return log ? std::log(b / a) / std::log(max / min) : (b - a) / (max - min);
+}
+
+double FitParameter::between(double a, double b, double share) const {
+  const double value = log ? a * std::pow(b / a, share) : std::lerp(a, b, share);
+  return std::clamp(value, min, max);
+}
+
 MeasuredFit::MeasuredFit(const MotorDesign& motor, std::vector<FitParameter> parameters,
                          std::vector<MeasuredPoint> points, std::vector<DerivedParameter> derived)
     : motor_(motor),
@@ -69,8 +78,9 @@ bool MeasuredFit::per_file() const {
                      [](const FitParameter& one) { return one.table.has_value(); });
 }
 
-MotorDesign MeasuredFit::motor_at(std::span<const double> values) const {
-  return varied_.motor(picked(values, places_in(0)));
+// Every table varies the same parameters of the motor.
+MotorDesign MeasuredFit::motor_at(std::span<const double> values, std::size_t table) const {
+  return varied_.motor(picked(values, places_in(table)));
 }
 
 MeasuredFit::Condition& MeasuredFit::condition_of(const MeasuredPoint& point,

@@ -31,6 +31,10 @@ struct FitParameter : DesignVariable {
 
   /// "amplitude", or "amplitude (b.csv)".
   std::string name() const;
+  /// The way from a to b in parts of the range, on its scale.
+  double part(double a, double b) const;
+  /// The value at a share of this way.
+  double between(double a, double b, double share) const;
 };
 
 /// The residuals of a calibration: computed minus measured values, times the root of the point's weight (L1.1). They
@@ -49,8 +53,8 @@ class MeasuredFit {
 
   /// The motor before the fit.
   const MotorDesign& motor() const noexcept { return motor_; }
-  /// The motor with the parameters at these values; with those of the first table where tables have their own.
-  MotorDesign motor_at(std::span<const double> values) const;
+  /// The motor with the parameters at these values; with those of this table where tables have their own.
+  MotorDesign motor_at(std::span<const double> values, std::size_t table = 0) const;
   /// Whether tables have values of their own.
   bool per_file() const;
   /// Whether the fit estimates or derives the parameter or its twin, or a point sets it.

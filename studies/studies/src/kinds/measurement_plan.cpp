@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::size_t kLength = 10;  // measurements of a plan
 constexpr int kGrid = 24;            // number of speeds or torques tried for a reading
+// Part of the largest torque that a reading is planned at: a motor a little weaker than the fit stalls beyond it.
+constexpr double kSafeTorque = 0.9;
 
 // A number that may be measured next.
 struct Candidate {
@@ -69,8 +71,13 @@ class Knowledge {
 
 class Planner {
  public:
-  Planner(const MeasuredFit& fit, std::vector<double> values, double scatter)
-      : fit_(fit), values_(std::move(values)), knowledge_(values_.size(), scatter) {}
+  /// @param tables  names of those with values of their own; none if all have the same
+  Planner(const MeasuredFit& fit, std::vector<double> values, double scatter,
+          std::vector<std::string> tables = {})
+      : fit_(fit),
+        values_(std::move(values)),
+        tables_(std::move(tables)),
+        knowledge_(values_.size(), scatter) {}
 
   // Adds the points of the fit.
   void learn() {
@@ -113,6 +120,7 @@ class Planner {
                                    double volume) const {
     CalibrateResult::Planned planned;
     planned.point = point_of(one.point);
+    if (!tables_.empty()) planned.file = tables_[one.point.table];
     planned.volume = std::exp(-0.5 * volume);
     planned.mean = std::sqrt(knowledge_.trace() / first.trace());
     for (std::size_t j = 0; j < values_.size(); ++j)
@@ -120,60 +128,68 @@ class Planner {
     return planned;
   }
 
-  // Candidates of all measured kinds, without those for which the motor has no value.
+  // Tables with values of their own are different motors; the others are one.
+  bool same_motor(const MeasuredPoint& a, const MeasuredPoint& b) const {
+    return tables_.empty() || a.table == b.table;
+  }
+
+  // Candidates of the kinds measured on each motor, without those for which it has no value.
   std::vector<Candidate> all_candidates() const {
     std::vector<Candidate> list;
     std::vector<const MeasuredPoint*> kinds;
     for (const MeasuredPoint& point : fit_.points()) {
       const bool known = std::any_of(kinds.begin(), kinds.end(), [&](const MeasuredPoint* k) {
-        return same_kind(k->reading, point.reading);
+        return same_kind(k->reading, point.reading) && same_motor(*k, point);
       });
       if (known) continue;
       kinds.push_back(&point);
-      for (const auto& set : settings())
-        for (const Reading& reading : places(point.reading)) add(point, reading, set, list);
+      for (const auto& set : settings(point))
+        for (const Reading& reading : places(point)) add(point, reading, set, list);
     }
     return list;
   }
 
   void add(const MeasuredPoint& like, const Reading& reading,
            const std::vector<ParameterValue>& set, std::vector<Candidate>& list) const {
-    MeasuredPoint point{reading, 0, weight_of(like), like.deviation, set};
+    MeasuredPoint point{reading, 0, weight_of(like), like.deviation, set, {}, {}, like.table};
     optim::Residuals found = fit_.asking({point}).residuals(values_);
     if (!found.failure.empty()) return;
     list.push_back({std::move(point), in_ranges(found.jacobian.data())});
   }
 
-  // Mean weight of the points of its kind, assumed for a further point.
+  // Mean weight of the points of its kind on its motor, assumed for a further point.
   double weight_of(const MeasuredPoint& like) const {
     double sum = 0;
     double count = 0;
     for (const MeasuredPoint& point : fit_.points()) {
-      if (!same_kind(point.reading, like.reading)) continue;
+      if (!same_kind(point.reading, like.reading) || !same_motor(point, like)) continue;
       sum += point.weight;
       ++count;
     }
     return sum / count;
   }
 
-  // Speeds up to no load, or torques up to the largest; of the impedance the frequencies that were measured.
-  std::vector<Reading> places(const Reading& reading) const {
+  // Speeds up to no load, or torques up to nine tenths of the largest; of the impedance the frequencies that were measured.
+  std::vector<Reading> places(const MeasuredPoint& like) const {
+    const Reading& reading = like.reading;
     const auto* request = std::get_if<MetricRequest>(&reading);
     if (request == nullptr || request->argument == Argument::none) return {reading};
     const Metric end =
         request->argument == Argument::speed ? Metric::no_load_speed : Metric::max_torque;
-    const MetricValue last = evaluate(Motor(fit_.motor_at(values_)), MetricRequest{end});
+    const MetricValue last =
+        evaluate(Motor(fit_.motor_at(values_, like.table)), MetricRequest{end});
+    const double most = last.value * (request->argument == Argument::torque ? kSafeTorque : 1);
     std::vector<Reading> list;
     for (int i = 0; i <= kGrid && last.status == MetricStatus::ok; ++i) {
       MetricRequest one = *request;
-      one.at = last.value * i / kGrid;
+      one.at = most * i / kGrid;
       list.emplace_back(one);
     }
     return list;
   }
 
   // Settings: the motor unchanged, with other preloads and voltages, and with the settings of the data.
-  std::vector<std::vector<ParameterValue>> settings() const {
+  std::vector<std::vector<ParameterValue>> settings(const MeasuredPoint& like) const {
     std::vector<std::vector<ParameterValue>> list{{}};
     for (const Parameter parameter : {Parameter::preload, Parameter::voltage}) {
       if (!in_use(fit_.motor(), parameter) || fit_.sets(parameter)) continue;
@@ -181,24 +197,28 @@ class Planner {
         list.push_back({{parameter, factor * get(fit_.motor(), parameter)}});
     }
     for (const MeasuredPoint& point : fit_.points())
-      if (std::find(list.begin(), list.end(), point.set) == list.end()) list.push_back(point.set);
+      if (same_motor(point, like) && std::find(list.begin(), list.end(), point.set) == list.end())
+        list.push_back(point.set);
     return list;
   }
 
   const MeasuredFit& fit_;
   std::vector<double> values_;
+  std::vector<std::string> tables_;
   Knowledge knowledge_;
 };
 
 }  // namespace
 
 std::vector<CalibrateResult::Planned> measurement_plan(const MeasuredFit& fit,
-                                                       const optim::LeastSquaresResult& best) {
+                                                       const optim::LeastSquaresResult& best,
+                                                       const std::vector<std::string>& tables) {
   const bool scatter = std::isfinite(best.scatter) && !fit.exact(best.scatter);
   if (!scatter) return {};
   std::vector<double> values;
   for (const optim::Estimate& e : best.estimates) values.push_back(e.value);
-  Planner planner(fit, std::move(values), best.scatter);
+  Planner planner(fit, std::move(values), best.scatter,
+                  fit.per_file() ? tables : std::vector<std::string>{});
   planner.learn();
   return planner.plan();
 }

@@ -12,8 +12,11 @@ namespace twum::studies {
 /// The measurements that would reduce the confidence region of the estimates most, each given the ones before it
 /// (L6.1, L6.2). They are of the measured kinds with their scatter, at other speeds or torques and other settings of
 /// preload and voltage. Empty if the scatter is not known.
+/// @param tables  names of the tables of measurements; a measurement is on the motor of one where these have values of
+///                their own
 std::vector<CalibrateResult::Planned> measurement_plan(const MeasuredFit& fit,
-                                                       const optim::LeastSquaresResult& best);
+                                                       const optim::LeastSquaresResult& best,
+                                                       const std::vector<std::string>& tables);
 
 /// Assumed standard deviation of a first measurement, relative to the largest value of its kind.
 inline constexpr double kFirstDeviation = 0.01;

@@ -40,6 +40,13 @@ Json cut_off_json(const CalibrateResult::Estimate& e) {
   return e.high_cut ? Json("high") : Json(nullptr);
 }
 
+Json profile_json(const CalibrateResult::Estimate& e) {
+  Json json = Json::array();
+  for (const optim::ProfilePoint& point : e.profile)
+    json.push_back({{"value", point.value}, {"z", point.z}, {"slope", point.slope}});
+  return json;
+}
+
 Json estimates_json(const CalibrateResult& result) {
   Json json = Json::object();
   for (const CalibrateResult::Estimate& e : result.estimates) {
@@ -52,6 +59,7 @@ Json estimates_json(const CalibrateResult& result) {
                               {"cut_off", cut_off_json(e)},
                               {"remark", remark(result, e)}};
     if (!e.file.empty()) json[e.parameter.name]["file"] = e.file;
+    if (!e.profile.empty()) json[e.parameter.name]["profile"] = profile_json(e);
   }
   return json;
 }
@@ -74,12 +82,20 @@ Json tests_json(const CalibrateResult& result) {
   json["runs"] = nullptr;
   json["chi_square"] = nullptr;
   if (result.runs)
-    json["runs"] = {
-        {"count", result.runs->count}, {"runs", result.runs->runs}, {"p", result.runs->p}};
+    json["runs"] = {{"quantity", result.runs_of.quantity},
+                    {"over", result.runs_of.over},
+                    {"count", result.runs->count},
+                    {"runs", result.runs->runs},
+                    {"p", result.runs->p}};
   if (result.chi_square)
     json["chi_square"] = {{"value", *result.chi_square},
                           {"degrees_of_freedom", result.counting_freedom()},
                           {"p", result.chi_square_p}};
+  if (result.worst_kind)
+    json["worst_kind"] = {{"quantity", result.worst_kind->quantity},
+                          {"chi_square", result.worst_kind->chi_square},
+                          {"count", result.worst_kind->count},
+                          {"p", result.worst_kind->p}};
   return json;
 }
 
@@ -109,6 +125,7 @@ Json optima_json(const CalibrateResult& result) {
     json.push_back({{"residual_rms", number_json(optimum.residual_rms)},
                     {"starts", optimum.starts},
                     {"fits_as_well", optimum.fits_as_well},
+                    {"same_valley", optimum.same_valley},
                     {"design", design_json(result, optimum.values)}});
   }
   return json;
@@ -141,6 +158,7 @@ Json plan_json(const CalibrateResult& result) {
     if (planned.point.argument != Argument::none)
       one[planned.point.argument == Argument::speed ? "speed" : "torque"] = planned.point.at;
     if (!planned.point.set.empty()) one["set"] = values_json(planned.point.set);
+    if (!planned.file.empty()) one["file"] = planned.file;
     Json widths = Json::object();
     for (std::size_t j = 0; j < planned.widths.size(); ++j)
       widths[result.estimates[j].parameter.name] = planned.widths[j];
@@ -274,8 +292,15 @@ std::string test_words(const CalibrateResult& result) {
             counted(result.counting_freedom(), "degree") +
             " of freedom, p = " + rounded_text(result.chi_square_p, 2) + "\n";
   }
+  if (result.worst_kind)
+    text += "Of these " + result.worst_kind->quantity + ": chi-square " +
+            rounded_text(result.worst_kind->chi_square, 4) + " of " +
+            counted(result.worst_kind->count, "number") +
+            ", p = " + rounded_text(result.worst_kind->p, 2) + "\n";
   if (result.runs) {
-    text += "Signs of the residuals in order of speed: " + counted(result.runs->runs, "run") +
+    const bool torque = result.runs_of.quantity == "torque_at";
+    text += "Signs of the residuals" + (torque ? "" : " of " + result.runs_of.quantity) +
+            " in order of " + result.runs_of.over + ": " + counted(result.runs->runs, "run") +
             " in " + counted(result.runs->count, "point") +
             ", p = " + rounded_text(result.runs->p, 2) + "\n";
   }
@@ -295,7 +320,10 @@ std::string optima_table(const CalibrateResult& result) {
       table.rows.back().push_back(
           engineering(optimum.values[j], result.estimates[j].parameter.unit));
     const bool answer = &optimum == &result.optima.front();
-    table.rows.back().emplace_back(answer ? "" : optimum.fits_as_well ? "fits as well" : "");
+    table.rows.back().emplace_back(answer                 ? ""
+                                   : optimum.fits_as_well ? "fits as well"
+                                   : optimum.same_valley  ? "same valley"
+                                                          : "");
   }
   return "\n" + aligned(table, kSummaryWidth);
 }

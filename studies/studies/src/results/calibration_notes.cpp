@@ -83,8 +83,10 @@ void add_misfit(const CalibrateResult& result, Notes& notes) {
   std::string text = "The fit is poor: the residuals";
   if (result.chi_square && result.chi_square_p < kUnlikely)
     text += " are larger than the standard deviations given";
+  else if (result.worst_kind)
+    text += " of " + result.worst_kind->quantity + " are larger than the standard deviations given";
   else if (result.runs && result.runs->p < kUnlikely)
-    text += " keep their sign over whole stretches of speed";
+    text += " keep their sign over whole stretches of " + result.runs_of.over;
   else
     text += " are large";
   if (result.misfit() > 0)
@@ -97,6 +99,15 @@ void add_misfit(const CalibrateResult& result, Notes& notes) {
       text + "." + missed_words(result) +
       " Possible causes: an effect that the model leaves out, a parameter that should be "
       "estimated too, a wrong point or a wrong unit. The intervals are not reliable.");
+}
+
+// Deviations that are stated too large hide a misfit, and widen intervals that stand on them.
+void add_smallness(const CalibrateResult& result, Notes& notes) {
+  constexpr double kRare = 0.01;
+  if (!result.chi_square || 1 - result.chi_square_p >= kRare) return;
+  notes.emplace_back(
+      "The residuals are smaller than the standard deviations given: chance gives so small a "
+      "chi-square less often than 1 in 100. Check the standard deviations.");
 }
 
 void add_outliers(const CalibrateResult& result, Notes& notes) {
@@ -283,6 +294,7 @@ std::vector<std::string> calibration_notes(const CalibrateResult& result) {
         "units in the heading of the data file, then the ranges.");
   if (result.at_bounds() || result.poor()) add_unit_hints(result, notes);
   if (!result.at_bounds()) add_misfit(result, notes);
+  add_smallness(result, notes);
   add_outliers(result, notes);
   add_several(result, notes);
   for (const auto& set : result.undetermined) add_undetermined(set, notes);

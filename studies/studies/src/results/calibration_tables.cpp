@@ -55,7 +55,8 @@ std::string plan_rows(const CalibrateResult& result, const char* heading) {
   for (const auto& e : result.estimates) table.rows[0].push_back(e.parameter.name);
   for (const CalibrateResult::Planned& planned : result.plan) {
     const auto shown = [](double part) { return rounded_text(100 * part, 3) + " %"; };
-    table.rows.push_back({reading_words(planned.point), shown(planned.mean)});
+    const std::string file = planned.file.empty() ? "" : " (" + planned.file + ")";
+    table.rows.push_back({reading_words(planned.point) + file, shown(planned.mean)});
     for (const double width : planned.widths) table.rows.back().push_back(shown(width));
   }
   return aligned(table, kSummaryWidth);

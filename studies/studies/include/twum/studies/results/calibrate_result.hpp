@@ -2,6 +2,7 @@
 #pragma once
 
 #include <twum/core/performance/metrics.hpp>
+#include <twum/optim/fit_profile.hpp>
 #include <twum/optim/result.hpp>
 #include <twum/studies/results/move.hpp>
 #include <twum/studies/statistics/fit_tests.hpp>
@@ -45,6 +46,8 @@ struct CalibrateResult {
     bool log{false};           ///< searched in the logarithm
     std::vector<Follower> followers;  ///< if at a bound: changes of the free parameters
     std::string file{};  ///< table of measurements that it belongs to; empty: all tables
+    /// of the sum of squares (L3.1), the estimate among them; empty: not made
+    std::vector<optim::ProfilePoint> profile{};
   };
 
   /// One measured number, and the fitted value of it.
@@ -83,6 +86,14 @@ struct CalibrateResult {
     double deviation{0};   ///< their standard deviation, SI
   };
 
+  /// Chi-square of the numbers of one kind.
+  struct KindScatter {
+    std::string quantity;  ///< which kind
+    double chi_square{0};  ///< of its residuals
+    std::size_t count{0};  ///< of its numbers
+    double p{1};           ///< how often chance gives one of the kinds as much or more
+  };
+
   /// Parameters that the data determine only in combination.
   struct Undetermined {
     std::vector<std::string> names;  ///< of the parameters
@@ -111,11 +122,14 @@ struct CalibrateResult {
     std::size_t starts{0};            ///< how many ended there
     bool fits_as_well{false};         ///< the data cannot tell this motor from the first
     std::vector<NamedValue> derived;  ///< derived parameters
+    bool same_valley{false};          ///< motors between the two fit as well, so that they are one
   };
 
   /// A measurement worth making next, and what the estimates would be like after it and those before it in the plan.
   struct Planned {
     Point point;  ///< what to read, and where; without values
+    std::string
+        file{};  ///< table on whose motor, where tables have values of their own; else empty
     std::vector<double>
         widths;        ///< of the intervals relative to the present ones, for each parameter
     double volume{1};  ///< of the joint region of the estimates, likewise
@@ -148,9 +162,16 @@ struct CalibrateResult {
   std::size_t degrees_of_freedom{0};  ///< points less free parameters
   double student_t{0};  ///< half width of an interval in standard deviations of the estimate
   bool exact{false};    ///< residuals are no more than rounding: nothing to test
-  std::optional<RunsTest> runs;            ///< of the residuals in order of speed
+  std::optional<RunsTest>
+      runs;  ///< of the residuals of the kind that stands out most, in their order
+  /// The kind of data of `runs`, and what it is in order of, such as "torque_at" and "speed".
+  struct RunsOf {
+    std::string quantity{"torque_at"};
+    std::string over{"speed"};
+  } runs_of;
   std::optional<double> chi_square;        ///< where standard deviations were measured
   double chi_square_p{1};                  ///< how often chance gives as much or more
+  std::optional<KindScatter> worst_kind;   ///< where it is as rare as one time in twenty
   std::vector<Outlier> outliers;           ///< the farthest first
   std::vector<Undetermined> undetermined;  ///< none if the data determine all
   std::vector<Combination> combinations;  ///< least visible first; none if the intervals are of use

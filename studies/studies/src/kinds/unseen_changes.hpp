@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <twum/optim/least_squares.hpp>
+#include <twum/studies/results/calibrate_result.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace twum::studies {
+
+/// Sets of parameters that the data do not tell apart.
+/// @param residuals  at the fit
+std::vector<CalibrateResult::Undetermined> unseen_sets(const optim::LeastSquaresResult& fit,
+                                                       const optim::Residuals& residuals);
+
+/// Directions along which a confidence interval is half of the values wide, or more (L2.3); if there are none, the one
+/// that is seen least.
+/// @param exact  the residuals are rounding, so that nothing is known of the scatter
+std::vector<CalibrateResult::Combination> hardly_seen(const optim::LeastSquaresResult& fit,
+                                                      std::size_t points, bool exact);
+
+}  // namespace twum::studies
