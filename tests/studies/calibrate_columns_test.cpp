@@ -45,7 +45,7 @@ TEST_CASE("a data sheet's five numbers say what they determine", "[studies][cali
   const Run five(sheet);
   CHECK(five.answer.outcome == "undetermined");
   CHECK(five.result().equals() == 1);  // one valley, not several motors
-  CHECK_THAT(five.text(), Contains("youngs_modulus and thickness only count together"));
+  CHECK_THAT(five.text(), Contains("youngs_modulus and thickness act only in combination"));
 }
 
 TEST_CASE("wrong columns of measurements are refused with place and remedy",

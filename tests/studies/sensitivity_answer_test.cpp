@@ -205,7 +205,7 @@ TEST_CASE("local effects stand beside the motor where they hold", "[studies][sen
 
   // A metric and a variable without dimension.
   result.metrics[0].metric = {"contact_efficiency_at_peak_power", "1"};
-  CHECK_THAT(barred(answer_text(result)), Contains("| 3 1 per 1\n"));
+  CHECK_THAT(barred(answer_text(result)), Contains("| 3 per 1\n"));
 }
 
 TEST_CASE("what a gradient is good for is a sentence", "[studies][sensitivity][words]") {

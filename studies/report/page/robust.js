@@ -99,8 +99,8 @@ function densityChart(d) {
 function riskCard() {
   const node = card(
       'Where the risk goes',
-      'Share of the failing motors that violate each limit, and the part of it that each tolerance causes. The index is the ' +
-          'number of standard deviations between the design and the limit.',
+      'Share of the failing motors that violate each limit, and the part of it that each tolerance causes. The index ' +
+          'is the number of standard deviations between the design and the limit.',
       'wide');
   const limits = summary.robust.limits;
   const names = Object.keys(limits[0].importance);

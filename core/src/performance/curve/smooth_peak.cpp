@@ -10,8 +10,9 @@ namespace {
 
 constexpr double kRippled =
     0.95;  // share of the best node, of intervals that ripples may hide a hump in
-constexpr double kPerRipple = 12;    // nodes
-constexpr double kMostNodes = 1500;  // of ripples from rest to the crest speed
+constexpr double kBesideFold = 1e-9;  // of the crest speed
+constexpr double kPerRipple = 12;     // nodes
+constexpr double kMostNodes = 1500;   // of ripples from rest to the crest speed
 
 // Nodes between rest and the crest speed that tell ripples of the torque: it follows the phase in which the layer's
 // own oscillation leaves the contact, which speed moves by no more than it turns through before it is over, in the
@@ -83,6 +84,12 @@ Peak SmoothPeakSearch::peak_beside(std::size_t top) {
   }
 }
 
+// A curve that begins above rest begins at a fold, with an infinite slope: that is taken just beyond.
+double SmoothPeakSearch::sloped_place(std::size_t k) const {
+  const double speed = nodes_[k].speed, begin = points_.curve().begin();
+  return begin > 0 && speed == begin ? speed + kBesideFold * points_.curve().crest() : speed;
+}
+
 Peak SmoothPeakSearch::sharp_peak(std::size_t top) {
   if (top > 0 && top + 1 < nodes_.size()) {
     const std::optional<Peak> near = peak_near(top);
@@ -90,11 +97,11 @@ Peak SmoothPeakSearch::sharp_peak(std::size_t top) {
   }
   const Peak at_node = goal_.peak_at(points_.answered(nodes_[top].speed), PeakKind::smooth);
   if (nodes_.size() == 1) return at_node;
-  const bool rises = goal_.at(at_node.speed).slope > 0;
+  const bool rises = goal_.at(sloped_place(top)).slope > 0;
   if (!rises && top == 0) return at_node;
   if (rises && top + 1 == nodes_.size()) return at_node;
   const std::size_t from = rises ? top : top - 1;
-  const std::optional<Peak> inside = goal_.peak_between(nodes_[from].speed, nodes_[from + 1].speed);
+  const std::optional<Peak> inside = goal_.peak_between(sloped_place(from), nodes_[from + 1].speed);
   if (!inside || !(inside->value >= at_node.value)) return at_node;
   if (inside->kind == PeakKind::kink && crossings_.leaves_plateau_at(inside->speed))
     return {crossings_.plateau_end(), inside->value, PeakKind::plateau_end};

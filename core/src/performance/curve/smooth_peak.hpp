@@ -21,6 +21,7 @@ class SmoothPeakSearch {
   std::vector<CurvePoint> with_ripples(std::vector<CurvePoint> nodes);
   double value(std::size_t k) const { return goal_.value(nodes_[k]); }
   Peak peak_beside(std::size_t top);
+  double sloped_place(std::size_t k) const;
   Peak sharp_peak(std::size_t top);
   std::optional<Peak> peak_near(std::size_t top);
   struct Likely {

@@ -63,8 +63,8 @@ struct Estimate {
   double low{
       0.0};  ///< lower end of the confidence interval (Student's t; of the logarithm on a log scale), or NaN
   double high{0.0};      ///< its other end
-  double rise{0.0};      ///< root of the rise of the sum of squares where the interval ends (L3.1)
   bool at_bound{false};  ///< held by a bound: then it counts as known
+  double rise{0.0};      ///< root of the rise of the sum of squares where the interval ends (L3.1)
 };
 
 /// A change of the parameters together, and how much of it the residuals show, to first order (L2.3).
