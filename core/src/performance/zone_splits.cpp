@@ -10,7 +10,7 @@ namespace {
 
 // Lengths along the track are in parts of a piece. A zone of length l = d^(1/2) adds l^2 = d to the means (W4.4): a split that
 // is off by d leaves d of the derivatives and d^2 of the means. A secant step of kNear is good to its square.
-constexpr double kNear = 1e-5;
+constexpr double kNear = 1e-4;
 // A bracket in which no zone vanishes is narrowed to this.
 constexpr double kClose = 1e-6;
 // Zones that come and go within this are not split twice.
