@@ -166,9 +166,9 @@ struct CalibrateResult {
       runs;  ///< of the residuals of the kind that stands out most, in their order
   /// The kind of data of `runs`, and what it is in order of, such as "torque_at" and "speed".
   struct RunsOf {
-    std::string quantity{"torque_at"};  ///< the kind
-    std::string over{"speed"};          ///< what its numbers are in order of
-  } runs_of;                            ///< of `runs`
+    std::string quantity{"torque_at"};     ///< the kind
+    std::string over{"speed"};             ///< what its numbers are in order of
+  } runs_of;                               ///< of `runs`
   std::optional<double> chi_square;        ///< where standard deviations were measured
   double chi_square_p{1};                  ///< how often chance gives as much or more
   std::optional<KindScatter> worst_kind;   ///< where it is as rare as one time in twenty
