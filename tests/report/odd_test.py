@@ -80,6 +80,7 @@ class Odd(Study):
         front = "kind: pareto, variables: {preload: {min: 60 N, max: 300 N}}, objectives: [{maximize: stall_torque}, {minimize: max_pressure}], points: 5"
         self.assertIsNone(self.study("no-knee", front)["knee"])
         self.assertIn("The front has no knee", self.text(".verdict"))
+        self.assertRegex(self.text(".verdict"), "It runs from .+ to .+\\.")
         self.assertEqual([t for t in [self.text("#chosen h2"), *self.lines("[data-table=front] td")] if "knee" in t], [])
         self.assertIn("Point 1", self.text("#chosen h2"))
 

@@ -133,7 +133,9 @@ function paretoVerdict() {
       bold(String(summary.front.length)),
       ' best compromises: none of them can be improved in one goal without loss in another.');
   const second = summary.knee === null ?
-      sentence('The front has no knee: it bends the other way. It runs from ', bold(pointWords(summary.ends[0])), '.') :
+      sentence(
+          'The front has no knee: it bends the other way. It runs from ', bold(pointWords(summary.ends[0])), ' to ',
+          bold(pointWords(summary.ends.at(-1))), '.') :
       sentence('The knee has ', bold(pointWords(summary.knee)), '. ' + tradeWords(summary.knee));
   return {look: summary.outcome === 'optimal' ? 'good' : 'plain', lines: [first, second]};
 }
