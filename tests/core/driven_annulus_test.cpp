@@ -8,7 +8,6 @@
 #include <twum/core/performance/motor.hpp>
 
 #include <cmath>
-#include <random>
 #include <vector>
 
 // A contact with width under a wave that follows from voltage and load.
@@ -122,38 +121,6 @@ TEST_CASE("no wave of a wide contact is missed (D2.8, D2.10)",
       CHECK(static_cast<int>(motor.wave_states(speed).size()) == crossings);
     }
   }
-}
-
-TEST_CASE("each point's wave is one that the search over all amplitudes finds at its speed (D2.9)",
-          "[core][driven][differential]") {
-  std::mt19937_64 engine(64);
-  const auto between = [&engine](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(engine);
-  };
-  int compared = 0;
-  for (int i = 0; i < 60; ++i) {
-    MotorDesign design = i % 2 ? driven_motor() : driven_motor_with_layer();
-    design.stator.voltage = between(60, 160);
-    design.stator.frequency = between(39.3e3, 41.5e3);
-    design.preload = between(60, 250);
-    design.layer.youngs_modulus = between(0.3e9, 3e9);
-    design.friction.kinetic = design.friction.static_ = between(0.1, 0.35);
-    design.stator.radial_slices = i % 3 ? 1 : 4;
-    const Motor motor(design);
-    for (int k = 0; k < 12; ++k) {
-      const double speed = between(0, 20);
-      const OperatingPoint point = motor.operating_point(speed);
-      if (point.status != PointStatus::ok) continue;
-      double nearest = 1;
-      for (const WaveState& wave : motor.wave_states(speed))
-        nearest = std::fmin(nearest, std::fabs(wave.amplitude / point.amplitude - 1));
-      CAPTURE(i, speed, point.amplitude);
-      // Both end where H is right to 1e-11; H rises at least a hundredth as fast as in proportion to the amplitude.
-      CHECK(nearest <= 1e-9);
-      ++compared;
-    }
-  }
-  CHECK(compared > 300);
 }
 
 TEST_CASE("a wave may be larger than an amplitude that a file may give",

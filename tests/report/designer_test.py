@@ -91,12 +91,9 @@ class Numbers(Designer):
                     own = [row[column] for row in told["curve"]]
                     shown = self.browser.value(f"[...{PANEL}.curve[{json.dumps(column)}]].map(v => Number.isFinite(v) ? v : null)")
                     self.assertEqual([v is None for v in own], [v is None for v in shown], column)
-                    # Another libm rounds sines and roots otherwise; the solver stops at some 1e-12 of the scale. Where the track is split,
-                    # rounding moves the splits: the length that sticks changes by up to 4e-10 with the voltage's last digit, and
-                    # efficiencies near no-load by some ten times that.
+                    # Another libm rounds sines and roots otherwise; the solver stops at some 1e-12 of the scale.
                     scale = max((abs(v) for v in own if v is not None), default=0)
-                    share = 1e-8 if name == "plate-60" else 1e-9
-                    self.assertLessEqual(max((abs(a - b) for a, b in zip(own, shown) if a is not None), default=0), share * scale, column)
+                    self.assertLessEqual(max((abs(a - b) for a, b in zip(own, shown) if a is not None), default=0), 1e-9 * scale, column)
                 shown = self.browser.value(f"Object.fromEntries(Object.entries({PANEL}.metrics).map(([n, m]) => [n, m.status === 'ok' ? m.value : null]))")
                 self.assertEqual(set(shown), set(told["metrics"]))
                 for metric, value in told["metrics"].items():

@@ -5,7 +5,8 @@
 
 namespace twum::contact {
 
-using MotionDual = Dual<double, 2>;  ///< derivatives in the speed and in the wave's amplitude
+/// Derivatives in the speed and in the wave's amplitude, in this order.
+using MotionDual = Dual<double, 2>;
 inline constexpr int kInSpeed = 0, kInAmplitude = 1;
 using StateDual = Dual<double, 2>;        ///< derivatives in the layer's state at entry
 using SpeedDual = Dual<double, 1>;        ///< derivative along the speed

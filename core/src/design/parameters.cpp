@@ -151,11 +151,6 @@ std::string contradiction(const MotorDesign& design) {
          "amplitude in place of voltage";
 }
 
-void require_admissible(Parameter parameter, double value) {
-  const std::string wrong = complaint(parameter, value);
-  if (!wrong.empty()) throw InputError(std::string(info(parameter).name) + " " + wrong);
-}
-
 void require_no_twins(std::span<const ParameterValue> values) {
   for (const auto& [parameter, value] : values) {
     for (const auto& [other, other_value] : values) {
@@ -292,6 +287,11 @@ std::string complaint(Parameter parameter, double value) {
   if (!(value <= row.max)) return "must be at most " + with_unit(row.max, row) + found();
   if (row.integer && value != std::floor(value)) return "must be a whole number" + found();
   return {};
+}
+
+void require_admissible(Parameter parameter, double value) {
+  const std::string wrong = complaint(parameter, value);
+  if (!wrong.empty()) throw InputError(std::string(info(parameter).name) + " " + wrong);
 }
 
 MotorDesign with(const MotorDesign& design, std::span<const ParameterValue> values) {

@@ -116,11 +116,6 @@ void require_speed(const performance::DrivenMotor<double>& m, double speed) {
   }
 }
 
-void require_on_the_wave(Parameter parameter, double value) {
-  const std::string wrong = complaint(parameter, value);
-  if (!wrong.empty()) throw InputError(std::string(info(parameter).name) + " " + wrong);
-}
-
 }  // namespace
 
 performance::MotorPoint Motor::solved(double speed) const {
@@ -140,8 +135,8 @@ OperatingPoint Motor::operating_point(double speed) const {
 }
 
 OperatingPoint Motor::operating_point(const OperatingConditions& at) const {
-  require_on_the_wave(Parameter::amplitude, at.amplitude);
-  require_on_the_wave(Parameter::frequency, at.frequency);
+  require_admissible(Parameter::amplitude, at.amplitude);
+  require_admissible(Parameter::frequency, at.frequency);
   const performance::DrivenMotor<double> m =
       driven<double>(*model_, {at.amplitude, 2 * std::numbers::pi * at.frequency});
   require_speed(m, at.speed);

@@ -349,12 +349,12 @@ SolvedPoint solve_point(const DrivenMotor<double>& m, double speed, const WarmSt
   return std::move(point).checked(m, speed, accuracy);
 }
 
-SolvedPoint solve_point_near(const DrivenMotor<double>& m, double speed, const SolvedPoint& near) {
-  const WarmStart start = near.start();
-  if (near.splits_.empty() || !near.has_pieces_of_splits(m)) return solve_point(m, speed, &start);
+SolvedPoint solve_point_near(const DrivenMotor<double>& m, double speed, const SolvedPoint& near,
+                             const WarmStart& guess) {
+  if (near.splits_.empty() || !near.has_pieces_of_splits(m)) return solve_point(m, speed, &guess);
   SolvedPoint point;
   point.splits_ = near.splits_;
-  point.solve_split(m, speed, layer_of(m, speed), &start, 0);
+  point.solve_split(m, speed, layer_of(m, speed), &guess, 0);
   return std::move(point).checked(m, speed, 0);
 }
 

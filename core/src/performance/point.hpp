@@ -144,7 +144,7 @@ class SolvedPoint {
   /// differentiated in its own seven numbers and chained.
   template <typename S>
   PointNumbers<S> differentiated(const DrivenMotor<S>& motor, const S& speed) const;
-  /// The numbers with derivatives in speed (and in an amplitude, which does not move).
+  /// The numbers with derivatives in speed under the same wave; those in amplitude are zero.
   PointNumbers<contact::MotionDual> differentiated(const DrivenMotor<double>& motor,
                                                    const contact::MotionDual& speed) const;
   /// The numbers with derivatives in speed and amplitude.
@@ -153,7 +153,8 @@ class SolvedPoint {
 
  private:
   friend SolvedPoint solve_point(const DrivenMotor<double>&, double, const WarmStart*, double);
-  friend SolvedPoint solve_point_near(const DrivenMotor<double>&, double, const SolvedPoint&);
+  friend SolvedPoint solve_point_near(const DrivenMotor<double>&, double, const SolvedPoint&,
+                                      const WarmStart&);
   SolvedPoint(const DrivenMotor<double>& motor, double speed, const WarmStart* guess,
               double accuracy);
   SolvedPoint(const DrivenMotor<double>& motor, double speed,
@@ -206,9 +207,11 @@ class SolvedPoint {
 SolvedPoint solve_point(const DrivenMotor<double>& motor, double speed,
                         const WarmStart* guess = nullptr, double accuracy = 0);
 
-/// The same beside a point with nearly the same speed and wave: the track is split where it is there.
+/// The same where a point with nearly the same speed and wave is known: if its track is split, this one is split at the same
+/// radii, without a search for them.
+/// @param guess  as solve_point()
 SolvedPoint solve_point_near(const DrivenMotor<double>& motor, double speed,
-                             const SolvedPoint& near);
+                             const SolvedPoint& near, const WarmStart& guess);
 
 /// True if the whole contact sticks at rest (theory section 10).
 bool locks_at_rest(const DrivenMotor<double>& motor);

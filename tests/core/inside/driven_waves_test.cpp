@@ -71,3 +71,31 @@ TEST_CASE("no wave is missed below the largest there can be (D2.7, D2.8)",
   CHECK(several > 3);
   CHECK(compared > 60);
 }
+
+TEST_CASE("the branch passes through the solutions at each of its speeds (D2.9)",
+          "[core][driven][identity]") {
+  Dice dice(92);
+  int points = 0;
+  for (int i = 0; i < 40; ++i) {
+    MotorDesign design = random_driven(dice, i);
+    if (i % 3 == 0) design.stator.radial_slices = 4;
+    const Drive drive(design);
+    if (!drive.branch().exists()) continue;
+    const double first = drive.branch().first_amplitude();
+    const double crest = drive.waves().crest_speed_per_amplitude() * first;
+    // Zones of the contact begin and end between some neighbouring speeds of the branch, so that there are many points.
+    for (int k = 0; k < 12; ++k) {
+      const double speed = drive.begin() + dice.uniform(0.01, 1.1) * crest;
+      const MotorPoint point = drive.at(speed);
+      if (point.solved.status != PointStatus::ok) continue;
+      double nearest = 1;
+      for (const WaveSolution& s : drive.solutions(speed))
+        nearest = std::fmin(nearest, std::fabs(s.wave().amplitude / point.motor.amplitude - 1));
+      CAPTURE(i, speed, point.motor.amplitude);
+      // Both searches end within rounding of H, which its slope makes 1e-12 or less of the amplitude away from folds.
+      CHECK(nearest <= 1e-10);
+      ++points;
+    }
+  }
+  CHECK(points > 200);
+}

@@ -3,6 +3,7 @@
 
 #include "performance/curve/speed_roots.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -12,6 +13,8 @@ namespace {
 constexpr int kJumpingIntervals = 40;  // in place of kIntervals where torque may jump
 constexpr int kMissing = 4;            // points without an answer that may follow one another
 constexpr double kFarthest = 1e4;      // times the crest speed
+constexpr double kPerRipple = 12;      // nodes
+constexpr double kMostRippled = 1500;  // nodes of ripples from rest to the crest speed
 constexpr double kRounding = 1e-15;    // of a speed
 constexpr double kHighest = 1.3;       // times the crest speed: no wave drives beyond
 
@@ -21,6 +24,20 @@ bool forgets_a_turn(const DrivenMotor<double>& m) {
   const contact::ContactNumbers<double> n = contact_numbers(m, 0.0);
   const contact::LayerMotion<double> layer(n.inertia, n.damping);
   return layer.slowest_decay() * 2 * std::numbers::pi > std::numbers::ln2;
+}
+
+// Nodes between rest and the crest speed that tell ripples of the torque: it follows the phase in which the layer's
+// own oscillation leaves the contact, which speed moves by no more than it turns through before it is over, in the
+// contact and in what speed takes from the wave's turn.
+double nodes_of_ripples(const DrivenMotor<double>& m) {
+  const contact::ContactNumbers<double> n = contact_numbers(m, 0.0);
+  const contact::LayerMotion<double> layer(n.inertia, n.damping);
+  if (layer.kind() != contact::LayerKind::oscillating) return 0;
+  const double over = std::log(100.0) / layer.slowest_decay();
+  const double shift = 2 * std::numbers::pi * m.kappa * m.crest_velocity / m.omega;
+  const double ringing = std::min(2 * n.half_angle, over) + std::min(shift, over);
+  const double ripples = layer.natural_frequency() * ringing / (2 * std::numbers::pi);
+  return std::min(kPerRipple * ripples, kMostRippled);
 }
 
 }  // namespace
@@ -82,10 +99,14 @@ CurvePoint CurveScan::node(double speed, Walk& walk) {
   return n.ok() && in_doubt ? walk.at(speed) : n;
 }
 
-const std::vector<CurvePoint>& CurveScan::between(const CurvePoint& low, const CurvePoint& high,
-                                                  int parts) {
-  const auto [place, fresh] = between_.try_emplace(low.speed);
+bool CurveScan::ripples() const { return nodes_of_ripples(points_.curve().motor()) > kIntervals; }
+
+const std::vector<CurvePoint>& CurveScan::rippled(const CurvePoint& low, const CurvePoint& high) {
+  const auto [place, fresh] = rippled_.try_emplace(low.speed);
   if (!fresh) return place->second;
+  const Curve& curve = points_.curve();
+  const double spacing = curve.crest() / nodes_of_ripples(curve.motor());
+  const int parts = static_cast<int>(std::ceil((high.speed - low.speed) / spacing));
   Walk walk(points_);
   walk.pass(low);
   for (int i = 1; i < parts; ++i) {

@@ -34,9 +34,11 @@ class CurveScan {
   /// @throws SearchFailure (undefined) unless it drives, and if there is no end of the curve
   const std::vector<CurvePoint>& nodes();
 
-  /// More points between a node and the next, as good as those of the scan: only good enough to say where to look. Those
+  /// The torque has ripples that the nodes are too far apart to tell.
+  bool ripples() const;
+  /// Points between a node and the next that tell ripples, as good as the nodes: only good enough to say where to look. Those
   /// without an answer are left out.
-  const std::vector<CurvePoint>& between(const CurvePoint& low, const CurvePoint& high, int parts);
+  const std::vector<CurvePoint>& rippled(const CurvePoint& low, const CurvePoint& high);
 
  private:
   CurvePoint node(double speed, Walk& walk);
@@ -47,7 +49,7 @@ class CurveScan {
 
   CurvePoints& points_;
   std::vector<CurvePoint> nodes_;
-  std::map<double, std::vector<CurvePoint>> between_;  // by the speed of the node below
+  std::map<double, std::vector<CurvePoint>> rippled_;  // by the speed of the node below
   std::optional<MetricStatus> failure_;
   bool done_{false};
 };

@@ -2,8 +2,6 @@
 #include "performance/curve/smooth_peak.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace twum::performance {
 namespace {
@@ -11,22 +9,6 @@ namespace {
 constexpr double kRippled =
     0.95;  // share of the best node, of intervals that ripples may hide a hump in
 constexpr double kBesideFold = 1e-9;  // of the crest speed
-constexpr double kPerRipple = 12;     // nodes
-constexpr double kMostNodes = 1500;   // of ripples from rest to the crest speed
-
-// Nodes between rest and the crest speed that tell ripples of the torque: it follows the phase in which the layer's
-// own oscillation leaves the contact, which speed moves by no more than it turns through before it is over, in the
-// contact and in what speed takes from the wave's turn.
-double nodes_of_ripples(const DrivenMotor<double>& m) {
-  const contact::ContactNumbers<double> n = contact_numbers(m, 0.0);
-  const contact::LayerMotion<double> layer(n.inertia, n.damping);
-  if (layer.kind() != contact::LayerKind::oscillating) return 0;
-  const double over = std::log(100.0) / layer.slowest_decay();
-  const double shift = 2 * std::numbers::pi * m.kappa * m.crest_velocity / m.omega;
-  const double ringing = std::min(2 * n.half_angle, over) + std::min(shift, over);
-  const double ripples = layer.natural_frequency() * ringing / (2 * std::numbers::pi);
-  return std::min(kPerRipple * ripples, kMostNodes);
-}
 
 }  // namespace
 
@@ -57,17 +39,14 @@ Peak SmoothPeakSearch::find() {
 
 // More nodes where a ripple between two of them may be the highest.
 std::vector<CurvePoint> SmoothPeakSearch::with_ripples(std::vector<CurvePoint> nodes) {
-  const Curve& curve = points_.curve();
-  const double wanted = nodes_of_ripples(curve.motor()), spacing = curve.crest() / wanted;
-  if (!(wanted > CurveScan::kIntervals)) return nodes;
+  if (!scan_.ripples()) return nodes;
   const double worth = kRippled * goal_.value(nodes[goal_.highest(nodes)]);
   std::vector<CurvePoint> all(nodes.begin(), nodes.begin() + 1);
   for (std::size_t k = 1; k < nodes.size(); ++k) {
     const CurvePoint &low = nodes[k - 1], &high = nodes[k];
     const bool worthy = !high.plateau && std::max(goal_.value(low), goal_.value(high)) >= worth;
     if (worthy) {
-      const int parts = static_cast<int>(std::ceil((high.speed - low.speed) / spacing));
-      const std::vector<CurvePoint>& more = scan_.between(low, high, parts);
+      const std::vector<CurvePoint>& more = scan_.rippled(low, high);
       all.insert(all.end(), more.begin(), more.end());
     }
     all.push_back(high);

@@ -24,10 +24,6 @@ struct DrivenWave {
   double torque{0};  ///< on the rotor [N m]
 
   double force() const { return balance.force(); }
-  /// H times its slope where the balance has this one.
-  double fold_along(const WaveBalance<double>& slope) const {
-    return balance.real * slope.real + balance.imaginary * slope.imaginary;
-  }
 };
 
 /// The same with its derivatives in amplitude at fixed speed.
@@ -37,7 +33,9 @@ struct SlopedWave {
   double torque_slope{0};     ///< T_A [N]
 
   /// H H_A; zero at folds.
-  double fold() const { return wave.fold_along(slope); }
+  double fold() const {
+    return wave.balance.real * slope.real + wave.balance.imaginary * slope.imaginary;
+  }
   double force_slope() const { return fold() / wave.force(); }  ///< H_A [N/m]
 };
 

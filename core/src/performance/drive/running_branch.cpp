@@ -16,7 +16,8 @@ constexpr double kFar = 200;       // steps of the grid after which the branch i
 constexpr double kSearched = 1.3;  // of the crest speed; no motor runs by itself at higher speeds
 // of the amplitude; a larger distance from the tangent means another branch or too large a step
 constexpr double kStraight = 0.02;
-constexpr double kShortestStep = 1e-3;  // of the step of the grid: shortest step before a fold
+constexpr double kRestOfStep = 1 - 1e-9;  // of what is left: rounding leaves no step of its own
+constexpr double kShortestStep = 1e-3;    // of the step of the grid: shortest step before a fold
 // limit of zones followed for the nodes; usual motors need a thousand
 constexpr long kMostZones = 200'000;
 constexpr int kMostSecants = 12;
@@ -29,8 +30,8 @@ constexpr double kFarState = 1e-4;
 constexpr double kForcePerGap = 10;      // relative change of H with the state at entry, at most
 constexpr double kSettledState = 1e-13;  // and in the answer, whose amplitude has the same error
 constexpr int kMostFollowed = 4;         // amplitudes
-constexpr double kBalanced =
-    1e-11;  // of the drive's force: followed turns may go through zones that are not there
+// of the drive's force; an amplitude right to kSettled leaves a hundredth of it, a zone that is not there far more
+constexpr double kBalanced = 1e-11;
 
 // The largest running solution.
 std::optional<DrivenWave> largest(const std::vector<WaveSolution>& solutions) {
@@ -183,7 +184,7 @@ BranchEnd RunningBranch::follow(double step, int steps) {
     while (nodes_.back().speed != target) {
       if (zones > kMostZones) return endless;
       const Node& last = nodes_.back();
-      const bool reaches = std::fabs(stride) >= std::fabs(target - last.speed);
+      const bool reaches = std::fabs(stride) >= kRestOfStep * std::fabs(target - last.speed);
       const double next = reaches ? target : last.speed + stride;
       const Node* before = nodes_.size() > 1 ? &nodes_[nodes_.size() - 2] : nullptr;
       const NodeSearch search = stepped(last, next, before);
@@ -263,7 +264,7 @@ std::optional<BranchWave> RunningBranch::beyond(const Node& last, const BranchEn
   Node at = last;
   double stride = std::copysign(step_, speed - last.speed);
   while (at.speed != speed) {
-    const bool reaches = std::fabs(stride) >= std::fabs(speed - at.speed);
+    const bool reaches = std::fabs(stride) >= kRestOfStep * std::fabs(speed - at.speed);
     const double next = reaches ? speed : at.speed + stride;
     if (const std::optional<Node> found = stepped(at, next).node) {
       at = *found;
@@ -287,24 +288,22 @@ bool RunningBranch::balances(const MotorPoint& p) const {
 }
 
 // Begins where Hermite's cubic between the nodes leads. Turns are followed through the zones of the nearer node, or, as splits
-// move with the speed, of the guess itself; whether these are the zones of the wave found only its own contact tells.
+// move with the speed, of the guess itself. Only the contact of the wave found can tell whether its zones are these.
 std::optional<MotorPoint> RunningBranch::between(const Node& a, const Node& b, double speed) const {
   const double d = b.speed - a.speed, t = (speed - a.speed) / d, u = 1 - t;
   const double guess = u * u * (1 + 2 * t) * a.amplitude + t * t * (1 + 2 * u) * b.amplitude +
                        t * u * d * (u * a.slope - t * b.slope);
   const double slope = u * a.force_slope + t * b.force_slope;
-  if (waves_.splits()) {
-    const SolvedPoint here = solve_point(waves_.motor(guess), speed);
-    if (const auto wave = followed(speed, guess, slope, here.start(), here)) {
-      const DrivenMotor<double> motor = waves_.motor(wave->amplitude);
-      const MotorPoint point{motor, solve_point_near(motor, speed, here)};
-      if (balances(point)) return point;
-    }
+  std::optional<SolvedPoint> own;
+  if (waves_.splits()) own = solve_point(waves_.motor(guess), speed);
+  const SolvedPoint& near = own ? *own : (t < 0.5 ? a : b).solved;
+  const WarmStart start =
+      own ? own->start() : WarmStart::beyond(a.solved.start(), b.solved.start(), t - 1);
+  if (const auto wave = followed(speed, guess, slope, start, near)) {
+    const DrivenMotor<double> motor = waves_.motor(wave->amplitude);
+    MotorPoint point{motor, solve_point_near(motor, speed, near, wave->start)};
+    if (balances(point)) return point;
   }
-  const WarmStart start = WarmStart::beyond(a.solved.start(), b.solved.start(), t - 1);
-  if (!waves_.splits())
-    if (const auto wave = followed(speed, guess, slope, start, t < 0.5 ? a.solved : b.solved))
-      if (const MotorPoint point = solved(*wave); balances(point)) return point;
   if (const auto wave = polished(speed, guess, slope, start)) return solved(*wave);
   if (const auto wave = beyond(a, {HUGE_VAL, 0}, speed)) return solved(*wave);
   return {};

@@ -103,8 +103,9 @@ Threshold Thresholds::frequency(bool start) {
   throw SearchFailure{MetricStatus::undefined};
 }
 
-// Broyden's method for H_A = 0 and H = Theta u_0, in p = ln (A x) and v = ln x, where x is the distance to the free resonance:
-// extrema lie at amplitudes that go like 1 / x. The first steps are those of Newton's method with p fixed to v.
+// Broyden's method for H_A = 0 and H = Theta u_0 (D3.4) in p = ln (A x) and v = ln x, where x is the distance to the free
+// resonance. A x changes little, because the amplitude of an extremum goes like 1 / x. The first step is Newton's, with the
+// second derivative of H at the beginning.
 Thresholds::Followed Thresholds::followed(const ForceExtremum& from, double frequency) const {
   const double free = waves_.modes().resonance / kTurn, from_place = std::log(frequency - free);
   const double bend = from.bend * from.amplitude * from.amplitude / from.force,

@@ -15,7 +15,7 @@ namespace twum::performance {
 namespace {
 
 constexpr double kRatio = 1.25;  // of neighbouring samples; H bends over amplitudes of its own size
-constexpr double kScanAccuracy = 1e-6;
+constexpr double kScanAccuracy = 1e-6;  // crude enough for a track without splits
 // Limit of zones that one search may follow in a slice, some ten milliseconds. Usual motors need a thousand, contacts
 // unlike any motor millions.
 constexpr long kMostZonesToSolve = 50'000;
@@ -216,10 +216,6 @@ double steepest(const DrivenWaves& w) {
          2 * w.contact_stiffness();
 }
 
-}  // namespace
-
-namespace {
-
 // Amplitudes between which all solutions lie.
 Range range_of_solutions(const DrivenWaves& waves) {
   const double high = largest_amplitude(waves);
@@ -271,7 +267,7 @@ std::vector<ForceExtremum> force_extrema(const DrivenWaves& waves, double speed)
   return curve.refine([](double, bool) { return true; });
 }
 
-ForceExtremum least_force(const DrivenWaves& waves, double speed, double low, double high) {
+LeastForce least_force(const DrivenWaves& waves, double speed, double low, double high) {
   long zones = 0;
   const auto [place, force] = minimum_of(
       [&](double x) {
@@ -281,7 +277,7 @@ ForceExtremum least_force(const DrivenWaves& waves, double speed, double low, do
         return wave.force();
       },
       low, high);
-  return {place, force, false, 0};
+  return {place, force};
 }
 
 }  // namespace twum::performance

@@ -30,7 +30,7 @@ struct WaveSolutions {
 struct ForceExtremum {
   double amplitude, force;  ///< [m], [N]
   bool maximum;
-  double bend;  ///< H_AA, negative at a maximum, 0 if not known [N/m^2]
+  double bend;  ///< H_AA, negative at a maximum [N/m^2]
 };
 
 /// All solutions at a speed, the smallest amplitude first (D2.8): H is sampled over all possible amplitudes, its
@@ -47,7 +47,11 @@ WaveSolutions wave_solutions(const DrivenWaves& waves, double speed,
 /// free stator's resonance.
 std::vector<ForceExtremum> force_extrema(const DrivenWaves& waves, double speed);
 
+struct LeastForce {
+  double amplitude, force;  ///< [m], [N]
+};
+
 /// The minimum of H between two amplitudes, if it has one, else the smaller end.
-ForceExtremum least_force(const DrivenWaves& waves, double speed, double low, double high);
+LeastForce least_force(const DrivenWaves& waves, double speed, double low, double high);
 
 }  // namespace twum::performance

@@ -293,8 +293,8 @@ std::string test_words(const CalibrateResult& result) {
             " of freedom, p = " + rounded_text(result.chi_square_p, 2) + "\n";
   }
   if (result.worst_kind)
-    text += "Of these " + result.worst_kind->quantity + ": chi-square " +
-            rounded_text(result.worst_kind->chi_square, 4) + " of " +
+    text += result.worst_kind->quantity + " alone: chi-square " +
+            rounded_text(result.worst_kind->chi_square, 4) + " for " +
             counted(result.worst_kind->count, "number") +
             ", p = " + rounded_text(result.worst_kind->p, 2) + "\n";
   if (result.runs) {

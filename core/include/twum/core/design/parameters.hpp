@@ -151,6 +151,9 @@ ParameterJacobian parameter_jacobian(const MotorDesign& design, bool fixed_stati
 /// admissible. NaN and infinity are not.
 std::string complaint(Parameter parameter, double value);
 
+/// @throws InputError with the name of the parameter and complaint(), if there is one
+void require_admissible(Parameter parameter, double value);
+
 /// A parameter and its value [SI].
 using ParameterValue = std::pair<Parameter, double>;
 
