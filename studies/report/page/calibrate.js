@@ -31,13 +31,13 @@ function readAt(p, index) {
 }
 
 /** Residuals of one kind of data. */
-function residualChart(node, quantityName, points) {
+function residualChart(node, quantity, points) {
   const places = points.map(({p, index}) => ({p, ...readAt(p, index)})).sort((a, b) => a.x - b.x);
   const unit = displayUnit(largest([places.map(({p}) => p.residual)]), points[0].p.unit || 'N.m');
   const y = places.map(({p}) => (p.residual === null ? NaN : p.residual / unit.divisor));
   const top = 1.15 * largest([y]) || 1;
   figure(node, places.map(({x}) => x), [{name: 'residual', y, colour: 'c0', scatter: true}], {
-    name: 'residuals' + (quantityName ? ' ' + quantityName : ''),
+    name: 'residuals' + (quantity ? ' ' + quantity : ''),
     x: {label: places[0].label, range: paddedRange([places.map(({x}) => x)])},
     y: {label: axisLabel('measured - fitted', unit), range: [-top, top]},
     height: 240,

@@ -6,11 +6,12 @@ import {paddedRange, scaled} from './chart.js';
 import {data, summary, unitOf} from './data.js';
 import {card, colour, seriesColours, seriesDash} from './dom.js';
 import {figure} from './figure.js';
+import {shortName} from './names.js';
 import {displayUnit, engineering, largest, percent} from './units.js';
 import {axisLabel, plain} from './words.js';
 
 /** What a quantity is called: "torque" for torque_at. */
-export function quantityName(quantity) { return plain((quantity || 'torque_at').replace(/_at$/, '')); }
+export function quantityName(quantity) { return shortName(quantity || 'torque_at').replace(/ at$/, ''); }
 
 /** Parameters that the bench had set, after a comma each. */
 export function settingText(set) {
