@@ -7,7 +7,7 @@ import {curves, summary, unitOf} from './data.js';
 import {designerButton} from './designer/inside.js';
 import {card, colour} from './dom.js';
 import {figure} from './figure.js';
-import {fitCharts, profileCharts, quantityName, settingText} from './fit.js';
+import {fitCharts, profileCharts, quantityName, settings} from './fit.js';
 import {movesCard} from './moves.js';
 import {named, quantity, table, words} from './table.js';
 import {displayUnit, engineering, largest, percent, rounded} from './units.js';
@@ -18,7 +18,7 @@ function readingText(p) {
   const at = p.speed !== undefined         ? ' at ' + engineering(p.speed, 'rad/s', 4) :
       p.quantity && p.torque !== undefined ? ' at ' + engineering(p.torque, 'N.m', 4) :
                                              '';
-  return quantityName(p.quantity) + at + settingText(p.set) + (p.file ? ' (' + p.file + ')' : '');
+  return [quantityName(p.quantity) + at, ...settings(p.set)].join(', ') + (p.file ? ' (' + p.file + ')' : '');
 }
 
 /** Where a number was read: its speed, its load, its frequency, or else its place in the data. */

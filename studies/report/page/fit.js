@@ -6,20 +6,23 @@ import {paddedRange, scaled} from './chart.js';
 import {data, summary, unitOf} from './data.js';
 import {card, colour, seriesColours, seriesDash} from './dom.js';
 import {figure} from './figure.js';
-import {shortName} from './names.js';
+import {pointName} from './names.js';
 import {displayUnit, engineering, largest, percent} from './units.js';
 import {axisLabel, plain} from './words.js';
 
 /** What a quantity is called: "torque" for torque_at. */
-export function quantityName(quantity) { return shortName(quantity || 'torque_at').replace(/ at$/, ''); }
+export function quantityName(quantity) { return pointName(quantity || 'torque_at'); }
 
-/** Parameters that the bench had set, after a comma each. */
-export function settingText(set) {
-  return Object.entries(set || {}).map(([n, v]) => ', ' + plain(n) + ' ' + engineering(v, unitOf(n), 4)).join('');
+/** Parameters that the bench had set. */
+export function settings(set) {
+  return Object.entries(set || {}).map(([n, v]) => plain(n) + ' ' + engineering(v, unitOf(n), 4));
 }
 
 /** What tells a curve from the others of its kind. */
-function curveName(curve) { return (curve.file + settingText(curve.set)).replace(/^, /, '') || 'fit'; }
+function curveName(curve) {
+  const parts = settings(curve.set);
+  return (curve.file ? [curve.file, ...parts] : parts).join(', ') || 'fit';
+}
 
 /** Curves of the page, by what they show. */
 function fittedCurves() {

@@ -10,7 +10,10 @@ const nameWords = {
   no_load_speed: 'no-load speed'
 };
 
-export function shortName(name) { return Object.hasOwn(nameWords, name) ? nameWords[name] : name.replace(/_/g, ' '); }
+export function shortName(name) { return Object.hasOwn(nameWords, name) ? nameWords[name] : name.replaceAll('_', ' '); }
+
+/** What a metric of a point measures: "electrical power" for electrical_power_at. */
+export function pointName(metric) { return shortName(metric.endsWith('_at') ? metric.slice(0, -3) : metric); }
 
 export function capital(text) { return text.charAt(0).toUpperCase() + text.slice(1); }
 

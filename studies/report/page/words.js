@@ -17,8 +17,8 @@ const counted = {
 
 /** A parameter or metric by its own name; what is ambiguous comes with the part of the motor. */
 function ownName(name) {
-  const ofTable = /^(\w+) (\(.+\))$/.exec(name);  // a value of one table of measurements: "amplitude (b.csv)"
-  if (ofTable && data.parameters[ofTable[1]]) return ownName(ofTable[1]) + ' ' + ofTable[2];
+  const file = summary.estimates?.[name]?.file;  // a value of one table of measurements: "amplitude (b.csv)"
+  if (file) return ownName(name.slice(0, -` (${file})`.length)) + ` (${file})`;
   const parameter = data.parameters[name];
   if (!parameter && !Object.hasOwn(data.metrics, name)) return name;  // a formula or a choice, as typed
   return (parameter?.part === 'contact_layer' ? 'contact layer ' : '') + shortName(name) + (counted[name] ?? '');

@@ -23,8 +23,7 @@ function sliderRange(row, value, modal) {
   const typical = row.typical || value || 1;
   const clip = (low, high) => ({low: Math.max(low, row.min), high: Math.min(high, row.max)});
   if (row.integer) return {...clip(Math.max(row.min, 0), Math.max(2 * typical, 2 * value)), log: false};
-  if (modal && /frequency/.test(row.entry))
-    return {...clip(0.94 * value, 1.06 * value), log: false};  // a resonance is narrow
+  if (modal && row.unit === 'Hz') return {...clip(0.94 * value, 1.06 * value), log: false};  // a resonance is narrow
   if (row.unit === '1' && row.max - row.min <= 2) return {low: row.min, high: row.max, log: false};
   if (row.min < 0) {
     const size = 3 * Math.max(Math.abs(value), Math.abs(typical));
@@ -182,8 +181,7 @@ export class Tiles {
     for (const [name, {value, status}] of Object.entries(metrics)) {
       const tile = (this.tiles[name] ??= this.tile(name));
       tile.node.hidden = false;
-      const {unit} = this.panel.tables.metrics[name];
-      const share = unit === '1' && /efficiency/.test(name);
+      const {unit, share} = this.panel.tables.metrics[name];
       tile.value.textContent = status === 'ok' ? (share ? percent(value, 4) : engineering(value, unit)) : status;
       tile.node.title =
           status === 'ok' ? this.panel.tables.metrics[name].text : this.panel.tables.reasons[status] ?? status;

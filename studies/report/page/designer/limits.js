@@ -2,7 +2,7 @@
 // The load, limits, and a metric that stays while one parameter gives way.
 
 import {el, save} from '../dom.js';
-import {capital, shortName} from '../names.js';
+import {capital, pointName, shortName} from '../names.js';
 import {engineering, noBreak, rpm} from '../units.js';
 
 import {sliderSteps} from './controls.js';
@@ -309,6 +309,6 @@ export class LimitsEditor {
 function limitWordsOf(limit, tables) {
   const at =
       limit.argument === 'none' ? '' : ' at ' + engineering(limit.at, limit.argument === 'speed' ? 'rad/s' : 'N.m');
-  return shortName(limit.metric.replace(/_at$/, '')) + at + (limit.sense === '>=' ? ' at least ' : ' at most ') +
+  return pointName(limit.metric) + at + (limit.sense === '>=' ? ' at least ' : ' at most ') +
       engineering(limit.value, tables.metrics[limit.metric].unit);
 }

@@ -252,7 +252,7 @@ export class DesignerPanel {
         .filter(
             ([name, m]) => m.argument === 'none' && (!m.modes || this.now.modal) && (!m.geometry || inner_edge) &&
                 (values.voltage !== undefined ||
-                 !/^(pull_out_torque|start_frequency|pull_out_frequency)$/.test(name)) &&
+                 !['pull_out_torque', 'start_frequency', 'pull_out_frequency'].includes(name)) &&
                 !(moving && (m.modes || m.geometry)))
         .map(([name]) => name);
   }

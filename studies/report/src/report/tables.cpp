@@ -117,11 +117,13 @@ Json parameters_json() {
 Json metrics_json() {
   Json json = Json::object();
   for (const MetricInfo& row : metric_table())
-    json[std::string(row.name)] = {{"unit", row.unit},
-                                   {"text", row.text},
-                                   {"argument", argument_word(row.argument)},
-                                   {"modes", row.needs_modes},
-                                   {"geometry", row.needs_geometry}};
+    json[std::string(row.name)] = {
+        {"unit", row.unit},
+        {"text", row.text},
+        {"argument", argument_word(row.argument)},
+        {"share", row.unit == "1" && row.name.find("efficiency") != std::string_view::npos},
+        {"modes", row.needs_modes},
+        {"geometry", row.needs_geometry}};
   return json;
 }
 

@@ -14,7 +14,8 @@ namespace twum::studies {
 /// the table [SI], "required": in a motor file, "twin": name or null}}
 Json parameters_json();
 
-/// {name: {"unit", "text", "argument": "none", "speed", "torque" or "speed or torque", "modes", "geometry"}}
+/// {name: {"unit", "text", "argument": "none", "speed", "torque" or "speed or torque", "share": shown in per cent,
+/// "modes", "geometry"}}
 Json metrics_json();
 
 /// {word: what it means} of missing answers
