@@ -39,20 +39,40 @@ ContactNumbers<Dual<double, N + 2>> widened(const ContactNumbers<Dual<double, N>
           n.full};
 }
 
-// How the state at entry moves with N numbers: (I - J)^-1 times what the return map gains in each. Where
-// the return map has no isolated fixed point there are no derivatives.
+// A turn from the periodic state, with derivatives in N numbers and, behind them, in the state at entry (E6.2); and what they
+// are together by the implicit function theorem. Where the return map has no isolated fixed point there are no derivatives.
 template <int N>
-class EntryMotion {
+class DifferentiatedTurn {
  public:
-  explicit EntryMotion(const LayerState<Dual<double, N + 2>>& next) {
-    const Matrix2 inverse =
-        resolvent({next.e.d[N], next.e.d[N + 1], next.rate.d[N], next.rate.d[N + 1]});
+  using Wide = Dual<double, N + 2>;
+
+  DifferentiatedTurn(const ContactNumbers<Dual<double, N>>& numbers, const PeriodicState& state) {
+    const ContactNumbers<Wide> n = widened(numbers);
+    LapEntry<Wide> entry = constant_entry<Wide>(state.entry);
+    entry.layer.e.d[N] = 1;
+    entry.layer.rate.d[N + 1] = 1;
+    const Lap<Wide> lap = run_lap(n, {n.inertia, n.damping}, entry, &state.lap.sequence);
+    means_ = lap.means;
+    const LayerState<Wide>& next = lap.next.layer;
+    resolvent_ =
+        contact::resolvent({next.e.d[N], next.e.d[N + 1], next.rate.d[N], next.rate.d[N + 1]});
     for (int i = 0; i < N; ++i)
-      motion_[i] = inverse * LayerState<double>{next.e.d[i], next.rate.d[i]};
+      motion_[i] = resolvent_ * LayerState<double>{next.e.d[i], next.rate.d[i]};
   }
 
+  const Matrix2& resolvent() const { return resolvent_; }
+  /// How the state at entry moves with a number: (I - J)^-1 times what the return map gains in it.
+  const LayerState<double>& motion(int i) const { return motion_[i]; }
+  const ContactMeans<Wide>& turn() const { return means_; }
+
+  ContactMeans<Dual<double, N>> means() const {
+    return {along(means_.traction),   along(means_.stator_power), along(means_.friction_power),
+            along(means_.layer_loss), along(means_.stick_length), along(means_.reactive_force)};
+  }
+
+ private:
   // x along the periodic state.
-  Dual<double, N> along(const Dual<double, N + 2>& x) const {
+  Dual<double, N> along(const Wide& x) const {
     Dual<double, N> r;
     r.v = x.v;
     for (int i = 0; i < N; ++i)
@@ -60,28 +80,27 @@ class EntryMotion {
     return r;
   }
 
- private:
+  ContactMeans<Wide> means_;
+  Matrix2 resolvent_;
   LayerState<double> motion_[N];
 };
 
-// The periodic state by the implicit function theorem, from one lap: derivatives in the numbers and in
-// the state at entry together (E6.2).
-template <int N>
-ContactMeans<Dual<double, N>> differentiated_means(const ContactNumbers<Dual<double, N>>& numbers,
-                                                   const PeriodicState& state) {
-  using Wide = Dual<double, N + 2>;
-  const ContactNumbers<Wide> n = widened(numbers);
-  LapEntry<Wide> entry = constant_entry<Wide>(state.entry);
-  entry.layer.e.d[N] = 1;
-  entry.layer.rate.d[N + 1] = 1;
-  const Lap<Wide> lap = run_lap(n, {n.inertia, n.damping}, entry, &state.lap.sequence);
-  const EntryMotion<N> motion(lap.next.layer);
-  const ContactMeans<Wide>& m = lap.means;
-  return {motion.along(m.traction),   motion.along(m.stator_power), motion.along(m.friction_power),
-          motion.along(m.layer_loss), motion.along(m.stick_length), motion.along(m.reactive_force)};
-}
-
 }  // namespace
+
+MovingMeans moving_means(const ContactNumbers<MotionDual>& numbers, const PeriodicState& state) {
+  if (!state.remembers) {
+    const LapEntry<MotionDual> entry = constant_entry<MotionDual>(state.entry);
+    return {run_lap(numbers, {numbers.inertia, numbers.damping}, entry, &state.lap.sequence).means,
+            {}};
+  }
+  const DifferentiatedTurn turn(numbers, state);
+  const auto in_state = [](const WithState<MotionDual>::Type& x) {
+    return LayerState<double>{x.d[2], x.d[3]};
+  };
+  return {turn.means(),
+          {turn.resolvent(), turn.motion(kInSpeed), turn.motion(kInAmplitude),
+           in_state(turn.turn().stator_power), in_state(turn.turn().reactive_force)}};
+}
 
 template <typename S>
 ContactMeans<S> periodic_means(const ContactNumbers<S>& numbers,
@@ -94,7 +113,7 @@ ContactMeans<S> periodic_means(const ContactNumbers<S>& numbers,
     const ZoneSequence* sequence = &state.lap.sequence;
     if (!state.remembers) return run_lap(numbers, layer, entry, sequence).means;
     if constexpr (kDualDepth<S> == 1) {
-      return differentiated_means(numbers, state);
+      return DifferentiatedTurn(numbers, state).means();
     } else {
       const Matrix2 j = return_jacobian(values, state.entry, sequence);
       for (int i = 0; i < kDualDepth<S>; ++i) {
@@ -110,7 +129,6 @@ ContactMeans<S> periodic_means(const ContactNumbers<S>& numbers,
   template ContactMeans<S> periodic_means(const ContactNumbers<S>&, const ContactNumbers<double>&, \
                                           const PeriodicState&);
 TWUM_INSTANTIATE(double)
-TWUM_INSTANTIATE(MotionDual)
 TWUM_INSTANTIATE(NumbersDual)
 TWUM_INSTANTIATE(NumbersDual2)
 #undef TWUM_INSTANTIATE

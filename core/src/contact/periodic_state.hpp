@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/lap.hpp"
+#include "contact/return_map.hpp"
 
 namespace twum::contact {
 
@@ -38,6 +39,22 @@ struct PeriodicState {
 PeriodicState find_periodic_state(const ContactNumbers<double>& numbers,
                                   const LayerMotion<double>& layer,
                                   const LapEntry<double>* guess = nullptr, double accuracy = 0);
+
+/// How a periodic state moves, and how a turn that begins near it differs from one that begins in it: to first order.
+struct StateSlopes {
+  Matrix2 resolvent{1, 0, 0,
+                    1};  ///< (I - J)^-1: leads from the gap of a turn to the periodic state (E6.2)
+  LayerState<double> in_speed{0, 0}, in_amplitude{0, 0};  ///< of the state at entry
+  /// The means of the stator's power and of the reactive force in the state at entry.
+  LayerState<double> of_power{0, 0}, of_force{0, 0};
+};
+
+/// Means over a turn with their derivatives in speed and amplitude.
+struct MovingMeans {
+  ContactMeans<MotionDual> means;
+  StateSlopes slopes;
+};
+MovingMeans moving_means(const ContactNumbers<MotionDual>& numbers, const PeriodicState& state);
 
 /// Means over a turn with their derivatives: the periodic state in S by the implicit function theorem.
 template <typename S>

@@ -285,49 +285,40 @@ bool SolvedPoint::has_pieces_of_splits(const DrivenMotor<double>& m) const {
                      [&m](const Split& s) { return s.piece < m.pieces.size(); });
 }
 
-namespace {
-
-// Two turns of one slice, and one from where their secant leads (E6.4, E6.5), which is the lap. False if the zones are others.
-bool follow_slice(const contact::ContactNumbers<double>& n, const LayerMotion<double>& layer,
-                  WarmStart::Entry& entry, contact::ZoneSequence sequence,
-                  contact::Lap<double>& lap) {
-  if (n.full) return false;
-  if (layer.kind() == contact::LayerKind::elastic)  // it keeps nothing from turn to turn
-    return contact::follow_lap(n, layer, entry, sequence, lap);
-  contact::Turn first{entry.layer, {}};
-  if (!contact::follow_lap(n, layer, first.in, sequence, first.out)) return false;
-  contact::Turn second{first.out, {}};
-  if (!contact::follow_lap(n, layer, second.in, sequence, second.out)) return false;
-  entry.layer = contact::secant(first, second, layer);
-  return contact::follow_lap(n, layer, entry, sequence, lap);
+// What a gap at entry changes in a mean over the turn.
+static double gained(const contact::LayerState<double>& slope,
+                     const contact::LayerState<double>& d) {
+  return slope.e * d.e + slope.rate * d.rate;
 }
 
-}  // namespace
-
-std::optional<FollowedTurns> SolvedPoint::followed(const DrivenMotor<double>& m, double speed,
-                                                   const WarmStart& entry) const {
+std::optional<NewtonTurn> SolvedPoint::newton_turn(const DrivenMotor<double>& m, double speed,
+                                                   const WarmStart& entry,
+                                                   const MovingStates& states) const {
   const PointSlices slices(m, splits_);
-  if (special || is_trivial(m) || slices.size() != size() || entry.size() != size()) return {};
+  if (special || is_trivial(m) || slices.size() != size() || entry.size() != size() ||
+      states.size() != size())
+    return {};
   const LayerMotion<double> layer = layer_of(m, speed);
-  FollowedTurns result{};
-  std::vector<WarmStart::Entry> others;
-  others.reserve(size() - 1);
-  WarmStart::Entry first{};
+  NewtonTurn turn{{}, entry, 0};
   contact::Lap<double> lap;
   for (std::size_t k = 0; k < size(); ++k) {
-    WarmStart::Entry at = entry.of_slice(k);
-    const contact::ContactNumbers<double> n = contact_numbers(m, slices[k], speed);
-    if (slice(k).locked || !follow_slice(n, layer, at, slice(k).state.lap.sequence, lap)) return {};
-    result.numbers = result.numbers + slice_numbers(m, slices[k], lap, lap.means);
-    result.gap = std::fmax(
-        result.gap, contact::distance(layer, at.layer, lap.next.layer) / (n.static_ * n.peak));
-    if (k == 0)
-      first = lap.next;
-    else
-      others.push_back(lap.next);
+    WarmStart::Entry& at = turn.next.of_slice(k);
+    const Slice<double>& s = slices[k];
+    const contact::ContactNumbers<double> n = contact_numbers(m, s, speed);
+    if (slice(k).locked || n.full ||
+        !contact::follow_lap(n, layer, at, slice(k).state.lap.sequence, lap))
+      return {};
+    const double gap = contact::distance(layer, at.layer, lap.next.layer);
+    turn.gap = std::fmax(turn.gap, gap / (n.static_ * n.peak));
+    const contact::StateSlopes& moves = states[k];
+    const contact::LayerState<double> d =
+        moves.resolvent * contact::difference(lap.next.layer, at.layer);
+    at.layer = {at.layer.e + d.e, at.layer.rate + d.rate};
+    lap.means.stator_power += gained(moves.of_power, d);
+    lap.means.reactive_force += gained(moves.of_force, d);
+    turn.numbers = turn.numbers + slice_numbers(m, s, lap, lap.means);
   }
-  result.next = {first, std::move(others)};
-  return result;
+  return turn;
 }
 
 SolvedPoint SolvedPoint::of_special(const DrivenMotor<double>& m, double speed) {

@@ -56,6 +56,7 @@ class WarmStart {
       : first_(first), others_(std::move(others)) {}
 
   const Entry& of_slice(std::size_t k) const { return k == 0 ? first_ : others_[k - 1]; }
+  Entry& of_slice(std::size_t k) { return k == 0 ? first_ : others_[k - 1]; }
   /// Slices that it knows of. Under another wave another number of them may touch: then it says nothing.
   std::size_t size() const { return 1 + others_.size(); }
 
@@ -79,11 +80,21 @@ class WarmStart {
   std::vector<Entry> others_;  // none where the motor is one slice: then a start costs no memory
 };
 
-/// Result of SolvedPoint::followed(): nearly a periodic state.
-struct FollowedTurns {
-  PointNumbers<double> numbers;  ///< over the last turn
-  WarmStart next;                ///< where the layer enters after it
-  double gap{0};  ///< how far it moved the layer's state, in parts of mu_0 p at the crest
+/// How the layer's periodic states move, slice by slice; empty where one of them does not: it is locked, or in closed form.
+using MovingStates = std::vector<contact::StateSlopes>;
+
+/// The numbers of a point with derivatives in speed and amplitude.
+struct MovingPoint {
+  PointNumbers<contact::MotionDual> numbers;
+  MovingStates states;
+};
+
+/// Result of SolvedPoint::newton_turn(): nearly a periodic state.
+struct NewtonTurn {
+  PointNumbers<double>
+      numbers;     ///< those of the wave's balance are the periodic state's, to first order
+  WarmStart next;  ///< the state to which the turn's gap points
+  double gap{0};   ///< how far the turn moved the layer's state, in parts of mu_0 p at the crest
 };
 
 /// The slices of a motor at an operating point: its own, or those of a track that is split there.
@@ -135,10 +146,12 @@ class SolvedPoint {
   /// Zones followed to find it: what the search cost.
   long zones_followed() const;
   WarmStart start() const;
-  /// Follows three turns of the layer at a point nearby, through the zones of this one (E6.5). It takes a third of the work of
-  /// solve_point() and proves nothing. Nothing if the zones differ there, or if there are none to follow.
-  std::optional<FollowedTurns> followed(const DrivenMotor<double>& motor, double speed,
-                                        const WarmStart& entry) const;
+  /// A step of Newton's method at a point nearby: one turn of the layer through the zones of this point (E6.5), and the
+  /// states to which its gaps lead (E6.2). It takes a tenth of the work of solve_point() and proves nothing. Nothing if the
+  /// zones differ there, or if there are none to follow.
+  /// @param states  how the states move near it; of as many slices as there are here
+  std::optional<NewtonTurn> newton_turn(const DrivenMotor<double>& motor, double speed,
+                                        const WarmStart& entry, const MovingStates& states) const;
 
   /// The numbers with derivatives in kModelParameters and the speed; S is ModelDual or ModelDual2. The contact is
   /// differentiated in its own seven numbers and chained.
@@ -147,9 +160,8 @@ class SolvedPoint {
   /// The numbers with derivatives in speed under the same wave; those in amplitude are zero.
   PointNumbers<contact::MotionDual> differentiated(const DrivenMotor<double>& motor,
                                                    const contact::MotionDual& speed) const;
-  /// The numbers with derivatives in speed and amplitude.
-  PointNumbers<contact::MotionDual> differentiated(const DrivenMotor<contact::MotionDual>& motor,
-                                                   const contact::MotionDual& speed) const;
+  MovingPoint moving(const DrivenMotor<contact::MotionDual>& motor,
+                     const contact::MotionDual& speed) const;
 
  private:
   friend SolvedPoint solve_point(const DrivenMotor<double>&, double, const WarmStart*, double);
@@ -186,10 +198,6 @@ class SolvedPoint {
   /// Where the search in slice k may begin: what its neighbours in speed or radius say.
   std::optional<WarmStart::Entry> entry_near(std::span<const Slice<double>> slices, std::size_t k,
                                              const WarmStart* guess) const;
-  template <typename S>
-  PointNumbers<contact::MotionDual> differentiated_along(const DrivenMotor<S>& motor,
-                                                         const contact::MotionDual& speed) const;
-
   template <typename S, typename R, typename Differentiate>
   PointNumbers<R> summed(const DrivenMotor<S>& motor, const R& speed,
                          Differentiate differentiate) const;

@@ -155,23 +155,26 @@ PointNumbers<S> SolvedPoint::differentiated(const DrivenMotor<S>& m, const S& sp
   });
 }
 
-template <typename S>
-PointNumbers<MotionDual> SolvedPoint::differentiated_along(const DrivenMotor<S>& m,
-                                                           const MotionDual& speed) const {
+PointNumbers<MotionDual> SolvedPoint::differentiated(const DrivenMotor<double>& m,
+                                                     const MotionDual& speed) const {
   return summed(m, speed,
                 [](const ContactNumbers<MotionDual>& n, const contact::PeriodicState& state) {
-                  return contact::periodic_means(n, values_of(n), state);
+                  return contact::moving_means(n, state).means;
                 });
 }
 
-PointNumbers<MotionDual> SolvedPoint::differentiated(const DrivenMotor<double>& m,
-                                                     const MotionDual& speed) const {
-  return differentiated_along(m, speed);
-}
-
-PointNumbers<MotionDual> SolvedPoint::differentiated(const DrivenMotor<MotionDual>& m,
-                                                     const MotionDual& speed) const {
-  return differentiated_along(m, speed);
+MovingPoint SolvedPoint::moving(const DrivenMotor<MotionDual>& m, const MotionDual& speed) const {
+  MovingStates states;
+  states.reserve(size());
+  const PointNumbers<MotionDual> numbers =
+      summed(m, speed,
+             [&states](const ContactNumbers<MotionDual>& n, const contact::PeriodicState& state) {
+               const contact::MovingMeans moving = contact::moving_means(n, state);
+               states.push_back(moving.slopes);
+               return moving.means;
+             });
+  if (states.size() != size()) states.clear();
+  return {numbers, std::move(states)};
 }
 
 namespace {

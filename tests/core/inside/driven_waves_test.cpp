@@ -99,3 +99,57 @@ TEST_CASE("the branch passes through the solutions at each of its speeds (D2.9)"
   }
   CHECK(points > 200);
 }
+
+TEST_CASE("one turn from a state nearby leads to the periodic state and its balance (E6.2, D2.9)",
+          "[core][driven][limit]") {
+  Dice dice(93);
+  int turns = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Drive drive(
+        random_driven(dice, 2 * i));  // an elastic layer keeps nothing from turn to turn
+    const DrivenWaves& waves = drive.waves();
+    const double a = dice.log_uniform(3e-7, 2e-6),
+                 speed = dice.uniform(0.1, 0.9) * waves.crest_speed_per_amplitude() * a;
+    const DrivenWaves::LevelSlopes at = waves.slopes(a, speed);
+    const SolvedPoint& point = at.solved;
+    if (point.status != PointStatus::ok || at.states.empty() || point.shortest_zone() < 0.05)
+      continue;
+    const double force = at.in_amplitude.wave.force();
+    // What a step leaves of a small disturbance goes with its square: a tenth of it leaves a hundredth, within what comes of the
+    // next order, down to rounding.
+    double left_before = 0, off_before = 0;
+    bool followed = true;
+    for (const double share : {1e-3, 1e-4}) {
+      const WarmStart start = moved(point.start(), at.states, share * a);
+      const auto turn = point.newton_turn(waves.motor(a), speed, start, at.states);
+      if (!turn) {
+        followed = false;
+        break;
+      }
+      const auto again = point.newton_turn(waves.motor(a), speed, turn->next, at.states);
+      REQUIRE(again);
+      const double off = std::fabs(waves.balance(turn->numbers, a).force() - force) / force;
+      CAPTURE(i, share, turn->gap, again->gap, off);
+      if (left_before > 0) {
+        CHECK(again->gap <= 0.02 * left_before + 1e-13);
+        CHECK(off <= 0.02 * off_before + 1e-13);
+        ++turns;
+      }
+      left_before = again->gap, off_before = off;
+    }
+    if (!followed) continue;
+    // Where the slopes lead is the state of a neighbouring amplitude, solved by itself, up to the second order.
+    double error_before = 0;
+    for (const double step : {1e-4, 1e-5}) {
+      const SolvedPoint beside = solve_point(waves.motor(a * (1 + step)), speed);
+      const contact::LayerState<double>
+          p = moved(point.start(), at.states, step * a).of_slice(0).layer,
+          q = beside.start().of_slice(0).layer;
+      const double error = std::hypot(q.e - p.e, q.rate - p.rate);
+      CAPTURE(i, step, error);
+      if (error_before > 0) CHECK(error <= 0.02 * error_before + 1e-12);
+      error_before = error;
+    }
+  }
+  CHECK(turns > 20);
+}

@@ -15,10 +15,19 @@ using namespace twum::test;
 namespace {
 
 template <typename S>
+ContactMeans<S> means_in(const ContactNumbers<double>& n, const PeriodicState& state) {
+  return periodic_means(in_scalar<S>(n), n, state);
+}
+template <>
+ContactMeans<MotionDual> means_in(const ContactNumbers<double>& n, const PeriodicState& state) {
+  return moving_means(in_scalar<MotionDual>(n), state).means;
+}
+
+template <typename S>
 void check_same_bits(const ContactNumbers<double>& n) {
   const PeriodicState state = find_periodic_state(n, LayerMotion<double>(n.inertia, n.damping));
   if (state.status != PeriodicStatus::ok) return;
-  const ContactMeans<S> m = periodic_means(in_scalar<S>(n), n, state);
+  const ContactMeans<S> m = means_in<S>(n, state);
   const ContactMeans<double>& d = state.lap.means;
   CHECK(value_of(m.traction) == d.traction);
   CHECK(value_of(m.stator_power) == d.stator_power);

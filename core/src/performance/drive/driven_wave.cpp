@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace twum::performance {
 namespace {
@@ -92,10 +93,11 @@ DrivenWave DrivenWaves::at(double amplitude, double speed, const WarmStart* gues
 DrivenWaves::MovingWave DrivenWaves::moving(const SolvedPoint& point, double amplitude,
                                             double speed) const {
   const MotionDual a = MotionDual::variable(amplitude, kInAmplitude), omega(omega_);
-  const PointNumbers<MotionDual> n =
-      point.differentiated(driven(dual_model_, {a, omega}), MotionDual::variable(speed, kInSpeed));
+  MovingPoint moving =
+      point.moving(driven(dual_model_, {a, omega}), MotionDual::variable(speed, kInSpeed));
+  const PointNumbers<MotionDual>& n = moving.numbers;
   return {
-      n, a,
+      n, std::move(moving.states), a,
       wave_balance(constant_modes<MotionDual>(modes_), a, omega, n.reactive_force, n.stator_power)};
 }
 
@@ -106,16 +108,17 @@ double DrivenWaves::MovingWave::amplitude_per_speed() const {
 
 DrivenWaves::LevelSlopes DrivenWaves::slopes(double amplitude, double speed,
                                              const WarmStart* guess) const {
-  LevelSlopes s{solve_point(motor(amplitude), speed, guess), {}};
+  LevelSlopes s{solve_point(motor(amplitude), speed, guess), {}, 0, 0, {}};
   SlopedWave& a = s.in_amplitude;
   a.wave = wave_of(s.solved, amplitude, speed);
   if (a.wave.status != PointStatus::ok) return s;
-  const MovingWave w = moving(s.solved, amplitude, speed);
+  MovingWave w = moving(s.solved, amplitude, speed);
   const MotionDual& torque = w.numbers.torque;
   a.slope = {w.balance.real.d[kInAmplitude], w.balance.imaginary.d[kInAmplitude]};
   a.torque_slope = torque.d[kInAmplitude];
   s.amplitude_per_speed = w.amplitude_per_speed();
   s.torque_per_speed = torque.d[kInSpeed] + a.torque_slope * s.amplitude_per_speed;
+  s.states = std::move(w.states);
   return s;
 }
 

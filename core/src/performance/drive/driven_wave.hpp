@@ -62,6 +62,7 @@ class DrivenWaves {
   /// A solved wave, with derivatives in speed and amplitude.
   struct MovingWave {
     PointNumbers<contact::MotionDual> numbers;
+    MovingStates states;
     contact::MotionDual amplitude;
     WaveBalance<contact::MotionDual> balance;
 
@@ -78,6 +79,7 @@ class DrivenWaves {
     SolvedPoint solved;
     SlopedWave in_amplitude;
     double amplitude_per_speed{0}, torque_per_speed{0};
+    MovingStates states;
   };
   LevelSlopes slopes(double amplitude, double speed, const WarmStart* guess = nullptr) const;
 

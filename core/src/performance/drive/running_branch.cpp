@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace twum::performance {
 namespace {
@@ -25,11 +26,10 @@ constexpr int kMostSecants = 12;
 constexpr double kNodeSettled = 3e-4;
 constexpr double kSettled = 1e-13;  // of the amplitude; largest error after the last secant
 constexpr double kReach = 0.2;      // of the amplitude: largest step of a secant
-// largest change of the layer's state over three turns: during the search,
-constexpr double kFarState = 1e-4;
-constexpr double kForcePerGap = 10;      // relative change of H with the state at entry, at most
-constexpr double kSettledState = 1e-13;  // and in the answer, whose amplitude has the same error
-constexpr int kMostFollowed = 4;         // amplitudes
+constexpr double kFarState = 1e-2;  // largest change of the layer's state over a turn
+// of the amplitude and of the layer's state: largest error after the last step of Newton's method
+constexpr double kSettledTurn = 1e-13;
+constexpr int kMostFollowed = 8;  // turns
 // of the drive's force; an amplitude right to kSettled leaves a hundredth of it, a zone that is not there far more
 constexpr double kBalanced = 1e-11;
 
@@ -94,45 +94,40 @@ RunningBranch::NodeSearch RunningBranch::node(double speed, double guess,
   long zones = 0;
   WarmStart from;
   for (int i = 0; i < kMostSecants; ++i) {
-    const DrivenWaves::LevelSlopes s = waves_.slopes(a, speed, start);
+    DrivenWaves::LevelSlopes s = waves_.slopes(a, speed, start);
     const SlopedWave& w = s.in_amplitude;
     zones += w.wave.zones;
     if (w.wave.status != PointStatus::ok || !(w.fold() > 0)) return {{}, zones};
     const double step = (waves_.drive() - w.wave.force()) / w.force_slope();
     a += step;
     if (!(std::fabs(a - guess) <= kStraight * guess)) return {{}, zones};
-    if (std::fabs(step) <= kNodeSettled * a)
-      return {Node{speed, a, s.amplitude_per_speed, w.force_slope(),
-                   !(waves_.stability(w).trace < 0), s.solved},
-              zones};
+    if (std::fabs(step) <= kNodeSettled * a) {
+      const bool grows = !(waves_.stability(w).trace < 0);
+      return {branch_node(std::move(s), step, grows), zones};
+    }
     from = w.wave.start, start = &from;
   }
   return {{}, zones};
 }
 
-// Secants for H(A) = Theta u_0 near a guess, on turns of the wave with the same zones as a node. Nothing unless the
-// layer's state and the amplitude converge quickly. A secant's slope is uncertain by its length and by what the gaps between
-// turns leave open; where that is much, the slope of the nodes is kept.
-std::optional<BranchWave> RunningBranch::followed(double speed, double guess, double force_slope,
-                                                  const WarmStart& start,
-                                                  const SolvedPoint& node) const {
-  double slope = force_slope, before = 0, excess_before = 0, gap_before = 0, a = guess;
-  WarmStart last, from = start;
+// Newton's method for H(A) = Theta u_0 and the layer's states together, one turn of the wave a step, with the slopes of the
+// nodes: they are off by a small share, of which the last two steps tell how much they leave. Nothing unless that is quick.
+std::optional<BranchWave> RunningBranch::followed(double speed, const BranchGuess& guess,
+                                                  const SolvedPoint& near) const {
+  double a = guess.amplitude, last = 0;
+  WarmStart from = guess.start;
   for (int i = 0; i < kMostFollowed; ++i) {
-    const auto turns = node.followed(waves_.motor(a), speed, from);
-    if (!turns || !(turns->gap <= kFarState)) return {};
-    const double excess = waves_.balance(turns->numbers, a).force() - waves_.drive();
-    const double length = std::fabs(a - before) / a,
-                 doubt = length + kForcePerGap * std::fmax(turns->gap, gap_before) / length;
-    const bool secant = i > 0 && doubt < kReach;
-    if (secant) slope = (excess - excess_before) / (a - before);
-    const double step = -excess / slope;
-    if (!(slope > 0 && std::fabs(step) <= kReach * guess)) return {};
-    from = secant ? WarmStart::beyond(last, turns->next, step / (a - before)) : turns->next;
-    const bool settled = std::fabs(step) * (secant ? doubt : kReach) <= kSettled * a;
-    if (settled && turns->gap <= kSettledState) return BranchWave{a + step, speed, from};
-    last = turns->next, before = a, excess_before = excess, gap_before = turns->gap;
+    const auto turn = near.newton_turn(waves_.motor(a), speed, from, guess.states);
+    if (!turn) return {};
+    const double excess = waves_.balance(turn->numbers, a).force() - waves_.drive();
+    const double step = -excess / guess.force_slope;
+    if (!(guess.force_slope > 0 && std::fabs(step) <= kReach * guess.amplitude)) return {};
+    from = moved(turn->next, guess.states, step);
     a += step;
+    const double off = std::fmax(std::fabs(step) / a, turn->gap);
+    if (!(off <= (i == 0 ? kFarState : kReach * last))) return {};
+    if (off * (i == 0 ? kReach : off / last) <= kSettledTurn) return BranchWave{a, speed, from};
+    last = off;
   }
   return {};
 }
@@ -287,24 +282,31 @@ bool RunningBranch::balances(const MotorPoint& p) const {
          std::fabs(force - waves_.drive()) <= kBalanced * waves_.drive();
 }
 
-// Begins where Hermite's cubic between the nodes leads. Turns are followed through the zones of the nearer node, or, as splits
-// move with the speed, of the guess itself. Only the contact of the wave found can tell whether its zones are these.
+// The wave that turns through the zones of a point nearby lead to. Only its own contact can tell whether its zones are these.
+std::optional<MotorPoint> RunningBranch::proven(double speed, const BranchGuess& guess,
+                                                const SolvedPoint& near) const {
+  const auto wave = followed(speed, guess, near);
+  if (!wave) return {};
+  const DrivenMotor<double> motor = waves_.motor(wave->amplitude);
+  MotorPoint point{motor, solve_point_near(motor, speed, near, wave->start)};
+  return balances(point) ? std::optional(std::move(point)) : std::nullopt;
+}
+
+// Through the zones of the nearer node, else of the other; as splits move with the speed, a track that is split has those of
+// the guess itself.
 std::optional<MotorPoint> RunningBranch::between(const Node& a, const Node& b, double speed) const {
-  const double d = b.speed - a.speed, t = (speed - a.speed) / d, u = 1 - t;
-  const double guess = u * u * (1 + 2 * t) * a.amplitude + t * t * (1 + 2 * u) * b.amplitude +
-                       t * u * d * (u * a.slope - t * b.slope);
-  const double slope = u * a.force_slope + t * b.force_slope;
-  std::optional<SolvedPoint> own;
-  if (waves_.splits()) own = solve_point(waves_.motor(guess), speed);
-  const SolvedPoint& near = own ? *own : (t < 0.5 ? a : b).solved;
-  const WarmStart start =
-      own ? own->start() : WarmStart::beyond(a.solved.start(), b.solved.start(), t - 1);
-  if (const auto wave = followed(speed, guess, slope, start, near)) {
-    const DrivenMotor<double> motor = waves_.motor(wave->amplitude);
-    MotorPoint point{motor, solve_point_near(motor, speed, near, wave->start)};
-    if (balances(point)) return point;
+  BranchGuess guess = guess_between(a, b, speed);
+  if (waves_.splits()) {
+    const SolvedPoint near = solve_point(waves_.motor(guess.amplitude), speed);
+    guess.start = near.start();
+    if (auto point = proven(speed, guess, near)) return point;
+  } else {
+    const bool first = speed - a.speed < b.speed - speed;
+    if (auto point = proven(speed, guess, (first ? a : b).solved)) return point;
+    if (auto point = proven(speed, guess, (first ? b : a).solved)) return point;
   }
-  if (const auto wave = polished(speed, guess, slope, start)) return solved(*wave);
+  if (const auto wave = polished(speed, guess.amplitude, guess.force_slope, guess.start))
+    return solved(*wave);
   if (const auto wave = beyond(a, {HUGE_VAL, 0}, speed)) return solved(*wave);
   return {};
 }

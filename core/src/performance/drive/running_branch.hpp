@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "performance/drive/branch_node.hpp"
 #include "performance/drive/wave_solutions.hpp"
 
 #include <limits>
@@ -44,13 +45,7 @@ class RunningBranch {
   bool steady(const MotorPoint& point, double speed) const;
 
  private:
-  struct Node {
-    double speed, amplitude;
-    double slope;        // dA / dOmega
-    double force_slope;  // H_A
-    bool grows;          // a disturbance of the wave does not die away
-    SolvedPoint solved;  // close to it
-  };
+  using Node = BranchNode;
 
   struct NodeSearch {
     std::optional<Node> node;
@@ -63,9 +58,11 @@ class RunningBranch {
 
   MotorPoint solved(const BranchWave& wave) const;
   bool balances(const MotorPoint& point) const;
+  std::optional<MotorPoint> proven(double speed, const BranchGuess& guess,
+                                   const SolvedPoint& near) const;
   std::optional<MotorPoint> between(const Node& a, const Node& b, double speed) const;
-  std::optional<BranchWave> followed(double speed, double guess, double force_slope,
-                                     const WarmStart& start, const SolvedPoint& node) const;
+  std::optional<BranchWave> followed(double speed, const BranchGuess& guess,
+                                     const SolvedPoint& near) const;
   std::optional<BranchWave> polished(double speed, double guess, double force_slope,
                                      const WarmStart& start) const;
   NodeSearch stepped(const Node& from, double speed, const Node* before = nullptr) const;

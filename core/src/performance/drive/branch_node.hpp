@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "performance/drive/driven_wave.hpp"
+
+namespace twum::performance {
+
+/// A wave of a branch over the rotor speed, from which its neighbours are found.
+struct BranchNode {
+  double speed, amplitude;
+  double slope;         ///< dA / dOmega along the branch
+  double force_slope;   ///< H_A
+  bool grows;           ///< a disturbance of the wave does not die away
+  SolvedPoint solved;   ///< the contact under nearly this amplitude
+  WarmStart start;      ///< the layer's state at entry under this amplitude
+  MovingStates states;  ///< how that moves
+};
+
+/// A node from a wave that almost balances its drive.
+/// @param step  what Newton's method adds to the amplitude of `wave`
+BranchNode branch_node(DrivenWaves::LevelSlopes wave, double step, bool grows);
+
+/// Where the search for a wave of the branch begins.
+struct BranchGuess {
+  double amplitude, force_slope;
+  WarmStart start;
+  MovingStates states;  ///< empty where the nodes do not agree on the slices
+};
+
+/// Between two nodes: Hermite's cubics for amplitude and state, whose slopes are known, and straight lines for all else.
+BranchGuess guess_between(const BranchNode& a, const BranchNode& b, double speed);
+
+/// The start under an amplitude that is larger by `step`.
+WarmStart moved(const WarmStart& start, const MovingStates& states, double step);
+
+}  // namespace twum::performance
