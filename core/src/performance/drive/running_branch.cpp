@@ -293,12 +293,14 @@ std::optional<MotorPoint> RunningBranch::proven(double speed, const BranchGuess&
 }
 
 // Through the zones of the nearer node, else of the other; as splits move with the speed, a track that is split has those of
-// the guess itself.
+// the guess itself, and its own slopes where the nodes have other slices.
 std::optional<MotorPoint> RunningBranch::between(const Node& a, const Node& b, double speed) const {
   BranchGuess guess = guess_between(a, b, speed);
   if (waves_.splits()) {
     const SolvedPoint near = solve_point(waves_.motor(guess.amplitude), speed);
     guess.start = near.start();
+    if (guess.states.size() != guess.start.size() && near.status == PointStatus::ok)
+      guess.states = waves_.moving(near, guess.amplitude, speed).states;
     if (auto point = proven(speed, guess, near)) return point;
   } else {
     const bool first = speed - a.speed < b.speed - speed;
