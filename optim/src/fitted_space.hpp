@@ -1,10 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/optim/least_squares.hpp>
+
 #include <Eigen/Core>
 #include <Eigen/QR>
+#include <cstddef>
+#include <vector>
 
 namespace twum::optim {
+
+/// Columns of the Jacobian by the parameters that are not at a bound. Internal.
+inline Eigen::MatrixXd free_jacobian(const Residuals& at, const LeastSquaresResult& fit) {
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  std::vector<Eigen::Index> free;
+  for (std::size_t j = 0; j < fit.estimates.size(); ++j)
+    if (!fit.estimates[j].at_bound) free.push_back(static_cast<Eigen::Index>(j));
+  const Eigen::Map<const RowMajor> all(at.jacobian.data(),
+                                       static_cast<Eigen::Index>(at.values.size()),
+                                       static_cast<Eigen::Index>(fit.estimates.size()));
+  return all(Eigen::all, free);
+}
 
 /// Orthonormal basis of the column space. The squared norm of a row is the leverage of its residual. Internal.
 inline Eigen::MatrixXd fitted_space(Eigen::MatrixXd columns) {

@@ -29,16 +29,9 @@ class OutlierSearch {
  public:
   OutlierSearch(const Residuals& at, const LeastSquaresResult& fit, double deviation)
       : deviation_(deviation), rows_(at.values.size()) {
-    const std::size_t n = fit.estimates.size();
-    std::vector<std::size_t> free;
-    for (std::size_t j = 0; j < n; ++j)
-      if (!fit.estimates[j].at_bound) free.push_back(j);
-    const auto m = static_cast<Index>(rows_.size());
-    residuals_ = Eigen::Map<const Eigen::VectorXd>(at.values.data(), m);
-    jacobian_.resize(m, static_cast<Index>(free.size()));
-    for (std::size_t k = 0; k < free.size(); ++k)
-      for (std::size_t i = 0; i < rows_.size(); ++i)
-        jacobian_(static_cast<Index>(i), static_cast<Index>(k)) = at.jacobian[i * n + free[k]];
+    residuals_ =
+        Eigen::Map<const Eigen::VectorXd>(at.values.data(), static_cast<Index>(at.values.size()));
+    jacobian_ = free_jacobian(at, fit);
     std::iota(rows_.begin(), rows_.end(), Index{0});
   }
 

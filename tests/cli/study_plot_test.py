@@ -219,6 +219,32 @@ class Pictures(program.Case):
         self.assertTrue({"residual in standard deviations", "no-load speed", "holding torque", "start voltage"} <= set(words))
         self.assertNotIn("fit", pictures)
 
+    def test_every_kind_of_data_is_drawn_with_its_fit(self):
+        # Admittances on a circle of the diameter 7 mS beside 2 mS: near enough to those of the motor for a fit to end.
+        angles = [0.3 * k for k in range(-8, 9)]
+        rows = [(39000 + 127 * math.tan(a / 2), 3.5e-3 * (1 + math.cos(a)), 2e-3 - 3.5e-3 * math.sin(a)) for a in angles]
+        (self.folder / "circle.csv").write_text("frequency [Hz],conductance [S],conductance_sd [S],susceptance [S],susceptance_sd [S]\n" +
+                                                "".join(f"{f},{g},1e-3,{b},1e-3\n" for f, g, b in rows))
+        pictures = self.drawn("circle", f"twum: 1\nmotor: {DRIVE}\nstudy: {{kind: calibrate, data: circle.csv, "
+                                        "variables: {quality_factor: {min: 50, max: 400}, modal_mass: {min: 10 g, max: 60 g}}}\n")
+        self.assertTrue({"fit-conductance", "fit-susceptance", "circle", "residuals"} <= set(pictures))
+        self.assertNotIn("fit", pictures)
+        black = "rgb(  0,   0,   0)"
+        frequency, conductance, susceptance = zip(*rows)
+        self.assert_places(pictures["fit-conductance"].dots[black], frequency, conductance)
+        self.assert_places(pictures["fit-susceptance"].dots[black], frequency, susceptance)
+        self.assert_places(pictures["circle"].dots[black], conductance, susceptance)
+        self.assertTrue(pictures["circle"].lines[BLUE])
+
+    def test_each_setting_of_the_bench_has_its_curve(self):
+        (self.folder / "two.csv").write_text("speed [rpm],torque [N.m],amplitude_at [um],torque_sd [N.m],amplitude_at_sd [um],voltage [V]\n" +
+                                             "".join(f"{n},{t},{a},0.1,0.1,{v}\n" for n, t, a, v in
+                                                     ((20, 1.03, 1.57, 110), (90, 0.85, 1.62, 110), (20, 1.04, 1.7, 130), (90, 0.91, 1.73, 130))))
+        pictures = self.drawn("two", SEVERAL.replace("points.csv", "two.csv") % DRIVE)
+        self.assertTrue({"fit", "fit-amplitude_at"} <= set(pictures))
+        for name in ("fit", "fit-amplitude_at"):
+            self.assertTrue({"voltage 110 V", "voltage 130 V"} <= set(pictures[name].words()))
+
     def test_families_of_curves_and_responses(self):
         pictures = self.drawn("drive-voltages")
         self.assertEqual(set(pictures), {"curves", "terminals"})

@@ -117,7 +117,7 @@ TEST_CASE("a fit in summary.json has its estimates, tests and starts", "[studies
   CalibrateResult result = fit();
   result.chi_square = 3.5;
   result.chi_square_p = 0.17;
-  result.runs = RunsTest{3, 3, 1};
+  result.neighbours = optim::NeighbourTest{3, -0.25, 1};
   result.estimates[1].bound = Bound::max;
   result.undetermined = {{{"kinetic_friction", "preload"}, -1}, {{"width"}, kNaN}};
   result.optima = {{{0.2, 1.5e-6}, 0.001, 1, true, {}}};
@@ -131,8 +131,11 @@ TEST_CASE("a fit in summary.json has its estimates, tests and starts", "[studies
   CHECK(json["correlation"]["amplitude"]["kinetic_friction"] == 0.5);
   CHECK(json["fit"]["poor"] == false);
   CHECK(json["fit"]["chi_square"] == Json{{"value", 3.5}, {"degrees_of_freedom", 2}, {"p", 0.17}});
-  CHECK(json["fit"]["runs"] ==
-        Json{{"quantity", "torque_at"}, {"over", "speed"}, {"count", 3}, {"runs", 3}, {"p", 1.0}});
+  CHECK(json["fit"]["neighbours"] == Json{{"quantity", "torque_at"},
+                                          {"over", "speed"},
+                                          {"count", 3},
+                                          {"correlation", -0.25},
+                                          {"p", 1.0}});
   CHECK(json["undetermined"][0] ==
         Json{{"parameters", {"kinetic_friction", "preload"}}, {"undone_by", -1.0}});
   CHECK(json["undetermined"][1]["undone_by"].is_null());
@@ -145,9 +148,9 @@ TEST_CASE("a fit in summary.json has its estimates, tests and starts", "[studies
   CHECK(json["units"]["residual_sd"] == "N.m");
   const std::string text = answer_text(result);
   CHECK_THAT(text, Contains("chi-square 3.5 with 2 degrees of freedom, p = 0.17\n"));
-  CHECK_THAT(text, Contains("order of speed: 3 runs in 3 points, p = 1\n"));
+  CHECK_THAT(text, Contains("order of speed: correlation -0.25 of 3 points, p = 1\n"));
   CHECK(answer_json(fit())["fit"]["chi_square"].is_null());
-  CHECK(answer_json(fit())["fit"]["runs"].is_null());
+  CHECK(answer_json(fit())["fit"]["neighbours"].is_null());
 }
 
 TEST_CASE("no start that could be evaluated is one sentence", "[studies][calibrate][words]") {
@@ -177,7 +180,7 @@ TEST_CASE("torques in another unit are recognized by their size", "[studies][cal
   }
   CalibrateResult still = fitted_by(1);
   for (auto& point : still.data) point.value = 0;
-  still.runs = RunsTest{20, 2, 1e-4};
+  still.neighbours = optim::NeighbourTest{20, 0.9, 1e-4};
   CHECK(still.poor());
   CHECK(note(still, "The torques measured are ").empty());
   CHECK(note(fit(), "The torques measured are ").empty());  // a good fit is not doubted
@@ -196,9 +199,9 @@ TEST_CASE("a poor fit says what makes it poor", "[studies][calibrate][words]") {
   // 0.4 N.m of 0.5 N.m, the largest torque.
   CHECK_THAT(note(result, "The fit is poor"),
              StartsWith("The fit is poor: the residuals are large, 80 % of the largest torque"));
-  result.runs = RunsTest{20, 12, 0.3};
+  result.neighbours = optim::NeighbourTest{20, 0.1, 0.3};
   CHECK_THAT(note(result, "The fit is poor"), Contains("residuals are large, 80 %"));
-  result.runs->p = 0.001;
+  result.neighbours->p = 0.001;
   CHECK_THAT(note(result, "The fit is poor"),
              Contains("residuals keep their sign over whole stretches of speed, 80 %"));
   result.chi_square = 3;

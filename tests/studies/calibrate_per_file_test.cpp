@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parameters with a value of their own in each of several tables of measurements.
 #include "calibrate_support.hpp"
-#include "kinds/fit_curves.hpp"
 #include "kinds/found_motors.hpp"
 #include "study/resolved_study.hpp"
+
+#include <twum/studies/results/fit_curves.hpp>
 
 #include <catch2/catch.hpp>
 

@@ -94,11 +94,11 @@ TEST_CASE("a pattern that chance gives one time in thirty is poor beyond 2 % of 
         result.chi_square = 40;
         result.chi_square_p = 0.03;
       } else {
-        result.runs = RunsTest{20, 5, 0.03};
+        result.neighbours = optim::NeighbourTest{20, 0.4, 0.03};
       }
       CHECK(result.poor() == (misfit > 0.02));
       result.chi_square_p = 0.06;  // as often as that it says nothing
-      if (result.runs) result.runs->p = 0.06;
+      if (result.neighbours) result.neighbours->p = 0.06;
       CHECK_FALSE(result.poor());
     }
   }
@@ -110,7 +110,7 @@ TEST_CASE(
   for (const double misfit : {0.0499, 0.0501}) {
     CalibrateResult result = missed_by(misfit);
     result.degrees_of_freedom = 20;
-    result.runs = RunsTest{20, 10, 0.5};
+    result.neighbours = optim::NeighbourTest{20, 0, 0.5};
     CHECK(result.poor() == (misfit > 0.05));
     result.chi_square = 20;
     result.chi_square_p = 0.5;

@@ -21,6 +21,7 @@
 #include <twum/optim/least_squares.hpp>
 #include <twum/optim/library_versions.hpp>
 #include <twum/optim/low_discrepancy.hpp>
+#include <twum/optim/neighbour_test.hpp>
 #include <twum/optim/optimum_moves.hpp>
 #include <twum/optim/options.hpp>
 #include <twum/optim/outliers.hpp>

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 using namespace twum;
@@ -33,12 +34,20 @@ CalibrateResult with_powers(double first, double second, std::size_t count) {
   return result;
 }
 
+// Tests these residuals as of a fit without parameters.
+void tested(CalibrateResult& result, bool deviations) {
+  optim::Residuals residuals;
+  for (const auto& point : result.data) residuals.values.push_back(-point.residual);
+  result.neighbours.reset();
+  test_residuals(result, residuals, {}, deviations);
+}
+
 }  // namespace
 
 TEST_CASE("a kind that misses its deviations does not hide behind the others",
           "[studies][calibrate][closed_form]") {
   CalibrateResult result = with_powers(3, -3, 2);
-  test_residuals(result, true);
+  tested(result, true);
   REQUIRE(result.chi_square);
   CHECK(*result.chi_square == Approx(20 * 0.01 + 18));
   CHECK(result.chi_square_p > 0.5);  // 18.2 with 22 degrees of freedom
@@ -49,30 +58,60 @@ TEST_CASE("a kind that misses its deviations does not hide behind the others",
   CHECK(result.worst_kind->p == Approx(2 * std::exp(-9)).epsilon(1e-10));
 
   CalibrateResult good = with_powers(1, -1, 2);
-  test_residuals(good, true);
+  tested(good, true);
   CHECK_FALSE(good.worst_kind);  // 2 exp(-1) = 0.7
 }
 
-TEST_CASE("signs are counted in each kind by itself, in the order of the speed",
+TEST_CASE("neighbours are compared in each kind by itself, in the order of the speed",
           "[studies][calibrate][closed_form]") {
-  // Eight powers of one sign: none of seven changes, 2^-7; in one of two kinds as often again.
-  CalibrateResult result = with_powers(0.2, 0.2, 8);
-  std::swap(result.data[20], result.data[27]);
-  test_residuals(result, false);
-  REQUIRE(result.runs);
-  CHECK(result.runs->runs == 1);
-  CHECK(result.runs->count == 8);
-  CHECK(result.runs->p == Approx(2.0 / 128).epsilon(1e-12));
-  CHECK(result.runs_of.quantity == "electrical_power_at");
-  CHECK(result.runs_of.over == "speed");
+  // Of two independent normal numbers (cos u, sin u) every angle is equally likely. Their ratio (cos u - sin u)^2 = 1 - sin 2u
+  // is at most that of a < pi/4 where 2a <= 2u <= pi - 2a: for the part 1/2 - 2a / pi of the angles.
+  CalibrateResult result = with_powers(0.3, 0.2, 2);
+  std::swap(result.data[20], result.data[21]);
+  tested(result, false);
+  REQUIRE(result.neighbours);
+  CHECK(result.neighbours->count == 2);
+  CHECK(result.neighbours->correlation == Approx(1).epsilon(1e-12));
+  const double angle = std::atan(0.2 / 0.3);
+  // One of two kinds is as rare twice as often.
+  CHECK(result.neighbours->p == Approx(2 * (0.5 - 2 * angle / std::numbers::pi)).epsilon(1e-9));
+  CHECK(result.neighbours_of.quantity == "electrical_power_at");
+  CHECK(result.neighbours_of.over == "speed");
   CHECK_FALSE(result.chi_square);
+}
+
+TEST_CASE("readings of another table or setting are no neighbours", "[studies][calibrate]") {
+  // Two torque curves that lie on either side of the motor. One after the other by speed they change signs all the time.
+  CalibrateResult result;
+  for (int i = 0; i < 8; ++i) {
+    for (const double side : {0.2, -0.2}) {
+      result.data.push_back(read("torque_at", i, side));
+      result.data.back().set = {{"preload", "N", side > 0 ? 120.0 : 180.0}};
+    }
+  }
+  result.degrees_of_freedom = result.data.size();
+  CalibrateResult tables = result;
+  for (auto& point : tables.data) {
+    point.where = point.residual > 0 ? "a.csv:1" : "b.csv:1";
+    point.set.clear();
+  }
+  for (CalibrateResult* one : {&result, &tables}) {
+    tested(*one, false);
+    REQUIRE(one->neighbours);
+    CHECK(one->neighbours->correlation == Approx(1).epsilon(1e-12));
+    CHECK(one->neighbours->p < 1e-4);
+  }
+  for (auto& point : result.data) point.set.clear();
+  tested(result, false);
+  CHECK(result.neighbours->correlation == Approx(-1).epsilon(1e-12));
+  CHECK(result.neighbours->p > 0.999);
 }
 
 TEST_CASE("residuals that are rounding are not tested", "[studies][calibrate]") {
   CalibrateResult result = with_powers(3, -3, 2);
   result.exact = true;
-  test_residuals(result, true);
-  CHECK_FALSE(result.runs);
+  tested(result, true);
+  CHECK_FALSE(result.neighbours);
   CHECK_FALSE(result.chi_square);
   CHECK_FALSE(result.worst_kind);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/studies/report/report.hpp>
 
-#include "kinds/fit_curves.hpp"
 #include "kinds/found_motors.hpp"
 #include "report/assets.hpp"
 #include "report/curves.hpp"
@@ -18,6 +17,7 @@
 #include <twum/base/error.hpp>
 #include <twum/core/design/parameters.hpp>
 #include <twum/optim/solvers.hpp>
+#include <twum/studies/results/fit_curves.hpp>
 
 #include <algorithm>
 

@@ -55,7 +55,7 @@ class Calibration {
     const auto residuals = fit_.residuals(result_.optima.front().values);
     add_data(residuals);
     name_outliers(best, residuals);
-    test_residuals(result_, fit_.deviations_given());
+    test_residuals(result_, residuals, best, fit_.deviations_given());
     compare_optima(best, residuals);
     result_.undetermined = unseen_sets(best, residuals);
     if (!result_.determined())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "kinds/fit_curves.hpp"
+#include <twum/studies/results/fit_curves.hpp>
 
 #include "kinds/asked_fit.hpp"
 
@@ -21,11 +21,6 @@ constexpr std::size_t kAtTorque = 41;
 constexpr double kBeyond = 0.04;
 
 using Data = std::vector<CalibrateResult::Point>;
-
-// "b.csv" of "b.csv:12"
-std::string table_of(const CalibrateResult::Point& point) {
-  return point.where.substr(0, point.where.rfind(':'));
-}
 
 // The parameter that the bench varied most for a quantity; none if it has one value throughout.
 std::optional<NamedValue> most_varied(const Data& data, const std::string& quantity) {
@@ -149,6 +144,10 @@ class Curves {
 };
 
 }  // namespace
+
+std::string table_of(const CalibrateResult::Point& point) {
+  return point.where.substr(0, point.where.rfind(':'));
+}
 
 std::optional<NamedValue> axis_of(const Data& data, const CalibrateResult::Point& point) {
   if (point.argument == Argument::speed) return NamedValue{"speed", "rad/s", 0};

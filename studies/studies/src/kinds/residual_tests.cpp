@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/residual_tests.hpp"
 
-#include "kinds/fit_curves.hpp"
 #include "results/calibration_notes.hpp"
+
+#include <twum/studies/results/fit_curves.hpp>
+#include <twum/studies/statistics/fit_tests.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -36,31 +39,73 @@ double of_many(double p, std::size_t count) {
   return std::min(1.0, static_cast<double>(count) * p);
 }
 
-// Signs of a kind in the order of what the bench varied; none if it varied nothing.
-std::optional<RunsTest> runs_of(Points kind, const std::optional<NamedValue>& over) {
-  if (!over) return {};
-  std::erase_if(kind, [&](const auto* p) { return std::isnan(place_on(*p, *over)); });
-  std::stable_sort(kind.begin(), kind.end(), [&](const auto* a, const auto* b) {
-    return place_on(*a, *over) < place_on(*b, *over);
-  });
-  std::vector<double> residuals;
-  for (const auto* point : kind) residuals.push_back(point->residual);
-  if (residuals.size() < 2) return {};
-  return runs_test(residuals);
+// Neighbours have one table, and one setting of the bench but for what is varied.
+bool in_one_series(const CalibrateResult::Point& a, const CalibrateResult::Point& b,
+                   const std::string& varied) {
+  return table_of(a) == table_of(b) &&
+         std::equal(a.set.begin(), a.set.end(), b.set.begin(), b.set.end(),
+                    [&](const NamedValue& x, const NamedValue& y) {
+                      return x.name == y.name && (x.name == varied || x.value == y.value);
+                    });
 }
 
-void test_runs(CalibrateResult& result, const std::vector<Points>& kinds) {
+// Residuals and their rows of the points that count.
+optim::Residuals counting(const optim::Residuals& all, const CalibrateResult& result) {
+  optim::Residuals some;
+  const std::size_t n = all.jacobian.size() / all.values.size();
+  for (std::size_t i = 0; i < result.data.size(); ++i) {
+    if (!result.data[i].counts) continue;
+    some.values.push_back(all.values[i]);
+    for (std::size_t j = 0; j < n; ++j) some.jacobian.push_back(all.jacobian[i * n + j]);
+  }
+  return some;
+}
+
+// Number of a point among those that count.
+std::size_t number_of(const CalibrateResult::Point& point, const CalibrateResult& result) {
+  return static_cast<std::size_t>(std::count_if(
+      result.data.data(), &point, [](const CalibrateResult::Point& one) { return one.counts; }));
+}
+
+// The points of a kind in the order of what the bench varied, by their numbers.
+std::vector<std::vector<std::size_t>> series_of(const Points& kind, const NamedValue& over,
+                                                const CalibrateResult& result) {
+  std::vector<Points> series;
+  for (const auto* point : kind) {
+    if (std::isnan(place_on(*point, over))) continue;
+    const auto known = std::find_if(series.begin(), series.end(), [&](const Points& one) {
+      return in_one_series(*one.front(), *point, over.name);
+    });
+    if (known == series.end())
+      series.push_back({point});
+    else
+      known->push_back(point);
+  }
+  std::vector<std::vector<std::size_t>> numbers;
+  for (Points& one : series) {
+    std::stable_sort(one.begin(), one.end(), [&](const auto* a, const auto* b) {
+      return place_on(*a, over) < place_on(*b, over);
+    });
+    numbers.emplace_back();
+    for (const auto* point : one) numbers.back().push_back(number_of(*point, result));
+  }
+  return numbers;
+}
+
+void test_neighbours(CalibrateResult& result, const std::vector<Points>& kinds,
+                     const optim::Residuals& residuals, const optim::LeastSquaresResult& fit) {
   std::size_t count = 0;
   for (const Points& kind : kinds) {
     const std::optional<NamedValue> over = axis_of(result.data, *kind.front());
-    const std::optional<RunsTest> runs = runs_of(kind, over);
-    if (!runs) continue;
+    if (!over) continue;
+    const auto test = optim::neighbour_test(residuals, fit, series_of(kind, *over, result));
+    if (test.count == 0) continue;
     ++count;
-    if (result.runs && result.runs->p <= runs->p) continue;
-    result.runs = runs;
-    result.runs_of = {kind.front()->quantity, over->name};
+    if (result.neighbours && result.neighbours->p <= test.p) continue;
+    result.neighbours = test;
+    result.neighbours_of = {kind.front()->quantity, over->name};
   }
-  if (result.runs) result.runs->p = of_many(result.runs->p, count);
+  if (result.neighbours) result.neighbours->p = of_many(result.neighbours->p, count);
 }
 
 double sum_of(const Points& points) {
@@ -84,10 +129,11 @@ void test_kinds(CalibrateResult& result, const std::vector<Points>& kinds) {
 
 }  // namespace
 
-void test_residuals(CalibrateResult& result, bool deviations) {
+void test_residuals(CalibrateResult& result, const optim::Residuals& residuals,
+                    const optim::LeastSquaresResult& fit, bool deviations) {
   if (result.exact || result.degrees_of_freedom == 0) return;
   const std::vector<Points> kinds = kinds_of(result);
-  test_runs(result, kinds);
+  test_neighbours(result, kinds, counting(residuals, result), fit);
   const std::size_t freedom = result.counting_freedom();
   if (!deviations || !result.columns.empty() || freedom == 0) return;
   double sum = 0;

@@ -5,9 +5,11 @@
 
 namespace twum::studies {
 
-/// Fills in what chance says of the residuals (section 4 of the theory): the runs of their signs, and chi-square of all and of
+/// Fills in what chance says of the residuals (section 4 of the theory): how alike neighbours are, and chi-square of all and of
 /// the kind of data that stands out most. Nothing if the residuals are rounding.
+/// @param residuals   of `fit`, in the order of the data
 /// @param deviations  the points have standard deviations; those of columns are estimated, and not tested
-void test_residuals(CalibrateResult& result, bool deviations);
+void test_residuals(CalibrateResult& result, const optim::Residuals& residuals,
+                    const optim::LeastSquaresResult& fit, bool deviations);
 
 }  // namespace twum::studies

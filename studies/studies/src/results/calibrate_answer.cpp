@@ -79,14 +79,14 @@ Json correlation_json(const CalibrateResult& result) {
 Json tests_json(const CalibrateResult& result) {
   Json json{{"exact", result.exact}, {"poor", result.poor()}};
   json["unfinished"] = result.unfinished.empty() ? Json(nullptr) : Json(result.unfinished);
-  json["runs"] = nullptr;
+  json["neighbours"] = nullptr;
   json["chi_square"] = nullptr;
-  if (result.runs)
-    json["runs"] = {{"quantity", result.runs_of.quantity},
-                    {"over", result.runs_of.over},
-                    {"count", result.runs->count},
-                    {"runs", result.runs->runs},
-                    {"p", result.runs->p}};
+  if (result.neighbours)
+    json["neighbours"] = {{"quantity", result.neighbours_of.quantity},
+                          {"over", result.neighbours_of.over},
+                          {"count", result.neighbours->count},
+                          {"correlation", result.neighbours->correlation},
+                          {"p", result.neighbours->p}};
   if (result.chi_square)
     json["chi_square"] = {{"value", *result.chi_square},
                           {"degrees_of_freedom", result.counting_freedom()},
@@ -297,12 +297,13 @@ std::string test_words(const CalibrateResult& result) {
             rounded_text(result.worst_kind->chi_square, 4) + " for " +
             counted(result.worst_kind->count, "number") +
             ", p = " + rounded_text(result.worst_kind->p, 2) + "\n";
-  if (result.runs) {
-    const bool torque = result.runs_of.quantity == "torque_at";
-    text += "Signs of the residuals" + (torque ? "" : " of " + result.runs_of.quantity) +
-            " in order of " + result.runs_of.over + ": " + counted(result.runs->runs, "run") +
-            " in " + counted(result.runs->count, "point") +
-            ", p = " + rounded_text(result.runs->p, 2) + "\n";
+  if (result.neighbours) {
+    const bool torque = result.neighbours_of.quantity == "torque_at";
+    text += "Neighbouring residuals" + (torque ? "" : " of " + result.neighbours_of.quantity) +
+            " in order of " + result.neighbours_of.over + ": correlation " +
+            rounded_text(result.neighbours->correlation, 2) + " of " +
+            counted(result.neighbours->count, "point") +
+            ", p = " + rounded_text(result.neighbours->p, 2) + "\n";
   }
   return text;
 }

@@ -76,8 +76,8 @@ bool CalibrateResult::at_bounds() const {
 
 bool CalibrateResult::poor() const {
   constexpr double kRare = 0.01;
-  const double chance = std::min(
-      {runs ? runs->p : 1.0, chi_square ? chi_square_p : 1.0, worst_kind ? worst_kind->p : 1.0});
+  const double chance = std::min({neighbours ? neighbours->p : 1.0, chi_square ? chi_square_p : 1.0,
+                                  worst_kind ? worst_kind->p : 1.0});
   if (chance < kRare || (chance < kUnlikely && misfit() > kNoticeable)) return true;
   return !chi_square && (misfit() > kLarge || missed() != nullptr);
 }

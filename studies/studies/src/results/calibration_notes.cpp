@@ -85,8 +85,8 @@ void add_misfit(const CalibrateResult& result, Notes& notes) {
     text += " are larger than the standard deviations given";
   else if (result.worst_kind)
     text += " of " + result.worst_kind->quantity + " are larger than the standard deviations given";
-  else if (result.runs && result.runs->p < kUnlikely)
-    text += " keep their sign over whole stretches of " + result.runs_of.over;
+  else if (result.neighbours && result.neighbours->p < kUnlikely)
+    text += " keep their sign over whole stretches of " + result.neighbours_of.over;
   else
     text += " are large";
   if (result.misfit() > 0)

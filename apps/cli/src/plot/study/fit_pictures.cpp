@@ -2,9 +2,10 @@
 #include "plot/study/kinds.hpp"
 #include "plot/style.hpp"
 
-#include <twum/core/performance/metrics.hpp>
 #include <twum/studies/metrics/plain_name.hpp>
+#include <twum/studies/results/fit_curves.hpp>
 #include <twum/studies/text/number.hpp>
+#include <twum/studies/units/engineering.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,61 +15,117 @@ namespace {
 
 using studies::CalibrateResult;
 
-constexpr int kFitPoints = 161;
+using studies::FitCurve;
 
-// Measured torques of the motor as it is; other readings have no place on its curve.
-bool on_the_curve(const CalibrateResult::Point& point) {
-  return point.torque() && point.set.empty();
+// "torque" of "torque_at"
+std::string name_of(const std::string& quantity) {
+  std::string name = studies::plain_name(quantity);
+  if (name.ends_with(" at")) name.resize(name.size() - 3);
+  return name;
 }
 
-// Half width of the band of the fitted torque: the intervals of the estimates, carried to the torque by its derivatives.
-double half_width(const CalibrateResult& answer, const MetricDerivative& torque) {
-  const std::size_t count = answer.estimates.size();
-  std::vector<double> moved(count, 0);  // torque for one standard deviation of each estimate
-  bool any = false;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto parameter = find_parameter(answer.estimates[i].parameter.name);
-    if (!parameter || !(answer.estimates[i].deviation > 0)) continue;
-    moved[i] = torque.gradient[index_of(*parameter)] * answer.estimates[i].deviation;
-    any = true;
-  }
-  double variance = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t j = 0; j < count; ++j) {
-      const double correlation = i == j ? 1 : answer.correlation[i * count + j];
-      variance += moved[i] * moved[j] * (std::isfinite(correlation) ? correlation : 0);
-    }
-  }
-  return any ? answer.student_t * std::sqrt(std::max(variance, 0.0)) : studies::kNoValue;
+// "bench.csv, preload 120 N": what tells a curve from the others of its kind.
+std::string name_of(const FitCurve& curve) {
+  std::string name = curve.file;
+  for (const studies::NamedValue& one : curve.set)
+    name += (name.empty() ? "" : ", ") + studies::plain_name(one.name) + " " +
+            studies::printed_engineering(one.value, one.unit);
+  return name.empty() ? "fitted" : name;
 }
 
-Picture fit(const FinishedStudy& study, const CalibrateResult& answer, const Motor& motor) {
-  Series measured{"measured", Draw::dots, "#000000", {}};
-  double first = 0, last = 0;
-  for (const CalibrateResult::Point& point : answer.data) {
-    if (!on_the_curve(point)) continue;
-    measured.rows.push_back({point.at, point.value});
-    first = std::min(first, point.at);
-    last = std::max(last, point.at);
+// Curves of one quantity over the same axis.
+using FitCurves = std::vector<const FitCurve*>;
+
+std::vector<FitCurves> by_kind(const std::vector<FitCurve>& curves) {
+  std::vector<FitCurves> kinds;
+  for (const FitCurve& curve : curves) {
+    const auto known = std::find_if(kinds.begin(), kinds.end(), [&](const FitCurves& kind) {
+      return kind.front()->quantity == curve.quantity && kind.front()->over.name == curve.over.name;
+    });
+    if (known == kinds.end())
+      kinds.push_back({&curve});
+    else
+      known->push_back(&curve);
   }
-  Series line{"fitted", Draw::line, colour::kBlue, {}};
-  Series band{studies::rounded_text(100 * answer.confidence, 4) + " % band of the fit",
+  return kinds;
+}
+
+// "fit" of torques at speeds, "fit-speed_at" of speeds at torques, "fit-no_load_speed-preload" over a setting of the bench.
+std::string picture_name(const FitCurve& curve) {
+  if (curve.quantity == "torque_at") return "fit";
+  const bool common = curve.over.name == "frequency" || curve.quantity.ends_with("_at");
+  return "fit-" + curve.quantity + (common ? "" : "-" + curve.over.name);
+}
+
+// Band, line and points of a curve; alone in the colours of a single fit.
+void add_curve(const CalibrateResult& answer, const FitCurve& curve, const std::string& colour,
+               bool alone, Panel& panel) {
+  Series band{alone ? studies::rounded_text(100 * answer.confidence, 4) + " % band of the fit" : "",
               Draw::band,
-              colour::kBlue,
+              colour,
               {}};
-  for (int i = 0; i < kFitPoints; ++i) {
-    const double speed = std::lerp(first, last, static_cast<double>(i) / (kFitPoints - 1));
-    const MetricRequest request{Metric::torque_at, Argument::speed, speed};
-    const MetricDerivative torque = differentiate(motor, {&request, 1}).front();
-    const double half = half_width(answer, torque);
-    line.rows.push_back({speed, torque.value.value});
-    if (std::isfinite(half))
-      band.rows.push_back({speed, torque.value.value - half, torque.value.value + half});
+  Series line{name_of(curve), Draw::line, colour, {}};
+  for (std::size_t i = 0; i < curve.at.size(); ++i) {
+    const double value = curve.value[i];
+    const double half = curve.half[i];
+    line.rows.push_back({curve.at[i], value});
+    if (std::isfinite(half)) band.rows.push_back({curve.at[i], value - half, value + half});
   }
-  Panel panel{{"speed", "rad/s", true, 0.03}, {"torque", "N.m", false, 0.08}, {}};
-  for (Series* series : {&band, &line, &measured})
+  Series dots{alone ? "measured" : "", Draw::dots, alone ? "#000000" : colour, {}};
+  for (const std::size_t i : curve.points)
+    dots.rows.push_back({studies::place_on(answer.data[i], curve.over), answer.data[i].value});
+  for (Series* series : {&band, &line, &dots})
     if (!series->rows.empty()) panel.series.push_back(std::move(*series));
-  return picture_of("fit", {study.title("measured and fitted"), {panel}});
+}
+
+Picture fit(const FinishedStudy& study, const CalibrateResult& answer, const FitCurves& kind) {
+  const FitCurve& first = *kind.front();
+  const bool from_zero = first.over.name == "speed" || first.over.name == "torque";
+  Panel panel{{studies::plain_name(first.over.name), first.over.unit, from_zero, 0.03},
+              {name_of(first.quantity), first.unit, false, 0.08},
+              {}};
+  for (std::size_t i = 0; i < kind.size(); ++i)
+    add_curve(answer, *kind[i], kind.size() == 1 ? colour::kBlue : colour_of(i), kind.size() == 1,
+              panel);
+  const bool torque = first.quantity == "torque_at";
+  const std::string what = torque ? "measured and fitted" : "measured and fitted " + panel.y.name;
+  return picture_of(picture_name(first), {study.title(what), {panel}});
+}
+
+// The curve of a part of the admittance over frequency; null if that was not measured.
+const FitCurve* part(const std::vector<FitCurve>& curves, const std::string& quantity) {
+  const auto found = std::find_if(curves.begin(), curves.end(), [&](const FitCurve& curve) {
+    return curve.quantity == quantity && curve.over.name == "frequency";
+  });
+  return found == curves.end() ? nullptr : &*found;
+}
+
+// The circle of the free stator: readings of both parts at one place of the data, and the fit where both are known.
+void add_circle(std::vector<Picture>& pictures, const FinishedStudy& study,
+                const CalibrateResult& answer, const std::vector<FitCurve>& curves) {
+  const FitCurve* along = part(curves, "conductance");
+  const FitCurve* up = part(curves, "susceptance");
+  if (along == nullptr || up == nullptr) return;
+  Series line{"fitted", Draw::line, colour::kBlue, {}};
+  for (std::size_t i = 0; i < along->at.size() && along->at == up->at; ++i)
+    line.rows.push_back({along->value[i], up->value[i]});
+  Series dots{"measured", Draw::dots, "#000000", {}};
+  for (const std::size_t i : along->points)
+    for (const std::size_t j : up->points)
+      if (answer.data[i].where == answer.data[j].where)
+        dots.rows.push_back({answer.data[i].value, answer.data[j].value});
+  Panel panel{{"conductance", "S", false, 0.08}, {"susceptance", "S", false, 0.08}, {}};
+  for (Series* series : {&line, &dots})
+    if (!series->rows.empty()) panel.series.push_back(std::move(*series));
+  if (panel.series.empty()) return;
+  pictures.push_back(picture_of("circle", {study.title("impedance circle"), {panel}}));
+}
+
+void add_fits(std::vector<Picture>& pictures, const FinishedStudy& study,
+              const CalibrateResult& answer) {
+  const std::vector<FitCurve> curves = studies::fit_curves(study.file, answer);
+  for (const FitCurves& kind : by_kind(curves)) pictures.push_back(fit(study, answer, kind));
+  add_circle(pictures, study, answer, curves);
 }
 
 Panel torque_residuals(const CalibrateResult& answer) {
@@ -95,9 +152,7 @@ Panel reading_residuals(const CalibrateResult& answer) {
     const auto kind = static_cast<std::size_t>(place - kinds.begin());
     if (place == kinds.end()) {
       kinds.push_back(point.quantity);
-      std::string name = studies::plain_name(point.quantity);
-      if (name.ends_with(" at")) name.resize(name.size() - 3);
-      panel.series.push_back({name, Draw::dots, colour_of(kind), {}});
+      panel.series.push_back({name_of(point.quantity), Draw::dots, colour_of(kind), {}});
     }
     panel.series[kind].rows.push_back(
         {static_cast<double>(i) + 1,
@@ -125,8 +180,7 @@ std::vector<Picture> pictures_of(const FinishedStudy& study, const CalibrateResu
     add_motor(motors, file.empty() ? "fitted motor" : file, study.file.motor.design,
               answer.motor_values(file));
   if (motors.empty()) return pictures;
-  if (files.size() == 1 && std::any_of(answer.data.begin(), answer.data.end(), on_the_curve))
-    pictures.push_back(fit(study, answer, motors.front().motor));
+  add_fits(pictures, study, answer);
   pictures.push_back(residuals(study, answer));
   add_curve_pictures(pictures, study.title("the fitted motor"), motors);
   return pictures;

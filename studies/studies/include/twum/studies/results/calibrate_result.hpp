@@ -3,9 +3,9 @@
 
 #include <twum/core/performance/metrics.hpp>
 #include <twum/optim/fit_profile.hpp>
+#include <twum/optim/neighbour_test.hpp>
 #include <twum/optim/result.hpp>
 #include <twum/studies/results/move.hpp>
-#include <twum/studies/statistics/fit_tests.hpp>
 #include <twum/studies/store/column.hpp>
 
 #include <cstddef>
@@ -162,13 +162,13 @@ struct CalibrateResult {
   std::size_t degrees_of_freedom{0};  ///< points less free parameters
   double student_t{0};  ///< half width of an interval in standard deviations of the estimate
   bool exact{false};    ///< residuals are no more than rounding: nothing to test
-  std::optional<RunsTest>
-      runs;  ///< of the residuals of the kind that stands out most, in their order
-  /// The kind of data of `runs`, and what it is in order of, such as "torque_at" and "speed".
-  struct RunsOf {
+  /// Of the residuals of the kind that stands out most, in their order.
+  std::optional<optim::NeighbourTest> neighbours;
+  /// The kind of data of `neighbours`, and what it is in order of, such as "torque_at" and "speed".
+  struct NeighboursOf {
     std::string quantity{"torque_at"};     ///< the kind
     std::string over{"speed"};             ///< what its numbers are in order of
-  } runs_of;                               ///< of `runs`
+  } neighbours_of;                         ///< of `neighbours`
   std::optional<double> chi_square;        ///< where standard deviations were measured
   double chi_square_p{1};                  ///< how often chance gives as much or more
   std::optional<KindScatter> worst_kind;   ///< where it is as rare as one time in twenty

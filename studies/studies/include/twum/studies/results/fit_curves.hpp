@@ -24,6 +24,8 @@ struct FitCurve {
   std::vector<std::size_t> points;  ///< numbers of the measured points on it
 };
 
+/// "b.csv" of a point that stands at "b.csv:12".
+std::string table_of(const CalibrateResult::Point& point);
 /// What the bench varied for a quantity: the speed or torque that it is read at, else the parameter with most values; none
 /// if all were read alike.
 std::optional<NamedValue> axis_of(const std::vector<CalibrateResult::Point>& data,

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Calibrations to noisy data of every kind: how often the intervals hold the truth.
+#include "calibrate_benches.hpp"
+#include "files/statistics/coverage.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace twum;
+using namespace twum::studies;
+using namespace twum::test;
+
+namespace {
+
+// How often the intervals of repeated noisy measurements of one bench hold the truth.
+void check_coverage(const Named& named, const char* scatter, int trials) {
+  const Bench& bench = named.bench;
+  const MotorDesign truth = truth_of(bench);
+  BenchCase one(bench);
+  one.more = std::string("starts: 1, scatter: ") + scatter;
+  std::vector<test::Coverage> covered(bench.truth.size());
+  for (int trial = 0; trial < trials; ++trial) {
+    Noise noise(static_cast<std::uint64_t>(trial) + 1);
+    const Run run(one.file(bench.csv(truth, noise, 1)));
+    for (std::size_t j = 0; j < covered.size(); ++j) {
+      const auto& estimate = run.result().estimates[j];
+      covered[j].count({estimate.parameter.value, estimate.low, estimate.high},
+                       bench.truth[j].second);
+    }
+  }
+  for (std::size_t j = 0; j < covered.size(); ++j) {
+    CAPTURE(named.name, scatter, bench.truth[j].first, covered[j].share());
+    if (trials >= 1000)
+      WARN(named.name << ", scatter " << scatter << ", " << info(bench.truth[j].first).name << ": "
+                      << 100 * covered[j].share() << " %");
+    CHECK(covered[j].hits >= covered[j].fewest(0.95));
+    CHECK(covered[j].hits <= covered[j].most(0.95));
+  }
+}
+
+// With the scatter estimated and as stated; and of each column by itself, which takes long columns.
+void check_coverage(int trials) {
+  for (const Named& named : kBenches) {
+    DYNAMIC_SECTION(named.name) {
+      check_coverage(named, "estimated", trials);
+      check_coverage(named, "stated", trials);
+      if (named.bench.long_columns) check_coverage(named, "by-column", trials);
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("intervals of data of every kind cover the truth as often as they say",
+          "[studies][calibrate][statistics]") {
+  check_coverage(40);
+}
+
+TEST_CASE("intervals of data of every kind cover the truth as often as they say - many times",
+          "[studies][calibrate][statistics][.long]") {
+  check_coverage(1000);
+}
