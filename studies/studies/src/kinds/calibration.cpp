@@ -185,6 +185,16 @@ class Calibration {
       const bool apart = k > 0 && equal && !near && !far;
       other.same_valley = apart && joined_ && joined_(best, other.values);
       other.fits_as_well = k == 0 || (apart && !other.same_valley);
+      if (other.same_valley) widen_intervals(other.values);
+    }
+  }
+
+  // Along a valley the sum of squares may rise and fall again, beyond where a profile has left the interval.
+  void widen_intervals(const std::vector<double>& values) {
+    for (std::size_t j = 0; j < values.size(); ++j) {
+      CalibrateResult::Estimate& e = result_.estimates[j];
+      e.low = std::min(e.low, values[j]);
+      e.high = std::max(e.high, values[j]);
     }
   }
 
