@@ -46,9 +46,11 @@ TEST_CASE("a data sheet's five numbers say what they determine", "[studies][cali
   CHECK(five.answer.outcome == "undetermined");
   CHECK(five.result().equals() == 1);  // one valley, not several motors
   CHECK_THAT(five.text(), Contains("The points say little about youngs_modulus and thickness"));
+  // Places whose sum of squares exceeds the least by less than 1.96^2 are in the interval of each parameter (L3.1).
   int places = 0;
   for (const CalibrateResult::Optimum& place : five.result().optima) {
-    if (!place.same_valley) continue;
+    const double sum = place.residual_rms * place.residual_rms * 5;
+    if (!place.same_valley || sum > 1.96 * 1.96) continue;
     ++places;
     for (std::size_t j = 0; j < place.values.size(); ++j) {
       const CalibrateResult::Estimate& e = five.result().estimates[j];

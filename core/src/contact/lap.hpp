@@ -101,8 +101,8 @@ void prove_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>&
                const LapEntry<double>& entry, const ZoneSequence& near, Lap<double>& lap);
 
 /// The return map continued through the zones of a lap nearby: it does not search for their ends but
-/// follows them to where they have moved (E6.5). A quarter of the work of a lap, and no proof: what is found
-/// so has to be gone through by prove_lap().
+/// follows them to where they have moved (E6.5). It takes a quarter of the work of a lap and does not prove that no
+/// zone was missed: confirm the result by prove_lap().
 ///
 /// @param sequence  of the lap nearby; replaced by the ends of this one
 /// @return false if the zones are others here

@@ -147,7 +147,7 @@ class SolvedPoint {
   long zones_followed() const;
   WarmStart start() const;
   /// A step of Newton's method at a point nearby: one turn of the layer through the zones of this point (E6.5), and the
-  /// states to which its gaps lead (E6.2). It takes a tenth of the work of solve_point() and proves nothing. Nothing if the
+  /// states to which its gaps lead (E6.2). It takes a fifth of the work of solve_point() and proves nothing. Nothing if the
   /// zones differ there, or if there are none to follow.
   /// @param states  how the states move near it; of as many slices as there are here
   std::optional<NewtonTurn> newton_turn(const DrivenMotor<double>& motor, double speed,

@@ -26,7 +26,8 @@ constexpr int kMostSecants = 12;
 constexpr double kNodeSettled = 3e-4;
 constexpr double kSettled = 1e-13;  // of the amplitude; largest error after the last secant
 constexpr double kReach = 0.2;      // of the amplitude: largest step of a secant
-constexpr double kFarState = 1e-2;  // largest change of the layer's state over a turn
+// of the amplitude and of the layer's state: largest distance of the guess from where the first step leads
+constexpr double kFarGuess = 1e-2;
 // of the amplitude and of the layer's state: largest error after the last step of Newton's method
 constexpr double kSettledTurn = 1e-13;
 constexpr int kMostFollowed = 8;  // turns
@@ -114,6 +115,7 @@ RunningBranch::NodeSearch RunningBranch::node(double speed, double guess,
 // nodes: they are off by a small share, of which the last two steps tell how much they leave. Nothing unless that is quick.
 std::optional<BranchWave> RunningBranch::followed(double speed, const BranchGuess& guess,
                                                   const SolvedPoint& near) const {
+  if (!(guess.force_slope > 0)) return {};
   double a = guess.amplitude, last = 0;
   WarmStart from = guess.start;
   for (int i = 0; i < kMostFollowed; ++i) {
@@ -121,11 +123,11 @@ std::optional<BranchWave> RunningBranch::followed(double speed, const BranchGues
     if (!turn) return {};
     const double excess = waves_.balance(turn->numbers, a).force() - waves_.drive();
     const double step = -excess / guess.force_slope;
-    if (!(guess.force_slope > 0 && std::fabs(step) <= kReach * guess.amplitude)) return {};
+    if (!(std::fabs(step) <= kReach * guess.amplitude)) return {};
     from = moved(turn->next, guess.states, step);
     a += step;
     const double off = std::fmax(std::fabs(step) / a, turn->gap);
-    if (!(off <= (i == 0 ? kFarState : kReach * last))) return {};
+    if (!(off <= (i == 0 ? kFarGuess : kReach * last))) return {};
     if (off * (i == 0 ? kReach : off / last) <= kSettledTurn) return BranchWave{a, speed, from};
     last = off;
   }

@@ -185,11 +185,14 @@ class Calibration {
       const bool apart = k > 0 && equal && !near && !far;
       other.same_valley = apart && joined_ && joined_(best, other.values);
       other.fits_as_well = k == 0 || (apart && !other.same_valley);
-      if (other.same_valley) widen_intervals(other.values);
+      const double half_width = best.student_t * best.scatter;
+      if (other.same_valley && sum <= best.sum_of_squares + half_width * half_width)
+        widen_intervals(other.values);
     }
   }
 
-  // Along a valley the sum of squares may rise and fall again, beyond where a profile has left the interval.
+  // To a place within the limit of (L3.1). Along a valley the sum of squares may rise above it and fall again, and a search from
+  // the best place ends where it rises.
   void widen_intervals(const std::vector<double>& values) {
     for (std::size_t j = 0; j < values.size(); ++j) {
       CalibrateResult::Estimate& e = result_.estimates[j];

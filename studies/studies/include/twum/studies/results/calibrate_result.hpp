@@ -35,7 +35,8 @@ struct CalibrateResult {
     double deviation{0};  ///< standard deviation; NaN if the data do not determine it
     double low{0};  ///< confidence interval, Student's t with the scatter of the residuals; in the
         ///< logarithm where the variable has a log scale; from the profile of the sum of
-        ///< squares where that differs, so that it holds admissible values only
+        ///< squares where that differs, so that it holds admissible values only; extended to
+        ///< other optima of the same valley that fit as well (L3.1)
     double high{0};            ///< its upper end
     bool profiled{false};      ///< one of the ends comes from the profile
     bool low_cut{false};       ///< the range cuts the interval off: the data allow smaller values
