@@ -36,6 +36,8 @@ TEST_CASE("a constraint limits a metric or a parameter in its own unit", "[studi
   CHECK(parse_limit("60 N <= preload").lower == 60);
   CHECK(parse_limit("contact_ratio <= 0.3").upper == 0.3);
   CHECK(parse_limit("max_pressure <= 2 * 5 MPa").upper == 10e6);
+  CHECK(parse_limit("squeal_rate_at(20 rpm) <= 5 1/s").upper == 5);
+  CHECK(parse_limit("squeal_rate_at(20 rpm) <= 5 1/s / 2").upper == 2.5);
 }
 
 TEST_CASE("a limit may depend on the motor: then left minus right is compared with zero",

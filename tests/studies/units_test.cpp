@@ -58,7 +58,11 @@ const Good kGood[] = {
     {"5 %", "1", 0.05},
     {"  5   mm ", "m", 0.005},
     {"5\xC2\xA0mm", "m", 0.005},  // no-break space
-    {"1 N.m.rad/s", "W", 1},      // torque times angular speed is a power
+    {"3 1/s", "1/s", 3},
+    {"3 1/ms", "1/s", 3000},
+    {"40000 1/s", "Hz", 40000},
+    {"120 1/min", "Hz", 2},
+    {"1 N.m.rad/s", "W", 1},  // torque times angular speed is a power
 };
 
 struct Bad {
@@ -80,11 +84,10 @@ const Bad kBad[] = {
      "mean "
      "'rpm'?"},
     {"100 1/min", "rad/s",
-     "'100 1/min': '1/min' is not a unit; expected an angular speed [rad/s] such as 'x'; did you "
+     "'100 1/min' is a frequency [Hz]; expected an angular speed [rad/s] such as 'x'; did you "
      "mean "
      "'rpm'?"},
-    {"40000 1/min", "Hz",
-     "'40000 1/min': '1/min' is not a unit; expected a frequency [Hz] such as 'x'"},
+    {"3 1/s", "N.m", "'3 1/s' is a frequency [Hz]; expected a torque [N.m] such as 'x'"},
     {"2 s", "rad/s", "'2 s' is a time [s]; expected an angular speed [rad/s] such as 'x'"},
     {"1 J", "N.m", "'1 J' is an energy [J]; expected a torque [N.m] such as 'x'"},
     {"1 N.m", "J", "'1 N.m' is a torque [N.m]; expected an energy [J] such as 'x'"},
@@ -97,7 +100,14 @@ const Bad kBad[] = {
     {"3 mm from 2", "m",
      "'3 mm from 2': 'mm from 2' is not a unit; expected a length [m] such as 'x'"},
     {"3 mm @ 2", "m", "'3 mm @ 2': 'mm @ 2' is not a unit; expected a length [m] such as 'x'"},
-    {"3 1/s", "Hz", "'3 1/s': '1/s' is not a unit; expected a frequency [Hz] such as 'x'"},
+    {"3 1/", "Hz", "'3 1/': '1/' is not a unit; expected a frequency [Hz] such as 'x'"},
+    {"3 2/s", "Hz", "'3 2/s': '2/s' is not a unit; expected a frequency [Hz] such as 'x'"},
+    {"3 1/2s", "Hz", "'3 1/2s': '1/2s' is not a unit; expected a frequency [Hz] such as 'x'"},
+    {"3 1/1/s", "Hz", "'3 1/1/s': '1/1/s' is not a unit; expected a frequency [Hz] such as 'x'"},
+    {"3 1/s.m", "1/s",
+     "'3 1/s.m': '1/s.m' is ambiguous; put parentheses around the denominator; expected a rate of "
+     "growth [1/s] "
+     "such as 'x'"},
     {"3 W/m.K", "m",
      "'3 W/m.K': 'W/m.K' is ambiguous; put parentheses around the denominator; expected "
      "a length [m] such as "

@@ -193,10 +193,17 @@ class Reader {
     return "write '*' between a number and a name";
   }
 
+  // A unit begins with a letter, "%", or "1/" and a letter: after a number, "1/s" can be nothing else.
+  bool begins_unit() const {
+    const std::string_view text = text_.substr(at_);
+    const std::string_view unit = text.starts_with("1/") ? text.substr(2) : text;
+    return !unit.empty() && (begins_name(unit[0]) || text[0] == '%');
+  }
+
   // The unit after a number, up to the next blank, bracket or comma; "(m.K)" in "W/(m.K)" belongs to it.
   std::string_view take_unit() {
     const std::size_t begin = at_;
-    if (ended() || !(begins_name(text_[at_]) || text_[at_] == '%')) return {};
+    if (!begins_unit()) return {};
     while (!ended() && leading_blank(text_.substr(at_)) == 0) {
       if (sees('(') && std::string_view("./*").find(text_[at_ - 1]) != std::string_view::npos) {
         at_ = closing(at_);

@@ -165,15 +165,22 @@ bool product_after_slash(std::string_view unit) {
   return false;
 }
 
+// The denominator of a reciprocal such as "1/s"; any other unit as it is.
+std::string_view without_one(std::string_view unit) {
+  const bool reciprocal = unit.size() > 2 && unit.starts_with("1/") && is_letter(unit[2]);
+  return reciprocal ? unit.substr(2) : unit;
+}
+
 }  // namespace
 
 std::string unit_form_complaint(std::string_view unit) {
   constexpr std::size_t kLongestUnit = 60;
+  const std::string_view rest = without_one(unit);
   const bool starts_well =
-      !unit.empty() && (is_letter(unit[0]) || unit[0] == '%' || unit[0] == '(');
+      !rest.empty() && (is_letter(rest[0]) || rest[0] == '%' || rest[0] == '(');
   const bool shift =
       unit.find('@') != std::string_view::npos || unit.find(" from ") != std::string_view::npos;
-  if (unit.size() > kLongestUnit || !starts_well || shift || !numbers_are_exponents(unit)) {
+  if (unit.size() > kLongestUnit || !starts_well || shift || !numbers_are_exponents(rest)) {
     return "is not a unit";
   }
   if (product_after_slash(unit)) return "is ambiguous; put parentheses around the denominator";

@@ -20,12 +20,12 @@ namespace twum::studies {
 namespace {
 
 // Usual units, suggested for mistyped ones.
-constexpr std::array<std::string_view, 44> kUsualUnits{
+constexpr std::array<std::string_view, 45> kUsualUnits{
     "nm",     "um",     "mm",    "cm",   "m",      "Pa",    "kPa",    "MPa",     "GPa",
     "N",      "mN",     "kN",    "N.m",  "mN.m",   "N.cm",  "rpm",    "rad/s",   "Hz",
     "kHz",    "MHz",    "W",     "mW",   "kW",     "W/m^2", "kW/m^2", "W/cm^2",  "W/mm^2",
     "kg/m^3", "g/cm^3", "N.s/m", "Pa.s", "Pa.s^2", "deg",   "rad",    "rev/min", "N/mm^2",
-    "bar",    "s",      "ms",    "%",    "ohm",    "mH",    "nF",     "N/V"};
+    "bar",    "s",      "ms",    "%",    "ohm",    "mH",    "nF",     "N/V",     "1/s"};
 
 bool dimensionless(std::string_view unit) { return unit == "1"; }
 
