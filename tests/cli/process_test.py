@@ -7,6 +7,7 @@ import os
 import pty
 import select
 import signal
+import sqlite3
 import struct
 import subprocess
 import termios
@@ -114,6 +115,44 @@ class Interrupts(program.Case):
         self.assertEqual(process.wait(timeout=60), -signal.SIGTERM)
         for stream in (process.stdin, process.stdout, process.stderr):
             stream.close()
+
+    def test_a_study_that_cannot_be_written_in_time_says_how_far_it_came(self):
+        study = self.write("study.yaml", f"twum: 1\nmotor: {RING}\nstudy:\n  kind: sweep\n  variables: {{preload: {{min: 60 N, max: 300 N}}}}\n"
+                           "  sampling: lhs\n  samples: 5000000\n  metrics: [no_load_speed]\n")
+        folder = self.folder / "out"
+        folder.mkdir()
+        os.mkfifo(folder / "results.csv.part")  # nobody reads it, so that writing it takes for ever
+        for terminal in (False, True):
+            known = self.rows(folder)
+            ours, theirs = pty.openpty() if terminal else os.pipe()
+            process = subprocess.Popen([program.PROGRAM, "run", study, "-o", folder], stdout=theirs, stderr=theirs, env={**os.environ, "TERM": "xterm"})
+            os.close(theirs)
+            while process.poll() is None and self.rows(folder) == known:
+                time.sleep(0.01)
+            before, begin = self.rows(folder), time.monotonic()
+            process.send_signal(signal.SIGINT)
+            self.assertEqual(process.wait(60), 130)
+            took = time.monotonic() - begin
+            shown = b""
+            with contextlib.suppress(OSError):  # the other end is closed
+                while piece := os.read(ours, 65536):
+                    shown += piece
+            os.close(ours)
+            self.assertLess(took, 5)  # 0.8 s on an idle machine
+            last = shown.decode().replace("\r\n", "\n").rstrip("\n").split("\n")[-1]
+            self.assertRegex(last, r"^twum: interrupted after \d+ of 5000000 evaluations, before all result files were written; "
+                                   "the same command resumes the study$")
+            self.assertEqual(shown.count(b"twum:"), 1)
+            self.assertGreaterEqual(self.rows(folder), before)
+            self.assertEqual(int(last.split()[3]), self.rows(folder))
+
+    @staticmethod
+    def rows(folder):
+        try:
+            with contextlib.closing(sqlite3.connect(f"file:{folder / 'results.db'}?mode=ro", uri=True)) as connection:
+                return connection.execute("SELECT count(*) FROM evaluations").fetchone()[0]
+        except sqlite3.Error:
+            return 0
 
     def read_terminal(self, process, terminal, last):
         """What the terminal shows until the last words come."""

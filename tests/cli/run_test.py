@@ -344,8 +344,9 @@ class Processes(Run):
                 out, errors = process.communicate(timeout=600)
                 self.assertEqual(process.returncode, 130, errors)
                 self.assertIn(b"interrupted", out.splitlines()[0])
-                self.assertIn(b"resumes", errors)
                 summary = self.summary(name)
+                self.assertTrue(errors.endswith(b"\ntwum: interrupted after %d of %d evaluations; the same command resumes the study\n" %
+                                                (summary["evaluations"], LARGE)), errors)
                 self.assertEqual(summary["outcome"], "interrupted")
                 self.assertLess(summary["evaluations"], LARGE)
                 self.assertEqual((self.folder / name / "results.csv").read_text().count("\n"),

@@ -131,7 +131,7 @@ def after_signal(program, study, folder, chance, lasts):
     took = time.monotonic() - asked
     early = process.returncode == -number and not errors  # before the program listens
     assert early or process.returncode in ENDED or took > SOON, f"exit status {process.returncode}: {errors.decode(errors='replace')}"
-    return took, b"interrupted before the current step ended" in errors
+    return took, b"before all result files were written" in errors
 
 
 def solver_names(program):

@@ -4,9 +4,12 @@
 #include "exit_status.hpp"
 
 #include <unistd.h>
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstring>
 #include <ctime>
 
@@ -25,13 +28,62 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 timer_t patience;
 bool has_timer = false;
 
-// Handlers may call what POSIX lists as safe in them, such as these: write, _exit, signal, raise,
-// timer_settime, timer_gettime.
+// How far a study has come; read by a signal handler.
+std::atomic<bool> study_runs = false;
+std::atomic<std::uint64_t> evaluations_done = 0;
+std::atomic<std::uint64_t> evaluations_total = 0;  // 0: not known
+std::atomic<bool> total_is_budget = false;
+static_assert(std::atomic<std::uint64_t>::is_always_lock_free);
+bool errors_on_terminal = false;
+
+// A text of limited length, put together without functions that a signal handler must not call.
+class Line {
+ public:
+  Line& operator<<(const char* text) {
+    const std::size_t length = std::min(std::strlen(text), text_.size() - size_);
+    std::memcpy(text_.data() + size_, text, length);
+    size_ += length;
+    return *this;
+  }
+
+  Line& operator<<(std::uint64_t number) {
+    std::array<char, 24> digits{};
+    char* begin = digits.data() + digits.size() - 1;
+    do {
+      *--begin = static_cast<char>('0' + number % 10);
+      number /= 10;
+    } while (number > 0);
+    return *this << begin;
+  }
+
+  void print() const {
+    [[maybe_unused]] const ssize_t ignored = write(STDERR_FILENO, text_.data(), size_);
+  }
+
+ private:
+  std::array<char, 256> text_{};
+  std::size_t size_{0};
+};
+
+// Handlers may call what POSIX lists as safe in them: write, strlen, memcpy and those below.
+void say_study_interrupted(Line& line, bool written) {
+  line << "twum: interrupted after " << evaluations_done.load();
+  if (const std::uint64_t total = evaluations_total; total > 0)
+    line << (total_is_budget ? " of at most " : " of ") << total;
+  line << " evaluations" << (written ? "" : ", before all result files were written")
+       << "; the same command resumes the study\n";
+  line.print();
+}
+
 extern "C" void end_now(int /*signal*/) {
-  constexpr const char* kText =
-      "\ntwum: interrupted before the current step ended; the stored results of a study are kept, "
-      "and the same command resumes it\n";
-  [[maybe_unused]] const ssize_t ignored = write(STDERR_FILENO, kText, std::strlen(kText));
+  Line line;
+  if (errors_on_terminal) line << "\n";  // ends the line of the progress
+  if (study_runs) {
+    say_study_interrupted(line, false);
+  } else {
+    line << "twum: interrupted before the current step ended\n";
+    line.print();
+  }
   _exit(kInterrupted);
 }
 
@@ -70,6 +122,7 @@ void install_interrupt_handler() {
   handle(SIGALRM, end_now);
   handle(SIGINT, ask_to_stop);
   handle(SIGTERM, ask_to_stop);
+  errors_on_terminal = isatty(STDERR_FILENO) != 0;
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
 }
@@ -80,6 +133,19 @@ void ignore_interrupts() {
 }
 
 bool interrupted() noexcept { return stop_asked; }
+
+void note_study_progress(std::uint64_t done, std::uint64_t total, bool budget) noexcept {
+  evaluations_done = done;
+  evaluations_total = total;
+  total_is_budget = budget;
+  study_runs = true;
+}
+
+void say_study_interrupted(std::uint64_t done) {
+  evaluations_done = done;
+  Line line;
+  say_study_interrupted(line, true);
+}
 
 // A signal handler may not request a stop: it would have to take locks. So a thread looks after it.
 StopOnInterrupt::StopOnInterrupt()

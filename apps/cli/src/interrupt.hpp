@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <stop_token>
 #include <thread>
 
@@ -16,6 +17,14 @@ void ignore_interrupts();
 
 /// True once the program was asked to stop.
 bool interrupted() noexcept;
+
+/// Notes how far a study has come, for the message if the program ends before the study could be written.
+/// @param total   evaluations of the study, 0 if unknown
+/// @param budget  the total is a budget, which may not be used up
+void note_study_progress(std::uint64_t done, std::uint64_t total, bool budget) noexcept;
+
+/// Prints on standard error that a study was interrupted after so many evaluations, and how it is resumed.
+void say_study_interrupted(std::uint64_t done);
 
 /// Provides a stop token during its lifetime. A stop is requested soon after the program was asked to stop.
 class StopOnInterrupt {

@@ -72,7 +72,9 @@ studies::StudyResult run_with_progress(const studies::StudyFile& file, const std
   const StopOnInterrupt stop;
   options.stop = stop.token();
   Progress progress;
+  note_study_progress(0, 0, false);
   options.progress = [&](const studies::RunProgress& now) {
+    note_study_progress(now.done, now.total, now.budget);
     progress.show({now.done, now.fraction(), now.budget, now.stage, now.best});
   };
   return studies::run_study(file, directory, options);
@@ -112,8 +114,7 @@ int run_first(const StudyOptions& options, studies::RunOptions run) {
   output.finish();
   std::fprintf(stderr, "results: %s\n", directory.c_str());
   say_motor_files(result, directory);
-  if (result.outcome == "interrupted")
-    std::fprintf(stderr, "twum: interrupted; the same command resumes the study\n");
+  if (result.outcome == "interrupted") say_study_interrupted(result.evaluations);
   return status_of(result);
 }
 
