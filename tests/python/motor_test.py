@@ -122,6 +122,17 @@ class Answers(unittest.TestCase):
         for name in ("speed", "torque", "friction_power", "stick_fraction"):
             self.assertEqual([point[name] for point in printed["curve"]], list(getattr(curve, name)))
 
+    @unittest.skipUnless(PROGRAM, "the command is not built")
+    def test_a_curve_knows_where_its_motor_squeals(self):
+        seen = set()
+        for name in ("ring-60", "drive-60"):
+            path = ROOT / "examples/motors" / f"{name}.yaml"
+            printed = json.loads(program("curve", path, "--points", 21, "--format", "json").stdout)
+            squeals = twum.Motor(path).curve(points=21).squeals
+            self.assertEqual(squeals, [point["squeals"] for point in printed["curve"]])
+            seen |= set(squeals)
+        self.assertEqual(seen, {True, False, None})
+
     def test_the_data_sheet_is_that_of_the_command(self):
         motor = twum.Motor(ROOT / "examples/motors/drive-60.yaml")
         for options, given in (((), {}), (("--torque", "0.5 N.m"), {"torque": 0.5}), (("--speed", "100 rpm"), {"speed": "100 rpm"})):

@@ -9,6 +9,7 @@
 #include <twum/studies/text/words.hpp>
 
 #include <limits>
+#include <optional>
 
 namespace twum::python {
 namespace {
@@ -185,6 +186,21 @@ py::object curve_of(const py::object& self, const py::object& speeds, std::size_
   return attribute_of_results("Curve")(self, **columns);
 }
 
+// True, False or None for each speed.
+py::list squeals_of(const PyMotor& self, const py::object& speeds) {
+  const std::vector<double> at = to_speeds(speeds);
+  std::vector<std::optional<bool>> found;
+  {
+    const py::gil_scoped_release release;
+    for (const double speed : at)
+      found.push_back(studies::squeals(self.motor.design(), self.motor.backward_wave(speed)));
+  }
+  py::list list;
+  for (const std::optional<bool>& one : found)
+    list.append(one ? py::object(py::bool_(*one)) : py::object(py::none()));
+  return list;
+}
+
 py::object fields_of(const py::object& self, const py::object& speed, int samples) {
   const Motor& motor = py::cast<const PyMotor&>(self).motor;
   const ContactFields fields = motor.fields(to_speed(speed), samples);
@@ -245,6 +261,7 @@ void add_answers(Class& motor) {
             "curve(self, speeds=None, *, points=51)\n--\n\nTorque-speed curve: at the speeds "
             "given, or from rest "
             "to a little beyond no-load.");
+  motor.def("_squeals", &squeals_of, py::arg("speeds"));  // for Curve.squeals
   motor.def("fields", &fields_of, py::arg("speed"), py::arg("samples") = 400,
             "fields(self, speed, samples=400)\n--\n\nPressure, traction, displacement and "
             "velocities along one "

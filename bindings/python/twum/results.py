@@ -44,6 +44,11 @@ class Curve:
     dielectric_loss: np.ndarray | None = None  # [W]
     stator_loss: np.ndarray | None = None  # [W]
 
+    @property
+    def squeals(self) -> list[bool | None]:
+        """Whether the motor squeals at each speed; None where that is not known. Computed anew at each access."""
+        return self.motor._squeals(self.speed)
+
     def plot(self, axes=None):
         """Torque and output power over speed, with matplotlib; returns its axes."""
         from . import plot
