@@ -103,6 +103,30 @@ class Numbers(Designer):
                         # A peak or a threshold is found to 1e-9 of itself or of the motor's scale.
                         self.assertAlmostEqual(value, shown[metric], delta=1e-8 * max(abs(value), 1e-9), msg=metric)
 
+    def test_speeds_at_which_a_motor_squeals_are_marked_on_its_torque(self):
+        words = "[...document.querySelectorAll('.legend span')].filter(n => n.getClientRects().length).map(n => n.textContent)"
+        seen = set()
+        for name in MOTORS:
+            with self.subTest(name):
+                self.explore(name)
+                # The program's own points, which are as far apart as those of the page [rad/s].
+                points = json.loads(twum("curve", ROOT / "examples/motors" / f"{name}.yaml", "--points", 51, "--format", "json").stdout)["curve"]
+                speeds = [p["speed"] for p in points if p["squeals"]]
+                ranges = self.browser.value(f"{PANEL}.squeals.ranges")
+                self.assertEqual(bool(ranges), bool(speeds))
+                self.assertEqual("squeals" in self.browser.value(words), bool(speeds))
+                if speeds:
+                    self.assertAlmostEqual(ranges[0][0], speeds[0], delta=1e-9 * points[-1]["speed"])
+                    self.assertAlmostEqual(ranges[-1][1], speeds[-1], delta=1e-9 * points[-1]["speed"])
+                seen.add(bool(speeds))
+        self.assertEqual(seen, {True, False})
+        # They move with the motor.
+        self.explore("drive-60")
+        before = self.browser.value(f"{PANEL}.squeals.ranges")
+        self.set("preload", 120)
+        self.rest()
+        self.assertNotEqual(self.browser.value(f"{PANEL}.squeals.ranges"), before)
+
     def test_a_motor_saved_by_the_page_is_the_motor(self):
         for name in MOTORS:
             with self.subTest(name):

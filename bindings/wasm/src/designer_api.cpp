@@ -154,6 +154,14 @@ TWUM_EXPORT(curve) int curve(int points, double last) {
   });
 }
 
+/// Whether the motor squeals at a speed [rad/s]: 1, or 0 also where that is not known.
+TWUM_EXPORT(squeals) int squeals_at(double speed) {
+  return attempt([=] {
+    const auto squeals = studies::squeals(current().design(), current().backward_wave(speed));
+    return squeals.value_or(false) ? 1 : 0;
+  });
+}
+
 /// Metrics of the motor. The input has a metric, an argument (Argument) and its value for each; the output value and status.
 TWUM_EXPORT(metrics) int metrics(int count) {
   return attempt([=] {

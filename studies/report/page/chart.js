@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Charts by uPlot: engineering axes, marks, cursor by mouse, touch and arrow keys, zoom.
 
-import {colour, el, onTheme} from './dom.js';
-import {rounded} from './units.js';
+import {colour, el, onTheme, seriesColours} from './dom.js';
+import {rounded, rpm} from './units.js';
 
 const letters = 'px system-ui, "Liberation Sans", Arial, sans-serif';
 
@@ -339,3 +339,29 @@ export function logRange(arrays) {
 }
 
 export function scaled(values, divisor) { return Float64Array.from(values, (v) => v / divisor); }
+
+/**
+ * The parts of curves on which a motor squeals, as broad strokes below the lines.
+ * @param {number[][][]} list  of each of the first lines of the plot: [[first, last], ...], speeds [rad/s]
+ */
+export function drawSqueals(u, list) {
+  const {ctx, bbox} = u;
+  const ratio = devicePixelRatio;
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+  ctx.clip();
+  ctx.lineWidth = 10 * ratio;
+  ctx.setLineDash([]);
+  list.forEach((ranges, k) => ranges.forEach(([from, to]) => {
+    ctx.strokeStyle = colour(seriesColours[k % 7]) + '50';
+    ctx.beginPath();
+    u.data[0].forEach((x, i) => {
+      const y = u.data[k + 1][i];
+      if (y === null || x * rpm < from || x * rpm > to) return;
+      ctx.lineTo(u.valToPos(x, 'x', true), u.valToPos(y, 'y', true));
+    });
+    ctx.stroke();
+  }));
+  ctx.restore();
+}

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Torque, power and efficiency against speed, one curve or several over each other, and the fields under the cursor.
 
-import {paddedRange, scaled} from './chart.js';
+import {drawSqueals, paddedRange, scaled} from './chart.js';
 import {atTerminals, terminalColumns} from './data.js';
 import {card, colour, el, seriesColours, seriesDash} from './dom.js';
 import {fieldsSection} from './fields.js';
@@ -68,29 +68,6 @@ function curveMarks(curve, name, unit, full) {
       .map(([x, y, text]) => ({x: x / rpm, y: y / unit.divisor, text: full ? text : '', small: !full}));
 }
 
-/** The parts of curves on which a motor squeals, as broad strokes below the lines. */
-function drawSqueals(u, list) {
-  const {ctx, bbox} = u;
-  const ratio = devicePixelRatio;
-  ctx.save();
-  ctx.beginPath();
-  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
-  ctx.clip();
-  ctx.lineWidth = 10 * ratio;
-  ctx.setLineDash([]);
-  list.forEach((curve, k) => curve.squeals.forEach(([from, to]) => {
-    ctx.strokeStyle = colour(seriesColours[k % 7]) + '50';
-    ctx.beginPath();
-    u.data[0].forEach((x, i) => {
-      const y = u.data[k + 1][i];
-      if (y === null || x * rpm < from || x * rpm > to) return;
-      ctx.lineTo(u.valToPos(x, 'x', true), u.valToPos(y, 'y', true));
-    });
-    ctx.stroke();
-  }));
-  ctx.restore();
-}
-
 /** Series of curves; one with a `tint` has the colour of the curve of that number, and is dashed. */
 function seriesOf(list, names, name, speeds, unit) {
   return list.map((c, i) => ({
@@ -145,7 +122,7 @@ export function curvesChart(node, list, names, name, label, options = {}) {
     legend: entries.length ? entries : null,
     height: options.height ?? 300,
     y: {label: axisLabel(label, unit), range},
-    ground: (u) => squeals && drawSqueals(u, own),
+    ground: (u) => squeals && drawSqueals(u, own.map((c) => c.squeals)),
     front: (u, taken) => drawLimits(u, limits, taken),
     tell: told,
     buttons: options.buttons,

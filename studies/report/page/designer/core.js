@@ -120,6 +120,9 @@ export class Core {
         this.columns.map((name, k) => [name, Float64Array.from({length: points}, (_, i) => found[i * width + k])]));
   }
 
+  /** Whether the motor squeals at a speed; no also where that is not known. */
+  squeals(speed) { return this.call('squeals', speed) === 1; }
+
   /** @param {{metric: string, argument?: string, at?: number}[]} asked */
   ask(asked) {
     this.write(asked.flatMap(

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // The charts of the panel and what their colours mean.
 
-import {drawMarks} from '../chart.js';
+import {drawMarks, drawSqueals} from '../chart.js';
 import {legend} from '../dom.js';
 import {rpm} from '../units.js';
 
 import {drawLoad, drawRegions, LiveChart} from './charts.js';
+import {Squeals} from './squeals.js';
+
+/** Where the motor squeals, and what limits forbid, below the torque. */
+function drawBelowTorque(panel, u, shown) {
+  drawSqueals(u, [panel.squeals.ranges]);
+  drawRegions(u, shown, panel.state.view.limits);
+}
 
 /** The load and what was measured, over the torque. */
 function drawOnTorque(panel, u, shown) {
@@ -23,15 +30,17 @@ function torqueChart(panel, node) {
         unit: 'N.m',
         height: 300,
         lines: [{column: 'torque', name: 'torque', colour: 'c0'}],
-        ground: (u, shown) => shown.curve && drawRegions(u, shown, panel.state.view.limits),
+        ground: (u, shown) => shown.curve && drawBelowTorque(panel, u, shown),
         front: (u, shown) => drawOnTorque(panel, u, shown)
       },
       panel);
-  node.prepend(legend([
+  const key = legend([
     {name: 'torque', colour: 'c0'}, {name: 'load', colour: 'c6', kind: 'dash'},
-    {name: 'pinned motor: thin dashes', colour: 'soft', kind: 'dash'}
-  ]));
-  return chart;
+    {name: 'pinned motor: thin dashes', colour: 'soft', kind: 'dash'}, {name: 'squeals', colour: 'c0', kind: 'broad'}
+  ]);
+  node.prepend(key);
+  const squeals = new Squeals(panel, chart, /** @type {HTMLElement} */ (key.lastElementChild));
+  return {chart, squeals};
 }
 
 function powerChartOf(panel, node) {
@@ -59,8 +68,9 @@ function efficiencyChart(panel, node) {
 
 /** Torque, power and efficiency over speed; ofTerminals: the entry of the key that a motor without terminals hides. */
 export function motorCharts(panel, torque, power, efficiency) {
+  const {chart, squeals} = torqueChart(panel, torque);
   const last = efficiencyChart(panel, efficiency);
-  return {charts: [torqueChart(panel, torque), powerChartOf(panel, power), last.chart], ofTerminals: last.ofTerminals};
+  return {charts: [chart, powerChartOf(panel, power), last.chart], squeals, ofTerminals: last.ofTerminals};
 }
 
 export function zoneLegend() {

@@ -76,8 +76,9 @@ export class DesignerPanel {
   }
 
   buildCharts(torque, power, efficiency, wave, traction, velocity, section) {
-    const {charts, ofTerminals} = motorCharts(this, torque, power, efficiency);
+    const {charts, squeals, ofTerminals} = motorCharts(this, torque, power, efficiency);
     this.charts = charts;
+    this.squeals = squeals;
     this.ofTerminals = ofTerminals;
     this.wave = new WaveView(wave);
     this.fields = new FieldsView([traction, velocity]);
@@ -222,6 +223,7 @@ export class DesignerPanel {
     const slices = this.sketch ? {radial_slices: 1} : {};
     if (view.lock) solveLock(this, slices);
     this.now = this.core.motor(motor, slices);
+    this.squeals.forget();
     this.drawCurve(points);
   }
 
@@ -276,6 +278,7 @@ export class DesignerPanel {
       ...(whole ? [() => this.computeMetrics(false), ...(slow ? [() => this.drawCurve(curvePoints)] : [])] : []),
       () => this.limits.judge(),
       () => this.showNotes(),
+      ...this.squeals.tasks(),
       ...rows.map((row) => () => showBroken(this, row)),
     ];
     if (this.inAddress) history.replaceState(null, '', this.state.toHash());
