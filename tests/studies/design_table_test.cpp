@@ -79,7 +79,7 @@ TEST_CASE("a row that fails has empty metrics and a reason, and the others go on
         "100,,,\"line 3: 1 cell, the header has 2\"\n"
         "100,0.2,,\"line 4: 3 cells, the header has 2\"\n"
         "abc,0.2,,line 5: preload: 'abc' is not a number\n"
-        ",0.2,,line 6: preload: no number\n"
+        ",0.2,,line 6: preload: empty cell\n"
         "-5,0.2,,\"line 7: preload must be at least 0 N, but is -5 N\"\n"
         "nan,0.2,,line 8: preload: 'nan' is not a number\n"
         "\"100\",0.2,100,ok\n"

@@ -198,7 +198,7 @@ TEST_CASE("a study varies something, and a family one thing", "[studies][study][
         Lines{"study.variables: no variable; name at least one parameter"});
   CHECK(complaints("{kind: optimize, maximize: peak_power, variables: preload}").size() == 1);
   CHECK(complaints("{kind: curve, family: {}}") ==
-        Lines{"study.family: 0 parameters; a family is over one parameter"});
+        Lines{"study.family: 0 parameters; expected one: a family varies a single parameter"});
   CHECK(complaints("{kind: curve, family: preload}").size() == 1);
   CHECK(complaints("{kind: curve, family: {preload: [1 N]}}").empty());
 }

@@ -123,7 +123,7 @@ TEST_CASE("a cell that is quoted is read without its marks", "[studies][tables]"
     return out;
   };
   CHECK(result("\" 100 \"") == "\" 100 \",100,ok\n");
-  CHECK(result("\"\"") == "\"\",,line 2: preload: no number\n");
+  CHECK(result("\"\"") == "\"\",,line 2: preload: empty cell\n");
   CHECK(result("\"100") == "\"\"\"100\",,line 2: a quotation mark that cannot stand there\n");
 }
 
@@ -140,10 +140,10 @@ TEST_CASE("a file that cannot be read is an error with the reason", "[studies][c
 TEST_CASE("what is wrong with measured points is said at its place",
           "[studies][calibrate][error]") {
   CHECK(wrong_points("speed,torque\n1,0.5\n").empty());
-  CHECK(wrong_points("speed,torque\n1,\n") == Lines{"2:3: torque: no number; expected a number"});
+  CHECK(wrong_points("speed,torque\n1,\n") == Lines{"2:3: torque: empty cell; expected a number"});
   CHECK(wrong_points("speed [rpm],torque [mN.m]\nx, y\n") ==
-        Lines{"2:1: speed: 'x' is no number; expected a number of rpm",
-              "2:4: torque: 'y' is no number; expected a number of mN.m"});
+        Lines{"2:1: speed: 'x' is not a number; expected a number in rpm",
+              "2:4: torque: 'y' is not a number; expected a number in mN.m"});
   CHECK(wrong_points("speed,torque,weight\n1,0.5,0\n") ==
         Lines{"2:7: weight: '0'; must be more than 0; to ignore a point leave out its line"});
   CHECK(wrong_points("speed,torque [kg]\n").at(0).starts_with("1:7: torque: 'kg' is a mass"));

@@ -134,8 +134,8 @@ StatisticLimit parse_statistic_limit(std::string_view text) {
         "an upper limit of a " + std::string(kStatisticNames[static_cast<std::size_t>(*kind)]),
         "expected a lower one, such as 'yield >= 99 %'", sign);
   if (share && !(end > 0 && end < 1))
-    throw ValueError("a share of " + quoted(right), "must be between 0 and 100 %, ends excluded",
-                     place);
+    throw ValueError(quoted(right) + " is not a share of the motors",
+                     "must be more than 0 and less than 100 %", place);
   (comparison == ">=" ? limit.lower : limit.upper) = end;
   return limit;
 }

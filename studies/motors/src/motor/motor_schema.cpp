@@ -52,8 +52,8 @@ Shape<double> slices(const ParameterInfo& row) {
     if (number) return count.read(into, node, spot, diagnostics);
     diagnostics.add(node.mark, spot.path,
                     node.kind == YamlNode::Kind::scalar
-                        ? quoted(node.scalar) + " is no number of slices"
-                        : "no number of slices",
+                        ? quoted(node.scalar) + " is not a number of slices"
+                        : "not a number of slices",
                     "expected 'auto', or a whole number such as '8'");
     return false;
   };

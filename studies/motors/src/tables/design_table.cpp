@@ -189,7 +189,7 @@ bool DesignTable::read_values(std::size_t line, Scratch& scratch) const {
     const auto value = column.scale.read(cell);
     if (!value) {
       scratch.reason = at_line(line) + column.name +
-                       (cell.empty() ? ": no number" : ": " + quoted(cell) + " is not a number");
+                       (cell.empty() ? ": empty cell" : ": " + quoted(cell) + " is not a number");
       return false;
     }
     scratch.values.emplace_back(*column.parameter, *value);

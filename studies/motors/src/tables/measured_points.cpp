@@ -167,9 +167,9 @@ class PointReader {
     const auto value = column.scale.read(text);
     if (!value) {
       const std::string of =
-          column.unit.empty() ? "expected a number" : "expected a number of " + column.unit;
+          column.unit.empty() ? "expected a number" : "expected a number in " + column.unit;
       diagnostics_.add(mark, column.name,
-                       text.empty() ? "no number" : quoted(text) + " is no number", of);
+                       text.empty() ? "empty cell" : quoted(text) + " is not a number", of);
       return {};
     }
     const bool positive = column.role == ColumnRole::weight || column.role == ColumnRole::deviation;

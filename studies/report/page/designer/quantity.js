@@ -34,7 +34,7 @@ export function readQuantity(tables, text, unit, bare) {
   const found = /^\s*([+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/s.exec(text);
   const factors = unitFactors(tables, unit);
   if (!found)
-    return {value: NaN, error: 'is no number; expected one such as ' + (unit === '1' ? '0.3' : '1.5 ' + unit)};
+    return {value: NaN, error: 'is not a number; expected one such as ' + (unit === '1' ? '0.3' : '1.5 ' + unit)};
   const typed = plainUnit(found[2]);
   const factor = typed === '' ? bare : typed === '1' && unit === '1' ? 1 : factors[typed];
   if (factor === undefined)

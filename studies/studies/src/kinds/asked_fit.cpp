@@ -21,8 +21,8 @@ MeasuredPoints points_of(const std::string& path) {
     throw;
   } catch (const InputError& error) {
     throw InputError(std::string(error.what()) +
-                     "; expected measured points, from the folder of the study: a CSV file with "
-                     "the columns 'speed [rpm],torque [N.m]'");
+                     "; expected a CSV file of measured points with columns such as "
+                     "'speed [rpm],torque [N.m]'; its path starts in the folder of the study");
   }
 }
 

@@ -56,8 +56,11 @@ std::string combination_words(const CalibrateResult::Combination& combination) {
   std::string text;
   for (const CalibrateResult::Combination::Part& part : combination.parts) {
     const bool rises = part.percent > 0;
-    text += (text.empty() ? "" : " with ") + rising_words(part.name, rises) + " (" + part.name +
-            (rises ? " +" : " -") + rounded_text(std::fabs(part.percent), 2) + " %)";
+    text += (text.empty()                               ? ""
+             : text.find(" with ") == std::string::npos ? " with "
+                                                        : " and ") +
+            rising_words(part.name, rises) + " (" + part.name + (rises ? " +" : " -") +
+            rounded_text(std::fabs(part.percent), 2) + " %)";
   }
   return text;
 }

@@ -26,8 +26,8 @@ constexpr const char* kSweep =
 
 void check_family(const YamlNode& family, const Spot& spot, Diagnostics& diagnostics) {
   if (family.entries.size() == 1) return;
-  diagnostics.add(family.mark, spot.path, std::to_string(family.entries.size()) + " parameters",
-                  "a family is over one parameter");
+  diagnostics.add(family.mark, spot.path, counted(family.entries.size(), "parameter"),
+                  "expected one: a family varies a single parameter");
 }
 
 Shape<CurveStudy::Family> family_shape(const char* example) {
@@ -134,9 +134,9 @@ class SweepChecker {
       if (first == nullptr) first = &entry;
       if (entry.value.items.size() == first->value.items.size()) continue;
       diagnostics_.add({entry.value.mark, path_of(entry.key),
-                        std::to_string(entry.value.items.size()) + " values, but " + first->key +
+                        counted(entry.value.items.size(), "value") + ", but " + first->key +
                             " has " + std::to_string(first->value.items.size()),
-                        "the lists of sampling 'list' have one length; for all combinations take "
+                        "sampling 'list' needs lists of equal length; for all combinations use "
                         "sampling 'grid'",
                         first->value.mark, first->key + " given here"});
     }

@@ -68,8 +68,8 @@ void check_statistics(const std::vector<Tolerance>& tolerances,
   std::string path;
   const YamlNode* limit = first_statistic(given, path);
   if (limit != nullptr && spread == nullptr)
-    diagnostics.add(limit->mark, path, quoted(limit->scalar) + " without tolerances",
-                    "say how motors differ, such as 'tolerances: {preload: 3 %}'");
+    diagnostics.add(limit->mark, path, quoted(limit->scalar) + " needs tolerances",
+                    "add them to the study, such as 'tolerances: {preload: 3 %}'");
   if (spread == nullptr) return;
   if (limit == nullptr && statistics.empty())
     diagnostics.add(spread->mark, given.path("tolerances"), "tolerances without a statistic",

@@ -189,7 +189,8 @@ void check_per_file(const CalibrateStudy& study, const Given& given, Diagnostics
   for (const std::string& path : study.data)
     names.insert(std::filesystem::path(path).filename().string());
   if (study.data.size() < 2 || names.size() < study.data.size())
-    wrong(counted(names.size(), "name") + " of tables in 'data'",
+    wrong(study.data.size() < 2 ? "fewer than two tables in 'data'"
+                                : "equal names of tables in 'data'",
           "expected two tables or more, each with a name of its own");
   if (!study.derived.empty())
     wrong("beside 'derived'", "leave out one of them: a derived parameter has one value");

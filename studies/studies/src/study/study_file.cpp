@@ -111,8 +111,8 @@ void check_drive(const Study& study, const MotorDesign& motor, const YamlNode& r
                     "expected another parameter, such as voltage or preload");
   }
   if (motor.stator.voltage || (family && sweep->family->parameter == Parameter::voltage)) return;
-  diagnostics.add(root.find("motor")->mark, "motor", "a motor with an amplitude",
-                  "expected one with a voltage, whose wave follows from its frequency, such as "
+  diagnostics.add(root.find("motor")->mark, "motor", "the amplitude of this motor is given",
+                  "expected a motor with a voltage, whose wave follows from its frequency, such as "
                   "'twum init motor --driven' writes");
 }
 

@@ -9,9 +9,9 @@ namespace {
 
 constexpr const char* kIntroduction = R"text(# The study file
 
-A study file names a motor and says what is asked of it. `twum init KIND` writes one to start from, `twum check FILE`
-says everything that is wrong with one, `twum run FILE` runs it. This page is the output of
-`twum schema study --format markdown`; `twum schema study` is the same for editors, as JSON Schema.
+A study file names a motor and asks a question about it. `twum init KIND` writes a study file to start from,
+`twum check FILE` reports every error in it, and `twum run FILE` runs it. This page is the output of
+`twum schema study --format markdown`. `twum schema study` writes the same as JSON Schema, for editors.
 
 ```yaml
 twum: 1
@@ -28,10 +28,10 @@ study:
     - wear_intensity_at(80 rpm)
 ```
 
-Values carry units; a number without a unit is for a parameter without one. `NAME` stands for a [parameter](parameters.md), by name or
-symbol (below `choose`, for a name of your own); its values are quantities of its dimension within its range. Where a [metric](metrics.md) may stand, a parameter
-may too. `[]` stands for every item of a list. The third column is the default of an entry that is left out. Options of single
-solvers, below `solver: options:`, are on the page of the [solvers](solvers.md).
+Quantities carry their unit; a parameter without a unit has a number alone. `NAME` stands for a [parameter](parameters.md), by
+name or symbol; its values have its dimension and lie within its range. (Below `choose`, `NAME` is a name of your own.) Where a
+[metric](metrics.md) may stand, a parameter may too. `[]` stands for every item of a list. The third column is the default of an
+entry that is left out. The page of the [solvers](solvers.md) lists the options of each solver, which stand below `solver: options:`.
 
 )text";
 
@@ -40,11 +40,12 @@ constexpr const char* kSampling = R"text(
 | --- | --- |
 | `grid` | all combinations; the last variable changes fastest; `points` values of a range, both ends included |
 | `list` | the first values of all variables, then the second ones, ...; all lists have one length |
-| `lhs` | `samples` designs of a Latin hypercube: each of `samples` equal parts of every range is met once |
-| `sobol` | the first `samples` points of the Sobol sequence, shifted as the seed says |
+| `lhs` | `samples` designs of a Latin hypercube: every range is divided into `samples` equal parts, and each part holds one design |
+| `sobol` | the first `samples` points of the Sobol sequence, shifted by an amount that follows from the seed |
 
-On a logarithmic scale equal parts are those of the logarithm. `lhs` and `sobol` draw from a list of values, and whole
-numbers such as `wavelengths`, each with the same share (on a logarithmic scale, the whole number k has that of k to k + 1).
+On a logarithmic scale, equal parts are equal parts of the logarithm. From a list of values, or a range of whole numbers such as
+`wavelengths`, `lhs` and `sobol` draw each value equally often. On a logarithmic scale, the whole
+number k has the share of the range from k to k + 1.
 )text";
 
 // The entries below `study:` for one kind, without `kind`, which is the heading.

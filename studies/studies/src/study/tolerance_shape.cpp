@@ -104,7 +104,7 @@ bool check_entries(Shape_ shape, const Given& given, Diagnostics& diagnostics) {
     if (known || !has({"mean", "sd", "range", "below", "above", "min", "mode", "max"}, entry.key))
       continue;
     diagnostics.add(entry.key_mark, given.path(entry.key),
-                    "has no place in a " + std::string(to_string(shape)) + " distribution",
+                    "does not describe a " + std::string(to_string(shape)) + " distribution",
                     wanted(entries));
     good = false;
   }

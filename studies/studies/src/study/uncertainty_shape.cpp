@@ -16,7 +16,7 @@ bool check_uncertainty(UncertaintyStudy& study, const Given& given, Diagnostics&
   check_repeats(given, diagnostics);
   if (given.find("metrics") == nullptr && given.find("limits") == nullptr)
     diagnostics.add(given.node().mark, given.path("metrics"), "missing",
-                    "name metrics whose spread is asked for, or limits whose yield is");
+                    "give 'metrics' to compute their spread, or 'limits' to compute the yield");
   if (const YamlNode* list = given.right("quantiles")) {
     Repeats repeats(given.path("quantiles"), "leave one of them out", diagnostics);
     for (std::size_t i = 0; i < list->items.size(); ++i)
