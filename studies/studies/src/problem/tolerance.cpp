@@ -11,13 +11,17 @@ namespace {
 // than that would move mean and spread visibly away from those that were typed.
 constexpr double kMostCutOff = 0.01;
 
-// A relative spread has no meaning for a value of 0.
-std::optional<ValueError> share_of_nothing(const Tolerance& tolerance, double centre) {
+// A relative spread has no meaning for a value of 0. A whole number rounds it away, so that nothing would vary.
+std::optional<ValueError> meaningless_share(const Tolerance& tolerance, double centre) {
+  const bool whole = info(tolerance.parameter).integer;
   for (const std::optional<Spread>& spread :
        {tolerance.sd, tolerance.range, tolerance.below, tolerance.above}) {
-    if (spread && spread->relative && centre == 0)
-      return ValueError("a spread of " + about(100 * spread->amount) + " % of 0",
-                        "give it with a unit, or the mean");
+    if (!spread || !spread->relative || (centre != 0 && !whole)) continue;
+    const std::string share = "a spread of " + about(100 * spread->amount) + " % of ";
+    if (whole)
+      return ValueError(share + "a whole number",
+                        "give the numbers it may have: {distribution: uniform, min: 8, max: 10}");
+    return ValueError(share + "0", "give it with a unit, or the mean");
   }
   return {};
 }
@@ -68,7 +72,7 @@ Distribution Tolerance::distribution(double value) const {
 
 std::optional<ValueError> complaint(const Tolerance& tolerance, double value) {
   const double centre = tolerance.centre(value);
-  if (auto wrong = share_of_nothing(tolerance, centre)) return wrong;
+  if (auto wrong = meaningless_share(tolerance, centre)) return wrong;
   if (tolerance.shape == Tolerance::Shape::lognormal)
     if (auto wrong = lognormal_complaint(tolerance, centre)) return wrong;
   const double cut_off = tolerance.distribution(value).cut_off();
