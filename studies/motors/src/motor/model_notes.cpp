@@ -132,15 +132,25 @@ struct SquealSpeeds {
   double rate{0};      // largest, where it is known [1/s]
 };
 
+// Looks at equal distances; beyond the last that squeals, the end is found by halving.
 SquealSpeeds squeal_speeds(const Motor& motor, double no_load) {
-  constexpr int kLooks = 24;
+  constexpr int kLooks = 16;
+  constexpr int kHalvings = 10;  // leave 6e-5 of the no-load speed, about the last digit that is printed
   SquealSpeeds found;
-  for (int i = 0; i < kLooks; ++i) {
-    const double speed = no_load * i / kLooks;
+  const auto squeals_at = [&](double speed) {
     const BackwardWave wave = motor.backward_wave(speed);
-    if (!squeals(motor.design(), wave).value_or(false)) continue;
-    found = {speed, std::fmax(found.fed, wave.fed_damping),
+    if (!squeals(motor.design(), wave).value_or(false)) return false;
+    found = {std::fmax(found.fastest, speed), std::fmax(found.fed, wave.fed_damping),
              std::fmax(found.rate, wave.squeal_rate)};
+    return true;
+  };
+  const double step = no_load / kLooks;
+  for (int i = 0; i < kLooks; ++i) squeals_at(i * step);
+  if (found.fastest < 0) return found;
+  double quiet = found.fastest + step;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (found.fastest + quiet);
+    if (!squeals_at(middle)) quiet = middle;
   }
   return found;
 }
