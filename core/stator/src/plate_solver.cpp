@@ -112,8 +112,8 @@ double unit_eigenvalue(const std::vector<Segment>& segments) {
   return smallest / std::pow(segments.back().outer, 4);
 }
 
-// (P3.4), in which mu = sigma / (lambda + sigma) whatever the units: rounding is a share of the
-// largest mu, so that the lowest modes are the most accurate ones, and rigid-body modes, mu = 1, do no harm.
+// (P3.4). mu = sigma / (lambda + sigma) has no unit. Rounding is a share of the largest mu, so that the lowest modes are the
+// most accurate ones, and rigid-body modes, mu = 1, do no harm.
 Spectrum solve(const Mesh& mesh, const std::vector<Segment>& segments, int count) {
   using Spectra::DenseCholesky;
   using Spectra::DenseSymMatProd;

@@ -135,7 +135,7 @@ struct SquealSpeeds {
 // Looks at equal distances; beyond the last that squeals, the end is found by halving.
 SquealSpeeds squeal_speeds(const Motor& motor, double no_load) {
   constexpr int kLooks = 16;
-  constexpr int kHalvings = 10;  // leave 6e-5 of the no-load speed, about the last digit that is printed
+  constexpr int kHalvings = 10;  // leave 6e-5 of the no-load speed, a unit of the last digit shown
   SquealSpeeds found;
   const auto squeals_at = [&](double speed) {
     const BackwardWave wave = motor.backward_wave(speed);

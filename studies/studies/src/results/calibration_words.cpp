@@ -54,13 +54,12 @@ std::string rising_words(const std::string& parameter, bool rises) {
 
 std::string combination_words(const CalibrateResult::Combination& combination) {
   std::string text;
+  const char* joint = "";
   for (const CalibrateResult::Combination::Part& part : combination.parts) {
     const bool rises = part.percent > 0;
-    text += (text.empty()                               ? ""
-             : text.find(" with ") == std::string::npos ? " with "
-                                                        : " and ") +
-            rising_words(part.name, rises) + " (" + part.name + (rises ? " +" : " -") +
+    text += joint + rising_words(part.name, rises) + " (" + part.name + (rises ? " +" : " -") +
             rounded_text(std::fabs(part.percent), 2) + " %)";
+    joint = &part == &combination.parts.front() ? " with " : " and ";
   }
   return text;
 }
