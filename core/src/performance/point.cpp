@@ -17,6 +17,8 @@ using contact::LayerMotion;
 using contact::PeriodicStatus;
 
 constexpr double kRough = 1e-6;  // accuracy for which a track needs no splits
+// Accuracy that keeps all laws, for a guess that Newton's method has already led to the periodic state.
+constexpr double kConfirmed = 1e-13;
 
 PointStatus point_status(PeriodicStatus status) {
   switch (status) {
@@ -342,15 +344,16 @@ SolvedPoint solve_point(const DrivenMotor<double>& m, double speed, const WarmSt
 
 SolvedPoint solve_point_near(const DrivenMotor<double>& m, double speed, const SolvedPoint& near,
                              const WarmStart& guess) {
-  if (near.splits_.empty() || !near.has_pieces_of_splits(m)) return solve_point(m, speed, &guess);
+  if (near.splits_.empty() || !near.has_pieces_of_splits(m))
+    return solve_point(m, speed, &guess, kConfirmed);
   SolvedPoint point;
   point.splits_ = near.splits_;
-  point.solve_split(m, speed, layer_of(m, speed), &guess, 0);
-  return std::move(point).checked(m, speed, 0);
+  point.solve_split(m, speed, layer_of(m, speed), &guess, kConfirmed);
+  return std::move(point).checked(m, speed, kConfirmed);
 }
 
 SolvedPoint SolvedPoint::checked(const DrivenMotor<double>& m, double speed, double accuracy) && {
-  const bool lawful = accuracy > 0 ? std::isfinite(numbers.torque + numbers.stator_power)
+  const bool lawful = accuracy > kConfirmed ? std::isfinite(numbers.torque + numbers.stator_power)
                                    : keeps_laws(m, numbers, speed, lever(m));
   if (status == PointStatus::ok && !lawful) status = PointStatus::inaccurate;
   return std::move(*this);
