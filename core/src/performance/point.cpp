@@ -354,7 +354,7 @@ SolvedPoint solve_point_near(const DrivenMotor<double>& m, double speed, const S
 
 SolvedPoint SolvedPoint::checked(const DrivenMotor<double>& m, double speed, double accuracy) && {
   const bool lawful = accuracy > kConfirmed ? std::isfinite(numbers.torque + numbers.stator_power)
-                                   : keeps_laws(m, numbers, speed, lever(m));
+                                            : keeps_laws(m, numbers, speed, lever(m));
   if (status == PointStatus::ok && !lawful) status = PointStatus::inaccurate;
   return std::move(*this);
 }
