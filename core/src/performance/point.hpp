@@ -215,9 +215,11 @@ class SolvedPoint {
 SolvedPoint solve_point(const DrivenMotor<double>& motor, double speed,
                         const WarmStart* guess = nullptr, double accuracy = 0);
 
-/// The same where a point with nearly the same speed and wave is known: if its track is split, this one is split at the same
-/// radii, without a search for them.
-/// @param guess  as solve_point()
+/// The same where Newton's method has already led speed, wave and layer together to the point, so that only the proof is left:
+/// the state is accepted if a lap returns to it within 1e-13. A point of the branch is its use.
+/// @param near   a point with nearly the same speed and wave: if its track is split, this one is split at the same radii,
+///               without a search for them
+/// @param guess  the state that Newton's method has found; from a state that is farther off, laps follow until it is reached
 SolvedPoint solve_point_near(const DrivenMotor<double>& motor, double speed,
                              const SolvedPoint& near, const WarmStart& guess);
 

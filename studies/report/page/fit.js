@@ -186,7 +186,9 @@ function profileChart(name, estimate) {
   const rise = grid.map((b) => alongProfile(profile, b) ** 2);
   const linear = grid.map((b) => (slope * (b - value)) ** 2);
   const x = scaled(grid, unit.divisor);
-  const note = 'Rise of the least sum of squares with the value held; 1 at the ends of the interval.';
+  const beyond = low < grid[0] || high > grid[grid.length - 1];
+  const note = 'Rise of the least sum of squares with the value held; 1 at the ends of the interval. ' +
+      (beyond ? 'The interval goes on beyond the profile: the data allow other motors there.' : '');
   const node = card('Profile of ' + plain(name), note, 'half');
   figure(
       node, x,
@@ -202,7 +204,8 @@ function profileChart(name, estimate) {
         height: 240,
         ground: (u) => {
           const [from, to, level, foot] = [
-            ...[low, high].map((v) => u.valToPos(v / unit.divisor, 'x', true)),
+            ...[Math.max(low, grid[0]), Math.min(high, grid[grid.length - 1])].map(
+                (v) => u.valToPos(v / unit.divisor, 'x', true)),
             ...[1, 0].map((v) => u.valToPos(v, 'y', true))
           ];
           u.ctx.fillStyle = colour('band') + '55';

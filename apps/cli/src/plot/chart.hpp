@@ -12,7 +12,6 @@ namespace twum::cli {
 /// How the rows of a series are drawn, and what their columns are.
 enum class Draw : unsigned char {
   line,       ///< x, y
-  broad,      ///< x, y: below a line, for a part of it that has a property
   dashes,     ///< x, y
   steps,      ///< x, y
   dots,       ///< x, y

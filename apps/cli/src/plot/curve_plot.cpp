@@ -37,7 +37,8 @@ enum Column : int {
   kUpToLayer,
   kUpToStator,
   kUpToCeramic,
-  kSquealTorque  // NaN where the motor does not squeal
+  kSquealBelow,  // the band where the motor squeals; NaN where it does not
+  kSquealAbove
 };
 
 struct Mark {
@@ -97,7 +98,8 @@ std::vector<std::vector<double>> rows_of(const Motor& motor, double first, doubl
     rows.back().insert(rows.back().end(), stack.begin(), stack.end());
     const bool squeals =
         studies::squeals(motor.design(), motor.backward_wave(speed)).value_or(false);
-    rows.back().push_back(squeals ? p.torque : std::nan(""));
+    const double torque = squeals ? p.torque : std::nan("");
+    rows.back().insert(rows.back().end(), {torque, torque});
   }
   return rows;
 }
@@ -111,6 +113,19 @@ double largest(const std::vector<std::vector<double>>& rows, Column from, Column
     }
   }
   return size;
+}
+
+// Gives the band of squeals its width. True if the motor squeals at some speed.
+bool widen_squeals(std::vector<std::vector<double>>& rows) {
+  const double largest_torque = largest(rows, kTorque, kTorque);
+  bool any = false;
+  for (std::vector<double>& row : rows) {
+    const auto [below, above] = band_about(row[kSquealBelow - 1], largest_torque);
+    row[kSquealBelow - 1] = below;
+    row[kSquealAbove - 1] = above;
+    any = any || std::isfinite(above);
+  }
+  return any;
 }
 
 std::vector<Mark> marks_of(const Motor& motor, double first, double last) {
@@ -195,8 +210,9 @@ std::string torque_panel(const Picture& picture) {
   script += "plot ";
   if (picture.squeals) {
     script += "$curve using " + in_unit(kSpeed, picture.speed) + ":" +
-              in_unit(kSquealTorque, picture.torque) + " with lines linewidth 10 linecolor rgb '" +
-              colour::pale(colour::kBlue) + "' title 'squeals', ";
+              in_unit(kSquealBelow, picture.torque) + ":" + in_unit(kSquealAbove, picture.torque) +
+              " with filledcurves fillstyle solid 0.25 noborder fillcolor rgb '" + colour::kBlue +
+              "' title 'squeals', ";
   }
   return script + series(picture, kTorque, picture.torque, "", colour::kBlue, "1") + kEndOfPanel;
 }
@@ -268,7 +284,7 @@ std::string curve_plot(const studies::MotorFile& file, double first, double last
   Picture picture;
   picture.rows = rows_of(motor, first, last);
   picture.marks = marks_of(motor, first, last);
-  picture.squeals = largest(picture.rows, kSquealTorque, kSquealTorque) > 0;
+  picture.squeals = widen_squeals(picture.rows);
   picture.first = first;
   picture.last = last;
   picture.damped = modal_damping(file.design) > 0;

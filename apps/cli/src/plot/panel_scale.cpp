@@ -33,9 +33,8 @@ studies::DisplayUnit unit_of_axis(const Axis& axis, const Extent& ends) {
 }  // namespace
 
 const Form& form_of(Draw draw) {
-  static const std::array<Form, 11> kForms = {{
+  static const std::array<Form, 10> kForms = {{
       {{0}, {1}, {0, 1}, "lines linewidth 2"},
-      {{0}, {1}, {0, 1}, "lines linewidth 10"},
       {{0}, {1}, {0, 1}, "lines linewidth 1.6 dashtype 2"},
       {{0}, {1}, {0, 1}, "steps linewidth 2"},
       {{0}, {1}, {0, 1}, "points pointtype 7"},

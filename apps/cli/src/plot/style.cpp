@@ -5,8 +5,7 @@
 
 #include <twum/studies/text/words.hpp>
 
-#include <array>
-#include <cstdio>
+#include <algorithm>
 
 namespace twum::cli {
 namespace {
@@ -21,16 +20,6 @@ std::string with_unit(const std::string& quantity, const studies::DisplayUnit& u
 
 }  // namespace
 
-std::string colour::pale(const std::string& colour) {
-  std::array<char, 8> text{};
-  const unsigned long rgb = std::stoul(colour.substr(1), nullptr, 16);
-  const auto mixed = [&](int shift) {
-    return static_cast<unsigned>((3 * 255 + ((rgb >> shift) & 255)) / 4);
-  };
-  std::snprintf(text.data(), text.size(), "#%02X%02X%02X", mixed(16), mixed(8), mixed(0));
-  return text.data();
-}
-
 std::string plot_style(const std::string& title, int height) {
   return "set border 3 linewidth 1 linecolor rgb '#444444'\n"
          "set tics nomirror out scale 0.5\n"
@@ -40,6 +29,11 @@ std::string plot_style(const std::string& title, int height) {
          "set label 99 " +
          title + " at screen 0.03, screen " + plot_number(1 - 24.0 / height) +
          " left font 'Arial," + (title.size() > kLongTitle ? "12" : "15") + "' noenhanced\n";
+}
+
+std::array<double, 2> band_about(double value, double largest) {
+  const double half = 0.02 * largest;
+  return {value >= 0 ? std::max(value - half, 0.0) : value - half, value + half};
 }
 
 std::string motor_title(const studies::MotorFile& file) {

@@ -4,6 +4,7 @@
 #include <twum/studies/motor/motor_file.hpp>
 #include <twum/studies/units/engineering.hpp>
 
+#include <array>
 #include <string>
 
 namespace twum::cli {
@@ -15,14 +16,17 @@ inline constexpr const char* kVermilion = "#D55E00";
 inline constexpr const char* kGreen = "#009E73";
 inline constexpr const char* kOrange = "#E69F00";
 inline constexpr const char* kGrey = "#666666";
-/// A colour on paper with three quarters of white, of what stands below a line of this colour.
-std::string pale(const std::string& colour);
 }  // namespace colour
 
 /// Borders, tics, grid and key that all panels share, and the title of the whole picture.
 /// @param title   already quoted by plot_text()
 /// @param height  of the page [points]
 std::string plot_style(const std::string& title, int height = 860);
+
+/// A band about a point of a line that marks a part of the line. It does not reach below zero from above.
+/// @param largest  value of the line
+/// @returns its edges; NaN where the value is NaN
+std::array<double, 2> band_about(double value, double largest);
 
 /// The motor's name as a title, not too long for the page.
 std::string motor_title(const studies::MotorFile& file);

@@ -79,20 +79,24 @@ Panel panel_of(const std::vector<NamedMotor>& motors, const Quantity& quantity, 
 
 // The parts of the torque at which a motor squeals, below the lines.
 void add_squeals(Panel& panel, const std::vector<NamedMotor>& motors) {
-  std::vector<Series> broad;
+  double largest = 0;
+  for (const Series& series : panel.series)
+    for (const std::vector<double>& row : series.rows) largest = std::max(largest, row[1]);
+  std::vector<Series> bands;
   for (std::size_t i = 0; i < motors.size(); ++i) {
     const Motor& motor = motors[i].motor;
-    Series series{broad.empty() ? "squeals" : "", Draw::broad, colour::pale(colour_of(i)), {}};
+    Series band{bands.empty() ? "squeals" : "", Draw::band, colour_of(i), {}};
     bool any = false;
     for (const std::vector<double>& row : panel.series[i].rows) {
       const bool here =
           studies::squeals(motor.design(), motor.backward_wave(row[0])).value_or(false);
-      series.rows.push_back({row[0], here ? row[1] : studies::kNoValue});
+      const auto [below, above] = band_about(here ? row[1] : studies::kNoValue, largest);
+      band.rows.push_back({row[0], below, above});
       any = any || here;
     }
-    if (any) broad.push_back(std::move(series));
+    if (any) bands.push_back(std::move(band));
   }
-  panel.series.insert(panel.series.begin(), broad.begin(), broad.end());
+  panel.series.insert(panel.series.begin(), bands.begin(), bands.end());
 }
 
 // A limit as a point in the plane of speed and torque; nothing if it is none.
