@@ -63,13 +63,19 @@ KINDS = (flip, cut, duplicate, swap, zero)
 
 
 def killed_run(program, study, folder, lasts, chance):
-    """A run that is killed on its way, with rows in its log if it lasts long enough to have any."""
+    """A run that is killed on its way, with rows in its log if it lasts long enough to have any.
+
+    How long a run lasts is learned on the way, since the machine may have been busier before.
+    """
     for _ in range(50):
+        begin = time.monotonic()
         process = start(program, study, folder, jobs=1)
         try:
             process.wait(chance.uniform(0.5, 0.9) * lasts)
+            lasts = time.monotonic() - begin
         except subprocess.TimeoutExpired:
             process.kill()
+            lasts *= 1.05  # counts if it was too early
         process.communicate()
         if (folder / "results.db-wal").exists():
             return
