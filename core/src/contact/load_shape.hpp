@@ -48,13 +48,17 @@ S contact_angle_of(const S& peak) {
   return angle_of_versine(peak);
 }
 
-/// Load of such a contact in the units of load_shape(); its derivative in w is theta_L (W2.4).
-/// @{
-inline double load_of_peak(double peak) {
-  if (!(peak < 2)) return std::numbers::pi * (peak - 1);
+/// Load of such a contact in the units of load_shape(), and its derivative in w, which is theta_L (W2.4).
+struct LoadAndAngle {
+  double load, angle;
+};
+inline LoadAndAngle load_and_angle(double peak) {
   const double angle = contact_angle_of(peak);
-  return load_shape(angle, trig(angle));
+  return {peak < 2 ? load_shape(angle, trig(angle)) : std::numbers::pi * (peak - 1), angle};
 }
+/// The load alone.
+/// @{
+inline double load_of_peak(double peak) { return load_and_angle(peak).load; }
 template <typename T, int N>
 Dual<T, N> load_of_peak(const Dual<T, N>& peak) {
   return detail::chain(peak, T(load_of_peak(peak.v)), contact_angle_of(peak.v));

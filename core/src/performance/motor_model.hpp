@@ -95,8 +95,6 @@ struct DrivenMotor : MotorModel<S>, Slice<S> {
   S indentation;                  ///< of the layer by the crest at the mean radius (W2.1) [m]
   std::vector<Piece<S>> pieces;   ///< of the track, that touch
   std::vector<Slice<S>> annulus;  ///< nodes of the pieces; empty: all at the mean radius
-  std::vector<Slice<S>>
-      edges;  ///< of an annulus, those that touch: no part of a sum, but the first to stick
 
   /// What the motor's numbers are sums over.
   std::span<const Slice<S>> slices() const {

@@ -297,7 +297,8 @@ static double gained(const contact::LayerState<double>& slope,
 
 std::optional<NewtonTurn> SolvedPoint::newton_turn(const DrivenMotor<double>& m, double speed,
                                                    const WarmStart& entry,
-                                                   const MovingStates& states) const {
+                                                   const MovingStates& states,
+                                                   const SolvedPoint& other) const {
   const PointSlices slices(m, splits_);
   if (special || is_trivial(m) || slices.size() != size() || entry.size() != size() ||
       states.size() != size())
@@ -305,13 +306,15 @@ std::optional<NewtonTurn> SolvedPoint::newton_turn(const DrivenMotor<double>& m,
   const LayerMotion<double> layer = layer_of(m, speed);
   NewtonTurn turn{{}, entry, 0};
   contact::Lap<double> lap;
+  const bool either = other.size() == size();
   for (std::size_t k = 0; k < size(); ++k) {
     WarmStart::Entry& at = turn.next.of_slice(k);
     const Slice<double>& s = slices[k];
     const contact::ContactNumbers<double> n = contact_numbers(m, s, speed);
-    if (slice(k).locked || n.full ||
-        !contact::follow_lap(n, layer, at, slice(k).state.lap.sequence, lap))
-      return {};
+    const auto follows = [&](const SolvedSlice& zones) {
+      return !zones.locked && contact::follow_lap(n, layer, at, zones.state.lap.sequence, lap);
+    };
+    if (n.full || !(follows(slice(k)) || (either && follows(other.slice(k))))) return {};
     const double gap = contact::distance(layer, at.layer, lap.next.layer);
     turn.gap = std::fmax(turn.gap, gap / (n.static_ * n.peak));
     const contact::StateSlopes& moves = states[k];

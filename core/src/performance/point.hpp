@@ -150,8 +150,10 @@ class SolvedPoint {
   /// states to which its gaps lead (E6.2). It takes a fifth of the work of solve_point() and proves nothing. Nothing if the
   /// zones differ there, or if there are none to follow.
   /// @param states  how the states move near it; of as many slices as there are here
+  /// @param other   another point nearby, for slices that no longer have the zones that they have here
   std::optional<NewtonTurn> newton_turn(const DrivenMotor<double>& motor, double speed,
-                                        const WarmStart& entry, const MovingStates& states) const;
+                                        const WarmStart& entry, const MovingStates& states,
+                                        const SolvedPoint& other) const;
 
   /// The numbers with derivatives in kModelParameters and the speed; S is ModelDual or ModelDual2. The contact is
   /// differentiated in its own seven numbers and chained.

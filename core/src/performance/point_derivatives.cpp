@@ -2,6 +2,7 @@
 #include "performance/point_derivatives.hpp"
 
 #include "contact/slip_margin.hpp"
+#include "performance/track.hpp"
 
 #include <cmath>
 #include <limits>
@@ -246,7 +247,7 @@ ModelDual plateau_margin_derivative(const DrivenMotor<ModelDual>& motor, double 
 }
 
 double track_plateau_end(const DrivenMotor<double>& m, double end) {
-  for (const Slice<double>& edge : m.edges) {
+  for (const Slice<double>& edge : edges_of(m)) {
     if (!(margin_in(m, edge, 0).value > 0)) return 0;
     if (margin_in(m, edge, end).value < 0) end = sticking_speed(m, edge, end);
   }
@@ -254,7 +255,7 @@ double track_plateau_end(const DrivenMotor<double>& m, double end) {
 }
 
 ModelDual edge_margin_derivative(const DrivenMotor<ModelDual>& m, double end) {
-  return first_margin(m, m.edges, end);
+  return first_margin(m, edges_of(m), end);
 }
 
 #define TWUM_INSTANTIATE(S)                                                           \

@@ -18,24 +18,26 @@ using std::numbers::pi;
 using RadiusDual = Dual<double, 1>;
 
 constexpr int kMostNewtonSteps = 200;
+// of the distance from lift-off. What a step leaves is a quarter of its square, and 1e-5 of it, as the slope leaves out how
+// nodes move
+constexpr double kLastStep = 1e-11;
+constexpr double kQuadrature = 1e-6;  // of the force, more than its nodes leave
 
 // The indentation that carries the preload, by Newton's method in a bracket: the force rises strictly and is convex but for
 // full contact, where it is linear.
 double indentation_of(const DrivenMotor<double>& m) {
   const Track<double> track(m);
-  const double stiffness = 2 * pi * m.r * m.b * m.youngs / m.thickness;
-  double low = track.lift_off();
+  const double lift_off = track.lift_off();
+  const double rigid = m.preload * m.thickness / (2 * pi * m.r * m.b * m.youngs);
   // In full contact the mean indentation tells the force; elsewhere the layer only pushes more.
-  double high =
-      std::max(low, m.amplitude + m.preload / stiffness + m.slope * m.b * m.b / (12 * m.r));
-  while (track.axial_force(high) < m.preload) high += (high - low) + m.preload / stiffness;
+  const double most = std::max(lift_off, m.amplitude + rigid + m.slope * m.b * m.b / (12 * m.r));
+  double low = lift_off, high = most + kQuadrature * (most - lift_off + rigid);
   double depth = std::clamp(m.amplitude * m.peak, low, high);
   for (int i = 0; i < kMostNewtonSteps; ++i) {
-    const RadiusDual force = track.axial_force(RadiusDual::variable(depth, 0));
-    if (force.v == m.preload) break;
-    (force.v < m.preload ? low : high) = depth;
-    const double step = -(force.v - m.preload) / force.d[0];
-    if (std::fabs(step) <= 1e-16 * std::fabs(depth)) break;  // less than rounding of the depth
+    const auto [force, slope] = track.force_and_slope(depth);
+    const double step = (m.preload - force) / slope;
+    if (std::fabs(step) <= kLastStep * (depth - lift_off)) return depth + step;
+    (force < m.preload ? low : high) = depth;
     const double next = depth + step;
     depth = next > low && next < high ? next : 0.5 * (low + high);
     if (!(low < depth && depth < high)) break;
@@ -225,12 +227,19 @@ DrivenMotor<S> over_annulus(DrivenMotor<S> m) {
   static_cast<Slice<S>&>(m) = slice_at(m, m.r, m.b);
   m.pieces = Track<S>(m).pieces(m.indentation);
   m.annulus = annulus_of<S>(m, {});
-  for (const S& radius : {S(m.r - 0.5 * m.b), S(m.r + 0.5 * m.b)}) {
-    Slice<S> edge = slice_at(m, radius, m.b);
-    if (value_of(edge.contact.half_angle) > 0) m.edges.push_back(std::move(edge));
-  }
   m.lever = lever_of<S>(m.annulus, m.preload);
   return m;
+}
+
+template <typename S>
+std::vector<Slice<S>> edges_of(const DrivenMotor<S>& m) {
+  std::vector<Slice<S>> edges;
+  if (m.annulus.empty()) return edges;
+  for (const S& radius : {S(m.r - 0.5 * m.b), S(m.r + 0.5 * m.b)}) {
+    Slice<S> edge = slice_at(m, radius, m.b);
+    if (value_of(edge.contact.half_angle) > 0) edges.push_back(std::move(edge));
+  }
+  return edges;
 }
 
 template <typename S>
@@ -258,6 +267,7 @@ S pressure_nonuniformity(const DrivenMotor<S>& m) {
   template Slice<S> slice_at(const DrivenMotor<S>&, const S&, const S&);                    \
   template std::vector<Slice<S>> annulus_of(const DrivenMotor<S>&, std::span<const Split>); \
   template DrivenMotor<S> over_annulus(DrivenMotor<S>);                                     \
+  template std::vector<Slice<S>> edges_of(const DrivenMotor<S>&);                           \
   template S largest_pressure(const DrivenMotor<S>&);                                       \
   template S pressure_nonuniformity(const DrivenMotor<S>&);
 TWUM_FOR_EACH_MODEL_SCALAR(TWUM_INSTANTIATE)

@@ -3,6 +3,8 @@
 
 #include "performance/motor_model.hpp"
 
+#include <type_traits>
+
 namespace twum::performance {
 
 /// R - 1 of a mode (P8.1): the polynomial through its values at kShapePoints that vanishes at the middle of the track.
@@ -27,6 +29,8 @@ R shape_excess(const MotorModel<S>& m, const R& radius) {
   if (m.track.table) return m.track.table->at(radius) / m.track.table->at(m.r) - 1.0;
   using std::expm1, std::log1p;
   const auto& [exponent, root, unused, none] = m.shape_numbers;
+  if constexpr (std::is_same_v<S, double>)
+    if (exponent == 0) return R(0.0);
   const R along = (radius - m.r) / (m.r - root);
   return expm1(R(exponent * log1p(along)));
 }
@@ -41,6 +45,10 @@ R crest_rise(const DrivenMotor<S>& m, const R& radius) {
 /// is that at the mean radius.
 template <typename S>
 Slice<S> slice_at(const DrivenMotor<S>& m, const S& radius, const S& width);
+
+/// Those edges of an annulus that touch: no part of a sum, but the first slices to stick.
+template <typename S>
+std::vector<Slice<S>> edges_of(const DrivenMotor<S>& m);
 
 /// Largest pressure p(0) over the track (W5.1) [Pa].
 template <typename S>

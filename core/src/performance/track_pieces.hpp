@@ -112,6 +112,28 @@ class Track {
     return force;
   }
 
+  /// The same with its slope over the indentation, E theta_L / h over the track (W2.4), as if the nodes did not move with
+  /// the ends of the pieces.
+  struct ForceAndSlope {
+    double force, slope;  ///< [N], [N/m]
+  };
+  ForceAndSlope force_and_slope(double indentation) const {
+    ForceAndSlope sum{0, 0};
+    const auto add = [&](double radius, double width) {
+      const double excess = shape_excess(values_, radius);
+      const double amplitude = values_.amplitude * (1 + excess);
+      const double crest =
+          indentation + values_.amplitude * excess - (radius - values_.r) * values_.slope;
+      const contact::LoadAndAngle at = contact::load_and_angle(crest / amplitude);
+      const double stiffness = 2 * radius * width * values_.youngs / values_.thickness;
+      sum.force += stiffness * amplitude * at.load;
+      sum.slope += stiffness * at.angle;
+    };
+    for (const Piece<double>& piece : pieces(indentation))
+      for_each_node(piece, std::max(m_.track.nodes, kLeastNodes), add);
+    return sum;
+  }
+
   /// The stretches that touch.
   template <typename R>
   std::vector<Piece<R>> pieces(const R& indentation) const {

@@ -122,7 +122,7 @@ TEST_CASE("one turn from a state nearby leads to the periodic state and its bala
     bool followed = true;
     for (const double share : {1e-3, 1e-4}) {
       const WarmStart start = moved(point.start(), at.states, share * a);
-      const auto turn = point.newton_turn(waves.motor(a), speed, start, at.states);
+      const auto turn = point.newton_turn(waves.motor(a), speed, start, at.states, point);
       if (!turn) {
         followed = false;
         break;

@@ -114,12 +114,13 @@ RunningBranch::NodeSearch RunningBranch::node(double speed, double guess,
 // Newton's method for H(A) = Theta u_0 and the layer's states together, one turn of the wave a step, with the slopes of the
 // nodes: they are off by a small share, of which the last two steps tell how much they leave. Nothing unless that is quick.
 std::optional<BranchWave> RunningBranch::followed(double speed, const BranchGuess& guess,
-                                                  const SolvedPoint& near) const {
+                                                  const SolvedPoint& near,
+                                                  const SolvedPoint& other) const {
   if (!(guess.force_slope > 0)) return {};
   double a = guess.amplitude, last = 0;
   WarmStart from = guess.start;
   for (int i = 0; i < kMostFollowed; ++i) {
-    const auto turn = near.newton_turn(waves_.motor(a), speed, from, guess.states);
+    const auto turn = near.newton_turn(waves_.motor(a), speed, from, guess.states, other);
     if (!turn) return {};
     const double excess = waves_.balance(turn->numbers, a).force() - waves_.drive();
     const double step = -excess / guess.force_slope;
@@ -284,18 +285,19 @@ bool RunningBranch::balances(const MotorPoint& p) const {
          std::fabs(force - waves_.drive()) <= kBalanced * waves_.drive();
 }
 
-// The wave that turns through the zones of a point nearby lead to. Only its own contact can tell whether its zones are these.
+// The wave that turns through the zones of two points nearby lead to. Only its own contact can tell whether its zones are these.
 std::optional<MotorPoint> RunningBranch::proven(double speed, const BranchGuess& guess,
-                                                const SolvedPoint& near) const {
-  const auto wave = followed(speed, guess, near);
+                                                const SolvedPoint& near,
+                                                const SolvedPoint& other) const {
+  const auto wave = followed(speed, guess, near, other);
   if (!wave) return {};
   const DrivenMotor<double> motor = waves_.motor(wave->amplitude);
   MotorPoint point{motor, solve_point_near(motor, speed, near, wave->start)};
   return balances(point) ? std::optional(std::move(point)) : std::nullopt;
 }
 
-// Through the zones of the nearer node, else of the other; as splits move with the speed, a track that is split has those of
-// the guess itself, and its own slopes where the nodes have other slices.
+// Through the zones of the nearer node, or of the other for slices with other zones; as splits move with the speed, a track
+// that is split has those of the guess itself, and its own slopes where the nodes have other slices.
 std::optional<MotorPoint> RunningBranch::between(const Node& a, const Node& b, double speed) const {
   BranchGuess guess = guess_between(a, b, speed);
   if (waves_.splits()) {
@@ -303,11 +305,12 @@ std::optional<MotorPoint> RunningBranch::between(const Node& a, const Node& b, d
     guess.start = near.start();
     if (guess.states.size() != guess.start.size() && near.status == PointStatus::ok)
       guess.states = waves_.moving(near, guess.amplitude, speed).states;
-    if (auto point = proven(speed, guess, near)) return point;
+    if (auto point = proven(speed, guess, near, near)) return point;
   } else {
     const bool first = speed - a.speed < b.speed - speed;
-    if (auto point = proven(speed, guess, (first ? a : b).solved)) return point;
-    if (auto point = proven(speed, guess, (first ? b : a).solved)) return point;
+    const SolvedPoint &near = (first ? a : b).solved, &other = (first ? b : a).solved;
+    if (auto point = proven(speed, guess, near, other)) return point;
+    if (auto point = proven(speed, guess, other, near)) return point;
   }
   if (const auto wave = polished(speed, guess.amplitude, guess.force_slope, guess.start))
     return solved(*wave);
