@@ -108,9 +108,9 @@ TEST_CASE("a wrong header is refused with all that is wrong", "[studies][tables]
   CHECK_THROWS_WITH(result_of("id,colour\n", "preload"),
                     Catch::StartsWith("t.csv:1: no column is a parameter; name"));
   CHECK_THROWS_WITH(result_of("thickness;preload\n", "preload"),
-                    "t.csv:1: one column; columns are separated by commas");
+                    "t.csv:1: only one column; separate columns with commas");
   CHECK_THROWS_WITH(result_of("preload [N];amplitude [um]\n", "preload"),
-                    "t.csv:1: one column; columns are separated by commas");
+                    "t.csv:1: only one column; separate columns with commas");
   CHECK_THROWS_WITH(result_of("\"thickness\" x,preload\n", "preload"),
                     Catch::Contains("quotation mark"));
 }

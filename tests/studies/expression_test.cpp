@@ -21,7 +21,7 @@ struct Bad {
 };
 
 const Bad kBad[] = {
-    {"", 0, "nothing; expected a metric such as 'stall_torque' or 'torque_at(100 rpm)'"},
+    {"", 0, "empty; expected a metric such as 'stall_torque' or 'torque_at(100 rpm)'"},
     {"stal_torque", 0, "unknown metric 'stal_torque'; did you mean 'stall_torque'?"},
     {"preloda", 0, "unknown metric 'preloda'; did you mean 'preload'?"},
     {"beauty", 0,
@@ -36,7 +36,7 @@ const Bad kBad[] = {
      "speed_at: '100 rpm' is an angular speed [rad/s]; expected a torque [N.m] such as '0.5 N.m'"},
     {"torque_at(100)", 13,
      "torque_at: '100' has no unit; expected an angular speed [rad/s] such as '100 rpm'"},
-    {"torque_at()", 10, "torque_at: nothing; expected an angular speed [rad/s] such as '100 rpm'"},
+    {"torque_at()", 10, "torque_at: empty; expected an angular speed [rad/s] such as '100 rpm'"},
     {"torque_at(100 rpm", 17, "'torque_at(100 rpm' has no ')'; close the parenthesis"},
     {"torque_at(100 rpm) + 1", 19,
      "'torque_at(100 rpm)' is a torque [N.m], but '1' is a number without unit; '+' needs the same "

@@ -99,9 +99,11 @@ TEST_CASE("a wrong constraint says where, what and what would be right",
   CHECK(complaint("stal_torque >= 1 N.m") ==
         "0: unknown metric 'stal_torque'; did you mean 'stall_torque'?");
   CHECK(complaint("stall_torque >=") ==
-        "15: nothing; expected a metric such as 'stall_torque' or 'torque_at(100 rpm)'");
+        "15: a part of the limit is empty; expected a metric or a quantity such as 'stall_torque' "
+        "or '0.8 N.m'");
   CHECK(complaint(">= 1 N.m") ==
-        "0: nothing; expected a metric such as 'stall_torque' or 'torque_at(100 rpm)'");
+        "0: a part of the limit is empty; expected a metric or a quantity such as 'stall_torque' "
+        "or '0.8 N.m'");
   CHECK(complaint("1 N >= 2 N") ==
         "4: '1 N >= 2 N' has no metric or parameter in it; expected a limit such as 'stall_torque "
         ">= 0.8 N.m'");

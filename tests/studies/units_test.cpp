@@ -117,7 +117,7 @@ const Bad kBad[] = {
     {"1e999 m", "m", "'1e999 m' is beyond the range of numbers; expected a length [m] such as 'x'"},
     {"1e308 km", "m",
      "'1e308 km' is beyond the range of numbers; expected a length [m] such as 'x'"},
-    {"", "m", "nothing; expected a length [m] such as 'x'"},
+    {"", "m", "empty; expected a length [m] such as 'x'"},
     {"m", "m", "'m' is not a number; expected a length [m] such as 'x'"},
     {"3 m^999", "m", "'3 m^999': 'm^999' is not a unit; expected a length [m] such as 'x'"},
     {"3 m^", "m", "'3 m^': unknown unit 'm^'; expected a length [m] such as 'x'"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "formats.hpp"
 
+#include "options.hpp"
 #include "terminal.hpp"
 
 #include <twum/studies/tables/csv.hpp>
@@ -37,7 +38,7 @@ void add_output_options(CLI::App& command, OutputOptions& options,
       command
           .add_option("--format", options.format,
                       "Format of the result (default: by the ending of the file, else a table)")
-          ->check(CLI::IsMember(formats))
+          ->check(one_of(formats))
           ->type_name(names);
   command
       .add_option_function<std::string>(

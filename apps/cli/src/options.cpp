@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <charconv>
 
 namespace twum::cli {
@@ -45,7 +46,7 @@ void add_branch_option(CLI::App& command, MotorOptions& options) {
           "--branch", options.branch,
           "Which stable wave of a motor under a voltage: the large one of a running motor, or "
           "the small one that does not turn the rotor")
-      ->check(CLI::IsMember(std::vector<std::string>{"running", "dead"}))
+      ->check(one_of({"running", "dead"}))
       ->type_name("running|dead");
 }
 
@@ -59,6 +60,15 @@ studies::MotorFile load_motor(const MotorOptions& options) {
         "of waves");
   motor.design.stator.branch = options.branch == "dead" ? Branch::dead : Branch::running;
   return motor;
+}
+
+CLI::Validator one_of(const std::vector<std::string>& words) {
+  const auto check = [words](const std::string& text) -> std::string {
+    const std::vector<std::string_view> known(words.begin(), words.end());
+    if (std::find(known.begin(), known.end(), text) != known.end()) return {};
+    return studies::quoted(text) + " is not known here; " + studies::did_you_mean(text, known);
+  };
+  return {check, CLI::IsMember(words).get_description(), "one_of"};
 }
 
 std::size_t parse_count(const std::string& option, const std::string& text, std::size_t least,

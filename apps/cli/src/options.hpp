@@ -8,7 +8,8 @@
 
 namespace CLI {
 class App;
-}
+class Validator;
+}  // namespace CLI
 
 namespace twum::cli {
 
@@ -26,6 +27,9 @@ void add_set_option(CLI::App& command, std::vector<std::string>& settings);
 /// The motor file with the settings and the branch applied.
 /// @throws InputError also for a branch of a motor without a voltage
 studies::MotorFile load_motor(const MotorOptions& options);
+
+/// A check that accepts only some words; its message names the word that was probably meant, or all of them.
+CLI::Validator one_of(const std::vector<std::string>& words);
 
 /// A whole number given to an option.
 /// @throws InputError naming the option and the range.

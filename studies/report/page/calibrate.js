@@ -140,9 +140,11 @@ export function calibratePage() {
   const line = ([n, e]) =>
       [named(n), quantity(e.value, unitOf(n)), quantity(e.low, unitOf(n)), quantity(e.high, unitOf(n)),
        ...(held ? [words(e.remark, 'bad-word')] : [])];
-  card('Estimates', percent(summary.confidence) + ' intervals.', 'half')
+  // Remarks, and the correlations of many parameters, need the whole width of the page.
+  const width = held || list.length > 4 ? 'wide' : 'half';
+  card('Estimates', 'With intervals of ' + percent(summary.confidence) + '.', width)
       .append(table('estimates', ['parameter', 'value', 'low', 'high', ...(held ? ['remark'] : [])], list.map(line)));
-  card('Correlation of the estimates', 'Near 1 or -1: the data tell only a combination.', 'half')
+  card('Correlation of the estimates', 'Near 1 or -1 the data hardly tell the two parameters apart.', width)
       .append(correlationTable());
   profileCharts();
   residualCards();

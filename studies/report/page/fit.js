@@ -187,8 +187,9 @@ function profileChart(name, estimate) {
   const linear = grid.map((b) => (slope * (b - value)) ** 2);
   const x = scaled(grid, unit.divisor);
   const beyond = low < grid[0] || high > grid[grid.length - 1];
-  const note = 'Rise of the least sum of squares with the value held; 1 at the ends of the interval. ' +
-      (beyond ? 'The interval goes on beyond the profile: the data allow other motors there.' : '');
+  const note =
+      'How much the smallest sum of squares rises if this parameter is fixed at a value. It is 1 at the ends of the interval. ' +
+      (beyond ? 'The interval is wider than the profile: beyond it other motors fit the data.' : '');
   const node = card('Profile of ' + plain(name), note, 'half');
   figure(
       node, x,

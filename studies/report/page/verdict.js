@@ -293,7 +293,7 @@ function calibrateVerdict() {
                                                 engineering(summary.residual_rms, unitOf('residual_rms'), 3);
   const lines = [
     sentence(fitWords[summary.outcome] || 'The search stopped short, at ', bold(said), '.'),
-    sentence('What is left between motor and points: ' + left + ' (root mean square).')
+    sentence('The residuals between motor and points are ' + left + ' (root mean square).')
   ];
   if ((summary.notes || []).length) lines.push(bullets(summary.notes));
   const doubtful = summary.outcome !== 'fitted' || entries.some(([, e]) => e.remark);

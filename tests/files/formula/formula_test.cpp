@@ -115,8 +115,8 @@ TEST_CASE("sides of different dimension are both named", "[files][formula][error
 }
 
 TEST_CASE("what is no formula is refused at its place", "[files][formula][error]") {
-  CHECK(refusal("") == "0: nothing; expected a name");
-  CHECK(refusal("x +") == "3: nothing; expected a name");
+  CHECK(refusal("") == "0: empty; expected a name");
+  CHECK(refusal("x +") == "3: ends too early; expected a name");
   CHECK(refusal("x * / y") == "4: '/'; expected a name");
   CHECK(refusal("(x") == "2: '(x' has no ')'; close the parenthesis");
   CHECK(

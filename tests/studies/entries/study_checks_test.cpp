@@ -351,7 +351,7 @@ TEST_CASE("every kind of schema says what it expects", "[studies][schema]") {
   CHECK(expectation(kind.schema) == "expected a mapping with kind");
   Schema text;
   CHECK(expectation(text) == "expected a text");
-  CHECK(said_of(path("", ""), "x: ''\n") == Lines{"x: nothing; expected a text"});
+  CHECK(said_of(path("", ""), "x: ''\n") == Lines{"x: empty; expected a text"});
   text.example = "points.csv";
   CHECK(expectation(text) == "expected a text such as 'points.csv'");
 }

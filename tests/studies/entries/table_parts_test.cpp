@@ -160,7 +160,7 @@ TEST_CASE("what is wrong with measured points is said at its place",
   CHECK(wrong_points("speed,torque\n1\n") == Lines{"2:1: : 1 cell; the header has 2"});
   CHECK(wrong_points("speed,torque\n1,2,3\n") == Lines{"2:1: : 3 cells; the header has 2"});
   CHECK(wrong_points("speed;torque\n1;2\n") ==
-        Lines{"1:1: : one column; columns are separated by commas"});
+        Lines{"1:1: : only one column; separate columns with commas"});
   CHECK(wrong_points("speed,torque\n") ==
         Lines{"1:1: : no points below the header; expected one on each line"});
   CHECK(wrong_points("# a remark\n") ==

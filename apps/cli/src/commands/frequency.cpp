@@ -304,7 +304,7 @@ void add_frequency(CLI::App& app, Action& action) {
   command->add_option("--points", options->points,
                       "Number of frequencies in each direction (default: 41)");
   command->add_option("--direction", options->direction, "Direction of the sweep (default: both)")
-      ->check(CLI::IsMember({"up", "down", "both"}))
+      ->check(one_of({"up", "down", "both"}))
       ->type_name("up|down|both");
   add_output_options(*command, options->output, {"table", "csv", "json"});
   add_plot_option(*command, options->plot);

@@ -2,6 +2,7 @@
 #include "command.hpp"
 #include "driven_motor.hpp"
 #include "exit_status.hpp"
+#include "options.hpp"
 #include "output.hpp"
 
 #include <twum/studies/motor/motor_file.hpp>
@@ -73,7 +74,7 @@ void add_init(CLI::App& app, Action& action) {
       app.add_subcommand("init", "Writes a commented template of a motor or study file");
   command->add_option("KIND", options->kind, "motor, or a kind of study")
       ->required()
-      ->check(CLI::IsMember(kinds()))
+      ->check(one_of(kinds()))
       ->type_name("");
   command
       ->add_option(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command.hpp"
 #include "exit_status.hpp"
+#include "options.hpp"
 #include "output.hpp"
 
 #include <twum/studies/motor/motor_file.hpp>
@@ -52,12 +53,12 @@ void add_schema(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("schema", "JSON Schema of the files, for editors");
   command->add_option("KIND", options->kind, "motor or study")
       ->required()
-      ->check(CLI::IsMember({"motor", "study"}))
+      ->check(one_of({"motor", "study"}))
       ->type_name("");
   command
       ->add_option("--format", options->format,
                    "JSON Schema, or the reference page of the study file (default: json)")
-      ->check(CLI::IsMember({"json", "markdown"}))
+      ->check(one_of({"json", "markdown"}))
       ->type_name("json|markdown");
   command->add_option("-o,--output", options->path, "Write the result to this file")
       ->type_name("FILE");

@@ -148,11 +148,14 @@ std::vector<Mark> marks_of(const Motor& motor, double first, double last) {
   }
   if (has(1) && values[1].value > 0) {
     const double torque = motor.operating_point(values[1].value).torque;
-    // Beside the label of the stall torque there is room from the middle on; before, the line below it is free.
-    const bool beside = values[1].value > 0.45 * last;
-    marks.push_back({"plateau", values[1].value, torque, none, "plateau to " + text(1, "rad/s"),
-                     beside ? "right offset character -0.6, character -1"
-                            : "left offset character 0.6, character -2"});
+    // Under the plateau, beside the label of the stall torque or below it. Above the falling curve if the plateau is
+    // shorter than the label.
+    const double share = values[1].value / last;
+    const char* place = share > 0.45  ? "right offset character -0.6, character -1"
+                        : share > 0.3 ? "right offset character -0.6, character -2"
+                                      : "left offset character 0.6, character 0.8";
+    marks.push_back(
+        {"plateau", values[1].value, torque, none, "plateau to " + text(1, "rad/s"), place});
   }
   if (has(4) && values[4].value > 0) {
     marks.push_back({"peak power", values[2].value, values[3].value, values[4].value,

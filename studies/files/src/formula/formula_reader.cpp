@@ -127,7 +127,7 @@ class Reader {
   }
 
   FormulaPart operand() {
-    if (ended()) throw ValueError("nothing", names_.expected, at_);
+    if (ended()) throw ValueError(at_ == 0 ? "empty" : "ends too early", names_.expected, at_);
     const char next = text_[at_];
     if (is_digit(next) || next == '.') return number();
     if (begins_name(next)) return named();

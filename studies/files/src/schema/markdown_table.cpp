@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/studies/schema/publish.hpp>
 
+#include "schema/scalar_checks.hpp"
+
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/units/units.hpp>
 
@@ -11,13 +13,6 @@
 
 namespace twum::studies {
 namespace {
-
-// True for a mapping whose names are parameters; their shapes differ in units and ranges only.
-bool by_parameter(const Schema& schema) {
-  return schema.kind == ValueKind::mapping && !schema.entries.empty() &&
-         std::all_of(schema.entries.begin(), schema.entries.end(),
-                     [](const SchemaEntry& entry) { return entry.alias_counts; });
-}
 
 std::string range_text(const Schema& schema) {
   const bool low = std::isfinite(schema.min);

@@ -47,6 +47,20 @@ void say_twice(const YamlEntry& second, const YamlEntry& first, const Spot& spot
                    "leave one of them out", first.key_mark, "'" + first.key + "' given here"});
 }
 
+// The required mapping that is missing and to which an unknown entry belongs; null if there is none, or more than one.
+const SchemaEntry* missing_parent(const YamlNode& node, const Schema& schema,
+                                  std::string_view key) {
+  const SchemaEntry* parent = nullptr;
+  for (const SchemaEntry& entry : schema.entries) {
+    if (!entry.required || entry.schema.kind != ValueKind::mapping ||
+        given(node, schema, entry.name) != nullptr || entry_of(entry.schema, key) == nullptr)
+      continue;
+    if (parent != nullptr) return nullptr;
+    parent = &entry;
+  }
+  return parent;
+}
+
 // Adds an error for an unknown entry. Returns the name that was probably meant, or an empty text.
 std::string_view say_unknown(const YamlEntry& entry, const Schema& schema, const Spot& spot,
                              Diagnostics& diagnostics) {
@@ -58,10 +72,19 @@ std::string_view say_unknown(const YamlEntry& entry, const Schema& schema, const
   }
   if (meant.empty()) meant = nearest(entry.key, names);
   if (meant.empty()) meant = synonym(entry.key, names);
-  diagnostics.add(entry.key_mark, spot.entry(entry.key, {}).path, "unknown entry",
-                  meant.empty() ? did_you_mean(entry.key, names)
-                                : "did you mean '" + std::string(meant) + "'?");
+  const std::string remedy = !meant.empty()         ? "did you mean '" + std::string(meant) + "'?"
+                             : by_parameter(schema) ? "'twum parameters' lists the parameters"
+                                                    : did_you_mean(entry.key, names);
+  diagnostics.add(entry.key_mark, spot.entry(entry.key, {}).path, "unknown entry", remedy);
   return meant;
+}
+
+// Adds an error for an entry that stands beside its missing parent instead of below it.
+void say_misplaced(const YamlEntry& entry, const SchemaEntry& parent, const Spot& spot,
+                   Diagnostics& diagnostics) {
+  diagnostics.add(entry.key_mark, spot.entry(entry.key, {}).path,
+                  "belongs below '" + parent.name + ":', which is missing",
+                  "write '" + parent.name + ":' above it and indent what belongs to it");
 }
 
 // Adds an error for an entry and its twin, once, at the later of the two.
@@ -80,7 +103,10 @@ void check_presence(const YamlNode& node, const Schema& schema, const SchemaEntr
   if (own != nullptr && twin != nullptr) return say_both(*own, *twin, spot, diagnostics);
   const bool spared = !entry.spared_by.empty() && given(node, schema, entry.spared_by) != nullptr;
   if (own != nullptr || twin != nullptr || spared || !entry.required) return;
-  std::string remedy = expectation(entry.schema);
+  const bool one_word = entry.schema.kind == ValueKind::word && entry.schema.words.size() == 1;
+  std::string remedy = one_word
+                           ? "expected '" + entry.name + ": " + entry.schema.words.front() + "'"
+                           : expectation(entry.schema);
   if (!entry.twin.empty()) remedy += ", or '" + entry.twin + "' instead";
   if (!entry.spared_by.empty()) remedy += ", or '" + entry.spared_by + "'";
   diagnostics.add(spot.mark, spot.entry(entry.name, {}).path, "missing", remedy);
@@ -126,7 +152,7 @@ bool says_no_error(const YamlNode& node, const Schema& schema, const Spot& spot,
   }
   try {
     if (node.scalar.empty() && schema.kind == ValueKind::text)
-      throw ValueError("nothing", expectation(schema));
+      throw ValueError("empty", expectation(schema));
     use(node.scalar);
     return true;
   } catch (const ValueError& error) {
@@ -156,7 +182,14 @@ std::vector<GivenEntry> given_entries(const YamlNode& node, const Schema& schema
   for (const YamlEntry& entry : node.entries) {
     const SchemaEntry* known = entry_of(schema, entry.key);
     if (known == nullptr) {
-      meant.push_back(say_unknown(entry, schema, spot, diagnostics));
+      const SchemaEntry* parent = missing_parent(node, schema, entry.key);
+      if (parent == nullptr) {
+        meant.push_back(say_unknown(entry, schema, spot, diagnostics));
+      } else if (std::find(meant.begin(), meant.end(), parent->name) == meant.end()) {
+        say_misplaced(entry, *parent, spot,
+                      diagnostics);  // once for all entries of the same parent
+        meant.push_back(parent->name);
+      }
       continue;
     }
     found.push_back({static_cast<std::size_t>(known - schema.entries.data()), &entry});

@@ -7,6 +7,7 @@
 #include <twum/studies/units/engineering.hpp>
 #include <twum/studies/units/units.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace twum::studies {
@@ -37,8 +38,14 @@ void check_word(std::string_view text, const Schema& schema) {
 }
 
 void check_text(std::string_view text, const Schema& schema) {
-  if (text.empty()) throw ValueError("nothing", expectation(schema));
+  if (text.empty()) throw ValueError("empty", expectation(schema));
   if (schema.check != nullptr) schema.check(text);
+}
+
+// The first line of the sample, such as ", as in 'preload: {min: 60 N, max: 300 N}'".
+std::string sample_line(const Schema& schema) {
+  if (schema.sample.empty()) return {};
+  return ", as in '" + schema.sample.substr(0, schema.sample.find('\n')) + "'";
 }
 
 std::string alternatives_text(const Schema& schema) {
@@ -88,6 +95,12 @@ void check_scalar(std::string_view text, const Schema& schema) {
   }
 }
 
+bool by_parameter(const Schema& schema) {
+  return schema.kind == ValueKind::mapping && !schema.entries.empty() &&
+         std::all_of(schema.entries.begin(), schema.entries.end(),
+                     [](const SchemaEntry& entry) { return entry.alias_counts; });
+}
+
 std::string expectation(const Schema& schema) {
   std::string text = "expected ";
   switch (schema.kind) {
@@ -102,6 +115,7 @@ std::string expectation(const Schema& schema) {
         text += (&word == schema.words.data() ? "" : ", ") + word;
       return text;
     case ValueKind::mapping:
+      if (by_parameter(schema)) return "expected a mapping of parameters" + sample_line(schema);
       text += "a mapping with";
       for (const SchemaEntry& entry : schema.entries) {
         text += (&entry == schema.entries.data() ? " " : ", ") + entry.name;

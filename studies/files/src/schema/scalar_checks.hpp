@@ -20,6 +20,10 @@ void check_size(double value, std::string_view text, const Schema& schema);
 /// @throws ValueError unless the text fits a schema of kind quantity, count, word or text.
 void check_scalar(std::string_view text, const Schema& schema);
 
+/// True for a mapping whose names are parameters; their shapes differ in units and ranges only. They are too many to be
+/// listed in a message.
+bool by_parameter(const Schema& schema);
+
 /// "expected a length [m] such as '0.3 mm'" for any schema.
 std::string expectation(const Schema& schema);
 

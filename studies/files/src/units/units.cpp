@@ -122,7 +122,7 @@ Match match_unit(std::string_view unit, std::string_view whole, std::size_t at,
 }
 
 [[noreturn]] void no_number(std::string_view text, std::span<const Expected> expected) {
-  if (text.empty()) throw ValueError("nothing", expectation(expected));
+  if (text.empty()) throw ValueError("empty", expectation(expected));
   const std::size_t comma = text.find(',');
   if (comma != std::string_view::npos) {
     std::string pointed(text);

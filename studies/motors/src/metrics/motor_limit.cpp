@@ -32,7 +32,13 @@ struct Piece {
       throw ValueError(error.found(), error.expected(), begin + error.position());
     }
   }
-  MetricExpression side() const { return read(parse_side); }
+  MetricExpression side() const {
+    if (trimmed(text()).empty())
+      throw ValueError("a part of the limit is empty",
+                       "expected a metric or a quantity such as 'stall_torque' or '0.8 N.m'",
+                       begin);
+    return read(parse_side);
+  }
 };
 
 struct Sign {

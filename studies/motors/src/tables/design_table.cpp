@@ -68,7 +68,7 @@ DesignTable::DesignTable(const CsvReader& reader, const CsvChunk& header, const 
   if (!split_record(header_, cells))
     wrong.emplace_back("a quotation mark that cannot stand there; quote whole cells");
   if (cells.size() == 1 && header_.find_first_of(";\t") != std::string::npos) {
-    wrong.emplace_back("one column; columns are separated by commas");
+    wrong.emplace_back("only one column; separate columns with commas");
     cells.clear();
   }
   for (const std::string_view cell : cells) {

@@ -73,8 +73,8 @@ class PointReader {
     const bool other_separator =
         cells_.size() == 1 && record.find_first_of(";\t") != std::string_view::npos;
     if (other_separator) {
-      diagnostics_.add({static_cast<int>(line), 1}, "", "one column",
-                       "columns are separated by commas");
+      diagnostics_.add({static_cast<int>(line), 1}, "", "only one column",
+                       "separate columns with commas");
       return;
     }
     if (cells_.size() > kMostColumns) {
