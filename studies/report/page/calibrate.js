@@ -137,12 +137,13 @@ export function calibratePage() {
   fitCharts();
   const list = Object.entries(summary.estimates);
   const held = list.some(([, e]) => e.remark);
+  const width = list.length > 4 ? 'wide' : 'half';  // so that no column is cut off
   const line = ([n, e]) =>
       [named(n), quantity(e.value, unitOf(n)), quantity(e.low, unitOf(n)), quantity(e.high, unitOf(n)),
        ...(held ? [words(e.remark, 'bad-word')] : [])];
-  card('Estimates', percent(summary.confidence) + ' intervals.', 'half')
+  card('Estimates', percent(summary.confidence) + ' intervals.', width)
       .append(table('estimates', ['parameter', 'value', 'low', 'high', ...(held ? ['remark'] : [])], list.map(line)));
-  card('Correlation of the estimates', 'Near 1 or -1: the data tell only a combination.', 'half')
+  card('Correlation of the estimates', 'Near 1 or -1: the data tell only a combination.', width)
       .append(correlationTable());
   profileCharts();
   residualCards();
