@@ -13,6 +13,8 @@ namespace {
 
 // The linearised end is kept if the profile agrees to this, in half widths.
 constexpr double kAgrees = 0.1;
+// First step of the search where the fit has no linearised interval, in parts of the range.
+constexpr double kFirstPart = 0.01;
 // Accuracy of an end found by a search, in half widths.
 constexpr double kFound = 1e-3;
 constexpr int kMostSearchSteps = 40;
@@ -35,7 +37,8 @@ class Profile {
         lowest_((1.0 - kBetter) * fit.sum_of_squares) {
     const Estimate& e = fit.estimates[which_];
     log_ = parameters[which_].scale == Scale::log;
-    width_ = log_ ? std::log(e.high / e.value) : e.high - e.value;
+    linear_ = e.standard_deviation > 0.0 && std::isfinite(e.standard_deviation);
+    width_ = linear_ ? (log_ ? std::log(e.high / e.value) : e.high - e.value) : first_width();
     const double bound =
         end == IntervalEnd::high ? parameters[which_].upper : parameters[which_].lower;
     farthest_ = std::abs(log_ ? std::log(bound / e.value) : bound - e.value) / width_;
@@ -46,7 +49,7 @@ class Profile {
     double inside = 0.0;
     double at = std::min(1.0, farthest_);
     double z = height(at);
-    if (at == 1.0 && std::abs(z - 1.0) <= kAgrees) return answer(1.0, true, false);
+    if (linear_ && at == 1.0 && std::abs(z - 1.0) <= kAgrees) return answer(1.0, true, false);
     while (z < 1.0) {
       if (at == farthest_) return answer(at, false, true);
       inside = at;
@@ -57,6 +60,15 @@ class Profile {
   }
 
  private:
+  // Where the Jacobian lacks rank: a part of the range, or of the value where the range is infinite.
+  double first_width() const {
+    const Variable& v = parameters_[which_];
+    if (log_) return kFirstPart * std::log(v.upper / v.lower);
+    const double range = v.upper - v.lower;
+    const double value = std::abs(fit_.estimates[which_].value);
+    return kFirstPart * (std::isfinite(range) ? range : value > 0.0 ? value : 1.0);
+  }
+
   double value(double u) const {
     const double centre = fit_.estimates[which_].value;
     if (u == farthest_) return sign_ > 0 ? parameters_[which_].upper : parameters_[which_].lower;
@@ -71,7 +83,8 @@ class Profile {
     return {value(u), linear, cut_off, better_, points_};
   }
 
-  // Problem with the parameter held at u half widths. The others start at the values of the linearised fit.
+  // Problem with the parameter held at u half widths. The others start at the values of the linearised fit; where there is
+  // none, at those of the last place inside the interval.
   std::vector<Variable> held_at(double u) const {
     std::vector<Variable> list = parameters_;
     const std::size_t n = list.size();
@@ -81,6 +94,7 @@ class Profile {
       Variable& v = list[i];
       const double follows = fit_.covariance[i * n + which_] / variance * moved;
       v.start = fit_.estimates[i].value + (std::isfinite(follows) ? follows : 0.0);
+      if (!linear_ && !inside_.empty()) v.start = inside_[i];
       v.start = std::clamp(v.start, v.lower, v.upper);
       if (i == which_) v.start = value(u);
       if (i == which_ || fit_.estimates[i].at_bound) v.lower = v.upper = v.start;
@@ -100,6 +114,10 @@ class Profile {
     const double z = std::sqrt(std::max(found.sum_of_squares - fit_.sum_of_squares, 0.0)) /
                      fit_.estimates[which_].rise;
     add_point(found, z);
+    if (z < 1.0) {
+      inside_.clear();
+      for (const Estimate& e : found.estimates) inside_.push_back(e.value);
+    }
     return z;
   }
 
@@ -150,10 +168,12 @@ class Profile {
   std::size_t which_;
   double sign_;
   bool log_{false};
-  double width_{0.0};           // half, of the linearised interval, in the scale of the parameter
+  bool linear_{false};  // the fit has a linearised interval
+  double width_{0.0};   // half, of this interval, or the first step; in the scale of the parameter
   double farthest_{0.0};        // bound, in half widths
   double lowest_;               // least sum of squares found below that of the fit
   std::vector<double> better_;  // where
+  std::vector<double> inside_;  // all parameters at the last place where z is below 1
   std::vector<ProfilePoint> points_;
 };
 
@@ -162,8 +182,8 @@ class Profile {
 ProfileEnd profile_end(const std::vector<Variable>& parameters, const ResidualFunction& residuals,
                        const LeastSquaresOptions& options, const LeastSquaresResult& fit,
                        std::size_t parameter, IntervalEnd end) {
-  TWUM_ASSERT(parameter < fit.estimates.size() &&
-              fit.estimates[parameter].standard_deviation > 0.0);
+  TWUM_ASSERT(parameter < fit.estimates.size() && !fit.estimates[parameter].at_bound &&
+              fit.estimates[parameter].rise > 0.0);
   const ResidualFunction as_fitted = [&](auto b) {
     return softened(residuals(b), fit.bend, fit.share);
   };

@@ -89,8 +89,9 @@ Eigen::MatrixXd widened(Eigen::MatrixXd covariance, const FittedState& state,
 double half_width(std::size_t parameter, const LeastSquaresOptions& options,
                   const LeastSquaresResult& result) {
   if (options.small_sample.empty() || !std::isfinite(result.student_t)) return result.student_t;
-  return quantile(StudentsT(options.small_sample[parameter].freedom),
-                  0.5 + 0.5 * options.confidence);
+  const SmallSample& sample = options.small_sample[parameter];
+  if (sample.quantile > 0.0) return sample.quantile;
+  return quantile(StudentsT(sample.freedom), 0.5 + 0.5 * options.confidence);
 }
 
 void fill_estimates(const Eigen::MatrixXd& covariance, const FittedState& state,
@@ -161,6 +162,10 @@ void fill_scatter(const FittedState& state, const LeastSquaresOptions& options,
   result.student_t = known           ? quantile(Normal(), upper)
                      : freedom > 0.0 ? quantile(StudentsT(freedom), upper)
                                      : kNan;
+  for (const Index j : state.free)
+    if (!options.small_sample.empty())
+      result.student_t =
+          std::max(result.student_t, options.small_sample[static_cast<std::size_t>(j)].quantile);
   double joint = kNan;  // L2.2, in units of the squared scatter
   if (parameters == 0)
     joint = 0.0;

@@ -5,6 +5,7 @@
 
 #include "fit_rounds.hpp"
 #include "fitted_space.hpp"
+#include "kenward_roger.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/QR>
@@ -82,41 +83,24 @@ class GroupedFit {
   }
 
   // Kenward and Roger (L9.2, L9.3). Row i of the fitted space q has the share q_i q_i^T of what is known of the parameters;
-  // h_k sums those of group k.
+  // those of a group are summed.
   void find_small_sample(Eigen::MatrixXd columns, const Eigen::MatrixXd& q,
                          const std::vector<Index>& free) {
-    const auto count = static_cast<Index>(result_.deviations.size());
-    std::vector<Eigen::MatrixXd> h(result_.deviations.size(),
-                                   Eigen::MatrixXd::Zero(q.cols(), q.cols()));
-    Eigen::MatrixXd information = Eigen::MatrixXd::Zero(count, count);
+    std::vector<Eigen::MatrixXd> shares(result_.deviations.size(),
+                                        Eigen::MatrixXd::Zero(q.cols(), q.cols()));
+    Eigen::VectorXd counts = Eigen::VectorXd::Zero(static_cast<Index>(shares.size()));
     for (std::size_t i = 0; i < groups_.size(); ++i) {
       const auto row = q.row(static_cast<Index>(i));
-      h[groups_[i]] += row.transpose() * row;
-      const auto k = static_cast<Index>(groups_[i]);
-      information(k, k) += 0.5 - row.squaredNorm();
+      shares[groups_[i]] += row.transpose() * row;
+      ++counts[static_cast<Index>(groups_[i])];
     }
-    for (Index k = 0; k < count; ++k)
-      for (Index l = 0; l < count; ++l) information(k, l) += 0.5 * product(h, k, l).trace();
-    const Eigen::MatrixXd w = information.completeOrthogonalDecomposition().pseudoInverse();
-    Eigen::MatrixXd more = Eigen::MatrixXd::Zero(q.cols(), q.cols());
-    for (Index k = 0; k < count; ++k) {
-      more += w(k, k) * h[static_cast<std::size_t>(k)];
-      for (Index l = 0; l < count; ++l) more -= w(k, l) * product(h, k, l);
-    }
+    const KenwardRoger known(shares, counts);
     for (Index j = 0; j < columns.cols(); ++j)
       if (const double size = columns.col(j).stableNorm(); size > 0.0) columns.col(j) /= size;
     const Eigen::MatrixXd a = columns.completeOrthogonalDecomposition().pseudoInverse();
-    for (std::size_t j = 0; j < free.size(); ++j) {
-      const Eigen::VectorXd c = (a.row(static_cast<Index>(j)) * q).transpose().normalized();
-      Eigen::VectorXd v(count);
-      for (Index k = 0; k < count; ++k) v[k] = c.dot(h[static_cast<std::size_t>(k)] * c);
-      result_.small_sample[static_cast<std::size_t>(free[j])] = {
-          2.0 / v.dot(w * v), std::sqrt(1.0 + 2.0 * std::max(c.dot(more * c), 0.0))};
-    }
-  }
-
-  static Eigen::MatrixXd product(const std::vector<Eigen::MatrixXd>& h, Index k, Index l) {
-    return h[static_cast<std::size_t>(k)] * h[static_cast<std::size_t>(l)];
+    for (std::size_t j = 0; j < free.size(); ++j)
+      result_.small_sample[static_cast<std::size_t>(free[j])] =
+          known.of((a.row(static_cast<Index>(j)) * q).transpose().normalized());
   }
 
   // True if the residuals have the deviations that the fit was made with (L9.1); else these change.

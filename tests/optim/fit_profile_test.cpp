@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Ends of intervals by the profile of the sum of squares, and the statistics behind the verdicts.
 #include <twum/optim/fit_profile.hpp>
+#include <twum/optim/lost_rank.hpp>
 
 #include <catch2/catch.hpp>
 
@@ -151,4 +152,39 @@ TEST_CASE("a product leaves the direction that keeps it unseen (L2.3)",
     const double dc = c * d.change[2];
     CHECK(d.effect == Approx(std::hypot(3 * ab, ab + dc, dc)).margin(1e-9));
   }
+}
+
+TEST_CASE("where the Jacobian lacks rank only at the fit, the profile still has its ends (L3.1)",
+          "[optim][least_squares][closed_form]") {
+  // S = 4 (p^2 + 1)^2 is least at 0, where its Jacobian 2 p is zero. It exceeds 4 by t^2 where p^2 = sqrt(1 + t^2 / 4) - 1.
+  const std::vector<Variable> v{{"p", -3.0, 5.0, 0.0}};
+  const auto fit = least_squares(v, squares(-1.0), known());
+  REQUIRE(fit.undetermined.size() == 1);
+  CHECK(lost_rank(v, squares(-1.0), known(), fit).empty());
+  const double end = std::sqrt(std::sqrt(1.0 + kNormal * kNormal / 4.0) - 1.0);
+  for (const IntervalEnd which : {IntervalEnd::low, IntervalEnd::high}) {
+    const auto found = profile_end(v, squares(-1.0), known(), fit, 0, which);
+    CHECK_FALSE(found.linear);
+    CHECK_FALSE(found.cut_off);
+    // z, the root of (S - 4) / t^2, is met within 1e-3. Its slope at the end, 8 p (p^2 + 1) / t^2 / z, is 1.84 there.
+    CHECK(std::abs(found.value) == Approx(end).margin(1e-3 / 1.8));
+    CHECK((found.value > 0.0) == (which == IntervalEnd::high));
+  }
+}
+
+TEST_CASE("parameters that count only together everywhere stay so beside the fit",
+          "[optim][least_squares]") {
+  // 3 a b - 18 and a b - 6 know the product alone; c is known, and d moves nothing.
+  const auto product = [](std::span<const double> p) {
+    return Residuals{{3 * p[0] * p[1] - 18, p[0] * p[1] - 6, p[2] - 4.5, p[2] - 4.4},
+                     {3 * p[1], 3 * p[0], 0, 0, p[1], p[0], 0, 0, 0, 0, 1, 0, 0, 0, 1, 0},
+                     ""};
+  };
+  const std::vector<Variable> v{{"a", 0.1, 20.0, 2.0},
+                                {"b", 0.1, 20.0, 2.5, Scale::log},
+                                {"c", 0.0, 20.0, 4.0},
+                                {"d", 0.0, 1.0, 0.5}};
+  const auto fit = least_squares(v, product, known());
+  REQUIRE(fit.undetermined.size() == 2);
+  CHECK(lost_rank(v, product, known(), fit) == fit.undetermined);
 }

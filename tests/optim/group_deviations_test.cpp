@@ -117,6 +117,58 @@ TEST_CASE("a level read by two instruments has the likeliest deviations (L9.1)",
   check_small_sample(best[0] * best[0], best[1] * best[1], found.small_sample[0]);
 }
 
+TEST_CASE("of one group the simulated quantile is Student's (L9.4)",
+          "[optim][least_squares][statistics]") {
+  // Readings of one level: |error| in estimated deviations has Student's law with 4 degrees of freedom; tables: 2.776 at 95 %,
+  // 4.604 at 99 %. A quantile of 3999 numbers is at a level with the deviation sqrt(p (1 - p) / 3999): 0.34 % and 0.16 %. By the
+  // density of |T| there, 0.0315 and 0.0039, that is 0.11 and 0.40; three of these.
+  const Readings readings{{1.1, 0.9, 1.3, 0.8, 1.0}, {0, 0, 0, 0, 0}};
+  const GroupDeviations found = readings.found();
+  const std::vector<double> level{found.fit.estimates[0].value};
+  const Residuals at =
+      in_deviations(readings.residuals()(level), readings.instrument, found.deviations);
+  const auto quantile = [&](double confidence) {
+    return with_simulated_quantiles(at, readings.instrument, found.fit, confidence,
+                                    found.small_sample)[0]
+        .quantile;
+  };
+  CHECK(quantile(0.95) == Approx(2.776).margin(0.33));
+  CHECK(quantile(0.99) == Approx(4.604).margin(1.2));
+  CHECK(quantile(0.95) == quantile(0.95));  // no hidden state
+}
+
+TEST_CASE("of two small groups simulated quantiles hold the truth as often as they say (L9.4)",
+          "[optim][least_squares][statistics]") {
+  // A level read four times by each of two instruments, the one ten times better than the other.
+  Random random(5, 0, 0);
+  const auto normal = [&] {
+    const double radius = std::sqrt(-2 * std::log(1 - random.uniform()));
+    return radius * std::cos(2 * std::numbers::pi * random.uniform());
+  };
+  constexpr int kTrials = 300;
+  int held = 0;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    Readings readings;
+    for (const std::size_t which : {0U, 0U, 0U, 0U, 1U, 1U, 1U, 1U}) {
+      readings.y.push_back((which == 0 ? 1.0 : 0.1) * normal());
+      readings.instrument.push_back(which);
+    }
+    const GroupDeviations found = readings.found();
+    const Estimate& level = found.fit.estimates[0];
+    const Residuals at = in_deviations(readings.residuals()(std::vector<double>{level.value}),
+                                       readings.instrument, found.deviations);
+    const SmallSample known =
+        with_simulated_quantiles(at, readings.instrument, found.fit, 0.95, found.small_sample)[0];
+    double weight = 0.0;  // of the mean by 1 / d^2, whose deviation is known in closed form
+    for (const double d : found.deviations) weight += 4.0 / (d * d);
+    const double half = known.quantile * known.widening / std::sqrt(weight);
+    held += std::abs(level.value) <= half ? 1 : 0;
+  }
+  // 285 of 300, deviation 3.8; four of these have a chance of 1e-4.
+  CHECK(held >= 270);
+  CHECK(held <= 299);
+}
+
 TEST_CASE("deviations of groups are found, and the better instrument counts more",
           "[optim][least_squares][statistics]") {
   constexpr std::size_t kCount = 400;

@@ -91,6 +91,83 @@ inline std::string mixture(const MotorDesign& design, Noise& noise, double size)
   return csv;
 }
 
+// The fewest rows that columns with a scatter of their own may have: three more than parameters.
+inline std::string short_mixture(const MotorDesign& design, Noise& noise, double size) {
+  std::string csv =
+      "speed [rpm],torque,torque_sd,no_load_speed [rpm],no_load_speed_sd [rpm],holding_torque,"
+      "holding_torque_sd\n";
+  const Motor motor(design);
+  for (const int rpm : {20, 60, 90, 110, 120, 130})
+    csv += number(rpm) + "," +
+           number(motor.operating_point(rpm * kRpm).torque + size * 4e-3 * noise()) + ",4e-3," +
+           number(metric(design, Metric::no_load_speed) / kRpm + size * 0.5 * noise()) + ",0.5," +
+           number(metric(design, Metric::holding_torque) + size * 5e-3 * noise()) + ",5e-3\n";
+  return csv;
+}
+
+// One kind of number, read once at each place.
+struct OneKind {
+  Metric which;
+  const char* unit;  // as in the heading
+  double in_si;      // 1 of this unit
+  double deviation;  // in this unit
+};
+
+inline std::string heading(const OneKind& kind) {
+  const std::string name(info(kind.which).name);
+  return name + " [" + kind.unit + "]," + name + "_sd [" + kind.unit + "]\n";
+}
+
+inline std::string cells(const OneKind& kind, double value, Noise& noise, double size) {
+  return number(value / kind.in_si + size * kind.deviation * noise()) + "," +
+         number(kind.deviation) + "\n";
+}
+
+// At these torques.
+inline std::string at_torques(const MotorDesign& design, const OneKind& kind,
+                              const std::vector<double>& torques, Noise& noise, double size) {
+  std::string csv = "torque [N.m]," + heading(kind);
+  for (const double torque : torques)
+    csv += number(torque) + "," +
+           cells(kind, metric(design, kind.which, Argument::torque, torque), noise, size);
+  return csv;
+}
+
+// Of the whole motor, under preloads that the bench sets.
+inline std::string at_preloads(const MotorDesign& design, const OneKind& kind, Noise& noise,
+                               double size) {
+  std::string csv = "preload [N]," + heading(kind);
+  for (const double preload : {120.0, 135.0, 150.0, 165.0, 180.0, 195.0})
+    csv += number(preload) + "," +
+           cells(kind, metric(with(design, Parameter::preload, preload), kind.which), noise, size);
+  return csv;
+}
+
+inline std::string speeds(const MotorDesign& design, Noise& noise, double size) {
+  return at_torques(design, {Metric::speed_at, "rpm", kRpm, 0.5},
+                    {0.05, 0.15, 0.25, 0.35, 0.45, 0.55, 0.65, 0.75, 0.8}, noise, size);
+}
+inline std::string currents(const MotorDesign& design, Noise& noise, double size) {
+  return at_torques(design, {Metric::phase_current_at, "A", 1, 1e-3},
+                    {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8}, noise, size);
+}
+inline std::string powers(const MotorDesign& design, Noise& noise, double size) {
+  return at_torques(design, {Metric::electrical_power_at, "W", 1, 0.1},
+                    {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8}, noise, size);
+}
+inline std::string no_load_speeds(const MotorDesign& design, Noise& noise, double size) {
+  return at_preloads(design, {Metric::no_load_speed, "rpm", kRpm, 0.5}, noise, size);
+}
+inline std::string holding_torques(const MotorDesign& design, Noise& noise, double size) {
+  return at_preloads(design, {Metric::holding_torque, "N.m", 1, 5e-3}, noise, size);
+}
+inline std::string stall_torques(const MotorDesign& design, Noise& noise, double size) {
+  return at_preloads(design, {Metric::stall_torque, "N.m", 1, 5e-3}, noise, size);
+}
+inline std::string start_voltages(const MotorDesign& design, Noise& noise, double size) {
+  return at_preloads(design, {Metric::start_voltage, "V", 1, 0.5}, noise, size);
+}
+
 // A vibrometer on the stator of the running motor, at two voltages.
 inline std::string amplitudes(const MotorDesign& design, Noise& noise, double size) {
   std::string csv = "speed [rpm],amplitude_at [um],amplitude_at_sd [um],voltage [V]\n";
@@ -194,6 +271,33 @@ inline const Bench kCircle{
     true};
 inline const Bench kShortCircle{kCircle.motor, kCircle.variables, kCircle.truth, short_circle,
                                 true};
+inline std::string shortest_circle(const MotorDesign& design, Noise& noise, double size) {
+  return circle(design, 3, 100, noise, size);
+}
+inline const Bench kShortestCircle{kCircle.motor, kCircle.variables, kCircle.truth, shortest_circle,
+                                   true};
+inline const Bench kShortMixture{kMixture.motor, kMixture.variables, kMixture.truth, short_mixture,
+                                 true};
+inline const char* const kFriction = "kinetic_friction: {min: 0.05, max: 0.5}";
+inline const Bench kSpeeds{kPreloads.motor, kPreloads.variables, kPreloads.truth, speeds};
+inline const Bench kCurrents{
+    "drive-60",
+    "force_factor: {min: 0.3 N/V, max: 0.9 N/V}, quality_factor: {min: 50, max: 400}",
+    {{Parameter::force_factor, 0.53}, {Parameter::quality_factor, 140}},
+    currents};
+inline const Bench kPowers{kCurrents.motor, kCurrents.variables, kCurrents.truth, powers};
+inline const Bench kNoLoadSpeeds{"ring-60",
+                                 "amplitude: {min: 1 um, max: 2.2 um}",
+                                 {{Parameter::amplitude, 1.52e-6}},
+                                 no_load_speeds};
+inline const Bench kHoldingTorques{
+    "ring-60", kFriction, {{Parameter::kinetic_friction, 0.23}}, holding_torques};
+inline const Bench kStallTorques{
+    "ring-60", kFriction, {{Parameter::kinetic_friction, 0.23}}, stall_torques};
+inline const Bench kStartVoltages{"drive-60",
+                                  "force_factor: {min: 0.3 N/V, max: 0.9 N/V}",
+                                  {{Parameter::force_factor, 0.57}},
+                                  start_voltages};
 inline const Bench kImpedances{kCircle.motor, kCircle.variables, kCircle.truth, impedances};
 inline const Bench kAmplitudes{
     "drive-60",
@@ -218,7 +322,16 @@ inline const Named kBenches[] = {{"preloads", kPreloads},
                                  {"mixture", kMixture},
                                  {"amplitudes", kAmplitudes},
                                  {"starts", kStarts},
-                                 {"impedances", kImpedances}};
+                                 {"impedances", kImpedances},
+                                 {"shortest circle", kShortestCircle},
+                                 {"short mixture", kShortMixture},
+                                 {"speeds", kSpeeds},
+                                 {"currents", kCurrents},
+                                 {"powers", kPowers},
+                                 {"no-load speeds", kNoLoadSpeeds},
+                                 {"holding torques", kHoldingTorques},
+                                 {"stall torques", kStallTorques},
+                                 {"starting voltages", kStartVoltages}};
 
 struct BenchCase : Case {
   explicit BenchCase(const Bench& bench) {

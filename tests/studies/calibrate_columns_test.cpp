@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <fstream>
 #include <string>
 #include <utility>
@@ -61,12 +62,39 @@ TEST_CASE("a data sheet's five numbers say what they determine", "[studies][cali
   CHECK(places > 0);
 }
 
+TEST_CASE("at a fold, where the Jacobian lacks rank only there, the profiles give the intervals",
+          "[studies][calibrate]") {
+  // With the thickness as a fifth parameter, the first start ends where modulus and thickness move the numbers in parallel. A
+  // change of one by 20 % with the other held shows that they do not act only in combination.
+  StudyFile sheet = read_study_file(TWUM_SOURCE_DIR "/examples/studies/calibrate-data-sheet.yaml");
+  auto& asked = std::get<CalibrateStudy>(sheet.asked);
+  DesignVariable thickness{Parameter::thickness};
+  thickness.min = 1e-4;
+  thickness.max = 2e-3;
+  thickness.log = true;
+  asked.variables.push_back(thickness);
+  asked.starts = 4;
+  const Run run(sheet);
+  CHECK(run.answer.outcome == "undetermined");
+  CHECK(run.result().undetermined.empty());
+  CHECK_THAT(run.text(), !Contains("act only in combination"));
+  for (const auto& estimate : run.result().estimates) {
+    CAPTURE(estimate.parameter.name);
+    REQUIRE(std::isfinite(estimate.low));
+    REQUIRE(std::isfinite(estimate.high));
+    CHECK(estimate.low < estimate.parameter.value);
+    CHECK(estimate.high > estimate.parameter.value);
+    CHECK(estimate.low >= estimate.min);
+    CHECK(estimate.high <= estimate.max);
+  }
+}
+
 TEST_CASE("wrong columns of measurements are refused with place and remedy",
           "[studies][calibrate][errors]") {
   using Pair = std::pair<const char*, const char*>;
   const Pair pairs[] = {
       {"no_load_speed [rpm]\n140\n", "ok"},
-      {"speed [rpm],torque [N.m],electrical_power_at [W]\n10,1,2\n",
+      {"speed [rpm],torque [N.m],no_load_speed [rpm]\n10,1,2\n",
        "points.csv:1:13: torque: no standard deviation, which data of several kinds need; add the "
        "column 'torque_sd'"},
       {"speed [rpm],torque,torque_sd,no_load_speed,no_load_speed_sd\n10,1,0.1,,\n20,,,15,1\n",
@@ -90,6 +118,11 @@ TEST_CASE("wrong columns of measurements are refused with place and remedy",
       {"speed,torque,kinetic_friction\n1,1,0.2\n",
        "points.csv:1:14: kinetic_friction: set here, and estimated by the study; leave out the "
        "column"},
+      {"speed,electrical_power_at\n1,1\n",
+       "points.csv:1:7: electrical_power_at: the motor has no such value without modal data; give "
+       "resonance_frequency, modal_mass, force_factor and quality_factor under 'stator'"},
+      {"frequency [Hz],impedance [ohm]\n4e4,100\n",
+       "points.csv:1:16: impedance: the motor has no such value without modal data"},
       {"frequency,impedance [mm]\n1,1\n", "impedance: 'mm' is a length"},
   };
   for (const auto& [csv, message] : pairs) {

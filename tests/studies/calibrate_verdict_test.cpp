@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <numbers>
 #include <set>
@@ -196,4 +197,65 @@ TEST_CASE(
   // have a chance below 1e-4.
   CHECK(found >= 38);
   CHECK(alarms <= 6);
+}
+
+namespace {
+
+// A table with every measured number changed by up to 1e-13 of itself.
+std::string nudged(const std::string& path, std::uint64_t seed) {
+  std::ifstream from(path);
+  optim::Random random(seed, 0, 0);
+  std::string csv, line;
+  bool header = true;
+  while (std::getline(from, line)) {
+    if (line.empty() || line[0] == '#' || header) {
+      header = header && (line.empty() || line[0] == '#');
+      csv += line + "\n";
+      continue;
+    }
+    std::istringstream cells(line);
+    std::string cell, row;
+    while (std::getline(cells, cell, ','))
+      row += (row.empty() ? "" : ",") +
+             number(std::stod(cell) * (1 + 1e-13 * (2 * random.uniform() - 1)));
+    csv += row + "\n";
+  }
+  return csv;
+}
+
+}  // namespace
+
+TEST_CASE("rounding errors of the readings do not change a verdict", "[studies][calibrate]") {
+  const std::string folder = TWUM_SOURCE_DIR "/examples/studies/";
+  DesignVariable thickness{Parameter::thickness};
+  thickness.min = 1e-4;
+  thickness.max = 2e-3;
+  thickness.log = true;
+  for (const char* name : {"calibrate", "calibrate-data-sheet", "calibrate-data-sheet with h"}) {
+    StudyFile file = read_study_file(
+        folder + std::string(name).substr(0, std::string(name).find(' ')) + ".yaml");
+    auto& asked = std::get<CalibrateStudy>(file.asked);
+    if (std::string(name).back() == 'h') asked.variables.push_back(thickness);
+    const std::string data = folder + asked.data.front();
+    const Run exact(file);
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      CAPTURE(name, seed);
+      const ScratchFolder scratch;
+      std::ofstream(scratch.path(asked.data.front())) << nudged(data, seed);
+      file.folder = scratch.folder();
+      const Run run(file);
+      CHECK(run.answer.outcome == exact.answer.outcome);
+      CHECK(run.result().equals() == exact.result().equals());
+      CHECK(run.result().undetermined.size() == exact.result().undetermined.size());
+      for (std::size_t j = 0; j < run.result().estimates.size(); ++j) {
+        const auto& a = run.result().estimates[j];
+        const auto& b = exact.result().estimates[j];
+        CAPTURE(a.parameter.name);
+        // A search ends where steps are below 1e-9; the widths of intervals are found to 1e-3.
+        CHECK(a.parameter.value == Approx(b.parameter.value).epsilon(1e-6));
+        CHECK(a.low == Approx(b.low).epsilon(2e-3));
+        CHECK(a.high == Approx(b.high).epsilon(2e-3));
+      }
+    }
+  }
 }

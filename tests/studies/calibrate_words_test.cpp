@@ -193,3 +193,24 @@ TEST_CASE("the interval of a variable on a log scale stays above zero", "[studie
              Contains("A stiffer layer (youngs_modulus +") && Contains("with a thicker layer"));
   CHECK(run.answer.outcome == "undetermined");
 }
+
+TEST_CASE("equal readings that the motor misses alike are called nearly equal",
+          "[studies][calibrate][words]") {
+  // The no-load speed hardly depends on the preload; the motor is 1.3 to 1.6 rpm faster than the three readings.
+  Case one;
+  one.variables = "kinetic_friction: {min: 0.05, max: 0.5}";
+  const Run run(one.file(
+      "no_load_speed [rpm],no_load_speed_sd [rpm],holding_torque [N.m],holding_torque_sd [N.m],"
+      "preload [N]\n140,1,0.9,0.02,160\n140,1,0.9,0.02,165\n140,1,0.9,0.02,170\n"));
+  CHECK_THAT(run.text(), Contains("The 3 residuals of no_load_speed in order of preload are nearly "
+                                  "equal: chance makes neighbours as much alike with p = ") &&
+                             Contains("the motor misses each of these numbers by the same amount"));
+  // All equal: the probability is below the error of its integral.
+  CalibrateResult result = missed_by(0.1);
+  result.data.push_back(result.data.front());
+  result.data.push_back(result.data.front());
+  result.neighbours = optim::NeighbourTest{3, 1, 0};
+  CHECK_THAT(answer_text(result),
+             Contains("The 3 residuals of torque in order of speed are nearly "
+                      "equal: chance makes neighbours as much alike with p < 1e-6"));
+}

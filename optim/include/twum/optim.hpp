@@ -20,6 +20,7 @@
 #include <twum/optim/latin_hypercube.hpp>
 #include <twum/optim/least_squares.hpp>
 #include <twum/optim/library_versions.hpp>
+#include <twum/optim/lost_rank.hpp>
 #include <twum/optim/low_discrepancy.hpp>
 #include <twum/optim/neighbour_test.hpp>
 #include <twum/optim/optimum_moves.hpp>

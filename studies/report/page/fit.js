@@ -155,7 +155,11 @@ export function fitCharts() {
   circleChart(kinds);
 }
 
-/** The root of the rise along a profile: a cubic between its points with their slopes, straight beyond them. */
+/**
+ * The root of the rise along a profile: a cubic between its points with their slopes, straight beyond them. Slopes
+ * beyond three times that of the chord are limited to it, so that the cubic does not overshoot (Fritsch and Carlson
+ * 1980).
+ */
 export function alongProfile(profile, value) {
   const last = profile.length - 1;
   if (value <= profile[0].value) return profile[0].z + profile[0].slope * (value - profile[0].value);
@@ -164,8 +168,10 @@ export function alongProfile(profile, value) {
   const [p, q] = [profile[k], profile[k + 1]];
   const step = q.value - p.value;
   const t = (value - p.value) / step;
-  return (1 + 2 * t) * (1 - t) ** 2 * p.z + t * (1 - t) ** 2 * step * p.slope + t * t * (3 - 2 * t) * q.z +
-      t * t * (t - 1) * step * q.slope;
+  const chord = (q.z - p.z) / step;
+  const limited = (slope) => Math.sign(chord) * Math.min(Math.max(Math.sign(chord) * slope, 0), 3 * Math.abs(chord));
+  return (1 + 2 * t) * (1 - t) ** 2 * p.z + t * (1 - t) ** 2 * step * limited(p.slope) + t * t * (3 - 2 * t) * q.z +
+      t * t * (t - 1) * step * limited(q.slope);
 }
 
 /** Values from a little beyond both ends of a profile, within the range of the parameter. */
@@ -185,35 +191,37 @@ function profileChart(name, estimate) {
   const slope = profile.find((p) => p.z === 0).slope;
   const rise = grid.map((b) => alongProfile(profile, b) ** 2);
   const linear = grid.map((b) => (slope * (b - value)) ** 2);
+  // Where the Jacobian lacks rank there is no linearised interval.
+  const lines = [{name: 'profile', y: rise, colour: 'c0'}];
+  const legend = [{name: 'profile', colour: 'c0'}];
+  if (estimate.sd !== null) {
+    lines.push({name: 'linearised', y: linear, colour: 'soft', dash: [5, 4]});
+    legend.push({name: 'linearised', colour: 'soft', kind: 'dash'});
+  }
   const x = scaled(grid, unit.divisor);
   const beyond = low < grid[0] || high > grid[grid.length - 1];
   const note =
       'How much the smallest sum of squares rises if this parameter is fixed at a value. It is 1 at the ends of the interval. ' +
       (beyond ? 'The interval is wider than the profile: beyond it other motors fit the data.' : '');
   const node = card('Profile of ' + plain(name), note, 'half');
-  figure(
-      node, x,
-      [{name: 'profile', y: rise, colour: 'c0'}, {name: 'linearised', y: linear, colour: 'soft', dash: [5, 4]}], {
-        name: 'profile ' + name,
-        title: 'Profile of ' + plain(name),
-        legend: [
-          {name: 'profile', colour: 'c0'}, {name: 'linearised', colour: 'soft', kind: 'dash'},
-          {name: percent(summary.confidence) + ' interval', colour: 'band', kind: 'area'}
-        ],
-        x: {label: axisLabel(plain(name), unit), range: [x[0], x[x.length - 1]]},
-        y: {label: 'rise of the squares', range: [0, 2.2]},
-        height: 240,
-        ground: (u) => {
-          const [from, to, level, foot] = [
-            ...[Math.max(low, grid[0]), Math.min(high, grid[grid.length - 1])].map(
-                (v) => u.valToPos(v / unit.divisor, 'x', true)),
-            ...[1, 0].map((v) => u.valToPos(v, 'y', true))
-          ];
-          u.ctx.fillStyle = colour('band') + '55';
-          u.ctx.fillRect(from, level, to - from, foot - level);
-        },
-        tell: (i) => [['at', engineering(grid[i], unitOf(name))], ['rise', rise[i].toPrecision(3)]]
-      });
+  figure(node, x, lines, {
+    name: 'profile ' + name,
+    title: 'Profile of ' + plain(name),
+    legend: [...legend, {name: percent(summary.confidence) + ' interval', colour: 'band', kind: 'area'}],
+    x: {label: axisLabel(plain(name), unit), range: [x[0], x[x.length - 1]]},
+    y: {label: 'rise of the squares', range: [0, 2.2]},
+    height: 240,
+    ground: (u) => {
+      const [from, to, level, foot] = [
+        ...[Math.max(low, grid[0]), Math.min(high, grid[grid.length - 1])].map(
+            (v) => u.valToPos(v / unit.divisor, 'x', true)),
+        ...[1, 0].map((v) => u.valToPos(v, 'y', true))
+      ];
+      u.ctx.fillStyle = colour('band') + '55';
+      u.ctx.fillRect(from, level, to - from, foot - level);
+    },
+    tell: (i) => [['at', engineering(grid[i], unitOf(name))], ['rise', rise[i].toPrecision(3)]]
+  });
 }
 
 /** For each estimate with an interval what holding it elsewhere costs; 1 is where the interval ends. */

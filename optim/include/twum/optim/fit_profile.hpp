@@ -34,9 +34,10 @@ struct ProfileEnd {
 /// squares over the other parameters for a given value of this one. At the end it exceeds the sum of the fit by (t
 /// s)^2. If the linearised end agrees, it is taken. No value beyond the bounds is evaluated, and parameters that are
 /// at a bound in the fit stay there. Cost: one constrained fit of the others where the linearised end agrees, else
-/// about ten.
+/// about ten. Where the Jacobian of the fit lacks rank, there is no linearised end, and the search begins at a hundredth of
+/// the range.
 /// @param fit        of these parameters and residuals, with these options
-/// @param parameter  index of a parameter that is not at a bound and has a finite standard deviation above 0
+/// @param parameter  index of a parameter that is not at a bound and whose `rise` is finite and above 0
 ProfileEnd profile_end(const std::vector<Variable>& parameters, const ResidualFunction& residuals,
                        const LeastSquaresOptions& options, const LeastSquaresResult& fit,
                        std::size_t parameter, IntervalEnd end);

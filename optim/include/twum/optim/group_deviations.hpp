@@ -37,4 +37,15 @@ GroupDeviations group_deviations(const std::vector<Variable>& parameters,
                                  const std::vector<std::size_t>& groups,
                                  const LeastSquaresOptions& options = {});
 
+/// Quantiles for intervals where the groups are so small that (L9.3) is not enough. The linearised fit is repeated with 3999 sets
+/// of normal residuals, each with deviations of its groups estimated anew. The half width of an interval is the quantile of
+/// |error| of the parameter in its estimated standard deviations (L9.4). The numbers are the same in every call.
+/// @param at     residuals at the fit, in parts of the deviations of their groups
+/// @param known  of each parameter, as of group_deviations()
+/// @returns      `known` with its quantiles. Cost: about 0.1 s.
+std::vector<SmallSample> with_simulated_quantiles(const Residuals& at,
+                                                  std::span<const std::size_t> groups,
+                                                  const LeastSquaresResult& fit, double confidence,
+                                                  std::vector<SmallSample> known);
+
 }  // namespace twum::optim

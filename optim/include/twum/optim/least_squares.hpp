@@ -34,6 +34,7 @@ enum class Loss : unsigned char {
 struct SmallSample {
   double freedom{0.0};   ///< degrees of freedom that its standard deviation is known to
   double widening{1.0};  ///< factor on the linearised standard deviation
+  double quantile{0.0};  ///< half width of its interval in these standard deviations; 0: Student's
 };
 
 /// How to fit.

@@ -11,6 +11,7 @@
 #include <twum/base/error.hpp>
 #include <twum/base/ordered.hpp>
 #include <twum/optim/group_deviations.hpp>
+#include <twum/optim/lost_rank.hpp>
 #include <twum/optim/low_discrepancy.hpp>
 #include <twum/studies/text/words.hpp>
 #include <twum/studies/units/engineering.hpp>
@@ -107,17 +108,23 @@ class CalibrateRun final : public StudyKindRun {
     });
     stage += starts_;
     std::vector<ProfiledInterval> found;
+    LostSets lost;
     for (int round = 0; round < kMostRounds && best_fit(fit, fits); ++round) {
-      found = intervals(context, fit, fits[*best_fit(fit, fits)], stage, teller);
+      const optim::LeastSquaresResult& best = fits[*best_fit(fit, fits)];
+      lost.clear();
+      if (!best.undetermined.empty()) lost = lost_rank(context, best, stage++, teller);
+      found = intervals(context, fit, best, lost, stage, teller);
       stage += 2 * variables();
       const std::vector<double> better = better_place(found);
       if (better.empty() || context.stop.stop_requested()) break;
       fits.push_back(one_fit(context, stage++, better, teller));
     }
-    const auto joined = [&](const optim::LeastSquaresResult& best, std::span<const double> other) {
+    CalibrationAsked asked{fit, tables_, confidence_, columns_, unsettled_};
+    asked.joined = [&](const optim::LeastSquaresResult& best, std::span<const double> other) {
       return path_joins(context, best, other, stage++, teller);
     };
-    return calibration({fit, tables_, confidence_, columns_, unsettled_, joined}, fits, found);
+    asked.undetermined = lost;
+    return calibration(asked, fits, found);
   }
 
   std::optional<StoredRow> recompute(const StoredRow& asked) const override {
@@ -126,6 +133,8 @@ class CalibrateRun final : public StudyKindRun {
   }
 
  private:
+  using LostSets = std::vector<std::vector<std::string>>;
+
   // The evaluations of one stage: those that are stored, and on from where they end. A stage is a function of the study
   // alone, so that it goes the same way again.
   class StageLog {
@@ -193,14 +202,32 @@ class CalibrateRun final : public StudyKindRun {
           options(context));
     });
     deviations_.assign(1 + *std::max_element(columns_.begin(), columns_.end()), 1.0);
-    double least = std::numeric_limits<double>::infinity();
-    for (const optim::GroupDeviations& one : all) {
-      if (one.fit.estimates.empty() || !(one.level < least)) continue;
-      least = one.level;
-      small_sample_ = one.small_sample;
-      deviations_ = one.deviations;
-      unsettled_ = one.fit.outcome == optim::Outcome::optimal ? "" : one.fit.word;
-    }
+    const optim::GroupDeviations* best = nullptr;
+    for (const optim::GroupDeviations& one : all)
+      if (!one.fit.estimates.empty() && (best == nullptr || one.level < best->level)) best = &one;
+    if (best == nullptr) return;
+    deviations_ = best->deviations;
+    unsettled_ = best->fit.outcome == optim::Outcome::optimal ? "" : best->fit.word;
+    small_sample_ = best->small_sample;
+    if (has_short_column()) simulate_quantiles(best->fit);
+  }
+
+  // With this many numbers more than parameters in each column the correction of first order is enough: intervals of 95 %
+  // then held the truth in 93.1 to 96.4 % of 1,000 cases.
+  bool has_short_column() const {
+    constexpr std::size_t kEnough = 10;
+    std::vector<std::size_t> counts(deviations_.size(), 0);
+    for (const std::size_t column : columns_) ++counts[column];
+    return *std::min_element(counts.begin(), counts.end()) < variables() + kEnough;
+  }
+
+  void simulate_quantiles(const optim::LeastSquaresResult& fit) {
+    std::vector<double> values;
+    for (const optim::Estimate& e : fit.estimates) values.push_back(e.value);
+    const optim::Residuals at = optim::in_deviations(fit_.residuals(values), columns_, deviations_);
+    if (!at.failure.empty()) return;
+    small_sample_ =
+        optim::with_simulated_quantiles(at, columns_, fit, confidence_, std::move(small_sample_));
   }
 
   optim::LeastSquaresResult one_fit(RunContext& context, std::uint64_t stage,
@@ -236,6 +263,15 @@ class CalibrateRun final : public StudyKindRun {
     return true;
   }
 
+  // Sets of parameters that count only together, at the best fit and beside it.
+  LostSets lost_rank(RunContext& context, const optim::LeastSquaresResult& best,
+                     std::uint64_t stage, Teller& teller) const {
+    StageLog log(*this, context, stage, teller);
+    return optim::lost_rank(
+        fit_.variables({}), [&](auto values) { return log.residuals(values); }, options(context),
+        best);
+  }
+
   // A place that the search for intervals met and that fits better than the fit.
   static std::vector<double> better_place(const std::vector<ProfiledInterval>& intervals) {
     for (const ProfiledInterval& one : intervals) {
@@ -249,14 +285,16 @@ class CalibrateRun final : public StudyKindRun {
   // is stated of the scatter, nor for a parameter that is held or not determined.
   std::vector<ProfiledInterval> intervals(RunContext& context, const MeasuredFit& fit,
                                           const optim::LeastSquaresResult& best,
-                                          std::uint64_t stage, Teller& teller) const {
+                                          const LostSets& lost, std::uint64_t stage,
+                                          Teller& teller) const {
     const std::size_t n = best.estimates.size();
     std::vector<ProfiledInterval> list(n);
     const bool ended =
         best.outcome == optim::Outcome::optimal || best.outcome == optim::Outcome::feasible;
     if (!ended || (!stated_ && fit.exact(root_mean(best, fit)))) return list;
     const auto ends = in_order<std::optional<optim::ProfileEnd>>(
-        context, 2 * n, [&](std::uint64_t i) { return profiled(context, best, i, stage, teller); });
+        context, 2 * n,
+        [&](std::uint64_t i) { return profiled(context, best, lost, i, stage, teller); });
     for (std::size_t i = 0; i < ends.size(); ++i)
       (i % 2 == 0 ? list[i / 2].low : list[i / 2].high) = ends[i];
     return list;
@@ -264,10 +302,12 @@ class CalibrateRun final : public StudyKindRun {
 
   std::optional<optim::ProfileEnd> profiled(RunContext& context,
                                             const optim::LeastSquaresResult& best,
-                                            std::uint64_t number, std::uint64_t stage,
-                                            Teller& teller) const {
+                                            const LostSets& lost, std::uint64_t number,
+                                            std::uint64_t stage, Teller& teller) const {
     const optim::Estimate& e = best.estimates[number / 2];
-    if (e.at_bound || !(e.standard_deviation > 0)) return {};
+    if (e.at_bound || !(e.rise > 0) || !std::isfinite(e.rise)) return {};
+    for (const auto& names : lost)
+      if (std::find(names.begin(), names.end(), e.name) != names.end()) return {};
     StageLog log(*this, context, stage + number, teller);
     const optim::ProfileEnd end = optim::profile_end(
         fit_.variables({}), [&](auto values) { return log.residuals(values); }, options(context),

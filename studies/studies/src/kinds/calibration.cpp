@@ -31,6 +31,7 @@ class Calibration {
         fits_(fits),
         tables_(asked.tables),
         joined_(asked.joined),
+        lost_(asked.undetermined),
         unsettled_(asked.unsettled) {
     result_.confidence = asked.confidence;
     for (const LeastSquaresResult& one : fits_) result_.starts.push_back(start_of(one));
@@ -57,7 +58,8 @@ class Calibration {
     name_outliers(best, residuals);
     test_residuals(result_, residuals, best, fit_.deviations_given());
     compare_optima(best, residuals);
-    result_.undetermined = unseen_sets(best, residuals);
+    result_.undetermined = unseen_sets(best, residuals, lost_ ? *lost_ : best.undetermined);
+    result_.folded = result_.undetermined.size() < best.undetermined.size();
     if (!result_.determined())
       result_.combinations =
           hardly_seen(best, fit_.points().size(), result_.exact && !result_.stated);
@@ -152,6 +154,19 @@ class Calibration {
     if (e.high_cut) e.high = e.max;
   }
 
+  // The slope of a profile at the estimate from its nearest points, where the linearised interval does not give it.
+  static double slope_at(double b, const ProfiledInterval& found) {
+    double sum = 0;
+    int count = 0;
+    const auto add = [&](const optim::ProfilePoint& point) {
+      sum += point.z / (point.value - b);
+      ++count;
+    };
+    if (!found.low->points.empty()) add(found.low->points.back());
+    if (!found.high->points.empty()) add(found.high->points.front());
+    return count > 0 ? sum / count : 0;
+  }
+
   // `linear_high` is the upper end of the linearised interval.
   static void set_interval(const ProfiledInterval& found, double linear_high,
                            CalibrateResult::Estimate& e) {
@@ -164,7 +179,7 @@ class Calibration {
     e.low_cut = found.low->cut_off;
     e.high_cut = found.high->cut_off;
     e.profile = found.low->points;
-    e.profile.push_back({b, 0, 1 / half_width});
+    e.profile.push_back({b, 0, std::isfinite(half_width) ? 1 / half_width : slope_at(b, found)});
     e.profile.insert(e.profile.end(), found.high->points.begin(), found.high->points.end());
   }
 
@@ -294,6 +309,7 @@ class Calibration {
   const std::vector<LeastSquaresResult>& fits_;
   std::vector<std::string> tables_;
   decltype(CalibrationAsked::joined) joined_;
+  decltype(CalibrationAsked::undetermined) lost_;
   std::string unsettled_;
   CalibrateResult result_;
 };

@@ -24,6 +24,8 @@ struct CalibrationAsked {
   /// Whether a path joins another optimum to the best fit inside the joint confidence region; none: never.
   std::function<bool(const optim::LeastSquaresResult& best, std::span<const double> other)>
       joined{};
+  /// The sets of parameters that the data determine only together, at the best fit and beside it; none: those of the fit.
+  std::optional<std::vector<std::vector<std::string>>> undetermined{};
 };
 
 /// A measured point as a result shows it; fitted and residual are NaN.

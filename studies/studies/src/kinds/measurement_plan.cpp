@@ -190,6 +190,7 @@ class Planner {
 
   // Settings: the motor unchanged, with other preloads and voltages, and with the settings of the data.
   std::vector<std::vector<ParameterValue>> settings(const MeasuredPoint& like) const {
+    if (std::holds_alternative<CircuitPart>(like.reading)) return frequencies(like);
     std::vector<std::vector<ParameterValue>> list{{}};
     for (const Parameter parameter : {Parameter::preload, Parameter::voltage}) {
       if (!in_use(fit_.motor(), parameter) || fit_.sets(parameter)) continue;
@@ -199,6 +200,22 @@ class Planner {
     for (const MeasuredPoint& point : fit_.points())
       if (same_motor(point, like) && std::find(list.begin(), list.end(), point.set) == list.end())
         list.push_back(point.set);
+    return list;
+  }
+
+  // Settings of the data for the free stator, which no preload or voltage changes; each with its frequency.
+  std::vector<std::vector<ParameterValue>> frequencies(const MeasuredPoint& like) const {
+    std::vector<std::vector<ParameterValue>> list;
+    for (const MeasuredPoint& point : fit_.points()) {
+      if (!std::holds_alternative<CircuitPart>(point.reading) || !same_motor(point, like)) continue;
+      std::vector<ParameterValue> set = point.set;
+      const bool given = std::any_of(set.begin(), set.end(), [](const ParameterValue& one) {
+        return one.first == Parameter::frequency || one.first == Parameter::frequency_ratio;
+      });
+      if (!given && !fit_.sets(Parameter::frequency))
+        set.emplace_back(Parameter::frequency, get(fit_.motor(), Parameter::frequency));
+      if (std::find(list.begin(), list.end(), set) == list.end()) list.push_back(std::move(set));
+    }
     return list;
   }
 

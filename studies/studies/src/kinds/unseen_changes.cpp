@@ -39,11 +39,13 @@ CalibrateResult::Combination combination(const LeastSquaresResult& fit,
   constexpr double kStep = 0.1;
   constexpr double kNotable = 0.05;
   constexpr double kCounts = 0.1;
+  constexpr double kLeast = 1e-6;  // less is rounding, where the direction is not seen at all
   const double most = *std::max_element(direction.part_norms.begin(), direction.part_norms.end());
   CalibrateResult::Combination result;
   double percent = 0;
   for (std::size_t j = 0; j < direction.change.size(); ++j) {
-    const bool counts = direction.part_norms[j] > kCounts * most;
+    const bool counts =
+        direction.part_norms[j] > kCounts * most && std::fabs(direction.change[j]) >= kLeast;
     if (!(std::fabs(direction.change[j]) >= kNotable) && !counts) continue;
     if (percent == 0) percent = std::copysign(100 * kStep, direction.change[j]);
     result.parts.push_back({fit.estimates[j].name, percent * direction.change[j]});
@@ -54,10 +56,11 @@ CalibrateResult::Combination combination(const LeastSquaresResult& fit,
 
 }  // namespace
 
-std::vector<CalibrateResult::Undetermined> unseen_sets(const LeastSquaresResult& fit,
-                                                       const optim::Residuals& residuals) {
+std::vector<CalibrateResult::Undetermined> unseen_sets(
+    const LeastSquaresResult& fit, const optim::Residuals& residuals,
+    const std::vector<std::vector<std::string>>& list) {
   std::vector<CalibrateResult::Undetermined> sets;
-  for (const auto& names : fit.undetermined) {
+  for (const auto& names : list) {
     CalibrateResult::Undetermined set;
     set.names = names;
     if (names.size() == 2) set.undone_by = undone_by(fit, residuals, names);

@@ -5,14 +5,17 @@
 #include <twum/studies/results/calibrate_result.hpp>
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace twum::studies {
 
 /// Sets of parameters that the data do not tell apart.
 /// @param residuals  at the fit
-std::vector<CalibrateResult::Undetermined> unseen_sets(const optim::LeastSquaresResult& fit,
-                                                       const optim::Residuals& residuals);
+/// @param names      of the parameters of each set
+std::vector<CalibrateResult::Undetermined> unseen_sets(
+    const optim::LeastSquaresResult& fit, const optim::Residuals& residuals,
+    const std::vector<std::vector<std::string>>& names);
 
 /// Directions along which a confidence interval is half of the values wide, or more (L2.3); if there are none, the one
 /// that is seen least.

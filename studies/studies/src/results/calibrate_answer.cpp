@@ -284,6 +284,25 @@ std::string column_words(const CalibrateResult& result) {
   return text.empty() ? text : text + "\n";
 }
 
+// Below this the integral of (L4.1) is no more than its own error.
+std::string chance_words(double p) {
+  constexpr double kLeast = 1e-6;
+  return p < kLeast ? "p < 1e-6" : "p = " + rounded_text(p, 2);
+}
+
+std::string neighbour_words(const CalibrateResult& result) {
+  const auto& of = result.neighbours_of;
+  const std::string count = std::to_string(result.neighbours->count);
+  const std::string chance = chance_words(result.neighbours->p) + "\n";
+  const bool torque = of.quantity == "torque_at";
+  if (result.alike())
+    return "The " + count + " residuals of " + (torque ? "torque" : of.quantity) + " in order of " +
+           of.over + " are nearly equal: chance makes neighbours as much alike with " + chance;
+  return "Neighbouring residuals" + (torque ? "" : " of " + of.quantity) + " in order of " +
+         of.over + ": correlation " + rounded_text(result.neighbours->correlation, 2) + " of " +
+         count + " points, " + chance;
+}
+
 std::string test_words(const CalibrateResult& result) {
   std::string text = column_words(result);
   if (result.chi_square) {
@@ -297,14 +316,7 @@ std::string test_words(const CalibrateResult& result) {
             rounded_text(result.worst_kind->chi_square, 4) + " for " +
             counted(result.worst_kind->count, "number") +
             ", p = " + rounded_text(result.worst_kind->p, 2) + "\n";
-  if (result.neighbours) {
-    const bool torque = result.neighbours_of.quantity == "torque_at";
-    text += "Neighbouring residuals" + (torque ? "" : " of " + result.neighbours_of.quantity) +
-            " in order of " + result.neighbours_of.over + ": correlation " +
-            rounded_text(result.neighbours->correlation, 2) + " of " +
-            counted(result.neighbours->count, "point") +
-            ", p = " + rounded_text(result.neighbours->p, 2) + "\n";
-  }
+  if (result.neighbours) text += neighbour_words(result);
   return text;
 }
 

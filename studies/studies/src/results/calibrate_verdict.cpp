@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace twum::studies {
 
@@ -80,6 +81,18 @@ bool CalibrateResult::poor() const {
                                   worst_kind ? worst_kind->p : 1.0});
   if (chance < kRare || (chance < kUnlikely && misfit() > kNoticeable)) return true;
   return !chi_square && (misfit() > kLarge || missed() != nullptr);
+}
+
+bool CalibrateResult::alike() const {
+  constexpr double kPart = 0.25;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const Point& point : data) {
+    if (!neighbours || !point.counts || point.quantity != neighbours_of.quantity) continue;
+    low = std::min(low, point.residual);
+    high = std::max(high, point.residual);
+  }
+  return low * high > 0 && high - low <= kPart * std::min(std::fabs(low), std::fabs(high));
 }
 
 const CalibrateResult::Point* CalibrateResult::missed() const {

@@ -85,6 +85,11 @@ void add_misfit(const CalibrateResult& result, Notes& notes) {
     text += " are larger than the standard deviations given";
   else if (result.worst_kind)
     text += " of " + result.worst_kind->quantity + " are larger than the standard deviations given";
+  else if (result.neighbours && result.neighbours->p < kUnlikely && result.alike())
+    text +=
+        " of " +
+        (result.neighbours_of.quantity == "torque_at" ? "torque" : result.neighbours_of.quantity) +
+        " are nearly equal: the motor misses each of these numbers by the same amount";
   else if (result.neighbours && result.neighbours->p < kUnlikely)
     text += " keep their sign over whole stretches of " + result.neighbours_of.over;
   else
@@ -152,12 +157,17 @@ void add_undetermined(const CalibrateResult::Undetermined& set, Notes& notes) {
 }
 
 // The change of the motor that the data determine least.
-void add_combination(const CalibrateResult::Combination& combination, Notes& notes) {
+void add_combination(const CalibrateResult::Combination& combination, bool folded, Notes& notes) {
   if (combination.parts.size() < 2 && combination.unseen) return;  // told with its name
   std::string text = combination_words(combination);
   text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   constexpr double kNothing = 1e-3;  // standard deviations
-  if (combination.unseen || combination.effect < kNothing)
+  if (combination.unseen && folded)
+    text +=
+        " fits nearly as well: close to the estimates no measured number changes to first order. "
+        "Farther away the numbers do change; the intervals show by how much the parameters may "
+        "differ.";
+  else if (combination.unseen || combination.effect < kNothing)
     text += " fits equally well: to first order no measured number changes.";
   else if (std::isfinite(combination.effect))
     text += (combination.effect < 1 ? " fits nearly as well: "
@@ -270,6 +280,10 @@ void add_freedom(const CalibrateResult& result, Notes& notes) {
         "As many points as parameters: no residuals are left that show how good the estimates "
         "are.");
   if (result.exact) notes.emplace_back("The points lie on the curve to rounding.");
+  if (result.exact && !result.stated)
+    notes.emplace_back(
+        "They show no scatter, and the intervals contain none. If you measured them, give the "
+        "accuracy of the instrument as standard deviations and write 'scatter: stated'.");
   if (result.static_ratio != 1)
     notes.push_back("static_friction is " + rounded_text(result.static_ratio, 4) +
                     " times kinetic_friction, as in the motor, and followed it.");
@@ -298,7 +312,8 @@ std::vector<std::string> calibration_notes(const CalibrateResult& result) {
   add_outliers(result, notes);
   add_several(result, notes);
   for (const auto& set : result.undetermined) add_undetermined(set, notes);
-  for (const auto& combination : result.combinations) add_combination(combination, notes);
+  for (const auto& combination : result.combinations)
+    add_combination(combination, result.folded, notes);
   add_wide(result, notes);
   add_correlated(result, notes);
   if (!result.at_bounds()) add_held(result, notes);

@@ -175,6 +175,8 @@ struct CalibrateResult {
   std::optional<KindScatter> worst_kind;   ///< where it is as rare as one time in twenty
   std::vector<Outlier> outliers;           ///< the farthest first
   std::vector<Undetermined> undetermined;  ///< none if the data determine all
+  /// The Jacobian lacks more rank at the estimates than beside them: there only the profiles give intervals.
+  bool folded{false};
   std::vector<Combination> combinations;  ///< least visible first; none if the intervals are of use
   std::vector<Optimum> optima;            ///< local optima where starts ended, best first
   std::vector<Start> starts;              ///< every local fit
@@ -193,6 +195,8 @@ struct CalibrateResult {
   /// Degrees of freedom from which on the residuals show by themselves what the scatter is: a standard deviation of ten lies
   /// within 0.70 and 1.75 of the true one (95 %).
   static constexpr std::size_t kKnownScatter = 10;
+  /// Whether the residuals that `neighbours` tests are nearly equal: of one sign, and within a quarter of the smallest.
+  bool alike() const;
 
   /// Root mean square of the residuals relative to the largest measured torque; 0 without estimates.
   double misfit() const;
