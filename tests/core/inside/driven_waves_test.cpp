@@ -127,8 +127,7 @@ TEST_CASE("one turn from a state nearby leads to the periodic state and its bala
         followed = false;
         break;
       }
-      const auto again =
-          point.newton_turn(waves.motor(a), speed, turn->next, at.states, point);
+      const auto again = point.newton_turn(waves.motor(a), speed, turn->next, at.states, point);
       REQUIRE(again);
       const double off = std::fabs(waves.balance(turn->numbers, a).force() - force) / force;
       CAPTURE(i, share, turn->gap, again->gap, off);
