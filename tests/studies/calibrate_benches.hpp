@@ -332,6 +332,8 @@ inline const Named kBenches[] = {{"preloads", kPreloads},
                                  {"holding torques", kHoldingTorques},
                                  {"stall torques", kStallTorques},
                                  {"starting voltages", kStartVoltages}};
+/// So many of them, the last, have short columns or a single kind of data.
+inline constexpr std::size_t kFewNumbers = 9;
 
 struct BenchCase : Case {
   explicit BenchCase(const Bench& bench) {

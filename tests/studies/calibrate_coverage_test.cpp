@@ -5,6 +5,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <iterator>
+#include <span>
+#include <string>
+
 using namespace twum;
 using namespace twum::studies;
 using namespace twum::test;
@@ -38,8 +42,8 @@ void check_coverage(const Named& named, const std::string& scatter, int trials) 
 }
 
 // With the scatter estimated and as stated; and of each column by itself, which takes long columns.
-void check_coverage(int trials) {
-  for (const Named& named : kBenches)
+void check_coverage(std::span<const Named> benches, int trials) {
+  for (const Named& named : benches)
     for (const std::string scatter : {"estimated", "stated", "by-column"})
       if (named.bench.long_columns || scatter != "by-column")
         DYNAMIC_SECTION(named.name << ", scatter " << scatter) {
@@ -47,14 +51,30 @@ void check_coverage(int trials) {
         }
 }
 
+std::span<const Named> of_few_numbers() { return std::span(kBenches).last(kFewNumbers); }
+std::span<const Named> of_many_numbers() {
+  return std::span(kBenches).first(std::size(kBenches) - kFewNumbers);
+}
+
 }  // namespace
 
 TEST_CASE("intervals of data of every kind cover the truth as often as they say",
           "[studies][calibrate][statistics]") {
-  check_coverage(40);
+  check_coverage(of_many_numbers(), 40);
 }
 
 TEST_CASE("intervals of data of every kind cover the truth as often as they say - many times",
           "[studies][calibrate][statistics][.long]") {
-  check_coverage(1000);
+  check_coverage(of_many_numbers(), 1000);
+}
+
+TEST_CASE(
+    "intervals of short columns and of single kinds of data cover the truth as often as they say",
+    "[studies][calibrate][statistics]") {
+  check_coverage(of_few_numbers(), 40);
+}
+
+TEST_CASE("intervals of short columns and of single kinds of data cover the truth - many times",
+          "[studies][calibrate][statistics][.long]") {
+  check_coverage(of_few_numbers(), 1000);
 }
