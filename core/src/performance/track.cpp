@@ -18,8 +18,8 @@ using std::numbers::pi;
 using RadiusDual = Dual<double, 1>;
 
 constexpr int kMostNewtonSteps = 200;
-// of the distance from lift-off. What a step leaves is a quarter of its square, and 1e-5 of it, as the slope leaves out how
-// nodes move
+// of the distance from lift-off. After a step of this length the error is rounding: Newton's method leaves a quarter of the
+// square, and 1e-5 of the step remains because the slope takes the nodes as fixed
 constexpr double kLastStep = 1e-11;
 constexpr double kQuadrature = 1e-6;  // of the force, more than its nodes leave
 

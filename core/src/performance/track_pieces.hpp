@@ -112,8 +112,8 @@ class Track {
     return force;
   }
 
-  /// The same with its slope over the indentation, E theta_L / h over the track (W2.4), as if the nodes did not move with
-  /// the ends of the pieces.
+  /// The same with its slope in the indentation (W2.4). The slope takes the nodes as fixed; they move a little with the ends
+  /// of the pieces.
   struct ForceAndSlope {
     double force, slope;  ///< [N], [N/m]
   };
