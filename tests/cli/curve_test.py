@@ -238,7 +238,7 @@ class Curve(program.Case):
         self.assertAlmostEqual(shown / change, 1, delta=0.05)
         self.assertIn("--compare-slices compares metrics", self.refused("curve", RING, "--compare-slices", "--format", "csv"))
 
-    def test_settings_change_the_motor_and_replace_twins(self):
+    def test_settings_change_the_motor_and_replace_alternatives(self):
         motor = json.loads(self.ok("curve", RING, "--set", "preload=140 N", "--set", "G=1 GPa", "--format", "json"))["motor"]
         self.assertEqual(motor["preload"], 140)
         self.assertEqual(motor["shear_modulus"], 1e9)

@@ -182,8 +182,8 @@ class Schema(program.Case):
                 self.assertEqual(self.validator.is_valid(motor), valid)
 
     def test_it_refuses_what_a_schema_can_see(self):
-        for name in ("unknown-entry", "missing", "missing-section", "missing-twin", "wrong-version", "both-twins",
-                     "all-twins", "empty-value", "list-for-value", "value-for-section", "no-unit", "too-large", "fraction",
+        for name in ("unknown-entry", "missing", "missing-section", "missing-alternative", "wrong-version", "both-alternatives",
+                     "all-alternatives", "empty-value", "list-for-value", "value-for-section", "no-unit", "too-large", "fraction",
                      "zero-wavelengths", "negative-friction", "boolean", "not-a-number", "unit-on-a-number", "study-file"):
             with self.subTest(name):
                 text = (ROOT / f"tests/data/motor_errors/{name}.yaml").read_text()
@@ -197,7 +197,7 @@ class StudySchema(program.Case):
         validator = jsonschema.Draft202012Validator(schema)
         for name in ("unknown-kind", "missing-kind", "unknown-entry", "both-objectives", "no-objective",
                      "constraint-not-a-list", "unknown-variable", "variable-without-max", "variable-is-a-value",
-                     "variable-and-twin", "unknown-scale", "solver-option", "solver-fraction", "negative-seed",
+                     "variable-and-alternative", "unknown-scale", "solver-option", "solver-fraction", "negative-seed",
                      "motor-is-a-list", "inline-motor-wrong", "family-not-a-list", "one-objective", "objective-is-text",
                      "unknown-distribution", "sampling-unknown", "no-metrics"):
             with self.subTest(name):

@@ -74,7 +74,7 @@ inline MotorDesign elastic_ring(double phi, double compliance) {
 }
 
 /// A narrow contact at 145 kHz whose soft layer holds a fifth more than it slides.
-inline MotorDesign rough_motor() {
+inline MotorDesign sticky_motor() {
   MotorDesign design;
   design.stator.wavelengths = 8;
   design.stator.contact_radius = 0.039208379619791345;

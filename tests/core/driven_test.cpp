@@ -329,7 +329,7 @@ TEST_CASE("a very stiff stator with force to match holds its amplitude", "[core]
   }
 }
 
-TEST_CASE("twins of the drive replace each other, and what is missing is named (D2.2)",
+TEST_CASE("alternatives of the drive replace each other, and what is missing is named (D2.2)",
           "[core][driven][edge]") {
   const MotorDesign design = driven_motor();
   const double q = get(design, Parameter::quality_factor);

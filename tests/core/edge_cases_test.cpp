@@ -196,8 +196,8 @@ TEST_CASE("a layer dragged over a still stator slips steadily unless it comes ba
       if (std::abs(least) < 1e-6) continue;  // too close to tell by steps in time
       ++(least > 0 ? steady : rhythm);
       // Over a stator without a wave both directions are the same.
-      for (const double either : {speed, -speed})
-        CHECK(motor.operating_point(either).status ==
+      for (const double signed_speed : {speed, -speed})
+        CHECK(motor.operating_point(signed_speed).status ==
               (least > 0 ? PointStatus::ok : PointStatus::no_periodic_state));
     }
   }

@@ -25,12 +25,12 @@ inline std::vector<MetricRequest> all_requests(const Motor& motor) {
   const double load = 0.4 * evaluate(motor, {Metric::stall_torque}).value;
   std::vector<MetricRequest> requests;
   for (const MetricInfo& row : metric_table()) {
-    const bool either = row.argument == Argument::speed_or_torque;
+    const bool both = row.argument == Argument::speed_or_torque;
     if (row.argument == Argument::none) requests.push_back({row.metric, Argument::none, 0});
-    if (row.argument == Argument::speed || either) {
+    if (row.argument == Argument::speed || both) {
       requests.push_back({row.metric, Argument::speed, 0.8 * motor.crest_speed()});
     }
-    if (row.argument == Argument::torque || either)
+    if (row.argument == Argument::torque || both)
       requests.push_back({row.metric, Argument::torque, load});
   }
   return requests;
@@ -60,7 +60,8 @@ inline MotorDesign design_of(Uniform& random, int index) {
   design.friction.static_ = design.friction.kinetic * (threshold ? 1.2 : 1.0);
   if (index % 4 == 1) design = damped(design);
   if (index % 4 == 2) design = elastic(design);
-  if (index % 4 == 3) {  // constants given outright are parameters in use instead of their twins
+  if (index % 4 ==
+      3) {  // constants given outright are parameters in use instead of their alternatives
     design.layer.given_shear_modulus = 0.9 * shear_modulus(design);
     design.layer.given_shear_viscosity = shear_viscosity(design);
     design.layer.given_inertia = inertia(design);

@@ -72,10 +72,11 @@ struct Tally {
 // Both motors' numbers differ by powers of two alone, so that rounding is the same in both: to the bit.
 void check_scale(const MotorDesign& design, const MotorDesign& larger, const Scale& by,
                  Tally& tally) {
-  const Motor motor(design), twin(larger);
-  std::vector<MetricRequest> requests = requests_of(motor), of_twin = requests;
-  for (MetricRequest& each : of_twin) each.at *= factor_of("N.m", by);
-  const auto expected = differentiate(motor, requests), found = differentiate(twin, of_twin);
+  const Motor motor(design), larger_motor(larger);
+  std::vector<MetricRequest> requests = requests_of(motor), larger_requests = requests;
+  for (MetricRequest& each : larger_requests) each.at *= factor_of("N.m", by);
+  const auto expected = differentiate(motor, requests),
+             found = differentiate(larger_motor, larger_requests);
   for (std::size_t k = 0; k < requests.size(); ++k) {
     const MetricInfo& row = info(requests[k].metric);
     const double factor = factor_of(row.unit, by);
@@ -96,10 +97,10 @@ void check_scale(const MotorDesign& design, const MotorDesign& larger, const Sca
       const std::size_t j = index_of(each.parameter);
       // What a relative change of the parameter does has the metric's unit.
       const double change = expected[k].gradient[j] * get(design, each.parameter),
-                   twins = found[k].gradient[j] * get(larger, each.parameter);
+                   larger_change = found[k].gradient[j] * get(larger, each.parameter);
       CAPTURE(each.name);
       ++tally.slopes;
-      CHECK(twins == factor * change);
+      CHECK(larger_change == factor * change);
     }
   }
 }
@@ -131,16 +132,16 @@ TEST_CASE("metrics of a motor built to another scale are the metrics scaled (C8.
   Tally tally;
   for (const Scale& by : {Scale{0x1p-13, 1, 1}, Scale{0x1p10, 1, 1}, Scale{1, 0x1p-10, 1},
                           Scale{1, 0x1p10, 1}, Scale{1, 1, 0x1p-7}, Scale{1, 1, 0x1p4}}) {
-    int twins = 0;
+    int checked = 0;
     for (std::size_t i = 0; i < designs.size(); ++i) {
       const MotorDesign design = outright(designs[i]), larger = scaled(design, by);
       if (!complaints(larger).empty()) continue;  // harder than any material
       CAPTURE(i);
-      ++twins;
+      ++checked;
       check_scale(design, larger, by, tally);
     }
     CAPTURE(by.stress, by.time, by.length);
-    CHECK(twins >= 5);
+    CHECK(checked >= 5);
   }
   CHECK(tally.values > 1000);
   CHECK(tally.slopes > 10000);

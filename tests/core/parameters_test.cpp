@@ -35,7 +35,7 @@ TEST_CASE("the parameter table has one row for each parameter, in order",
     if (!row.symbol.empty()) CHECK(words.insert(row.symbol).second);
     CHECK(find_parameter(row.name) == row.parameter);
     if (!row.symbol.empty()) CHECK(find_parameter(row.symbol) == row.parameter);
-    if (row.twin) CHECK(info(*row.twin).twin == row.parameter);
+    if (row.alternative) CHECK(info(*row.alternative).alternative == row.parameter);
     CHECK(row.min < row.max);
     CHECK_FALSE(row.text.empty());
     CHECK_FALSE(row.reason.empty());
@@ -62,11 +62,12 @@ TEST_CASE("every parameter of the ring motor can be set and read back",
     const MotorDesign changed = with(design, row.parameter, value);
     CHECK(get(changed, row.parameter) == Approx(value).epsilon(1e-15));
     CHECK(in_use(changed, row.parameter));
-    if (row.twin) CHECK_FALSE(in_use(changed, *row.twin));
+    if (row.alternative) CHECK_FALSE(in_use(changed, *row.alternative));
   }
 }
 
-TEST_CASE("a parameter's twin says the same (T1.2, T1.3, T1.4)", "[core][design][identity]") {
+TEST_CASE("a parameter's alternative says the same (T1.2, T1.3, T1.4)",
+          "[core][design][identity]") {
   const MotorDesign given = with(ring(), P::shear_modulus, 1.2e9);
   CHECK(get(given, P::poisson_ratio) == Approx(3e9 / 2.4e9 - 1).epsilon(1e-14));
   CHECK(get(with(given, P::poisson_ratio, 0.25), P::shear_modulus) == Approx(1.2e9).epsilon(1e-15));

@@ -22,15 +22,15 @@ using P = Parameter;
 
 // The same motor with the numbers of its plate as modal data.
 MotorDesign by_modal_data(const MotorDesign& design) {
-  MotorDesign twin = design;
-  Stator& s = twin.stator;
+  MotorDesign copy = design;
+  Stator& s = copy.stator;
   s.geometry.reset();
   s.neutral_plane_distance = get(design, P::neutral_plane_distance);
   s.resonance_frequency = get(design, P::resonance_frequency);
   s.modal_mass = get(design, P::modal_mass);
   s.force_factor = get(design, P::force_factor);
   s.blocked_capacitance = get(design, P::blocked_capacitance);
-  return twin;
+  return copy;
 }
 
 }  // namespace

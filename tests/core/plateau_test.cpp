@@ -65,7 +65,7 @@ TEST_CASE("an elastic layer's plateau ends where it should beside any round spee
 TEST_CASE("with mu_0 well above mu the plateau ends where the layer first does something else",
           "[core][metrics][brute_force]") {
   Uniform random(7);
-  std::vector<MotorDesign> designs{rough_motor()};
+  std::vector<MotorDesign> designs{sticky_motor()};
   for (int i = 0; i < 60; ++i) {
     MotorDesign design = holding_motor(random, i);
     if (i % 2 == 1) continue;
@@ -97,7 +97,7 @@ TEST_CASE("with mu_0 well above mu the plateau ends where the layer first does s
 
 TEST_CASE("a narrow contact that holds more than it slides carries every load below its largest",
           "[core][metrics][brute_force]") {
-  const Motor motor(rough_motor());
+  const Motor motor(sticky_motor());
   const double unit = motor.holding_torque();
   const std::vector<MetricRequest> requests{{Metric::max_torque},
                                             {Metric::no_load_speed},

@@ -18,7 +18,7 @@ namespace {
 using namespace twum;
 using namespace twum::test;
 
-// Torques of a design and its scaled twin at a dozen speeds; all layer kinds take turns.
+// Torques of a design and of the scaled design at a dozen speeds; all layer kinds take turns.
 template <typename Scale>
 void check_scaling(const char* name, double torque_factor, double speed_factor, Scale scale) {
   Deviation deviation(name, 1e-11);
@@ -28,11 +28,11 @@ void check_scaling(const char* name, double torque_factor, double speed_factor, 
     if (i % 3 == 1) design = damped(design);
     if (i % 3 == 2) design = elastic(design);
     const Motor motor(outright(design));
-    const Motor twin(scale(outright(design)));
+    const Motor scaled_motor(scale(outright(design)));
     for (int k = 0; k < 12; ++k) {
       const double speed = motor.crest_speed() * (0.12 * k - 0.1);
       const auto point = motor.operating_point(speed);
-      const auto scaled = twin.operating_point(speed * speed_factor);
+      const auto scaled = scaled_motor.operating_point(speed * speed_factor);
       CAPTURE(name, i, speed / motor.crest_speed());
       CHECK(point.status == scaled.status);
       if (point.status != PointStatus::ok) continue;
@@ -91,14 +91,15 @@ TEST_CASE("speeds sought scale with time, to the bit in powers of two (C8.10)",
       timed.layer.given_shear_viscosity = *design.layer.given_shear_viscosity / c;
       timed.layer.given_inertia = *design.layer.given_inertia / (c * c);
       timed.stator.modal_damping /= c;
-      const Motor twin(timed);
+      const Motor scaled_motor(timed);
       const double load = 0.3 * motor.holding_torque();
       for (const MetricRequest& request :
            {MetricRequest{Metric::no_load_speed}, MetricRequest{Metric::plateau_speed},
             MetricRequest{Metric::speed_at_peak_power},
             MetricRequest{Metric::speed_at_max_efficiency},
             MetricRequest{Metric::speed_at, Argument::torque, load}}) {
-        const MetricValue value = evaluate(motor, request), scaled = evaluate(twin, request);
+        const MetricValue value = evaluate(motor, request),
+                          scaled = evaluate(scaled_motor, request);
         CAPTURE(i, c, info(request.metric).name);
         CHECK(scaled.status == value.status);
         if (value.status != MetricStatus::ok) continue;

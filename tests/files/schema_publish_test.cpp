@@ -126,8 +126,8 @@ TEST_CASE("entries that exclude each other are a rule, said once", "[studies][sc
   const auto pair = [](bool required, bool alias) {
     SchemaEntry a = entry("a", of_kind(ValueKind::text), required);
     SchemaEntry b = entry("b", of_kind(ValueKind::text));
-    a.twin = "b";
-    b.twin = "a";
+    a.alternative_entry = "b";
+    b.alternative_entry = "a";
     if (alias) {
       a.alias = "alpha";
       a.alias_counts = true;
@@ -144,9 +144,9 @@ TEST_CASE("entries that exclude each other are a rule, said once", "[studies][sc
   const Json by_either{{"anyOf", Json::array({a, Json{{"required", {"alpha"}}}})}};
   CHECK(pair(true, true)["allOf"][0]["oneOf"][0] == by_either);
   CHECK(pair(true, true)["properties"].contains("alpha"));
-  // A twin that is not there makes no rule.
+  // An alternative that is not there makes no rule.
   SchemaEntry lonely = entry("a", of_kind(ValueKind::text));
-  lonely.twin = "gone";
+  lonely.alternative_entry = "gone";
   CHECK_FALSE(published(mapping({lonely})).contains("allOf"));
 }
 
@@ -211,9 +211,9 @@ TEST_CASE("the table says what kinds of values may stand there", "[studies][sche
   Schema word = of_kind(ValueKind::word);
   word.words = {"lhs", "sobol"};
   CHECK(value_cell(word) == "`lhs`, `sobol`");
-  Schema either = of_kind(ValueKind::any_of);
-  either.alternatives = {path, word};
-  CHECK(value_cell(either) == "`points.csv` or `lhs`, `sobol`");
+  Schema one_of = of_kind(ValueKind::any_of);
+  one_of.alternatives = {path, word};
+  CHECK(value_cell(one_of) == "`points.csv` or `lhs`, `sobol`");
   Schema list = of_kind(ValueKind::list);
   list.items = {word};
   CHECK(value_cell(list) == "list: `lhs`, `sobol`");
@@ -257,8 +257,8 @@ TEST_CASE("the table says what is required, and which entry replaces which", "[s
   SchemaEntry b = entry("b", of_kind(ValueKind::text));
   SchemaEntry c = entry("c", of_kind(ValueKind::text), true);
   SchemaEntry d = entry("d", of_kind(ValueKind::text));
-  a.twin = "b";
-  b.twin = "a";
+  a.alternative_entry = "b";
+  b.alternative_entry = "a";
   d.fallback = "1000";
   const std::string table = markdown_table(mapping({a, b, c, d}));
   CHECK(row(table, "a") == "| `a` | text | required, or `b` | this \\| that |");
@@ -296,12 +296,12 @@ TEST_CASE("what lies within lists and alternatives has rows of its own", "[studi
   variant.alternatives = {mapping({entry("kind", of_kind(ValueKind::text)),
                                    entry("x", of_kind(ValueKind::text, "of the first"))}),
                           mapping({entry("y", of_kind(ValueKind::text))})};
-  Schema either = of_kind(ValueKind::any_of);
-  either.alternatives = {of_kind(ValueKind::text),
+  Schema one_of = of_kind(ValueKind::any_of);
+  one_of.alternatives = {of_kind(ValueKind::text),
                          mapping({entry("name", of_kind(ValueKind::text))})};
   const Schema options = mapping({entry("own", of_kind(ValueKind::text))});
   const std::string table = markdown_table(mapping(
-      {entry("duty", list), entry("v", variant), entry("s", either), entry("options", options)}));
+      {entry("duty", list), entry("v", variant), entry("s", one_of), entry("options", options)}));
   CHECK_FALSE(row(table, "duty[].speed").empty());
   CHECK(row(table, "v.x") == "| `v.x` | text |  | `one`: of the first |");
   CHECK(row(table, "v.y") == "| `v.y` | text |  | `two`: a text |");

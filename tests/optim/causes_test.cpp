@@ -74,7 +74,7 @@ Constraint at_most(std::string name, double limit) { return {std::move(name), -k
 std::vector<Made> single_causes() {
   std::vector<Made> list;
   list.push_back({"a sum at its upper corner",
-                  posed(box(2, 0, 1), {at_least("sum", 3), at_most("idle", 10)},
+                  posed(box(2, 0, 1), {at_least("sum", 3), at_most("inactive", 10)},
                         [](const D* x, D* r) {
                           r[0] = x[0] + x[1];
                           r[1] = x[0] * x[1];
@@ -93,7 +93,7 @@ std::vector<Made> single_causes() {
                   {"torque"},
                   {{"x1", Side::upper, kNone}, {"x2", Side::upper, kNone}}});
   list.push_back({"a maximum inside the ranges",
-                  posed(box(1, 0, 1), {at_least("hill", 0.5), at_most("idle", 10)},
+                  posed(box(1, 0, 1), {at_least("hill", 0.5), at_most("inactive", 10)},
                         [](const D* x, D* r) {
                           r[0] = -(x[0] - 0.3) * (x[0] - 0.3);
                           r[1] = x[0];
@@ -102,7 +102,7 @@ std::vector<Made> single_causes() {
                   {"hill"},
                   {}});
   list.push_back({"an equality",
-                  posed(box(2, 0, 1), {{"sum", 5, 5}, at_most("idle", 100)},
+                  posed(box(2, 0, 1), {{"sum", 5, 5}, at_most("inactive", 100)},
                         [](const D* x, D* r) {
                           r[0] = x[0] + x[1];
                           r[1] = x[0] - x[1];
@@ -112,7 +112,7 @@ std::vector<Made> single_causes() {
                   {{"x1", Side::upper, 4}, {"x2", Side::upper, 4}}});
   // x1^2 + x2^2 <= 3/2 on [1, 2]^2: one end alone has to come down to sqrt(1/2).
   list.push_back({"an upper limit at lower ends",
-                  posed(box(2, 1, 2), {at_most("radius", 1.5), at_most("idle", 100)},
+                  posed(box(2, 1, 2), {at_most("radius", 1.5), at_most("inactive", 100)},
                         [](const D* x, D* r) {
                           r[0] = x[0] * x[0] + x[1] * x[1];
                           r[1] = x[0];
@@ -130,7 +130,7 @@ std::vector<Made> range_causes() {
     auto preload = box(1, 60, 100, 1, highest);
     preload[0].scale = Scale::log;
     list.push_back({"a torque in proportion to the preload",
-                    posed(preload, {at_least("torque", 0.8), at_most("idle", 1e6)},
+                    posed(preload, {at_least("torque", 0.8), at_most("inactive", 1e6)},
                           [](const D* x, D* r) {
                             r[0] = 0.005 * x[0];
                             r[1] = x[0];
@@ -145,7 +145,7 @@ std::vector<Made> range_causes() {
   whole[0].lower = 1;
   whole[0].upper = 4;
   list.push_back({"a whole number at its end",
-                  posed(whole, {at_least("product", 6), at_most("idle", 1e6)},
+                  posed(whole, {at_least("product", 6), at_most("inactive", 1e6)},
                         [](const D* x, D* r) {
                           r[0] = x[0] * x[1];
                           r[1] = x[0];
@@ -161,7 +161,7 @@ std::vector<Made> group_causes() {
   std::vector<Made> list;
   list.push_back(
       {"a pair",
-       posed(box(2, 0, 5), {at_most("small", 1), at_least("large", 2), at_most("idle", 1e3)},
+       posed(box(2, 0, 5), {at_most("small", 1), at_least("large", 2), at_most("inactive", 1e3)},
              [](const D* x, D* r) {
                r[0] = r[1] = x[0] + x[1];
                r[2] = x[0] * x[1];
@@ -172,16 +172,17 @@ std::vector<Made> group_causes() {
   // x2 <= x1 <= 1 and x2 >= 2.
   auto narrow = box(2, 0, 5);
   narrow[0].upper = 1;
-  list.push_back({"a pair and the end of a range",
-                  posed(narrow, {at_most("order", 0), at_least("high", 2), at_most("idle", 1e3)},
-                        [](const D* x, D* r) {
-                          r[0] = x[1] - x[0];
-                          r[1] = x[1];
-                          r[2] = x[0] * x[1];
-                        }),
-                  {},
-                  {"order", "high"},
-                  {{"x1", Side::upper, 2}}});
+  list.push_back(
+      {"a pair and the end of a range",
+       posed(narrow, {at_most("order", 0), at_least("high", 2), at_most("inactive", 1e3)},
+             [](const D* x, D* r) {
+               r[0] = x[1] - x[0];
+               r[1] = x[1];
+               r[2] = x[0] * x[1];
+             }),
+       {},
+       {"order", "high"},
+       {{"x1", Side::upper, 2}}});
   return list;
 }
 

@@ -31,13 +31,13 @@ TEST_CASE("a limit that curves away from the design adds to the curvature along 
   // which only the second is along the limit. The limit is said from above or, negative, from below.
   for (const double s : {1.0, -1.0}) {
     const double low = s > 0.0 ? -kInfinity : -1.0, high = s > 0.0 ? 1.0 : kInfinity;
-    const Problem p =
-        test::posed<2>(test::box(2, -2.0, 2.0, {1.0, 1.0}),
-                       {{"idle", -kInfinity, 50.0}, {"disc", low, high}}, [s](const D* x, D* r) {
-                         r[0] = x[0] + 10.0 * (x[0] + 1.0) * (x[0] + 1.0);
-                         r[1] = 3.0 * x[0] + x[1];
-                         r[2] = s * (x[0] * x[0] + x[1] * x[1]);
-                       });
+    const Problem p = test::posed<2>(test::box(2, -2.0, 2.0, {1.0, 1.0}),
+                                     {{"inactive", -kInfinity, 50.0}, {"disc", low, high}},
+                                     [s](const D* x, D* r) {
+                                       r[0] = x[0] + 10.0 * (x[0] + 1.0) * (x[0] + 1.0);
+                                       r[1] = 3.0 * x[0] + x[1];
+                                       r[2] = s * (x[0] * x[0] + x[1] * x[1]);
+                                     });
     const Certificate c = certify(p, Design{-1.0, 0.0});
     CAPTURE(s, c.reason);
     CHECK(c.passed);

@@ -45,7 +45,7 @@ LeastSquaresResult fit_valley(double unit_a, double unit_b, std::size_t calls) {
 }
 
 // Two parameters that all but replace each other; the first may not fall below zero.
-ResidualFunction twins() {
+ResidualFunction similar_parameters() {
   return [](std::span<const double> p) {
     Residuals r;
     for (int i = 0; i < 4; ++i) {
@@ -101,7 +101,7 @@ TEST_CASE("the search is blind to the units of its parameters, to the last bit",
 
 TEST_CASE("no fit makes more calls than it may, and more calls never make it worse",
           "[optim][least_squares][budget]") {
-  double valley_before = kInfinity, twins_before = kInfinity;
+  double valley_before = kInfinity, similar_before = kInfinity;
   for (std::size_t calls = 1; calls < 40; ++calls) {
     CAPTURE(calls);
     const auto crooked = fit_valley(1.0, 1.0, calls);
@@ -111,10 +111,10 @@ TEST_CASE("no fit makes more calls than it may, and more calls never make it wor
     LeastSquaresOptions options;
     options.max_evaluations = calls;
     const std::vector<Variable> both{{"first", 0.0, 10.0, 0.5}, {"second", -100.0, 100.0, 0.5}};
-    const auto pressed = least_squares(both, twins(), options);
+    const auto pressed = least_squares(both, similar_parameters(), options);
     CHECK(pressed.counters.evaluations <= calls);
-    CHECK(pressed.sum_of_squares <= twins_before);
-    twins_before = pressed.sum_of_squares;
+    CHECK(pressed.sum_of_squares <= similar_before);
+    similar_before = pressed.sum_of_squares;
   }
 }
 

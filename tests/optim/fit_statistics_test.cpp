@@ -149,10 +149,11 @@ TEST_CASE("a parameter that no residual knows of is left open, and the others as
           "[optim][least_squares][degenerate]") {
   // The mean of 1, 2 and 6 is 3, their squares about it sum up to 14.
   const std::vector<Reading> readings{{{0, 1}, 1}, {{0, 1}, 2}, {{0, 1}, 6}};
-  const auto fit = least_squares({{"idle", -1.0, 1.0, 0.25}, wide("mean")}, residuals_of(readings));
+  const auto fit =
+      least_squares({{"unused", -1.0, 1.0, 0.25}, wide("mean")}, residuals_of(readings));
   CHECK(fit.outcome == Outcome::optimal);
   CHECK(fit.rank == 1);
-  CHECK(fit.undetermined == std::vector<std::vector<std::string>>{{"idle"}});
+  CHECK(fit.undetermined == std::vector<std::vector<std::string>>{{"unused"}});
   CHECK(fit.estimates[0].value == 0.25);  // nothing moves it
   CHECK(fit.estimates[1].value == searched(3.0));
   CHECK(fit.degrees_of_freedom == 1);  // both parameters are free

@@ -42,7 +42,8 @@ Problem corner(bool maximize) {
                  {"x7", -3.0, 2.0, 0.0},
                  {"x8", -2.0, 6.0, 1.0}};
   p.objectives = {{"f", maximize ? Sense::maximize : Sense::minimize}};
-  p.constraints = {{"floor", 1.5}, {"one", -kInfinity, 1.0}, {"flat", 0.0}, {"idle", -60.0, 50.0}};
+  p.constraints = {
+      {"floor", 1.5}, {"one", -kInfinity, 1.0}, {"flat", 0.0}, {"inactive", -60.0, 50.0}};
   const double unit = maximize ? -kUnit : kUnit;
   p.evaluate = test::dual_evaluator<8>(5, [unit](const D* x, D* r) {
     r[0] = D(0.0);
@@ -60,8 +61,8 @@ Problem corner(bool maximize) {
 const std::vector<Expected> kExpected{{"floor", false, Side::lower, 1.5, 1.5, 6.0, 0.015},
                                       {"one", false, Side::upper, 1.0, 1.0, 2.0, 0.01},
                                       {"flat", false, Side::lower, 0.0, 0.0, 6.0, 0.04},
-                                      {"idle", false, Side::lower, 22.0, -60.0, 0.0, 0.6},
-                                      {"idle", false, Side::upper, 22.0, 50.0, 0.0, 0.5},
+                                      {"inactive", false, Side::lower, 22.0, -60.0, 0.0, 0.6},
+                                      {"inactive", false, Side::upper, 22.0, 50.0, 0.0, 0.5},
                                       {"low", true, Side::lower, 2.0, 2.0, 3.0, 0.02},
                                       {"zero", true, Side::upper, 0.0, 0.0, 2.0, 0.05},
                                       {"log low", true, Side::lower, 0.1, 0.1, 7.0, 0.001},

@@ -113,7 +113,7 @@ TEST_CASE("an infeasible problem names its fighters and the smallest relaxation"
   p.variables = test::box(2, 0.0, 5.0);
   p.objectives = {{"f"}};
   p.constraints = {
-      {"small", -kInfinity, 1.0}, {"large", 1.0 + gap, kInfinity}, {"idle", -kInfinity, 100.0}};
+      {"small", -kInfinity, 1.0}, {"large", 1.0 + gap, kInfinity}, {"inactive", -kInfinity, 100.0}};
   using D = Dual<double, 2>;
   p.evaluate = test::dual_evaluator<2>(4, [](const D* x, D* r) {
     r[0] = x[0] * x[0] + x[1];

@@ -39,7 +39,7 @@ class Search(unittest.TestCase):
         self.assertEqual(answer.impossible[0]["ends"], [0])
         # The preload alone would have to reach 0.8 N.m / (0.2 * 26.5 mm); searches end within 1e-8 of a limit.
         self.assertEqual((answer.ranges[0]["variable"], answer.ranges[0]["side"]), ("preload", "upper"))
-        self.assertAlmostEqual(answer.ranges[0]["alone"], 0.8 / (0.2 * 0.0265), delta=1e-4)
+        self.assertAlmostEqual(answer.ranges[0]["limit_alone"], 0.8 / (0.2 * 0.0265), delta=1e-4)
 
     def test_a_sized_motor_carries_its_duty(self):
         best = question(twum.Motor(RING)).size(("0.5 N.m", "100 rpm"))

@@ -304,8 +304,8 @@ class Many(Study):
         summary = self.study("yield", "kind: uncertainty, samples: 100003, variables: {preload: {distribution: normal, mean: 160 N, sd: 8 N}}, "
                              "metrics: [max_pressure], limits: [max_pressure <= 2.15 MPa, contact_half_length >= 0.1 mm]")
         self.assertIn("one in 2 of the 100003 motors", self.text(".verdict"))
-        tight, idle = self.lines(".holders li")[:2]
-        self.assertIn("kept by 100 % of the motors; loosening it by 1 % changes nothing", idle)
+        tight, inactive = self.lines(".holders li")[:2]
+        self.assertIn("kept by 100 % of the motors; loosening it by 1 % changes nothing", inactive)
         pressures = [float(row["max_pressure"]) for row in self.stored("yield")]
         gain = sum(2.15e6 < p <= 1.01 * 2.15e6 for p in pressures) / len(pressures)
         said = float(tight.split("the yield is about ")[1].split(" %")[0]) / 100

@@ -308,7 +308,7 @@ TEST_CASE("a choice that cannot be is refused at its place", "[studies][choose][
   linings(folder);
   folder.set("wrong.yaml", "contact_layer:\n  youngs_modulus: 3 N\n");
   folder.set("below.yaml", "friction: {static: 0.1}\n");
-  folder.set("twin.yaml", "contact_layer: {shear_modulus: 1 GPa}\n");
+  folder.set("alternative.yaml", "contact_layer: {shear_modulus: 1 GPa}\n");
   const auto said = [&](const std::string& choose, const std::string& variables,
                         const std::string& more = "") {
     return refusal(folder, "{kind: optimize, choose: " + choose + ", variables: " + variables +
@@ -320,8 +320,9 @@ TEST_CASE("a choice that cannot be is refused at its place", "[studies][choose][
              Contains("study.variables.E: youngs_modulus is varied, and 'hard.yaml' of 'lining' "
                       "gives it too; leave it out here, or in the files of 'lining'"));
   CHECK_THAT(
-      said("{lining: [twin.yaml]}", "{poisson_ratio: {min: 0.3, max: 0.4}}"),
-      Contains("'twin.yaml' of 'lining' gives shear_modulus, which cannot be given beside it"));
+      said("{lining: [alternative.yaml]}", "{poisson_ratio: {min: 0.3, max: 0.4}}"),
+      Contains(
+          "'alternative.yaml' of 'lining' gives shear_modulus, which cannot be given beside it"));
   CHECK_THAT(said("{lining: [hard.yaml]}", preload, "derived: {loss_factor: \"0.1\"}, "),
              Contains("study.derived.loss_factor: loss_factor is derived, and 'hard.yaml'"));
   CHECK_THAT(said("{first: [hard.yaml], second: [soft.yaml]}", preload),

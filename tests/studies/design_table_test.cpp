@@ -52,7 +52,7 @@ TEST_CASE("columns replace parameters in SI or in their unit, others are copied"
         "8,1.2e2,0.5,,120,5e-04,ok\n");
 }
 
-TEST_CASE("a column replaces the twin of its parameter", "[studies][tables]") {
+TEST_CASE("a column replaces the alternative of its parameter", "[studies][tables]") {
   CHECK(result_of("G [GPa],h\n2,1e-3\n", "shear_modulus") ==
         "G [GPa],h,shear_modulus [Pa],status\n2,1e-3,2e+09,ok\n");
 }

@@ -71,7 +71,7 @@ TEST_CASE("what may be left out has its stated default", "[studies][motor]") {
   CHECK(read(replaced(text, "kinetic: 0.3", "kinetic: 0")).friction.static_ == 0);
 }
 
-TEST_CASE("twins may be given outright, zero included", "[studies][motor]") {
+TEST_CASE("alternatives may be given outright, zero included", "[studies][motor]") {
   std::string text = replaced(ring_60(), "poisson_ratio: 0.35 ", "shear_modulus: 1 GPa ");
   text = replaced(text, "density: 1800 kg/m^3", "inertia: 0 Pa.s^2");
   const MotorDesign design = read(replaced(text, "loss_factor: 0.05", "shear_viscosity: 0 Pa.s"));

@@ -123,9 +123,9 @@ TEST_CASE("a question that cannot be posed is refused", "[studies][problem]") {
   CHECK_THROWS_AS(motor_problem(q), InputError);  // no variable
   q.vary(Parameter::poisson_ratio, 0.2, 0.4);
   CHECK_NOTHROW(motor_problem(q));
-  DesignProblem twins = q;
-  twins.vary(Parameter::shear_modulus, 1e9, 2e9);
-  CHECK_THROWS_AS(motor_problem(twins), InputError);
+  DesignProblem alternatives = q;
+  alternatives.vary(Parameter::shear_modulus, 1e9, 2e9);
+  CHECK_THROWS_AS(motor_problem(alternatives), InputError);
   DesignProblem twice = q;
   twice.vary(Parameter::poisson_ratio, 0.2, 0.3);
   CHECK_THROWS_AS(motor_problem(twice), InputError);

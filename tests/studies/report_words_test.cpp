@@ -124,7 +124,7 @@ TEST_CASE("a front has the standings of its points, and of its ends for their ow
   const Json json = standings_json(Answer(front));
   CHECK(json["front"].size() == 3);
   CHECK(json["front"][1][0]["changes"].size() == 2);
-  CHECK(json["alone"].size() == 2);
+  CHECK(json["single_goal_ends"].size() == 2);
   CHECK(standings_json(Answer(CurveResult{})).is_null());
 }
 

@@ -27,7 +27,7 @@ TEST_CASE("settings override parameters by name or symbol, the last one holds",
   CHECK(apply({"radial_slices=auto 10"}).stator.radial_slices == -10);
 }
 
-TEST_CASE("a setting replaces the twin of its parameter", "[studies][motor]") {
+TEST_CASE("a setting replaces the alternative of its parameter", "[studies][motor]") {
   const MotorDesign design = apply({"G=1 GPa", "gamma=0 Pa.s", "inertia=0 Pa.s^2"});
   CHECK(shear_modulus(design) == 1e9);
   CHECK(shear_viscosity(design) == 0);

@@ -142,11 +142,11 @@ TEST_CASE("a wrong unit names both dimensions and an example", "[studies][units]
 }
 
 TEST_CASE("the dimension tells which of several quantities it is", "[studies][units]") {
-  const Expected either[] = {{"rad/s", "100 rpm"}, {"N.m", "0.5 N.m"}};
-  CHECK(parse_quantity("100 rpm", either).which == 0);
-  CHECK(parse_quantity("1 kN.m", either).which == 1);
-  CHECK(parse_quantity("1 kN.m", either).value == 1000);
-  CHECK_THROWS_WITH(parse_quantity("1 N", either),
+  const Expected speed_or_torque[] = {{"rad/s", "100 rpm"}, {"N.m", "0.5 N.m"}};
+  CHECK(parse_quantity("100 rpm", speed_or_torque).which == 0);
+  CHECK(parse_quantity("1 kN.m", speed_or_torque).which == 1);
+  CHECK(parse_quantity("1 kN.m", speed_or_torque).value == 1000);
+  CHECK_THROWS_WITH(parse_quantity("1 N", speed_or_torque),
                     "'1 N' is a force [N]; expected an angular speed [rad/s] such as '100 rpm' or "
                     "a torque [N.m] such as "
                     "'0.5 N.m'");

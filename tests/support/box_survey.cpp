@@ -225,10 +225,10 @@ BoxSurvey survey_ranges(std::uint64_t seed, std::int64_t count) {
     std::vector<ParameterValue> values;
     for (const ParameterInfo& row : contact_parameters()) {
       const double value = inside(row, random);
-      const bool second_of_twins = row.twin && *row.twin < row.parameter;
-      if (second_of_twins && random.chance(0.5)) continue;
-      if (second_of_twins)
-        std::erase_if(values, [&](const ParameterValue& v) { return v.first == *row.twin; });
+      const bool second_of_pair = row.alternative && *row.alternative < row.parameter;
+      if (second_of_pair && random.chance(0.5)) continue;
+      if (second_of_pair)
+        std::erase_if(values, [&](const ParameterValue& v) { return v.first == *row.alternative; });
       values.emplace_back(row.parameter, value);
     }
     survey_with(ring_motor(), values, found);

@@ -16,11 +16,11 @@ namespace twum::test {
 inline std::vector<MetricRequest> every_metric(double speed, double torque) {
   std::vector<MetricRequest> list;
   for (const MetricInfo& row : metric_table()) {
-    const bool either = row.argument == Argument::speed_or_torque;
+    const bool both = row.argument == Argument::speed_or_torque;
     if (row.argument == Argument::none) list.push_back({row.metric});
-    if (either || row.argument == Argument::speed)
+    if (both || row.argument == Argument::speed)
       list.push_back({row.metric, Argument::speed, speed});
-    if (either || row.argument == Argument::torque)
+    if (both || row.argument == Argument::torque)
       list.push_back({row.metric, Argument::torque, torque});
   }
   return list;

@@ -46,10 +46,11 @@ Array column_values(Parameter parameter, const py::handle& value) {
   return values;
 }
 
-void refuse_twins(const std::vector<ParameterColumn>& columns, const ParameterColumn& one) {
+void refuse_alternatives_together(const std::vector<ParameterColumn>& columns,
+                                  const ParameterColumn& one) {
   for (const ParameterColumn& other : columns) {
     const bool same = other.parameter == one.parameter;
-    if (same || info(one.parameter).twin == other.parameter)
+    if (same || info(one.parameter).alternative == other.parameter)
       throw InputError(std::string(info(other.parameter).name) + " and " +
                        std::string(info(one.parameter).name) +
                        " exclude each other; give one of them");
@@ -62,7 +63,7 @@ Designs to_designs(const py::dict& arguments) {
   for (const auto& [key, value] : arguments) {
     const Parameter parameter = studies::parse_parameter(py::cast<std::string>(key));
     ParameterColumn column{parameter, column_values(parameter, value)};
-    refuse_twins(designs.columns, column);
+    refuse_alternatives_together(designs.columns, column);
     const bool single = is_single(value);
     const auto size = static_cast<std::size_t>(column.values.size());
     if (!single && counted && size != designs.rows)

@@ -116,7 +116,8 @@ void add_making(Class& motor) {
       },
       "replace(self, **parameters)\n--\n\nThe motor with some parameters replaced. A value "
       "replaces its "
-      "twin (shear_modulus\nand poisson_ratio say the same in two ways); mu_0 keeps its ratio to "
+      "alternative (shear_modulus\nand poisson_ratio say the same in two ways); mu_0 keeps its "
+      "ratio to "
       "mu when "
       "only mu\nis replaced.");
   motor.def_readonly("name", &PyMotor::name, "Name of the motor.");

@@ -137,10 +137,11 @@ py::list limits_list(const optim::Certificate& certificate) {
   });
 }
 
+// `alone` is the name of amount_alone and limit_alone before 0.2.
 py::list relaxation_list(const optim::Infeasibility& infeasibility) {
   return list_of(infeasibility.relaxations, [](const optim::Relaxation& one) {
     return py::dict("text"_a = one.name, "limit"_a = one.limit, "amount"_a = one.amount,
-                    "alone"_a = one.amount_alone);
+                    "amount_alone"_a = one.amount_alone, "alone"_a = one.amount_alone);
   });
 }
 
@@ -156,7 +157,8 @@ py::list impossible_list(const optim::Infeasibility& infeasibility) {
 py::list ranges_list(const optim::Infeasibility& infeasibility) {
   return list_of(infeasibility.ranges, [](const optim::RangeEnd& end) {
     return py::dict("variable"_a = end.variable, "side"_a = side_name(end.side),
-                    "limit"_a = end.limit, "alone"_a = end.limit_alone);
+                    "limit"_a = end.limit, "limit_alone"_a = end.limit_alone,
+                    "alone"_a = end.limit_alone);
   });
 }
 

@@ -109,9 +109,9 @@ class Optimum:
     objective: dict
     limits: list = field(repr=False)  # dictionaries: text, value, limit, violation, active, multiplier
     certificate: dict = field(repr=False)
-    relaxation: list = field(repr=False)  # dictionaries: text, limit, amount, alone
+    relaxation: list = field(repr=False)  # dictionaries: text, limit, amount, amount_alone
     impossible: list = field(repr=False)  # of limits that cannot be kept even alone: text, limit, best, certified, ends
-    ranges: list = field(repr=False)  # ends of ranges with a part in it: variable, side, limit, alone
+    ranges: list = field(repr=False)  # ends of ranges with a part in it: variable, side, limit, limit_alone
     scan: dict = field(repr=False)  # designs sampled, of these feasible and better, whether one led here, the objective before
     solver: str
     evaluations: int

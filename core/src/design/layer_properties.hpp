@@ -55,10 +55,10 @@ inline bool has_resonance(const MotorDesign& design) {
   return design.stator.geometry || design.stator.resonance_frequency;
 }
 
-/// Computes the twins that follow from the parameters in use.
+/// Computes the alternatives that follow from the parameters in use.
 /// @param given  says which are in use
 template <typename S>
-ParameterArray<S> with_twins(const MotorDesign& given, ParameterArray<S> p) {
+ParameterArray<S> with_alternatives(const MotorDesign& given, ParameterArray<S> p) {
   using P = Parameter;
   const auto at = [&p](P parameter) -> S& { return p[index_of(parameter)]; };
   if (in_use(given, P::frequency_ratio)) {
@@ -68,8 +68,8 @@ ParameterArray<S> with_twins(const MotorDesign& given, ParameterArray<S> p) {
   }
   const P damping = in_use(given, P::quality_factor) ? P::quality_factor : P::modal_damping;
   if (has_resonance(given) && (given.stator.geometry || given.stator.modal_mass)) {
-    const P twin = damping == P::modal_damping ? P::quality_factor : P::modal_damping;
-    at(twin) = modal_damping_of(at(damping), at(P::resonance_frequency), at(P::modal_mass));
+    const P alternative = damping == P::modal_damping ? P::quality_factor : P::modal_damping;
+    at(alternative) = modal_damping_of(at(damping), at(P::resonance_frequency), at(P::modal_mass));
   }
   const S omega = 2 * std::numbers::pi * at(P::frequency);
   const S &E = at(P::youngs_modulus), &h = at(P::thickness);

@@ -25,7 +25,7 @@ ParameterJacobian parameter_jacobian(const MotorDesign& design, bool fixed_stati
         values[i].d[0] = plate[index_of(*number)][moved];
     if (moved == index_of(Parameter::kinetic_friction) && !fixed_static_friction)
       values[index_of(Parameter::static_friction)].d[0] = friction_ratio(design.friction);
-    values = with_twins(design, values);
+    values = with_alternatives(design, values);
     for (std::size_t i = 0; i < kParameterCount; ++i) jacobian[i][moved] = values[i].d[0];
   }
   return jacobian;

@@ -61,7 +61,7 @@ Sensor& sensor_of(Stator& stator) {
   return *stator.sensor;
 }
 
-// Sets one parameter and removes its twin. mu_0 follows mu; a value given for mu_0 is set afterwards.
+// Sets one parameter and removes its alternative. mu_0 follows mu; a value given for mu_0 is set afterwards.
 void set(MotorDesign& design, Parameter parameter, double value) {
   if (std::string wrong = follows_from_geometry(design, parameter); !wrong.empty())
     throw InputError(wrong);
@@ -151,10 +151,10 @@ std::string contradiction(const MotorDesign& design) {
          "amplitude in place of voltage";
 }
 
-void require_no_twins(std::span<const ParameterValue> values) {
+void refuse_alternatives_together(std::span<const ParameterValue> values) {
   for (const auto& [parameter, value] : values) {
     for (const auto& [other, other_value] : values) {
-      if (info(parameter).twin == other) {
+      if (info(parameter).alternative == other) {
         throw InputError(std::string(info(parameter).name) + " and " +
                          std::string(info(other).name) + " exclude each other; give one of them");
       }
@@ -295,7 +295,7 @@ void require_admissible(Parameter parameter, double value) {
 }
 
 MotorDesign with(const MotorDesign& design, std::span<const ParameterValue> values) {
-  require_no_twins(values);
+  refuse_alternatives_together(values);
   MotorDesign result = design;
   for (const auto& [parameter, value] : values) {
     require_admissible(parameter, value);

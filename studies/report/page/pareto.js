@@ -31,9 +31,9 @@ function frontRole(i) {
  * others have nothing to say; elsewhere each goal, with the others held where they are.
  */
 function pointLimits(i) {
-  const {front, alone} = data.standings;
+  const {front, single_goal_ends: ends} = data.standings;
   const ends = summary.objectives.flatMap(
-      (goal, k) => (summary.ends[k] === i && alone[k] ? [{goals: [goal], standings: alone[k]}] : []));
+      (goal, k) => (summary.ends[k] === i && ends[k] ? [{goals: [goal], standings: ends[k]}] : []));
   return ends.length ? ends : [{goals: summary.objectives, standings: front[i]}];
 }
 

@@ -145,14 +145,15 @@ export function relaxationCard() {
   const lines = r.limits.map(
       (l) =>
           [{text: limitWords(l.text), value: l.text, words: true}, quantity(l.limit, l.unit),
-           quantity(l.amount, l.unit), l.alone === null ? words('does not help alone') : quantity(l.alone, l.unit)]);
+           quantity(l.amount, l.unit),
+           l.amount_alone === null ? words('does not help alone') : quantity(l.amount_alone, l.unit)]);
   const header = ['limit', 'asked for', 'loosened with the others', 'loosened alone'];
   node.append(table('relaxation', header, lines));
   const ends = r.ranges.map((end) => {
     const unit = unitOf(end.variable);
     return [
       named(end.variable), words(end.side === 'upper' ? 'largest' : 'smallest'), quantity(end.limit, unit),
-      end.alone === null ? words('none found') : quantity(end.alone, unit)
+      end.limit_alone === null ? words('none found') : quantity(end.limit_alone, unit)
     ];
   });
   const endHeader = ['parameter', 'end of its range', 'given', 'moved alone'];

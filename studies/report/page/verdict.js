@@ -44,15 +44,15 @@ function causeText({impossible, conflict}) {
 
 /** The least that would make it possible. */
 function cureText({limits, ranges}) {
-  const loosened = (l) => l.limit + (l.sense === 'at least' ? -l.alone : l.alone);
-  const one = limits.filter((l) => l.alone)
+  const loosened = (l) => l.limit + (l.sense === 'at least' ? -l.amount_alone : l.amount_alone);
+  const one = limits.filter((l) => l.amount_alone)
                   .map(
-                      (l) => limitWords(l.text) + ' by ' + engineering(l.alone, l.unit, 3) + ', to ' +
+                      (l) => limitWords(l.text) + ' by ' + engineering(l.amount_alone, l.unit, 3) + ', to ' +
                           engineering(loosened(l), l.unit, 3));
-  const ends = ranges.filter((end) => end.alone !== null)
+  const ends = ranges.filter((end) => end.limit_alone !== null)
                    .map(
                        (end) => 'the range of ' + endWords(end, end.limit) + ', to ' +
-                           engineering(end.alone, unitOf(end.variable), 3));
+                           engineering(end.limit_alone, unitOf(end.variable), 3));
   const least = [...one, ...ends];
   if (!least.length) return 'Loosening a single limit is not enough; the table below says what would be.';
   const begin = least.length === 1 ? 'It would be possible with this limit loosened: ' :

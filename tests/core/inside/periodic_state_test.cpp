@@ -219,9 +219,9 @@ TEST_CASE("friction and stick rate scaled alike scale the state and its means (E
     const double factor = i % 2 == 0 ? 0x1p-20 : 0x1p20;
     ContactNumbers<double> k = n;
     k.kinetic *= factor, k.static_ *= factor, k.stick_rate *= factor;
-    const PeriodicState twin = find_periodic_state(k, layer);
-    CAPTURE(i, factor, n.full, n.inertia, n.damping, n.speed_ratio, state.laps, twin.laps);
-    REQUIRE(twin.status == state.status);
+    const PeriodicState scaled_state = find_periodic_state(k, layer);
+    CAPTURE(i, factor, n.full, n.inertia, n.damping, n.speed_ratio, state.laps, scaled_state.laps);
+    REQUIRE(scaled_state.status == state.status);
     if (state.status != PeriodicStatus::ok) {
       ++without;
       continue;
@@ -230,8 +230,8 @@ TEST_CASE("friction and stick rate scaled alike scale the state and its means (E
     // The equations are linear in e, t, mu, mu_0 and s, and powers of two bring no rounding. Only the lap at
     // which a search ends may differ, by what its laps still close in: 1e-12 of the size in each of a thousand.
     const double bound = 1e-9 * size_of(n, layer) * std::max(1.0, std::fabs(n.speed_ratio));
-    const ContactMeans<double>&a = state.lap.means, &b = twin.lap.means;
-    CHECK(std::fabs(twin.lap.exit.e / factor - state.lap.exit.e) <= bound);
+    const ContactMeans<double>&a = state.lap.means, &b = scaled_state.lap.means;
+    CHECK(std::fabs(scaled_state.lap.exit.e / factor - state.lap.exit.e) <= bound);
     CHECK(std::fabs(b.traction / factor - a.traction) <= bound);
     CHECK(std::fabs(b.stator_power / factor - a.stator_power) <= bound);
     CHECK(std::fabs(b.friction_power / factor - a.friction_power) <= bound);

@@ -28,7 +28,7 @@ struct MadeTrack {
   const DrivenMotor<double>& motor;
   std::vector<double> breaks;
   Law law;
-  int looks{0};
+  int calls{0};
 
   SliceZones at_place(double place) const {
     const auto next = std::upper_bound(breaks.begin(), breaks.end(), place);
@@ -45,7 +45,7 @@ struct MadeTrack {
     for (const Slice<double>& s : motor.annulus) at_nodes.push_back(at_place(place_of(s.radius)));
     std::vector<double> places;
     for (const Split& split : zone_splits(motor, at_nodes, [this](double radius) {
-           ++looks;
+           ++calls;
            return at_place(place_of(radius));
          }))
       places.push_back(split.place);
@@ -71,7 +71,7 @@ TEST_CASE("the track is split where zones begin, whatever the law of their lengt
          {std::vector{0.001}, {0.37}, {0.999}, {0.2, 0.6}, {0.41, 0.47, 0.55}}) {
       MadeTrack track{track_of_eight(), breaks, law};
       const std::vector<double> places = track.found();
-      CAPTURE(breaks, places, track.looks);
+      CAPTURE(breaks, places, track.calls);
       REQUIRE(places.size() == breaks.size());
       for (std::size_t i = 0; i < breaks.size(); ++i) {
         const double distance = std::abs(places[i] - breaks[i]);
@@ -79,7 +79,7 @@ TEST_CASE("the track is split where zones begin, whatever the law of their lengt
         // what is left is 1.62 times the last step. Where a zone begins with a length the bracket counts.
         CHECK(distance <= (law == &line ? 1.7e-4 : 1e-6));
       }
-      CHECK(track.looks <= 2 + 30 * static_cast<int>(breaks.size()));
+      CHECK(track.calls <= 2 + 30 * static_cast<int>(breaks.size()));
     }
   }
 }
@@ -87,7 +87,7 @@ TEST_CASE("the track is split where zones begin, whatever the law of their lengt
 TEST_CASE("a track without a change of zones is not split (W4.4)", "[core][annulus][made]") {
   MadeTrack track{track_of_eight(), {}, &root};
   CHECK(track.found().empty());
-  CHECK(track.looks == 2);  // at the edges
+  CHECK(track.calls == 2);  // at the edges
 }
 
 TEST_CASE("zones that come and go within half a percent of a piece are one split (W4.4)",

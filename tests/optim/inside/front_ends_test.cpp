@@ -70,10 +70,10 @@ TEST_CASE("an end is not put on a bound where that is worse", "[optim][pareto][c
 
 TEST_CASE("an end is not put on a bound that breaks a limit", "[optim][pareto][closed_form]") {
   // z >= 9e-8, scaled by the limit's slope at the start; 1e-8 of that is tolerated.
-  const Constraint idle{"idle", -1e9}, floor{"floor", 9e-14},
+  const Constraint inactive{"inactive", -1e9}, floor{"floor", 9e-14},
       ceiling{"ceiling", -kInfinity, -9e-14};
   const std::vector<std::vector<Constraint>> sets{
-      {floor}, {idle, floor}, {ceiling}, {idle, ceiling}};
+      {floor}, {inactive, floor}, {ceiling}, {inactive, ceiling}};
   for (std::size_t set = 0; set < sets.size(); ++set) {
     const std::size_t limits = sets[set].size();
     const double sign = set < 2 ? 1.0 : -1.0;

@@ -157,10 +157,10 @@ TEST_CASE("work that never comes back is ended a thousand times", "[optim][threa
 }
 
 TEST_CASE("a caller in a hurry does not wait for the longest step", "[optim][threads]") {
-  int looks = 0;
-  SolverThread thread(kNever, [&] { return ++looks > 3; });
+  int calls = 0;
+  SolverThread thread(kNever, [&] { return ++calls > 3; });
   CHECK_FALSE(thread.run([] { turn_for_ever(); }));
-  CHECK(looks > 3);
+  CHECK(calls > 3);
 }
 
 TEST_CASE("requests are done by the caller's thread, in their order", "[optim][threads]") {

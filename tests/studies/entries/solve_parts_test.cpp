@@ -315,7 +315,7 @@ TEST_CASE("a report tells by how much a limit is broken, and which end of a rang
   wide.variables[1].max = 2e-6;
   const DesignReporter other(wide, {});
   CHECK(other.without_influence(evaluation, report) == std::vector<std::string>{"amplitude"});
-  evaluation.jacobian[2 * 3 + 1] = 1;  // an idle limit by the amplitude
+  evaluation.jacobian[2 * 3 + 1] = 1;  // an inactive limit by the amplitude
   CHECK(other.without_influence(evaluation, report) == std::vector<std::string>{"amplitude"});
   evaluation.jacobian[2 * 1 + 1] = 1e9;  // the broken limit by the amplitude
   CHECK(other.without_influence(evaluation, report).empty());

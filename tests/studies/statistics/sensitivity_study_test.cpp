@@ -11,7 +11,7 @@
 #include <vector>
 
 // On its plateau the elastic motor has the stall torque mu F_N r: a product, whose indices are known, and
-// in which the amplitude is idle.
+// in which the amplitude has no influence.
 namespace {
 
 using namespace twum::studies;

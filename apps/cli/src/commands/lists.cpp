@@ -43,16 +43,16 @@ std::string range_text(const ParameterInfo& row) {
 }
 
 std::string need_text(const ParameterInfo& row) {
-  const std::string twin = row.twin ? std::string(info(*row.twin).name) : "";
+  const std::string alternative = row.alternative ? std::string(info(*row.alternative).name) : "";
   const studies::SchemaEntry* entry = studies::find_path(studies::motor_file_shape().schema,
                                                          "motor." + std::string(row.file_entry));
   const bool in_geometry = row.file_entry.starts_with("stator.geometry.");
   if (row.required && in_geometry)
     return entry->spared_by.empty() ? "in its block" : "in its block, or " + entry->spared_by;
-  std::string others = entry->twin;
+  std::string others = entry->alternative_entry;
   if (!entry->spared_by.empty()) others += (others.empty() ? "" : ", ") + entry->spared_by;
   if (row.required) return others.empty() ? "yes" : "or " + others;
-  if (!twin.empty()) return "instead of " + twin;
+  if (!alternative.empty()) return "instead of " + alternative;
   return "no; default: " + entry->fallback;
 }
 

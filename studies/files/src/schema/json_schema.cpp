@@ -58,31 +58,32 @@ Json is_given(const SchemaEntry& entry) {
   return {{"anyOf", Json::array({has(entry.name), has(entry.alias)})}};
 }
 
-const SchemaEntry* twin_of(const Schema& mapping, const SchemaEntry& entry) {
+const SchemaEntry* alternative_entry_of(const Schema& mapping, const SchemaEntry& entry) {
   for (const SchemaEntry& other : mapping.entries) {
-    if (!entry.twin.empty() && other.name == entry.twin) return &other;
+    if (!entry.alternative_entry.empty() && other.name == entry.alternative_entry) return &other;
   }
   return nullptr;
 }
 
-// Rule for a pair of twins: exactly one if they are required, else at most one. Added once for each pair.
+// Rule for a pair of alternatives: exactly one if they are required, else at most one. Added once for each pair.
 void add_pair_rule(Json& rules, const Schema& mapping, const SchemaEntry& entry) {
-  const SchemaEntry* twin = twin_of(mapping, entry);
-  if (twin == nullptr) return;
-  const Json both = Json::array({is_given(entry), is_given(*twin)});
+  const SchemaEntry* alternative = alternative_entry_of(mapping, entry);
+  if (alternative == nullptr) return;
+  const Json both = Json::array({is_given(entry), is_given(*alternative)});
   if (entry.required && !entry.spared_by.empty()) {
     rules.push_back({{"not", {{"allOf", both}}}});
   } else if (entry.required) {
     rules.push_back({{"oneOf", both}});
-  } else if (!twin->required && entry.name < twin->name) {
+  } else if (!alternative->required && entry.name < alternative->name) {
     rules.push_back({{"not", {{"allOf", both}}}});
   }
 }
 
-// Rule: the entry, its twin, or the entry that replaces it.
+// Rule: the entry, its alternative, or the entry that replaces it.
 void add_spared_rule(Json& rules, const Schema& mapping, const SchemaEntry& entry) {
   Json any = Json::array({is_given(entry)});
-  if (const SchemaEntry* twin = twin_of(mapping, entry)) any.push_back(is_given(*twin));
+  if (const SchemaEntry* alternative = alternative_entry_of(mapping, entry))
+    any.push_back(is_given(*alternative));
   any.push_back({{"required", {entry.spared_by}}});
   rules.push_back({{"anyOf", any}});
 }
@@ -122,7 +123,8 @@ class Converter {
         json["properties"][entry.alias] = json["properties"][entry.name];
       }
       const bool spared = !entry.spared_by.empty();
-      if (entry.required && entry.twin.empty() && !spared) required.push_back(entry.name);
+      if (entry.required && entry.alternative_entry.empty() && !spared)
+        required.push_back(entry.name);
       if (entry.required && spared) add_spared_rule(rules, schema, entry);
       add_pair_rule(rules, schema, entry);
     }

@@ -76,12 +76,13 @@ class TableWriter {
  private:
   void one(const SchemaEntry& entry, const std::string& path, const std::string& when) {
     std::string default_text = entry.required ? "required" : entry.fallback;
-    if (!entry.twin.empty() && !in_parameter_) {
-      default_text =
-          entry.required ? "required, or `" + entry.twin + "`" : "instead of `" + entry.twin + "`";
+    if (!entry.alternative_entry.empty() && !in_parameter_) {
+      default_text = entry.required ? "required, or `" + entry.alternative_entry + "`"
+                                    : "instead of `" + entry.alternative_entry + "`";
     }
     if (!entry.spared_by.empty() && entry.required)
-      default_text += (entry.twin.empty() ? ", or `" : " or `") + entry.spared_by + "`";
+      default_text +=
+          (entry.alternative_entry.empty() ? ", or `" : " or `") + entry.spared_by + "`";
     const std::string what =
         in_parameter_ ? role_text(entry.name, entry.schema.text) : entry.schema.text;
     const std::string text = (when.empty() ? "" : "`" + when + "`: ") + what;

@@ -87,27 +87,29 @@ void say_misplaced(const YamlEntry& entry, const SchemaEntry& parent, const Spot
                   "write '" + parent.name + ":' above it and indent what belongs to it");
 }
 
-// Adds an error for an entry and its twin, once, at the later of the two.
-void say_both(const YamlEntry& own, const YamlEntry& twin, const Spot& spot,
+// Adds an error for an entry and its alternative, once, at the later of the two.
+void say_both(const YamlEntry& own, const YamlEntry& alternative, const Spot& spot,
               Diagnostics& diagnostics) {
-  if (&own < &twin) return;
+  if (&own < &alternative) return;
   diagnostics.add({own.key_mark, spot.entry(own.key, {}).path,
-                   "cannot be given beside '" + twin.key + "'", "give one of the two",
-                   twin.key_mark, "'" + twin.key + "' given here"});
+                   "cannot be given beside '" + alternative.key + "'", "give one of the two",
+                   alternative.key_mark, "'" + alternative.key + "' given here"});
 }
 
 void check_presence(const YamlNode& node, const Schema& schema, const SchemaEntry& entry,
                     const Spot& spot, Diagnostics& diagnostics) {
   const YamlEntry* own = given(node, schema, entry.name);
-  const YamlEntry* twin = entry.twin.empty() ? nullptr : given(node, schema, entry.twin);
-  if (own != nullptr && twin != nullptr) return say_both(*own, *twin, spot, diagnostics);
+  const YamlEntry* alternative =
+      entry.alternative_entry.empty() ? nullptr : given(node, schema, entry.alternative_entry);
+  if (own != nullptr && alternative != nullptr)
+    return say_both(*own, *alternative, spot, diagnostics);
   const bool spared = !entry.spared_by.empty() && given(node, schema, entry.spared_by) != nullptr;
-  if (own != nullptr || twin != nullptr || spared || !entry.required) return;
+  if (own != nullptr || alternative != nullptr || spared || !entry.required) return;
   const bool one_word = entry.schema.kind == ValueKind::word && entry.schema.words.size() == 1;
   std::string remedy = one_word
                            ? "expected '" + entry.name + ": " + entry.schema.words.front() + "'"
                            : expectation(entry.schema);
-  if (!entry.twin.empty()) remedy += ", or '" + entry.twin + "' instead";
+  if (!entry.alternative_entry.empty()) remedy += ", or '" + entry.alternative_entry + "' instead";
   if (!entry.spared_by.empty()) remedy += ", or '" + entry.spared_by + "'";
   diagnostics.add(spot.mark, spot.entry(entry.name, {}).path, "missing", remedy);
 }

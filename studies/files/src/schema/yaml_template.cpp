@@ -10,13 +10,13 @@ namespace {
 
 constexpr std::size_t kCommentColumn = 36;
 
-// True for an entry whose twin stands before it.
+// True for an entry whose alternative stands before it.
 bool is_second(const Schema& schema, const SchemaEntry& entry) {
-  if (entry.required || entry.twin.empty()) return false;
-  const auto twin =
+  if (entry.required || entry.alternative_entry.empty()) return false;
+  const auto alternative =
       std::find_if(schema.entries.begin(), schema.entries.end(),
-                   [&](const SchemaEntry& other) { return other.name == entry.twin; });
-  return twin != schema.entries.end() && (twin->required || &*twin < &entry);
+                   [&](const SchemaEntry& other) { return other.name == entry.alternative_entry; });
+  return alternative != schema.entries.end() && (alternative->required || &*alternative < &entry);
 }
 
 class TemplateWriter {
@@ -41,7 +41,8 @@ class TemplateWriter {
   void value(const SchemaEntry& entry, std::size_t depth, bool hidden) {
     std::string comment = entry.schema.text;
     if (!entry.fallback.empty()) comment += " (optional; default: " + entry.fallback + ")";
-    if (!entry.twin.empty() && !entry.required) comment += " (instead of " + entry.twin + ")";
+    if (!entry.alternative_entry.empty() && !entry.required)
+      comment += " (instead of " + entry.alternative_entry + ")";
     if (entry.schema.sample.empty()) {
       line(depth, hidden, entry.name + ": " + entry.schema.example, comment);
       return;

@@ -24,7 +24,7 @@ MotorDesign ordinary(const MotorDesign& base, const std::vector<Parameter>& give
   };
   for (const ParameterInfo& row : parameter_table()) {
     const bool replaced = std::any_of(given.begin(), given.end(), [&](Parameter parameter) {
-      return row.parameter == parameter || row.twin == parameter;
+      return row.parameter == parameter || row.alternative == parameter;
     });
     if (!replaced && in_use(base, row.parameter)) add(row);
   }
@@ -114,7 +114,7 @@ void VariedParameters::refuse_twice() const {
       if (other == rule.parameter)
         throw ValueError(name_of(other) + " is varied or derived already",
                          "leave out one of the two");
-      if (info(other).twin == rule.parameter)
+      if (info(other).alternative == rule.parameter)
         throw ValueError(name_of(rule.parameter) + " and " + name_of(other) + " exclude each other",
                          "leave out one of the two");
     }

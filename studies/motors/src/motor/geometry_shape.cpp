@@ -128,8 +128,9 @@ void fill_from_material(GivenMotor& motor, std::string_view block) {
   motor.material.clear();
   const std::string prefix = std::string(block) + ".";
   for (const ParameterInfo& row : parameter_table()) {
-    const bool twin_given = row.twin && motor.value(*row.twin);
-    if (!row.file_entry.starts_with(prefix) || motor.value(row.parameter) || twin_given) continue;
+    const bool alternative_given = row.alternative && motor.value(*row.alternative);
+    if (!row.file_entry.starts_with(prefix) || motor.value(row.parameter) || alternative_given)
+      continue;
     if (const MaterialValue* found = material.find(property_of(row)))
       motor.values.emplace_back(row.parameter, found->value);
   }

@@ -84,8 +84,9 @@ Field<GivenMotor> field_of(const ParameterInfo& row) {
   field.entry.name = last_step(row.file_entry);
   field.entry.schema = value.schema;
   field.entry.required = row.required;
-  if (row.twin) field.entry.twin = last_step(info(*row.twin).file_entry);
-  if (row.parameter == Parameter::neutral_plane_distance) field.entry.twin = "geometry";
+  if (row.alternative) field.entry.alternative_entry = last_step(info(*row.alternative).file_entry);
+  if (row.parameter == Parameter::neutral_plane_distance)
+    field.entry.alternative_entry = "geometry";
   if (is_of_material(row)) field.entry.spared_by = "material";
   field.entry.alias = row.name == field.entry.name ? row.symbol : row.name;
   if (row.parameter == Parameter::static_friction) field.entry.fallback = "the kinetic one";
@@ -100,7 +101,7 @@ Field<GivenMotor> field_of(const ParameterInfo& row) {
   if (row.parameter == Parameter::sensor_load_resistance)
     field.entry.fallback = "none: the electrode is open";
   if (field.entry.fallback.empty()) field.entry.fallback = geometry_fallback(row.parameter);
-  if (!row.required && field.entry.fallback.empty() && !row.twin)
+  if (!row.required && field.entry.fallback.empty() && !row.alternative)
     field.entry.fallback = row.unit == "1" ? "0" : "0 " + std::string(row.unit);
   field.read = [&row, read = value.read](GivenMotor& into, const YamlNode& node, const Spot& spot,
                                          Diagnostics& diagnostics) {
@@ -243,7 +244,7 @@ Field<GivenMotor> section_at(const std::string& path, const std::string& name,
   field.entry.shown = known->shown;
   for (const auto& [section, fallback] : kMayLack)
     if (section == path) field.entry.required = false, field.entry.fallback = fallback;
-  if (path == "stator.geometry") field.entry.twin = "neutral_plane_distance";
+  if (path == "stator.geometry") field.entry.alternative_entry = "neutral_plane_distance";
   return field;
 }
 

@@ -36,7 +36,7 @@ bool refuse_other_file(const YamlNode& root, Diagnostics& diagnostics) {
 
 bool ParameterSet::gives(Parameter parameter) const {
   return std::any_of(values.begin(), values.end(), [=](const ParameterValue& value) {
-    return value.first == parameter || info(value.first).twin == parameter;
+    return value.first == parameter || info(value.first).alternative == parameter;
   });
 }
 

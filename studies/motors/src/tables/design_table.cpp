@@ -79,7 +79,7 @@ DesignTable::DesignTable(const CsvReader& reader, const CsvChunk& header, const 
       wrong.push_back("column " + quoted(cell_text(cell)) + ": " + error.what());
     }
   }
-  check_twins(wrong);
+  check_alternatives(wrong);
   for (TableColumn& column : columns_) column.computed = is_computed(column.heading);
   add_column_warnings();
   const auto is_parameter = [](const TableColumn& c) { return c.parameter.has_value(); };
@@ -140,7 +140,7 @@ void DesignTable::add_column_warnings() {
     warnings_.push_back("columns that are computed anew are not copied: " + joined(computed));
 }
 
-void DesignTable::check_twins(std::vector<std::string>& wrong) const {
+void DesignTable::check_alternatives(std::vector<std::string>& wrong) const {
   std::map<Parameter, const TableColumn*> first;
   for (const TableColumn& column : columns_) {
     if (!column.parameter) continue;
@@ -148,8 +148,8 @@ void DesignTable::check_twins(std::vector<std::string>& wrong) const {
       wrong.push_back("column " + quoted(column.name) +
                       ": the parameter is given twice; leave one of them out");
     }
-    const auto twin = info(*column.parameter).twin;
-    const auto before = twin ? first.find(*twin) : first.end();
+    const auto alternative = info(*column.parameter).alternative;
+    const auto before = alternative ? first.find(*alternative) : first.end();
     if (before != first.end()) {
       wrong.push_back("column " + quoted(column.name) + ": cannot be given beside " +
                       quoted(before->second->name) + "; give one of the two");

@@ -61,15 +61,15 @@ export class ParameterRow {
     this.unit = el('span', {class: 'unit', 'aria-hidden': 'true'});
     this.effect = el('span', {class: 'effect'});
     this.strip = el('canvas', {class: 'strip', 'aria-hidden': 'true'});
-    this.swap = row.twin ? el('button', {
+    this.swap = row.alternative ? el('button', {
       type: 'button',
       class: 'swap',
-      title: 'Give ' + shortName(row.twin) + ' instead',
-      'aria-label': 'Give ' + shortName(row.twin) + ' in place of ' + shortName(name),
-      onclick: () => panel.swapTwin(name, row.twin)
+      title: 'Give ' + shortName(row.alternative) + ' instead',
+      'aria-label': 'Give ' + shortName(row.alternative) + ' in place of ' + shortName(name),
+      onclick: () => panel.swapAlternative(name, row.alternative)
     },
-                              '\u21c4') :
-                           null;
+                                     '\u21c4') :
+                                  null;
     const label = el('label', { for: id, title: row.text
     }, shortName(name) + (row.symbol ? ' ' : ''), row.symbol ? el('i', {}, row.symbol) : null);
     this.error = el('span', {class: 'wrong', role: 'alert'});

@@ -104,7 +104,7 @@ export class DesignerPanel {
     if (!Number.isFinite(value)) return;
     this.state.remember(moving);
     if (moving) this.dragging = true;
-    this.state.set(name, value, this.tables.parameters[name].twin);
+    this.state.set(name, value, this.tables.parameters[name].alternative);
     this.changed = true;
   }
 
@@ -116,15 +116,16 @@ export class DesignerPanel {
   }
 
   /** Gives the other of two parameters of which a motor has one, with the value that it has now. */
-  swapTwin(name, twin) {
-    const value = this.now?.values[twin];
+  swapAlternative(name, alternative) {
+    const value = this.now?.values[alternative];
     if (!Number.isFinite(value)) {
       this.tell(
-          capital(shortName(twin)) + ' has no value here: the motor file has to give the modal data of the stator.',
+          capital(shortName(alternative)) +
+              ' has no value here: the motor file has to give the modal data of the stator.',
           true);
       return;
     }
-    this.setValue(twin, value);
+    this.setValue(alternative, value);
     delete this.state.motor.values[name];
   }
 

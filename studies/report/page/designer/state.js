@@ -58,9 +58,9 @@ export class DesignState {
         {[name]: value};
   }
 
-  /** Another value of a parameter; its twin gives way. */
-  set(name, value, twin) {
-    if (twin) delete this.motor.values[twin];
+  /** Another value of a parameter; its alternative gives way. */
+  set(name, value, alternative) {
+    if (alternative) delete this.motor.values[alternative];
     Object.assign(this.motor.values, this.changes(name, value));
   }
 
@@ -91,7 +91,7 @@ export class DesignState {
     const query = new URLSearchParams(hash.replace(/^#/, ''));
     for (const [name, text] of query) {
       if (core.places[name] !== undefined && text !== '' && Number.isFinite(Number(text)))
-        this.set(name, Number(text), tables.parameters[name].twin);
+        this.set(name, Number(text), tables.parameters[name].alternative);
     }
     if (query.has('static_friction') && Number.isFinite(Number(query.get('static_friction'))))
       this.motor.values.static_friction = Number(query.get('static_friction'));

@@ -100,11 +100,12 @@ struct Standings {
   }
 
   Json operator()(const ParetoResult& answer) const {
-    Json json{{"front", Json::array()}, {"alone", Json::array()}};
+    Json json{{"front", Json::array()}, {"single_goal_ends", Json::array()}};
     for (const ParetoResult::Point& point : answer.front)
       json["front"].push_back(standings_json(point.report, answer.goals));
     for (std::size_t k = 0; k < answer.single_goal_ends.size(); ++k)
-      json["alone"].push_back(standings_json(answer.single_goal_ends[k], {answer.goals[k]}));
+      json["single_goal_ends"].push_back(
+          standings_json(answer.single_goal_ends[k], {answer.goals[k]}));
     return json;
   }
 

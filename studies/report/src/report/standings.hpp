@@ -17,8 +17,8 @@ namespace twum::studies {
 ///  "changes": of each goal by the step, first order; null where it does not trade}
 Json standings_json(const DesignReport& report, const std::vector<Goal>& goals);
 
-/// The same for each report of an answer: {"best": [...]} of a search, {"front": [[...], ...], "alone": [[...], ...]}
-/// of a front, where `alone` is each end with its own goal only; null for other kinds.
+/// The same for each report of an answer: {"best": [...]} of a search, {"front": [[...], ...], "single_goal_ends":
+/// [[...], ...]} of a front, where `single_goal_ends` has each end with its own goal only; null for other kinds.
 Json standings_json(const Answer& answer);
 
 }  // namespace twum::studies

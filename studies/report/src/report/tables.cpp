@@ -110,7 +110,8 @@ Json parameters_json() {
         {"max", row.max},
         {"typical", typical(row)},
         {"required", row.required && row.file_entry.find("geometry") == std::string_view::npos},
-        {"twin", row.twin ? Json(std::string(info(*row.twin).name)) : Json(nullptr)}};
+        {"alternative",
+         row.alternative ? Json(std::string(info(*row.alternative).name)) : Json(nullptr)}};
   return json;
 }
 

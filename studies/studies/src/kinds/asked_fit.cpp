@@ -43,7 +43,7 @@ void refuse_set(const MeasuredPoints& table, const CalibrateStudy& asked,
   for (const auto& [parameter, mark] : table.set) {
     const ParameterInfo& row = info(parameter);
     const bool twice = std::any_of(given.begin(), given.end(), [&](Parameter other) {
-      return other == row.parameter || row.twin == other;
+      return other == row.parameter || row.alternative == other;
     });
     if (twice)
       diagnostics.add(mark, std::string(row.name), "set here, and estimated by the study",

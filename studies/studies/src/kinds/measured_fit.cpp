@@ -97,7 +97,7 @@ MeasuredFit::Condition& MeasuredFit::condition_of(const MeasuredPoint& point,
 
 bool MeasuredFit::sets(Parameter parameter) const {
   const auto same = [&](Parameter other) {
-    return other == parameter || info(other).twin == parameter;
+    return other == parameter || info(other).alternative == parameter;
   };
   return std::any_of(varied_.varied().begin(), varied_.varied().end(), same) ||
          std::any_of(varied_.derived().begin(), varied_.derived().end(),

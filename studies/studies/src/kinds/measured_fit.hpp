@@ -57,7 +57,7 @@ class MeasuredFit {
   MotorDesign motor_at(std::span<const double> values, std::size_t table = 0) const;
   /// Whether tables have values of their own.
   bool per_file() const;
-  /// Whether the fit estimates or derives the parameter or its twin, or a point sets it.
+  /// Whether the fit estimates or derives the parameter or its alternative, or a point sets it.
   bool sets(Parameter parameter) const;
   /// The same fit with further parameters varied, after its own.
   MeasuredFit varying(const std::vector<Parameter>& more) const;

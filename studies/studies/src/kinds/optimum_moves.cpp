@@ -17,7 +17,7 @@ std::vector<Parameter> held_parameters(const DesignProblem& question, const Moto
   std::vector<Parameter> held;
   for (const ParameterInfo& row : parameter_table()) {
     const bool taken = std::any_of(set.begin(), set.end(), [&](Parameter other) {
-      return other == row.parameter || info(other).twin == row.parameter;
+      return other == row.parameter || info(other).alternative == row.parameter;
     });
     if (!taken && may_move(motor, row)) held.push_back(row.parameter);
   }

@@ -71,11 +71,11 @@ class ChoiceCheck {
     return quoted(set.name) + " of " + quoted(choice.name);
   }
 
-  // "gives it too", or that it gives its twin.
+  // "gives it too", or that it gives its alternative.
   static std::string gives_too(const ParameterSet& set, Parameter parameter) {
     for (const auto& [given, ignored] : set.values)
       if (given == parameter) return " gives it too";
-    return " gives " + std::string(info(*info(parameter).twin).name) +
+    return " gives " + std::string(info(*info(parameter).alternative).name) +
            ", which cannot be given beside it";
   }
 

@@ -35,12 +35,12 @@ optim::Variable variable_of(const DesignProblem& problem, const DesignVariable& 
   return v;
 }
 
-// Only one of a parameter and its twin can be free.
-void refuse_twins(const DesignProblem& problem) {
+// Only one of a parameter and its alternative can be free.
+void refuse_alternatives_together(const DesignProblem& problem) {
   for (const DesignVariable& a : problem.variables) {
-    const auto twin = info(a.parameter).twin;
+    const auto alternative = info(a.parameter).alternative;
     for (const DesignVariable& b : problem.variables) {
-      if (twin == b.parameter)
+      if (alternative == b.parameter)
         throw InputError(std::string(info(a.parameter).name) + " and " +
                          std::string(info(b.parameter).name) +
                          " exclude each other; vary one of them");
@@ -114,7 +114,7 @@ optim::Problem motor_problem(const DesignProblem& problem) {
 }
 
 optim::Problem posed_problem(const DesignProblem& problem) {
-  refuse_twins(problem);
+  refuse_alternatives_together(problem);
   require_ordered_friction(problem);
   refuse_wrong_choices(problem);
   optim::Problem result;

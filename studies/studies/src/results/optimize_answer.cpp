@@ -183,7 +183,8 @@ Json answer_json(const OptimizeResult& result) {
   if (!result.before_statistics.empty())
     json["before"]["statistics"] = values_json(result.before_statistics);
   if (result.robust) json["robust"] = robust_json(*result.robust);
-  json["idle_variables"] = result.without_influence;
+  json["variables_without_influence"] = result.without_influence;
+  json["idle_variables"] = result.without_influence;  // its name before 0.2
   json["moves"] = moves_json(result.moving, result.moves);
   if (!result.unmoved.empty()) json["moves_missing"] = result.unmoved;
   json["scan"] = scan_json(result.scan);

@@ -236,9 +236,10 @@ Json answer_json(const ParetoResult& result) {
   if (result.largest_yield) json["largest_yield"] = robust_yield_json(*result.largest_yield);
   json["knee"] = result.has_knee() ? Json(result.knee) : Json(nullptr);
   json["ends"] = result.ends;
-  json["alone"] = Json::array();
+  json["single_goal_ends"] = Json::array();
   for (const DesignReport& report : result.single_goal_ends)
-    json["alone"].push_back(limits_json(report));
+    json["single_goal_ends"].push_back(limits_json(report));
+  json["alone"] = json["single_goal_ends"];  // its name before 0.2
   json["hypervolume"] = number_json(result.hypervolume);
   json["reference_point"] = result.reference_point;
   if (!result.explanation.empty()) json["relaxation"] = relaxation_json(result.explanation);

@@ -205,6 +205,7 @@ Json relaxation_json(const Explanation& explanation) {
             {"limits", Json::array()},
             {"impossible", Json::array()},
             {"ranges", Json::array()}};
+  // `alone` is the name of amount_alone and limit_alone before 0.2.
   for (const RelaxationState& state : explanation.limits)
     json["limits"].push_back({{"text", state.text},
                               {"metric", state.metric},
@@ -212,6 +213,7 @@ Json relaxation_json(const Explanation& explanation) {
                               {"sense", sense_word(state.at_least)},
                               {"limit", number_json(state.limit)},
                               {"amount", number_json(state.amount)},
+                              {"amount_alone", number_json(state.amount_alone)},
                               {"alone", number_json(state.amount_alone)}});
   for (const ImpossibleState& state : explanation.impossible)
     json["impossible"].push_back({{"text", state.text},
@@ -225,6 +227,7 @@ Json relaxation_json(const Explanation& explanation) {
     json["ranges"].push_back({{"variable", end.variable.name},
                               {"side", end.upper ? "upper" : "lower"},
                               {"limit", number_json(end.limit)},
+                              {"limit_alone", number_json(end.limit_alone)},
                               {"alone", number_json(end.limit_alone)}});
   if (!explanation.choice.empty()) json["choice"] = choice_json(explanation.choice);
   for (std::size_t i = 0; i < explanation.impossible.size(); ++i)

@@ -21,8 +21,8 @@ Json choice_json(const std::vector<ChosenSet>& choice);
 Json limits_json(const DesignReport& report);
 /// {choice, design, metrics, constraints, bounds, certificate}; `choice` only where there is one
 Json report_json(const DesignReport& report);
-/// {conflict, limits: [{text, limit, amount, alone}], impossible: [{text, limit, best, certified, ends}],
-/// ranges: [{variable, side, limit, alone}]}; `ends` are positions in `ranges`.
+/// {conflict, limits: [{text, limit, amount, amount_alone}], impossible: [{text, limit, best, certified, ends}],
+/// ranges: [{variable, side, limit, limit_alone}]}; `ends` are positions in `ranges`.
 Json relaxation_json(const Explanation& explanation);
 
 /// "lining peek.yaml and rotor light.yaml"

@@ -39,10 +39,11 @@ Shape<DesignObjective> wanted(std::string text, bool maximize, std::string examp
 /// {maximize: METRIC} or {minimize: METRIC}, or a statistic: two fields of which one is needed.
 template <typename T>
 std::vector<Field<T>> goal(DesignObjective T::*member) {
-  const auto field = [member](const char* name, const char* text, const char* twin, bool maximize) {
+  const auto field = [member](const char* name, const char* text, const char* alternative,
+                              bool maximize) {
     Field<T> one = required<T>(name, wanted(text, maximize), member);
     one.entry.required = maximize;
-    one.entry.twin = twin;
+    one.entry.alternative_entry = alternative;
     one.write = [write = one.write, member, maximize](const T& from) {
       return (from.*member).maximize == maximize ? write(from) : std::nullopt;
     };
@@ -79,7 +80,7 @@ Shape<std::vector<V>> by_parameter(std::function<Shape<V>(const ParameterInfo&)>
     entry.schema = shapes.back().schema;
     entry.alias = row.symbol;
     entry.alias_counts = true;
-    if (row.twin) entry.twin = info(*row.twin).name;
+    if (row.alternative) entry.alternative_entry = info(*row.alternative).name;
     shape.schema.entries.push_back(std::move(entry));
   }
   shape.read = [schema = shape.schema, shapes, check_count](std::vector<V>& into,

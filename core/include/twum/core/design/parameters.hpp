@@ -105,12 +105,14 @@ struct ParameterInfo {
   double min;      ///< smallest admissible value, in `unit`
   double max;      ///< largest admissible value, in `unit`
   bool integer;    ///< true: only whole numbers
-  bool required;   ///< must stand in a motor file (unless its twin does)
-  /// the parameter that states the same property in another way; both in one file is an error
-  std::optional<Parameter> twin;
-  std::string_view example;  ///< a valid value with its unit, as a user types it
-  std::string_view text;     ///< what it is, in one line
-  std::string_view reason;   ///< why the range ends where it does
+  bool required;   ///< must stand in a motor file (unless its alternative does)
+  /// the parameter that may be given instead of this one, such as shear_modulus for poisson_ratio; both in one file
+  /// is an error
+  std::optional<Parameter> alternative;
+  std::string_view example;                    ///< a valid value with its unit, as a user types it
+  std::string_view text;                       ///< what it is, in one line
+  std::string_view reason;                     ///< why the range ends where it does
+  std::optional<Parameter> twin{alternative};  ///< the name of `alternative` before 0.2
 };
 
 /// The table, one row for each Parameter, in its order; static lifetime.
@@ -123,14 +125,14 @@ const ParameterInfo& info(Parameter parameter);
 std::optional<Parameter> find_parameter(std::string_view name_or_symbol);
 
 /// Value of a parameter in SI units. A parameter that follows from others (G from E and nu, ...) has the value in
-/// use. A twin that is not in use has the value that states the same: nu from G and E; loss_factor from gamma, G and
-/// omega; density from m and h. NaN for a parameter without a value: modal data that are not given, and whichever of
+/// use. An alternative that is not in use has the value that states the same: nu from G and E; loss_factor from gamma,
+/// G and omega; density from m and h. NaN for a parameter without a value: modal data that are not given, and whichever of
 /// amplitude and voltage follows from the load. Never throws for any design.
 double get(const MotorDesign& design, Parameter parameter);
 
-/// True if the design is stated through this parameter. False for the twin that is not used: shear_modulus when G
-/// follows from E and nu, poisson_ratio when G is given directly, and so on. False for the radial shape and the taper
-/// of a track with one slice, and for exponent and root beside a table. False for modal data that are not given, and
+/// True if the design is stated through this parameter. False for the alternative that is not used: shear_modulus when
+/// G follows from E and nu, poisson_ratio when G is given directly, and so on. False for the radial shape and the
+/// taper of a track with one slice, and for exponent and root beside a table. False for modal data that are not given, and
 /// for capacitance and loss tangent of a stator without a force factor. A geometry replaces modal data, neutral plane
 /// distance and radial shape, which are then not in use; without a geometry its own parameters are not in use.
 bool in_use(const MotorDesign& design, Parameter parameter);
@@ -158,10 +160,10 @@ void require_admissible(Parameter parameter, double value);
 using ParameterValue = std::pair<Parameter, double>;
 
 /// The design with some parameters replaced (SI units). The order of the list does not matter, but of two values for
-/// the same parameter the last one counts. A value replaces its twin, and exponent or root of the radial shape
+/// the same parameter the last one counts. A value replaces its alternative, and exponent or root of the radial shape
 /// replace its table. mu_0 keeps its ratio to mu when only mu is replaced.
-/// @throws InputError if a value is not admissible, if a parameter and its twin are both in the list, if the result
-///         has mu_0 < mu, an impossible track or a voltage without the modal data it needs, and for a parameter that
+/// @throws InputError if a value is not admissible, if a parameter and its alternative are both in the list, if the
+///         result has mu_0 < mu, an impossible track or a voltage without the modal data it needs, and for a parameter that
 ///         follows from the geometry, or belongs to a geometry that the design does not have. A geometry as a whole
 ///         is checked by complaints().
 /// @{

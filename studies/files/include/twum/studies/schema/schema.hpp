@@ -67,9 +67,9 @@ struct SchemaEntry {
   std::string name;      ///< as it stands in the file
   Schema schema;         ///< shape of its value
   bool required{false};  ///< it must be there
-  /// entry that states the same in another way. If `required`, exactly one of the two is needed, otherwise at most
+  /// entry that may be given instead of this one. If `required`, exactly one of the two is needed, otherwise at most
   /// one.
-  std::string twin{};
+  std::string alternative_entry{};
   /// entry that replaces this one and others: if it is given, this one may be left out
   std::string spared_by{};
   std::string alias{};       ///< another name that users may type, used by `did you mean`

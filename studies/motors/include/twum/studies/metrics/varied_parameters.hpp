@@ -42,7 +42,7 @@ class VariedParameters {
   /// @param base     design with all other values
   /// @param varied   in the order of their values
   /// @param derived  in any order
-  /// @throws ValueError if a derived parameter or its twin is varied or derived twice, or follows from itself
+  /// @throws ValueError if a derived parameter or its alternative is varied or derived twice, or follows from itself
   VariedParameters(const MotorDesign& base, std::vector<Parameter> varied,
                    std::vector<DerivedParameter> derived);
 

@@ -42,7 +42,7 @@ MotorFile read_motor_file(const std::string& path);
 /// @throws FileError with everything that is wrong in it.
 MotorFile read_motor(const Source& source);
 
-/// A motor as the text of a motor file, with SI values to the last digit. Of twins, the one in use is written.
+/// A motor as the text of a motor file, with SI values to the last digit. Of alternatives, the one in use is written.
 std::string motor_text(const MotorFile& motor);
 
 }  // namespace twum::studies

@@ -16,7 +16,7 @@ struct ParameterSet {
   std::string file;                    ///< path of the file with its values; empty if there is none
   std::vector<ParameterValue> values;  ///< SI, each parameter once
 
-  /// True if the set gives this parameter or its twin.
+  /// True if the set gives this parameter or its alternative.
   bool gives(Parameter parameter) const;
 };
 

@@ -27,7 +27,7 @@ class DesignTable {
  public:
   /// @param header  the first record of the table
   /// @throws InputError with everything that is wrong with the header: an unknown or wrong unit, a
-  ///         parameter twice or together with its twin, no parameter at all.
+  ///         parameter twice or together with its alternative, no parameter at all.
   DesignTable(const CsvReader& reader, const CsvChunk& header, const MotorDesign& base,
               std::vector<MetricExpression> metrics);
 
@@ -72,7 +72,7 @@ class DesignTable {
   };
 
   TableColumn read_column(const std::string& text);
-  void check_twins(std::vector<std::string>& wrong) const;
+  void check_alternatives(std::vector<std::string>& wrong) const;
   bool compute(std::string_view record, std::size_t line, Scratch& scratch) const;
   bool read_values(std::size_t line, Scratch& scratch) const;
   bool is_computed(const std::string& heading) const;

@@ -124,8 +124,8 @@ void require_ordered_friction(const DesignProblem& problem);
 /// evaluation holds both one-sided derivatives, found by differentiating next to it; entries without a derivative are
 /// NaN. The evaluator is a thread-safe pure function and keeps a copy of the question. One gradient of a few metrics
 /// costs about 50 microseconds.
-/// @throws InputError for a question that has no meaning: a parameter twice or with its twin, a limit twice, bounds
-///         that cross or are not admissible, no variable or objective, an objective that is a statistic, or
+/// @throws InputError for a question that has no meaning: a parameter twice or with its alternative, a limit twice,
+///         bounds that cross or are not admissible, no variable or objective, an objective that is a statistic, or
 ///         choice_complaints().
 optim::Problem motor_problem(const DesignProblem& problem);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Studies that look at designs: curves, sweeps, sensitivities.
+// Studies that evaluate designs without a search: curves, frequency curves, sweeps, sensitivities.
 #include "study/entry_shapes.hpp"
 #include "study/spacing.hpp"
 
