@@ -184,7 +184,8 @@ class Schema(program.Case):
     def test_it_refuses_what_a_schema_can_see(self):
         for name in ("unknown-entry", "missing", "missing-section", "missing-alternative", "wrong-version", "both-alternatives",
                      "all-alternatives", "empty-value", "list-for-value", "value-for-section", "no-unit", "too-large", "fraction",
-                     "zero-wavelengths", "negative-friction", "boolean", "not-a-number", "unit-on-a-number", "study-file"):
+                     "zero-wavelengths", "negative-friction", "boolean", "not-a-number", "unit-on-a-number", "study-file",
+                     "motor-is-a-path"):
             with self.subTest(name):
                 text = (ROOT / f"tests/data/motor_errors/{name}.yaml").read_text()
                 self.assertFalse(self.validator.is_valid(yaml.safe_load(text)))
@@ -199,7 +200,7 @@ class StudySchema(program.Case):
                      "constraint-not-a-list", "unknown-variable", "variable-without-max", "variable-is-a-value",
                      "variable-and-alternative", "unknown-scale", "solver-option", "solver-fraction", "negative-seed",
                      "motor-is-a-list", "inline-motor-wrong", "family-not-a-list", "one-objective", "objective-is-text",
-                     "unknown-distribution", "sampling-unknown", "no-metrics"):
+                     "unknown-distribution", "sampling-unknown", "no-metrics", "study-absent"):
             with self.subTest(name):
                 text = (ROOT / f"tests/data/study_errors/{name}.yaml").read_text()
                 self.assertFalse(validator.is_valid(yaml.safe_load(text)))

@@ -93,5 +93,5 @@ TEST_CASE("a family over the load is a sweep under each of its loads", "[studies
   CHECK(family.answer().family->name == "load_torque");
   CHECK(verify_study(family.folder.path("out")).complaints.empty());
   CHECK_THROWS_WITH(Sweeps("  family: {voltage: [65 V, 120 V]}\n  torque: [0 N.m, 0.3 N.m]\n"),
-                    Catch::Contains("a second family"));
+                    Catch::Contains("several loads cannot be given beside 'family'"));
 }

@@ -117,13 +117,14 @@ TEST_CASE("sides of different dimension are both named", "[files][formula][error
 TEST_CASE("what is no formula is refused at its place", "[files][formula][error]") {
   CHECK(refusal("") == "0: empty; expected a name");
   CHECK(refusal("x +") == "3: ends too early; expected a name");
-  CHECK(refusal("x * / y") == "4: '/'; expected a name");
+  CHECK(refusal("x * / y") == "4: found '/'; expected a name");
   CHECK(refusal("(x") == "2: '(x' has no ')'; close the parenthesis");
-  CHECK(
-      refusal("x)") ==
-      "1: ')' after 'x'; it closes no parenthesis; in a YAML list, quote text that holds a comma");
-  CHECK(refusal("x y") == "2: 'y' after 'x'; expected an operator: '+', '-', '*', '/' or '^'");
-  CHECK(refusal("x ** 2") == "2: '**'; write a power with '^'");
+  CHECK(refusal("x)") ==
+        "1: found ')' after 'x'; it closes no parenthesis; in a YAML list, quote text that holds a "
+        "comma");
+  CHECK(refusal("x y") ==
+        "2: found 'y' after 'x'; expected an operator: '+', '-', '*', '/' or '^'");
+  CHECK(refusal("x ** 2") == "2: found '**'; write a power with '^'");
   CHECK(refusal("2 x") == "2: '2 x': unknown unit 'x'; write '*' between a number and a name");
   CHECK(refusal("2 mm+x") ==
         "2: 'mm+x' is not a unit; a unit extends to the next blank; put blanks round an operator "

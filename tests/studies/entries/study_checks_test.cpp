@@ -287,15 +287,15 @@ TEST_CASE("a list says how many items it wants", "[studies][schema]") {
   };
   CHECK(said_of(numbers(2, 9), "x: [0, 1]\n").empty());
   CHECK(said_of(numbers(2, static_cast<std::size_t>(-1)), "x: [0]\n") ==
-        Lines{"x: 1 item; expected at least 2"});
-  CHECK(said_of(numbers(2, 2), "x: [0, 1, 1]\n") == Lines{"x: 3 items; expected 2"});
-  CHECK(said_of(numbers(2, 3), "x: [0, 1, 1, 1]\n") == Lines{"x: 4 items; expected 2 to 3"});
+        Lines{"x: found 1 item; expected at least 2"});
+  CHECK(said_of(numbers(2, 2), "x: [0, 1, 1]\n") == Lines{"x: found 3 items; expected 2"});
+  CHECK(said_of(numbers(2, 3), "x: [0, 1, 1, 1]\n") == Lines{"x: found 4 items; expected 2 to 3"});
   CHECK(said_of(numbers(2, 3), "x: []\n") ==
-        Lines{"x: an empty list; expected a number without unit"});
+        Lines{"x: found an empty list; expected a number without unit"});
   CHECK(said_of(numbers(2, 3), "x: 3\n") ==
-        Lines{"x: '3'; expected a list, each item a number without unit"});
+        Lines{"x: found '3'; expected a list, each item a number without unit"});
   CHECK(said_of(numbers(2, 3), "x: {a: 1}\n") ==
-        Lines{"x: a mapping; expected a list, each item a number without unit"});
+        Lines{"x: found a mapping; expected a list, each item a number without unit"});
   CHECK(said_of(numbers(2, 3), "x:\n") ==
         Lines{"x: empty; expected a list, each item a number without unit"});
 }
@@ -344,7 +344,7 @@ TEST_CASE("every kind of schema says what it expects", "[studies][schema]") {
   CHECK(expectation(variant.schema) == "expected a mapping with kind: curve, sweep");
   CHECK(said_of(variant, "x: {kind: sweep}\n").empty());
   CHECK(said_of(variant, "x: {kind: [sweep]}\n") ==
-        Lines{"x.kind: a list; expected one of curve, sweep"});
+        Lines{"x.kind: found a list; expected one of curve, sweep"});
   CHECK(said_of(variant, "x: {kind: sweeps}\n") ==
         Lines{"x.kind: 'sweeps' is not known here; did you mean 'sweep'?"});
   CHECK(said_of(variant, "x: {}\n") == Lines{"x.kind: missing; expected one of curve, sweep"});

@@ -163,8 +163,11 @@ std::vector<Mark> marks_of(const Motor& motor, double first, double last) {
                      "left offset character 0.7, character 0.5"});
   }
   if (has(5) && values[5].value > 0) {
-    marks.push_back({"no load", values[5].value, 0, none, "no load " + text(5, "rad/s"),
-                     "right offset character -2, character 0.7"});
+    // Below the axis of zero torque, where the curve is on the other side of the mark; above it if the picture ends there.
+    const char* place = last > 1.02 * values[5].value
+                            ? "right offset character -0.6, character -0.7"
+                            : "right offset character -4, character 0.7";
+    marks.push_back({"no load", values[5].value, 0, none, "no load " + text(5, "rad/s"), place});
   }
   if (has(6)) {
     const double speed = motor.first_speed();

@@ -103,7 +103,7 @@ class Reader {
   FormulaPart product() {
     FormulaPart left = with_sign();
     for (std::size_t sign = at_; const auto found = take("*/"); sign = at_) {
-      if (sees('*')) throw ValueError("'**'", "write a power with '^'", sign);
+      if (sees('*')) throw ValueError("found '**'", "write a power with '^'", sign);
       left = builder_.binary(*found == '*' ? Operation::multiply : Operation::divide, left,
                              with_sign(), sign);
     }
@@ -131,7 +131,7 @@ class Reader {
     const char next = text_[at_];
     if (is_digit(next) || next == '.') return number();
     if (begins_name(next)) return named();
-    if (next != '(') throw ValueError(rest(), names_.expected, at_);
+    if (next != '(') throw ValueError("found " + rest(), names_.expected, at_);
     const std::size_t open = at_;
     take("(");
     FormulaPart inside = sum();
@@ -141,7 +141,7 @@ class Reader {
 
   void close(std::size_t open) {
     if (take(")")) return;
-    if (!ended()) throw ValueError(rest(), "expected an operator or ')'", at_);
+    if (!ended()) throw ValueError("found " + rest(), "expected an operator or ')'", at_);
     throw ValueError(studies::quoted(text_.substr(open)) + " has no ')'", "close the parenthesis",
                      at_);
   }
@@ -154,7 +154,7 @@ class Reader {
   }
 
   [[noreturn]] void refuse_rest(const FormulaPart& before) const {
-    throw ValueError(rest() + " after " + studies::quoted(before.text),
+    throw ValueError("found " + rest() + " after " + studies::quoted(before.text),
                      sees(')')
                          ? "it closes no parenthesis; in a YAML list, quote text that holds a comma"
                          : "expected an operator: '+', '-', '*', '/' or '^'",

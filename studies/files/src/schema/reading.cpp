@@ -140,10 +140,15 @@ bool fits(const YamlNode& node, const Schema& schema) {
 void say_wrong_kind(const YamlNode& node, const Schema& schema, const Spot& spot,
                     Diagnostics& diagnostics) {
   if (node.kind == YamlNode::Kind::refused) return;
+  const std::string expected = expectation(schema);
+  if (node.kind == YamlNode::Kind::empty) {
+    diagnostics.add(spot.mark, spot.path, std::string(kind_phrase(node.kind)), expected);
+    return;
+  }
   const bool text = node.kind == YamlNode::Kind::scalar;
-  diagnostics.add(node.kind == YamlNode::Kind::empty ? spot.mark : node.mark, spot.path,
-                  text ? quoted(node.scalar) : std::string(kind_phrase(node.kind)),
-                  expectation(schema));
+  diagnostics.add(node.mark, spot.path,
+                  "found " + (text ? quoted(node.scalar) : std::string(kind_phrase(node.kind))),
+                  expected);
 }
 
 bool says_no_error(const YamlNode& node, const Schema& schema, const Spot& spot,
@@ -172,7 +177,8 @@ bool check_item_count(const YamlNode& list, const Schema& schema, const Spot& sp
                       Diagnostics& diagnostics) {
   const std::size_t count = list.items.size();
   if (count >= schema.min_items && count <= schema.max_items) return true;
-  diagnostics.add(list.mark, spot.path, count == 0 ? "an empty list" : counted(count, "item"),
+  diagnostics.add(list.mark, spot.path,
+                  count == 0 ? "found an empty list" : "found " + counted(count, "item"),
                   count == 0 ? expectation(schema.items.front()) : items_allowed(schema));
   return false;
 }

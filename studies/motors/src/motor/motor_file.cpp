@@ -1,19 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/studies/motor/motor_file.hpp>
 
+#include <twum/studies/text/words.hpp>
 #include <twum/studies/yaml/loader.hpp>
+
+#include <string_view>
 
 namespace twum::studies {
 namespace {
 
 bool refuse_study(const YamlNode& root, Diagnostics& diagnostics) {
-  if (root.find("study") == nullptr) return false;
-  diagnostics.add({1, 1}, "study", "a study file",
-                  "expected a motor file; a study is run with 'twum run'");
+  if (root.find("study") != nullptr) {
+    diagnostics.add({1, 1}, "study", "found a study file",
+                    "expected a motor file; a study is run with 'twum run'");
+    return true;
+  }
+  if (!names_motor_file(root)) return false;
+  const YamlNode& motor = *root.find("motor");
+  diagnostics.add(motor.mark, "motor", "names the file " + quoted(motor.scalar) + ", as in a study",
+                  "to run a study, add 'study:' to this file and use 'twum run'; for the motor, "
+                  "give its own file");
   return true;
 }
 
 }  // namespace
+
+bool names_motor_file(const YamlNode& root) {
+  const YamlNode* motor = root.find("motor");
+  if (motor == nullptr || motor->kind != YamlNode::Kind::scalar) return false;
+  const std::string_view text = motor->scalar;
+  return text.ends_with(".yaml") || text.ends_with(".yml") ||
+         text.find('/') != std::string_view::npos;
+}
 
 MotorFile read_motor(const Source& source) {
   Diagnostics diagnostics(source);

@@ -16,11 +16,11 @@ bool refuse_other_file(const YamlNode& root, Diagnostics& diagnostics) {
     const char* expected;
   };
   static constexpr Other kOthers[] = {
-      {"motor", "a motor file",
+      {"motor", "found a motor file",
        "expected entries of a motor at the left margin, such as 'contact_layer:', without 'motor:' "
        "around them"},
-      {"study", "a study file", "expected entries of a motor, such as 'contact_layer:'"},
-      {"twum_material", "a file of the catalogue of materials",
+      {"study", "found a study file", "expected entries of a motor, such as 'contact_layer:'"},
+      {"twum_material", "found a file of the catalogue of materials",
        "expected entries of a motor; copy its values below 'contact_layer:' and 'friction:'"}};
   for (const Other& other : kOthers) {
     for (const YamlEntry& entry : root.entries) {

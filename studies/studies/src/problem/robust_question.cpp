@@ -253,13 +253,14 @@ class RobustBuilder {
 std::optional<ValueError> search_complaint(const Tolerance& tolerance) {
   if (tolerance.mean || tolerance.min || tolerance.mode || tolerance.max)
     return ValueError(
-        "a tolerance about a value of its own",
-        "in a search a tolerance follows the design: give the spread alone, such as '3 %'");
+        "gives the centre of the distribution",
+        "in a search the design's value is the centre: give only the spread, such as '3 %'");
   if (info(tolerance.parameter).integer)
-    return ValueError("a tolerance of a whole number",
+    return ValueError("a whole number cannot have a tolerance in a search",
                       "leave it out of the tolerances, or use an uncertainty study");
   if (tolerance.below && tolerance.above && tolerance.below->relative != tolerance.above->relative)
-    return ValueError("one side in % and the other with a unit", "give both sides the same way");
+    return ValueError("gives one side in % and the other with a unit",
+                      "give both sides the same way");
   return {};
 }
 

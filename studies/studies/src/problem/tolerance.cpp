@@ -17,7 +17,7 @@ std::optional<ValueError> meaningless_share(const Tolerance& tolerance, double c
   for (const std::optional<Spread>& spread :
        {tolerance.sd, tolerance.range, tolerance.below, tolerance.above}) {
     if (!spread || !spread->relative || (centre != 0 && !whole)) continue;
-    const std::string share = "a spread of " + about(100 * spread->amount) + " % of ";
+    const std::string share = "found a spread of " + about(100 * spread->amount) + " % of ";
     if (whole)
       return ValueError(share + "a whole number",
                         "give the numbers it may have: {distribution: uniform, min: 8, max: 10}");

@@ -26,7 +26,7 @@ constexpr const char* kSweep =
 
 void check_family(const YamlNode& family, const Spot& spot, Diagnostics& diagnostics) {
   if (family.entries.size() == 1) return;
-  diagnostics.add(family.mark, spot.path, counted(family.entries.size(), "parameter"),
+  diagnostics.add(family.mark, spot.path, "found " + counted(family.entries.size(), "parameter"),
                   "expected one: a family varies a single parameter");
 }
 
@@ -123,7 +123,7 @@ class SweepChecker {
 
   void require_list(const YamlEntry& entry) {
     if (entry.value.kind != YamlNode::Kind::mapping) return;
-    diagnostics_.add(entry.value.mark, path_of(entry.key), "a range for sampling 'list'",
+    diagnostics_.add(entry.value.mark, path_of(entry.key), "found a range, but sampling is 'list'",
                      "expected a list of values, or sampling 'grid'");
   }
 
@@ -292,13 +292,14 @@ Shape<FrequencyStudy> FrequencyStudy::shape() {
         if (study.from && study.to)
           rising(given, "from", *study.from, "to", *study.to, diagnostics);
         if (study.family && study.torque && study.torque->size() > 1) {
-          diagnostics.add(given.find("torque")->mark, given.path("torque"), "a second family",
+          diagnostics.add(given.find("torque")->mark, given.path("torque"),
+                          "several loads cannot be given beside 'family'",
                           "give one load, or leave out 'family'");
           return false;
         }
         const YamlNode* speed = given.find("speed");
         if (speed == nullptr || given.find("torque") == nullptr) return true;
-        diagnostics.add(speed->mark, given.path("speed"), "a second load beside 'torque'",
+        diagnostics.add(speed->mark, given.path("speed"), "cannot be given beside 'torque'",
                         "give the torque, or the speed");
         return false;
       });

@@ -67,16 +67,17 @@ void check_robust_front(const ParetoStudy& study, const Given& given, Diagnostic
                     quoted(kNsga2) + " beside tolerances",
                     "leave it out: a front under tolerances needs gradients");
   if (const YamlNode* choose = given.find("choose"))
-    diagnostics.add(choose->mark, given.path("choose"), "a choice in a front under tolerances",
-                    "one study for each set, or an optimize study");
+    diagnostics.add(choose->mark, given.path("choose"),
+                    "a front under tolerances cannot contain a choice",
+                    "make one study for each set, or an optimize study");
   const YamlNode* variables = given.find("variables");
   for (const YamlEntry& entry :
        variables == nullptr ? std::vector<YamlEntry>{} : variables->entries) {
     const auto parameter = find_parameter(entry.key);
     if (parameter && info(*parameter).integer)
       diagnostics.add(entry.key_mark, given.path("variables") + "." + entry.key,
-                      "a parameter of whole numbers in a front under tolerances",
-                      "set it in the motor, one study for each value");
+                      "a front under tolerances cannot vary a whole number",
+                      "set it in the motor, and make one study for each value");
   }
 }
 
@@ -142,7 +143,7 @@ bool refuse_whole_numbers(CalibrateStudy& /*study*/, const Given& given, Diagnos
     if (parameter && info(*parameter).integer)
       diagnostics.add(entry.key_mark, given.path("variables") + "." + entry.key,
                       "only whole numbers, which a fit cannot estimate",
-                      "set it in the motor, one study for each value");
+                      "set it in the motor, and make one study for each value");
   }
   return true;
 }

@@ -25,16 +25,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Adds a helpful error for a motor file given instead of a study, in place of a list of missing entries.
+// Adds one error for a motor file given instead of a study, in place of a list of missing entries.
 bool refuse_motor(const YamlNode& root, Diagnostics& diagnostics) {
   const YamlNode* motor = root.find("motor");
   const bool is_motor =
       root.find("study") == nullptr && motor != nullptr && motor->kind == YamlNode::Kind::mapping;
   if (is_motor) {
-    diagnostics.add({1, 1}, "study", "a motor file without a study",
+    diagnostics.add({1, 1}, "study", "found a motor file without 'study:'",
                     "expected a study file; 'twum init optimize' writes one to start from");
   }
   return is_motor;
+}
+
+// Adds an error for a study file that names its motor, but lacks `study:`.
+bool refuse_unasked(const YamlNode& root, Diagnostics& diagnostics) {
+  if (root.find("study") != nullptr || !names_motor_file(root)) return false;
+  diagnostics.add({1, 1}, "study", "missing in this study of " + quoted(root.find("motor")->scalar),
+                  "add 'study:' with its 'kind:'; 'twum init optimize' shows how");
+  return true;
 }
 
 // The motor that a study names. Errors of that file are thrown as a FileError.
@@ -47,7 +55,7 @@ std::optional<MotorFile> named_motor(const std::string& name, const YamlNode& no
     throw;
   } catch (const InputError& error) {
     diagnostics.add(node.mark, "motor", error.what(),
-                    "expected the path of a motor file, from the folder of this file");
+                    "expected the path of a motor file, relative to the folder of this file");
     return {};
   }
 }
@@ -175,7 +183,7 @@ class SetReader {
       errors_ = errors_ ? FileError(*errors_, error) : error;
     } catch (const InputError& error) {
       diagnostics_.add(file.path->mark, "study." + file.entry, error.what(),
-                       "expected the path of a file, from the folder of this file");
+                       "expected the path of a file, relative to the folder of this file");
     }
     return {};
   }
@@ -255,7 +263,8 @@ void throw_all(const Diagnostics& diagnostics, const std::vector<FileError>& fil
 
 bool is_study(const Source& source) {
   Diagnostics ignored(source);
-  return load_yaml(ignored).find("study") != nullptr;
+  const YamlNode root = load_yaml(ignored);
+  return root.find("study") != nullptr || names_motor_file(root);
 }
 
 StudyFile read_study(const Source& source, const std::string& folder,
@@ -263,7 +272,7 @@ StudyFile read_study(const Source& source, const std::string& folder,
   Diagnostics diagnostics(source);
   YamlNode root = load_yaml(diagnostics);
   StudyText text;
-  if (!refuse_motor(root, diagnostics))
+  if (!refuse_motor(root, diagnostics) && !refuse_unasked(root, diagnostics))
     study_file_shape().read(text, root, {{}, {1, 1}}, diagnostics);
   std::vector<FileError> files;
   SetReader sets(folder, diagnostics);

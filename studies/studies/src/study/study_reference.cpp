@@ -64,7 +64,7 @@ std::string study_reference() {
   for (SchemaEntry& entry : file.entries) {
     if (entry.name != "motor") continue;
     entry.schema = Schema{};
-    entry.schema.text = "a path from the folder of this file, or the entries of a motor";
+    entry.schema.text = "a path relative to the folder of this file, or the entries of a motor";
     entry.schema.example = "ring-60.yaml";
   }
   text += markdown_table(file) + "\nBelow `study:` stand `kind` and the entries of that kind:\n";

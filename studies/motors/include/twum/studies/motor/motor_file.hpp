@@ -5,6 +5,7 @@
 #include <twum/core/design/parameters.hpp>
 #include <twum/studies/diagnostics/diagnostics.hpp>
 #include <twum/studies/schema/shape.hpp>
+#include <twum/studies/yaml/node.hpp>
 
 #include <string>
 
@@ -33,6 +34,9 @@ const Shape<MotorFile>& motor_shape();
 
 /// A motor file; static lifetime.
 const Shape<MotorFile>& motor_file_shape();
+
+/// True if `motor:` of a document is the path of a file, as only a study file has it.
+bool names_motor_file(const YamlNode& root);
 
 /// Reads a motor file; "-" is standard input.
 /// @throws FileError with everything that is wrong in it; InputError if it cannot be read.

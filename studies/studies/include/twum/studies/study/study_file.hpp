@@ -42,7 +42,7 @@ StudyFile read_study_file(const std::string& path, std::span<const std::string> 
 StudyFile read_study(const Source& source, const std::string& folder,
                      std::span<const std::string> settings = {});
 
-/// True if a document is a study file (it has `study:`) rather than a motor file.
+/// True if a document is a study file rather than a motor file: it has `study:`, or `motor:` is the path of a file.
 bool is_study(const Source& source);
 
 /// The reference page of study files: every kind and entry, as Markdown.
