@@ -147,7 +147,7 @@ void say_study_interrupted(std::uint64_t done) {
   say_study_interrupted(line, true);
 }
 
-// A signal handler may not request a stop: it would have to take locks. So a thread looks after it.
+// A signal handler may not request a stop, because that takes locks. So a thread watches the flag and requests it.
 StopOnInterrupt::StopOnInterrupt()
     : watcher_([source = source_](const std::stop_token& end) mutable {
         while (!end.stop_requested() && !source.stop_requested()) {

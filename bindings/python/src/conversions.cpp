@@ -62,7 +62,7 @@ py::array numpy_array(const std::string& name, py::handle values) {
   }
 }
 
-// Each entry by itself.
+// Converts the entries one by one.
 Array from_objects(const py::array& objects, const ToNumber& one) {
   Array numbers(std::vector<py::ssize_t>(objects.shape(), objects.shape() + objects.ndim()));
   double* to = numbers.mutable_data();

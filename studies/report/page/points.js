@@ -130,7 +130,7 @@ export class DensityLayer extends Layer {
     for (let i = 0; i < n; ++i)
       for (let j = 0; j < n; ++j) {
         if (!at(i, j)) continue;
-        // Counts over several powers of ten are told apart by their logarithm.
+        // Counts over several powers of ten are distinguished by their logarithm.
         ctx.fillStyle = steps[Math.round((63 * Math.log(at(i, j))) / Math.max(Math.log(most), 1e-9))];
         const [left, right] = [Math.floor(px[i]), Math.ceil(px[i + 1])];
         const [top, bottom] = [Math.floor(height - py[j + 1]), Math.ceil(height - py[j])];

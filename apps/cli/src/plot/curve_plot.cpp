@@ -18,7 +18,7 @@ namespace {
 // Half a pixel of the PNG is 1 / 2400 of the width; the curve has few bends, and 600 points are smooth.
 constexpr int kPoints = 601;
 
-// What one panel says of marks is not for the next; the title is drawn once.
+// Removes the labels of a panel before the next one; the title is drawn once.
 constexpr const char* kEndOfPanel = "\nunset label\n";
 
 enum Column : int {
@@ -63,7 +63,7 @@ struct Picture {
   bool terminals;  // modal data say what the terminals see
 };
 
-// What becomes of the electrical power (D4.2), stacked; nothing where the rotor is driven from outside.
+// The parts of the electrical power (D4.2), stacked; NaN where the rotor is driven from outside.
 std::vector<double> stacked(const OperatingPoint& p) {
   double sum = p.output_power < 0 ? std::nan("") : 0;
   std::vector<double> stack;
@@ -255,7 +255,7 @@ std::string terminal_panel(const Picture& picture) {
   std::string script = panel_place(0.58, 0.33, false) + "set offsets 0, 0, graph 0.1, 0\n" +
                        vertical_label("electrical power", picture.power) + "plot ";
   for (const Share& share : kShares) {
-    // The first stands on the axis: nothing of itself, which is not a number where it is none.
+    // The first begins on the axis: zero times its value, so that a missing value stays missing.
     const bool first = share.below == share.above;
     script += std::string(first ? "" : ", ") + "$curve using " + in_unit(kSpeed, picture.speed) +
               ":" + (first ? "(0)*" : "") + in_unit(share.below, picture.power) + ":" +

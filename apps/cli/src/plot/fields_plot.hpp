@@ -13,7 +13,7 @@ namespace twum::cli {
 inline constexpr PlotSize kFieldsPlotSize{720, 860};
 
 /// Script of a picture of pressure, traction with its friction bounds, and surface velocities over the
-/// contact, on a ground coloured by what each zone does. The point has to have an answer.
+/// contact, on a background coloured by zone. The point has to have an answer.
 std::string fields_plot(const studies::MotorFile& file, double speed);
 
 /// Script of maps of pressure and slip speed over phase and radius, with the ends of the stick zones; of a motor with several

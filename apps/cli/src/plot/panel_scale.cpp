@@ -14,7 +14,7 @@ Extent ends_of(const Axis& axis, Extent values) {
   if (!(values.low <= values.high)) values = {0, 1};
   const double size = std::max(std::abs(values.low), std::abs(values.high));
   const double span = values.high - values.low;
-  // What differs by rounding alone is one value, and stands in the middle.
+  // Values that differ by rounding only count as one value, drawn in the middle.
   const bool one = span <= 1e-9 * size || span == 0;
   const double room = one ? 0.1 * (size > 0 ? size : 1) : axis.pad * span;
   if (!(axis.zero && values.low == 0)) values.low -= room;

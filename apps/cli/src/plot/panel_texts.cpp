@@ -11,7 +11,7 @@ namespace {
 // Size of the letters [points of the page].
 constexpr double kLetterWidth = 6.9, kLetterHeight = 14;
 
-// Where a text stands beside its point: which way it goes from there.
+// Direction from a point to its text.
 struct Side {
   int across, up;  // 1: to the right, above; -1: to the left, below; 0: centred
 };

@@ -73,7 +73,7 @@ struct Certificate {
   /// The same in user units. Improving objective k by one unit counts as much as prices[k] units of the scale of the
   /// multipliers, which is that of the first objective. So relaxing a limit by one unit improves objective k by
   /// multiplier / prices[k] while the others stay, and one unit of objective k trades for prices[k] / prices[l] units
-  /// of objective l. 0: no trade to first order. 0: no trade to first order.
+  /// of objective l. 0: the objective cannot be traded, to first order.
   std::vector<double> prices;
   std::vector<Activity> limits;   ///< every constraint limit, then the active bounds
   std::vector<Finding> findings;  ///< degeneracies of the design

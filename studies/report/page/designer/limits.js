@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The load, limits, and a metric that stays while one parameter gives way.
+// The load, limits, and a metric that is kept constant by adjusting one parameter.
 
 import {el, save} from '../dom.js';
 import {capital, pointName, shortName} from '../names.js';

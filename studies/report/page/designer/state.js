@@ -58,7 +58,7 @@ export class DesignState {
         {[name]: value};
   }
 
-  /** Another value of a parameter; its alternative gives way. */
+  /** Sets the value of a parameter, and removes its alternative. */
   set(name, value, alternative) {
     if (alternative) delete this.motor.values[alternative];
     Object.assign(this.motor.values, this.changes(name, value));

@@ -171,7 +171,7 @@ Shape<std::vector<std::string>> data_files() {
   return shape;
 }
 
-// Values of their own need tables that can be told apart by their names, and nothing that follows from them.
+// Values for each table need several tables with different names, and no derived parameters.
 void check_per_file(const CalibrateStudy& study, const Given& given, Diagnostics& diagnostics) {
   const YamlNode* node = given.find("per_file");
   if (node == nullptr) return;

@@ -29,7 +29,7 @@ constexpr Quantity kPower{"output power", "W",
 constexpr Quantity kFriction{"friction loss", "W",
                              [](const OperatingPoint& p) { return p.friction_power; }};
 
-// Where the rotor is driven from outside nothing comes out: there the efficiency is 0, and its line ends on the axis.
+// Where the rotor is driven from outside, there is no output: the efficiency is 0, and its line ends on the axis.
 constexpr Quantity kOverall{"overall efficiency", "%",
                             [](const OperatingPoint& p) { return p.overall_efficiency(); }};
 constexpr Quantity kEfficiency{"efficiency", "%", [](const OperatingPoint& p) {
@@ -52,7 +52,7 @@ Quantity efficiency_of(const std::vector<NamedMotor>& motors) {
   return std::any_of(motors.begin(), motors.end(), damped) ? kEfficiency : kContact;
 }
 
-// A motor that gives anything is not shown where it is driven from outside, beyond its no-load speed.
+// A motor with output power is not shown beyond its no-load speed, where it is driven from outside.
 bool gives_any(const Panel& panel) {
   return std::any_of(panel.series.begin(), panel.series.end(), [](const Series& series) {
     return std::any_of(series.rows.begin(), series.rows.end(),
@@ -128,7 +128,7 @@ void add_limits(Panel& panel, const std::vector<studies::MotorLimit>& limits) {
     if (!series->rows.empty()) panel.series.push_back(std::move(*series));
 }
 
-// The curve of a motor alone says more, and the contact is shown where it gives most.
+// A single motor gets the full curve, and the contact at its peak power.
 void add_alone(std::vector<Picture>& pictures, const std::string& title, const Motor& motor) {
   const studies::MotorFile file{title, motor.design()};
   pictures.push_back(
@@ -155,7 +155,7 @@ void add_motor(std::vector<NamedMotor>& motors, const std::string& name, const M
   try {
     motors.push_back({name, Motor(with(base, replaced))});
   } catch (const InputError&) {
-    // What is not admissible has no curve to show.
+    // A design that is not admissible has no curve.
   }
 }
 

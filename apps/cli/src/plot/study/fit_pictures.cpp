@@ -24,7 +24,7 @@ std::string name_of(const std::string& quantity) {
   return name;
 }
 
-// "bench.csv, preload 120 N": what tells a curve from the others of its kind.
+// "bench.csv, preload 120 N": the words that distinguish a curve from the others of its kind.
 std::string name_of(const FitCurve& curve) {
   std::string name = curve.file;
   for (const studies::NamedValue& one : curve.set)

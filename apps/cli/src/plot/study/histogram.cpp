@@ -7,7 +7,7 @@
 namespace twum::cli {
 namespace {
 
-// More than 60 bars are not told apart, fewer than 8 say little.
+// More than 60 bars cannot be distinguished, and fewer than 8 show little of the shape.
 double bins_for(std::size_t count) {
   return std::clamp(std::ceil(std::sqrt(static_cast<double>(count)) / 1.5), 8.0, 60.0);
 }

@@ -7,7 +7,7 @@
 
 namespace twum::cli {
 
-/// What values have to be between, SI; infinite: open.
+/// The interval in which values have to lie [SI]; an infinite end is open.
 struct Window {
   double lower;
   double upper;
@@ -25,8 +25,8 @@ struct Bins {
   double edge(std::size_t i) const { return first + static_cast<double>(i) * width; }
 };
 
-/// Counts finite values. The ends of the window are edges of bins, so that no bar is on both sides, unless it is so narrow that
-/// this took more bins than can be seen.
+/// Counts finite values. The ends of the window are edges of bins, so that no bar is on both sides, unless the window is so
+/// narrow that this would take more bins than can be seen.
 /// @param values  at least two that differ
 Bins counted_bins(const std::vector<double>& values, const Window& window);
 

@@ -29,7 +29,7 @@ struct PlacedAxis {
   }
 };
 
-// What differs by rounding alone is one value, and stands in the middle.
+// Values that differ by rounding only count as one value, drawn in the middle.
 Extent ends_of(const std::vector<double>& values) {
   Extent ends;
   for (const double value : values) ends.add(value);

@@ -25,7 +25,7 @@ std::vector<bool> rows_that_keep(const FinishedStudy& study, const DesignReport&
     const auto column = column_of(study.store, limit.metric);
     if (!column) continue;
     const std::vector<double> values = column_values(study.store, *column);
-    // What the answer itself is beyond a limit, by rounding, is not beyond it.
+    // Rounding may put the answer itself beyond a limit. That much does not count as a violation.
     const double room =
         std::max(1e-6 * std::abs(limit.limit), broken(limit, best) ? 0.0 : limit.violation);
     for (std::size_t i = 0; i < count; ++i)
@@ -120,7 +120,7 @@ double value_of(const std::vector<NamedValue>& values, const std::string& name) 
   return studies::kNoValue;
 }
 
-// "largest peak power, knee": what a point is on its front; empty for the others.
+// What a point is on its front, such as "largest peak power, knee"; empty for the others.
 std::string role_of(const studies::ParetoResult& answer, std::size_t point) {
   std::string role;
   for (std::size_t k = 0; k < answer.ends.size(); ++k) {
@@ -151,7 +151,7 @@ void add_front(std::vector<Picture>& pictures, const FinishedStudy& study,
   pictures.push_back(picture_of("front" + pair, {study.title("the trade"), {panel}}));
 }
 
-// Goals of the points of a front, and what they are made of.
+// Goals of the points of a front, and their designs.
 Picture every_quantity_of(const FinishedStudy& study, const studies::ParetoResult& answer) {
   std::vector<ParallelAxis> axes;
   for (std::size_t k = 0; k < answer.goals.size(); ++k) {
@@ -168,7 +168,7 @@ Picture every_quantity_of(const FinishedStudy& study, const studies::ParetoResul
                           shown_rows(answer.front.size()));
 }
 
-// What the designs are made of, over the first goal.
+// The variables of the designs over the first goal.
 void add_along(std::vector<Picture>& pictures, const FinishedStudy& study,
                const studies::ParetoResult& answer) {
   Chart chart{study.title("along the front"), {}, true};

@@ -28,8 +28,8 @@ Axis axis_of(const studies::StoredColumn& column, double pad);
 /// More points than these on a picture of some 600 by 200 pixels only make its file longer.
 inline constexpr std::size_t kMostPoints = 5000;
 
-/// Which rows a picture shows where there are more than `most`: one of each so many, drawn at random but always the same, since
-/// every k-th point of a grid or a sequence lies in a part of the space only.
+/// Rows that a picture shows if there are more than `most`: a random sample, always the same one. Taking every k-th
+/// row would be wrong, because every k-th point of a grid or a sequence lies in a part of the space only.
 std::vector<std::size_t> shown_rows(std::size_t count, std::size_t most = kMostPoints);
 
 }  // namespace twum::cli

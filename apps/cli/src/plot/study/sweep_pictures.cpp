@@ -104,7 +104,7 @@ std::vector<std::vector<double>> counted_cells(const std::vector<double>& x,
   return rows;
 }
 
-// Designs as points; more than can be told apart as a density, which counts them all.
+// Draws designs as points. If there are too many to distinguish, draws a density that counts all of them.
 Panel scatter(const StoredColumn& across, const StoredColumn& up, const std::vector<double>& x,
               const std::vector<double>& y) {
   Panel panel{axis_of(across, 0.03), axis_of(up, 0.06), {{"", Draw::dots, colour::kBlue, {}}}};
@@ -124,7 +124,7 @@ Panel scatter(const StoredColumn& across, const StoredColumn& up, const std::vec
   return panel;
 }
 
-// Every quantity of the designs at once.
+// All quantities of the designs in parallel coordinates.
 Picture every_quantity(const FinishedStudy& study) {
   constexpr std::size_t kMostLines = 1500;  // more would be one grey block
   std::vector<ParallelAxis> axes;

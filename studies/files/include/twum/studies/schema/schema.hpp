@@ -20,8 +20,8 @@ enum class ValueKind : unsigned char {
   mapping,   ///< entries with fixed names
   named,     ///< any number of entries of one shape, with names that the user chooses
   list,      ///< any number of items of one shape
-  any_of,    ///< one of several, told apart by their kind
-  variant    ///< one of several mappings, told apart by the word in one of their entries
+  any_of,    ///< one of several, distinguished by their kind
+  variant    ///< one of several mappings, distinguished by the word in one of their entries
 };
 
 struct SchemaEntry;
