@@ -36,6 +36,7 @@ TEST_CASE("the parameter table has one row for each parameter, in order",
     CHECK(find_parameter(row.name) == row.parameter);
     if (!row.symbol.empty()) CHECK(find_parameter(row.symbol) == row.parameter);
     if (row.alternative) CHECK(info(*row.alternative).alternative == row.parameter);
+    CHECK(row.twin == row.alternative);  // its name before 0.2
     CHECK(row.min < row.max);
     CHECK_FALSE(row.text.empty());
     CHECK_FALSE(row.reason.empty());

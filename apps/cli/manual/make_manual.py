@@ -45,10 +45,10 @@ def rows(lines):
 
 
 def entry(left, text):
-    choices = re.search(r":\{([^}]*)\}", left)
-    words = re.sub(r"\S*:\{[^}]*\}|\bREQUIRED\b|\.\.\.", "", left).split()
-    value = words[1] if len(words) > 1 else ("WORD" if choices else "")
-    return Option(words[0].split(","), value, choices[1].split(",") if choices else [], text)
+    words = re.sub(r"\bREQUIRED\b|\.\.\.", "", left).split()
+    value = words[1] if len(words) > 1 else ""
+    choices = value.split("|") if re.fullmatch(r"[a-z]+(\|[a-z]+)+", value) else []
+    return Option(words[0].split(","), value, choices, text)
 
 
 def parse(name, help_text):

@@ -32,14 +32,12 @@ std::size_t OutputOptions::table_width() const {
 
 void add_output_options(CLI::App& command, OutputOptions& options,
                         const std::vector<std::string>& formats) {
-  std::string names;
-  for (const std::string& format : formats) names += (names.empty() ? "" : "|") + format;
   const CLI::Option* given =
       command
           .add_option("--format", options.format,
                       "Format of the result (default: by the ending of the file, else a table)")
           ->check(one_of(formats))
-          ->type_name(names);
+          ->type_name(choices(formats));
   command
       .add_option_function<std::string>(
           "-o,--output",

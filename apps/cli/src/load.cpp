@@ -14,9 +14,13 @@ namespace twum::cli {
 
 void add_load_options(CLI::App& command, LoadOptions& options, std::size_t least) {
   const CLI::Option* speed =
-      command.add_option("--speed", options.speed, "Rotor speed, such as \"100 rpm\"");
-  const CLI::Option* torque = command.add_option(
-      "--torque", options.torque, "Load torque, such as \"0.5 N.m\", in place of --speed");
+      command.add_option("--speed", options.speed, "Rotor speed, such as \"100 rpm\"")
+          ->type_name("SPEED");
+  const CLI::Option* torque =
+      command
+          .add_option("--torque", options.torque,
+                      "Load torque, such as \"0.5 N.m\", in place of --speed")
+          ->type_name("TORQUE");
   command.parse_complete_callback([speed, torque, least] {
     const std::size_t given = speed->count() + torque->count();
     if (given > 1)

@@ -62,13 +62,19 @@ studies::MotorFile load_motor(const MotorOptions& options) {
   return motor;
 }
 
+std::string choices(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : "|") + word;
+  return text;
+}
+
 CLI::Validator one_of(const std::vector<std::string>& words) {
   const auto check = [words](const std::string& text) -> std::string {
     const std::vector<std::string_view> known(words.begin(), words.end());
     if (std::find(known.begin(), known.end(), text) != known.end()) return {};
     return studies::quoted(text) + " is not known here; " + studies::did_you_mean(text, known);
   };
-  return {check, CLI::IsMember(words).get_description(), "one_of"};
+  return {check, "", "one_of"};  // the help shows the words as the type of the option
 }
 
 std::size_t parse_count(const std::string& option, const std::string& text, std::size_t least,

@@ -28,6 +28,9 @@ void add_set_option(CLI::App& command, std::vector<std::string>& settings);
 /// @throws InputError also for a branch of a motor without a voltage
 studies::MotorFile load_motor(const MotorOptions& options);
 
+/// "up|down|both": words as the type of an option in the help.
+std::string choices(const std::vector<std::string>& words);
+
 /// A check that accepts only some words; its message names the word that was probably meant, or all of them.
 CLI::Validator one_of(const std::vector<std::string>& words);
 

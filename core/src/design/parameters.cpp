@@ -26,6 +26,7 @@ constexpr std::array<ParameterInfo, kParameterCount> kTable = [] {
   std::array<ParameterInfo, kParameterCount> table{};
   std::copy(kMotorRows.begin(), kMotorRows.end(), table.begin());
   std::copy(kGeometryRows.begin(), kGeometryRows.end(), table.begin() + kMotorRows.size());
+  for (ParameterInfo& row : table) row.twin = row.alternative;
   return table;
 }();
 

@@ -262,10 +262,14 @@ void add_curve(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("curve", "Torque-speed curve and metrics of a motor");
   add_motor_options(*command, options->motor);
   add_branch_option(*command, options->motor);
-  command->add_option("--points", options->points,
-                      "Number of points from rest to a little beyond no-load (default: 51)");
-  command->add_option("--speeds", options->speeds,
-                      "Rotor speeds separated by commas, instead of --points");
+  command
+      ->add_option("--points", options->points,
+                   "Number of points from rest to a little beyond no-load (default: 51)")
+      ->type_name("N");
+  command
+      ->add_option("--speeds", options->speeds,
+                   "Rotor speeds separated by commas, instead of --points")
+      ->type_name("SPEEDS");
   add_output_options(*command, options->output, {"table", "csv", "json"});
   add_plot_option(*command, options->plot);
   command->add_flag("--compare-slices", options->compare_slices,

@@ -176,11 +176,15 @@ void add_evaluate(CLI::App& app, Action& action) {
                    "CSV table with one design in each row ('-': standard input); without it, the "
                    "motor itself")
       ->type_name("FILE");
-  command->add_option("--metrics", options->metrics,
-                      "Metrics or expressions between commas (default: all metrics without "
-                      "argument)");
-  command->add_option("--jobs", options->jobs,
-                      "Threads (default: all processors); the result does not depend on it");
+  command
+      ->add_option("--metrics", options->metrics,
+                   "Metrics or expressions, separated by commas (default: all metrics without "
+                   "argument)")
+      ->type_name("METRICS");
+  command
+      ->add_option("--jobs", options->jobs,
+                   "Threads (default: all processors); the result does not depend on it")
+      ->type_name("N");
   command->add_option("-o,--output", options->output, "Write the result to this file")
       ->type_name("FILE");
   command->footer(kEvaluateExamples);

@@ -202,8 +202,9 @@ void add_fields(CLI::App& app, Action& action) {
   add_motor_options(*command, options->motor);
   add_branch_option(*command, options->motor);
   add_load_options(*command, options->load, 1);
-  command->add_option("--samples", options->samples,
-                      "Number of phases along the wave (default: 181)");
+  command
+      ->add_option("--samples", options->samples, "Number of phases along the wave (default: 181)")
+      ->type_name("N");
   add_output_options(*command, options->output, {"table", "csv", "json"});
   add_plot_option(*command, options->plot);
   command->footer(kFieldsExamples);

@@ -298,11 +298,16 @@ void add_frequency(CLI::App& app, Action& action) {
       "frequency", "Frequency sweep of a motor under a voltage: branches, jumps, margin");
   add_motor_options(*command, options->motor);
   add_load_options(*command, options->load, 0);
-  command->add_option("--from", options->from,
-                      "Lowest frequency, such as \"39 kHz\" (default: below jumps and resonance)");
-  command->add_option("--to", options->to, "Highest frequency (default: above all jumps)");
-  command->add_option("--points", options->points,
-                      "Number of frequencies in each direction (default: 41)");
+  command
+      ->add_option("--from", options->from,
+                   "Lowest frequency, such as \"39 kHz\" (default: below jumps and resonance)")
+      ->type_name("FREQUENCY");
+  command->add_option("--to", options->to, "Highest frequency (default: above all jumps)")
+      ->type_name("FREQUENCY");
+  command
+      ->add_option("--points", options->points,
+                   "Number of frequencies in each direction (default: 41)")
+      ->type_name("N");
   command->add_option("--direction", options->direction, "Direction of the sweep (default: both)")
       ->check(one_of({"up", "down", "both"}))
       ->type_name("up|down|both");

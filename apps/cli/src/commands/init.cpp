@@ -75,12 +75,12 @@ void add_init(CLI::App& app, Action& action) {
   command->add_option("KIND", options->kind, "motor, or a kind of study")
       ->required()
       ->check(one_of(kinds()))
-      ->type_name("");
+      ->type_name(choices(kinds()));
   command
-      ->add_option(
-          "--motor", options->motor,
-          "For a study: motor file that it names, as a path from the study's folder (default: the "
-          "study file contains a motor)")
+      ->add_option("--motor", options->motor,
+                   "For a study: motor file that it names, as a path relative to the study's "
+                   "folder (default: the "
+                   "study file contains a motor)")
       ->type_name("FILE");
   command->add_flag("--driven", options->driven,
                     "For a motor: its wave follows from voltage, frequency and load");

@@ -109,7 +109,9 @@ void add_materials(CLI::App& app, Action& action) {
   const auto options = std::make_shared<MaterialsOptions>();
   CLI::App* command =
       app.add_subcommand("materials", "Lists the catalogue of materials, or one with its sources");
-  command->add_option("name", options->name, "Material to list with all values and their sources");
+  command
+      ->add_option("MATERIAL", options->name, "Material to list with all values and their sources")
+      ->type_name("");
   add_output_options(*command, options->output, {"table", "csv", "json", "markdown"});
   command->footer(
       "Examples:\n  twum materials\n  twum materials apc-840\n"

@@ -156,8 +156,10 @@ void add_run(CLI::App& app, Action& action) {
           "Directory for the results (default: results/NAME in the current directory, NAME "
           "being that of the study file)")
       ->type_name("DIR");
-  command->add_option("--jobs", options->jobs,
-                      "Threads (default: all processors); the result does not depend on it");
+  command
+      ->add_option("--jobs", options->jobs,
+                   "Threads (default: all processors); the result does not depend on it")
+      ->type_name("N");
   command->add_flag("--fresh", options->fresh,
                     "Discard the stored results in the directory and start again");
   command->footer(kRunExamples);

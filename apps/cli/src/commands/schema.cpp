@@ -51,10 +51,10 @@ int run_schema(const SchemaOptions& options) {
 void add_schema(CLI::App& app, Action& action) {
   const auto options = std::make_shared<SchemaOptions>();
   CLI::App* command = app.add_subcommand("schema", "JSON Schema of the files, for editors");
-  command->add_option("KIND", options->kind, "motor or study")
+  command->add_option("KIND", options->kind, "The kind of file")
       ->required()
       ->check(one_of({"motor", "study"}))
-      ->type_name("");
+      ->type_name("motor|study");
   command
       ->add_option("--format", options->format,
                    "JSON Schema, or the reference page of the study file (default: json)")

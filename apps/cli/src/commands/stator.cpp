@@ -227,9 +227,11 @@ void add_stator(CLI::App& app, Action& action) {
   add_motor_options(*command, options->motor);
   add_branch_option(*command, options->motor);
   add_load_options(*command, options->load, 0);
-  command->add_option(
-      "--modes", options->modes,
-      "Number of modes of the geometry to list, those nearest to the drive's mode (default: 6)");
+  command
+      ->add_option(
+          "--modes", options->modes,
+          "Number of modes of the geometry to list, those nearest to the drive's mode (default: 6)")
+      ->type_name("N");
   add_output_options(*command, options->output, {"table", "json"});
   add_plot_option(*command, options->plot);
   command->footer(kStatorExamples);

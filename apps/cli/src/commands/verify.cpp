@@ -76,9 +76,11 @@ void add_verify(CLI::App& app, Action& action) {
   command->add_option("DIR", options->directory, "Directory that 'twum run' wrote")
       ->required()
       ->type_name("DIR");
-  command->add_option("--samples", options->samples,
-                      "Stored evaluations to repeat, drawn at random (default: 1000)");
-  command->add_option("--seed", options->seed, "Seed of the draw (default: 1)");
+  command
+      ->add_option("--samples", options->samples,
+                   "Stored evaluations to repeat, drawn at random (default: 1000)")
+      ->type_name("N");
+  command->add_option("--seed", options->seed, "Seed of the draw (default: 1)")->type_name("N");
   command->footer(kVerifyExamples);
   command->callback([options, &action] { action = [options] { return run_verify(*options); }; });
 }

@@ -13,7 +13,7 @@
 namespace twum::studies {
 namespace {
 
-// Of an unsplit track: they leave 1e-3 of the torque, and a search may go as far as that.
+// Slices of a track that is not split. Their error is 1e-3 of the torque, which is enough for a first search.
 constexpr int kFewSlices = 8;
 
 DesignProblem nominal(DesignProblem asked) {

@@ -65,7 +65,7 @@ struct FoundCandidate {
   optim::RobustResult found;
 };
 
-// The best three candidates by first-order estimates; one alone needs none.
+// The best three candidates by first-order estimates; a single candidate needs none.
 std::vector<std::size_t> likely_candidates(const RobustBeginning& beginning, bool maximize,
                                            RunContext& context) {
   std::vector<std::pair<std::pair<int, double>, std::size_t>> list;

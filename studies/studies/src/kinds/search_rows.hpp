@@ -18,8 +18,8 @@ namespace twum::studies {
 /// First stage of searches under tolerances; see robust_log.hpp.
 inline constexpr std::uint64_t kRobustStages = 1'000'000;
 
-/// @name Stages of a search that goes on with `auto` of some nodes a panel
-/// The stage gives the number of nodes, so that each row can be computed by itself.
+/// @name Stages of a search that continues with `auto` and a number of nodes a panel
+/// The stage gives the number of nodes, so that each row can be computed without the others.
 /// @{
 inline constexpr std::uint64_t kAutoStages = 500'000;
 inline constexpr std::uint64_t kStagesOfNodes = 1900;  // 256 nodes end before kRobustStages

@@ -50,9 +50,9 @@ class SearchRun : public StudyKindRun {
   int slices() const { return problem_.motor.stator.radial_slices; }
   /// The slices that the search begins with.
   void begin_with_slices(int slices);
-  /// All that is asked from now on is asked of these.
+  /// Sets the slices of all evaluations from now on.
   void use_slices(int slices);
-  /// Nodes a panel that `auto` comes to for a design.
+  /// Nodes a panel that `auto` chooses for a design.
   int nodes_needed(std::span<const double> design) const;
   /// @}
   const DesignProblem& problem() const { return problem_; }

@@ -78,7 +78,7 @@ std::vector<DesignVariable> built_variables(const RobustQuestion& question) {
   return list;
 }
 
-// Responses of built motors, all at once or one alone, which costs less.
+// Responses of built motors, all at once, or a single one, which costs less.
 class BuiltMotors {
  public:
   explicit BuiltMotors(DesignProblem asked) : all_(asked) {

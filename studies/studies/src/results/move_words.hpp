@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// How an answer moves with what its study holds fixed: what optimize, size and calibrate say of it. Internal.
+/// How an answer changes with parameters that its study holds fixed, for optimize, size and calibrate. Internal.
 namespace twum::studies {
 
 /// {held: {value, unit, slopes: {name: slope}}}

@@ -51,8 +51,8 @@ std::string study_template(StudyKind kind, std::string_view motor) {
   file.kind = ValueKind::mapping;
   file.entries.push_back(entry("twum", "version of the file format", "1"));
   if (!motor.empty())
-    file.entries.push_back(
-        entry("motor", "a motor file, from the folder of this one", path_text(motor)));
+    file.entries.push_back(entry(
+        "motor", "path of a motor file, relative to the folder of this file", path_text(motor)));
   file.entries.push_back(entry("set", "overrides of the motor (optional)", "{preload: 140 N}"));
   file.entries.back().shown = false;
   file.entries.push_back(entry("study", "", ""));
@@ -60,8 +60,9 @@ std::string study_template(StudyKind kind, std::string_view motor) {
   const std::string heading = "# A study for twum: " + file.entries.back().schema.text + ".\n" +
                               "# Check it with 'twum check FILE', run it with 'twum run FILE'.\n";
   if (motor.empty()) {  // after the study, which is more important
-    file.entries.push_back(
-        entry("motor", "or a motor file, from the folder of this one: 'motor: FILE'", ""));
+    file.entries.push_back(entry(
+        "motor", "or the path of a motor file, relative to the folder of this file: 'motor: FILE'",
+        ""));
     file.entries.back().schema.kind = ValueKind::mapping;
     file.entries.back().schema.entries =
         kind == StudyKind::frequency ? driven_motor_entries() : motor_shape().schema.entries;

@@ -109,10 +109,10 @@ struct ParameterInfo {
   /// the parameter that may be given instead of this one, such as shear_modulus for poisson_ratio; both in one file
   /// is an error
   std::optional<Parameter> alternative;
-  std::string_view example;                    ///< a valid value with its unit, as a user types it
-  std::string_view text;                       ///< what it is, in one line
-  std::string_view reason;                     ///< why the range ends where it does
-  std::optional<Parameter> twin{alternative};  ///< the name of `alternative` before 0.2
+  std::string_view example;         ///< a valid value with its unit, as a user types it
+  std::string_view text;            ///< what it is, in one line
+  std::string_view reason;          ///< why the range ends where it does
+  std::optional<Parameter> twin{};  ///< `alternative` under its name before 0.2
 };
 
 /// The table, one row for each Parameter, in its order; static lifetime.
