@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # The slow tests. Each step is named; without arguments all of them run, one after the other, and the
-# outcome of each goes into the table of docs/reliability.md.
+# outcome of each goes into the table of docs/reliability/repeat.md.
 #
 #   scripts/test-long.sh                 everything
 #   scripts/test-long.sh asan tsan       these steps

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Puts the outcome of one step of scripts/test-long.sh into the table of docs/reliability.md.
+"""Puts the outcome of one step of scripts/test-long.sh into the table of docs/reliability/repeat.md.
 
     record_result.py STEP passed|failed SECONDS LOG
 """
@@ -37,7 +37,7 @@ def tried(log):
 
 if __name__ == "__main__":
     step, outcome, seconds, log_name = sys.argv[1:]
-    page = tree.ROOT / "docs/reliability.md"
+    page = tree.ROOT / "docs/reliability/repeat.md"
     before, rest = tree.text(page).split(BEGIN)
     table, after = rest.split(END)
     rows = {row.split("|")[1].strip(): row for row in table.splitlines()[2:]}

@@ -21,12 +21,13 @@ namespace {
 constexpr const char* kParametersText =
     "Names as in studies, CSV headers and `--set`; the symbol is an alias. A parameter name may "
     "stand wherever a\n"
-    "metric may. Values carry a unit of the same dimension as the one below. Two parameters of "
-    "which the column\n"
-    "\"needed\" says \"instead of\" describe the same property: a motor file gives one of them, "
-    "and "
-    "an override of\n"
-    "one replaces the other. This page is the output of `twum parameters --format markdown`.";
+    "metric may. Values carry a unit of the same dimension as the one below. If the column "
+    "\"needed\" says "
+    "\"instead of\",\n"
+    "the two parameters describe the same property: a motor file gives one of them, and an "
+    "override of one replaces "
+    "the\n"
+    "other. This page is the output of `twum parameters --format markdown`.";
 
 constexpr const char* kMetricsText =
     "Names as in studies and `twum evaluate --metrics`. Point metrics take a rotor speed or a load "

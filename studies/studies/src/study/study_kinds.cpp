@@ -77,7 +77,7 @@ const Shape<StudyText>& study_file_shape() {
        required<StudyText>(
            "motor",
            one_of<MotorEntry>(
-               "the motor: a path beside this file, or its entries",
+               "the motor: a path relative to the folder of this file, or its entries",
                {motor_as(path("a motor file", "ring-60.yaml")), motor_as(motor_shape())},
                [](const MotorEntry& entry) { return entry.index(); }),
            &StudyText::motor),

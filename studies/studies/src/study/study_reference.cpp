@@ -15,7 +15,7 @@ A study file names a motor and asks a question about it. `twum init KIND` writes
 
 ```yaml
 twum: 1
-motor: ring-60.yaml              # a path beside this file, or the motor itself
+motor: ring-60.yaml              # a path relative to the folder of this file, or the motor
 set: {preload: 140 N}
 study:
   kind: sweep
@@ -28,7 +28,7 @@ study:
     - wear_intensity_at(80 rpm)
 ```
 
-Quantities carry their unit; a parameter without a unit has a number alone. `NAME` stands for a [parameter](parameters.md), by
+Quantities carry their unit; a parameter without a unit is a plain number. `NAME` stands for a [parameter](parameters.md), by
 name or symbol; its values have its dimension and lie within its range. (Below `choose`, `NAME` is a name of your own.) Where a
 [metric](metrics.md) may stand, a parameter may too. `[]` stands for every item of a list. The third column is the default of an
 entry that is left out. The page of the [solvers](solvers.md) lists the options of each solver, which stand below `solver: options:`.
