@@ -172,7 +172,7 @@ function chosenLimits(node, i) {
     if (!standings.length) continue;
     const several = 'Loosened by 1 %, a limit that binds changes one goal or the other as said, to first order, ' +
         othersWords() + '.';
-    const end = 'What would raise this end of the front further, whatever becomes of the other goals, to first order.';
+    const end = 'What would improve this end of the front further, regardless of the other goals, to first order.';
     node.append(
         el('h3', {}, goals.length > 1 ? 'What stops it' : 'What stops the ' + goalWords(goals[0])),
         el('p', {}, goals.length > 1 ? several : end), limitsTable(standings, goals));

@@ -17,9 +17,9 @@ import {axisLabel, goalText, goalValue, limitWords, plain} from './words.js';
 export function yieldWords(y) {
   const what = y.text === 'yield' ? 'all limits' : limitWords(y.text);
   const sure = {
-    holds: 'This holds what was asked for',
-    'not-distinguishable': 'The sample cannot tell this from what was asked for',
-    broken: 'This is less than what was asked for'
+    holds: 'This reaches the wanted share',
+    'not-distinguishable': 'The sample cannot distinguish this from the wanted share',
+    broken: 'This is below the wanted share'
   }[y.verdict];
   return percent(y.value, 4) + ' of the motors keep ' + what + ' (' + percent(y.low, 4) + ' to ' + percent(y.high, 4) +
       ' by ' + y.samples + ' motors that the search has not seen' +

@@ -167,7 +167,7 @@ export function certificateText(certificate) {
   const rounding = certificate.stationarity < 1e-10;  // of the slope itself
   const left = rounding ? 'nothing but rounding is left of the slope' :
                           'what is left of the slope, relative to the slope: ' + rounded(certificate.stationarity, 2);
-  return 'Certified by exact derivatives, whatever the solver said: no small change within the limits improves it (' +
+  return 'Certified by exact derivatives, independent of the solver: no small change within the limits improves it (' +
       left + ').';
 }
 

@@ -235,8 +235,8 @@ function yieldCard() {
   if (!summary.limits) return;
   const share = (v) => ({text: percent(v, 4), value: v});
   const line = (name, e) => [name, share(e.value), share(e.low), share(e.high)];
-  const note = 'What each limit costs, the dearest first; below with the ends of the ' + percent(summary.confidence) +
-      ' intervals.';
+  const note = 'What each limit costs, the most expensive first; below with the ends of the ' +
+      percent(summary.confidence) + ' intervals.';
   card('Yield', note, 'wide', yieldList()).append(table('yield', ['limit', 'kept by', 'at least', 'at most'], [
     ...summary.limits.map((l) => line({text: limitWords(l.text), value: l.text, words: true}, l.kept)),
     line(words('all of them'), summary.yield)

@@ -88,7 +88,7 @@ function searchVerdict() {
   const stops = holderLines(summary.best, data.standings.best, [goal])[0];
   const second = summary.robust ? yieldSentence() :
       stops                     ? sentence('What stops it most: ', ...stops) :
-                                  sentence('No limit stops it: it is the best there is within the ranges.');
+                                  sentence('No limit stops it: it is the best design within the ranges.');
   return {look: summary.outcome === 'optimal' ? 'good' : 'bad', lines: [answer, second]};
 }
 
@@ -100,7 +100,7 @@ export function pointWords(i) {
 
 /** What a step along the front costs, to the next points on both sides of the knee. */
 function tradeWords(i) {
-  if (summary.objectives.length !== 2) return 'On either side of it one gives much for little.';
+  if (summary.objectives.length !== 2) return 'Away from it, a small gain in one goal costs much of the other.';
   const [a, b] = summary.objectives;
   const at = (k, goal) => goalValue(summary.front[k], goal);
   const better = (goal) => (goal.sense === 'maximize' ? 'more' : 'less');
@@ -134,8 +134,8 @@ function paretoVerdict() {
       ' best compromises: none of them can be improved in one goal without loss in another.');
   const second = summary.knee === null ?
       sentence(
-          'The front has no knee: it bends the other way. It runs from ', bold(pointWords(summary.ends[0])), ' to ',
-          bold(pointWords(summary.ends.at(-1))), '.') :
+          'The front has no knee, because it bends the other way. It runs from ', bold(pointWords(summary.ends[0])),
+          ' to ', bold(pointWords(summary.ends.at(-1))), '.') :
       sentence('The knee has ', bold(pointWords(summary.knee)), '. ' + tradeWords(summary.knee));
   return {look: summary.outcome === 'optimal' ? 'good' : 'plain', lines: [first, second]};
 }

@@ -137,7 +137,7 @@ function wholeLine(end, goal, standings) {
   const seen = rows.every > 1 ? 'The best on this page with ' : 'The best that the search saw with ';
   const told = best === null ? 'Try a wider range.' :
                                seen + end.inner + ' has a ' + plain(goal.metric) + ' of ' + goalText(goal, best) +
-          '; a wider range would tell whether this goes on.';
+          '; try a wider range to see whether this continues.';
   return [bold(end.words), ': whole numbers have no slope. ' + told];
 }
 

@@ -69,8 +69,7 @@ export class DesignerPanel {
            panelCard(
                'In the contact', '', this.fieldsTitle, wave, zoneLegend(),
                el('div', {class: 'pair'}, traction, velocity)),
-           panelCard('Load, limits and a metric that stays', '', this.limits.node),
-           panelCard('Cross-section', '', section)));
+           panelCard('Load, limits and a kept metric', '', this.limits.node), panelCard('Cross-section', '', section)));
     this.buildCharts(torque, power, efficiency, wave, traction, velocity, section);
     node.addEventListener('keydown', (event) => this.keys(event));
   }
