@@ -27,13 +27,13 @@ function frontRole(i) {
 }
 
 /**
- * What holds a point of the front, and for which goals: at an end its own goal alone, since there the
- * others have nothing to say; elsewhere each goal, with the others held where they are.
+ * The limits at a point of the front, and the goals that they hold back. At an end of the front only its own goal
+ * counts; elsewhere each goal counts, with the others held where they are.
  */
 function pointLimits(i) {
-  const {front, single_goal_ends: ends} = data.standings;
+  const {front, single_goal_ends: single} = data.standings;
   const ends = summary.objectives.flatMap(
-      (goal, k) => (summary.ends[k] === i && ends[k] ? [{goals: [goal], standings: ends[k]}] : []));
+      (goal, k) => (summary.ends[k] === i && single[k] ? [{goals: [goal], standings: single[k]}] : []));
   return ends.length ? ends : [{goals: summary.objectives, standings: front[i]}];
 }
 
