@@ -17,9 +17,11 @@ bool refuse_study(const YamlNode& root, Diagnostics& diagnostics) {
   }
   if (!names_motor_file(root)) return false;
   const YamlNode& motor = *root.find("motor");
-  diagnostics.add(motor.mark, "motor", "names the file " + quoted(motor.scalar) + ", as in a study",
-                  "to run a study, add 'study:' to this file and use 'twum run'; for the motor, "
-                  "give its own file");
+  diagnostics.add(
+      motor.mark, "motor",
+      quoted(motor.scalar) +
+          " is the path of a file, so this looks like a study that lacks 'study:'",
+      "add 'study:' and run it with 'twum run', or give this command the file of the motor");
   return true;
 }
 

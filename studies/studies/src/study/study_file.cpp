@@ -40,7 +40,8 @@ bool refuse_motor(const YamlNode& root, Diagnostics& diagnostics) {
 // Adds an error for a study file that names its motor, but lacks `study:`.
 bool refuse_unasked(const YamlNode& root, Diagnostics& diagnostics) {
   if (root.find("study") != nullptr || !names_motor_file(root)) return false;
-  diagnostics.add({1, 1}, "study", "missing in this study of " + quoted(root.find("motor")->scalar),
+  diagnostics.add({1, 1}, "study",
+                  "missing, but this looks like a study, since 'motor' names a file",
                   "add 'study:' with its 'kind:'; 'twum init optimize' shows how");
   return true;
 }
