@@ -6,9 +6,9 @@ namespace twum::studies {
 std::span<const Reason> reasons() {
   static constexpr Reason kReasons[] = {
       {MetricStatus::undefined,
-       "the metric has no meaning for this motor: peaks need a stall torque, efficiencies an input "
-       "power, and max_efficiency needs modal_damping; voltages, currents and electrical powers "
-       "need modal data; start_frequency and pull_out_frequency need a voltage and a drive above "
+       "the metric has no meaning for this motor. Peaks need a stall torque, efficiencies an input "
+       "power, and max_efficiency needs modal_damping. Voltages, currents and electrical powers "
+       "need modal data. start_frequency and pull_out_frequency need a voltage and a drive above "
        "the resonance of the stator. In an expression: a division by zero, or sqrt or log of a "
        "negative number"},
       {MetricStatus::unreachable, "the motor cannot carry this load"},
