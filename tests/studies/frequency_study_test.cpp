@@ -74,7 +74,8 @@ TEST_CASE("a frequency study keeps to its range, direction and load", "[studies]
 
 TEST_CASE("what makes no frequency study says why", "[studies][frequency]") {
   CHECK_THROWS_WITH(Sweeps("  points: 5\n", "ring-60.yaml"), Catch::Contains("voltage"));
-  CHECK_THROWS_WITH(Sweeps("  torque: 1 N.m\n  speed: 1 rpm\n"), Catch::Contains("second load"));
+  CHECK_THROWS_WITH(Sweeps("  torque: 1 N.m\n  speed: 1 rpm\n"),
+                    Catch::Contains("cannot be given beside 'torque'"));
   CHECK_THROWS_WITH(Sweeps("  from: 42 kHz\n  to: 40 kHz\n"), Catch::Contains("from"));
 }
 

@@ -197,8 +197,9 @@ TEST_CASE("a study varies something, and a family one thing", "[studies][study][
   CHECK(complaints("{kind: optimize, maximize: peak_power, variables: {}}") ==
         Lines{"study.variables: no variable; name at least one parameter"});
   CHECK(complaints("{kind: optimize, maximize: peak_power, variables: preload}").size() == 1);
-  CHECK(complaints("{kind: curve, family: {}}") ==
-        Lines{"study.family: 0 parameters; expected one: a family varies a single parameter"});
+  CHECK(
+      complaints("{kind: curve, family: {}}") ==
+      Lines{"study.family: found 0 parameters; expected one: a family varies a single parameter"});
   CHECK(complaints("{kind: curve, family: preload}").size() == 1);
   CHECK(complaints("{kind: curve, family: {preload: [1 N]}}").empty());
 }
@@ -249,7 +250,7 @@ TEST_CASE("a front over many whole numbers needs the search that finds such",
   CHECK(
       complaints("{kind: calibrate, data: x.csv, variables: {wavelengths: {min: 8, max: 10}}}") ==
       Lines{"study.variables.wavelengths: only whole numbers, which a fit cannot estimate; set it "
-            "in the motor, one study for each value"});
+            "in the motor, and make one study for each value"});
 }
 
 TEST_CASE("options of a solver are read as the study says, and as the solver reads them",
