@@ -74,10 +74,11 @@ function correlationTable() {
       (v === null || v === undefined ? '' :
                                        'background:color-mix(in srgb, var(--' + (v < 0 ? 'c1' : 'c0') + ') ' +
                Math.round(60 * Math.abs(v)) + '%, transparent)');
-  const lines = names.map((a) => [named(a), ...names.map((b) => {
-                            const v = a === b ? 1 : (summary.correlation[a] || {})[b];
-                            return {text: v === null || v === undefined ? '-' : v.toFixed(2).replace(/^-(0\.0+)$/, '$1'), value: v};
-                          })]);
+  const lines = names.map(
+      (a) => [named(a), ...names.map((b) => {
+        const v = a === b ? 1 : (summary.correlation[a] || {})[b];
+        return {text: v === null || v === undefined ? '-' : v.toFixed(2).replace(/^-(0\.0+)$/, '$1'), value: v};
+      })]);
   const node = table('correlation', ['parameter', ...names.map(plain)], lines);
   node.querySelectorAll('td[data-value]').forEach((td) => {
     td.style.cssText = shade(Number(td.dataset.value));
@@ -139,11 +140,8 @@ export function calibratePage() {
   fitCharts();
   const list = Object.entries(summary.estimates);
   const held = list.some(([, e]) => e.remark);
-  const shown = (n, e) =>
-      [e.value, e.low, e.high].map((v) => quantity(v, unitOf(n), intervalDigits(e.low, e.high)));
-  const line = ([n, e]) =>
-      [named(n), ...shown(n, e),
-       ...(held ? [words(e.remark, 'bad-word')] : [])];
+  const shown = (n, e) => [e.value, e.low, e.high].map((v) => quantity(v, unitOf(n), intervalDigits(e.low, e.high)));
+  const line = ([n, e]) => [named(n), ...shown(n, e), ...(held ? [words(e.remark, 'bad-word')] : [])];
   // Remarks, and the correlations of many parameters, need the whole width of the page.
   const width = held || list.length > 4 ? 'wide' : 'half';
   card('Estimates', 'With intervals of ' + percent(summary.confidence) + '.', width)

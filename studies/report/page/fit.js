@@ -212,8 +212,7 @@ function profileChart(name, estimate) {
   }
   const x = scaled(grid, unit.divisor);
   const beyond = low < grid[0] || high > grid[grid.length - 1];
-  const note =
-      'How much the smallest sum of squares rises if this parameter is fixed at a value. ' +
+  const note = 'How much the smallest sum of squares rises if this parameter is fixed at a value. ' +
       'It is 1 at the ends of the interval. ' +
       (beyond ? 'The interval is wider than the profile: beyond it other motors fit the data.' : '');
   const node = card('Profile of ' + plain(name), note, 'half');
