@@ -132,6 +132,10 @@ TEST_CASE("readings of one column that share an offset are found by their own sc
   even.columns = result.columns;
   tested(even, false);
   CHECK_FALSE(even.offset);
+  CalibrateResult single = with_powers(1, 2, 0);
+  single.data.resize(1);
+  tested(single, false);  // one number leaves no scatter to compare an offset with
+  CHECK_FALSE(single.offset);
 }
 
 TEST_CASE("residuals that are rounding are not tested", "[studies][calibrate]") {

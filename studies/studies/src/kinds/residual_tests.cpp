@@ -148,6 +148,7 @@ void test_offsets(CalibrateResult& result, const std::vector<Points>& kinds,
         rarest = {one.quantity, one.unit, table_of(one), column.size(), -test.offset, test.p};
     }
   }
+  if (count == 0) return;
   rarest.p = of_many(rarest.p, count);
   if (rarest.p < kUnlikely) result.offset = rarest;
 }
