@@ -146,8 +146,9 @@ export function calibratePage() {
   const width = held || list.length > 4 ? 'wide' : 'half';
   card('Estimates', 'With intervals of ' + percent(summary.confidence) + '.', width)
       .append(table('estimates', ['parameter', 'value', 'low', 'high', ...(held ? ['remark'] : [])], list.map(line)));
-  card('Correlation of the estimates', 'Near 1 or -1 the data hardly tell the two parameters apart.', width)
-      .append(correlationTable());
+  const near = 'Near 1 or -1 the data hardly tell the two parameters apart.';
+  const dash = summary.moves_missing ? ' A dash stands for one that is unknown: ' + summary.moves_missing + '.' : '';
+  card('Correlation of the estimates', near + dash, width).append(correlationTable());
   profileCharts();
   residualCards();
   pointsCard(torques);
