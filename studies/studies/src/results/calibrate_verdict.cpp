@@ -77,12 +77,14 @@ bool CalibrateResult::at_bounds() const {
 
 double CalibrateResult::chance() const {
   return std::min({neighbours ? neighbours->p : 1.0, chi_square ? chi_square_p : 1.0,
-                   worst_kind ? worst_kind->p : 1.0, offset ? offset->p : 1.0});
+                   worst_kind ? worst_kind->p : 1.0});
 }
 
+bool CalibrateResult::shifted() const { return offset && offset->p < kRare; }
+
 bool CalibrateResult::poor() const {
-  constexpr double kRare = 0.01;
-  if (chance() < kRare || (chance() < kUnlikely && misfit() > kNoticeable)) return true;
+  if (shifted() || chance() < kRare || (chance() < kUnlikely && misfit() > kNoticeable))
+    return true;
   return !chi_square && (misfit() > kLarge || missed() != nullptr);
 }
 

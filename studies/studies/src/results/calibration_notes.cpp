@@ -81,7 +81,7 @@ std::string missed_words(const CalibrateResult& result) {
 void add_misfit(const CalibrateResult& result, Notes& notes) {
   if (!result.poor()) return;
   std::string text = "The fit is poor: the residuals";
-  const bool offset = result.offset && result.offset->p <= result.chance();
+  const bool offset = result.shifted() && result.offset->p <= result.chance();
   if (offset)
     text +=
         " of " + column_name(*result.offset) + " share an offset: " + offset_words(*result.offset);
@@ -112,7 +112,6 @@ void add_misfit(const CalibrateResult& result, Notes& notes) {
 
 // Deviations that are stated too large hide a misfit, and widen intervals that stand on them.
 void add_smallness(const CalibrateResult& result, Notes& notes) {
-  constexpr double kRare = 0.01;
   if (!result.chi_square || 1 - result.chi_square_p >= kRare) return;
   notes.emplace_back(
       "The residuals are smaller than the standard deviations given: chance gives so small a "

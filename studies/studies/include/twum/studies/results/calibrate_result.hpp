@@ -209,8 +209,10 @@ struct CalibrateResult {
   static constexpr std::size_t kKnownScatter = 10;
   /// Whether the residuals that `neighbours` tests are nearly equal: of one sign, and within a quarter of the smallest.
   bool alike() const;
-  /// How often chance gives what the rarest of the tests of the residuals found.
+  /// How often chance gives such residuals: the rarest of `neighbours`, `chi_square` and `worst_kind`.
   double chance() const;
+  /// Chance gives `offset` less often than one time in a hundred.
+  bool shifted() const;
 
   /// Root mean square of the residuals relative to the largest measured torque; 0 without estimates.
   double misfit() const;
@@ -226,7 +228,8 @@ struct CalibrateResult {
   /// Every parameter is held by an end of its range: nothing was fitted.
   bool at_bounds() const;
   /// The residuals do not agree with the scatter. Chance gives them less often than one time in a hundred, or one time in
-  /// twenty if misfit() exceeds 2 %; or, without a chi-square, misfit() exceeds 5 %, or one number is missed().
+  /// twenty if misfit() exceeds 2 %; or a column is shifted(); or, without a chi-square, misfit() exceeds 5 %, or one number is
+  /// missed().
   bool poor() const;
   /// Without standard deviations and with fewer than ten degrees of freedom: the worst of the points that the fit misses
   /// by more than 5 % of their value and 2 % of the largest value (by 1 / sqrt(weight) as much); else null.
