@@ -7,27 +7,29 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace twum::optim {
 namespace {
 
 using Eigen::Index;
 
-// Relative step of the differences. The error is the square of the step times the curvature, plus rounding over the
-// step, 1e-13 / 1e-5.
-constexpr double kPart = 1e-5;
+// Relative step of the differences. Torques bend within some thousandths of a speed or an amplitude. The error is about the square
+// of the step over this, 1e-6, and rounding over the step, 1e-13 / 3e-6. With 1e-5 moves of the modulus were off by 1e-5.
+constexpr double kPart = 3e-6;
 
 class Moves {
  public:
   Moves(const ResidualFunction& residuals, const LeastSquaresResult& fit,
         std::span<const double> held)
-      : residuals_(residuals), fit_(fit), held_(static_cast<Index>(held.size())) {
+      : residuals_(residuals), held_(static_cast<Index>(held.size())) {
     for (const Estimate& e : fit.estimates) {
       if (!e.at_bound) free_.push_back(static_cast<Index>(at_.size()));
       at_.push_back(e.value);
     }
     count_ = static_cast<Index>(at_.size());
     at_.insert(at_.end(), held.begin(), held.end());
+    cut_.emplace(residuals_(at_), fit);
   }
 
   std::vector<double> find() const {
@@ -46,16 +48,17 @@ class Moves {
  private:
   static std::size_t index(Index i) { return static_cast<std::size_t>(i); }
 
-  // Gradient of half the sum of squares by the free parameters; NaN if it cannot be evaluated.
+  // Gradient of half the loss by the free parameters; NaN if it cannot be evaluated.
   Eigen::VectorXd gradient(const std::vector<double>& at) const {
     Eigen::VectorXd g = Eigen::VectorXd::Constant(static_cast<Index>(free_.size()),
                                                   std::numeric_limits<double>::quiet_NaN());
-    const Residuals r = softened_anew(residuals_(at), fit_);
+    const Residuals r = residuals_(at);
     if (!r.failure.empty()) return g;
     g.setZero();
-    for (std::size_t i = 0; i < r.values.size(); ++i)
+    const std::vector<double> cut = cut_->of(r.values);
+    for (std::size_t i = 0; i < cut.size(); ++i)
       for (std::size_t j = 0; j < free_.size(); ++j)
-        g[static_cast<Index>(j)] += r.values[i] * r.jacobian[i * at.size() + index(free_[j])];
+        g[static_cast<Index>(j)] += cut[i] * r.jacobian[i * at.size() + index(free_[j])];
     return g;
   }
 
@@ -83,7 +86,7 @@ class Moves {
   }
 
   const ResidualFunction& residuals_;
-  const LeastSquaresResult& fit_;
+  std::optional<CutResiduals> cut_;
   Index held_;
   Index count_{0};           // parameters
   std::vector<double> at_;   // parameters, then held numbers

@@ -164,11 +164,26 @@ Residuals softened(Residuals raw, double bend, double share) {
   return raw;
 }
 
-Residuals softened_anew(Residuals raw, const LeastSquaresResult& fit) {
-  if (!std::isfinite(fit.bend) || !raw.failure.empty()) return raw;
-  const double bend =
-      fit.scatter_known ? fit.bend : kBend * huber_scale(raw.values, fit.degrees_of_freedom);
-  return softened(std::move(raw), bend, fit.share);
+CutResiduals::CutResiduals(const Residuals& at_fit, const LeastSquaresResult& fit)
+    : side_(at_fit.values.size(), 0.0), bend_(fit.bend) {
+  double beyond = 0.0;
+  for (std::size_t i = 0; i < side_.size(); ++i) {
+    if (std::abs(at_fit.values[i]) <= bend_) continue;
+    side_[i] = std::copysign(1.0, at_fit.values[i]);
+    beyond += 1.0;
+  }
+  if (std::isfinite(bend_) && !fit.scatter_known)
+    rest_ = static_cast<double>(fit.degrees_of_freedom) * normal_square() - kBend * kBend * beyond;
+}
+
+std::vector<double> CutResiduals::of(std::vector<double> residuals) const {
+  double inside = 0.0;
+  for (std::size_t i = 0; i < side_.size(); ++i)
+    if (side_[i] == 0.0) inside += residuals[i] * residuals[i];
+  const double bend = rest_ > 0.0 ? kBend * std::sqrt(inside / rest_) : bend_;
+  for (std::size_t i = 0; i < side_.size(); ++i)
+    if (side_[i] != 0.0) residuals[i] = side_[i] * bend;
+  return residuals;
 }
 
 // s^2 is the sum of the squares within the bend over what is left of (m - n) beta by those beyond it: the right number of

@@ -4,6 +4,7 @@
 #include <twum/optim/least_squares.hpp>
 
 #include <span>
+#include <vector>
 
 namespace twum::optim {
 
@@ -12,8 +13,20 @@ namespace twum::optim {
 /// @param share  what the loss is divided by, so that it rises about a fit as a sum of squares does
 Residuals softened(Residuals raw, double bend, double share);
 
-/// The same as another fit has them; where that fit estimated the scatter, its estimate follows the residuals.
-Residuals softened_anew(Residuals raw, const LeastSquaresResult& fit);
+/// The residuals in the gradient of a fit's loss: a residual beyond the bend counts as the bend. Where the fit estimated the
+/// scatter, the bend follows the residuals (L8.2). Those beyond the bend are always those that are beyond it at the fit, so that
+/// the gradient stays smooth (L5.1).
+class CutResiduals {
+ public:
+  CutResiduals(const Residuals& at_fit, const LeastSquaresResult& fit);
+  std::vector<double> of(std::vector<double> residuals) const;
+
+ private:
+  std::vector<double> side_;  // -1 or 1 beyond the bend, 0 within it
+  double bend_;
+  double rest_{
+      0.0};  // degrees of freedom times beta, less those beyond the bend; 0: the bend is known
+};
 
 /// Huber's scale of residuals (L8.2); 0 if too few of them differ from 0.
 double huber_scale(std::span<const double> residuals, std::size_t degrees_of_freedom);

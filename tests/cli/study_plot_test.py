@@ -235,6 +235,12 @@ class Pictures(program.Case):
         self.assert_places(pictures["fit-susceptance"].dots[black], frequency, susceptance)
         self.assert_places(pictures["circle"].dots[black], conductance, susceptance)
         self.assertTrue(pictures["circle"].lines[BLUE])
+        # Round: a millisiemens is as long along as up, to the two decimals of the places.
+        scales = []
+        for places, values in zip(zip(*pictures["circle"].dots[black]), (conductance, susceptance), strict=True):
+            low, high = values.index(min(values)), values.index(max(values))
+            scales.append(abs(places[high] - places[low]) / (values[high] - values[low]))
+        self.assertAlmostEqual(scales[0] / scales[1], 1, delta=1e-3)
 
     def test_each_setting_of_the_bench_has_its_curve(self):
         (self.folder / "two.csv").write_text("speed [rpm],torque [N.m],amplitude_at [um],torque_sd [N.m],amplitude_at_sd [um],voltage [V]\n" +

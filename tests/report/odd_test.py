@@ -197,6 +197,11 @@ class Calibration(Study):
         self.assertEqual(len(summary["data"]), 22)
         for chart in ("fit conductance", "fit susceptance", "circle"):
             self.assertTrue(self.browser.value(f"Boolean(document.querySelector('[data-chart=\"{chart}\"]').plot)"), chart)
+        # Round: both axes have the same length for a millisiemens, to a pixel or two of more than 300.
+        plot = "document.querySelector('[data-chart=circle]').plot"
+        along, up = (self.browser.value(f"{plot}.bbox.{side} / ({plot}.scales.{axis}.max - {plot}.scales.{axis}.min)")
+                     for side, axis in (("width", "x"), ("height", "y")))
+        self.assertAlmostEqual(along / up, 1, delta=0.01)
 
     def test_without_data_the_page_is_the_plan(self):
         summary = self.study("first", "kind: calibrate, variables: {kinetic_friction: {min: 0.05, max: 0.5}}")

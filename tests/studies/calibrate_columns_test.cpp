@@ -3,6 +3,7 @@
 #include "calibrate_support.hpp"
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <fstream>
@@ -78,6 +79,18 @@ TEST_CASE("at a fold, where the Jacobian lacks rank only there, the profiles giv
   CHECK(run.answer.outcome == "undetermined");
   CHECK(run.result().undetermined.empty());
   CHECK_THAT(run.text(), !Contains("act only in combination"));
+  // Linear extrapolations from there say nothing.
+  CHECK_THAT(
+      run.text(),
+      Contains("How the answer changes with a fixed parameter is unknown: the estimates are at "
+               "a fold") &&
+          !Contains("1 % larger"));
+  const auto json = nlohmann::json::parse(run.json());
+  CHECK(json["moves_missing"].is_string());
+  REQUIRE(json["moves"].contains("frequency"));
+  for (const auto& [held, move] : json["moves"].items())
+    for (const auto& [name, slope] : move["slopes"].items()) CHECK(slope.is_null());
+  CHECK(json["correlation"]["youngs_modulus"]["thickness"].is_null());
   for (const auto& estimate : run.result().estimates) {
     CAPTURE(estimate.parameter.name);
     REQUIRE(std::isfinite(estimate.low));

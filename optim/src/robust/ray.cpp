@@ -4,7 +4,7 @@
 namespace twum::optim {
 namespace {
 
-constexpr double kLongest = 10.0;  // of t, in units of n
+constexpr double kLongestRay = 10.0;  // of t, in units of n
 
 // The rows of a problem behind a first row t, its objectives shifted by t.
 Evaluation with_ray(const Problem& problem, const Evaluation& at, const std::vector<double>& slope,
@@ -33,7 +33,7 @@ Problem ray_problem(const Problem& problem, const std::vector<double>& f,
                     const std::vector<double>& n) {
   Problem ray;
   ray.variables = problem.variables;
-  ray.variables.push_back({"t", -kLongest, kLongest, 0.0});
+  ray.variables.push_back({"t", -kLongestRay, kLongestRay, 0.0});
   ray.objectives = {{"t", Sense::minimize}};
   std::vector<double> slope;
   for (std::size_t k = 0; k < f.size(); ++k) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A calibration: estimates, residuals, correlation, the next measurements.
 
-import {paddedRange} from './chart.js';
+import {paddedRange, scaled} from './chart.js';
 import {curveSection} from './curve.js';
 import {curves, summary, unitOf} from './data.js';
 import {designerButton} from './designer/inside.js';
@@ -10,7 +10,7 @@ import {figure} from './figure.js';
 import {fitCharts, profileCharts, quantityName, settings} from './fit.js';
 import {movesCard} from './moves.js';
 import {named, quantity, table, words} from './table.js';
-import {displayUnit, engineering, largest, percent, rounded} from './units.js';
+import {displayUnit, engineering, intervalDigits, largest, percent, rounded} from './units.js';
 import {axisLabel, plain} from './words.js';
 
 /** What a measured number is, and where it was read. */
@@ -21,13 +21,13 @@ function readingText(p) {
   return [quantityName(p.quantity) + at, ...settings(p.set)].join(', ') + (p.file ? ' (' + p.file + ')' : '');
 }
 
-/** Where a number was read: its speed, its load, its frequency, or else its place in the data. */
+/** Where a number was read, SI: its speed, its load, its frequency, or else its place in the data. */
 function readAt(p, index) {
-  if (p.speed !== undefined) return {label: 'speed [rpm]', x: (p.speed * 30) / Math.PI};
-  if (p.quantity && p.torque !== undefined) return {label: 'torque [N.m]', x: p.torque};
+  if (p.speed !== undefined) return {name: 'speed', unit: 'rad/s', x: p.speed};
+  if (p.quantity && p.torque !== undefined) return {name: 'torque', unit: 'N.m', x: p.torque};
   const frequency = (p.set || {}).frequency;
-  return frequency === undefined ? {label: 'number in the data', x: index + 1} :
-                                   {label: 'frequency [kHz]', x: frequency / 1000};
+  return frequency === undefined ? {name: 'number in the data', unit: '1', x: index + 1} :
+                                   {name: 'frequency', unit: 'Hz', x: frequency};
 }
 
 /** Residuals of one kind of data. */
@@ -36,9 +36,11 @@ function residualChart(node, quantity, points) {
   const unit = displayUnit(largest([places.map(({p}) => p.residual)]), points[0].p.unit || 'N.m');
   const y = places.map(({p}) => (p.residual === null ? NaN : p.residual / unit.divisor));
   const top = 1.15 * largest([y]) || 1;
-  figure(node, places.map(({x}) => x), [{name: 'residual', y, colour: 'c0', scatter: true}], {
+  const across = displayUnit(largest([places.map(({x}) => x)]), places[0].unit);
+  const x = scaled(places.map((p) => p.x), across.divisor);
+  figure(node, x, [{name: 'residual', y, colour: 'c0', scatter: true}], {
     name: 'residuals' + (quantity ? ' ' + quantity : ''),
-    x: {label: places[0].label, range: paddedRange([places.map(({x}) => x)])},
+    x: {label: axisLabel(places[0].name, across), range: paddedRange([x])},
     y: {label: axisLabel('measured - fitted', unit), range: [-top, top]},
     height: 240,
     ground: (u) => {
@@ -72,10 +74,11 @@ function correlationTable() {
       (v === null || v === undefined ? '' :
                                        'background:color-mix(in srgb, var(--' + (v < 0 ? 'c1' : 'c0') + ') ' +
                Math.round(60 * Math.abs(v)) + '%, transparent)');
-  const lines = names.map((a) => [named(a), ...names.map((b) => {
-                            const v = a === b ? 1 : (summary.correlation[a] || {})[b];
-                            return {text: v === null || v === undefined ? '-' : v.toFixed(2), value: v};
-                          })]);
+  const lines = names.map(
+      (a) => [named(a), ...names.map((b) => {
+        const v = a === b ? 1 : (summary.correlation[a] || {})[b];
+        return {text: v === null || v === undefined ? '-' : v.toFixed(2).replace(/^-(0\.0+)$/, '$1'), value: v};
+      })]);
   const node = table('correlation', ['parameter', ...names.map(plain)], lines);
   node.querySelectorAll('td[data-value]').forEach((td) => {
     td.style.cssText = shade(Number(td.dataset.value));
@@ -137,15 +140,15 @@ export function calibratePage() {
   fitCharts();
   const list = Object.entries(summary.estimates);
   const held = list.some(([, e]) => e.remark);
-  const line = ([n, e]) =>
-      [named(n), quantity(e.value, unitOf(n)), quantity(e.low, unitOf(n)), quantity(e.high, unitOf(n)),
-       ...(held ? [words(e.remark, 'bad-word')] : [])];
+  const shown = (n, e) => [e.value, e.low, e.high].map((v) => quantity(v, unitOf(n), intervalDigits(e.low, e.high)));
+  const line = ([n, e]) => [named(n), ...shown(n, e), ...(held ? [words(e.remark, 'bad-word')] : [])];
   // Remarks, and the correlations of many parameters, need the whole width of the page.
   const width = held || list.length > 4 ? 'wide' : 'half';
   card('Estimates', 'With intervals of ' + percent(summary.confidence) + '.', width)
       .append(table('estimates', ['parameter', 'value', 'low', 'high', ...(held ? ['remark'] : [])], list.map(line)));
-  card('Correlation of the estimates', 'Near 1 or -1 the data hardly tell the two parameters apart.', width)
-      .append(correlationTable());
+  const near = 'Near 1 or -1 the data hardly tell the two parameters apart.';
+  const dash = summary.moves_missing ? ' A dash stands for one that is unknown: ' + summary.moves_missing + '.' : '';
+  card('Correlation of the estimates', near + dash, width).append(correlationTable());
   profileCharts();
   residualCards();
   pointsCard(torques);

@@ -4,7 +4,7 @@
 import {numbers} from './bytes.js';
 import {paddedRange, scaled} from './chart.js';
 import {data, summary, unitOf} from './data.js';
-import {card, colour, seriesColours, seriesDash} from './dom.js';
+import {card, colour, el, seriesColours, seriesDash} from './dom.js';
 import {figure} from './figure.js';
 import {pointName} from './names.js';
 import {displayUnit, engineering, largest, percent} from './units.js';
@@ -114,6 +114,15 @@ function kindChart(node, curves, title) {
       });
 }
 
+/** Height at which a chart as wide as .round is square inside its axes [CSS pixels]. */
+const roundHeight = 380;
+
+/** Two ranges about their middles, as long as the longer one. */
+function alike(...ranges) {
+  const half = Math.max(...ranges.map(([low, high]) => (high - low) / 2));
+  return ranges.map(([low, high]) => [(low + high) / 2 - half, (low + high) / 2 + half]);
+}
+
 /** The admittance of the free stator in its plane, where both of its parts were measured. */
 function circleChart(kinds) {
   const part = (quantity) => kinds.flat().filter((c) => c.quantity === quantity && c.over.name === 'frequency');
@@ -128,13 +137,16 @@ function circleChart(kinds) {
   const [g, b] = [0, 1].map((k) => measured.map((m) => m[k]));
   const unit = displayUnit(largest([along.value, up.value, g, b]), 'S');
   const [x, y, fitX, fitY] = [g, b, along.value, up.value].map((v) => scaled(v, unit.divisor));
-  const node = card('Impedance circle', 'Admittance of a phase of the free stator over frequency.', 'half');
+  const text = 'Admittance of a phase of the free stator over frequency. Both axes have one scale.';
+  const node = el('div', {class: 'round'});
+  card('Impedance circle', text, 'half').append(node);
+  const [across, upwards] = alike(paddedRange([x, fitX]), paddedRange([y, fitY]));
   figure(node, x, [{name: 'measured', y, colour: 'ink', scatter: true}], {
     name: 'circle',
     legend: [{name: 'measured', colour: 'ink', kind: 'dot'}, {name: 'fit', colour: 'c0'}],
-    x: {label: axisLabel('conductance', unit), range: paddedRange([x, fitX])},
-    y: {label: axisLabel('susceptance', unit), range: paddedRange([y, fitY])},
-    height: 320,
+    x: {label: axisLabel('conductance', unit), range: across},
+    y: {label: axisLabel('susceptance', unit), range: upwards},
+    height: roundHeight,
     ground: (u) => {
       u.ctx.strokeStyle = colour('c0');
       u.ctx.lineWidth = 2 * devicePixelRatio;

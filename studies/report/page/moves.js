@@ -20,11 +20,9 @@ function change(by, from, unit) {
 /** The changes to first order; `value` gives the numbers of the answer by their names. */
 export function movesCard(value) {
   const moves = Object.entries(summary.moves || {});
-  if (!moves.length) {
-    if (summary.moves_missing)
-      card(title, 'How the optimum changes with a fixed parameter is unknown: ' + summary.moves_missing + '.', 'wide');
-    return;
-  }
+  if (summary.moves_missing)
+    card(title, 'How the answer changes with a fixed parameter is unknown: ' + summary.moves_missing + '.', 'wide');
+  if (!moves.length || summary.moves_missing) return;
   const names = Object.keys(moves[0][1].slopes);
   const line = ([held, {value: at, unit, slopes}]) =>
       [named(held), quantity(at, unit),

@@ -54,6 +54,13 @@ export function engineering(value, unit, digits = 4) {
   return rounded(value / shown.divisor, digits) + (shown.text ? noBreak + shown.text : '');
 }
 
+/** Digits that tell the ends of an interval apart: two of half its width, and four at least. */
+export function intervalDigits(low, high) {
+  const size = Math.max(Math.abs(low), Math.abs(high));
+  const digits = Math.ceil(Math.log10((2 * size) / (high - low))) + 1;
+  return Number.isFinite(digits) ? Math.min(Math.max(digits, 4), 9) : 4;
+}
+
 /** The same of a difference or a spread: what is rounding of values of the scale is 0. */
 export function spreadText(value, unit, scale, digits = 3) {
   return Math.abs(value) <= 1e-9 * Math.abs(scale) ? '0' : engineering(value, unit, digits);

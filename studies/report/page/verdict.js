@@ -7,7 +7,7 @@ import {bold, bullets, sentence} from './dom.js';
 import {capital} from './names.js';
 import {yieldSentence, yieldWords} from './robust.js';
 import {sortedNames} from './sensitivity.js';
-import {engineering, percent, rounded} from './units.js';
+import {engineering, intervalDigits, percent, rounded} from './units.js';
 import {
   choiceWords,
   designWords,
@@ -286,9 +286,10 @@ function calibrateVerdict() {
     return {look: 'plain', lines: [sentence('Nothing is measured yet. The table says what to measure first.')]};
   const entries = Object.entries(summary.estimates);
   if (!entries.length) return {look: 'bad', lines: [sentence(bold('No fit was found.'))]};
-  const range = (n, e) => ' (' + engineering(e.low, unitOf(n), 4) + ' to ' + engineering(e.high, unitOf(n), 4) + ')';
+  const told = (n, e, v) => engineering(v, unitOf(n), intervalDigits(e.low, e.high));
+  const range = (n, e) => ' (' + told(n, e, e.low) + ' to ' + told(n, e, e.high) + ')';
   const known = (n, e) => (e.remark ? ' (' + e.remark + ')' : e.low === null ? '' : range(n, e));
-  const said = entries.map(([n, e]) => plain(n) + ' ' + engineering(e.value, unitOf(n)) + known(n, e)).join(', ');
+  const said = entries.map(([n, e]) => plain(n) + ' ' + told(n, e, e.value) + known(n, e)).join(', ');
   const left = unitOf('residual_rms') === '1' ? rounded(summary.residual_rms, 3) + ' standard deviations' :
                                                 engineering(summary.residual_rms, unitOf('residual_rms'), 3);
   const lines = [

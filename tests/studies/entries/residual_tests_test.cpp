@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -39,7 +40,8 @@ void tested(CalibrateResult& result, bool deviations) {
   optim::Residuals residuals;
   for (const auto& point : result.data) residuals.values.push_back(-point.residual);
   result.neighbours.reset();
-  test_residuals(result, residuals, {}, deviations);
+  result.offset.reset();
+  test_residuals(result, residuals, {}, deviations, std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace
@@ -105,6 +107,40 @@ TEST_CASE("readings of another table or setting are no neighbours", "[studies][c
   tested(result, false);
   CHECK(result.neighbours->correlation == Approx(-1).epsilon(1e-12));
   CHECK(result.neighbours->p > 0.999);
+}
+
+TEST_CASE("readings of one column that share an offset are found by their own scatter (L4.2, L4.3)",
+          "[studies][calibrate][closed_form]") {
+  // Four powers read at one place: their neighbours do not differ from other ones, but 1, 2, 3, 2 has the mean 2 and the
+  // standard deviation sqrt(2 / 3).
+  CalibrateResult result = with_powers(1, 2, 4);
+  for (std::size_t i = 20; i < 24; ++i) result.data[i].argument = Argument::none;
+  result.data[22].residual = 3;
+  result.columns = {{"torque_at", "N.m", "", 20, 1}, {"electrical_power_at", "W", "", 4, 1}};
+  tested(result, false);
+  CHECK(result.neighbours_of.quantity == "torque_at");
+  REQUIRE(result.offset);
+  CHECK(result.offset->quantity == "electrical_power_at");
+  CHECK(result.offset->count == 4);
+  CHECK(result.offset->offset == Approx(2).epsilon(1e-12));
+  // Student's distribution with 3 degrees of freedom in closed form; one of two columns is as rare twice as often.
+  const double part = 2 / std::sqrt(2.0 / 3 / 4) / std::sqrt(3.0);
+  const double p = 1 - 2 / std::numbers::pi * (std::atan(part) + part / (1 + part * part));
+  CHECK(result.offset->p == Approx(2 * p).epsilon(1e-9));
+  CHECK_FALSE(result.shifted());  // 3.3 %
+  for (std::size_t i = 20; i < 24; ++i) result.data[i].residual += 4;
+  tested(result, false);
+  CHECK(result.shifted());
+  CHECK(result.poor());
+
+  CalibrateResult even = with_powers(2, -2, 4);
+  even.columns = result.columns;
+  tested(even, false);
+  CHECK_FALSE(even.offset);
+  CalibrateResult single = with_powers(1, 2, 0);
+  single.data.resize(1);
+  tested(single, false);  // one number leaves no scatter to compare an offset with
+  CHECK_FALSE(single.offset);
 }
 
 TEST_CASE("residuals that are rounding are not tested", "[studies][calibrate]") {

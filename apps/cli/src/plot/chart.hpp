@@ -65,7 +65,8 @@ struct Panel {
   std::vector<Series> series;
   std::vector<PointMark> marks{};
   std::vector<Guide> guides{};
-  Axis colours{};  ///< of cells
+  Axis colours{};         ///< of cells
+  bool one_scale{false};  ///< both axes have the same length for the same step, as a circle needs
 };
 
 /// Panels below each other under one title.

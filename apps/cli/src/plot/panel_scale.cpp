@@ -30,6 +30,19 @@ studies::DisplayUnit unit_of_axis(const Axis& axis, const Extent& ends) {
                                axis.unit.empty() ? "1" : axis.unit);
 }
 
+// Widens about its middle the axis that is drawn to the larger scale.
+void to_one_scale(Extent& x, Extent& y, const Place& place) {
+  const double width = place.right - place.left;
+  const double height = place.bottom - place.top;
+  const double step = std::max((x.high - x.low) / width, (y.high - y.low) / height);
+  const auto widened = [&](const Extent& from, double length) {
+    const double middle = 0.5 * (from.low + from.high);
+    return Extent{middle - 0.5 * step * length, middle + 0.5 * step * length};
+  };
+  x = widened(x, width);
+  y = widened(y, height);
+}
+
 }  // namespace
 
 const Form& form_of(Draw draw) {
@@ -66,6 +79,7 @@ Scaled scaled(const Panel& panel, const Place& place) {
   x = ends_of(panel.x, x);
   y = ends_of(panel.y, y);
   value = ends_of(panel.colours, value);
+  if (panel.one_scale) to_one_scale(x, y, place);
   return {panel,
           x,
           y,

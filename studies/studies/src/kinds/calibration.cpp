@@ -56,7 +56,7 @@ class Calibration {
     const auto residuals = fit_.residuals(result_.optima.front().values);
     add_data(residuals);
     name_outliers(best, residuals);
-    test_residuals(result_, residuals, best, fit_.deviations_given());
+    test_residuals(result_, residuals, best, fit_.deviations_given(), known_deviation(best));
     compare_optima(best, residuals);
     result_.undetermined = unseen_sets(best, residuals, lost_ ? *lost_ : best.undetermined);
     result_.folded = result_.undetermined.size() < best.undetermined.size();
@@ -65,6 +65,7 @@ class Calibration {
           hardly_seen(best, fit_.points().size(), result_.exact && !result_.stated);
     const bool ended = best.outcome == Outcome::optimal || best.outcome == Outcome::feasible;
     if (ended) result_.moves = moves_of(fit_, best);
+    if (result_.folded) leave_out_moves();
     if (ended) result_.plan = measurement_plan(fit_, best, tables_);
     result_.unfinished = best.outcome == Outcome::optimal ? unsettled_ : best.word;
     std::string outcome = outcome_of(best.outcome);
@@ -287,12 +288,21 @@ class Calibration {
     result_.exact = fit_.exact(result_.residual_rms);
   }
 
+  // From a fold, where the estimates are no smooth function of anything, first derivatives do not lead to the next answer.
+  void leave_out_moves() {
+    for (Move& move : result_.moves)
+      std::fill(move.slopes.begin(), move.slopes.end(), std::numeric_limits<double>::quiet_NaN());
+  }
+
+  // Of a residual of weight 1; NaN if it is estimated.
+  double known_deviation(const LeastSquaresResult& best) const {
+    return best.scatter_known ? fit_.stated_deviation() : std::numeric_limits<double>::quiet_NaN();
+  }
+
   // Under a loss that lets them count little the rest of the points says how good the fit is.
   void name_outliers(const LeastSquaresResult& best, const optim::Residuals& residuals) {
     if (result_.exact) return;
-    const double deviation =
-        best.scatter_known ? fit_.stated_deviation() : std::numeric_limits<double>::quiet_NaN();
-    for (const optim::Outlier& one : optim::find_outliers(residuals, best, deviation)) {
+    for (const optim::Outlier& one : optim::find_outliers(residuals, best, known_deviation(best))) {
       CalibrateResult::Point& point = result_.data[one.residual];
       point.outlier = true;
       point.counts = !result_.huber;

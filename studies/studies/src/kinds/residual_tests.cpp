@@ -3,6 +3,7 @@
 
 #include "results/calibration_notes.hpp"
 
+#include <twum/optim/offset_test.hpp>
 #include <twum/studies/results/fit_curves.hpp>
 #include <twum/studies/statistics/fit_tests.hpp>
 
@@ -108,6 +109,50 @@ void test_neighbours(CalibrateResult& result, const std::vector<Points>& kinds,
   if (result.neighbours) result.neighbours->p = of_many(result.neighbours->p, count);
 }
 
+// Those of one table that counts. Where columns have a scatter of their own, these are the columns.
+std::vector<Points> by_table(const Points& kind) {
+  std::vector<Points> columns;
+  for (const auto* point : kind) {
+    const auto known = std::find_if(columns.begin(), columns.end(), [&](const Points& column) {
+      return table_of(*column.front()) == table_of(*point);
+    });
+    if (known == columns.end())
+      columns.push_back({point});
+    else
+      known->push_back(point);
+  }
+  return columns;
+}
+
+// An instrument that was not set to zero shifts all that it reads. Where every reading was taken at the same place, they have
+// no neighbours, and a scatter that is estimated from them holds the shift.
+void test_offsets(CalibrateResult& result, const std::vector<Points>& kinds,
+                  const optim::Residuals& residuals, const optim::LeastSquaresResult& fit,
+                  double known) {
+  CalibrateResult::ColumnOffset rarest;
+  std::size_t count = 0;
+  for (const Points& kind : kinds) {
+    for (const Points& column : by_table(kind)) {
+      std::vector<std::size_t> rows;
+      std::vector<double> slopes;
+      for (const auto* point : column) {
+        rows.push_back(number_of(*point, result));
+        slopes.push_back(std::sqrt(point->weight));
+      }
+      const auto test =
+          optim::offset_test(residuals, fit, {rows, slopes, !result.columns.empty()}, known);
+      if (!(test.deviation > 0)) continue;
+      ++count;
+      const CalibrateResult::Point& one = *column.front();
+      if (test.p < rarest.p)
+        rarest = {one.quantity, one.unit, table_of(one), column.size(), -test.offset, test.p};
+    }
+  }
+  if (count == 0) return;
+  rarest.p = of_many(rarest.p, count);
+  if (rarest.p < kUnlikely) result.offset = rarest;
+}
+
 double sum_of(const Points& points) {
   double sum = 0;
   for (const auto* point : points) sum += std::pow(point->residual / point->deviation, 2);
@@ -130,10 +175,12 @@ void test_kinds(CalibrateResult& result, const std::vector<Points>& kinds) {
 }  // namespace
 
 void test_residuals(CalibrateResult& result, const optim::Residuals& residuals,
-                    const optim::LeastSquaresResult& fit, bool deviations) {
+                    const optim::LeastSquaresResult& fit, bool deviations, double known) {
   if (result.exact || result.degrees_of_freedom == 0) return;
   const std::vector<Points> kinds = kinds_of(result);
-  test_neighbours(result, kinds, counting(residuals, result), fit);
+  const optim::Residuals some = counting(residuals, result);
+  test_neighbours(result, kinds, some, fit);
+  test_offsets(result, kinds, some, fit, known);
   const std::size_t freedom = result.counting_freedom();
   if (!deviations || !result.columns.empty() || freedom == 0) return;
   double sum = 0;

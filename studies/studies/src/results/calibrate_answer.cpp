@@ -96,6 +96,10 @@ Json tests_json(const CalibrateResult& result) {
                           {"chi_square", result.worst_kind->chi_square},
                           {"count", result.worst_kind->count},
                           {"p", result.worst_kind->p}};
+  if (result.offset)
+    json["offset"] = {{"quantity", result.offset->quantity}, {"table", result.offset->table},
+                      {"count", result.offset->count},       {"offset", result.offset->offset},
+                      {"unit", result.offset->unit},         {"p", result.offset->p}};
   return json;
 }
 
@@ -239,6 +243,15 @@ Json units_json(const CalibrateResult& result) {
 
 std::string percent(double fraction) { return rounded_text(100 * fraction, 3) + " %"; }
 
+// Two digits of half the width of the interval, and five at least.
+int interval_digits(const CalibrateResult::Estimate& e) {
+  constexpr double kFewest = 5;
+  constexpr double kMost = 10;
+  const double size = std::max(std::fabs(e.low), std::fabs(e.high));
+  const double digits = std::ceil(std::log10(2 * size / (e.high - e.low))) + 1;
+  return static_cast<int>(std::isfinite(digits) ? std::clamp(digits, kFewest, kMost) : kFewest);
+}
+
 // Value and interval in one unit, so that they can be compared at a glance.
 std::string estimates_table(const CalibrateResult& result) {
   TextTable table;
@@ -246,7 +259,8 @@ std::string estimates_table(const CalibrateResult& result) {
   for (const CalibrateResult::Estimate& e : result.estimates) {
     const DisplayUnit unit = display_unit(e.parameter.value, e.parameter.unit);
     const bool interval = std::isfinite(e.low) && e.bound == Bound::none;
-    const auto shown = [&](double value) { return rounded_text(value / unit.divisor, 5); };
+    const int digits = interval_digits(e);
+    const auto shown = [&](double value) { return rounded_text(value / unit.divisor, digits); };
     table.rows.push_back({e.parameter.name, shown(e.parameter.value), interval ? shown(e.low) : "-",
                           interval ? shown(e.high) : "-", unit.text, remark(result, e)});
   }
@@ -317,6 +331,9 @@ std::string test_words(const CalibrateResult& result) {
             counted(result.worst_kind->count, "number") +
             ", p = " + rounded_text(result.worst_kind->p, 2) + "\n";
   if (result.neighbours) text += neighbour_words(result);
+  if (result.offset)
+    text += "Offset of " + column_name(*result.offset) + ": " + offset_words(*result.offset) +
+            ", " + chance_words(result.offset->p) + "\n";
   return text;
 }
 
@@ -364,6 +381,7 @@ Json answer_json(const CalibrateResult& result) {
             {"plan", plan_json(result)},
             {"data", data_json(result)},
             {"units", units_json(result)}};
+  if (result.folded) json["moves_missing"] = fold_words();
   if (!result.columns.empty()) json["columns"] = columns_json(result);
   if (!result.derived.empty()) json["derived"] = values_json(result.derived);
   return json;
@@ -383,9 +401,13 @@ std::string answer_text(const CalibrateResult& result) {
     text += value.name + " follows: " + engineering(value.value, value.unit) + "\n";
   text += data_table(result) + residual_words(result) + test_words(result);
   for (const std::string& note : calibration_notes(result)) text += note + "\n";
-  return text + optima_table(result) +
-         moves_table(estimated_values(result), result.moves, result.estimates.size(), "estimated") +
-         plan_table(result);
+  text += optima_table(result);
+  if (result.folded)
+    text += "\nHow the answer changes with a fixed parameter is unknown: " + fold_words() + ".\n";
+  else
+    text +=
+        moves_table(estimated_values(result), result.moves, result.estimates.size(), "estimated");
+  return text + plan_table(result);
 }
 
 }  // namespace twum::studies

@@ -75,11 +75,16 @@ bool CalibrateResult::at_bounds() const {
                                            [](const auto& e) { return e.bound != Bound::none; });
 }
 
+double CalibrateResult::chance() const {
+  return std::min({neighbours ? neighbours->p : 1.0, chi_square ? chi_square_p : 1.0,
+                   worst_kind ? worst_kind->p : 1.0});
+}
+
+bool CalibrateResult::shifted() const { return offset && offset->p < kRare; }
+
 bool CalibrateResult::poor() const {
-  constexpr double kRare = 0.01;
-  const double chance = std::min({neighbours ? neighbours->p : 1.0, chi_square ? chi_square_p : 1.0,
-                                  worst_kind ? worst_kind->p : 1.0});
-  if (chance < kRare || (chance < kUnlikely && misfit() > kNoticeable)) return true;
+  if (shifted() || chance() < kRare || (chance() < kUnlikely && misfit() > kNoticeable))
+    return true;
   return !chi_square && (misfit() > kLarge || missed() != nullptr);
 }
 

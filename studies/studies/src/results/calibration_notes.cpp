@@ -81,7 +81,11 @@ std::string missed_words(const CalibrateResult& result) {
 void add_misfit(const CalibrateResult& result, Notes& notes) {
   if (!result.poor()) return;
   std::string text = "The fit is poor: the residuals";
-  if (result.chi_square && result.chi_square_p < kUnlikely)
+  const bool offset = result.shifted() && result.offset->p <= result.chance();
+  if (offset)
+    text +=
+        " of " + column_name(*result.offset) + " share an offset: " + offset_words(*result.offset);
+  else if (result.chi_square && result.chi_square_p < kUnlikely)
     text += " are larger than the standard deviations given";
   else if (result.worst_kind)
     text += " of " + result.worst_kind->quantity + " are larger than the standard deviations given";
@@ -94,21 +98,20 @@ void add_misfit(const CalibrateResult& result, Notes& notes) {
     text += " keep their sign over whole stretches of " + result.neighbours_of.over;
   else
     text += " are large";
-  if (result.misfit() > 0)
+  if (!offset && result.misfit() > 0)
     text += ", " + about(100 * result.misfit()) + " % of the largest " +
             (result.columns.size() > 1      ? "of a column"
              : result.data.front().torque() ? "torque"
                                             : result.data.front().quantity) +
             " (root mean square)";
-  notes.push_back(
-      text + "." + missed_words(result) +
-      " Possible causes: an effect that the model leaves out, a parameter that should be "
-      "estimated too, a wrong point or a wrong unit. The intervals are not reliable.");
+  notes.push_back(text + "." + missed_words(result) + " Possible causes: " +
+                  (offset ? "an instrument that was not set to zero, " : "") +
+                  "an effect that the model leaves out, a parameter that should be "
+                  "estimated too, a wrong point or a wrong unit. The intervals are not reliable.");
 }
 
 // Deviations that are stated too large hide a misfit, and widen intervals that stand on them.
 void add_smallness(const CalibrateResult& result, Notes& notes) {
-  constexpr double kRare = 0.01;
   if (!result.chi_square || 1 - result.chi_square_p >= kRare) return;
   notes.emplace_back(
       "The residuals are smaller than the standard deviations given: chance gives so small a "

@@ -11,6 +11,9 @@ namespace twum::studies {
 /// Chance below which a misfit is more than scatter.
 inline constexpr double kUnlikely = 0.05;
 
+/// Chance below which it makes a fit poor, however small it is.
+inline constexpr double kRare = 0.01;
+
 /// "min" or "max": the end of its range that holds a parameter.
 const char* end_word(CalibrateResult::Bound bound);
 

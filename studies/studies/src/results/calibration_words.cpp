@@ -3,6 +3,7 @@
 
 #include <twum/core/design/parameters.hpp>
 #include <twum/studies/text/number.hpp>
+#include <twum/studies/units/engineering.hpp>
 
 #include <algorithm>
 #include <array>
@@ -62,6 +63,24 @@ std::string combination_words(const CalibrateResult::Combination& combination) {
     joint = &part == &combination.parts.front() ? " with " : " and ";
   }
   return text;
+}
+
+std::string fold_words() {
+  return "the estimates are at a fold, where a change of several parameters together does not "
+         "change the measured numbers to "
+         "first order. Correlations and changes with a fixed parameter are linear extrapolations, "
+         "which say nothing there";
+}
+
+std::string column_name(const CalibrateResult::ColumnOffset& offset) {
+  const std::string what = offset.quantity == "torque_at" ? "torque" : offset.quantity;
+  return offset.table.empty() ? what : what + " (" + offset.table + ")";
+}
+
+std::string offset_words(const CalibrateResult::ColumnOffset& offset) {
+  return "the " + std::to_string(offset.count) + " readings fit best if each is " +
+         engineering(std::fabs(offset.offset), offset.unit, 3) + " too " +
+         (offset.offset > 0 ? "large" : "small");
 }
 
 }  // namespace twum::studies

@@ -115,6 +115,7 @@ void add_circle(std::vector<Picture>& pictures, const FinishedStudy& study,
       if (answer.data[i].where == answer.data[j].where)
         dots.rows.push_back({answer.data[i].value, answer.data[j].value});
   Panel panel{{"conductance", "S", false, 0.08}, {"susceptance", "S", false, 0.08}, {}};
+  panel.one_scale = true;
   for (Series* series : {&line, &dots})
     if (!series->rows.empty()) panel.series.push_back(std::move(*series));
   if (panel.series.empty()) return;

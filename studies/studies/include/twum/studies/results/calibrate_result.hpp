@@ -95,6 +95,16 @@ struct CalibrateResult {
     double p{1};           ///< how often chance gives one of the kinds as much or more
   };
 
+  /// Readings of one kind in one table that seem to share an offset (L4.2).
+  struct ColumnOffset {
+    std::string quantity;  ///< what was read
+    std::string unit;      ///< its SI unit
+    std::string table;     ///< as typed; empty: not from a table
+    std::size_t count{0};  ///< readings in it
+    double offset{0};      ///< measured - motor, SI
+    double p{1};           ///< how often chance gives one of the columns as much or more
+  };
+
   /// Parameters that the data determine only in combination.
   struct Undetermined {
     std::vector<std::string> names;  ///< of the parameters
@@ -167,15 +177,17 @@ struct CalibrateResult {
   std::optional<optim::NeighbourTest> neighbours;
   /// The kind of data of `neighbours`, and what it is in order of, such as "torque_at" and "speed".
   struct NeighboursOf {
-    std::string quantity{"torque_at"};     ///< the kind
-    std::string over{"speed"};             ///< what its numbers are in order of
-  } neighbours_of;                         ///< of `neighbours`
-  std::optional<double> chi_square;        ///< where standard deviations were measured
-  double chi_square_p{1};                  ///< how often chance gives as much or more
-  std::optional<KindScatter> worst_kind;   ///< where it is as rare as one time in twenty
-  std::vector<Outlier> outliers;           ///< the farthest first
+    std::string quantity{"torque_at"};    ///< the kind
+    std::string over{"speed"};            ///< what its numbers are in order of
+  } neighbours_of;                        ///< of `neighbours`
+  std::optional<double> chi_square;       ///< where standard deviations were measured
+  double chi_square_p{1};                 ///< how often chance gives as much or more
+  std::optional<KindScatter> worst_kind;  ///< where it is as rare as one time in twenty
+  std::optional<ColumnOffset> offset;     ///< the rarest, where it is as rare as one time in twenty
+  std::vector<Outlier> outliers;          ///< the farthest first
   std::vector<Undetermined> undetermined;  ///< none if the data determine all
-  /// The Jacobian lacks more rank at the estimates than beside them: there only the profiles give intervals.
+  /// The Jacobian lacks more rank at the estimates than beside them: there only the profiles give intervals, and `moves` and
+  /// the correlations of what the lost direction holds are NaN.
   bool folded{false};
   std::vector<Combination> combinations;  ///< least visible first; none if the intervals are of use
   std::vector<Optimum> optima;            ///< local optima where starts ended, best first
@@ -197,6 +209,10 @@ struct CalibrateResult {
   static constexpr std::size_t kKnownScatter = 10;
   /// Whether the residuals that `neighbours` tests are nearly equal: of one sign, and within a quarter of the smallest.
   bool alike() const;
+  /// How often chance gives such residuals: the rarest of `neighbours`, `chi_square` and `worst_kind`.
+  double chance() const;
+  /// Chance gives `offset` less often than one time in a hundred.
+  bool shifted() const;
 
   /// Root mean square of the residuals relative to the largest measured torque; 0 without estimates.
   double misfit() const;
@@ -212,7 +228,8 @@ struct CalibrateResult {
   /// Every parameter is held by an end of its range: nothing was fitted.
   bool at_bounds() const;
   /// The residuals do not agree with the scatter. Chance gives them less often than one time in a hundred, or one time in
-  /// twenty if misfit() exceeds 2 %; or, without a chi-square, misfit() exceeds 5 %, or one number is missed().
+  /// twenty if misfit() exceeds 2 %; or a column is shifted(); or, without a chi-square, misfit() exceeds 5 %, or one number is
+  /// missed().
   bool poor() const;
   /// Without standard deviations and with fewer than ten degrees of freedom: the worst of the points that the fit misses
   /// by more than 5 % of their value and 2 % of the largest value (by 1 / sqrt(weight) as much); else null.

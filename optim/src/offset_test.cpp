@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/optim/offset_test.hpp>
+
+#include <twum/base/error.hpp>
+
+#include "fitted_space.hpp"
+
+#include <Eigen/Core>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+
+namespace twum::optim {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+// In double precision throughout: long double differs from machine to machine, and valgrind has none.
+using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+using StudentsT = boost::math::students_t_distribution<double, InDouble>;
+using Normal = boost::math::normal_distribution<double, InDouble>;
+
+// Parameters that leave less of an offset than this part of its squares take it up.
+constexpr double kTakenUp = 1e-6;
+
+VectorXd chosen(const VectorXd& all, std::span<const std::size_t> rows) {
+  VectorXd some(static_cast<Index>(rows.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    some[static_cast<Index>(i)] = all[static_cast<Index>(rows[i])];
+  return some;
+}
+
+double both_tails(double t, double freedom) {
+  return std::isfinite(freedom) ? 2.0 * cdf(complement(StudentsT(freedom), t))
+                                : 2.0 * cdf(complement(Normal(), t));
+}
+
+}  // namespace
+
+OffsetTest offset_test(const Residuals& at, const LeastSquaresResult& fit, const OffsetRows& asked,
+                       double deviation) {
+  TWUM_ASSERT(asked.rows.size() == asked.slopes.size());
+  const auto count = static_cast<Index>(at.values.size());
+  const VectorXd all = Eigen::Map<const VectorXd>(at.values.data(), count);
+  const Eigen::MatrixXd q = fitted_space(free_jacobian(at, fit));
+  const auto left_of = [&](const VectorXd& x) { return VectorXd(x - q * (q.transpose() * x)); };
+  VectorXd step = VectorXd::Zero(count);
+  for (std::size_t i = 0; i < asked.rows.size(); ++i)
+    step[static_cast<Index>(asked.rows[i])] = asked.slopes[i];
+  const VectorXd seen = left_of(step);
+  const double squares = seen.squaredNorm();
+  OffsetTest test;
+  if (!(squares > kTakenUp * step.squaredNorm())) return test;
+  test.offset = seen.dot(all) / squares;
+  if (std::isfinite(deviation)) {
+    test.deviation = deviation / std::sqrt(squares);
+    test.p =
+        both_tails(std::abs(test.offset) / test.deviation, std::numeric_limits<double>::infinity());
+    return test;
+  }
+  const VectorXd rest = left_of(all) - test.offset * seen;
+  double freedom = static_cast<double>(count - q.cols()) - 1.0;
+  double scatter = rest.squaredNorm();
+  if (asked.own_scatter) {
+    freedom =
+        static_cast<double>(asked.rows.size()) - chosen(seen, asked.rows).squaredNorm() / squares;
+    for (Index k = 0; k < q.cols(); ++k) freedom -= chosen(q.col(k), asked.rows).squaredNorm();
+    scatter = chosen(rest, asked.rows).squaredNorm();
+  }
+  if (!(freedom >= 1.0 && scatter > 0.0)) return test;
+  test.deviation = std::sqrt(scatter / (freedom * squares));
+  test.p = both_tails(std::abs(test.offset) / test.deviation, freedom);
+  return test;
+}
+
+}  // namespace twum::optim
