@@ -240,33 +240,40 @@ LayerState<StateDual> next_entry(const ContactNumbers<StateDual>& numbers,
   return lap.next.layer;
 }
 
-void prove_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
-               const LapEntry<double>& entry, const ZoneSequence& near, Lap<double>& lap) {
-  lap.clear();
+Lap<double> prove_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
+                      const LapEntry<double>& entry, const ZoneSequence& near) {
+  Lap<double> lap;
   if (near.count > 0 && near.complete()) {
     LapRunner<double, Ends::proven>(numbers, layer, &near, nullptr, lap).run(entry);
   } else {
     LapRunner<double>(numbers, layer, nullptr, nullptr, lap).run(entry);
   }
+  return lap;
 }
 
-bool follow_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
-                const LayerState<double>& entry, ZoneSequence& sequence, LayerState<double>& next) {
-  if (!sequence.complete()) return false;
-  Lap<double> lap;
-  LapRunner<double, Ends::followed, false>(numbers, layer, &sequence, nullptr, lap).run({entry});
-  if (lap.status != LapStatus::ok || lap.sequence.count != sequence.count) return false;
-  sequence = lap.sequence;
-  next = lap.next.layer;
-  return true;
+template <bool kHasMeans>
+static std::optional<Lap<double>> followed(const ContactNumbers<double>& numbers,
+                                           const LayerMotion<double>& layer,
+                                           const LapEntry<double>& entry,
+                                           const ZoneSequence& near) {
+  std::optional<Lap<double>> lap;
+  if (!near.complete()) return lap;
+  lap.emplace();
+  LapRunner<double, Ends::followed, kHasMeans>(numbers, layer, &near, nullptr, *lap).run(entry);
+  if (lap->status != LapStatus::ok || lap->sequence.count != near.count) lap.reset();
+  return lap;
 }
 
-bool follow_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
-                const LapEntry<double>& entry, const ZoneSequence& near, Lap<double>& lap) {
-  if (!near.complete()) return false;
-  lap.clear();
-  LapRunner<double, Ends::followed>(numbers, layer, &near, nullptr, lap).run(entry);
-  return lap.status == LapStatus::ok && lap.sequence.count == near.count;
+std::optional<Lap<double>> follow_lap(const ContactNumbers<double>& numbers,
+                                      const LayerMotion<double>& layer,
+                                      const LapEntry<double>& entry, const ZoneSequence& near) {
+  return followed<true>(numbers, layer, entry, near);
+}
+
+std::optional<Lap<double>> follow_states(const ContactNumbers<double>& numbers,
+                                         const LayerMotion<double>& layer,
+                                         const LapEntry<double>& entry, const ZoneSequence& near) {
+  return followed<false>(numbers, layer, entry, near);
 }
 
 #define TWUM_INSTANTIATE(S)                                                                    \

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 namespace twum::contact {
@@ -48,32 +49,16 @@ enum class LapStatus : unsigned char { ok, resonance, unresolved };
 /// One turn of the wave: from contact entry through all zones and free flight to the next entry.
 template <typename S>
 struct Lap {
-  ContactMeans<S> means;
-  LapEntry<S> next;         ///< state at the next entry
-  LayerState<S> exit;       ///< layer where the contact ends
-  std::uint64_t itinerary;  ///< fingerprint of the sequence of zones
-  int zones;                ///< number of zones
-  bool one_slip;            ///< the whole contact slips one way
-  double shortest;          ///< length of the shortest zone [rad]
-  ZoneState first;          ///< state of the first zone
-  LapStatus status;
+  ContactMeans<S> means{S(0.0), S(0.0), S(0.0), S(0.0), S(0.0), S(0.0)};
+  LapEntry<S> next{{S(0.0), S(0.0)}};              ///< state at the next entry
+  LayerState<S> exit{S(0.0), S(0.0)};              ///< layer where the contact ends
+  std::uint64_t itinerary{0xcbf29ce484222325ull};  ///< fingerprint of the sequence of zones
+  int zones{0};                                    ///< number of zones
+  bool one_slip{false};                            ///< the whole contact slips one way
+  double shortest{2 * std::numbers::pi};           ///< length of the shortest zone [rad]
+  ZoneState first{ZoneState::stick};               ///< state of the first zone
+  LapStatus status{LapStatus::ok};
   ZoneSequence sequence;  ///< of a search in double
-
-  Lap() { clear(); }
-  /// Back to a lap that has not begun.
-  void clear() {
-    const S zero(0.0);
-    means = {zero, zero, zero, zero, zero, zero};
-    next = {{zero, zero}, false, ZoneState::stick};
-    exit = {zero, zero};
-    itinerary = 0xcbf29ce484222325ull;
-    zones = 0;
-    one_slip = false;
-    shortest = 2 * std::numbers::pi;
-    first = ZoneState::stick;
-    status = LapStatus::ok;
-    sequence.count = 0;
-  }
 };
 
 /// Follows the layer through one turn; theory sections 4 and 5. Every zone is in closed form, its end
@@ -95,24 +80,19 @@ LayerState<StateDual> next_entry(const ContactNumbers<StateDual>& numbers,
 /// run_lap() where the ends of the zones are known from a lap nearby, if there is one, but not yet proven to be
 /// the first (E3.6).
 ///
-/// @param near  not that of `lap`
-/// @param lap   what it held is gone: laps are large, and many
-void prove_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
-               const LapEntry<double>& entry, const ZoneSequence& near, Lap<double>& lap);
+/// @param near  the ends; none: all are searched
+Lap<double> prove_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
+                      const LapEntry<double>& entry, const ZoneSequence& near);
 
-/// The return map continued through the zones of a lap nearby: it does not search for their ends but
-/// follows them to where they have moved (E6.5). It takes a quarter of the work of a lap and does not prove that no
-/// zone was missed: confirm the result by prove_lap().
-///
-/// @param sequence  of the lap nearby; replaced by the ends of this one
-/// @return false if the zones are others here
-bool follow_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
-                const LayerState<double>& entry, ZoneSequence& sequence, LayerState<double>& next);
+/// A lap through the zones of one nearby: it does not search for their ends but follows them to where they have moved (E6.5). It
+/// proves not that no zone was missed: confirm the result by prove_lap(). Nothing if the zones are others here.
+std::optional<Lap<double>> follow_lap(const ContactNumbers<double>& numbers,
+                                      const LayerMotion<double>& layer,
+                                      const LapEntry<double>& entry, const ZoneSequence& near);
 
-/// The same with the means over the turn.
-/// @param near  not that of `lap`
-/// @param lap   what it held is gone
-bool follow_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
-                const LapEntry<double>& entry, const ZoneSequence& near, Lap<double>& lap);
+/// The same without the means, in a quarter of the work of run_lap().
+std::optional<Lap<double>> follow_states(const ContactNumbers<double>& numbers,
+                                         const LayerMotion<double>& layer,
+                                         const LapEntry<double>& entry, const ZoneSequence& near);
 
 }  // namespace twum::contact

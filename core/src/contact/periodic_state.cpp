@@ -32,11 +32,15 @@ class Search {
         swing_(std::sqrt(layer.response)),
         tolerance_(4e-16 * numbers.static_ * (swing_ + numbers.peak)),
         tight_(4e-16 * numbers.static_ * std::fmin(numbers.peak, 1.0) * swing_),
-        loose_(unique_ ? accuracy / 4e-16 * tight_ : 0) {}
+        loose_(monotone_ && layer.C > 0 ? accuracy / 4e-16 * tight_ : 0) {}
 
-  void run(const LapEntry<double>* guess) {
+  void run(const LapGuess* guess) {
     if (layer_.response > kResonance) return give_up(PeriodicStatus::resonance);
-    turn(!unique_ ? kAtRest : guess ? *guess : after_slip(), ZoneSequence());
+    if (unique_ && guess) {
+      turn(*guess, guess->zones);
+    } else {
+      turn(unique_ ? after_slip() : kAtRest, ZoneSequence());
+    }
     while (s_.laps < kMaxLaps && s_.zones < kMaxZonesInAll && s_.lap.status == LapStatus::ok) {
       if (settled()) return finish();
       if (cycles()) break;
@@ -80,13 +84,13 @@ class Search {
   // What is left of the layer's motion after the free flight is less than a share.
   bool forgets(double share) const { return layer_.slowest_decay() * flight() > -std::log(share); }
 
-  void turn(const LapEntry<double>& entry) { turn(entry, ZoneSequence(s_.lap.sequence)); }
+  void turn(const LapEntry<double>& entry) { turn(entry, s_.lap.sequence); }
 
   void turn(const LapEntry<double>& entry, const ZoneSequence& near) {
     const Turn before = last_turn();
     const std::uint64_t itinerary = s_.lap.itinerary;
     s_.entry = entry;
-    prove_lap(n_, layer_, s_.entry, near, s_.lap);
+    s_.lap = prove_lap(n_, layer_, s_.entry, near);
     ++s_.laps;
     s_.zones += s_.lap.zones;
     const double gap = distance(layer_, s_.entry.layer, s_.lap.next.layer);
@@ -102,8 +106,10 @@ class Search {
 
   // Rounding of the closed forms sets the looser bound; in small contacts series do better.
   bool settled() const {
-    return same_zone() && (history_.gap <= std::fmax(tight_, loose_) ||
-                           (history_.gap <= tolerance_ && history_.progress > 0.5));
+    const bool drifts = n_.full && (sticks_all_round() || !(history_.progress < 0.5));
+    const double enough = drifts ? tight_ : std::fmax(tight_, loose_);
+    return same_zone() &&
+           (history_.gap <= enough || (history_.gap <= tolerance_ && history_.progress > 0.5));
   }
 
   void finish() {
@@ -152,9 +158,8 @@ class Search {
   // from it. False if that goes through other zones or is no better: then nothing has happened.
   bool follow() {
     const Standing from = standing();
-    ZoneSequence sequence = s_.lap.sequence;
-    const LapEntry<double> entry = followed(sequence);
-    turn(entry, sequence);
+    const LapGuess found = followed();
+    turn(found, found.zones);
     const bool kept = s_.lap.status == LapStatus::ok &&
                       (monotone_ || s_.lap.itinerary == from.lap.itinerary) &&
                       history_.gap <= 0.5 * from.history.gap;
@@ -165,22 +170,24 @@ class Search {
   }
 
   // (E6.5) The entry that secants over followed laps lead to, and the ends of the last of them.
-  LapEntry<double> followed(ZoneSequence& sequence) {
+  LapGuess followed() {
     Turn now = last_turn();
-    LapEntry<double> entry = s_.lap.next;
+    LapGuess found(s_.lap.next);
+    found.zones = s_.lap.sequence;
     double gap = history_.gap;
     for (int i = 0; i < kMaxFollowed; ++i) {
       const Turn before = now;
-      now.in = entry.layer;
-      if (!follow_lap(n_, layer_, now.in, sequence, now.out)) break;
+      const auto lap = follow_states(n_, layer_, found, found.zones);
+      if (!lap) break;
       ++s_.laps;
-      entry.layer = secant(before, now, layer_);
+      now = {found.layer, lap->next.layer};
+      found.layer = secant(before, now, layer_), found.zones = lap->sequence;
       const double gap_before = gap;
       gap = distance(layer_, now.in, now.out);
       // The next gap would be below rounding, or they do not settle.
       if (gap * gap <= tight_ * gap_before || gap > gap_before) break;
     }
-    return entry;
+    return found;
   }
 
   // At first nothing is known but how much of the layer's motion outlives the free flight. With mu_0 > mu
@@ -260,7 +267,9 @@ class Search {
   const ContactNumbers<double>& n_;
   const LayerMotion<double>& layer_;
   bool monotone_;
-  bool unique_;   // only where there is one periodic state may the search start anywhere
+  bool
+      damped_;  // and with mu_0 = mu: a state that slips somewhere is the only one that repeats itself (E6.1)
+  bool unique_;   // the same where no contact sticks all round
   double swing_;  // of the layer that the wave's pressure shakes
   double tolerance_, tight_, loose_;
   LapHistory history_;
@@ -271,7 +280,7 @@ class Search {
 }  // namespace
 
 PeriodicState find_periodic_state(const ContactNumbers<double>& numbers,
-                                  const LayerMotion<double>& layer, const LapEntry<double>* guess,
+                                  const LayerMotion<double>& layer, const LapGuess* guess,
                                   double accuracy) {
   PeriodicState state;
   Search(numbers, layer, accuracy, state).run(guess);

@@ -14,6 +14,14 @@ enum class PeriodicStatus : unsigned char {
   unresolved
 };
 
+/// Where a search for a periodic state begins.
+struct LapGuess : LapEntry<double> {
+  LapGuess() = default;
+  LapGuess(const LapEntry<double>& entry) : LapEntry<double>(entry) {}
+
+  ZoneSequence zones;  ///< where the zones of its lap nearly end; none where that is not known
+};
+
 /// The state that repeats itself from turn to turn.
 struct PeriodicState {
   LapEntry<double> entry{{0, 0}, false, ZoneState::stick};  ///< layer at contact entry
@@ -34,11 +42,11 @@ struct PeriodicState {
 ///
 /// @param guess     state at entry of a neighbouring point, where the search may begin if the periodic
 ///                  state is unique; null: at rest
-/// @param accuracy  how well the state has to come back where it is unique, in units of its largest
+/// @param accuracy  how well the state has to come back with mu_0 = mu and damping, in units of its largest
 ///                  possible size; 0: to rounding
 PeriodicState find_periodic_state(const ContactNumbers<double>& numbers,
                                   const LayerMotion<double>& layer,
-                                  const LapEntry<double>* guess = nullptr, double accuracy = 0);
+                                  const LapGuess* guess = nullptr, double accuracy = 0);
 
 /// How a periodic state moves, and how a turn that begins near it differs from one that begins in it: to first order.
 struct StateSlopes {

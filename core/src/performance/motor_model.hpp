@@ -9,6 +9,7 @@
 #include <twum/core/contact/normal_contact.hpp>
 #include <twum/core/design/parameters.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -51,9 +52,10 @@ struct MotorModel {
   S tilt;  ///< kappa a, slope of the surface per amplitude of the wave
   S youngs, thickness, shear, viscosity, inertia;
   S kinetic, static_, preload, stator_damping;
-  std::array<S, kShapeNumbers> shape_numbers;  ///< exponent and root (W1.3), or R of a mode (P8.1)
-  S slope;                                     ///< tan(taper) of the rotor's face
-  S compliance;                                ///< 1 / G
+  /// Exponent and root (W1.3), or the coefficients of a mode's polynomial, from that of x on (P8.1).
+  std::array<S, kShapeNumbers> shape_numbers;
+  S slope;       ///< tan(taper) of the rotor's face
+  S compliance;  ///< 1 / G
   TrackRule track;
 };
 
@@ -131,14 +133,36 @@ NormalContact<S> normal_contact(const S& preload, const S& n, const S& b, const 
     c.edge_cosine = -c.load_ratio;
     c.max_pressure = pressure_amplitude + mean_pressure;
   } else {
-    using std::cos, std::sin;
     c.half_angle = contact_angle(S(kPi * mean_pressure / pressure_amplitude));
-    c.edge_cosine = cos(c.half_angle);
-    const S half_sine = sin(S(0.5 * c.half_angle));  // 1 - cos without its cancellation
-    c.max_pressure = 2.0 * pressure_amplitude * half_sine * half_sine;
+    const contact::Trig<S> edge = contact::trig(c.half_angle);
+    c.edge_cosine = edge.cos;
+    c.max_pressure = pressure_amplitude * edge.versine;
   }
   c.half_length = c.half_angle / kappa;
   c.ratio = c.half_angle / (2 * kPi);
+  return c;
+}
+
+/// Coefficients of l_k(x) of (P8.1), from that of x on.
+constexpr std::array<double, kShapeNumbers> shape_basis(std::size_t k) {
+  std::array<double, kShapeNumbers> c{1 / kShapePoints[k]};
+  for (std::size_t j = 0, degree = 1; j < kShapeNumbers; ++j) {
+    if (j == k) continue;
+    const double scale = 1 / (kShapePoints[k] - kShapePoints[j]);
+    for (std::size_t i = degree + 1; i-- > 0;)
+      c[i] = scale * ((i > 0 ? c[i - 1] : 0) - kShapePoints[j] * (i < degree ? c[i] : 0));
+    ++degree;
+  }
+  return c;
+}
+
+/// R - 1 of a mode as a polynomial, from its values at kShapePoints (P8.1).
+template <typename S>
+std::array<S, kShapeNumbers> mode_coefficients(const std::array<S, kShapeNumbers>& values) {
+  std::array<S, kShapeNumbers> c;
+  c.fill(S(0.0));
+  for (std::size_t k = 0; k < kShapeNumbers; ++k)
+    for (std::size_t i = 0; i < kShapeNumbers; ++i) c[i] += (values[k] - 1.0) * shape_basis(k)[i];
   return c;
 }
 
@@ -160,7 +184,8 @@ MotorModel<S> motor_model(const ModelArray<S>& p, const TrackRule& track = {}) {
   using std::cos, std::sin;
   const S taper = at(P::rotor_taper);
   m.slope = sin(taper) / cos(taper);
-  for (std::size_t i = 0; i < kShapeNumbers; ++i) m.shape_numbers[i] = p[kShapeIndex + i];
+  std::copy_n(p.begin() + kShapeIndex, kShapeNumbers, m.shape_numbers.begin());
+  if (track.mode) m.shape_numbers = mode_coefficients(m.shape_numbers);
   m.track = track;
   return m;
 }
@@ -233,7 +258,8 @@ DrivenMotor<S> driven(const MotorModel<S>& model, const Wave<S>& wave) {
   m.radius = m.r, m.width = m.b, m.shape = S(1.0), m.load = m.preload, m.share = S(1.0);
   static_cast<Slice<S>&>(m) = completed<S>(m, m);
   m.lever = m.holding_lever = m.r, m.indentation = S(0.0);
-  return m.track.nodes == 1 ? m : over_annulus(std::move(m));
+  if (m.track.nodes == 1) return m;
+  return over_annulus(std::move(m));
 }
 
 /// What a design says of its track. `auto` comes to so many nodes a panel that torque and powers are within 1e-6 of their

@@ -20,7 +20,7 @@ constexpr double kRough = 1e-6;  // accuracy for which a track needs no splits
 // Accuracy for a guess that Newton's method has already led to the periodic state. An error of the state changes torque and
 // powers by about as much of their scale, and of all laws that are then checked the strictest is the balance of the drive
 // (1e-11).
-constexpr double kConfirmed = 1e-13;
+constexpr double kConfirmed = 1e-12;
 
 PointStatus point_status(PeriodicStatus status) {
   switch (status) {
@@ -173,7 +173,7 @@ long SolvedPoint::zones_followed() const {
 WarmStart SolvedPoint::start() const {
   std::vector<WarmStart::Entry> others;
   others.reserve(others_.size());
-  for (const SolvedSlice& s : others_) others.push_back(s.state.entry);
+  for (const SolvedSlice& s : others_) others.emplace_back(s.state.entry);
   return {first_.state.entry, std::move(others)};
 }
 
@@ -183,7 +183,7 @@ std::optional<WarmStart::Entry> SolvedPoint::entry_near(std::span<const Slice<do
   if (guess) return guess->of_slice(k);
   // A layer that slips all through is known in closed form: the search starts there by itself.
   if (k == 0 || slice(k - 1).slips_one_way()) return {};
-  const WarmStart::Entry& last = slice(k - 1).state.entry;
+  const contact::LapEntry<double>& last = slice(k - 1).state.entry;
   if (k == 1 || slice(k - 2).slips_one_way()) return last;
   const double t =
       (slices[k].radius - slices[k - 1].radius) / (slices[k - 1].radius - slices[k - 2].radius);
@@ -259,19 +259,21 @@ void SolvedPoint::split(const DrivenMotor<double>& m, double speed,
   splits_ = zone_splits(m, zones, [&](double radius) {
     const Slice<double> there = slice_at(m, radius, m.b);
     if (!(there.contact.half_angle > 0)) return SliceZones{0, HUGE_VAL};
-    return zones_of(solve_slice(m, there, speed, layer, entry_at(m.slices(), radius), accuracy));
+    const auto entry = entry_at(m.slices(), radius);
+    return zones_of(solve_slice(m, there, speed, layer, entry ? &*entry : nullptr, accuracy));
   });
   if (!splits_.empty()) solve_split(m, speed, layer, nullptr, accuracy);
 }
 
-const WarmStart::Entry* SolvedPoint::entry_at(std::span<const Slice<double>> slices,
-                                              double radius) const {
+std::optional<WarmStart::Entry> SolvedPoint::entry_at(std::span<const Slice<double>> slices,
+                                                      double radius) const {
   const auto far = [radius](const Slice<double>& s) { return std::fabs(s.radius - radius); };
   std::size_t nearest = 0;
   for (std::size_t k = 1; k < size(); ++k)
     if (far(slices[k]) < far(slices[nearest])) nearest = k;
   const SolvedSlice& near = slice(nearest);
-  return near.locked || near.slips_one_way() ? nullptr : &near.state.entry;
+  if (near.locked || near.slips_one_way()) return {};
+  return near.state.entry;
 }
 
 void SolvedPoint::solve_split(const DrivenMotor<double>& m, double speed,
@@ -287,6 +289,13 @@ void SolvedPoint::solve_split(const DrivenMotor<double>& m, double speed,
 bool SolvedPoint::has_pieces_of_splits(const DrivenMotor<double>& m) const {
   return std::all_of(splits_.begin(), splits_.end(),
                      [&m](const Split& s) { return s.piece < m.pieces.size(); });
+}
+
+static std::optional<contact::Lap<double>> lap_through_zones_of(
+    const SolvedSlice& slice, const contact::ContactNumbers<double>& n,
+    const LayerMotion<double>& layer, const contact::LapEntry<double>& entry) {
+  if (slice.locked) return {};
+  return contact::follow_lap(n, layer, entry, slice.state.lap.sequence);
 }
 
 // What a gap at entry changes in a mean over the turn.
@@ -305,25 +314,27 @@ std::optional<NewtonTurn> SolvedPoint::newton_turn(const DrivenMotor<double>& m,
     return {};
   const LayerMotion<double> layer = layer_of(m, speed);
   NewtonTurn turn{{}, entry, 0};
-  contact::Lap<double> lap;
-  const bool either = other.size() == size();
+  const bool same_slices = other.size() == size();
   for (std::size_t k = 0; k < size(); ++k) {
     WarmStart::Entry& at = turn.next.of_slice(k);
     const Slice<double>& s = slices[k];
     const contact::ContactNumbers<double> n = contact_numbers(m, s, speed);
-    const auto follows = [&](const SolvedSlice& zones) {
-      return !zones.locked && contact::follow_lap(n, layer, at, zones.state.lap.sequence, lap);
-    };
-    if (n.full || !(follows(slice(k)) || (either && follows(other.slice(k))))) return {};
-    const double gap = contact::distance(layer, at.layer, lap.next.layer);
+    if (n.full) return {};
+    const bool known = at.zones.count > 0;
+    auto lap = known ? contact::follow_lap(n, layer, at, at.zones)
+                     : lap_through_zones_of(slice(k), n, layer, at);
+    if (!lap && !known && same_slices) lap = lap_through_zones_of(other.slice(k), n, layer, at);
+    if (!lap) return {};
+    at.zones = lap->sequence;
+    const double gap = contact::distance(layer, at.layer, lap->next.layer);
     turn.gap = std::fmax(turn.gap, gap / (n.static_ * n.peak));
     const contact::StateSlopes& moves = states[k];
     const contact::LayerState<double> d =
-        moves.resolvent * contact::difference(lap.next.layer, at.layer);
+        moves.resolvent * contact::difference(lap->next.layer, at.layer);
     at.layer = {at.layer.e + d.e, at.layer.rate + d.rate};
-    lap.means.stator_power += gained(moves.of_power, d);
-    lap.means.reactive_force += gained(moves.of_force, d);
-    turn.numbers = turn.numbers + slice_numbers(m, s, lap, lap.means);
+    lap->means.stator_power += gained(moves.of_power, d);
+    lap->means.reactive_force += gained(moves.of_force, d);
+    turn.numbers = turn.numbers + slice_numbers(m, s, *lap, lap->means);
   }
   return turn;
 }

@@ -45,10 +45,11 @@ inline bool is_known(double input, double excess) {
   return input > 0 && std::fabs(excess) <= 1e-6 * input;
 }
 
-/// Where the search for a neighbouring point may begin: the layer as it enters the contact, in each slice.
+/// Where the search for a neighbouring point may begin: the layer as it enters the contact, in each slice, and where Newton's
+/// method has already come close to the point, the ends of its zones.
 class WarmStart {
  public:
-  using Entry = contact::LapEntry<double>;
+  using Entry = contact::LapGuess;
 
   WarmStart() = default;
   /// Of the first slice, and of the others in their order.
@@ -193,7 +194,8 @@ class SolvedPoint {
   bool has_pieces_of_splits(const DrivenMotor<double>& motor) const;
   SolvedPoint checked(const DrivenMotor<double>& motor, double speed, double accuracy) &&;
   /// Where the search at a radius may begin: what the nearest slice says.
-  const WarmStart::Entry* entry_at(std::span<const Slice<double>> slices, double radius) const;
+  std::optional<WarmStart::Entry> entry_at(std::span<const Slice<double>> slices,
+                                           double radius) const;
 
   std::size_t size() const { return 1 + others_.size(); }
   const SolvedSlice& slice(std::size_t k) const { return k == 0 ? first_ : others_[k - 1]; }
@@ -218,7 +220,7 @@ SolvedPoint solve_point(const DrivenMotor<double>& motor, double speed,
                         const WarmStart* guess = nullptr, double accuracy = 0);
 
 /// The same where Newton's method has already led speed, wave and layer together to the point, so that only the proof is left:
-/// the state is accepted if a lap returns to it within 1e-13. A point of the branch is its use.
+/// the state is accepted if a lap returns to it within 1e-12. A point of the branch is its use.
 /// @param near   a point with nearly the same speed and wave: if its track is split, this one is split at the same radii,
 ///               without a search for them
 /// @param guess  the state that Newton's method has found; from a state that is farther off, laps follow until it is reached

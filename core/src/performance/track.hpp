@@ -7,19 +7,13 @@
 
 namespace twum::performance {
 
-/// R - 1 of a mode (P8.1): the polynomial through its values at kShapePoints that vanishes at the middle of the track.
+/// R - 1 of a mode (P8.1).
 /// @param place  from the mean radius, in half widths of the track
 template <typename S, typename R>
 R mode_excess(const MotorModel<S>& m, const R& place) {
-  R sum(0.0);
-  for (std::size_t i = 0; i < kShapeNumbers; ++i) {
-    R weight = place * (1 / kShapePoints[i]);
-    for (std::size_t j = 0; j < kShapeNumbers; ++j)
-      if (j != i)
-        weight = weight * ((place - kShapePoints[j]) * (1 / (kShapePoints[i] - kShapePoints[j])));
-    sum += weight * R(m.shape_numbers[i] - 1.0);
-  }
-  return sum;
+  R sum(m.shape_numbers.back());
+  for (std::size_t i = kShapeNumbers - 1; i-- > 0;) sum = sum * place + R(m.shape_numbers[i]);
+  return sum * place;
 }
 
 /// R(rho) - 1 (W1.3), accurate where the shape is nearly 1; R is S or carries more derivatives than S.

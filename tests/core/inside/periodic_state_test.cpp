@@ -249,12 +249,12 @@ TEST_CASE(
   for (int i = 0; i < 800; ++i) {
     const ContactNumbers<double> n = any_contact(dice, i, i % 4 == 0);
     const LayerMotion<double> layer(n.inertia, n.damping);
-    const LapEntry<double> guess{{dice.uniform(-0.3, 0.3), dice.uniform(-1, 1)}};
+    const LapGuess guess(LapEntry<double>{{dice.uniform(-0.3, 0.3), dice.uniform(-1, 1)}});
     const bool unique = n.damping > 0 && n.static_ == n.kinetic && !n.full;
     if (unique) continue;
     (n.full ? full : n.static_ > n.kinetic ? threshold : undamped) += 1;
     const PeriodicState from_rest = find_periodic_state(n, layer);
-    const PeriodicState guessed = find_periodic_state(n, layer, &guess, 1e-3);
+    const PeriodicState guessed = find_periodic_state(n, layer, &guess);
     CAPTURE(i, n.full, n.inertia, n.damping);
     // The same search: the same bits.
     CHECK(guessed.status == from_rest.status);
@@ -265,6 +265,31 @@ TEST_CASE(
   CHECK(undamped > 50);
   CHECK(threshold > 50);
   CHECK(full > 200);
+}
+
+TEST_CASE("a state of full contact with some accuracy is as near to the exact one",
+          "[core][contact][limit]") {
+  Dice dice(58);
+  int found = 0, shorter = 0;
+  for (int i = 0; found < 400; ++i) {
+    ContactNumbers<double> n = any_contact(dice, i, true);
+    n.static_ = n.kinetic;
+    if (!n.full || !(n.damping > 0)) continue;
+    const LayerMotion<double> layer(n.inertia, n.damping);
+    const PeriodicState exact = find_periodic_state(n, layer);
+    const double accuracy = dice.log_uniform(1e-9, 1e-4);
+    const PeriodicState near = find_periodic_state(n, layer, nullptr, accuracy);
+    CAPTURE(i, accuracy, exact.laps, near.laps);
+    REQUIRE(near.status == exact.status);
+    if (exact.status != PeriodicStatus::ok) continue;
+    ++found;
+    shorter += near.laps < exact.laps;
+    CHECK(near.laps <= exact.laps);
+    // The last lap closed half of the gap or more, so all further ones add up to no more than the gap that was left.
+    CHECK(distance(layer, near.lap.next.layer, exact.lap.next.layer) <=
+          accuracy * size_of(n, layer) + 1e-12 * size_of(n, layer));
+  }
+  CHECK(shorter > 100);
 }
 
 TEST_CASE("a search has cost all the zones that it went through", "[core][contact][identity]") {

@@ -15,13 +15,14 @@ LayerState<double> combined(double u, const LayerState<double>& a, double t,
   return {u * a.e + t * b.e, u * a.rate + t * b.rate};
 }
 
-StateSlopes combined(double u, const StateSlopes& a, double t, const StateSlopes& b) {
-  const Matrix2 &p = a.resolvent, &q = b.resolvent;
-  return {{u * p.a + t * q.a, u * p.b + t * q.b, u * p.c + t * q.c, u * p.d + t * q.d},
-          combined(u, a.in_speed, t, b.in_speed),
-          combined(u, a.in_amplitude, t, b.in_amplitude),
-          combined(u, a.of_power, t, b.of_power),
-          combined(u, a.of_force, t, b.of_force)};
+void add(StateSlopes& sum, double t, const StateSlopes& s) {
+  Matrix2& r = sum.resolvent;
+  r = {r.a + t * s.resolvent.a, r.b + t * s.resolvent.b, r.c + t * s.resolvent.c,
+       r.d + t * s.resolvent.d};
+  sum.in_speed = combined(1, sum.in_speed, t, s.in_speed);
+  sum.in_amplitude = combined(1, sum.in_amplitude, t, s.in_amplitude);
+  sum.of_power = combined(1, sum.of_power, t, s.of_power);
+  sum.of_force = combined(1, sum.of_force, t, s.of_force);
 }
 
 // Shares of Hermite's cubic: of the values at both ends, and of their slopes.
@@ -34,18 +35,50 @@ struct Hermite {
   double at_a, at_b, slope_a, slope_b;
 };
 
+// Shares of some nodes in the polynomial through them, by Lagrange's formula.
+class Shares {
+ public:
+  Shares(const BranchNode& a, const BranchNode& b, std::span<const BranchNode* const> beside,
+         double speed) {
+    nodes_[count_++] = &a, nodes_[count_++] = &b;
+    for (const BranchNode* node : beside) nodes_[count_++] = node;
+    for (std::size_t i = 0; i < count_; ++i) {
+      weights_[i] = 1;
+      for (std::size_t j = 0; j < count_; ++j)
+        if (j != i)
+          weights_[i] *= (speed - nodes_[j]->speed) / (nodes_[i]->speed - nodes_[j]->speed);
+    }
+  }
+
+  double force_slope() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < count_; ++i) sum += weights_[i] * nodes_[i]->force_slope;
+    return sum;
+  }
+  StateSlopes of_slice(std::size_t k) const {
+    StateSlopes sum{{0, 0, 0, 0}, {0, 0}, {0, 0}, {0, 0}, {0, 0}};
+    for (std::size_t i = 0; i < count_; ++i) add(sum, weights_[i], nodes_[i]->states[k]);
+    return sum;
+  }
+
+ private:
+  const BranchNode* nodes_[4];
+  double weights_[4];
+  std::size_t count_{0};
+};
+
 // How the state at entry moves along the branch.
 LayerState<double> along(const BranchNode& node, std::size_t k) {
   const StateSlopes& s = node.states[k];
   return combined(1, s.in_speed, node.slope, s.in_amplitude);
 }
 
+}  // namespace
+
 bool same_slices(const BranchNode& a, const BranchNode& b) {
   return a.states.size() == b.states.size() && a.start.size() == b.start.size() &&
          a.states.size() == a.start.size();
 }
-
-}  // namespace
 
 WarmStart moved(const WarmStart& start, const MovingStates& states, double step) {
   WarmStart result = start;
@@ -64,18 +97,20 @@ BranchNode branch_node(DrivenWaves::LevelSlopes wave, double step, bool grows) {
           grows,        std::move(wave.solved),  std::move(start),         std::move(wave.states)};
 }
 
-BranchGuess guess_between(const BranchNode& a, const BranchNode& b, double speed) {
+BranchGuess guess_between(const BranchNode& a, const BranchNode& b, double speed,
+                          std::span<const BranchNode* const> beside) {
   const double length = b.speed - a.speed, t = (speed - a.speed) / length, u = 1 - t;
   const Hermite h(length, t);
+  const Shares shares(a, b, beside, speed);
   BranchGuess guess{
       h.at_a * a.amplitude + h.at_b * b.amplitude + h.slope_a * a.slope + h.slope_b * b.slope,
-      u * a.force_slope + t * b.force_slope,
+      shares.force_slope(),
       WarmStart::beyond(a.start, b.start, -u),
       {}};
   if (!same_slices(a, b)) return guess;
   guess.states.reserve(a.states.size());
   for (std::size_t k = 0; k < a.states.size(); ++k) {
-    guess.states.push_back(combined(u, a.states[k], t, b.states[k]));
+    guess.states.push_back(shares.of_slice(k));
     guess.start.of_slice(k).layer =
         combined(1, combined(h.at_a, a.start.of_slice(k).layer, h.at_b, b.start.of_slice(k).layer),
                  1, combined(h.slope_a, along(a, k), h.slope_b, along(b, k)));

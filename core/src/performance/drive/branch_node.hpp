@@ -3,6 +3,8 @@
 
 #include "performance/drive/driven_wave.hpp"
 
+#include <span>
+
 namespace twum::performance {
 
 /// A wave of a branch over the rotor speed, from which its neighbours are found.
@@ -20,15 +22,21 @@ struct BranchNode {
 /// @param step  what Newton's method adds to the amplitude of `wave`
 BranchNode branch_node(DrivenWaves::LevelSlopes wave, double step, bool grows);
 
+bool same_slices(const BranchNode& a, const BranchNode& b);
+
 /// Where the search for a wave of the branch begins.
 struct BranchGuess {
   double amplitude, force_slope;
   WarmStart start;
   MovingStates states;  ///< empty where the nodes do not agree on the slices
+  double left{1};       ///< at most what a step of Newton's method with these slopes leaves of the guess's error
 };
 
-/// Between two nodes: Hermite's cubics for amplitude and state, whose slopes are known, and straight lines for all else.
-BranchGuess guess_between(const BranchNode& a, const BranchNode& b, double speed);
+/// Between two nodes, or as far beyond the second: Hermite's cubics for amplitude and state, whose slopes are known, and for all
+/// else the polynomial through the two and the nodes beside them.
+/// @param beside  at most two, with the same zones
+BranchGuess guess_between(const BranchNode& a, const BranchNode& b, double speed,
+                          std::span<const BranchNode* const> beside = {});
 
 /// The start under an amplitude that is larger by `step`.
 WarmStart moved(const WarmStart& start, const MovingStates& states, double step);

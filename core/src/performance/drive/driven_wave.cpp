@@ -107,8 +107,8 @@ double DrivenWaves::MovingWave::amplitude_per_speed() const {
 }
 
 DrivenWaves::LevelSlopes DrivenWaves::slopes(double amplitude, double speed,
-                                             const WarmStart* guess) const {
-  LevelSlopes s{solve_point(motor(amplitude), speed, guess), {}, 0, 0, {}};
+                                             const WarmStart* guess, double accuracy) const {
+  LevelSlopes s{solve_point(motor(amplitude), speed, guess, accuracy), {}, 0, 0, {}};
   SlopedWave& a = s.in_amplitude;
   a.wave = wave_of(s.solved, amplitude, speed);
   if (a.wave.status != PointStatus::ok) return s;

@@ -81,7 +81,8 @@ class DrivenWaves {
     double amplitude_per_speed{0}, torque_per_speed{0};
     MovingStates states;
   };
-  LevelSlopes slopes(double amplitude, double speed, const WarmStart* guess = nullptr) const;
+  LevelSlopes slopes(double amplitude, double speed, const WarmStart* guess = nullptr,
+                     double accuracy = 0) const;
 
   /// The force that a wave needs from the drive, from the numbers of its contact.
   WaveBalance<double> balance(const PointNumbers<double>& n, double amplitude) const {

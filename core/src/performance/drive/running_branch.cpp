@@ -29,7 +29,13 @@ constexpr double kReach = 0.2;      // of the amplitude: largest step of a secan
 // of the amplitude and of the layer's state: largest distance of the guess from where the first step leads
 constexpr double kFarGuess = 1e-2;
 // of the amplitude and of the layer's state: largest error after the last step of Newton's method
-constexpr double kSettledTurn = 1e-13;
+constexpr double kSettledTurn = 1e-12;
+// what a turn leaves of the distance between the guess and the wave between nodes with the same zones
+constexpr double kLeftByTurn = 1e-5;
+// the same beyond two nodes
+constexpr double kLeftBeyond = 1e-2;
+// of the amplitude and of the layer's state: what a node may be off, about as much as a cubic between two nodes is
+constexpr double kNearNode = 1e-7;
 constexpr int kMostFollowed = 8;  // turns
 // of the drive's force; an amplitude right to kSettled leaves a hundredth of it, a zone that is not there far more
 constexpr double kBalanced = 1e-11;
@@ -89,13 +95,13 @@ std::optional<RunningBranch::Node> RunningBranch::first_node(
 
 // Newton steps for H(A) = Theta u_0 near a guess, and the slope of the level curve (D2.9). Nodes only start other
 // searches, so the last step is not solved again.
-RunningBranch::NodeSearch RunningBranch::node(double speed, double guess,
-                                              const WarmStart* start) const {
+RunningBranch::NodeSearch RunningBranch::node(double speed, double guess, const WarmStart* start,
+                                              double accuracy) const {
   double a = guess;
   long zones = 0;
   WarmStart from;
   for (int i = 0; i < kMostSecants; ++i) {
-    DrivenWaves::LevelSlopes s = waves_.slopes(a, speed, start);
+    DrivenWaves::LevelSlopes s = waves_.slopes(a, speed, start, accuracy);
     const SlopedWave& w = s.in_amplitude;
     zones += w.wave.zones;
     if (w.wave.status != PointStatus::ok || !(w.fold() > 0)) return {{}, zones};
@@ -106,7 +112,7 @@ RunningBranch::NodeSearch RunningBranch::node(double speed, double guess,
       const bool grows = !(waves_.stability(w).trace < 0);
       return {branch_node(std::move(s), step, grows), zones};
     }
-    from = w.wave.start, start = &from;
+    from = moved(w.wave.start, s.states, step), start = &from;
   }
   return {{}, zones};
 }
@@ -114,8 +120,8 @@ RunningBranch::NodeSearch RunningBranch::node(double speed, double guess,
 // Newton's method for H(A) = Theta u_0 and the layer's states together, one turn of the wave a step, with the slopes of the
 // nodes: they are off by a small share, of which the last two steps tell how much they leave. Nothing unless that is quick.
 std::optional<BranchWave> RunningBranch::followed(double speed, const BranchGuess& guess,
-                                                  const SolvedPoint& near,
-                                                  const SolvedPoint& other) const {
+                                                  const SolvedPoint& near, const SolvedPoint& other,
+                                                  double settled) const {
   if (!(guess.force_slope > 0)) return {};
   double a = guess.amplitude, last = 0;
   WarmStart from = guess.start;
@@ -129,7 +135,7 @@ std::optional<BranchWave> RunningBranch::followed(double speed, const BranchGues
     a += step;
     const double off = std::fmax(std::fabs(step) / a, turn->gap);
     if (!(off <= (i == 0 ? kFarGuess : kReach * last))) return {};
-    if (off * (i == 0 ? kReach : off / last) <= kSettledTurn) return BranchWave{a, speed, from};
+    if (off * (i == 0 ? guess.left : off / last) <= settled) return BranchWave{a, speed, from};
     last = off;
   }
   return {};
@@ -160,15 +166,20 @@ std::optional<BranchWave> RunningBranch::polished(double speed, double guess, do
   return {};
 }
 
-// Predicts by the tangent, with the curvature between the last two nodes.
+// Predicts by the cubic through the last two nodes, or by the tangent.
 RunningBranch::NodeSearch RunningBranch::stepped(const Node& from, double speed,
                                                  const Node* before) const {
   const double d = speed - from.speed;
-  double guess = from.amplitude + from.slope * d;
-  if (before && std::fabs(from.speed - before->speed) >= 0.5 * std::fabs(d))
-    guess += 0.5 * d * d * (from.slope - before->slope) / (from.speed - before->speed);
+  if (before && std::fabs(from.speed - before->speed) >= 0.5 * std::fabs(d)) {
+    BranchGuess guess = guess_between(*before, from, speed);
+    guess.left = kLeftBeyond;
+    if (!waves_.splits())
+      if (const auto wave = followed(speed, guess, from.solved, from.solved, kNearNode))
+        return node(speed, wave->amplitude, &wave->start, kNearNode);
+    return node(speed, guess.amplitude, &guess.start);
+  }
   const WarmStart start = from.solved.start();
-  return node(speed, guess, &start);
+  return node(speed, from.amplitude + from.slope * d, &start);
 }
 
 // Continues from the last node, with steps that are halved where the branch bends.
@@ -289,28 +300,44 @@ bool RunningBranch::balances(const MotorPoint& p) const {
 std::optional<MotorPoint> RunningBranch::proven(double speed, const BranchGuess& guess,
                                                 const SolvedPoint& near,
                                                 const SolvedPoint& other) const {
-  const auto wave = followed(speed, guess, near, other);
+  const auto wave = followed(speed, guess, near, other, kSettledTurn);
   if (!wave) return {};
-  const DrivenMotor<double> motor = waves_.motor(wave->amplitude);
-  MotorPoint point{motor, solve_point_near(motor, speed, near, wave->start)};
+  MotorPoint point{waves_.motor(wave->amplitude), {}};
+  point.solved = solve_point_near(point.motor, speed, near, wave->start);
   return balances(point) ? std::optional(std::move(point)) : std::nullopt;
 }
 
-// Through the zones of the nearer node, or of the other for slices with other zones; as splits move with the speed, a track
-// that is split has those of the guess itself, and its own slopes where the nodes have other slices.
+// The nodes beside two neighbours that have the same zones as they do.
+std::vector<const RunningBranch::Node*> RunningBranch::like(const Node& a, const Node& b) const {
+  std::vector<const Node*> found;
+  const auto k = static_cast<std::size_t>(&a - nodes_.data());
+  const std::uint64_t zones = a.solved.signature();
+  if (b.solved.signature() != zones) return found;
+  const auto add_if_like = [&](const Node& n) {
+    if (n.solved.signature() == zones && same_slices(n, a)) found.push_back(&n);
+  };
+  if (k > 0) add_if_like(nodes_[k - 1]);
+  if (k + 2 < nodes_.size()) add_if_like(nodes_[k + 2]);
+  return found;
+}
+
+// Through the zones of either node, or where those do not lead there, of the guess itself: zones begin and end between nodes. As
+// splits move with the speed, a track that is split has those of the guess, and its slopes where the nodes have other slices.
 std::optional<MotorPoint> RunningBranch::between(const Node& a, const Node& b, double speed) const {
-  BranchGuess guess = guess_between(a, b, speed);
-  if (waves_.splits()) {
-    const SolvedPoint near = solve_point(waves_.motor(guess.amplitude), speed);
+  const std::vector<const Node*> beside = like(a, b);
+  BranchGuess guess = guess_between(a, b, speed, beside);
+  if (beside.size() == 2) guess.left = kLeftByTurn;
+  if (!waves_.splits()) {
+    const bool first = speed - a.speed < b.speed - speed;
+    if (auto point = proven(speed, guess, (first ? a : b).solved, (first ? b : a).solved))
+      return point;
+  }
+  const SolvedPoint near = solve_point(waves_.motor(guess.amplitude), speed);
+  if (near.status == PointStatus::ok) {
     guess.start = near.start();
-    if (guess.states.size() != guess.start.size() && near.status == PointStatus::ok)
+    if (guess.states.size() != guess.start.size())
       guess.states = waves_.moving(near, guess.amplitude, speed).states;
     if (auto point = proven(speed, guess, near, near)) return point;
-  } else {
-    const bool first = speed - a.speed < b.speed - speed;
-    const SolvedPoint &near = (first ? a : b).solved, &other = (first ? b : a).solved;
-    if (auto point = proven(speed, guess, near, other)) return point;
-    if (auto point = proven(speed, guess, other, near)) return point;
   }
   if (const auto wave = polished(speed, guess.amplitude, guess.force_slope, guess.start))
     return solved(*wave);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "performance/drive/wave_solutions.hpp"
 
+#include "performance/drive/branch_node.hpp"
+
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
@@ -23,6 +25,8 @@ constexpr int kMostDecades = 20;
 constexpr double kLargest = 1, kSmallest = 1e-30;  // [m], far beyond amplitudes of any motor
 constexpr double kShortStep = 3e-5;     // of the amplitude; its cube is below the rounding of H
 constexpr double kSettledPlace = 1e-7;  // of the amplitude; the error is its square
+constexpr double kSlopeAccuracy =
+    1e-10;  // of the states for slopes; an extremum found with them is off by as much, its force by the square
 constexpr int kMostSlopes = 60;
 constexpr int kHalfOfDigits = 26;  // bits to which the position of an extremum can be known
 
@@ -54,7 +58,9 @@ ExtremumSearch extremum_between(const DrivenWaves& waves, double speed, const Fo
   long zones = 0;
   WarmStart from;
   for (int i = 0; i < kMostSlopes && zones <= kMostZonesToSolve; ++i) {
-    const SlopedWave w = waves.in_amplitude(a, speed, i > 0 ? &from : nullptr);
+    const DrivenWaves::LevelSlopes s =
+        waves.slopes(a, speed, i > 0 ? &from : nullptr, kSlopeAccuracy);
+    const SlopedWave& w = s.in_amplitude;
     zones += w.wave.zones;
     if (w.wave.status != PointStatus::ok) break;
     const double slope = w.force_slope();
@@ -66,7 +72,7 @@ ExtremumSearch extremum_between(const DrivenWaves& waves, double speed, const Fo
     if (std::fabs(step) <= kShortStep * a && std::fabs(step * last) <= kSettledPlace * a * a)
       return {ForceExtremum{a + step, w.wave.force() + 0.5 * slope * step, near.maximum, bend},
               zones};
-    before = a, slope_before = slope, from = w.wave.start;
+    before = a, slope_before = slope, from = moved(w.wave.start, s.states, step);
     a += step;
   }
   return {{}, zones};
