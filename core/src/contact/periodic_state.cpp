@@ -106,7 +106,7 @@ class Search {
 
   // Rounding of the closed forms sets the looser bound; in small contacts series do better.
   bool settled() const {
-    const bool drifts = n_.full && (sticks_all_round() || !(history_.progress < 0.5));
+    const bool drifts = n_.full && (sticks_all_round() || !contracts(kFast));
     const double enough = drifts ? tight_ : std::fmax(tight_, loose_);
     return same_zone() &&
            (history_.gap <= enough || (history_.gap <= tolerance_ && history_.progress > 0.5));

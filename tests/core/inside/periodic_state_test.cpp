@@ -285,7 +285,7 @@ TEST_CASE("a state of full contact with some accuracy is as near to the exact on
     ++found;
     shorter += near.laps < exact.laps;
     CHECK(near.laps <= exact.laps);
-    // The last lap closed half of the gap or more, so all further ones add up to no more than the gap that was left.
+    // The last lap left a tenth of the gap at most, so all further ones add up to less than the gap that was left.
     CHECK(distance(layer, near.lap.next.layer, exact.lap.next.layer) <=
           accuracy * size_of(n, layer) + 1e-12 * size_of(n, layer));
   }

@@ -10,6 +10,8 @@ namespace twum::performance {
 namespace {
 
 constexpr double kTorqueJump = 1e-7;  // of the holding torque, between neighbouring speeds
+constexpr double kBeside = 1e-13;     // of a speed
+constexpr int kTriedBeside = 3;
 
 }  // namespace
 
@@ -33,12 +35,21 @@ std::optional<double> CurveCrossings::zero_near(double torque, const CurvePoint&
   return {};
 }
 
+// With mu_0 > mu single speeds may have no periodic state. Then the next speeds, a few roundings further, stand for them.
+CurvePoint CurveCrossings::answered_beside(double speed) const {
+  for (int i = 0; i < kTriedBeside; ++i) {
+    const CurvePoint p = points_.at(speed * (1 + i * kBeside));
+    if (p.ok()) return p;
+  }
+  return points_.answered(speed);
+}
+
 Crossing CurveCrossings::falls_through(double torque, const CurvePoint& low,
                                        const CurvePoint& high) {
   if (!points_.curve().may_jump()) {
     if (const std::optional<double> zero = zero_near(torque, low, high)) return {*zero, false};
   }
-  const auto excess = [&](double speed) { return points_.answered(speed).torque - torque; };
+  const auto excess = [&](double speed) { return answered_beside(speed).torque - torque; };
   const Bracket b =
       close_in(excess, {low.speed, high.speed, low.torque - torque, high.torque - torque});
   const bool jump = b.at_low - b.at_high > kTorqueJump * points_.curve().holding();
