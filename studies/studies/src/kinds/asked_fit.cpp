@@ -58,8 +58,8 @@ std::string column_name(const Reading& reading) {
 }
 
 // One place for each column without standard deviations.
-void refuse_bare(const MeasuredPoints& table, const std::string& need, const std::string& instead,
-                 Diagnostics& diagnostics) {
+void refuse_bare(const MeasuredPoints& table, const std::string& reason,
+                 const std::string& other_remedy, Diagnostics& diagnostics) {
   std::vector<std::string_view> said;
   for (const MeasuredPoint& point : table.points) {
     const std::string_view quantity = name_of(point.reading);
@@ -67,8 +67,8 @@ void refuse_bare(const MeasuredPoints& table, const std::string& need, const std
       continue;
     said.push_back(quantity);
     const std::string name = column_name(point.reading);
-    diagnostics.add(point.heading, name, "no standard deviation, " + need,
-                    "add the column '" + name + "_sd'" + instead);
+    diagnostics.add(point.heading, name, "no standard deviation, " + reason,
+                    "add the column '" + name + "_sd'" + other_remedy);
   }
 }
 
