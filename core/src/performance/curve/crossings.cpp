@@ -10,7 +10,7 @@ namespace twum::performance {
 namespace {
 
 constexpr double kTorqueJump = 1e-7;  // of the holding torque, between neighbouring speeds
-constexpr double kBeside = 1e-13;     // of a speed
+constexpr double kNextSpeed = 1e-13;  // of a speed
 constexpr int kTriedBeside = 3;
 
 }  // namespace
@@ -38,7 +38,7 @@ std::optional<double> CurveCrossings::zero_near(double torque, const CurvePoint&
 // With mu_0 > mu single speeds may have no periodic state. Then the next speeds, a few roundings further, stand for them.
 CurvePoint CurveCrossings::answered_beside(double speed) const {
   for (int i = 0; i < kTriedBeside; ++i) {
-    const CurvePoint p = points_.at(speed * (1 + i * kBeside));
+    const CurvePoint p = points_.at(speed * (1 + i * kNextSpeed));
     if (p.ok()) return p;
   }
   return points_.answered(speed);
