@@ -23,6 +23,7 @@
 #include <twum/optim/lost_rank.hpp>
 #include <twum/optim/low_discrepancy.hpp>
 #include <twum/optim/neighbour_test.hpp>
+#include <twum/optim/offset_test.hpp>
 #include <twum/optim/optimum_moves.hpp>
 #include <twum/optim/options.hpp>
 #include <twum/optim/outliers.hpp>

@@ -59,7 +59,8 @@ class Calibration {
     test_residuals(result_, residuals, best, fit_.deviations_given(), known_deviation(best));
     compare_optima(best, residuals);
     result_.undetermined = unseen_sets(best, residuals, lost_ ? *lost_ : best.undetermined);
-    result_.folded = result_.undetermined.size() < best.undetermined.size();
+    result_.folded =
+        result_.undetermined.size() < best.undetermined.size() || leave_out_far_correlations(best);
     if (!result_.determined())
       result_.combinations =
           hardly_seen(best, fit_.points().size(), result_.exact && !result_.stated);
@@ -289,6 +290,25 @@ class Calibration {
   }
 
   // From a fold, where the estimates are no smooth function of anything, first derivatives do not lead to the next answer.
+  // Close to a fold the Jacobian has its rank, but its intervals end far outside of the range. Then it says no more than at the
+  // fold. True if there are such intervals.
+  bool leave_out_far_correlations(const LeastSquaresResult& best) {
+    constexpr double kFar = 10;  // times the range
+    const std::size_t n = result_.estimates.size();
+    bool found = false;
+    for (std::size_t j = 0; j < n; ++j) {
+      const CalibrateResult::Estimate& e = result_.estimates[j];
+      const double range = e.log ? e.parameter.value * std::log(e.max / e.min) : e.max - e.min;
+      if (!(best.estimates[j].standard_deviation > kFar * range)) continue;
+      found = true;
+      for (std::size_t k = 0; k < n; ++k)
+        if (k != j)
+          result_.correlation[j * n + k] = result_.correlation[k * n + j] =
+              std::numeric_limits<double>::quiet_NaN();
+    }
+    return found;
+  }
+
   void leave_out_moves() {
     for (Move& move : result_.moves)
       std::fill(move.slopes.begin(), move.slopes.end(), std::numeric_limits<double>::quiet_NaN());

@@ -66,9 +66,9 @@ std::string combination_words(const CalibrateResult::Combination& combination) {
 }
 
 std::string fold_words() {
-  return "the estimates are at a fold, where a change of several parameters together does not "
-         "change the measured numbers to "
-         "first order. Correlations and changes with a fixed parameter are linear extrapolations, "
+  return "the estimates are at a fold, or close to one, where a change of several parameters "
+         "together does not change the measured numbers to first order. Correlations and changes "
+         "with a fixed parameter are linear extrapolations, "
          "which say nothing there";
 }
 

@@ -186,8 +186,8 @@ struct CalibrateResult {
   std::optional<ColumnOffset> offset;     ///< the rarest, where it is as rare as one time in twenty
   std::vector<Outlier> outliers;          ///< the farthest first
   std::vector<Undetermined> undetermined;  ///< none if the data determine all
-  /// The Jacobian lacks more rank at the estimates than beside them: there only the profiles give intervals, and `moves` and
-  /// the correlations of what the lost direction holds are NaN.
+  /// The Jacobian lacks more rank at the estimates, or close to them, than elsewhere: there only the profiles give intervals,
+  /// and `moves` and the correlations of what the lost direction holds are NaN.
   bool folded{false};
   std::vector<Combination> combinations;  ///< least visible first; none if the intervals are of use
   std::vector<Optimum> optima;            ///< local optima where starts ended, best first
