@@ -18,6 +18,7 @@ import twum  # noqa: E402
 
 COUNT = int(sys.argv.pop(2)) if len(sys.argv) > 2 and sys.argv[2].isdigit() else 1000
 POINTS = 21
+AGREE = 1e-9
 METRICS = ("stall_torque", "max_torque", "holding_torque", "no_load_speed", "plateau_speed", "peak_power", "max_pressure", "contact_half_length")
 CONTACT = ("speed", "torque", "output_power", "stator_power", "friction_power", "layer_loss", "contact_efficiency", "wear_intensity", "stick_fraction")
 DRIVEN = CONTACT + ("amplitude", "phase_lag", "phase_current", "power_factor", "electrical_power", "overall_efficiency")
@@ -59,6 +60,23 @@ ASK = """(() => { const { core } = document.getElementById('page').panel; const 
         metrics: core.metrics(metrics).map((m) => [Number.isFinite(m.value) ? m.value : null, m.status]) }; }); })()"""
 
 
+def deviation(a, b):
+    """The largest, in parts of the largest of `a`."""
+    scale = np.nanmax(np.abs(a)) if np.isfinite(a).any() else 0
+    return np.nanmax(np.abs(a - b)) / scale if scale > 0 else 0
+
+
+def rounding_of(motor, speed, name):
+    """How far the library's own column moves if one number of the motor changes by its last digit: in nearly rigid layers a power is a
+    small difference, and no two programs can agree better than that."""
+    own, most = np.array(getattr(twum.Motor(**motor).curve(speed), name), float), 0
+    for key in motor.keys() & {"thickness", "youngs_modulus", "preload", "amplitude", "frequency"}:
+        for way in (-math.inf, math.inf):
+            other = twum.Motor(**(motor | {key: math.nextafter(motor[key], way)})).curve(speed)
+            most = max(most, deviation(own, np.array(getattr(other, name), float)))
+    return most
+
+
 class Agreement(Page):
     def setUp(self):
         page = self.folder / "ring-60.html"
@@ -76,7 +94,7 @@ class Agreement(Page):
     def compare(self, motors, columns):
         """Largest deviation of the curves, of the metrics, and the motors whose statuses differ."""
         worst_curve = worst_metric = 0.0
-        differ = []
+        differ, delicate = [], 0
         for motor, page in zip(motors, self.told(motors)):
             own = twum.Motor(**motor)
             curve = own.curve(page["curve"]["speed"])
@@ -87,11 +105,13 @@ class Agreement(Page):
             for name in columns:
                 a, b = np.array(getattr(curve, name), float), np.array([math.nan if v is None else v for v in page["curve"][name]])
                 self.assertEqual(np.isfinite(a).tolist(), np.isfinite(b).tolist(), (name, motor))
-                scale = np.nanmax(np.abs(a)) if np.isfinite(a).any() else 0
-                if scale > 0:
-                    worst_curve = max(worst_curve, np.nanmax(np.abs(a - b)) / scale)
+                off = deviation(a, b)
+                if off > AGREE and off <= rounding_of(motor, page["curve"]["speed"], name):
+                    delicate += 1
+                else:
+                    worst_curve = max(worst_curve, off)
             worst_metric = max([worst_metric, *self.metric_deviations(own, page["metrics"])])
-        return worst_curve, worst_metric, differ
+        return worst_curve, worst_metric, differ, delicate
 
     def metric_deviations(self, own, found):
         values = own.metrics(*METRICS)
@@ -105,12 +125,14 @@ class Agreement(Page):
         chance = random.Random(29)
         for name, motors, columns in (("prescribed", [prescribed(chance) for _ in range(COUNT * 4 // 5)], CONTACT), ("driven", [driven(chance) for _ in range(COUNT // 5)], DRIVEN)):
             with self.subTest(name):
-                curve, metric, differ = self.compare(motors, columns)
-                print(f"{name}: {len(motors)} motors, curves within {curve:.1e} of the largest of their column, metrics within {metric:.1e}, {len(differ)} with other statuses")
+                curve, metric, differ, delicate = self.compare(motors, columns)
+                print(f"{name}: {len(motors)} motors, curves within {curve:.1e} of the largest of their column but for {delicate} columns that a last digit "
+                      f"of the motor moves as far, metrics within {metric:.1e}, {len(differ)} with other statuses")
                 # Another libm rounds sines, roots and logarithms otherwise; a root is found to some 1e-12 of its scale, and the
                 # motors of the box magnify that by up to a thousand.
-                self.assertLess(curve, 1e-9)
-                self.assertLess(metric, 1e-9)
+                self.assertLess(curve, AGREE)
+                self.assertLess(metric, AGREE)
+                self.assertLessEqual(delicate, len(motors) // 100)
                 for motor in differ:
                     print("other status:", json.dumps(motor))
                     # Free vibration of an undamped layer never decays: there may be no period, or several (theory, section 10),
