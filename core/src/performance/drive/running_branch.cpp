@@ -32,10 +32,6 @@ constexpr double kFarGuess = 1e-2;
 constexpr double kSettledTurn = 1e-12;
 // what a turn leaves of the distance between the guess and the wave between nodes with the same zones
 constexpr double kLeftByTurn = 1e-5;
-// the same beyond two nodes
-constexpr double kLeftBeyond = 1e-2;
-// of the amplitude and of the layer's state: what a node may be off, about as much as a cubic between two nodes is
-constexpr double kNearNode = 1e-7;
 constexpr int kMostFollowed = 8;  // turns
 // of the drive's force; an amplitude right to kSettled leaves a hundredth of it, a zone that is not there far more
 constexpr double kBalanced = 1e-11;
@@ -95,13 +91,13 @@ std::optional<RunningBranch::Node> RunningBranch::first_node(
 
 // Newton steps for H(A) = Theta u_0 near a guess, and the slope of the level curve (D2.9). Nodes only start other
 // searches, so the last step is not solved again.
-RunningBranch::NodeSearch RunningBranch::node(double speed, double guess, const WarmStart* start,
-                                              double accuracy) const {
+RunningBranch::NodeSearch RunningBranch::node(double speed, double guess,
+                                              const WarmStart* start) const {
   double a = guess;
   long zones = 0;
   WarmStart from;
   for (int i = 0; i < kMostSecants; ++i) {
-    DrivenWaves::LevelSlopes s = waves_.slopes(a, speed, start, accuracy);
+    DrivenWaves::LevelSlopes s = waves_.slopes(a, speed, start);
     const SlopedWave& w = s.in_amplitude;
     zones += w.wave.zones;
     if (w.wave.status != PointStatus::ok || !(w.fold() > 0)) return {{}, zones};
@@ -120,8 +116,8 @@ RunningBranch::NodeSearch RunningBranch::node(double speed, double guess, const 
 // Newton's method for H(A) = Theta u_0 and the layer's states together, one turn of the wave a step, with the slopes of the
 // nodes: they are off by a small share, of which the last two steps tell how much they leave. Nothing unless that is quick.
 std::optional<BranchWave> RunningBranch::followed(double speed, const BranchGuess& guess,
-                                                  const SolvedPoint& near, const SolvedPoint& other,
-                                                  double settled) const {
+                                                  const SolvedPoint& near,
+                                                  const SolvedPoint& other) const {
   if (!(guess.force_slope > 0)) return {};
   double a = guess.amplitude, last = 0;
   WarmStart from = guess.start;
@@ -135,7 +131,7 @@ std::optional<BranchWave> RunningBranch::followed(double speed, const BranchGues
     a += step;
     const double off = std::fmax(std::fabs(step) / a, turn->gap);
     if (!(off <= (i == 0 ? kFarGuess : kReach * last))) return {};
-    if (off * (i == 0 ? guess.left : off / last) <= settled) return BranchWave{a, speed, from};
+    if (off * (i == 0 ? guess.left : off / last) <= kSettledTurn) return BranchWave{a, speed, from};
     last = off;
   }
   return {};
@@ -171,11 +167,7 @@ RunningBranch::NodeSearch RunningBranch::stepped(const Node& from, double speed,
                                                  const Node* before) const {
   const double d = speed - from.speed;
   if (before && std::fabs(from.speed - before->speed) >= 0.5 * std::fabs(d)) {
-    BranchGuess guess = guess_between(*before, from, speed);
-    guess.left = kLeftBeyond;
-    if (!waves_.splits())
-      if (const auto wave = followed(speed, guess, from.solved, from.solved, kNearNode))
-        return node(speed, wave->amplitude, &wave->start, kNearNode);
+    const BranchGuess guess = guess_between(*before, from, speed);
     return node(speed, guess.amplitude, &guess.start);
   }
   const WarmStart start = from.solved.start();
@@ -300,7 +292,7 @@ bool RunningBranch::balances(const MotorPoint& p) const {
 std::optional<MotorPoint> RunningBranch::proven(double speed, const BranchGuess& guess,
                                                 const SolvedPoint& near,
                                                 const SolvedPoint& other) const {
-  const auto wave = followed(speed, guess, near, other, kSettledTurn);
+  const auto wave = followed(speed, guess, near, other);
   if (!wave) return {};
   MotorPoint point{waves_.motor(wave->amplitude), {}};
   point.solved = solve_point_near(point.motor, speed, near, wave->start);

@@ -54,7 +54,7 @@ class RunningBranch {
 
   std::optional<DrivenWave> running_at_rest(const std::vector<ForceExtremum>& extrema) const;
   std::optional<Node> first_node(const std::vector<ForceExtremum>& extrema) const;
-  NodeSearch node(double speed, double guess, const WarmStart* start, double accuracy = 0) const;
+  NodeSearch node(double speed, double guess, const WarmStart* start) const;
 
   MotorPoint solved(const BranchWave& wave) const;
   bool balances(const MotorPoint& point) const;
@@ -63,8 +63,7 @@ class RunningBranch {
   std::vector<const Node*> like(const Node& a, const Node& b) const;
   std::optional<MotorPoint> between(const Node& a, const Node& b, double speed) const;
   std::optional<BranchWave> followed(double speed, const BranchGuess& guess,
-                                     const SolvedPoint& near, const SolvedPoint& other,
-                                     double settled) const;
+                                     const SolvedPoint& near, const SolvedPoint& other) const;
   std::optional<BranchWave> polished(double speed, double guess, double force_slope,
                                      const WarmStart& start) const;
   NodeSearch stepped(const Node& from, double speed, const Node* before = nullptr) const;
