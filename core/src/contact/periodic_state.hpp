@@ -45,8 +45,8 @@ struct PeriodicState {
 /// @param accuracy  how well the state has to come back with mu_0 = mu and damping, in units of its largest
 ///                  possible size; 0: to rounding
 PeriodicState find_periodic_state(const ContactNumbers<double>& numbers,
-                                  const LayerMotion<double>& layer,
-                                  const LapGuess* guess = nullptr, double accuracy = 0);
+                                  const LayerMotion<double>& layer, const LapGuess* guess = nullptr,
+                                  double accuracy = 0);
 
 /// How a periodic state moves, and how a turn that begins near it differs from one that begins in it: to first order.
 struct StateSlopes {

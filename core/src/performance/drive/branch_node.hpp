@@ -29,7 +29,8 @@ struct BranchGuess {
   double amplitude, force_slope;
   WarmStart start;
   MovingStates states;  ///< empty where the nodes do not agree on the slices
-  double left{1};       ///< at most what a step of Newton's method with these slopes leaves of the guess's error
+  double left{
+      1};  ///< at most what a step of Newton's method with these slopes leaves of the guess's error
 };
 
 /// Between two nodes, or as far beyond the second: Hermite's cubics for amplitude and state, whose slopes are known, and for all

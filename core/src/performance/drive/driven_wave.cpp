@@ -106,8 +106,8 @@ double DrivenWaves::MovingWave::amplitude_per_speed() const {
   return -square.d[kInSpeed] / square.d[kInAmplitude];
 }
 
-DrivenWaves::LevelSlopes DrivenWaves::slopes(double amplitude, double speed,
-                                             const WarmStart* guess, double accuracy) const {
+DrivenWaves::LevelSlopes DrivenWaves::slopes(double amplitude, double speed, const WarmStart* guess,
+                                             double accuracy) const {
   LevelSlopes s{solve_point(motor(amplitude), speed, guess, accuracy), {}, 0, 0, {}};
   SlopedWave& a = s.in_amplitude;
   a.wave = wave_of(s.solved, amplitude, speed);
