@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Residuals that chance does not explain (L7.1, L7.2), and fits that they move little (L8.1 to L8.3). The models are linear.
+#include "optim/normal.hpp"
+
 #include <twum/optim/fit_profile.hpp>
 #include <twum/optim/outliers.hpp>
 #include <twum/optim/random.hpp>
@@ -13,13 +15,9 @@
 #include <vector>
 
 using namespace twum::optim;
+using twum::test::normal;
 
 namespace {
-
-double normal(Random& random) {
-  const double radius = std::sqrt(-2 * std::log(1 - random.uniform()));
-  return radius * std::cos(2 * std::numbers::pi * random.uniform());
-}
 
 // y over x; the places listed in `marked` each have a parameter of their own.
 struct Line {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Residuals that share an offset (L4.2).
+#include "optim/normal.hpp"
+
 #include <twum/optim/group_deviations.hpp>
 #include <twum/optim/offset_test.hpp>
 #include <twum/optim/random.hpp>
@@ -9,17 +11,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 using namespace twum::optim;
+using twum::test::normal;
 
 namespace {
-
-double normal(Random& random) {
-  const double radius = std::sqrt(-2 * std::log(1 - random.uniform()));
-  return radius * std::cos(2 * std::numbers::pi * random.uniform());
-}
 
 // Numbers of a line a + b x at places x, by instruments of which the last one adds an offset.
 struct Line {

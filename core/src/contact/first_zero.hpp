@@ -172,7 +172,8 @@ double first_zero(const Curve& curve, double length, StartOrder order, long& wor
   while (++work <= limit) {
     if (order == StartOrder::positive) {
       if (!(c.f > 0)) return x;
-      if (known.is_first_from(x + std::max(quadratic_step(c), c.skip), c)) return known.zero;
+      if (known.zero != kNoZero && known.is_first_from(x + std::max(quadratic_step(c), c.skip), c))
+        return known.zero;
       if (const double reach = zero_bracket(c); reach > 0) {
         const double zero = polish_zero(curve, x, x + reach, x, c);
         return zero < length ? zero : kNoZero;

@@ -84,8 +84,8 @@ LayerState<StateDual> next_entry(const ContactNumbers<StateDual>& numbers,
 Lap<double> prove_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
                       const LapEntry<double>& entry, const ZoneSequence& near);
 
-/// A lap through the zones of one nearby: it does not search for their ends but follows them to where they have moved (E6.5). It
-/// proves not that no zone was missed: confirm the result by prove_lap(). Nothing if the zones are others here.
+/// A lap through the zones of one nearby: it does not search for their ends but follows them to where they have moved (E6.5). A
+/// zone that only a search finds may be missing, so confirm the result by prove_lap(). Nothing if the lap has other zones here.
 std::optional<Lap<double>> follow_lap(const ContactNumbers<double>& numbers,
                                       const LayerMotion<double>& layer,
                                       const LapEntry<double>& entry, const ZoneSequence& near);

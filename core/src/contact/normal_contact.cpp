@@ -23,7 +23,8 @@ double polynomial(const double (&c)[N], double x) {
 }
 
 // Right to 3e-6 of the angle, and of what it lacks of pi: Chebyshev expansions of t / cbrt(3 load), the limit of small loads, in
-// its square, and of (pi - t) / sqrt(2 (pi - load) / pi), the limit near pi, in the root.
+// its square, and of (pi - t) / sqrt(2 (pi - load) / pi), the limit near pi, in the root. The
+// coefficients are those of chebyfit() of mpmath with 30 digits.
 double first_angle(double load) {
   constexpr double kSmall[] = {0.9999989725830135,     0.033372953638704905,
                                0.003008644662465816,   0.0009920292630289807,

@@ -106,6 +106,7 @@ class Search {
 
   // Rounding of the closed forms sets the looser bound; in small contacts series do better.
   bool settled() const {
+    // Full contact may drift slowly, lap by lap.
     const bool drifts = n_.full && (sticks_all_round() || !contracts(kFast));
     const double enough = drifts ? tight_ : std::fmax(tight_, loose_);
     return same_zone() &&
@@ -267,9 +268,7 @@ class Search {
   const ContactNumbers<double>& n_;
   const LayerMotion<double>& layer_;
   bool monotone_;
-  bool
-      damped_;  // and with mu_0 = mu: a state that slips somewhere is the only one that repeats itself (E6.1)
-  bool unique_;   // the same where no contact sticks all round
+  bool unique_;   // only where there is one periodic state may the search start anywhere
   double swing_;  // of the layer that the wave's pressure shakes
   double tolerance_, tight_, loose_;
   LapHistory history_;

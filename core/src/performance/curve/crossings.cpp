@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kTorqueJump = 1e-7;  // of the holding torque, between neighbouring speeds
 constexpr double kNextSpeed = 1e-13;  // of a speed
-constexpr int kTriedBeside = 3;
+constexpr int kTriedBeside = 2;
 
 }  // namespace
 
@@ -37,11 +37,10 @@ std::optional<double> CurveCrossings::zero_near(double torque, const CurvePoint&
 
 // With mu_0 > mu single speeds may have no periodic state. Then the next speeds, a few roundings further, stand for them.
 CurvePoint CurveCrossings::answered_beside(double speed) const {
-  for (int i = 0; i < kTriedBeside; ++i) {
-    const CurvePoint p = points_.at(speed * (1 + i * kNextSpeed));
-    if (p.ok()) return p;
-  }
-  return points_.answered(speed);
+  CurvePoint p = points_.at(speed);
+  for (int i = 1; !p.ok() && i <= kTriedBeside; ++i) p = points_.at(speed * (1 + i * kNextSpeed));
+  if (!p.ok()) throw SearchFailure{p.status};
+  return p;
 }
 
 Crossing CurveCrossings::falls_through(double torque, const CurvePoint& low,

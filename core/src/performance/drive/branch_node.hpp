@@ -3,7 +3,7 @@
 
 #include "performance/drive/driven_wave.hpp"
 
-#include <span>
+#include <array>
 
 namespace twum::performance {
 
@@ -22,6 +22,7 @@ struct BranchNode {
 /// @param step  what Newton's method adds to the amplitude of `wave`
 BranchNode branch_node(DrivenWaves::LevelSlopes wave, double step, bool grows);
 
+/// They have as many slices, all with states that move.
 bool same_slices(const BranchNode& a, const BranchNode& b);
 
 /// Where the search for a wave of the branch begins.
@@ -29,15 +30,14 @@ struct BranchGuess {
   double amplitude, force_slope;
   WarmStart start;
   MovingStates states;  ///< empty where the nodes do not agree on the slices
-  double left{
-      1};  ///< at most what a step of Newton's method with these slopes leaves of the guess's error
+  double left{1};       ///< share of the guess's error that a step of Newton's method may leave
 };
 
 /// Between two nodes, or as far beyond the second: Hermite's cubics for amplitude and state, whose slopes are known, and for all
 /// else the polynomial through the two and the nodes beside them.
-/// @param beside  at most two, with the same zones
+/// @param beside  the next nodes on both sides, if they have the same zones and slices; else null
 BranchGuess guess_between(const BranchNode& a, const BranchNode& b, double speed,
-                          std::span<const BranchNode* const> beside = {});
+                          const std::array<const BranchNode*, 2>& beside = {});
 
 /// The start under an amplitude that is larger by `step`.
 WarmStart moved(const WarmStart& start, const MovingStates& states, double step);

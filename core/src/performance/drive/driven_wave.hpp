@@ -81,6 +81,7 @@ class DrivenWaves {
     double amplitude_per_speed{0}, torque_per_speed{0};
     MovingStates states;
   };
+  /// @param accuracy  of the periodic state, as find_periodic_state()
   LevelSlopes slopes(double amplitude, double speed, const WarmStart* guess = nullptr,
                      double accuracy = 0) const;
 

@@ -30,8 +30,6 @@ constexpr double kReach = 0.2;      // of the amplitude: largest step of a secan
 constexpr double kFarGuess = 1e-2;
 // of the amplitude and of the layer's state: largest error after the last step of Newton's method
 constexpr double kSettledTurn = 1e-12;
-// what a turn leaves of the distance between the guess and the wave between nodes with the same zones
-constexpr double kLeftByTurn = 1e-5;
 constexpr int kMostFollowed = 8;  // turns
 // of the drive's force; an amplitude right to kSettled leaves a hundredth of it, a zone that is not there far more
 constexpr double kBalanced = 1e-11;
@@ -299,26 +297,23 @@ std::optional<MotorPoint> RunningBranch::proven(double speed, const BranchGuess&
   return balances(point) ? std::optional(std::move(point)) : std::nullopt;
 }
 
-// The nodes beside two neighbours that have the same zones as they do.
-std::vector<const RunningBranch::Node*> RunningBranch::like(const Node& a, const Node& b) const {
-  std::vector<const Node*> found;
-  const auto k = static_cast<std::size_t>(&a - nodes_.data());
+// The nodes beside two neighbours, null where they have other zones than both.
+std::array<const RunningBranch::Node*, 2> RunningBranch::beside(const Node& a,
+                                                                const Node& b) const {
   const std::uint64_t zones = a.solved.signature();
-  if (b.solved.signature() != zones) return found;
-  const auto add_if_like = [&](const Node& n) {
-    if (n.solved.signature() == zones && same_slices(n, a)) found.push_back(&n);
+  if (b.solved.signature() != zones) return {};
+  const auto if_like = [&](const Node& n) {
+    return n.solved.signature() == zones && same_slices(n, a) ? &n : nullptr;
   };
-  if (k > 0) add_if_like(nodes_[k - 1]);
-  if (k + 2 < nodes_.size()) add_if_like(nodes_[k + 2]);
-  return found;
+  const auto k = static_cast<std::size_t>(&a - nodes_.data());
+  return {k > 0 ? if_like(nodes_[k - 1]) : nullptr,
+          k + 2 < nodes_.size() ? if_like(nodes_[k + 2]) : nullptr};
 }
 
 // Through the zones of either node, or where those do not lead there, of the guess itself: zones begin and end between nodes. As
 // splits move with the speed, a track that is split has those of the guess, and its slopes where the nodes have other slices.
 std::optional<MotorPoint> RunningBranch::between(const Node& a, const Node& b, double speed) const {
-  const std::vector<const Node*> beside = like(a, b);
-  BranchGuess guess = guess_between(a, b, speed, beside);
-  if (beside.size() == 2) guess.left = kLeftByTurn;
+  BranchGuess guess = guess_between(a, b, speed, beside(a, b));
   if (!waves_.splits()) {
     const bool first = speed - a.speed < b.speed - speed;
     if (auto point = proven(speed, guess, (first ? a : b).solved, (first ? b : a).solved))

@@ -60,7 +60,7 @@ class RunningBranch {
   bool balances(const MotorPoint& point) const;
   std::optional<MotorPoint> proven(double speed, const BranchGuess& guess, const SolvedPoint& near,
                                    const SolvedPoint& other) const;
-  std::vector<const Node*> like(const Node& a, const Node& b) const;
+  std::array<const Node*, 2> beside(const Node& a, const Node& b) const;
   std::optional<MotorPoint> between(const Node& a, const Node& b, double speed) const;
   std::optional<BranchWave> followed(double speed, const BranchGuess& guess,
                                      const SolvedPoint& near, const SolvedPoint& other) const;

@@ -25,8 +25,8 @@ constexpr int kMostDecades = 20;
 constexpr double kLargest = 1, kSmallest = 1e-30;  // [m], far beyond amplitudes of any motor
 constexpr double kShortStep = 3e-5;     // of the amplitude; its cube is below the rounding of H
 constexpr double kSettledPlace = 1e-7;  // of the amplitude; the error is its square
-constexpr double kSlopeAccuracy =
-    1e-10;  // of the states for slopes; an extremum found with them is off by as much, its force by the square
+// of the states with which slopes are found; an extremum is off by as much, its force by the square
+constexpr double kSlopeAccuracy = 1e-10;
 constexpr int kMostSlopes = 60;
 constexpr int kHalfOfDigits = 26;  // bits to which the position of an extremum can be known
 

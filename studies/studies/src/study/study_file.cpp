@@ -37,9 +37,14 @@ bool refuse_motor(const YamlNode& root, Diagnostics& diagnostics) {
   return is_motor;
 }
 
-// Adds an error for a study file that names its motor, but lacks `study:`.
+// Adds an error for a study file that names its motor, but lacks `study:`. Where its question stands under a mistyped name,
+// the reader of the entries says what was meant.
 bool refuse_unasked(const YamlNode& root, Diagnostics& diagnostics) {
-  if (root.find("study") != nullptr || !names_motor_file(root)) return false;
+  const bool mistyped =
+      std::any_of(root.entries.begin(), root.entries.end(), [](const YamlEntry& entry) {
+        return entry.value.kind == YamlNode::Kind::mapping && entry.value.find("kind") != nullptr;
+      });
+  if (root.find("study") != nullptr || mistyped || !names_motor_file(root)) return false;
   diagnostics.add({1, 1}, "study",
                   "missing, but this looks like a study, since 'motor' names a file",
                   "add 'study:' with its 'kind:'; 'twum init optimize' shows how");
