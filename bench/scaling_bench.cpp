@@ -35,7 +35,7 @@ std::string table_of(std::size_t designs) {
   return text;
 }
 
-void evaluate_table(const std::string& text, unsigned jobs, std::string& result) {
+void evaluate_text(const std::string& text, unsigned jobs, std::string& result) {
   std::size_t at = 0;
   CsvReader reader("table", [&](char* to, std::size_t size) {
     const std::size_t taken = text.copy(to, size, at);
@@ -47,7 +47,7 @@ void evaluate_table(const std::string& text, unsigned jobs, std::string& result)
   const DesignTable table(reader, header, MotorDesign{},
                           parse_metric_list("stall_torque, no_load_speed, peak_power"));
   result.clear();
-  evaluate_designs(
+  evaluate_table(
       reader, table, jobs, [&](std::string_view piece) { result += piece; }, [] { return true; },
       [](const DesignCounts&) {});
 }
@@ -74,13 +74,13 @@ int main(int argc, char** argv) {
   std::vector<std::string> each(cores);
   std::vector<double> rates, gains, limits;
   for (int turn = 0; turn < turns; ++turn) {
-    const auto on_one = [&] { return seconds([&] { evaluate_table(text, 1, alone); }); };
+    const auto on_one = [&] { return seconds([&] { evaluate_text(text, 1, alone); }); };
     const double before = on_one();
-    const double on_all = seconds([&] { evaluate_table(text, cores, shared); });
+    const double on_all = seconds([&] { evaluate_text(text, cores, shared); });
     const double at_once = seconds([&] {
       std::vector<std::jthread> threads;
       for (std::string& result : each)
-        threads.emplace_back([&text, &result] { evaluate_table(text, 1, result); });
+        threads.emplace_back([&text, &result] { evaluate_text(text, 1, result); });
     });
     const double one = 0.5 * (before + on_one());
     rates.push_back(static_cast<double>(designs) / one);
