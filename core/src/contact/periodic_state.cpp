@@ -17,6 +17,7 @@ constexpr int kMaxFollowed = 12;
 constexpr double kFloor = 1000;      // of tolerances: where rounding may keep Newton's method
 constexpr double kSameState = 1000;  // of tolerances: a state that came back
 constexpr double kFast = 0.1;        // contraction by a lap that leaves no doubt where laps lead
+constexpr double kSlow = 0.5;        // the same at which a state is off by no more than twice its gap
 constexpr LapEntry<double> kAtRest{{0, 0}, false, ZoneState::stick};
 constexpr double kResonance = 1e16;  // response to the wave's own frequency, squared
 
@@ -106,11 +107,14 @@ class Search {
 
   // Rounding of the closed forms sets the looser bound; in small contacts series do better.
   bool settled() const {
-    // Full contact may drift slowly, lap by lap.
-    const bool drifts = n_.full && (sticks_all_round() || !contracts(kFast));
-    const double enough = drifts ? tight_ : std::fmax(tight_, loose_);
     return same_zone() &&
-           (history_.gap <= enough || (history_.gap <= tolerance_ && history_.progress > 0.5));
+           (history_.gap <= enough() || (history_.gap <= tolerance_ && history_.progress > 0.5));
+  }
+
+  // Gap of a state that is known well enough. Full contact may drift slowly, lap by lap.
+  double enough() const {
+    const bool drifts = n_.full && (sticks_all_round() || !contracts(kSlow));
+    return drifts ? tight_ : std::fmax(tight_, loose_);
   }
 
   void finish() {
@@ -185,8 +189,8 @@ class Search {
       found.layer = secant(before, now, layer_), found.zones = lap->sequence;
       const double gap_before = gap;
       gap = distance(layer_, now.in, now.out);
-      // The next gap would be below rounding, or they do not settle.
-      if (gap * gap <= tight_ * gap_before || gap > gap_before) break;
+      // The next gap would be small enough, or they do not settle.
+      if (gap * gap <= enough() * gap_before || gap > gap_before) break;
     }
     return found;
   }

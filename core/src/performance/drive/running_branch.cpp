@@ -24,6 +24,7 @@ constexpr long kMostZones = 200'000;
 constexpr int kMostSecants = 12;
 // of the amplitude; the error after the last Newton step is its square
 constexpr double kNodeSettled = 3e-4;
+constexpr double kNodeAccuracy = 1e-9;  // of the layer's state at a node, as of its amplitude
 constexpr double kSettled = 1e-13;  // of the amplitude; largest error after the last secant
 constexpr double kReach = 0.2;      // of the amplitude: largest step of a secant
 // of the amplitude and of the layer's state: largest distance of the guess from where the first step leads
@@ -95,7 +96,7 @@ RunningBranch::NodeSearch RunningBranch::node(double speed, double guess,
   long zones = 0;
   WarmStart from;
   for (int i = 0; i < kMostSecants; ++i) {
-    DrivenWaves::LevelSlopes s = waves_.slopes(a, speed, start);
+    DrivenWaves::LevelSlopes s = waves_.slopes(a, speed, start, kNodeAccuracy);
     const SlopedWave& w = s.in_amplitude;
     zones += w.wave.zones;
     if (w.wave.status != PointStatus::ok || !(w.fold() > 0)) return {{}, zones};

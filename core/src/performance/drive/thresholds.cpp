@@ -2,6 +2,7 @@
 #include "performance/drive/thresholds.hpp"
 
 #include "performance/curve/curve.hpp"
+#include "performance/drive/branch_node.hpp"
 #include "performance/drive/learned_slopes.hpp"
 
 #include <twum/base/error.hpp>
@@ -20,11 +21,13 @@ constexpr double kStride = 0.5;  // of the logarithms: longest step
 constexpr double kPlaceSettled =
     1e-9;                        // of the same: last step; what it leaves is a hundredth of it
 constexpr double kProbe = 1e-3;  // of the amplitude
+constexpr double kStateAccuracy = 1e-12;  // of the states with which slopes are found
+constexpr double kRoughAccuracy = 1e-7;   // of those that tell a direction
 constexpr int kMostTries = 30, kMostSearches = 12;
 
 // dH / df at fixed amplitude, without the dependence of the contact on the frequency.
 double force_slope_in_frequency(const DrivenWaves& waves, double amplitude) {
-  const WaveBalance<double> b = waves.at(amplitude, 0).balance;
+  const WaveBalance<double> b = waves.at(amplitude, 0, nullptr, kRoughAccuracy).balance;
   const StatorModes<double>& m = waves.modes();
   return kTurn * amplitude * (m.damping * b.imaginary - 2 * m.mass * waves.omega() * b.real) /
          b.force();
@@ -111,12 +114,17 @@ Thresholds::Followed Thresholds::followed(const ForceExtremum& from, double freq
   const double bend = from.bend * from.amplitude * from.amplitude / from.force,
                fall = force_slope_in_frequency(waves_at(frequency), from.amplitude) *
                       (frequency - free) / from.force;
-  std::optional<WarmStart> layer;
+  std::optional<DrivenWaves::LevelSlopes> last;
   const auto residuals = [&](const Followed& at) -> std::optional<Pair> {
     const DrivenWaves waves = waves_at(at.frequency);
-    const SlopedWave w = waves.in_amplitude(at.amplitude, 0, layer ? &*layer : nullptr);
+    std::optional<WarmStart> layer;
+    if (last) {
+      const DrivenWave& wave = last->in_amplitude.wave;
+      layer = moved(wave.start, last->states, at.amplitude - wave.amplitude);
+    }
+    last = waves.slopes(at.amplitude, 0, layer ? &*layer : nullptr, kStateAccuracy);
+    const SlopedWave& w = last->in_amplitude;
     if (w.wave.status != PointStatus::ok) return {};
-    layer = w.wave.start;
     const double slope = w.force_slope() * at.amplitude / w.wave.force();
     const double excess = std::log(w.wave.force() / waves.drive()) - 0.5 * slope * slope / bend;
     return Pair{-slope / bend, -excess / fall};
