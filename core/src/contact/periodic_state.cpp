@@ -38,7 +38,8 @@ class Search {
   void run(const LapGuess* guess) {
     if (layer_.response > kResonance) return give_up(PeriodicStatus::resonance);
     if (unique_ && guess) {
-      turn(*guess, guess->zones);
+      const LapGuess from = followed(*guess);
+      turn(from, from.zones);
     } else {
       turn(unique_ ? after_slip() : kAtRest, ZoneSequence());
     }
@@ -176,23 +177,36 @@ class Search {
 
   // (E6.5) The entry that secants over followed laps lead to, and the ends of the last of them.
   LapGuess followed() {
-    Turn now = last_turn();
-    LapGuess found(s_.lap.next);
-    found.zones = s_.lap.sequence;
-    double gap = history_.gap;
+    LapGuess from(s_.lap.next, s_.lap.sequence);
+    return followed(from, last_turn());
+  }
+
+  LapGuess followed(LapGuess from, Turn now) {
+    double gap = distance(layer_, now.in, now.out);
     for (int i = 0; i < kMaxFollowed; ++i) {
       const Turn before = now;
-      const auto lap = follow_states(n_, layer_, found, found.zones);
+      const auto lap = follow_states(n_, layer_, from, from.zones);
       if (!lap) break;
       ++s_.laps;
-      now = {found.layer, lap->next.layer};
-      found.layer = secant(before, now, layer_), found.zones = lap->sequence;
+      now = {from.layer, lap->next.layer};
+      from = {{secant(before, now, layer_), from.carried, from.zone}, lap->sequence};
       const double gap_before = gap;
       gap = distance(layer_, now.in, now.out);
       // The next gap would be small enough, or they do not settle.
       if (gap * gap <= enough() * gap_before || gap > gap_before) break;
     }
-    return found;
+    return from;
+  }
+
+  // The same from a guess, if the layer comes back from a turn with anything at all.
+  LapGuess followed(const LapGuess& guess) {
+    if (guess.followed || guess.zones.count == 0 || forgets(1e-16)) return guess;
+    const auto lap = follow_states(n_, layer_, guess, guess.zones);
+    if (!lap) return guess;
+    ++s_.laps;
+    const Turn now{guess.layer, lap->next.layer};
+    const LapGuess next(lap->next, lap->sequence);
+    return distance(layer_, now.in, now.out) <= enough() ? next : followed(next, now);
   }
 
   // At first nothing is known but how much of the layer's motion outlives the free flight. With mu_0 > mu

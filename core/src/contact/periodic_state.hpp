@@ -17,9 +17,11 @@ enum class PeriodicStatus : unsigned char {
 /// Where a search for a periodic state begins.
 struct LapGuess : LapEntry<double> {
   LapGuess() = default;
-  LapGuess(const LapEntry<double>& entry) : LapEntry<double>(entry) {}
+  LapGuess(const LapEntry<double>& entry, const ZoneSequence& ends = {})
+      : LapEntry<double>(entry), zones(ends) {}
 
   ZoneSequence zones;  ///< where the zones of its lap nearly end; none where that is not known
+  bool followed{false};  ///< laps through these zones have led here: only the proof is left
 };
 
 /// The state that repeats itself from turn to turn.

@@ -173,8 +173,8 @@ long SolvedPoint::zones_followed() const {
 WarmStart SolvedPoint::start() const {
   std::vector<WarmStart::Entry> others;
   others.reserve(others_.size());
-  for (const SolvedSlice& s : others_) others.emplace_back(s.state.entry);
-  return {first_.state.entry, std::move(others)};
+  for (const SolvedSlice& s : others_) others.push_back(s.start());
+  return {first_.start(), std::move(others)};
 }
 
 std::optional<WarmStart::Entry> SolvedPoint::entry_near(std::span<const Slice<double>> slices,
@@ -183,11 +183,11 @@ std::optional<WarmStart::Entry> SolvedPoint::entry_near(std::span<const Slice<do
   if (guess) return guess->of_slice(k);
   // A layer that slips all through is known in closed form: the search starts there by itself.
   if (k == 0 || slice(k - 1).slips_one_way()) return {};
-  const contact::LapEntry<double>& last = slice(k - 1).state.entry;
+  const WarmStart::Entry last = slice(k - 1).start();
   if (k == 1 || slice(k - 2).slips_one_way()) return last;
   const double t =
       (slices[k].radius - slices[k - 1].radius) / (slices[k - 1].radius - slices[k - 2].radius);
-  return WarmStart::beyond(slice(k - 2).state.entry, last, t);
+  return WarmStart::beyond(slice(k - 2).start(), last, t);
 }
 
 namespace {
@@ -320,12 +320,11 @@ std::optional<NewtonTurn> SolvedPoint::newton_turn(const DrivenMotor<double>& m,
     const Slice<double>& s = slices[k];
     const contact::ContactNumbers<double> n = contact_numbers(m, s, speed);
     if (n.full) return {};
-    const bool known = at.zones.count > 0;
-    auto lap = known ? contact::follow_lap(n, layer, at, at.zones)
-                     : lap_through_zones_of(slice(k), n, layer, at);
-    if (!lap && !known && same_slices) lap = lap_through_zones_of(other.slice(k), n, layer, at);
+    auto lap = contact::follow_lap(n, layer, at, at.zones);
+    if (!lap && !at.followed && same_slices)
+      lap = lap_through_zones_of(other.slice(k), n, layer, at);
     if (!lap) return {};
-    at.zones = lap->sequence;
+    at.zones = lap->sequence, at.followed = true;
     const double gap = contact::distance(layer, at.layer, lap->next.layer);
     turn.gap = std::fmax(turn.gap, gap / (n.static_ * n.peak));
     const contact::StateSlopes& moves = states[k];

@@ -122,6 +122,7 @@ struct SolvedSlice {
   bool locked{false};            ///< sticks all round at rest, in closed form
 
   bool slips_one_way() const { return !locked && state.lap.one_slip; }
+  WarmStart::Entry start() const { return {state.entry, state.lap.sequence}; }
 };
 
 /// The contact at one operating point. Of how many slices it is made only its members know.

@@ -110,7 +110,7 @@ BranchGuess guess_between(const BranchNode& a, const BranchNode& b, double speed
   BranchGuess guess{
       h.at_a * a.amplitude + h.at_b * b.amplitude + h.slope_a * a.slope + h.slope_b * b.slope,
       shares.force_slope(),
-      WarmStart::beyond(a.start, b.start, -u),
+      t < 0.5 ? WarmStart::beyond(b.start, a.start, -t) : WarmStart::beyond(a.start, b.start, -u),
       {},
       shares.count() == 4 ? kLeftByTurn : 1};
   if (!same_slices(a, b)) return guess;
