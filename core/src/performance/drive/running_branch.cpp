@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kSteps = 24;         // of the grid up to the crest speed
 constexpr int kStepsTraced = 32;   // to beyond no-load
+constexpr int kBraking = 2;        // steps from node to node beyond no-load, where few points are asked for
 constexpr double kFar = 200;       // steps of the grid after which the branch is no longer followed
 constexpr double kSearched = 1.3;  // of the crest speed; no motor runs by itself at higher speeds
 // of the amplitude; a larger distance from the tangent means another branch or too large a step
@@ -178,9 +179,10 @@ BranchEnd RunningBranch::follow(double step, int steps) {
   const BranchEnd endless{std::copysign(std::numeric_limits<double>::infinity(), step), 0};
   const double first = nodes_.back().speed;
   long zones = 0;
-  for (int i = 1; i <= steps; ++i) {
+  const auto brakes = [this] { return nodes_.back().solved.numbers.torque < 0; };
+  for (int i = 1; i <= steps; i += brakes() ? kBraking : 1) {
     const double target = first + i * step;
-    double stride = step;
+    double stride = target - nodes_.back().speed;
     while (nodes_.back().speed != target) {
       if (zones > kMostZones) return endless;
       const Node& last = nodes_.back();

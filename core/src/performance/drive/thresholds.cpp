@@ -18,8 +18,8 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kStride = 0.5;  // of the logarithms: longest step
-constexpr double kPlaceSettled =
-    1e-9;                        // of the same: last step; what it leaves is a hundredth of it
+// of the same: last steps, towards the place of the extremum and of the frequency; they leave a hundredth
+constexpr double kPlaceSettled = 1e-7, kFrequencySettled = 1e-8;
 constexpr double kProbe = 1e-3;  // of the amplitude
 constexpr double kStateAccuracy = 1e-12;  // of the states with which slopes are found
 constexpr double kRoughAccuracy = 1e-7;   // of those that tell a direction
@@ -139,7 +139,7 @@ Thresholds::Followed Thresholds::followed(const ForceExtremum& from, double freq
     if (!(std::fabs(step[0]) < kStride)) break;
     x = {x[0] + step[0], x[1] + step[1]};
     at = {std::exp(x[0] - x[1]), free + std::exp(x[1]), false};
-    if (std::fabs(step[0]) <= kPlaceSettled && std::fabs(step[1]) <= kPlaceSettled)
+    if (std::fabs(step[0]) <= kPlaceSettled && std::fabs(step[1]) <= kFrequencySettled)
       return {at.amplitude, at.frequency, is_extremum(at, from.maximum)};
     const auto next = residuals(at);
     if (next) slopes.learn(step, {(*f)[0] - (*next)[0], (*f)[1] - (*next)[1]});
