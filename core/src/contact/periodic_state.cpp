@@ -17,7 +17,7 @@ constexpr int kMaxFollowed = 12;
 constexpr double kFloor = 1000;      // of tolerances: where rounding may keep Newton's method
 constexpr double kSameState = 1000;  // of tolerances: a state that came back
 constexpr double kFast = 0.1;        // contraction by a lap that leaves no doubt where laps lead
-constexpr double kSlow = 0.5;        // the same at which a state is off by no more than twice its gap
+constexpr double kSlow = 0.5;  // the same at which a state is off by no more than twice its gap
 constexpr LapEntry<double> kAtRest{{0, 0}, false, ZoneState::stick};
 constexpr double kResonance = 1e16;  // response to the wave's own frequency, squared
 

@@ -20,7 +20,7 @@ struct LapGuess : LapEntry<double> {
   LapGuess(const LapEntry<double>& entry, const ZoneSequence& ends = {})
       : LapEntry<double>(entry), zones(ends) {}
 
-  ZoneSequence zones;  ///< where the zones of its lap nearly end; none where that is not known
+  ZoneSequence zones;    ///< where the zones of its lap nearly end; none where that is not known
   bool followed{false};  ///< laps through these zones have led here: only the proof is left
 };
 

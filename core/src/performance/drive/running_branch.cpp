@@ -11,9 +11,10 @@
 namespace twum::performance {
 namespace {
 
-constexpr int kSteps = 24;         // of the grid up to the crest speed
-constexpr int kStepsTraced = 32;   // to beyond no-load
-constexpr int kBraking = 2;        // steps from node to node beyond no-load, where few points are asked for
+constexpr int kSteps = 24;        // of the grid up to the crest speed
+constexpr int kStepsTraced = 32;  // to beyond no-load
+constexpr int kBraking =
+    2;  // steps from node to node beyond no-load, where few points are asked for
 constexpr double kFar = 200;       // steps of the grid after which the branch is no longer followed
 constexpr double kSearched = 1.3;  // of the crest speed; no motor runs by itself at higher speeds
 // of the amplitude; a larger distance from the tangent means another branch or too large a step
@@ -26,8 +27,8 @@ constexpr int kMostSecants = 12;
 // of the amplitude; the error after the last Newton step is its square
 constexpr double kNodeSettled = 3e-4;
 constexpr double kNodeAccuracy = 1e-9;  // of the layer's state at a node, as of its amplitude
-constexpr double kSettled = 1e-13;  // of the amplitude; largest error after the last secant
-constexpr double kReach = 0.2;      // of the amplitude: largest step of a secant
+constexpr double kSettled = 1e-13;      // of the amplitude; largest error after the last secant
+constexpr double kReach = 0.2;          // of the amplitude: largest step of a secant
 // of the amplitude and of the layer's state: largest distance of the guess from where the first step leads
 constexpr double kFarGuess = 1e-2;
 // of the amplitude and of the layer's state: largest error after the last step of Newton's method

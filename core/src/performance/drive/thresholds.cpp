@@ -20,7 +20,7 @@ constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kStride = 0.5;  // of the logarithms: longest step
 // of the same: last steps, towards the place of the extremum and of the frequency; they leave a hundredth
 constexpr double kPlaceSettled = 1e-7, kFrequencySettled = 1e-8;
-constexpr double kProbe = 1e-3;  // of the amplitude
+constexpr double kProbe = 1e-3;           // of the amplitude
 constexpr double kStateAccuracy = 1e-12;  // of the states with which slopes are found
 constexpr double kRoughAccuracy = 1e-7;   // of those that tell a direction
 constexpr int kMostTries = 30, kMostSearches = 12;
@@ -31,6 +31,12 @@ double force_slope_in_frequency(const DrivenWaves& waves, double amplitude) {
   const StatorModes<double>& m = waves.modes();
   return kTurn * amplitude * (m.damping * b.imaginary - 2 * m.mass * waves.omega() * b.real) /
          b.force();
+}
+
+// The layer's states at another amplitude.
+WarmStart moved_to(double amplitude, const DrivenWaves::LevelSlopes& from) {
+  const DrivenWave& wave = from.in_amplitude.wave;
+  return moved(wave.start, from.states, amplitude - wave.amplitude);
 }
 
 std::size_t place_of(Metric metric) {
@@ -118,10 +124,7 @@ Thresholds::Followed Thresholds::followed(const ForceExtremum& from, double freq
   const auto residuals = [&](const Followed& at) -> std::optional<Pair> {
     const DrivenWaves waves = waves_at(at.frequency);
     std::optional<WarmStart> layer;
-    if (last) {
-      const DrivenWave& wave = last->in_amplitude.wave;
-      layer = moved(wave.start, last->states, at.amplitude - wave.amplitude);
-    }
+    if (last) layer = moved_to(at.amplitude, *last);
     last = waves.slopes(at.amplitude, 0, layer ? &*layer : nullptr, kStateAccuracy);
     const SlopedWave& w = last->in_amplitude;
     if (w.wave.status != PointStatus::ok) return {};
@@ -140,7 +143,7 @@ Thresholds::Followed Thresholds::followed(const ForceExtremum& from, double freq
     x = {x[0] + step[0], x[1] + step[1]};
     at = {std::exp(x[0] - x[1]), free + std::exp(x[1]), false};
     if (std::fabs(step[0]) <= kPlaceSettled && std::fabs(step[1]) <= kFrequencySettled)
-      return {at.amplitude, at.frequency, is_extremum(at, from.maximum)};
+      return {at.amplitude, at.frequency, is_extremum(at, from.maximum, *last)};
     const auto next = residuals(at);
     if (next) slopes.learn(step, {(*f)[0] - (*next)[0], (*f)[1] - (*next)[1]});
     f = next;
@@ -149,8 +152,12 @@ Thresholds::Followed Thresholds::followed(const ForceExtremum& from, double freq
 }
 
 // H falls beyond a maximum and rises beyond a minimum.
-bool Thresholds::is_extremum(const Followed& at, bool maximum) const {
-  const SlopedWave beyond = waves_at(at.frequency).in_amplitude((1 + kProbe) * at.amplitude, 0);
+bool Thresholds::is_extremum(const Followed& at, bool maximum,
+                             const DrivenWaves::LevelSlopes& near) const {
+  const double amplitude = (1 + kProbe) * at.amplitude;
+  const WarmStart start = moved_to(amplitude, near);
+  const SlopedWave beyond =
+      waves_at(at.frequency).slopes(amplitude, 0, &start, kRoughAccuracy).in_amplitude;
   return beyond.wave.status == PointStatus::ok && (beyond.fold() < 0) == maximum;
 }
 

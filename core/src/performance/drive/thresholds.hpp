@@ -45,7 +45,7 @@ class Thresholds {
     bool settled;  ///< H has its extremum there, and it is the drive's force
   };
   Followed followed(const ForceExtremum& from, double frequency) const;
-  bool is_extremum(const Followed& at, bool maximum) const;
+  bool is_extremum(const Followed& at, bool maximum, const DrivenWaves::LevelSlopes& near) const;
 
   DrivenWaves waves_;  // at the design's own frequency
   bool given_voltage_;
