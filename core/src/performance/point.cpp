@@ -354,7 +354,8 @@ SolvedPoint solve_point(const DrivenMotor<double>& m, double speed, const WarmSt
   if (guess && guess->size() != m.slices().size()) guess = nullptr;
   SolvedPoint point =
       special ? SolvedPoint::of_special(m, speed) : SolvedPoint(m, speed, guess, accuracy);
-  return std::move(point).checked(m, speed, accuracy);
+  point.check(m, speed, accuracy);
+  return point;
 }
 
 SolvedPoint solve_point_near(const DrivenMotor<double>& m, double speed, const SolvedPoint& near,
@@ -364,14 +365,14 @@ SolvedPoint solve_point_near(const DrivenMotor<double>& m, double speed, const S
   SolvedPoint point;
   point.splits_ = near.splits_;
   point.solve_split(m, speed, layer_of(m, speed), &guess, kConfirmed);
-  return std::move(point).checked(m, speed, kConfirmed);
+  point.check(m, speed, kConfirmed);
+  return point;
 }
 
-SolvedPoint SolvedPoint::checked(const DrivenMotor<double>& m, double speed, double accuracy) && {
+void SolvedPoint::check(const DrivenMotor<double>& m, double speed, double accuracy) {
   const bool lawful = accuracy > kConfirmed ? std::isfinite(numbers.torque + numbers.stator_power)
                                             : keeps_laws(m, numbers, speed, lever(m));
   if (status == PointStatus::ok && !lawful) status = PointStatus::inaccurate;
-  return std::move(*this);
 }
 
 #define TWUM_INSTANTIATE(S, R)                                                             \

@@ -193,7 +193,7 @@ class SolvedPoint {
                    const contact::LayerMotion<double>& layer, const WarmStart* guess,
                    double accuracy);
   bool has_pieces_of_splits(const DrivenMotor<double>& motor) const;
-  SolvedPoint checked(const DrivenMotor<double>& motor, double speed, double accuracy) &&;
+  void check(const DrivenMotor<double>& motor, double speed, double accuracy);
   /// Where the search at a radius may begin: what the nearest slice says.
   std::optional<WarmStart::Entry> entry_at(std::span<const Slice<double>> slices,
                                            double radius) const;
