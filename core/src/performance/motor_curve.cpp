@@ -84,6 +84,17 @@ CurvePoint DrivenCurve::point(double speed, const WarmStart*, double) const {
   return curve_point(speed, at.motor, at.solved, &drive_.waves().modes());
 }
 
+std::vector<CurvePoint> DrivenCurve::followed() const {
+  std::vector<CurvePoint> points;
+  if (may_jump() || !drive_.runs()) return points;
+  const DrivenWaves& waves = drive_.waves();
+  for (const BranchNode& node : drive_.branch().nodes())
+    if (!node.grows)
+      points.push_back(
+          curve_point(node.speed, waves.motor(node.amplitude), node.solved, &waves.modes()));
+  return points;
+}
+
 // Total derivatives: the amplitude moves along the level curve H(A, Omega) = Theta u_0 (D2.9).
 CurveSlope DrivenCurve::slope(double speed, const WarmStart*) const {
   const MotorPoint at = drive_.at(speed);

@@ -33,6 +33,7 @@ class DrivenCurve final : public Curve {
       : Curve(motor, drive.begin()), drive_(drive) {}
 
   CurvePoint point(double speed, const WarmStart* guess, double accuracy) const override;
+  std::vector<CurvePoint> followed() const override;
   CurveSlope slope(double speed, const WarmStart* guess) const override;
 
  private:

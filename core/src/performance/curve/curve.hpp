@@ -7,6 +7,7 @@
 #include <twum/core/performance/metrics.hpp>
 
 #include <cstdint>
+#include <vector>
 
 namespace twum::performance {
 
@@ -56,6 +57,9 @@ class Curve {
   /// @param guess     what a neighbouring point says of the layer; null: nothing
   /// @param accuracy  of the periodic state, as find_periodic_state()
   virtual CurvePoint point(double speed, const WarmStart* guess, double accuracy) const = 0;
+
+  /// Points of a curve that had to be followed to know it, by rising speed, as exact as CurveScan wants them.
+  virtual std::vector<CurvePoint> followed() const { return {}; }
 
   /// Slopes along the curve, the wave moving with the speed.
   /// @throws SearchFailure if the point has no answer

@@ -91,12 +91,15 @@ const std::vector<CurvePoint>& CurveScan::nodes() {
   return nodes_;
 }
 
-// Exact again where the sign is in doubt. On the plateau all torques are one, but for rounding.
 CurvePoint CurveScan::node(double speed, Walk& walk) {
-  CurvePoint n = walk.at(speed, kAccuracy);
+  return checked(walk.at(speed, kAccuracy), walk);
+}
+
+// Exact again where the sign is in doubt. On the plateau all torques are one, but for rounding.
+CurvePoint CurveScan::checked(CurvePoint n, Walk& walk) {
   if (n.plateau && starts_on_plateau()) n.torque = first().torque;
   const bool in_doubt = std::fabs(n.torque) < 1e3 * kAccuracy * points_.curve().holding();
-  return n.ok() && in_doubt ? walk.at(speed) : n;
+  return n.ok() && in_doubt ? walk.at(n.speed) : n;
 }
 
 bool CurveScan::ripples() const { return nodes_of_ripples(points_.curve().motor()) > kIntervals; }
@@ -138,8 +141,12 @@ void CurveScan::run() {
   double step = curve.crest() / (curve.may_jump() ? kJumpingIntervals : kIntervals);
   int missing = 0;
   Walk walk(points_);
+  const std::vector<CurvePoint> followed = curve.followed();
+  for (const CurvePoint& p : followed)
+    if (p.speed > nodes_.back().speed && nodes_.back().torque > 0)
+      if (const CurvePoint next = checked(p, walk); next.ok()) nodes_.push_back(next);
   std::vector<CurvePoint> known;
-  if (!curve.may_jump() && forgets_a_turn(curve.motor()) && starts_on_plateau())
+  if (followed.empty() && !curve.may_jump() && forgets_a_turn(curve.motor()) && starts_on_plateau())
     known = skip_plateau(step, walk);
   for (double speed = nodes_.back().speed + step; nodes_.back().torque > 0; speed += step) {
     if (speed > kFarthest * curve.crest()) throw SearchFailure{MetricStatus::unresolved};

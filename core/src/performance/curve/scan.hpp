@@ -42,6 +42,7 @@ class CurveScan {
 
  private:
   CurvePoint node(double speed, Walk& walk);
+  CurvePoint checked(CurvePoint node, Walk& walk);
   void run();
   CurvePoint first_that_drives(const CurvePoint& begin);
   CurvePoint just_beyond(double zero);

@@ -29,6 +29,14 @@ void add(StateSlopes& sum, double t, const StateSlopes& s) {
   sum.of_force = combined(1, sum.of_force, t, s.of_force);
 }
 
+PointNumbers<double> moved(const PointNumbers<contact::MotionDual>& n, double step) {
+  const auto at_end = [step](const contact::MotionDual& x) {
+    return x.v + step * x.d[contact::kInAmplitude];
+  };
+  return {at_end(n.torque),     at_end(n.stator_power),   at_end(n.friction_power),
+          at_end(n.layer_loss), at_end(n.stick_fraction), at_end(n.reactive_force)};
+}
+
 // Shares of Hermite's cubic: of the values at both ends, and of their slopes.
 struct Hermite {
   Hermite(double length, double t)
@@ -98,6 +106,7 @@ BranchNode branch_node(DrivenWaves::LevelSlopes wave, double step, bool grows) {
   const SlopedWave& w = wave.in_amplitude;
   WarmStart start = w.wave.start;
   if (wave.states.size() == start.size()) start = moved(start, wave.states, step);
+  wave.solved.numbers = moved(wave.numbers, step);
   return {w.wave.speed, w.wave.amplitude + step, wave.amplitude_per_speed, w.force_slope(),
           grows,        std::move(wave.solved),  std::move(start),         std::move(wave.states)};
 }

@@ -25,6 +25,8 @@ class Drive {
     return wave_solutions(waves_, speed).found;
   }
 
+  /// The curve is the running branch.
+  bool runs() const { return asked_ == Branch::running; }
   /// Smallest speed of the curve [rad/s]; 0 is rest.
   double begin() const;
   /// The motor under the wave at the beginning of the curve, or under the largest wave at rest if there is no curve.

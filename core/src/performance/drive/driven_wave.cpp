@@ -108,7 +108,7 @@ double DrivenWaves::MovingWave::amplitude_per_speed() const {
 
 DrivenWaves::LevelSlopes DrivenWaves::slopes(double amplitude, double speed, const WarmStart* guess,
                                              double accuracy) const {
-  LevelSlopes s{solve_point(motor(amplitude), speed, guess, accuracy), {}, 0, 0, {}};
+  LevelSlopes s{solve_point(motor(amplitude), speed, guess, accuracy), {}, {}, 0, 0, {}};
   SlopedWave& a = s.in_amplitude;
   a.wave = wave_of(s.solved, amplitude, speed);
   if (a.wave.status != PointStatus::ok) return s;
@@ -118,7 +118,7 @@ DrivenWaves::LevelSlopes DrivenWaves::slopes(double amplitude, double speed, con
   a.torque_slope = torque.d[kInAmplitude];
   s.amplitude_per_speed = w.amplitude_per_speed();
   s.torque_per_speed = torque.d[kInSpeed] + a.torque_slope * s.amplitude_per_speed;
-  s.states = std::move(w.states);
+  s.numbers = w.numbers, s.states = std::move(w.states);
   return s;
 }
 

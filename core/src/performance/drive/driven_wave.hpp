@@ -78,6 +78,7 @@ class DrivenWaves {
   struct LevelSlopes {
     SolvedPoint solved;
     SlopedWave in_amplitude;
+    PointNumbers<contact::MotionDual> numbers;
     double amplitude_per_speed{0}, torque_per_speed{0};
     MovingStates states;
   };

@@ -34,6 +34,8 @@ class RunningBranch {
   RunningBranch(const DrivenWaves& waves, const std::vector<ForceExtremum>& extrema);
 
   bool exists() const { return !nodes_.empty(); }
+  /// Where it was followed, by rising speed.
+  const std::vector<BranchNode>& nodes() const { return nodes_; }
   const BranchEnd& lower() const { return lower_; }
   const BranchEnd& upper() const { return upper_; }
   /// Amplitude where the branch begins: at rest, or where it pulls out.

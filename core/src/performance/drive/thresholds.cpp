@@ -23,6 +23,7 @@ constexpr double kPlaceSettled = 1e-7, kFrequencySettled = 1e-8;
 constexpr double kProbe = 1e-3;           // of the amplitude
 constexpr double kStateAccuracy = 1e-12;  // of the states with which slopes are found
 constexpr double kRoughAccuracy = 1e-7;   // of those that tell a direction
+constexpr double kNear = 1e-3;            // length of a step that leads so near that it tells more
 constexpr int kMostTries = 30, kMostSearches = 12;
 
 // dH / df at fixed amplitude, without the dependence of the contact on the frequency.
@@ -121,11 +122,11 @@ Thresholds::Followed Thresholds::followed(const ForceExtremum& from, double freq
                fall = force_slope_in_frequency(waves_at(frequency), from.amplitude) *
                       (frequency - free) / from.force;
   std::optional<DrivenWaves::LevelSlopes> last;
-  const auto residuals = [&](const Followed& at) -> std::optional<Pair> {
+  const auto residuals = [&](const Followed& at, double accuracy) -> std::optional<Pair> {
     const DrivenWaves waves = waves_at(at.frequency);
     std::optional<WarmStart> layer;
     if (last) layer = moved_to(at.amplitude, *last);
-    last = waves.slopes(at.amplitude, 0, layer ? &*layer : nullptr, kStateAccuracy);
+    last = waves.slopes(at.amplitude, 0, layer ? &*layer : nullptr, accuracy);
     const SlopedWave& w = last->in_amplitude;
     if (w.wave.status != PointStatus::ok) return {};
     const double slope = w.force_slope() * at.amplitude / w.wave.force();
@@ -135,7 +136,7 @@ Thresholds::Followed Thresholds::followed(const ForceExtremum& from, double freq
   Pair x{std::log(from.amplitude) + from_place, from_place};
   Followed at{from.amplitude, frequency, false};
   LearnedSlopes slopes;
-  auto f = residuals(at);
+  auto f = residuals(at, kRoughAccuracy);
   for (int i = 0; f && i < kMostTries; ++i) {
     Pair step = slopes.step(*f);
     step[1] = std::clamp(step[1], -kStride, kStride);
@@ -144,7 +145,8 @@ Thresholds::Followed Thresholds::followed(const ForceExtremum& from, double freq
     at = {std::exp(x[0] - x[1]), free + std::exp(x[1]), false};
     if (std::fabs(step[0]) <= kPlaceSettled && std::fabs(step[1]) <= kFrequencySettled)
       return {at.amplitude, at.frequency, is_extremum(at, from.maximum, *last)};
-    const auto next = residuals(at);
+    const bool near = std::fmax(std::fabs(step[0]), std::fabs(step[1])) < kNear;
+    const auto next = residuals(at, near ? kStateAccuracy : kRoughAccuracy);
     if (next) slopes.learn(step, {(*f)[0] - (*next)[0], (*f)[1] - (*next)[1]});
     f = next;
   }

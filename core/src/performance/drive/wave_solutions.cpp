@@ -17,7 +17,7 @@ namespace twum::performance {
 namespace {
 
 constexpr double kRatio = 1.25;  // of neighbouring samples; H bends over amplitudes of its own size
-constexpr double kScanAccuracy = 1e-6;  // crude enough for a track without splits
+constexpr double kScanAccuracy = 1e-5;  // crude enough for a track without splits
 // Limit of zones that one search may follow in a slice, some ten milliseconds. Usual motors need a thousand, contacts
 // unlike any motor millions.
 constexpr long kMostZonesToSolve = 50'000;
