@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kTorqueJump = 1e-7;  // of the holding torque, between neighbouring speeds
 constexpr double kNextSpeed = 1e-13;  // of a speed
+constexpr double kRounding = 2e-16;   // of a speed
 constexpr int kTriedBeside = 2;
 
 }  // namespace
@@ -86,8 +87,11 @@ double CurveCrossings::plateau_end() {
   const double slack = 1e-4 * curve.crest();  // nodes are not exact
   double speed = margin_end(std::max(low - slack, curve.begin()), high + slack);
   // With mu_0 > mu the layer may hold on to sticking where slipping all through would be possible too.
-  if (curve.may_jump() && !points_.at(speed * (1 - 1e-9)).plateau)
-    speed = last_on_plateau(low, speed);
+  if (curve.may_jump()) {
+    if (!points_.at(speed * (1 - 1e-9)).plateau) speed = last_on_plateau(low, speed);
+  } else {
+    speed = just_before(speed);
+  }
   return *(plateau_end_ = speed);
 }
 
@@ -106,6 +110,15 @@ double CurveCrossings::margin_end(double low, double high) const {
     // The margin is nearly linear in speed: after a step of 1e-9 the next would be lost in rounding.
     if ((inside && step <= 1e-9 * curve.crest()) || high - low <= 1e-15 * curve.crest()) break;
   }
+  return speed;
+}
+
+// A few roundings back to where it is on the plateau: zones that have just begun there would be all rounding, and so would
+// their derivatives.
+double CurveCrossings::just_before(double end) const {
+  double speed = end;
+  for (double step = kRounding; step < kNextSpeed && !points_.at(speed).plateau; step *= 4)
+    speed = end * (1 - step);
   return speed;
 }
 

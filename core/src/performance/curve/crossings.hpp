@@ -34,6 +34,7 @@ class CurveCrossings {
   CurvePoint answered_beside(double speed) const;
   std::optional<double> zero_near(double torque, const CurvePoint& low, const CurvePoint& high);
   double margin_end(double low, double high) const;
+  double just_before(double end) const;
   double last_on_plateau(double low, double high);
 
   CurvePoints& points_;
