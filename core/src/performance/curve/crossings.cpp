@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kTorqueJump = 1e-7;  // of the holding torque, between neighbouring speeds
 constexpr double kNextSpeed = 1e-13;  // of a speed
-constexpr double kRounding = 2e-16;   // of a speed
+constexpr double kLeastStep = 2e-16;   // of a speed
 constexpr int kTriedBeside = 2;
 
 }  // namespace
@@ -117,7 +117,7 @@ double CurveCrossings::margin_end(double low, double high) const {
 // their derivatives.
 double CurveCrossings::just_before(double end) const {
   double speed = end;
-  for (double step = kRounding; step < kNextSpeed && !points_.at(speed).plateau; step *= 4)
+  for (double step = kLeastStep; step < kNextSpeed && !points_.at(speed).plateau; step *= 4)
     speed = end * (1 - step);
   return speed;
 }
