@@ -323,7 +323,8 @@ std::optional<MotorPoint> RunningBranch::between(const Node& a, const Node& b, d
     if (auto point = proven(speed, guess, (first ? a : b).solved, (first ? b : a).solved))
       return point;
   }
-  const SolvedPoint near = solve_point(waves_.motor(guess.amplitude), speed);
+  const SolvedPoint near =
+      solve_point(waves_.motor(guess.amplitude), speed, nullptr, kNodeAccuracy);
   if (near.status == PointStatus::ok) {
     guess.start = near.start();
     if (guess.states.size() != guess.start.size())
