@@ -9,6 +9,7 @@
 namespace twum::performance {
 namespace {
 
+constexpr double kStates = 1e-9;  // of the periodic states, far less than what is wanted
 constexpr double kWanted = 1e-6;  // of the scales of torque and powers
 constexpr std::array kCounts{6, 8, 10, 12, 16, 24, 32, 48, 64, 96, 128};
 // Speeds in parts of the crest speed: from the end of the plateau to full braking zones come and go along the track.
@@ -35,7 +36,7 @@ double difference(const DrivenMotor<double>& m, const SolvedPoint& a, const Solv
 Numbers points_of(const DrivenMotor<double>& m) {
   Numbers points;
   for (std::size_t i = 0; i < points.size(); ++i)
-    points[i] = solve_point(m, kSpeeds[i] * m.crest_velocity / m.r);
+    points[i] = solve_point(m, kSpeeds[i] * m.crest_velocity / m.r, nullptr, kStates);
   return points;
 }
 
