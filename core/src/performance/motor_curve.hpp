@@ -16,7 +16,7 @@ class PrescribedCurve final : public Curve {
  public:
   /// @param modes  of its stator if they are known; both have to outlive the curve
   PrescribedCurve(const DrivenMotor<double>& motor, const std::optional<StatorModes<double>>& modes)
-      : Curve(motor), modes_(modes) {}
+      : Curve(motor, Waves::one), modes_(modes) {}
 
   CurvePoint point(double speed, const WarmStart* guess, double accuracy) const override;
   CurveSlope slope(double speed, const WarmStart* guess) const override;
@@ -30,7 +30,7 @@ class DrivenCurve final : public Curve {
  public:
   /// @param motor  of Drive::first_motor(); both have to outlive the curve
   DrivenCurve(const Drive& drive, const DrivenMotor<double>& motor)
-      : Curve(motor, drive.begin()), drive_(drive) {}
+      : Curve(motor, Waves::each_its_own, drive.begin()), drive_(drive) {}
 
   CurvePoint point(double speed, const WarmStart* guess, double accuracy) const override;
   std::vector<CurvePoint> followed() const override;

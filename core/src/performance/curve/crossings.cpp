@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kTorqueJump = 1e-7;  // of the holding torque, between neighbouring speeds
 constexpr double kNextSpeed = 1e-13;  // of a speed
-constexpr double kLeastStep = 2e-16;   // of a speed
+constexpr double kLeastStep = 2e-16;  // of a speed
 constexpr int kTriedBeside = 2;
 
 }  // namespace
@@ -60,8 +60,8 @@ Crossing CurveCrossings::no_load() {
   if (no_load_) return *no_load_;
   if (points_.curve().begin() > 0) scan_.require_drive();
   if (!scan_.drives()) return *(no_load_ = Crossing{0, false});
-  const std::vector<CurvePoint>& nodes = scan_.nodes();
-  return *(no_load_ = falls_through(0, nodes.end()[-2], nodes.back()));
+  const auto [low, high] = scan_.about_no_load();
+  return *(no_load_ = falls_through(0, low, high));
 }
 
 std::vector<CurvePoint> CurveCrossings::working_nodes() {
@@ -89,7 +89,8 @@ double CurveCrossings::plateau_end() {
   // With mu_0 > mu the layer may hold on to sticking where slipping all through would be possible too.
   if (curve.may_jump()) {
     if (!points_.at(speed * (1 - 1e-9)).plateau) speed = last_on_plateau(low, speed);
-  } else {
+  } else if (!curve.falls() &&
+             curve.motor().inertia > 0) {  // its wave takes derivatives from the point
     speed = just_before(speed);
   }
   return *(plateau_end_ = speed);
@@ -113,11 +114,11 @@ double CurveCrossings::margin_end(double low, double high) const {
   return speed;
 }
 
-// A few roundings back to where it is on the plateau: zones that have just begun there would be all rounding, and so would
-// their derivatives.
+// A few roundings back to where it is on the plateau: zones of a layer with inertia that have just begun there would be all
+// rounding, and so would their derivatives.
 double CurveCrossings::just_before(double end) const {
   double speed = end;
-  for (double step = kLeastStep; step < kNextSpeed && !points_.at(speed).plateau; step *= 4)
+  for (double step = kLeastStep; step < kNextSpeed && !points_.at(speed).plateau; step *= 8)
     speed = end * (1 - step);
   return speed;
 }

@@ -76,14 +76,20 @@ class Curve {
   /// The input is more than what the contact takes, so that an efficiency means something at no-load (T7.18).
   bool has_input() const { return motor_.stator_damping > 0; }
   bool may_jump() const { return motor_.static_ > motor_.kinetic; }
+  /// The torque never rises with the speed, but for what the speed takes from the wave's turn: of two periodic states under one
+  /// wave the faster rotor has the smaller mean traction, because Coulomb's law is monotone (E6.1).
+  bool falls() const { return one_wave_ && !may_jump(); }
 
  protected:
+  enum class Waves { one, each_its_own };
+
   /// @param motor  has to outlive the curve
-  explicit Curve(const DrivenMotor<double>& motor, double begin = 0)
-      : motor_(motor), begin_(begin) {}
+  Curve(const DrivenMotor<double>& motor, Waves waves, double begin = 0)
+      : motor_(motor), one_wave_(waves == Waves::one), begin_(begin) {}
 
  private:
   const DrivenMotor<double>& motor_;
+  bool one_wave_;
   double begin_;
 };
 

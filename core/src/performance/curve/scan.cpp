@@ -16,6 +16,7 @@ constexpr double kFarthest = 1e4;      // times the crest speed
 constexpr double kPerRipple = 12;      // nodes
 constexpr double kMostRippled = 1500;  // nodes of ripples from rest to the crest speed
 constexpr double kRounding = 1e-15;    // of a speed
+constexpr int kUsualNoLoad = 17;       // steps of kIntervals
 constexpr double kHighest = 1.3;       // times the crest speed: no wave drives beyond
 
 // True if less than half of the layer's own motion is left after a turn. What is left longer can upset the
@@ -119,45 +120,78 @@ const std::vector<CurvePoint>& CurveScan::rippled(const CurvePoint& low, const C
   return place->second;
 }
 
+double CurveScan::step() const {
+  const Curve& curve = points_.curve();
+  return curve.crest() / (curve.may_jump() ? kJumpingIntervals : kIntervals);
+}
+
+const CurvePoint& CurveScan::on_grid(int k) {
+  const auto [place, fresh] = grid_.try_emplace(k);
+  if (fresh) place->second = node(first().speed + k * step(), walk_);
+  return place->second;
+}
+
+CurveScan::Ends CurveScan::about_no_load() {
+  if (const auto found = found_about_no_load()) return *found;
+  const std::vector<CurvePoint>& all = nodes();
+  return {all.end()[-2], all.back()};
+}
+
+// A torque that falls needs no scan: from a usual no-load speed in growing strides, then by halving. Nothing where it may ripple,
+// or if no-load does not lie below the crest speed.
+std::optional<CurveScan::Ends> CurveScan::found_about_no_load() {
+  const Curve& curve = points_.curve();
+  require_drive();
+  if (!curve.falls() || !forgets_a_turn(curve.motor()) || ripples()) return {};
+  int low = 0, high = kIntervals, stride = 1;
+  for (int k = kUsualNoLoad; high - low > 1;) {
+    const CurvePoint& p = on_grid(k);
+    if (!p.ok()) return {};
+    (p.torque > 0 ? low : high) = k;
+    const bool strides = low == 0 || high == kIntervals;
+    if (k == kIntervals - 1 && p.torque > 0) break;
+    k = strides ? std::clamp(k + (p.torque > 0 ? stride : -stride), low + 1, high - 1)
+                : (low + high) / 2;
+    stride *= 2;
+  }
+  const CurvePoint& end = on_grid(high);
+  if (!end.ok() || end.torque > 0) return {};
+  return Ends{low == 0 ? first() : on_grid(low), end};
+}
+
 // A layer that slips all through at one speed does so at every lower one: halving finds the last node on
-// the plateau, and of those before only the first one is kept. Returns the nodes met beyond, the
-// slowest last.
-std::vector<CurvePoint> CurveScan::skip_plateau(double step, Walk& walk) {
+// the plateau, and of those before only the first one is kept.
+void CurveScan::skip_plateau() {
   int low = 0, high = kIntervals;
-  std::vector<CurvePoint> on_plateau, beyond;
+  for (const auto& [k, p] : grid_) {
+    if (p.ok() && p.plateau) low = std::max(low, k);
+    if (p.ok() && !p.plateau) high = std::min(high, k);
+  }
   while (high - low > 1) {
     const int middle = (low + high + 1) / 2;
-    const CurvePoint next = node(first().speed + middle * step, walk);
+    const CurvePoint& next = on_grid(middle);
     if (!next.ok()) throw SearchFailure{next.status};
     (next.plateau ? low : high) = middle;
-    next.plateau ? on_plateau.assign(1, next) : beyond.push_back(next);
   }
-  nodes_.insert(nodes_.end(), on_plateau.begin(), on_plateau.end());
-  return beyond;
+  if (low > 0) nodes_.push_back(on_grid(low));
 }
 
 void CurveScan::run() {
   const Curve& curve = points_.curve();
-  double step = curve.crest() / (curve.may_jump() ? kJumpingIntervals : kIntervals);
   int missing = 0;
-  Walk walk(points_);
   const std::vector<CurvePoint> followed = curve.followed();
   for (const CurvePoint& p : followed)
     if (p.speed > nodes_.back().speed && nodes_.back().torque > 0)
-      if (const CurvePoint next = checked(p, walk); next.ok()) nodes_.push_back(next);
-  std::vector<CurvePoint> known;
+      if (const CurvePoint next = checked(p, walk_); next.ok()) nodes_.push_back(next);
+  found_about_no_load();
   if (followed.empty() && !curve.may_jump() && forgets_a_turn(curve.motor()) && starts_on_plateau())
-    known = skip_plateau(step, walk);
-  for (double speed = nodes_.back().speed + step; nodes_.back().torque > 0; speed += step) {
+    skip_plateau();
+  double stride = step();
+  for (double speed = nodes_.back().speed + stride; nodes_.back().torque > 0; speed += stride) {
     if (speed > kFarthest * curve.crest()) throw SearchFailure{MetricStatus::unresolved};
-    if (speed > 2 * curve.crest()) step *= 1.5;
-    CurvePoint next;
-    if (!known.empty() && known.back().speed < speed + 0.5 * step) {
-      next = known.back();
-      known.pop_back();
-    } else {
-      next = node(speed, walk);
-    }
+    if (speed > 2 * curve.crest()) stride *= 1.5;
+    const auto kept = grid_.find(static_cast<int>(std::lround((speed - first().speed) / step())));
+    const CurvePoint next = kept != grid_.end() ? kept->second : node(speed, walk_);
     missing = next.ok() ? 0 : missing + 1;
     if (missing > kMissing) throw SearchFailure{next.status};
     if (next.ok()) nodes_.push_back(next);

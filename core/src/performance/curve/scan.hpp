@@ -17,7 +17,7 @@ class CurveScan {
   static constexpr int kIntervals = 20;      ///< between the beginning and the crest speed
   static constexpr double kAccuracy = 1e-7;  ///< of the points
 
-  explicit CurveScan(CurvePoints& points) : points_(points) {}
+  explicit CurveScan(CurvePoints& points) : points_(points), walk_(points) {}
 
   /// The first point that the metrics look at: the beginning of the curve. If the curve begins above rest with a negative torque,
   /// it is where the torque rises through zero. @throws SearchFailure if it has no answer
@@ -34,6 +34,13 @@ class CurveScan {
   /// @throws SearchFailure (undefined) unless it drives, and if there is no end of the curve
   const std::vector<CurvePoint>& nodes();
 
+  /// The last node whose torque is positive, and the next one.
+  /// @throws SearchFailure as nodes()
+  struct Ends {
+    CurvePoint low, high;
+  };
+  Ends about_no_load();
+
   /// The torque has ripples that the nodes are too far apart to tell.
   bool ripples() const;
   /// Points between a node and the next that tell ripples, as good as the nodes: only good enough to say where to look. Those
@@ -41,15 +48,22 @@ class CurveScan {
   const std::vector<CurvePoint>& rippled(const CurvePoint& low, const CurvePoint& high);
 
  private:
+  double step() const;
+  const CurvePoint& on_grid(int k);
+  std::optional<Ends> found_about_no_load();
   CurvePoint node(double speed, Walk& walk);
   CurvePoint checked(CurvePoint node, Walk& walk);
   void run();
   CurvePoint first_that_drives(const CurvePoint& begin);
   CurvePoint just_beyond(double zero);
-  std::vector<CurvePoint> skip_plateau(double step, Walk& walk);
+  void skip_plateau();
 
   CurvePoints& points_;
   std::vector<CurvePoint> nodes_;
+  // Nodes found out of turn, by steps from the first: those about no-load always before all others, so that none depends on
+  // what is asked for first.
+  std::map<int, CurvePoint> grid_;
+  Walk walk_;
   std::map<double, std::vector<CurvePoint>> rippled_;  // by the speed of the node below
   std::optional<MetricStatus> failure_;
   bool done_{false};
