@@ -229,3 +229,30 @@ TEST_CASE(
   }
   CHECK(met >= 10);
 }
+
+TEST_CASE("under one wave the torque has one zero (E6.7)", "[core][load]") {
+  Uniform random(2024);
+  int motors = 0;
+  for (int i = 0; i < 60; ++i) {
+    MotorDesign design = realistic_design(random);
+    design.friction.static_ = design.friction.kinetic;
+    const Motor motor(design);
+    const MetricValue free = ask(motor, Metric::no_load_speed);
+    if (free.status != MetricStatus::ok || !(free.value > 0)) continue;
+    ++motors;
+    constexpr int kPlaces = 300;
+    int signs = 0, wrong = 0;
+    for (int k = 0; k <= kPlaces; ++k) {
+      const double speed = 1.2 * motor.crest_speed() * k / kPlaces;
+      const OperatingPoint point = motor.operating_point(speed);
+      if (point.status != PointStatus::ok) continue;
+      ++signs;
+      // a search that settles to 1e-15 of the crest speed is not met by a place of the grid
+      if ((point.torque > 0) != (speed < free.value)) ++wrong;
+    }
+    CAPTURE(i);
+    CHECK(signs > kPlaces / 2);
+    CHECK(wrong == 0);
+  }
+  CHECK(motors > 40);
+}

@@ -21,7 +21,7 @@ class LineCurve final : public Curve {
  public:
   explicit LineCurve(const Motor& motor, double begin = 0,
                      double end = std::numeric_limits<double>::infinity())
-      : Curve(motor.model(), begin), end_(end) {}
+      : Curve(motor.model(), Waves::each_its_own, begin), end_(end) {}
 
   CurvePoint point(double speed, const WarmStart* /*guess*/, double /*accuracy*/) const override {
     CurvePoint p;

@@ -76,8 +76,7 @@ class Curve {
   /// The input is more than what the contact takes, so that an efficiency means something at no-load (T7.18).
   bool has_input() const { return motor_.stator_damping > 0; }
   bool may_jump() const { return motor_.static_ > motor_.kinetic; }
-  /// The torque never rises with the speed, but for what the speed takes from the wave's turn: of two periodic states under one
-  /// wave the faster rotor has the smaller mean traction, because Coulomb's law is monotone (E6.1).
+  /// The torque never rises with the speed, but for what the speed takes from the wave's turn (E6.7).
   bool falls() const { return one_wave_ && !may_jump(); }
 
  protected:

@@ -137,7 +137,7 @@ CurveScan::Ends CurveScan::about_no_load() {
   return {all.end()[-2], all.back()};
 }
 
-// A torque that falls needs no scan: from a usual no-load speed in growing strides, then by halving. Nothing where it may ripple,
+// A torque that falls (E6.7) needs no scan: from a usual no-load speed in growing strides, then by halving. Nothing where it may ripple,
 // or if no-load does not lie below the crest speed.
 std::optional<CurveScan::Ends> CurveScan::found_about_no_load() {
   const Curve& curve = points_.curve();
