@@ -40,7 +40,7 @@ Shape<double> slices(const ParameterInfo& row) {
   shape.schema.text = row.text;
   shape.schema.example = "auto";
   shape.schema.alternatives = {automatic.schema, count.schema};
-  shape.schema.alternatives.front().pattern = "^auto +[1-9][0-9]*$";
+  shape.schema.alternatives.own().front().pattern = "^auto +[1-9][0-9]*$";
   shape.read = [automatic, count](double& into, const YamlNode& node, const Spot& spot,
                                   Diagnostics& diagnostics) {
     if (const std::optional<int> nodes = automatic_slices(node.scalar)) {

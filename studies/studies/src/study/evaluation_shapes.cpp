@@ -72,7 +72,7 @@ Shape<Variable> sweep_variable(const ParameterInfo& row) {
   auto shape =
       one_of<Variable>(std::string(row.text), {listed, limits},
                        [](const Variable& variable) { return variable.values.empty() ? 1U : 0U; });
-  for (SchemaEntry& entry : shape.schema.alternatives.back().entries)
+  for (SchemaEntry& entry : shape.schema.alternatives.own().back().entries.own())
     for (StandardValue& one : entry.standards)
       if (entry.name == "points") one = {one.value, "sampling", {"grid"}};
   return shape;

@@ -51,7 +51,8 @@ number k has the share of the range from k to k + 1.
 // The entries below `study:` for one kind, without `kind`, which is the heading.
 Schema entries_of(StudyKind kind) {
   Schema schema = study_schema(kind);
-  std::erase_if(schema.entries, [](const SchemaEntry& entry) { return entry.name == "kind"; });
+  std::erase_if(schema.entries.own(),
+                [](const SchemaEntry& entry) { return entry.name == "kind"; });
   return schema;
 }
 
@@ -60,8 +61,8 @@ Schema entries_of(StudyKind kind) {
 std::string study_reference() {
   std::string text = kIntroduction;
   Schema file = study_file_schema();
-  std::erase_if(file.entries, [](const SchemaEntry& entry) { return entry.name == "study"; });
-  for (SchemaEntry& entry : file.entries) {
+  std::erase_if(file.entries.own(), [](const SchemaEntry& entry) { return entry.name == "study"; });
+  for (SchemaEntry& entry : file.entries.own()) {
     if (entry.name != "motor") continue;
     entry.schema = Schema{};
     entry.schema.text = "a path relative to the folder of this file, or the entries of a motor";

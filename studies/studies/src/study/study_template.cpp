@@ -30,18 +30,19 @@ std::string path_text(std::string_view path) {
 }
 
 // The motor's entries, showing those of a motor under a voltage.
-std::vector<SchemaEntry> driven_motor_entries() {
-  std::vector<SchemaEntry> entries = motor_shape().schema.entries;
+SharedList<SchemaEntry> driven_motor_entries() {
+  SharedList<SchemaEntry> all = motor_shape().schema.entries;
+  std::vector<SchemaEntry>& entries = all.own();
   const auto stator = std::find_if(entries.begin(), entries.end(),
                                    [](const SchemaEntry& one) { return one.name == "stator"; });
-  for (SchemaEntry& one : stator->schema.entries) {
+  for (SchemaEntry& one : stator->schema.entries.own()) {
     if (one.name == "amplitude") one.shown = one.required = false;
     if (one.name == "voltage") one.required = true;  // in place of the amplitude
     for (const char* driven : {"voltage", "resonance_frequency", "modal_mass", "force_factor",
                                "blocked_capacitance", "loss_tangent"})
       if (one.name == driven) one.shown = true;
   }
-  return entries;
+  return all;
 }
 
 }  // namespace
@@ -49,22 +50,23 @@ std::vector<SchemaEntry> driven_motor_entries() {
 std::string study_template(StudyKind kind, std::string_view motor) {
   Schema file;
   file.kind = ValueKind::mapping;
-  file.entries.push_back(entry("twum", "version of the file format", "1"));
+  std::vector<SchemaEntry>& entries = file.entries.own();
+  entries.push_back(entry("twum", "version of the file format", "1"));
   if (!motor.empty())
-    file.entries.push_back(entry(
-        "motor", "path of a motor file, relative to the folder of this file", path_text(motor)));
-  file.entries.push_back(entry("set", "overrides of the motor (optional)", "{preload: 140 N}"));
-  file.entries.back().shown = false;
-  file.entries.push_back(entry("study", "", ""));
-  file.entries.back().schema = study_schema(kind);
-  const std::string heading = "# A study for twum: " + file.entries.back().schema.text + ".\n" +
+    entries.push_back(entry("motor", "path of a motor file, relative to the folder of this file",
+                            path_text(motor)));
+  entries.push_back(entry("set", "overrides of the motor (optional)", "{preload: 140 N}"));
+  entries.back().shown = false;
+  entries.push_back(entry("study", "", ""));
+  entries.back().schema = study_schema(kind);
+  const std::string heading = "# A study for twum: " + entries.back().schema.text + ".\n" +
                               "# Check it with 'twum check FILE', run it with 'twum run FILE'.\n";
   if (motor.empty()) {  // after the study, which is more important
-    file.entries.push_back(entry(
+    entries.push_back(entry(
         "motor", "or the path of a motor file, relative to the folder of this file: 'motor: FILE'",
         ""));
-    file.entries.back().schema.kind = ValueKind::mapping;
-    file.entries.back().schema.entries =
+    entries.back().schema.kind = ValueKind::mapping;
+    entries.back().schema.entries =
         kind == StudyKind::frequency ? driven_motor_entries() : motor_shape().schema.entries;
   }
   return yaml_template(file, heading);

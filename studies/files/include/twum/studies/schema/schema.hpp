@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <twum/studies/schema/shared_list.hpp>
 #include <twum/studies/yaml/node.hpp>
 
 #include <limits>
@@ -52,12 +53,12 @@ struct Schema {
   std::vector<std::string> words;  ///< word: the choices
   std::string
       pattern;  ///< word: regular expression of other texts that may stand there, for editors
-  std::vector<SchemaEntry> entries;  ///< mapping
-  std::vector<Schema> items;         ///< list, named: one element, what the items are
-  std::size_t min_items{1};          ///< list
+  SharedList<SchemaEntry> entries;  ///< mapping
+  SharedList<Schema> items;         ///< list, named: one element, what the items are
+  std::size_t min_items{1};         ///< list
   std::size_t max_items{std::numeric_limits<std::size_t>::max()};  ///< list
-  std::vector<Schema> alternatives;  ///< any_of; variant: one mapping for each of the words
-  std::string selector;              ///< variant: the entry whose word decides
+  SharedList<Schema> alternatives;  ///< any_of; variant: one mapping for each of the words
+  std::string selector;             ///< variant: the entry whose word decides
   /// text: throws ValueError if the text is wrong
   void (*check)(std::string_view text){nullptr};
 };
