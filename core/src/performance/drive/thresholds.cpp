@@ -23,7 +23,7 @@ constexpr double kPlaceSettled = 1e-7, kFrequencySettled = 1e-8;
 constexpr double kProbe = 1e-3;           // of the amplitude
 constexpr double kStateAccuracy = 1e-12;  // of the states with which slopes are found
 constexpr double kRoughAccuracy = 1e-7;   // of those that tell a direction
-constexpr double kNear = 1e-3;            // length of a step that leads so near that it tells more
+constexpr double kNearStep = 1e-3;        // length of a step that leads so near that it tells more
 constexpr int kMostTries = 30, kMostSearches = 12;
 
 // dH / df at fixed amplitude, without the dependence of the contact on the frequency.
@@ -145,7 +145,7 @@ Thresholds::Followed Thresholds::followed(const ForceExtremum& from, double freq
     at = {std::exp(x[0] - x[1]), free + std::exp(x[1]), false};
     if (std::fabs(step[0]) <= kPlaceSettled && std::fabs(step[1]) <= kFrequencySettled)
       return {at.amplitude, at.frequency, is_extremum(at, from.maximum, *last)};
-    const bool near = std::fmax(std::fabs(step[0]), std::fabs(step[1])) < kNear;
+    const bool near = std::fmax(std::fabs(step[0]), std::fabs(step[1])) < kNearStep;
     const auto next = residuals(at, near ? kStateAccuracy : kRoughAccuracy);
     if (next) slopes.learn(step, {(*f)[0] - (*next)[0], (*f)[1] - (*next)[1]});
     f = next;
