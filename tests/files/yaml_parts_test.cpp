@@ -94,11 +94,11 @@ TEST_CASE("comments of a file to start from stand below each other, or right aft
   Schema whole;
   whole.kind = ValueKind::mapping;
   for (const char* name : {"short", "an_entry_with_a_name_that_is_longer_than_most"}) {
-    whole.entries.emplace_back();
-    whole.entries.back().name = name;
-    whole.entries.back().required = true;
-    whole.entries.back().schema.example = "1";
-    whole.entries.back().schema.text = "what it is";
+    SchemaEntry& entry = whole.entries.own().emplace_back();
+    entry.name = name;
+    entry.required = true;
+    entry.schema.example = "1";
+    entry.schema.text = "what it is";
   }
   CHECK(yaml_template(whole, "# A file.\n") ==
         "# A file.\n"
