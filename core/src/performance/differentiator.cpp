@@ -323,7 +323,7 @@ DesignDual2 Differentiator::along_curve(Metric metric, double speed) {
     amplitude.d[0] = moving(speed).wave->in_speed();
     model2_ = differentiated_motor(design_, amplitude, m_.track);
   } else if (!model2_) {
-    model2_ = constant_in_speed(model_);
+    model2_ = differentiated_motor<ModelDual2>(design_, m_.track);
   }
   const ModelDual2 variable = speed_variable<ModelDual2>(speed);
   const PointNumbers<ModelDual2> n = values_.point(speed).differentiated(*model2_, variable);

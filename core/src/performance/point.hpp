@@ -39,10 +39,10 @@ inline double excess(const PointNumbers<double>& n, double speed) {
   return n.stator_power - n.torque * speed - n.friction_power - n.layer_loss;
 }
 
-/// True if an efficiency can be told from an input power: it is positive and the powers balance (T7.10) up to 1e-6 of it.
+/// True if an efficiency can be told from an input power: it is positive and the powers balance (T7.10) up to 1e-8 of it.
 /// At no-load both powers of the quotient may vanish in rounding.
 inline bool is_known(double input, double excess) {
-  return input > 0 && std::fabs(excess) <= 1e-6 * input;
+  return input > 0 && std::fabs(excess) <= 1e-8 * input;
 }
 
 /// Where the search for a neighbouring point may begin: the layer as it enters the contact, in each slice, and where Newton's

@@ -89,8 +89,7 @@ double CurveCrossings::plateau_end() {
   // With mu_0 > mu the layer may hold on to sticking where slipping all through would be possible too.
   if (curve.may_jump()) {
     if (!points_.at(speed * (1 - 1e-9)).plateau) speed = last_on_plateau(low, speed);
-  } else if (!curve.falls() &&
-             curve.motor().inertia > 0) {  // its wave takes derivatives from the point
+  } else if (!curve.falls()) {  // its wave takes derivatives from the point
     speed = just_before(speed);
   }
   return *(plateau_end_ = speed);
@@ -114,7 +113,7 @@ double CurveCrossings::margin_end(double low, double high) const {
   return speed;
 }
 
-// A few roundings back to where it is on the plateau: zones of a layer with inertia that have just begun there would be all
+// A few roundings back to where it is on the plateau: zones that have just begun there would be all
 // rounding, and so would their derivatives.
 double CurveCrossings::just_before(double end) const {
   double speed = end;

@@ -273,8 +273,10 @@ export class DesignerPanel {
     const rows = Object.values(this.rows).filter((row) => !row.node.hidden);
     const slow = this.times.whole > slowCurve;  // of the last time
     this.tasks = [
-      ...(whole ? [() => this.showWhole(slow ? quickPoints : curvePoints)] : []),
-      () => this.showEffects(),
+      () => {
+        if (whole) this.showWhole(slow ? quickPoints : curvePoints);
+        this.showEffects();  // a pause between the two would be a frame
+      },
       ...(whole ? [() => this.computeMetrics(false), ...(slow ? [() => this.drawCurve(curvePoints)] : [])] : []),
       () => this.limits.judge(),
       () => this.showNotes(),

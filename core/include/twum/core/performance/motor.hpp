@@ -79,9 +79,9 @@ struct OperatingPoint {
 
   /// P_out / P_el (D4.3), 0 where the output is negative; NaN where P_el is not positive or not known [1]
   double overall_efficiency() const noexcept;
-  /// P_out / P_in where P_in > 0 and the power balance holds to 1e-6 of P_in, else NaN [1]
+  /// P_out / P_in where P_in > 0 and the power balance holds to 1e-8 of P_in, else NaN [1]
   double contact_efficiency() const noexcept;
-  /// P_out / (P_in + P_stator) where that sum is > 0 and the power balance holds to 1e-6 of it, else NaN [1]
+  /// P_out / (P_in + P_stator) where that sum is > 0 and the power balance holds to 1e-8 of it, else NaN [1]
   double efficiency() const noexcept;
 };
 
