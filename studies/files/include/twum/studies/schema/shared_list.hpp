@@ -15,11 +15,12 @@ template <typename T>
 class SharedList {
  public:
   SharedList() = default;
-  // NOLINTNEXTLINE(google-explicit-constructor): it stands where a vector stands
+  /// Of the items of a vector, in whose place it stands.
   SharedList(std::vector<T> items) : items_(std::make_shared<std::vector<T>>(std::move(items))) {}
+  /// Of these items.
   SharedList(std::initializer_list<T> items) : SharedList(std::vector<T>(items)) {}
 
-  /// @name What a vector has
+  /// As of a vector.
   /// @{
   bool empty() const { return size() == 0; }
   std::size_t size() const { return items_ ? items_->size() : 0; }
