@@ -247,7 +247,7 @@ TEST_CASE("under one wave the torque has one zero (E6.7)", "[core][load]") {
       const OperatingPoint point = motor.operating_point(speed);
       if (point.status != PointStatus::ok) continue;
       ++signs;
-      // a search that settles to 1e-15 of the crest speed is not met by a place of the grid
+      // no place is so close to no-load that rounding decides its sign
       if ((point.torque > 0) != (speed < free.value)) ++wrong;
     }
     CAPTURE(i);

@@ -23,8 +23,10 @@ std::optional<double> CurveCrossings::zero_near(double torque, const CurvePoint&
   walk.pass(low);
   walk.pass(high);
   InverseInterpolation line(points_.curve().crest(), 1e-16);
-  line.add(low.speed, low.torque - torque);
-  line.add(high.speed, high.torque - torque);
+  for (const CurvePoint& end : {low, high}) {
+    const bool in_doubt = scan_.in_doubt(end.torque - torque);
+    line.add(end.speed, (in_doubt ? walk.answered(end.speed).torque : end.torque) - torque);
+  }
   for (int i = 0; i < 8; ++i) {
     const double speed = line.zero();
     if (!(speed > low.speed && speed < high.speed)) return {};

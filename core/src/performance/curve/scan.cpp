@@ -96,11 +96,14 @@ CurvePoint CurveScan::node(double speed, Walk& walk) {
   return checked(walk.at(speed, kAccuracy), walk);
 }
 
+bool CurveScan::in_doubt(double excess) const {
+  return std::fabs(excess) < 1e3 * kAccuracy * points_.curve().holding();
+}
+
 // Exact again where the sign is in doubt. On the plateau all torques are one, but for rounding.
 CurvePoint CurveScan::checked(CurvePoint n, Walk& walk) {
   if (n.plateau && starts_on_plateau()) n.torque = first().torque;
-  const bool in_doubt = std::fabs(n.torque) < 1e3 * kAccuracy * points_.curve().holding();
-  return n.ok() && in_doubt ? walk.at(n.speed) : n;
+  return n.ok() && in_doubt(n.torque) ? walk.at(n.speed) : n;
 }
 
 bool CurveScan::ripples() const { return nodes_of_ripples(points_.curve().motor()) > kIntervals; }
@@ -183,7 +186,7 @@ void CurveScan::run() {
   for (const CurvePoint& p : followed)
     if (p.speed > nodes_.back().speed && nodes_.back().torque > 0)
       if (const CurvePoint next = checked(p, walk_); next.ok()) nodes_.push_back(next);
-  found_about_no_load();
+  found_about_no_load();  // first, as where no-load alone is asked for
   if (followed.empty() && !curve.may_jump() && forgets_a_turn(curve.motor()) && starts_on_plateau())
     skip_plateau();
   double stride = step();

@@ -34,12 +34,16 @@ class CurveScan {
   /// @throws SearchFailure (undefined) unless it drives, and if there is no end of the curve
   const std::vector<CurvePoint>& nodes();
 
-  /// The last node whose torque is positive, and the next one.
-  /// @throws SearchFailure as nodes()
   struct Ends {
     CurvePoint low, high;
   };
+  /// The last node whose torque is positive, and the next one.
+  /// @throws SearchFailure as nodes()
   Ends about_no_load();
+
+  /// A node's torque is so close to a value that its accuracy counts.
+  /// @param excess  of the torque over the value [N m]
+  bool in_doubt(double excess) const;
 
   /// The torque has ripples that the nodes are too far apart to tell.
   bool ripples() const;

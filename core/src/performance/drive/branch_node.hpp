@@ -10,11 +10,10 @@ namespace twum::performance {
 /// A wave of a branch over the rotor speed, from which its neighbours are found.
 struct BranchNode {
   double speed, amplitude;
-  double slope;        ///< dA / dOmega along the branch
-  double force_slope;  ///< H_A
-  bool grows;          ///< a disturbance of the wave does not die away
-  SolvedPoint
-      solved;  ///< the contact under nearly this amplitude; its numbers are those of this one, to first order
+  double slope;         ///< dA / dOmega along the branch
+  double force_slope;   ///< H_A
+  bool grows;           ///< a disturbance of the wave does not die away
+  SolvedPoint solved;   ///< under nearly this amplitude; its numbers are to first order in the rest
   WarmStart start;      ///< the layer's state at entry under this amplitude
   MovingStates states;  ///< how that moves
 };

@@ -11,10 +11,9 @@
 namespace twum::performance {
 namespace {
 
-constexpr int kSteps = 24;        // of the grid up to the crest speed
-constexpr int kStepsTraced = 32;  // to beyond no-load
-constexpr int kBraking =
-    2;  // steps from node to node beyond no-load, where few points are asked for
+constexpr int kSteps = 24;         // of the grid up to the crest speed
+constexpr int kStepsTraced = 32;   // to beyond no-load
+constexpr int kBraking = 2;        // steps of the grid from node to node beyond no-load
 constexpr double kFar = 200;       // steps of the grid after which the branch is no longer followed
 constexpr double kSearched = 1.3;  // of the crest speed; no motor runs by itself at higher speeds
 // of the amplitude; a larger distance from the tangent means another branch or too large a step
