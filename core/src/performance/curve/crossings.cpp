@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "performance/curve/crossings.hpp"
 
+#include "contact/load_shape.hpp"
 #include "performance/curve/speed_roots.hpp"
 
 #include <algorithm>
@@ -13,6 +14,21 @@ constexpr double kTorqueJump = 1e-7;  // of the holding torque, between neighbou
 constexpr double kNextSpeed = 1e-13;  // of a speed
 constexpr double kLeastStep = 2e-16;  // of a speed
 constexpr int kTriedBeside = 2;
+
+// Where to begin, and the torque's slope there.
+struct UsualNoLoad {
+  double speed, slope;
+};
+
+// A layer that sticks all through has no torque at V = sin theta_L / theta_L, the mean of the wave's velocity, and its mean
+// traction falls by s theta_L^2 / pi (E2.3); the ends that slip raise the speed by about a tenth of what is left to V = 1.
+UsualNoLoad usual_no_load(const Curve& curve) {
+  const contact::ContactNumbers<double> n = contact_numbers(curve.motor(), 0.0);
+  const double V = std::pow(n.edge.sin / n.half_angle, 0.9), L2 = n.half_angle * n.half_angle;
+  const double load = contact::load_shape(n.half_angle, n.edge);
+  return {V * curve.crest(),
+          -curve.holding() * n.stick_rate * L2 / (n.static_ * load * curve.crest())};
+}
 
 }  // namespace
 
@@ -34,6 +50,29 @@ std::optional<double> CurveCrossings::zero_near(double torque, const CurvePoint&
     const double excess = walk.answered(speed).torque - torque;
     if (excess == 0) return speed;
     line.add(speed, excess);
+  }
+  return {};
+}
+
+// The no-load speed where no scan is needed for it, or nothing. Each point tells on which side of it the zero lies.
+std::optional<double> CurveCrossings::zero_of_falling() {
+  scan_.require_drive();
+  const Curve& curve = points_.curve();
+  if (!scan_.falls_smoothly()) return {};
+  Walk walk(points_);
+  InverseInterpolation line(curve.crest(), 1e-16);
+  double low = scan_.first().speed, high = curve.crest();
+  const UsualNoLoad usual = usual_no_load(curve);
+  double speed = usual.speed;
+  for (int i = 0; i < 12; ++i) {
+    if (!(speed > low && speed < high)) speed = 0.5 * (low + high);
+    const CurvePoint p = i < 2 ? scan_.node(speed, walk) : walk.at(speed);
+    if (!p.ok()) return {};
+    if (p.torque == 0) return speed;
+    (p.torque > 0 ? low : high) = speed;
+    line.add(speed, p.torque);
+    if (line.settled()) return line.zero();
+    speed = line.count() == 1 ? speed - p.torque / usual.slope : line.zero();
   }
   return {};
 }
@@ -62,8 +101,9 @@ Crossing CurveCrossings::no_load() {
   if (no_load_) return *no_load_;
   if (points_.curve().begin() > 0) scan_.require_drive();
   if (!scan_.drives()) return *(no_load_ = Crossing{0, false});
-  const auto [low, high] = scan_.about_no_load();
-  return *(no_load_ = falls_through(0, low, high));
+  if (const auto zero = zero_of_falling()) return *(no_load_ = Crossing{*zero, false});
+  const std::vector<CurvePoint>& nodes = scan_.nodes();
+  return *(no_load_ = falls_through(0, nodes.end()[-2], nodes.back()));
 }
 
 std::vector<CurvePoint> CurveCrossings::working_nodes() {

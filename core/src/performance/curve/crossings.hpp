@@ -31,6 +31,7 @@ class CurveCrossings {
   bool leaves_plateau_at(double speed);
 
  private:
+  std::optional<double> zero_of_falling();
   CurvePoint answered_beside(double speed) const;
   std::optional<double> zero_near(double torque, const CurvePoint& low, const CurvePoint& high);
   double margin_end(double low, double high) const;

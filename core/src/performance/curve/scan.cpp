@@ -16,7 +16,6 @@ constexpr double kFarthest = 1e4;      // times the crest speed
 constexpr double kPerRipple = 12;      // nodes
 constexpr double kMostRippled = 1500;  // nodes of ripples from rest to the crest speed
 constexpr double kRounding = 1e-15;    // of a speed
-constexpr int kUsualNoLoad = 17;       // steps of kIntervals
 constexpr double kHighest = 1.3;       // times the crest speed: no wave drives beyond
 
 // True if less than half of the layer's own motion is left after a turn. What is left longer can upset the
@@ -106,6 +105,11 @@ CurvePoint CurveScan::checked(CurvePoint n, Walk& walk) {
   return n.ok() && in_doubt(n.torque) ? walk.at(n.speed) : n;
 }
 
+bool CurveScan::falls_smoothly() const {
+  const Curve& curve = points_.curve();
+  return curve.falls() && forgets_a_turn(curve.motor()) && !ripples();
+}
+
 bool CurveScan::ripples() const { return nodes_of_ripples(points_.curve().motor()) > kIntervals; }
 
 const std::vector<CurvePoint>& CurveScan::rippled(const CurvePoint& low, const CurvePoint& high) {
@@ -134,34 +138,6 @@ const CurvePoint& CurveScan::on_grid(int k) {
   return place->second;
 }
 
-CurveScan::Ends CurveScan::about_no_load() {
-  if (const auto found = found_about_no_load()) return *found;
-  const std::vector<CurvePoint>& all = nodes();
-  return {all.end()[-2], all.back()};
-}
-
-// A torque that falls (E6.7) needs no scan: from a usual no-load speed in growing strides, then by halving. Nothing where it may ripple,
-// or if no-load does not lie below the crest speed.
-std::optional<CurveScan::Ends> CurveScan::found_about_no_load() {
-  const Curve& curve = points_.curve();
-  require_drive();
-  if (!curve.falls() || !forgets_a_turn(curve.motor()) || ripples()) return {};
-  int low = 0, high = kIntervals, stride = 1;
-  for (int k = kUsualNoLoad; high - low > 1;) {
-    const CurvePoint& p = on_grid(k);
-    if (!p.ok()) return {};
-    (p.torque > 0 ? low : high) = k;
-    const bool strides = low == 0 || high == kIntervals;
-    if (k == kIntervals - 1 && p.torque > 0) break;
-    k = strides ? std::clamp(k + (p.torque > 0 ? stride : -stride), low + 1, high - 1)
-                : (low + high) / 2;
-    stride *= 2;
-  }
-  const CurvePoint& end = on_grid(high);
-  if (!end.ok() || end.torque > 0) return {};
-  return Ends{low == 0 ? first() : on_grid(low), end};
-}
-
 // A layer that slips all through at one speed does so at every lower one: halving finds the last node on
 // the plateau, and of those before only the first one is kept.
 void CurveScan::skip_plateau() {
@@ -186,7 +162,6 @@ void CurveScan::run() {
   for (const CurvePoint& p : followed)
     if (p.speed > nodes_.back().speed && nodes_.back().torque > 0)
       if (const CurvePoint next = checked(p, walk_); next.ok()) nodes_.push_back(next);
-  found_about_no_load();  // first, as where no-load alone is asked for
   if (followed.empty() && !curve.may_jump() && forgets_a_turn(curve.motor()) && starts_on_plateau())
     skip_plateau();
   double stride = step();

@@ -34,13 +34,10 @@ class CurveScan {
   /// @throws SearchFailure (undefined) unless it drives, and if there is no end of the curve
   const std::vector<CurvePoint>& nodes();
 
-  struct Ends {
-    CurvePoint low, high;
-  };
-  /// The last node whose torque is positive, and the next one.
-  /// @throws SearchFailure as nodes()
-  Ends about_no_load();
-
+  /// The torque only falls, and smoothly (E6.7): what is searched on it needs no scan.
+  bool falls_smoothly() const;
+  /// A point as good as a node: exact only where its sign is in doubt.
+  CurvePoint node(double speed, Walk& walk);
   /// A node's torque is so close to a value that its accuracy counts.
   /// @param excess  of the torque over the value [N m]
   bool in_doubt(double excess) const;
@@ -54,8 +51,6 @@ class CurveScan {
  private:
   double step() const;
   const CurvePoint& on_grid(int k);
-  std::optional<Ends> found_about_no_load();
-  CurvePoint node(double speed, Walk& walk);
   CurvePoint checked(CurvePoint node, Walk& walk);
   void run();
   CurvePoint first_that_drives(const CurvePoint& begin);
@@ -64,9 +59,7 @@ class CurveScan {
 
   CurvePoints& points_;
   std::vector<CurvePoint> nodes_;
-  // Nodes found out of turn, by steps from the first: those about no-load always before all others, so that none depends on
-  // what is asked for first.
-  std::map<int, CurvePoint> grid_;
+  std::map<int, CurvePoint> grid_;  // nodes found out of turn, by steps from the first
   Walk walk_;
   std::map<double, std::vector<CurvePoint>> rippled_;  // by the speed of the node below
   std::optional<MetricStatus> failure_;
