@@ -25,13 +25,15 @@ template <typename S, Ends kEnds = Ends::searched, bool kHasMeans = true>
 class LapRunner {
  public:
   LapRunner(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
-            const ZoneSequence* sequence, std::vector<ZoneTrace>* trace, Lap<S>& lap)
+            const ZoneSequence* sequence, std::vector<ZoneTrace>* trace, Means means,
+            Lap<S>& lap)
       : lap_(lap),
         n_(numbers),
         layer_(layer),
         start_(numbers, layer),
         ends_(numbers, layer, sequence),
         trace_(trace),
+        means_(means),
         here_{-numbers.half_angle,
               {-numbers.edge.sin, numbers.edge.cos, numbers.edge.versine},
               {S(0.0), S(0.0)}},
@@ -100,15 +102,17 @@ class LapRunner {
     if (delicate_ && ShortSlip<S>::rate(layer_) * value_of(length) <= ShortSlip<S>::kReach) {
       const ShortSlip<S> zone(n_, layer_, sigma, start, length, from.layer, motion.u);
       if constexpr (kHasMeans) {
-        add(lap_.means,
-            slip_integrals(n_, sigma, Moments<S>(start, end), start, end, zone.work(start, end)));
+        SlipWork<S> work;
+        if (means_ == Means::all) work = zone.work(start, end);
+        add(lap_.means, slip_integrals(n_, sigma, Moments<S>(start, end), start, end, work));
       }
       here_.layer = zone.end();
     } else {
       const LayerState<S> h1 = layer_.at(motion, length);
       if constexpr (kHasMeans) {
         const Moments<S> moments(start, end);
-        const SlipWork<S> work = slip_work(n_, layer_, f, moments, start, end, h0, h1);
+        SlipWork<S> work;
+        if (means_ == Means::all) work = slip_work(n_, layer_, f, moments, start, end, h0, h1);
         add(lap_.means, slip_integrals(n_, sigma, moments, start, end, work));
       }
       here_.layer = {h1.e + f.at(here_.theta, here_.at), h1.rate + f.slope(here_.at)};
@@ -214,6 +218,7 @@ class LapRunner {
   ZoneStart<S> start_;
   ZoneEnds<S, kEnds> ends_;
   std::vector<ZoneTrace>* trace_;
+  Means means_;
   LapPlace<S> here_;
   ZoneBegin zone_{};
   bool delicate_;
@@ -226,9 +231,9 @@ class LapRunner {
 template <typename S>
 Lap<S> run_lap(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
                const LapEntry<S>& entry, const ZoneSequence* sequence,
-               std::vector<ZoneTrace>* trace) {
+               std::vector<ZoneTrace>* trace, Means means) {
   Lap<S> lap;
-  LapRunner<S>(numbers, layer, sequence, trace, lap).run(entry);
+  LapRunner<S>(numbers, layer, sequence, trace, means, lap).run(entry);
   return lap;
 }
 
@@ -236,7 +241,8 @@ LayerState<StateDual> next_entry(const ContactNumbers<StateDual>& numbers,
                                  const LayerMotion<StateDual>& layer,
                                  const LapEntry<StateDual>& entry, const ZoneSequence* sequence) {
   Lap<StateDual> lap;
-  LapRunner<StateDual, Ends::searched, false>(numbers, layer, sequence, nullptr, lap).run(entry);
+  LapRunner<StateDual, Ends::searched, false>(numbers, layer, sequence, nullptr, Means::of_wave, lap)
+      .run(entry);
   return lap.next.layer;
 }
 
@@ -244,9 +250,9 @@ Lap<double> prove_lap(const ContactNumbers<double>& numbers, const LayerMotion<d
                       const LapEntry<double>& entry, const ZoneSequence& near) {
   Lap<double> lap;
   if (near.count > 0 && near.complete()) {
-    LapRunner<double, Ends::proven>(numbers, layer, &near, nullptr, lap).run(entry);
+    LapRunner<double, Ends::proven>(numbers, layer, &near, nullptr, Means::all, lap).run(entry);
   } else {
-    LapRunner<double>(numbers, layer, nullptr, nullptr, lap).run(entry);
+    LapRunner<double>(numbers, layer, nullptr, nullptr, Means::all, lap).run(entry);
   }
   return lap;
 }
@@ -259,7 +265,8 @@ static std::optional<Lap<double>> followed(const ContactNumbers<double>& numbers
   std::optional<Lap<double>> lap;
   if (!near.complete()) return lap;
   lap.emplace();
-  LapRunner<double, Ends::followed, kHasMeans>(numbers, layer, &near, nullptr, *lap).run(entry);
+  LapRunner<double, Ends::followed, kHasMeans>(numbers, layer, &near, nullptr, Means::of_wave, *lap)
+      .run(entry);
   if (lap->status != LapStatus::ok || lap->sequence.count != near.count) lap.reset();
   return lap;
 }
@@ -278,7 +285,7 @@ std::optional<Lap<double>> follow_states(const ContactNumbers<double>& numbers,
 
 #define TWUM_INSTANTIATE(S)                                                                    \
   template Lap<S> run_lap(const ContactNumbers<S>&, const LayerMotion<S>&, const LapEntry<S>&, \
-                          const ZoneSequence*, std::vector<ZoneTrace>*);
+                          const ZoneSequence*, std::vector<ZoneTrace>*, Means);
 TWUM_FOR_EACH_CONTACT_SCALAR(TWUM_INSTANTIATE)
 TWUM_FOR_EACH_WITH_STATE(TWUM_INSTANTIATE)
 #undef TWUM_INSTANTIATE

@@ -61,6 +61,12 @@ struct Lap {
   ZoneSequence sequence;  ///< of a search in double
 };
 
+/// Which means of a lap are asked for.
+enum class Means : unsigned char {
+  of_wave,  ///< all but friction power and layer loss, which then are NaN where the contact slips
+  all
+};
+
 /// Follows the layer through one turn; theory sections 4 and 5. Every zone is in closed form, its end
 /// a root found in double and given its derivatives by the implicit function theorem.
 ///
@@ -69,7 +75,7 @@ struct Lap {
 template <typename S>
 Lap<S> run_lap(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
                const LapEntry<S>& entry, const ZoneSequence* sequence = nullptr,
-               std::vector<ZoneTrace>* trace = nullptr);
+               std::vector<ZoneTrace>* trace = nullptr, Means means = Means::all);
 
 /// The return map alone: the layer at the next entry, without the means.
 /// @param sequence  as in run_lap()
@@ -85,12 +91,13 @@ Lap<double> prove_lap(const ContactNumbers<double>& numbers, const LayerMotion<d
                       const LapEntry<double>& entry, const ZoneSequence& near);
 
 /// A lap through the zones of one nearby: it does not search for their ends but follows them to where they have moved (E6.5). A
-/// zone that only a search finds may be missing, so confirm the result by prove_lap(). Nothing if the lap has other zones here.
+/// zone that only a search finds may be missing, so confirm the result by prove_lap(). It has the means of the wave. Nothing if
+/// the lap has other zones here.
 std::optional<Lap<double>> follow_lap(const ContactNumbers<double>& numbers,
                                       const LayerMotion<double>& layer,
                                       const LapEntry<double>& entry, const ZoneSequence& near);
 
-/// The same without the means, in a quarter of the work of run_lap().
+/// The same without any means, in a quarter of the work of run_lap().
 std::optional<Lap<double>> follow_states(const ContactNumbers<double>& numbers,
                                          const LayerMotion<double>& layer,
                                          const LapEntry<double>& entry, const ZoneSequence& near);

@@ -46,12 +46,14 @@ class DifferentiatedTurn {
  public:
   using Wide = Dual<double, N + 2>;
 
-  DifferentiatedTurn(const ContactNumbers<Dual<double, N>>& numbers, const PeriodicState& state) {
+  DifferentiatedTurn(const ContactNumbers<Dual<double, N>>& numbers, const PeriodicState& state,
+                     Means means = Means::all) {
     const ContactNumbers<Wide> n = widened(numbers);
     LapEntry<Wide> entry = constant_entry<Wide>(state.entry);
     entry.layer.e.d[N] = 1;
     entry.layer.rate.d[N + 1] = 1;
-    const Lap<Wide> lap = run_lap(n, {n.inertia, n.damping}, entry, &state.lap.sequence);
+    const Lap<Wide> lap =
+        run_lap(n, {n.inertia, n.damping}, entry, &state.lap.sequence, nullptr, means);
     means_ = lap.means;
     const LayerState<Wide>& next = lap.next.layer;
     resolvent_ =
@@ -87,13 +89,14 @@ class DifferentiatedTurn {
 
 }  // namespace
 
-MovingMeans moving_means(const ContactNumbers<MotionDual>& numbers, const PeriodicState& state) {
+MovingMeans moving_means(const ContactNumbers<MotionDual>& numbers, const PeriodicState& state,
+                         Means means) {
   if (!state.remembers) {
     const LapEntry<MotionDual> entry = constant_entry<MotionDual>(state.entry);
-    return {run_lap(numbers, {numbers.inertia, numbers.damping}, entry, &state.lap.sequence).means,
-            {}};
+    const LayerMotion<MotionDual> layer(numbers.inertia, numbers.damping);
+    return {run_lap(numbers, layer, entry, &state.lap.sequence, nullptr, means).means, {}};
   }
-  const DifferentiatedTurn turn(numbers, state);
+  const DifferentiatedTurn turn(numbers, state, means);
   const auto in_state = [](const WithState<MotionDual>::Type& x) {
     return LayerState<double>{x.d[2], x.d[3]};
   };
@@ -111,16 +114,18 @@ ContactMeans<S> periodic_means(const ContactNumbers<S>& numbers,
     const LayerMotion<S> layer(numbers.inertia, numbers.damping);
     LapEntry<S> entry = constant_entry<S>(state.entry);
     const ZoneSequence* sequence = &state.lap.sequence;
-    if (!state.remembers) return run_lap(numbers, layer, entry, sequence).means;
+    constexpr Means means = kDualDepth<S> == 1 ? Means::all : Means::of_wave;
+    if (!state.remembers) return run_lap(numbers, layer, entry, sequence, nullptr, means).means;
     if constexpr (kDualDepth<S> == 1) {
       return DifferentiatedTurn(numbers, state).means();
     } else {
       const Matrix2 j = return_jacobian(values, state.entry, sequence);
       for (int i = 0; i < kDualDepth<S>; ++i) {
-        const LayerState<S> next = run_lap(numbers, layer, entry, sequence).next.layer;
+        const LayerState<S> next =
+            run_lap(numbers, layer, entry, sequence, nullptr, means).next.layer;
         correct(j, next, entry.layer, state.entry.layer);
       }
-      return run_lap(numbers, layer, entry, sequence).means;
+      return run_lap(numbers, layer, entry, sequence, nullptr, means).means;
     }
   }
 }

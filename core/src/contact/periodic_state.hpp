@@ -64,9 +64,11 @@ struct MovingMeans {
   ContactMeans<MotionDual> means;
   StateSlopes slopes;
 };
-MovingMeans moving_means(const ContactNumbers<MotionDual>& numbers, const PeriodicState& state);
+MovingMeans moving_means(const ContactNumbers<MotionDual>& numbers, const PeriodicState& state,
+                         Means means);
 
-/// Means over a turn with their derivatives: the periodic state in S by the implicit function theorem.
+/// Means over a turn with their derivatives: the periodic state in S by the implicit function theorem. With second derivatives
+/// those of the wave.
 template <typename S>
 ContactMeans<S> periodic_means(const ContactNumbers<S>& numbers,
                                const ContactNumbers<double>& values, const PeriodicState& state);

@@ -5,6 +5,8 @@
 #include "contact/load_shape.hpp"
 #include "contact/zone_curves.hpp"
 
+#include <limits>
+
 namespace twum::contact {
 
 template <typename S>
@@ -47,10 +49,11 @@ struct RateMoments {
   }
 };
 
-/// The two integrals of a slip zone that need the layer's motion: of p e' and C e'^2.
+/// The two integrals of a slip zone that need the layer's motion: of p e' and C e'^2. NaN where they are not asked for.
 template <typename S>
 struct SlipWork {
-  S rate_pressure, loss;
+  S rate_pressure{std::numeric_limits<double>::quiet_NaN()};
+  S loss{std::numeric_limits<double>::quiet_NaN()};
 };
 
 /// From the forced part f of e, and the layer's own part h0, h1 at the zone's ends; the own part loses

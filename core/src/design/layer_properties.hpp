@@ -92,4 +92,26 @@ ParameterArray<S> with_alternatives(const MotorDesign& given, ParameterArray<S> 
   return p;
 }
 
+/// True if with_alternatives() reads it.
+constexpr bool leads_alternatives(Parameter parameter) {
+  using P = Parameter;
+  switch (parameter) {
+    case P::frequency:
+    case P::frequency_ratio:
+    case P::resonance_frequency:
+    case P::modal_damping:
+    case P::quality_factor:
+    case P::modal_mass:
+    case P::thickness:
+    case P::youngs_modulus:
+    case P::poisson_ratio:
+    case P::density:
+    case P::loss_factor:
+    case P::shear_modulus:
+    case P::shear_viscosity:
+    case P::inertia: return true;
+    default: return false;
+  }
+}
+
 }  // namespace twum

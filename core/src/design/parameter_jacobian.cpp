@@ -2,32 +2,52 @@
 #include <twum/core/design/parameters.hpp>
 
 #include "design/layer_properties.hpp"
+#include "design/parameter_slopes.hpp"
 #include "design/plate_numbers.hpp"
 
 #include <twum/base/dual.hpp>
 
+#include <optional>
+
 namespace twum {
 
-ParameterJacobian parameter_jacobian(const MotorDesign& design, bool fixed_static_friction) {
+std::vector<ParameterSlope> parameter_slopes(const MotorDesign& design,
+                                             bool fixed_static_friction) {
   using Moving = Dual<double, 1>;
   ParameterArray<Moving> still;
   for (std::size_t i = 0; i < kParameterCount; ++i)
     still[i] = Moving(get(design, static_cast<Parameter>(i)));
   using PlateSlopes = std::array<std::array<double, kParameterCount>, kPlateNumbers>;
-  const PlateSlopes plate = design.stator.geometry ? plate_jacobian(design) : PlateSlopes{};
-  ParameterJacobian jacobian{};
+  std::optional<PlateSlopes> plate;
+  if (design.stator.geometry) plate = plate_jacobian(design);
+  std::vector<ParameterSlope> slopes;
+  slopes.reserve(2 * kParameterCount);  // enough without a geometry
   for (std::size_t moved = 0; moved < kParameterCount; ++moved) {
-    if (!in_use(design, static_cast<Parameter>(moved))) continue;
+    const auto parameter = static_cast<Parameter>(moved);
+    if (!in_use(design, parameter)) continue;
+    if (!plate && !leads_alternatives(parameter)) {
+      slopes.push_back({moved, moved, 1});
+      continue;
+    }
     ParameterArray<Moving> values = still;
     values[moved].d[0] = 1;
-    for (std::size_t i = 0; design.stator.geometry && i < kParameterCount; ++i)
+    for (std::size_t i = 0; plate && i < kParameterCount; ++i)
       if (const auto number = plate_number_of(static_cast<Parameter>(i)))
-        values[i].d[0] = plate[index_of(*number)][moved];
-    if (moved == index_of(Parameter::kinetic_friction) && !fixed_static_friction)
-      values[index_of(Parameter::static_friction)].d[0] = friction_ratio(design.friction);
+        values[i].d[0] = (*plate)[index_of(*number)][moved];
     values = with_alternatives(design, values);
-    for (std::size_t i = 0; i < kParameterCount; ++i) jacobian[i][moved] = values[i].d[0];
+    for (std::size_t i = 0; i < kParameterCount; ++i)
+      if (values[i].d[0] != 0) slopes.push_back({i, moved, values[i].d[0]});
   }
+  constexpr std::size_t kKinetic = index_of(Parameter::kinetic_friction);
+  if (const double ratio = friction_ratio(design.friction); !fixed_static_friction && ratio != 0)
+    slopes.push_back({index_of(Parameter::static_friction), kKinetic, ratio});
+  return slopes;
+}
+
+ParameterJacobian parameter_jacobian(const MotorDesign& design, bool fixed_static_friction) {
+  ParameterJacobian jacobian{};
+  for (const ParameterSlope& s : parameter_slopes(design, fixed_static_friction))
+    jacobian[s.value][s.moved] = s.slope;
   return jacobian;
 }
 

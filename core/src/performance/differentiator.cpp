@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "performance/differentiator.hpp"
 
+#include "design/parameter_slopes.hpp"
 #include "performance/motor_curve.hpp"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -16,6 +18,24 @@ using P = Parameter;
 constexpr double kVanishing = 1e-8;  // length of a zone that counts as about to vanish [rad]
 constexpr double kBeside = 1e-9;  // of the crest speed: a zone about to appear is there so far away
 constexpr double kNoDerivative = std::numeric_limits<double>::quiet_NaN();
+
+constexpr int kNoDirection = -1;
+
+// Directions of the parameters that have one.
+constexpr auto kDirectionOf = [] {
+  std::array<int, kParameterCount> directions{};
+  directions.fill(kNoDirection);
+  for (const P p : kModelParameters) directions[index_of(p)] = static_cast<int>(model_index(p));
+  for (const P p : kDriveParameters) directions[index_of(p)] = drive_direction(p);
+  return directions;
+}();
+
+// @param plate_mode  the radial shape is that of a plate's mode: exponent and root have no direction
+int direction_of(std::size_t parameter, bool plate_mode) {
+  const int direction = kDirectionOf[parameter];
+  const bool shape = direction >= static_cast<int>(kShapeIndex) && direction < kDirections;
+  return shape && plate_mode ? kNoDirection : direction;
+}
 
 // Whether zones begin or end close to the speed.
 bool zones_change_beside(const DrivenMotor<double>& m, const SolvedPoint& p, double speed) {
@@ -71,18 +91,18 @@ Smoothness smoothness_of(const DrivenMotor<double>& m, const SolvedPoint& p, dou
 
 Differentiator::Differentiator(const Motor& motor, bool fixed_static_friction)
     : design_(motor.design()), values_(motor), m_(motor.model()), model_(moving_motor(motor)) {
-  const ParameterJacobian jacobian = parameter_jacobian(design_, fixed_static_friction);
+  const bool plate_mode = design_.stator.geometry.has_value();
+  const std::vector<ParameterSlope> slopes = parameter_slopes(design_, fixed_static_friction);
+  slopes_.reserve(slopes.size());
+  for (const ParameterSlope& s : slopes)
+    if (const int direction = direction_of(s.value, plate_mode); direction >= 0)
+      slopes_.push_back({direction, s.moved, s.slope});
+  if (!plate_mode) return;
+  const auto plate = plate_jacobian(design_);
   const auto add = [&](const std::array<double, kParameterCount>& row, std::size_t direction) {
     for (std::size_t j = 0; j < kParameterCount; ++j)
       if (row[j] != 0) slopes_.push_back({static_cast<int>(direction), j, row[j]});
   };
-  for (const Parameter p : kModelParameters)
-    if (!(design_.stator.geometry && model_index(p) >= kShapeIndex))
-      add(jacobian[index_of(p)], model_index(p));
-  for (const Parameter p : kDriveParameters)
-    add(jacobian[index_of(p)], static_cast<std::size_t>(drive_direction(p)));
-  if (!design_.stator.geometry) return;
-  const auto plate = plate_jacobian(design_);
   for (std::size_t i = 0; i < kShapeNumbers; ++i)
     add(plate[index_of(PlateNumber::shape) + i], kShapeIndex + i);
   constexpr PlateNumber kStress = PlateNumber::ceramic_stress;
@@ -207,20 +227,27 @@ DesignDual Differentiator::wave_metric_at(Metric metric, const Moving& p) {
 }
 
 Derived Differentiator::at(Metric metric, const Derived& speed) {
-  const double omega = value_of(speed.dual);
   if (metric == M::speed_at) return speed;
-  const Moving& p = moving(omega);
-  const ModelDual variable = speed_variable<ModelDual>(omega);
-  DesignDual f = is_wave_metric(metric)
-                     ? wave_metric_at(metric, p)
-                     : widened(point_metric(metric, p.numbers, variable, *p.motor));
-  if (p.wave) f = p.wave->of(f);
-  Smoothness smoothness = worse(speed.smoothness, of_point(omega));
+  const double omega = value_of(speed.dual);
   const SolvedPoint& point = values_.point(omega);
   const bool plateau = metric == M::torque_at && point.slips_one_way();
   const bool no_stick = metric == M::stick_fraction_at && point.numbers.stick_fraction == 0;
+  Smoothness smoothness = worse(speed.smoothness, of_point(omega));
   if (smoothness == Smoothness::smooth && (plateau || no_stick)) smoothness = Smoothness::flat;
-  return {moved(f, speed.dual), smoothness};
+  // T = mu F_N r; an annulus that is split there has other slices than the model.
+  if (plateau && point.drives() && !m_.track.splits)
+    return {widened(slipping_torque(model_)), smoothness};
+  return {moved(moving_metric(metric, omega), speed.dual), smoothness};
+}
+
+// A point metric in all directions, the speed free.
+DesignDual Differentiator::moving_metric(Metric metric, double speed) {
+  const Moving& p = moving(speed);
+  const ModelDual variable = speed_variable<ModelDual>(speed);
+  const DesignDual f = is_wave_metric(metric)
+                           ? wave_metric_at(metric, p)
+                           : widened(point_metric(metric, p.numbers, variable, *p.motor));
+  return p.wave ? p.wave->of(f) : f;
 }
 
 Derived Differentiator::at_peak(Metric metric, const Peak& peak) {
@@ -323,7 +350,7 @@ DesignDual2 Differentiator::along_curve(Metric metric, double speed) {
     amplitude.d[0] = moving(speed).wave->in_speed();
     model2_ = differentiated_motor(design_, amplitude, m_.track);
   } else if (!model2_) {
-    model2_ = differentiated_motor<ModelDual2>(design_, m_.track);
+    model2_ = constant_in_speed(model_);
   }
   const ModelDual2 variable = speed_variable<ModelDual2>(speed);
   const PointNumbers<ModelDual2> n = values_.point(speed).differentiated(*model2_, variable);

@@ -101,6 +101,7 @@ class Differentiator {
   WaveMotion<T> wave_motion(const DrivenMotor<Dual<T, kDirections>>& motor,
                             const WavePoint<DesignDualOf<T>>& point);
   DesignDual wave_metric_at(Metric metric, const Moving& point);
+  DesignDual moving_metric(Metric metric, double speed);
   DesignDual2 along_curve(Metric metric, double speed);
   DesignDual frequency_of(DesignDual excess, const MotorDesign& there, double frequency) const;
   Derived at_plateau_end(Metric metric, double speed);

@@ -56,7 +56,9 @@ double Evaluator::of_plate(PlateNumber number) const {
 
 // To find that out by a throw takes as long as several points.
 bool Evaluator::has_meaning(Metric metric) const {
-  if (!modes_ && info(metric).needs_modes) return false;
+  const MetricInfo& row = info(metric);
+  if ((row.needs_modes && !modes_) || (row.needs_geometry && !motor_.design().stator.geometry))
+    return false;
   const bool of_stator =
       metric == Metric::max_efficiency || metric == Metric::speed_at_max_efficiency;
   return !of_stator || curve_->has_input();

@@ -4,6 +4,7 @@
 #include "contact/slip_margin.hpp"
 #include "performance/track.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -110,6 +111,57 @@ DrivenMotor<Dual<T, kDirections>> differentiated_motor(const MotorDesign& design
   return driven(motor_model(p, track), design_wave(p));
 }
 
+namespace {
+
+// The same along a speed on which it does not depend.
+ModelDual2 constant_in_speed(const ModelDual& x) {
+  ModelDual2 r;
+  r.v = SpeedDual(x.v);
+  for (int j = 0; j < kDirections; ++j) r.d[j] = SpeedDual(x.d[j]);
+  return r;
+}
+
+Slice<ModelDual2> constant_in_speed(const Slice<ModelDual>& s) {
+  const auto c = [](const ModelDual& x) { return constant_in_speed(x); };
+  const NormalContact<ModelDual>& n = s.contact;
+  return {c(s.radius),
+          c(s.width),
+          c(s.shape),
+          c(s.amplitude),
+          c(s.crest_velocity),
+          c(s.load),
+          c(s.share),
+          {c(n.half_angle), c(n.edge_cosine), c(n.pressure_amplitude), c(n.half_length),
+           c(n.load_ratio), c(n.ratio), c(n.max_pressure), n.full},
+          c(s.stick_gain),
+          c(s.peak),
+          {c(s.edge.sin), c(s.edge.cos), c(s.edge.versine)},
+          c(s.pressure_force),
+          c(s.torque_scale),
+          c(s.power_scale),
+          c(s.force_scale)};
+}
+
+}  // namespace
+
+DrivenMotor<ModelDual2> constant_in_speed(const DrivenMotor<ModelDual>& m) {
+  const auto c = [](const ModelDual& x) { return constant_in_speed(x); };
+  DrivenMotor<ModelDual2> r;
+  static_cast<MotorModel<ModelDual2>&>(r) = {
+      c(m.n),       c(m.r),          c(m.b),       c(m.kappa),          c(m.tilt),
+      c(m.youngs),  c(m.thickness),  c(m.shear),   c(m.viscosity),      c(m.inertia),
+      c(m.kinetic), c(m.static_),    c(m.preload), c(m.stator_damping), {},
+      c(m.slope),   c(m.compliance), m.track};
+  std::transform(m.shape_numbers.begin(), m.shape_numbers.end(), r.shape_numbers.begin(), c);
+  static_cast<Slice<ModelDual2>&>(r) = constant_in_speed(static_cast<const Slice<ModelDual>&>(m));
+  r.omega = c(m.omega), r.lever = c(m.lever), r.holding_lever = c(m.holding_lever);
+  r.indentation = c(m.indentation);
+  for (const Piece<ModelDual>& p : m.pieces)
+    r.pieces.push_back({c(p.low), c(p.high), p.root_low, p.root_high});
+  for (const Slice<ModelDual>& s : m.annulus) r.annulus.push_back(constant_in_speed(s));
+  return r;
+}
+
 template DrivenMotor<ModelDual> differentiated_motor(const MotorDesign&, const double&,
                                                      const TrackRule&);
 template DrivenMotor<ModelDual2> differentiated_motor(const MotorDesign&, const SpeedDual&,
@@ -160,7 +212,7 @@ PointNumbers<MotionDual> SolvedPoint::differentiated(const DrivenMotor<double>& 
                                                      const MotionDual& speed) const {
   return summed(m, speed,
                 [](const ContactNumbers<MotionDual>& n, const contact::PeriodicState& state) {
-                  return contact::moving_means(n, state).means;
+                  return contact::moving_means(n, state, contact::Means::all).means;
                 });
 }
 
@@ -170,7 +222,8 @@ MovingPoint SolvedPoint::moving(const DrivenMotor<MotionDual>& m, const MotionDu
   const PointNumbers<MotionDual> numbers =
       summed(m, speed,
              [&states](const ContactNumbers<MotionDual>& n, const contact::PeriodicState& state) {
-               const contact::MovingMeans moving = contact::moving_means(n, state);
+               const contact::MovingMeans moving =
+                   contact::moving_means(n, state, contact::Means::of_wave);
                states.push_back(moving.slopes);
                return moving.means;
              });

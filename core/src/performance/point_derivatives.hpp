@@ -24,6 +24,9 @@ template <typename T>
 DrivenMotor<Dual<T, kDirections>> differentiated_motor(const MotorDesign& design,
                                                        const T& amplitude, const TrackRule& track);
 
+/// The same with second derivatives along a speed on which the motor does not depend: its wave is prescribed.
+DrivenMotor<ModelDual2> constant_in_speed(const DrivenMotor<ModelDual>& motor);
+
 /// Speed as an independent variable of the model's derivatives.
 template <typename S>
 S speed_variable(double speed);
