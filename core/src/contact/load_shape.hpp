@@ -40,29 +40,37 @@ Dual<T, N> angle_of_versine(const Dual<T, N>& versine) {
   return detail::chain(versine, angle, T(1.0 / sin(angle)));
 }
 
-/// theta_L of a crest that presses with p(0) = w P (W2.2): 0 where it does not touch, pi in full contact.
+/// The contact under a crest that presses with p(0) = w P (W2.2). Its edge takes no sine of theta_L.
 template <typename S>
-S contact_angle_of(const S& peak) {
-  if (!(value_of(peak) > 0)) return S(0.0);
-  if (!(value_of(peak) < 2)) return S(std::numbers::pi);
-  return angle_of_versine(peak);
+struct CrestContact {
+  S angle;  ///< theta_L: 0 where the crest does not touch, pi in full contact
+  S load;   ///< in the units of load_shape(); its derivative in w is theta_L (W2.4)
+  Trig<S> edge;
+};
+
+namespace detail {
+
+inline double crest_load(double /*peak*/, double angle, const Trig<double>& edge) {
+  return load_shape(angle, edge);
+}
+template <typename T, int N>
+Dual<T, N> crest_load(const Dual<T, N>& peak, const Dual<T, N>& angle,
+                      const Trig<Dual<T, N>>& edge) {
+  const Trig<T> inner{edge.sin.v, edge.cos.v, edge.versine.v};
+  return twum::detail::chain(peak, crest_load(peak.v, angle.v, inner), angle.v);
 }
 
-/// Load of such a contact in the units of load_shape(), and its derivative in w, which is theta_L (W2.4).
-struct LoadAndAngle {
-  double load, angle;
-};
-inline LoadAndAngle load_and_angle(double peak) {
-  const double angle = contact_angle_of(peak);
-  return {peak < 2 ? load_shape(angle, trig(angle)) : std::numbers::pi * (peak - 1), angle};
+}  // namespace detail
+
+template <typename S>
+CrestContact<S> crest_contact(const S& peak) {
+  using std::sqrt;
+  constexpr double kPi = std::numbers::pi;
+  if (!(value_of(peak) > 0)) return {S(0.0), S(0.0), {S(0.0), S(1.0), S(0.0)}};
+  if (!(value_of(peak) < 2)) return {S(kPi), S(kPi * (peak - 1.0)), {S(0.0), S(-1.0), S(2.0)}};
+  const Trig<S> edge{sqrt(S(peak * (2.0 - peak))), S(1.0 - peak), peak};
+  const S angle = angle_of_versine(peak);
+  return {angle, detail::crest_load(peak, angle, edge), edge};
 }
-/// The load alone.
-/// @{
-inline double load_of_peak(double peak) { return load_and_angle(peak).load; }
-template <typename T, int N>
-Dual<T, N> load_of_peak(const Dual<T, N>& peak) {
-  return detail::chain(peak, T(load_of_peak(peak.v)), contact_angle_of(peak.v));
-}
-/// @}
 
 }  // namespace twum::contact

@@ -197,30 +197,27 @@ Wave<S> design_wave(const ModelArray<S>& p) {
           2 * std::numbers::pi * p[model_index(Parameter::frequency)]};
 }
 
-/// Re F_n (D1.3, D1.4) of a contact with `edge` at its half angle, on the wave at the mean radius (W3.4).
+/// Re F_n (D1.3, D1.4) of a contact, on the wave at the mean radius (W3.4).
 template <typename S>
-S pressure_force(const Slice<S>& s, const contact::Trig<S>& edge) {
+S pressure_force(const Slice<S>& s) {
   const NormalContact<S>& c = s.contact;
   if (c.full) return s.shape * (std::numbers::pi * s.radius * s.width * c.pressure_amplitude);
   if (value_of(c.half_angle) == 0) return s.shape * s.load;
   const S g = std::numbers::pi * c.load_ratio;  // (T3.2)
-  return s.shape * (0.5 * s.load * (c.half_angle * edge.sin * edge.sin / g - edge.cos));
+  return s.shape * (0.5 * s.load * (c.half_angle * s.edge.sin * s.edge.sin / g - s.edge.cos));
 }
 
-/// The slice with what the tangential contact takes of its normal contact.
+/// Fills in what the tangential contact takes of a slice's normal contact and its edge.
 template <typename S>
-Slice<S> completed(Slice<S> s, const MotorModel<S>& m) {
+void complete(Slice<S>& s, const MotorModel<S>& m) {
   s.stick_gain = m.shear * s.crest_velocity / (m.thickness * s.contact.pressure_amplitude);
-  s.edge = contact::trig(s.contact.half_angle);
-  if (s.contact.full) s.edge = {S(0.0), S(-1.0), S(2.0)};
   s.peak = s.contact.full ? S(1.0 - s.contact.edge_cosine) : s.edge.versine;
-  s.pressure_force = pressure_force(s, s.edge);
+  s.pressure_force = pressure_force(s);
   const S P = s.contact.pressure_amplitude;
   const S circumference = 2 * std::numbers::pi * s.radius;
   s.torque_scale = circumference * s.radius * s.width * P;
   s.power_scale = circumference * s.width * P * s.crest_velocity;
   s.force_scale = circumference * s.width * (m.tilt * (m.r / s.radius)) * P * s.shape;
-  return s;
 }
 
 /// The motor whose contact at the mean radius alone is known, with that of the whole annulus (W2.1 to W2.4).
@@ -256,7 +253,9 @@ DrivenMotor<S> driven(const MotorModel<S>& model, const Wave<S>& wave) {
   const S P = m.youngs * m.amplitude / m.thickness;
   m.contact = normal_contact(m.preload, m.n, m.b, m.kappa, P);
   m.radius = m.r, m.width = m.b, m.shape = S(1.0), m.load = m.preload, m.share = S(1.0);
-  static_cast<Slice<S>&>(m) = completed<S>(m, m);
+  m.edge = m.contact.full ? contact::Trig<S>{S(0.0), S(-1.0), S(2.0)}
+                          : contact::trig(m.contact.half_angle);
+  complete<S>(m, m);
   m.lever = m.holding_lever = m.r, m.indentation = S(0.0);
   if (m.track.nodes == 1) return m;
   return over_annulus(std::move(m));

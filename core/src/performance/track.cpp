@@ -25,8 +25,8 @@ constexpr double kQuadrature = 1e-6;  // of the force, more than its nodes leave
 
 // The indentation that carries the preload, by Newton's method in a bracket: the force rises strictly and is convex but for
 // full contact, where it is linear.
-double indentation_of(const DrivenMotor<double>& m) {
-  const Track<double> track(m);
+double indentation_of(const Track<double>& track) {
+  const DrivenMotor<double>& m = track.values();
   const double lift_off = track.lift_off();
   const double rigid = m.preload * m.thickness / (2 * pi * m.r * m.b * m.youngs);
   // In full contact the mean indentation tells the force; elsewhere the layer only pushes more.
@@ -47,19 +47,20 @@ double indentation_of(const DrivenMotor<double>& m) {
 
 // The same in S, its derivatives by the implicit function theorem (W2.3).
 template <typename S>
-S indentation_in(const DrivenMotor<S>& m) {
-  const DrivenMotor<double> values = values_of(m);
-  const double depth = indentation_of(values);
-  S result(depth);
-  if constexpr (kDualDepth < S >> 0) {
-    const Track<S> track(m);
-    const double slope = Track<double>(values).axial_force(RadiusDual::variable(depth, 0)).d[0];
+S indentation_in(const Track<S>& track, const S& preload) {
+  if constexpr (kDualDepth<S> == 0) {
+    return indentation_of(track);
+  } else {
+    const Track<double> values(track.values());
+    const double depth = indentation_of(values);
+    const double slope = values.axial_force(RadiusDual::variable(depth, 0)).d[0];
+    S result(depth);
     for (int i = 0; i < kDualDepth<S>; ++i) {
-      const S excess = track.axial_force(result) - m.preload;
+      const S excess = track.axial_force(result) - preload;
       result = with_value(S(result - with_value(excess, 0.0) / slope), depth);
     }
+    return result;
   }
-  return result;
 }
 
 // Without a wave the rotor presses a layer whose indentation falls linearly along the radius, by `fall` per length: on all of
@@ -93,31 +94,37 @@ Pressed<S> pressed_without_wave(const DrivenMotor<S>& m) {
           S(fall * (length - 0.5 * m.b))};
 }
 
-// Normal contact of a crest `depth` deep in the layer (W2.2).
+// Normal contact of a crest `depth` deep in the layer (W2.2), and its edge.
 template <typename S>
-NormalContact<S> contact_of(const DrivenMotor<S>& m, const S& kappa, const S& amplitude,
-                            const S& depth) {
+struct EdgedContact {
+  NormalContact<S> contact;
+  contact::Trig<S> edge;
+};
+template <typename S>
+EdgedContact<S> contact_of(const DrivenMotor<S>& m, const S& kappa, const S& amplitude,
+                           const S& depth) {
   NormalContact<S> c;
   c.pressure_amplitude = m.youngs * amplitude / m.thickness;
   const S peak = depth / amplitude;
+  const contact::CrestContact<S> crest = contact::crest_contact(peak);
   c.full = !(value_of(peak) < 2);
-  c.half_angle = contact::contact_angle_of(peak);
+  c.half_angle = crest.angle;
   c.edge_cosine = value_of(peak) > 0 ? S(1.0 - peak) : S(1.0);
-  c.load_ratio = contact::load_of_peak(peak) / pi;
+  c.load_ratio = crest.load / pi;
   c.max_pressure = value_of(peak) > 0 ? S(m.youngs * depth / m.thickness) : S(0.0);
   c.half_length = c.half_angle / kappa;
   c.ratio = c.half_angle / (2 * pi);
-  return c;
+  return {c, crest.edge};
 }
 
 // The same without a wave.
 template <typename S>
-NormalContact<S> flat_contact(const DrivenMotor<S>& m, const S& depth) {
+EdgedContact<S> flat_contact(const DrivenMotor<S>& m, const S& depth) {
   NormalContact<S> c = m.contact;
   c.full = value_of(depth) > 0;
   c.half_angle = S(c.full ? pi : 0.0);
   c.max_pressure = c.full ? S(m.youngs * depth / m.thickness) : S(0.0);
-  return c;
+  return {c, {S(0.0), S(c.full ? -1.0 : 1.0), S(c.full ? 2.0 : 0.0)}};
 }
 
 // <p> [Pa]
@@ -164,10 +171,13 @@ Slice<S> slice_at(const DrivenMotor<S>& m, const S& radius, const S& width) {
   s.amplitude = m.amplitude * s.shape;
   s.crest_velocity = m.tilt * m.r / radius * s.amplitude * m.omega;
   const S depth = m.indentation + crest_rise(m, radius);
-  s.contact = value_of(m.amplitude) == 0 ? flat_contact(m, depth)
-                                         : contact_of(m, S(m.n / radius), s.amplitude, depth);
+  const EdgedContact<S> c = value_of(m.amplitude) == 0
+                                ? flat_contact(m, depth)
+                                : contact_of(m, S(m.n / radius), s.amplitude, depth);
+  s.contact = c.contact, s.edge = c.edge;
   s.load = 2 * pi * radius * width * mean_pressure(s.contact), s.share = S(1.0);
-  return completed<S>(s, m);
+  complete(s, m);
+  return s;
 }
 
 namespace {
@@ -195,6 +205,7 @@ std::vector<Piece<S>> panels_of(const Piece<S>& piece, std::size_t index,
 template <typename S>
 std::vector<Slice<S>> annulus_of(const DrivenMotor<S>& m, std::span<const Split> splits) {
   std::vector<Slice<S>> slices;
+  slices.reserve((m.pieces.size() + splits.size()) * static_cast<std::size_t>(m.track.nodes));
   S load(0.0), area(0.0);
   const auto add = [&](const S& radius, const S& width) {
     Slice<S> slice = slice_at(m, radius, width);
@@ -223,9 +234,10 @@ DrivenMotor<S> over_annulus(DrivenMotor<S> m) {
   const Pressed<S> flat = pressed_without_wave(m);
   m.lever = m.holding_lever = flat.lever, m.indentation = flat.indentation;
   if (value_of(m.amplitude) == 0) return m;
-  m.indentation = indentation_in(m);
+  const Track<S> track(m);
+  m.indentation = indentation_in(track, m.preload);
+  m.pieces = track.pieces(m.indentation);
   static_cast<Slice<S>&>(m) = slice_at(m, m.r, m.b);
-  m.pieces = Track<S>(m).pieces(m.indentation);
   m.annulus = annulus_of<S>(m, {});
   m.lever = lever_of<S>(m.annulus, m.preload);
   return m;

@@ -89,6 +89,8 @@ class Track {
   explicit Track(const DrivenMotor<S>& motor)
       : m_(motor), values_(values_of(motor)), radii_(radii_between_turns(values_)) {}
 
+  const DrivenMotor<double>& values() const { return values_; }
+
   /// Least indentation at which nothing touches [m].
   double lift_off() const {
     double most = -std::numeric_limits<double>::infinity();
@@ -105,7 +107,7 @@ class Track {
       const R amplitude = m_.amplitude * (1.0 + excess);
       const R crest = indentation + m_.amplitude * excess - (radius - m_.r) * m_.slope;
       force += 2.0 * radius * width * (m_.youngs / m_.thickness) * amplitude *
-               contact::load_of_peak(R(crest / amplitude));
+               contact::crest_contact(R(crest / amplitude)).load;
     };
     for (const Piece<R>& piece : pieces(indentation))
       for_each_node(piece, std::max(m_.track.nodes, kLeastNodes), add);
@@ -124,7 +126,7 @@ class Track {
       const double amplitude = values_.amplitude * (1 + excess);
       const double crest =
           indentation + values_.amplitude * excess - (radius - values_.r) * values_.slope;
-      const contact::LoadAndAngle at = contact::load_and_angle(crest / amplitude);
+      const contact::CrestContact<double> at = contact::crest_contact(crest / amplitude);
       const double stiffness = 2 * radius * width * values_.youngs / values_.thickness;
       sum.force += stiffness * amplitude * at.load;
       sum.slope += stiffness * at.angle;

@@ -323,7 +323,7 @@ std::optional<MotorPoint> RunningBranch::between(const Node& a, const Node& b, d
       return point;
   }
   const SolvedPoint near =
-      solve_point(waves_.motor(guess.amplitude), speed, nullptr, kNodeAccuracy);
+      solve_point(waves_.motor(guess.amplitude), speed, &guess.start, kNodeAccuracy);
   if (near.status == PointStatus::ok) {
     guess.start = near.start();
     if (guess.states.size() != guess.start.size())
