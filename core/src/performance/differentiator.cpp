@@ -234,10 +234,11 @@ Derived Differentiator::at(Metric metric, const Derived& speed) {
   const bool no_stick = metric == M::stick_fraction_at && point.numbers.stick_fraction == 0;
   Smoothness smoothness = worse(speed.smoothness, of_point(omega));
   if (smoothness == Smoothness::smooth && (plateau || no_stick)) smoothness = Smoothness::flat;
-  // T = mu F_N r; an annulus that is split there has other slices than the model.
-  if (plateau && point.drives() && !m_.track.splits)
-    return {widened(slipping_torque(model_)), smoothness};
-  return {moved(moving_metric(metric, omega), speed.dual), smoothness};
+  // T = mu F_N r in closed form; an annulus that is split there has other slices than the model.
+  const bool closed = plateau && point.drives() && !m_.track.splits;
+  const DesignDual f =
+      closed ? held(slipping_torque(model_), omega) : moving_metric(metric, omega);
+  return {moved(f, speed.dual), smoothness};
 }
 
 // A point metric in all directions, the speed free.
@@ -266,9 +267,9 @@ Derived Differentiator::along_peak(Metric metric, const Peak& peak) {
   return at(metric, speed_of_peak(M::output_power_at, peak));
 }
 
-// On the plateau T = mu F_N r.
+// On the plateau T = mu F_N r. Over an annulus r moves with the wave.
 Derived Differentiator::at_plateau_end(Metric metric, double speed) {
-  const DesignDual torque = widened(slipping_torque(model_));
+  const DesignDual torque = held(slipping_torque(model_), speed);
   if (metric == M::torque_at) return {torque, Smoothness::flat};
   const Derived end = plateau();
   if (metric == M::output_power_at) return Derived{torque * end.dual, end.smoothness}.at_kink();

@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <type_traits>
 
 using namespace twum;
 using namespace twum::contact;
@@ -20,7 +21,7 @@ ContactMeans<S> means_in(const ContactNumbers<double>& n, const PeriodicState& s
 }
 template <>
 ContactMeans<MotionDual> means_in(const ContactNumbers<double>& n, const PeriodicState& state) {
-  return moving_means(in_scalar<MotionDual>(n), state).means;
+  return moving_means(in_scalar<MotionDual>(n), state, Means::all).means;
 }
 
 template <typename S>
@@ -31,8 +32,10 @@ void check_same_bits(const ContactNumbers<double>& n) {
   const ContactMeans<double>& d = state.lap.means;
   CHECK(value_of(m.traction) == d.traction);
   CHECK(value_of(m.stator_power) == d.stator_power);
-  CHECK(value_of(m.friction_power) == d.friction_power);
-  CHECK(value_of(m.layer_loss) == d.layer_loss);
+  if (!std::is_same_v<S, NumbersDual2>) {  // its laps leave them out
+    CHECK(value_of(m.friction_power) == d.friction_power);
+    CHECK(value_of(m.layer_loss) == d.layer_loss);
+  }
   CHECK(value_of(m.stick_length) == d.stick_length);
   CHECK(value_of(m.reactive_force) == d.reactive_force);
 }
