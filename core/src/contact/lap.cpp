@@ -25,8 +25,7 @@ template <typename S, Ends kEnds = Ends::searched, bool kHasMeans = true>
 class LapRunner {
  public:
   LapRunner(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
-            const ZoneSequence* sequence, std::vector<ZoneTrace>* trace, Means means,
-            Lap<S>& lap)
+            const ZoneSequence* sequence, std::vector<ZoneTrace>* trace, Means means, Lap<S>& lap)
       : lap_(lap),
         n_(numbers),
         layer_(layer),
@@ -241,7 +240,8 @@ LayerState<StateDual> next_entry(const ContactNumbers<StateDual>& numbers,
                                  const LayerMotion<StateDual>& layer,
                                  const LapEntry<StateDual>& entry, const ZoneSequence* sequence) {
   Lap<StateDual> lap;
-  LapRunner<StateDual, Ends::searched, false>(numbers, layer, sequence, nullptr, Means::of_wave, lap)
+  LapRunner<StateDual, Ends::searched, false>(numbers, layer, sequence, nullptr, Means::of_wave,
+                                              lap)
       .run(entry);
   return lap.next.layer;
 }

@@ -236,8 +236,7 @@ Derived Differentiator::at(Metric metric, const Derived& speed) {
   if (smoothness == Smoothness::smooth && (plateau || no_stick)) smoothness = Smoothness::flat;
   // T = mu F_N r in closed form; an annulus that is split there has other slices than the model.
   const bool closed = plateau && point.drives() && !m_.track.splits;
-  const DesignDual f =
-      closed ? held(slipping_torque(model_), omega) : moving_metric(metric, omega);
+  const DesignDual f = closed ? held(slipping_torque(model_), omega) : moving_metric(metric, omega);
   return {moved(f, speed.dual), smoothness};
 }
 

@@ -291,13 +291,6 @@ bool SolvedPoint::has_pieces_of_splits(const DrivenMotor<double>& m) const {
                      [&m](const Split& s) { return s.piece < m.pieces.size(); });
 }
 
-static std::optional<contact::Lap<double>> lap_through_zones_of(
-    const SolvedSlice& slice, const contact::ContactNumbers<double>& n,
-    const LayerMotion<double>& layer, const contact::LapEntry<double>& entry) {
-  if (slice.locked) return {};
-  return contact::follow_lap(n, layer, entry, slice.state.lap.sequence);
-}
-
 // What a gap at entry changes in a mean over the turn.
 static double gained(const contact::LayerState<double>& slope,
                      const contact::LayerState<double>& d) {
@@ -306,24 +299,21 @@ static double gained(const contact::LayerState<double>& slope,
 
 std::optional<NewtonTurn> SolvedPoint::newton_turn(const DrivenMotor<double>& m, double speed,
                                                    const WarmStart& entry,
-                                                   const MovingStates& states,
-                                                   const SolvedPoint& other) const {
+                                                   const MovingStates& states) const {
   const PointSlices slices(m, splits_);
   if (special || is_trivial(m) || slices.size() != size() || entry.size() != size() ||
       states.size() != size())
     return {};
   const LayerMotion<double> layer = layer_of(m, speed);
   NewtonTurn turn{{}, entry, 0};
-  const bool same_slices = other.size() == size();
   for (std::size_t k = 0; k < size(); ++k) {
     WarmStart::Entry& at = turn.next.of_slice(k);
     const Slice<double>& s = slices[k];
     const contact::ContactNumbers<double> n = contact_numbers(m, s, speed);
     if (n.full) return {};
     auto lap = contact::follow_lap(n, layer, at, at.zones);
-    if (!lap && !at.followed && same_slices)
-      lap = lap_through_zones_of(other.slice(k), n, layer, at);
-    if (!lap) return {};
+    if (!lap) lap = contact::prove_lap(n, layer, at, {});
+    if (lap->status != contact::LapStatus::ok) return {};
     at.zones = lap->sequence, at.followed = true;
     const double gap = contact::distance(layer, at.layer, lap->next.layer);
     turn.gap = std::fmax(turn.gap, gap / (n.static_ * n.peak));

@@ -149,13 +149,11 @@ class SolvedPoint {
   long zones_followed() const;
   WarmStart start() const;
   /// A step of Newton's method at a point nearby: one turn of the layer through the zones of this point (E6.5), and the
-  /// states to which its gaps lead (E6.2). It takes a fifth of the work of solve_point() and proves nothing. Nothing if the
-  /// zones differ there, or if there are none to follow.
+  /// states to which its gaps lead (E6.2). It takes a fifth of the work of solve_point() and proves nothing. Slices that no
+  /// longer have these zones are searched. Nothing if there are none to follow.
   /// @param states  how the states move near it; of as many slices as there are here
-  /// @param other   another point nearby, for slices that no longer have the zones that they have here
   std::optional<NewtonTurn> newton_turn(const DrivenMotor<double>& motor, double speed,
-                                        const WarmStart& entry, const MovingStates& states,
-                                        const SolvedPoint& other) const;
+                                        const WarmStart& entry, const MovingStates& states) const;
 
   /// The numbers with derivatives in kModelParameters and the speed; S is ModelDual or ModelDual2. The contact is
   /// differentiated in its own seven numbers and chained.

@@ -116,13 +116,12 @@ RunningBranch::NodeSearch RunningBranch::node(double speed, double guess,
 // Newton's method for H(A) = Theta u_0 and the layer's states together, one turn of the wave a step, with the slopes of the
 // nodes: they are off by a small share, of which the last two steps tell how much they leave. Nothing unless that is quick.
 std::optional<BranchWave> RunningBranch::followed(double speed, const BranchGuess& guess,
-                                                  const SolvedPoint& near,
-                                                  const SolvedPoint& other) const {
+                                                  const SolvedPoint& near) const {
   if (!(guess.force_slope > 0)) return {};
   double a = guess.amplitude, last = 0;
   WarmStart from = guess.start;
   for (int i = 0; i < kMostFollowed; ++i) {
-    const auto turn = near.newton_turn(waves_.motor(a), speed, from, guess.states, other);
+    const auto turn = near.newton_turn(waves_.motor(a), speed, from, guess.states);
     if (!turn) return {};
     const double excess = waves_.balance(turn->numbers, a).force() - waves_.drive();
     const double step = -excess / guess.force_slope;
@@ -289,11 +288,10 @@ bool RunningBranch::balances(const MotorPoint& p) const {
          std::fabs(force - waves_.drive()) <= kBalanced * waves_.drive();
 }
 
-// The wave that turns through the zones of two points nearby lead to. Only its own contact can tell whether its zones are these.
+// The wave that turns through the zones near a point lead to. Only its own contact can tell whether its zones are these.
 std::optional<MotorPoint> RunningBranch::proven(double speed, const BranchGuess& guess,
-                                                const SolvedPoint& near,
-                                                const SolvedPoint& other) const {
-  const auto wave = followed(speed, guess, near, other);
+                                                const SolvedPoint& near) const {
+  const auto wave = followed(speed, guess, near);
   if (!wave) return {};
   MotorPoint point{waves_.motor(wave->amplitude), {}};
   point.solved = solve_point_near(point.motor, speed, near, wave->start);
@@ -313,14 +311,13 @@ std::array<const RunningBranch::Node*, 2> RunningBranch::beside(const Node& a,
           k + 2 < nodes_.size() ? if_like(nodes_[k + 2]) : nullptr};
 }
 
-// Through the zones of either node, or where those do not lead there, of the guess itself: zones begin and end between nodes. As
-// splits move with the speed, a track that is split has those of the guess, and its slopes where the nodes have other slices.
+// Through the zones of the nearer node, or where those do not lead there, of the guess itself: zones begin and end between
+// nodes. As splits move with the speed, a track that is split has those of the guess, and its slopes where the nodes have other slices.
 std::optional<MotorPoint> RunningBranch::between(const Node& a, const Node& b, double speed) const {
   BranchGuess guess = guess_between(a, b, speed, beside(a, b));
   if (!waves_.splits()) {
-    const bool first = speed - a.speed < b.speed - speed;
-    if (auto point = proven(speed, guess, (first ? a : b).solved, (first ? b : a).solved))
-      return point;
+    const Node& nearer = speed - a.speed < b.speed - speed ? a : b;
+    if (auto point = proven(speed, guess, nearer.solved)) return point;
   }
   const SolvedPoint near =
       solve_point(waves_.motor(guess.amplitude), speed, &guess.start, kNodeAccuracy);
@@ -328,7 +325,7 @@ std::optional<MotorPoint> RunningBranch::between(const Node& a, const Node& b, d
     guess.start = near.start();
     if (guess.states.size() != guess.start.size())
       guess.states = waves_.moving(near, guess.amplitude, speed).states;
-    if (auto point = proven(speed, guess, near, near)) return point;
+    if (auto point = proven(speed, guess, near)) return point;
   }
   if (const auto wave = polished(speed, guess.amplitude, guess.force_slope, guess.start))
     return solved(*wave);

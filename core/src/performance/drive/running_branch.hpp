@@ -60,12 +60,12 @@ class RunningBranch {
 
   MotorPoint solved(const BranchWave& wave) const;
   bool balances(const MotorPoint& point) const;
-  std::optional<MotorPoint> proven(double speed, const BranchGuess& guess, const SolvedPoint& near,
-                                   const SolvedPoint& other) const;
+  std::optional<MotorPoint> proven(double speed, const BranchGuess& guess,
+                                   const SolvedPoint& near) const;
   std::array<const Node*, 2> beside(const Node& a, const Node& b) const;
   std::optional<MotorPoint> between(const Node& a, const Node& b, double speed) const;
   std::optional<BranchWave> followed(double speed, const BranchGuess& guess,
-                                     const SolvedPoint& near, const SolvedPoint& other) const;
+                                     const SolvedPoint& near) const;
   std::optional<BranchWave> polished(double speed, double guess, double force_slope,
                                      const WarmStart& start) const;
   NodeSearch stepped(const Node& from, double speed, const Node* before = nullptr) const;
