@@ -273,7 +273,7 @@ std::optional<WarmStart::Entry> SolvedPoint::entry_at(std::span<const Slice<doub
     if (far(slices[k]) < far(slices[nearest])) nearest = k;
   const SolvedSlice& near = slice(nearest);
   if (near.locked || near.slips_one_way()) return {};
-  return near.state.entry;
+  return near.start();
 }
 
 void SolvedPoint::solve_split(const DrivenMotor<double>& m, double speed,
