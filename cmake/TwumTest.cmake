@@ -4,11 +4,14 @@
 #
 # Makes the Catch2 program NAME_tests and one ctest for each of its test cases, named "NAME.case".
 #
+#  - SOURCES: the word BATCH among them begins a batch, whose sources TWUM_UNITY compiles as one: in half the time, as
+#    they share their headers and templates. Two sources of a batch may not give different things the same name.
 #  - LIBRARIES  what it links besides Catch2 (with its main) and the project's compile flags.
 #  - RAPIDCHECK links rapidcheck and its Catch2 glue; the seed is fixed, failures print it.
 #  - COST: seconds of its longest cases; ctest begins with what takes longest.
 #  - RECORDS: what its cases record of deviations goes to ${TWUM_DEVIATIONS}, for house.validation.
-#  - PRECOMPILED: headers besides Catch2's, if TWUM_PRECOMPILE; PRECOMPILED_AS takes those of another test.
+#  - PRECOMPILED: headers besides Catch2's, if TWUM_PRECOMPILE without TWUM_UNITY, whose batches are too few to repay it;
+#    PRECOMPILED_AS takes those of another test.
 #  - A test case tagged [.long] is hidden from ctest; scripts/test-long.sh runs it.
 #  - `#include "support/x.hpp"` finds tests/support/x.hpp.
 #  - The sources may use TWUM_SOURCE_DIR and TWUM_TEST_DATA (tests/data), both string literals.
@@ -29,7 +32,10 @@ function(twum_test name)
     set(ARG_COST 0)
   endif()
   set(target ${name}_tests)
-  add_executable(${target} ${ARG_SOURCES})
+  twum_test_batches(sources ${ARG_SOURCES})
+  add_executable(${target} ${sources})
+  twum_optimized(${target} cold)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${TWUM_UNITY} UNITY_BUILD_MODE GROUP)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${target} PRIVATE
     TWUM_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
@@ -40,9 +46,9 @@ function(twum_test name)
     target_link_libraries(${target} PRIVATE rapidcheck rapidcheck_catch)
   endif()
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
-  if(TWUM_PRECOMPILE AND ARG_PRECOMPILED_AS)
+  if(TWUM_PRECOMPILE AND NOT TWUM_UNITY AND ARG_PRECOMPILED_AS)
     target_precompile_headers(${target} REUSE_FROM ${ARG_PRECOMPILED_AS}_tests)
-  elseif(TWUM_PRECOMPILE)
+  elseif(TWUM_PRECOMPILE AND NOT TWUM_UNITY)
     target_precompile_headers(${target} PRIVATE <catch2/catch.hpp> ${ARG_PRECOMPILED})
   endif()
   # -w NoTests: a name that matches nothing is a failure, not a silent pass.
@@ -50,6 +56,23 @@ function(twum_test name)
   set(labels ${name} ${ARG_LABELS})
   twum_case_properties(${target} "${labels}" ${ARG_TIMEOUT} ${ARG_COST} "${ARG_RECORDS}")
   set_property(GLOBAL APPEND PROPERTY TWUM_TEST_PROGRAMS $<TARGET_FILE:${target}>)
+endfunction()
+
+# The sources without the words BATCH; each one behind such a word belongs to its batch.
+function(twum_test_batches result)
+  set(sources "")
+  set(batch 0)
+  foreach(source ${ARGN})
+    if(source STREQUAL BATCH)
+      math(EXPR batch "${batch} + 1")
+      continue()
+    endif()
+    list(APPEND sources ${source})
+    if(batch)
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${batch})
+    endif()
+  endforeach()
+  set(${result} ${sources} PARENT_SCOPE)
 endfunction()
 
 # Properties of the cases of a program, which ctest sets once it knows them: those that catch_discover_tests passes on cannot be lists.

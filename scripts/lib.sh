@@ -3,11 +3,11 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-# Two jobs may need 1.5 GB together; fewer jobs where there is less memory or fewer cores.
+# A job may need a gigabyte: a batch of sources is compiled as one. Fewer jobs where there is less memory or fewer cores.
 jobs() {
   local cores memory
   cores=$(nproc)
-  memory=$(awk '/MemAvailable/ {print int($2 / 700000)}' /proc/meminfo 2>/dev/null || echo "$cores")
+  memory=$(awk '/MemAvailable/ {print int($2 / 1000000)}' /proc/meminfo 2>/dev/null || echo "$cores")
   ((memory < cores)) && cores=$memory
   ((cores > 0)) || cores=1
   echo "$cores"

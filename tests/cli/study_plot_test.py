@@ -5,6 +5,7 @@ import json
 import math
 import os
 import pathlib
+import shutil
 import struct
 
 import program
@@ -35,8 +36,12 @@ class Pictures(program.Case):
         """Pictures of a study by name, and its result directory."""
         path = self.write(study + ".yaml", text) if text else ROOT / "examples/studies" / f"{study}.yaml"
         directory = self.folder / study
-        done = program.twum("run", path, "-o", directory)
-        self.assertIn(done.returncode, (0, 1), done.stderr)
+        made = pathlib.Path(os.environ.get("TWUM_RESULTS", "")) / study
+        if text is None and (made / "summary.json").exists():  # of the tests' fixture
+            shutil.copytree(made, directory)
+        else:
+            done = program.twum("run", path, "-o", directory)
+            self.assertIn(done.returncode, (0, 1), done.stderr)
         names = [pathlib.Path(line).relative_to(directory / "plots") for line in self.ok("plot", directory).splitlines()]
         self.assertEqual(sorted(names), sorted(p.relative_to(directory / "plots") for p in (directory / "plots").iterdir()))
         pictures = {name.stem: Picture(directory / "plots" / name) for name in names if name.suffix == ".svg"}

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "support/constants.hpp"
 #include "support/point_checks.hpp"
 #include "support/test_motors.hpp"
 
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -20,8 +20,6 @@ namespace {
 using namespace twum;
 using namespace twum::test;
 using P = Parameter;
-
-constexpr double kPi = std::numbers::pi;
 
 MotorDesign sliced(MotorDesign design, int slices) {
   design.stator.radial_slices = slices;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "support/constants.hpp"
 #include "support/deviations.hpp"
 #include "support/driven_motors.hpp"
 #include "support/two_modes.hpp"
@@ -12,15 +13,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 // Backward waves, forced and free, against an integration in time of the two modes, and against closed forms.
 namespace {
 
 using namespace twum;
 using namespace twum::test;
-
-constexpr double kPi = std::numbers::pi;
 
 MetricValue at_speed(const MotorDesign& design, Metric metric, double speed) {
   return evaluate(Motor(design), {metric, Argument::speed, speed});

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "support/constants.hpp"
 #include "support/deviations.hpp"
 #include "support/point_checks.hpp"
 #include "support/test_motors.hpp"
@@ -8,15 +9,11 @@
 #include <twum/core/performance/metrics.hpp>
 #include <twum/core/performance/motor.hpp>
 
-#include <numbers>
-
 // Closed forms of theory section 8, each written here from the page and used nowhere in the core.
 namespace {
 
 using namespace twum;
 using namespace twum::test;
-
-constexpr double kPi = std::numbers::pi;
 
 // An elastic layer with given half contact angle and friction-compliance number at rest.
 struct ElasticMotor {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "support/constants.hpp"
 #include "support/deviations.hpp"
 #include "support/driven_motors.hpp"
 
@@ -24,8 +25,6 @@ namespace {
 
 using namespace twum;
 using namespace twum::test;
-
-constexpr double kPi = std::numbers::pi;
 
 struct ReferenceWave {
   std::string name;

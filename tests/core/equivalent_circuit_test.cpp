@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "support/constants.hpp"
 #include "support/driven_motors.hpp"
 
 #include <catch2/catch.hpp>
@@ -8,7 +9,6 @@
 
 #include <cmath>
 #include <complex>
-#include <numbers>
 
 // The stator as a circuit: what an impedance analyser reads off it, and the motor that comes back.
 namespace {
@@ -16,7 +16,6 @@ namespace {
 using namespace twum;
 using namespace twum::test;
 
-constexpr double kPi = std::numbers::pi;
 constexpr std::complex<double> kI(0, 1);
 
 /// What an impedance analyser reads: series resonance and width of the circle, its diameter, capacitance at low frequency.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "support/constants.hpp"
 #include "support/contact_problem.hpp"
 #include "support/deviations.hpp"
 #include "support/point_checks.hpp"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -21,8 +21,6 @@ namespace {
 
 using namespace twum;
 using namespace twum::test;
-
-constexpr double kPi = std::numbers::pi;
 
 struct Probe {
   const char* name;

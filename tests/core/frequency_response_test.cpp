@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "support/constants.hpp"
 #include "support/deviations.hpp"
 #include "support/driven_motors.hpp"
 
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 // The response over the frequency against what is known of motors at one frequency, found by searches over the amplitude.
@@ -21,7 +21,6 @@ namespace {
 using namespace twum;
 using namespace twum::test;
 
-constexpr double kPi = std::numbers::pi;
 constexpr RotorLoad kAtRest{Argument::speed, 0};
 
 MotorDesign wide_motor() {

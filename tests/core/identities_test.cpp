@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "case_file.hpp"
+#include "support/constants.hpp"
 #include "support/deviations.hpp"
 #include "support/point_checks.hpp"
 #include "support/test_motors.hpp"
@@ -10,14 +11,11 @@
 #include <twum/core/performance/motor.hpp>
 
 #include <algorithm>
-#include <numbers>
 
 namespace {
 
 using namespace twum;
 using namespace twum::test;
-
-constexpr double kPi = std::numbers::pi;
 
 std::vector<IdentityCase> cases() {
   return read_identity_cases(TWUM_SOURCE_DIR "/tests/core/identity_cases.yaml");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "support/constants.hpp"
 #include "support/contact_problem.hpp"
 #include "support/deviations.hpp"
 #include "support/test_motors.hpp"
@@ -9,14 +10,11 @@
 #include <twum/core/performance/motor.hpp>
 
 #include <cmath>
-#include <numbers>
 
 namespace {
 
 using namespace twum;
 using namespace twum::test;
-
-constexpr double kPi = std::numbers::pi;
 
 // sin t - t cos t from its power series in long double; converges for all t <= pi, and 40 terms leave
 // nothing of it. The largest term at pi is about 5, so no more than one digit of 19 is lost.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "support/constants.hpp"
 #include "support/contact_problem.hpp"
 #include "support/deviations.hpp"
 #include "support/test_motors.hpp"
@@ -8,8 +9,6 @@
 #include <twum/core/performance/motor.hpp>
 
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <vector>
 
 // The contact's force on the wave against its definition, taken from the fields sample by sample, and in limits.
@@ -17,8 +16,6 @@ namespace {
 
 using namespace twum;
 using namespace twum::test;
-
-constexpr double kPi = std::numbers::pi;
 
 // a kappa
 double tilt_of(const MotorDesign& design) {

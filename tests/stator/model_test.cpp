@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "support/constants.hpp"
 #include "support/deviations.hpp"
 #include "support/stators.hpp"
 
@@ -10,15 +11,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace {
 
 using namespace twum;
 using namespace twum::stator;
 using namespace twum::test;
-
-constexpr double kPi = std::numbers::pi;
 
 // A flat ring with ceramic all over it, thin enough for Kirchhoff.
 StatorGeometry plain_ring() {

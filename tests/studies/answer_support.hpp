@@ -2,16 +2,14 @@
 #pragma once
 
 #include "results/answers.hpp"
+#include "support/constants.hpp"
 
-#include <limits>
 #include <string>
 
 /// Answers made by hand, for tests of what is said of them.
 namespace twum::test {
 
 using namespace twum::studies;
-
-inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// The text with a bar in place of the blanks between the columns of its tables.
 inline std::string barred(const std::string& text) {

@@ -19,14 +19,14 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-const char* const kFriction = "kinetic_friction: {min: 0.05, max: 0.5}";
+const char* const kKinetic = "kinetic_friction: {min: 0.05, max: 0.5}";
 const char* const kModulus = "youngs_modulus: {min: 0.5 GPa, max: 20 GPa, scale: log}";
 
 // One study of two tables.
 struct Benches {
   ScratchFolder folder;
   std::string motor{"ring-60"};
-  std::string variables{std::string(kFriction) + ", " + kModulus};
+  std::string variables{std::string(kKinetic) + ", " + kModulus};
   std::string per_file{"kinetic_friction"};
   std::string data{"[a.csv, b.csv]"};
   std::string more{"starts: 1"};
@@ -153,7 +153,7 @@ TEST_CASE("a measurement on one of two motors says nothing about the other (L6.2
 TEST_CASE("each table has a curve of its own with the band of its parameters (L2.4)",
           "[studies][calibrate][closed-form]") {
   Benches two;
-  two.variables = kFriction;
+  two.variables = kKinetic;
   two.motor = "elastic-layer";
   const StudyFile file = two.file("speed [rpm],torque\n1,0.80\n2,0.81\n3,0.79\n",
                                   "speed [rpm],torque\n1,0.70\n2,0.71\n4,0.70\n");
@@ -179,7 +179,7 @@ TEST_CASE("each table has a curve of its own with the band of its parameters (L2
 TEST_CASE("each bench's friction makes up for the preload (L5.1)",
           "[studies][calibrate][closed-form]") {
   Benches two;
-  two.variables = kFriction;
+  two.variables = kKinetic;
   const Run run(two.file(plateau(0.8), plateau(0.7)));
   const MotorDesign motor = Case().design();
   REQUIRE(run.result().estimates.size() == 2);

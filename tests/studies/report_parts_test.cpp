@@ -5,6 +5,7 @@
 #include "report/rows.hpp"
 #include "report_numbers.hpp"
 #include "search_support.hpp"
+#include "support/constants.hpp"
 
 #include <twum/core/performance/motor.hpp>
 #include <twum/studies/motor/curve_points.hpp>
@@ -15,7 +16,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -25,8 +25,6 @@ using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 MotorDesign elastic_motor() {
   return read_motor_file(TWUM_SOURCE_DIR "/examples/motors/elastic-layer.yaml").design;

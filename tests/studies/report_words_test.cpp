@@ -2,6 +2,7 @@
 // What a report page is told of names and limits, so that it takes no text apart and judges nothing itself.
 #include "report/names.hpp"
 #include "report/standings.hpp"
+#include "support/constants.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -12,11 +13,11 @@
 #include <vector>
 
 using namespace twum::studies;
+using namespace twum::test;
 using Catch::Matchers::WithinRel;
 
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kRpm = std::numbers::pi / 30;
 

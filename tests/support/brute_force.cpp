@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/brute_force.hpp"
 
+#include "support/constants.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace twum::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr int kHalvings = 14;
 
 enum class Mode : signed char { slip_minus = -1, stick = 0, slip_plus = 1, open = 2 };

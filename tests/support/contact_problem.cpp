@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/contact_problem.hpp"
 
+#include "support/constants.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace twum::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 // sin t - t cos t; the series' first dropped term is below 1e-19 of the sum for t < 0.2.
 long double load_shape(long double t) {

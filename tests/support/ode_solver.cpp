@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/ode_solver.hpp"
 
+#include "support/constants.hpp"
+
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 
@@ -8,12 +10,10 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <numbers>
 
 namespace twum::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr std::size_t kSize = 6;  // eps, eps', and the integrals of traction and three powers
 using Vector = std::array<double, kSize>;
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/test_motors.hpp"
 
+#include "support/constants.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace twum::test {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 double between(double unit, double low, double high) { return low + (high - low) * unit; }
 double log_between(double unit, double low, double high) {

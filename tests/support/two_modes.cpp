@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "support/two_modes.hpp"
 
+#include "support/constants.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace twum::test {
-namespace {
-
-constexpr double kPi = std::numbers::pi;
-
-}  // namespace
 
 TwoModes::TwoModes(const MotorDesign& design, double speed)
     : speed_(speed),

@@ -22,7 +22,7 @@ double simpson(const F& f, double a, double b, int n) {
   return sum * h / 3;
 }
 
-struct Zone {
+struct OneZone {
   ContactNumbers<double> n;
   LayerMotion<double> layer;
   Harmonic<double> f;
@@ -30,7 +30,7 @@ struct Zone {
   LayerState<double> h0;
   double length;
 
-  Zone(Dice& dice, int index, double longest)
+  OneZone(Dice& dice, int index, double longest)
       : n(random_contact(dice, index)),
         layer(n.inertia, n.damping),
         f(forced_response(n, layer, 1)),
@@ -60,7 +60,7 @@ TEST_CASE("integrals over a slip zone follow from its end states (E5.1, E5.2)",
   Dice dice(31);
   int checked = 0;
   for (int i = 0; i < 100; ++i) {
-    const Zone zone(dice, i, 3);
+    const OneZone zone(dice, i, 3);
     if (zone.layer.kind() == LayerKind::elastic) continue;
     if (zone.layer.kind() == LayerKind::overdamped && zone.layer.fast() < -100) continue;
     if (zone.layer.natural_frequency() > 100) continue;
@@ -83,7 +83,7 @@ TEST_CASE("the series of short slip zones (E5.3) agree with the closed forms whe
           "[core][contact][differential]") {
   Dice dice(32);
   for (int i = 0; i < 300; ++i) {
-    Zone zone(dice, i, 0.3);
+    OneZone zone(dice, i, 0.3);
     if (zone.layer.kind() == LayerKind::elastic) continue;
     zone.length = std::min(zone.length, 2.4 / ShortSlip<double>::rate(zone.layer));
     zone.to = {zone.from.theta + zone.length, trig(zone.from.theta + zone.length)};
@@ -110,7 +110,7 @@ TEST_CASE("the layer's own motion obeys its equation and loses its energy",
           "[core][contact][identity]") {
   Dice dice(33);
   for (int i = 0; i < 300; ++i) {
-    const Zone zone(dice, i, 3);
+    const OneZone zone(dice, i, 3);
     if (!zone.layer.has_inertia()) continue;
     const bool modes = zone.layer.kind() == LayerKind::overdamped;
     const double rate = modes ? -zone.layer.fast() : ShortSlip<double>::rate(zone.layer);

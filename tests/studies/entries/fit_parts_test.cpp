@@ -4,13 +4,13 @@
 #include "kinds/calibration.hpp"
 #include "kinds/measured_fit.hpp"
 #include "kinds/unit_box.hpp"
+#include "support/constants.hpp"
 
 #include <twum/optim/random.hpp>
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 #include <string>
@@ -25,7 +25,6 @@ using P = Parameter;
 
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kRpm = 2 * std::numbers::pi / 60;
 
 MotorDesign elastic() {

@@ -4,6 +4,7 @@
 #include "kinds/found_motors.hpp"
 #include "kinds/metric_gradients.hpp"
 #include "kinds/stored_medians.hpp"
+#include "support/constants.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/studies/run/run_study.hpp>
@@ -27,8 +28,6 @@ using Catch::Matchers::EndsWith;
 using Catch::Matchers::StartsWith;
 
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // The elastic layer carries mu F_N r on its plateau.
 double plateau(double friction, double preload) { return friction * preload * 0.0265; }

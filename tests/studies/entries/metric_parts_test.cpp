@@ -3,6 +3,7 @@
 #include "entries_support.hpp"
 #include "kinds/metric_gradients.hpp"
 #include "problem/metric_values.hpp"
+#include "support/constants.hpp"
 
 #include <twum/core/performance/motor.hpp>
 #include <twum/studies/statistics/distribution.hpp>
@@ -26,7 +27,6 @@ using P = Parameter;
 
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // All of the layer follows from E, nu, the loss factor, the density and h.

@@ -4,6 +4,7 @@
 #include "kinds/earlier_result.hpp"
 #include "kinds/search_rows.hpp"
 #include "problem/motor_responses.hpp"
+#include "support/constants.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/studies/problem/sizing.hpp>
@@ -14,7 +15,6 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -26,8 +26,6 @@ using Catch::Matchers::StartsWith;
 using P = Parameter;
 
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 MotorDesign elastic() {
   const ScratchFolder folder;

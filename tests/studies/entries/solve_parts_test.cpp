@@ -5,6 +5,7 @@
 #include "kinds/design_report.hpp"
 #include "problem/motor_responses.hpp"
 #include "problem/multi_start.hpp"
+#include "support/constants.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/studies/problem/sizing.hpp>
@@ -14,7 +15,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -26,8 +26,6 @@ using optim::Outcome;
 using P = Parameter;
 
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // x^4 - 2 x^2 + x / 4 has two valleys; the left one is the deeper.
 optim::Problem two_valleys() {

@@ -3,12 +3,12 @@
 #include "entries_support.hpp"
 #include "results/answers.hpp"
 #include "run/verify_checks.hpp"
+#include "support/constants.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -19,8 +19,6 @@ using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
 
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 StoredRow row_of(std::uint64_t stage, std::uint64_t index, std::vector<double> values,
                  const std::string& status = "ok") {
