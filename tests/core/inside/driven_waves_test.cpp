@@ -122,12 +122,12 @@ TEST_CASE("one turn from a state nearby leads to the periodic state and its bala
     bool followed = true;
     for (const double share : {1e-3, 1e-4}) {
       const WarmStart start = moved(point.start(), at.states, share * a);
-      const auto turn = point.newton_turn(waves.motor(a), speed, start, at.states, point);
+      const auto turn = point.newton_turn(waves.motor(a), speed, start, at.states);
       if (!turn) {
         followed = false;
         break;
       }
-      const auto again = point.newton_turn(waves.motor(a), speed, turn->next, at.states, point);
+      const auto again = point.newton_turn(waves.motor(a), speed, turn->next, at.states);
       REQUIRE(again);
       const double off = std::fabs(waves.balance(turn->numbers, a).force() - force) / force;
       CAPTURE(i, share, turn->gap, again->gap, off);
