@@ -207,9 +207,9 @@ S pressure_force(const Slice<S>& s) {
   return s.shape * (0.5 * s.load * (c.half_angle * s.edge.sin * s.edge.sin / g - s.edge.cos));
 }
 
-/// Fills in what the tangential contact takes of a slice's normal contact and its edge.
+/// A slice whose normal contact and edge are known, with what the tangential contact takes of them.
 template <typename S>
-void complete(Slice<S>& s, const MotorModel<S>& m) {
+Slice<S> completed(Slice<S> s, const MotorModel<S>& m) {
   s.stick_gain = m.shear * s.crest_velocity / (m.thickness * s.contact.pressure_amplitude);
   s.peak = s.contact.full ? S(1.0 - s.contact.edge_cosine) : s.edge.versine;
   s.pressure_force = pressure_force(s);
@@ -218,6 +218,7 @@ void complete(Slice<S>& s, const MotorModel<S>& m) {
   s.torque_scale = circumference * s.radius * s.width * P;
   s.power_scale = circumference * s.width * P * s.crest_velocity;
   s.force_scale = circumference * s.width * (m.tilt * (m.r / s.radius)) * P * s.shape;
+  return s;
 }
 
 /// The motor whose contact at the mean radius alone is known, with that of the whole annulus (W2.1 to W2.4).
@@ -255,7 +256,7 @@ DrivenMotor<S> driven(const MotorModel<S>& model, const Wave<S>& wave) {
   m.radius = m.r, m.width = m.b, m.shape = S(1.0), m.load = m.preload, m.share = S(1.0);
   m.edge = m.contact.full ? contact::Trig<S>{S(0.0), S(-1.0), S(2.0)}
                           : contact::trig(m.contact.half_angle);
-  complete<S>(m, m);
+  static_cast<Slice<S>&>(m) = completed<S>(m, m);
   m.lever = m.holding_lever = m.r, m.indentation = S(0.0);
   if (m.track.nodes == 1) return m;
   return over_annulus(std::move(m));

@@ -11,18 +11,17 @@ namespace {
 
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
-OperatingPoint no_answer(double speed, PointStatus status) {
-  OperatingPoint point;
+// Made once: points are many.
+constexpr OperatingPoint kNoAnswer = [] {
+  OperatingPoint point{};
   for (double* number :
        {&point.torque, &point.output_power, &point.stator_power, &point.friction_power,
         &point.layer_loss, &point.stator_loss, &point.wear_intensity, &point.stick_fraction,
         &point.reactive_force, &point.amplitude, &point.phase_lag, &point.voltage,
         &point.phase_current, &point.dielectric_loss, &point.electrical_power, &point.power_factor})
     *number = kNoNumber;
-  point.speed = speed;
-  point.status = status;
   return point;
-}
+}();
 
 void add_terminals(OperatingPoint& point, const DrivenMotor<double>& m,
                    const StatorModes<double>& modes) {
@@ -47,7 +46,8 @@ void add_terminals(OperatingPoint& point, const DrivenMotor<double>& m,
 
 OperatingPoint operating_point_of(const DrivenMotor<double>& m, const SolvedPoint& solved,
                                   double speed, const std::optional<StatorModes<double>>& modes) {
-  OperatingPoint point = no_answer(speed, solved.status);
+  OperatingPoint point = kNoAnswer;
+  point.speed = speed, point.status = solved.status;
   if (solved.status != PointStatus::ok) return point;
   const PointNumbers<double>& n = solved.numbers;
   point.torque = n.torque;

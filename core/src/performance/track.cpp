@@ -176,8 +176,7 @@ Slice<S> slice_at(const DrivenMotor<S>& m, const S& radius, const S& width) {
                                 : contact_of(m, S(m.n / radius), s.amplitude, depth);
   s.contact = c.contact, s.edge = c.edge;
   s.load = 2 * pi * radius * width * mean_pressure(s.contact), s.share = S(1.0);
-  complete(s, m);
-  return s;
+  return completed<S>(s, m);
 }
 
 namespace {
