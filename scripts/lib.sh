@@ -3,11 +3,11 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-# A job may need a gigabyte: a batch of sources is compiled as one. Fewer jobs where there is less memory or fewer cores.
+# A job may need 2.3 GB: a batch of sources is compiled as one. Fewer jobs where there is less memory or fewer cores.
 jobs() {
   local cores memory
   cores=$(nproc)
-  memory=$(awk '/MemAvailable/ {print int($2 / 1000000)}' /proc/meminfo 2>/dev/null || echo "$cores")
+  memory=$(awk '/MemAvailable/ {print int($2 / 2300000)}' /proc/meminfo 2>/dev/null || echo "$cores")
   ((memory < cores)) && cores=$memory
   ((cores > 0)) || cores=1
   echo "$cores"
