@@ -3,19 +3,22 @@
 #
 # -ffp-contract=off keeps a*b + c from being fused, so that the double path and the derivative path
 # agree bit for bit and every build gives the same digits. -fno-math-errno lets square roots be one instruction; no
-# value changes by it. -Wno-restrict because GCC 12 warns wrongly about
-# "text" + std::string from -O2 on (GCC bug 105651).
+# value changes by it.
+#
+# Warnings are for who changes the code (presets dev and ci), as errors: looking for them takes GCC a tenth of its time.
+# -Wno-restrict because GCC 12 warns wrongly about "text" + std::string from -O2 on (GCC bug 105651). In a batch of
+# sources one source's names are not another's concern: -Wno-shadow.
 #
 # A batch of sources (TWUM_UNITY) needs a gigabyte in any case; collecting garbage less often, GCC is a tenth faster on it.
 add_library(twum_compile INTERFACE)
 target_compile_features(twum_compile INTERFACE cxx_std_20)
-target_compile_options(twum_compile INTERFACE
-  -ffp-contract=off
-  -fno-math-errno
-  -Wall -Wextra -Wpedantic -Wconversion -Wshadow
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
-  $<$<BOOL:${TWUM_UNITY}>:-Wno-shadow>  # one source's names are not another's concern
-  $<$<BOOL:${TWUM_WARNINGS_AS_ERRORS}>:-Werror>)
+target_compile_options(twum_compile INTERFACE -ffp-contract=off -fno-math-errno)
+if(TWUM_WARNINGS)
+  target_compile_options(twum_compile INTERFACE
+    -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+    $<$<BOOL:${TWUM_UNITY}>:-Wno-shadow>)
+endif()
 if(TWUM_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   target_compile_options(twum_compile INTERFACE
     "SHELL:--param ggc-min-expand=300" "SHELL:--param ggc-min-heapsize=4000000")
@@ -28,8 +31,8 @@ add_library(twum::compile ALIAS twum_compile)
 
 # twum_optimized(TARGET hot|warm|mild|cold): how fully a release optimizes, whatever its preset asks of the rest.
 #   hot   the physics: GCC 12 vectorizes the short loops of dual numbers only from -O3 on
-#   warm  linear algebra and searches
-#   mild  what each row of a study passes through: formulas, the store
+#   warm  the plate: it solves once for each geometry
+#   mild  what each row of a study passes through: searches, formulas, the store
 #   cold  what runs once for each study or page: half of what has to be compiled, a fifth quicker with -Og than with -O1
 function(twum_optimized target part)
   set(level_of_hot -O3)

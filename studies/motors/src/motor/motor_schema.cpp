@@ -235,12 +235,12 @@ constexpr std::pair<std::string_view, std::string_view> kMayLack[] = {
     {"stator.geometry.teeth", "no teeth"}};
 
 Field<GivenMotor> section_at(const std::string& path, const std::string& name,
-                             std::vector<Field<GivenMotor>> fields) {
+                             const Fields<GivenMotor>& fields) {
   const auto* known = std::find_if(std::begin(kSections), std::end(kSections),
                                    [&](const Section& one) { return one.path == path; });
   TWUM_ASSERT(known != std::end(kSections));
   Field<GivenMotor> field =
-      section(name, std::string(known->text), std::move(fields), filled_check(path, known->check));
+      section(name, std::string(known->text), fields, filled_check(path, known->check));
   field.entry.shown = known->shown;
   for (const auto& [section, fallback] : kMayLack)
     if (section == path) field.entry.required = false, field.entry.fallback = fallback;
@@ -258,18 +258,15 @@ Field<GivenMotor> left_out_freely(Field<GivenMotor> field) {
 }
 
 // The entries below a path, by the parameter table: parameters, and sections of them.
-std::vector<Field<GivenMotor>> fields_below(const std::string& path,
-                                            Extent extent = Extent::motor) {
-  std::vector<Field<GivenMotor>> fields;
+Fields<GivenMotor> fields_below(const std::string& path, Extent extent = Extent::motor) {
+  Fields<GivenMotor> fields;
   for (const ParameterInfo& row : parameter_table()) {
     if (!row.file_entry.starts_with(path)) continue;
     const std::string_view rest = row.file_entry.substr(path.size());
     const std::string name(first_step(rest));
-    const bool done = std::any_of(fields.begin(), fields.end(),
-                                  [&](const auto& field) { return field.entry.name == name; });
     if (name == rest) {
       fields.push_back(extent == Extent::motor ? field_of(row) : left_out_freely(field_of(row)));
-    } else if (!done) {
+    } else if (!fields.has(name)) {
       fields.push_back(section_at(path + name, name, fields_below(path + name + ".", extent)));
     }
   }
@@ -357,11 +354,11 @@ Shape<double> parameter_shape(const ParameterInfo& parameter) {
 
 const Shape<MotorFile>& motor_shape() {
   static const Shape<MotorFile> shape = [] {
-    std::vector<Field<GivenMotor>> fields = fields_below("");
-    fields.insert(fields.begin(), optional<GivenMotor>("name", path("name of the motor", "ring-60"),
+    Fields<GivenMotor> fields = fields_below("");
+    fields.insert(0, optional<GivenMotor>("name", path("name of the motor", "ring-60"),
                                                        &GivenMotor::name, "no name"));
     return shape_as<MotorFile, GivenMotor>(
-        mapping<GivenMotor>("one motor", std::move(fields), check_motor), motor_of, given_by);
+        mapping<GivenMotor>("one motor", fields, check_motor), motor_of, given_by);
   }();
   return shape;
 }
@@ -369,14 +366,14 @@ const Shape<MotorFile>& motor_shape() {
 const Shape<std::vector<ParameterValue>>& parameter_set_shape() {
   using Values = std::vector<ParameterValue>;
   static const Shape<Values> shape = [] {
-    std::vector<Field<GivenMotor>> fields = fields_below("", Extent::part);
-    fields.insert(fields.begin(), optional<GivenMotor>("name", path("name of the set", "PEEK"),
+    Fields<GivenMotor> fields = fields_below("", Extent::part);
+    fields.insert(0, optional<GivenMotor>("name", path("name of the set", "PEEK"),
                                                        &GivenMotor::name, "no name"));
     Field<GivenMotor> version = version_field<GivenMotor>();
     version.entry.required = false;
-    fields.insert(fields.begin(), std::move(version));
+    fields.insert(0, version);
     return shape_as<Values, GivenMotor>(
-        mapping<GivenMotor>("parameters of a motor that belong together", std::move(fields),
+        mapping<GivenMotor>("parameters of a motor that belong together", fields,
                             needs_parameter),
         [](const GivenMotor& part) { return all_values(part); },
         [](const Values& values) {

@@ -126,6 +126,57 @@ void needs_one(const YamlNode& node, const Spot& spot, Diagnostics& diagnostics)
     diagnostics.add(node.mark, spot.path, "no variable", "name at least one parameter");
 }
 
+ErasedShape erased_by_parameter(const std::function<ErasedShape(const ParameterInfo&)>& shape_of,
+                                std::string text, std::string sample, CountCheck check_count,
+                                const ErasedList& list, Parameter& (*parameter_of)(void* item)) {
+  std::vector<ErasedShape> all;
+  ErasedShape shape;
+  shape.schema.kind = ValueKind::mapping;
+  shape.schema.text = std::move(text);
+  shape.schema.sample = std::move(sample);
+  for (const ParameterInfo& row : parameter_table()) {
+    all.push_back(shape_of(row));
+    SchemaEntry entry;
+    entry.name = row.name;
+    entry.schema = all.back().schema;
+    entry.alias = row.symbol;
+    entry.alias_counts = true;
+    if (row.alternative) entry.alternative_entry = info(*row.alternative).name;
+    shape.schema.entries.push_back(std::move(entry));
+  }
+  const auto shapes = kept(std::move(all));
+  shape.read = [schema = kept(shape.schema), shapes, check_count, list, parameter_of](
+                   void* into, const YamlNode& node, const Spot& spot, Diagnostics& diagnostics) {
+    list.clear(into);
+    if (node.kind != YamlNode::Kind::mapping) {
+      say_wrong_kind(node, *schema, spot, diagnostics);
+      return false;
+    }
+    if (check_count != nullptr) check_count(node, spot, diagnostics);
+    for (const auto& [number, entry] : given_entries(node, *schema, spot, diagnostics)) {
+      const Spot place = spot.entry(entry->key, entry->key_mark);
+      void* const item = list.add(into);
+      if ((*shapes)[number].read(item, entry->value, place, diagnostics))
+        parameter_of(item) = parameter_table()[number].parameter;
+      else
+        list.drop(into);
+    }
+    return list.size(into) > 0 && list.size(into) == node.entries.size();
+  };
+  shape.write = [shapes, list, parameter_of](void* values) {
+    YamlNode node;
+    node.kind = YamlNode::Kind::mapping;
+    for (std::size_t i = 0; i < list.size(values); ++i) {
+      void* const item = list.item(values, i);
+      const ParameterInfo& row = info(parameter_of(item));
+      const auto number = static_cast<std::size_t>(&row - parameter_table().data());
+      node.entries.push_back({std::string(row.name), {}, (*shapes)[number].write(item)});
+    }
+    return node;
+  };
+  return shape;
+}
+
 Shape<std::vector<DesignVariable>> variables(std::string text, std::string sample) {
   return by_parameter<DesignVariable>(range, std::move(text), std::move(sample));
 }

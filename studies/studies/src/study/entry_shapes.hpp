@@ -38,7 +38,7 @@ Shape<DesignObjective> wanted(std::string text, bool maximize, std::string examp
 
 /// {maximize: METRIC} or {minimize: METRIC}, or a statistic: two fields of which one is needed.
 template <typename T>
-std::vector<Field<T>> goal(DesignObjective T::*member) {
+Fields<T> goal(DesignObjective T::*member) {
   const auto field = [member](const char* name, const char* text, const char* alternative,
                               bool maximize) {
     Field<T> one = required<T>(name, wanted(text, maximize), member);
@@ -61,57 +61,20 @@ std::vector<Field<T>> goal(DesignObjective T::*member) {
 using CountCheck = void (*)(const YamlNode& node, const Spot& spot, Diagnostics& diagnostics);
 void needs_one(const YamlNode& node, const Spot& spot, Diagnostics& diagnostics);
 
+ErasedShape erased_by_parameter(const std::function<ErasedShape(const ParameterInfo&)>& shape_of,
+                                std::string text, std::string sample, CountCheck check_count,
+                                const ErasedList& list, Parameter& (*parameter_of)(void* item));
+
 /// A mapping from parameters, by name or symbol, to something whose shape depends on the parameter.
 /// V has a member `parameter`.
 /// @param sample  lines for a template
-template <typename V>
-Shape<std::vector<V>> by_parameter(std::function<Shape<V>(const ParameterInfo&)> shape_of,
-                                   std::string text, std::string sample,
+template <typename V, typename ShapeOf>
+Shape<std::vector<V>> by_parameter(ShapeOf shape_of, std::string text, std::string sample,
                                    CountCheck check_count = needs_one) {
-  std::vector<Shape<V>> shapes;
-  Shape<std::vector<V>> shape;
-  shape.schema.kind = ValueKind::mapping;
-  shape.schema.text = std::move(text);
-  shape.schema.sample = std::move(sample);
-  for (const ParameterInfo& row : parameter_table()) {
-    shapes.push_back(shape_of(row));
-    SchemaEntry entry;
-    entry.name = row.name;
-    entry.schema = shapes.back().schema;
-    entry.alias = row.symbol;
-    entry.alias_counts = true;
-    if (row.alternative) entry.alternative_entry = info(*row.alternative).name;
-    shape.schema.entries.push_back(std::move(entry));
-  }
-  shape.read = [schema = shape.schema, shapes, check_count](std::vector<V>& into,
-                                                            const YamlNode& node, const Spot& spot,
-                                                            Diagnostics& diagnostics) {
-    into.clear();
-    if (node.kind != YamlNode::Kind::mapping) {
-      say_wrong_kind(node, schema, spot, diagnostics);
-      return false;
-    }
-    if (check_count != nullptr) check_count(node, spot, diagnostics);
-    for (const auto& [number, entry] : given_entries(node, schema, spot, diagnostics)) {
-      const Spot place = spot.entry(entry->key, entry->key_mark);
-      V value{};
-      if (!shapes[number].read(value, entry->value, place, diagnostics)) continue;
-      value.parameter = parameter_table()[number].parameter;
-      into.push_back(std::move(value));
-    }
-    return !into.empty() && into.size() == node.entries.size();
-  };
-  shape.write = [shapes](const std::vector<V>& values) {
-    YamlNode node;
-    node.kind = YamlNode::Kind::mapping;
-    for (const V& value : values) {
-      const ParameterInfo& row = info(value.parameter);
-      const auto number = static_cast<std::size_t>(&row - parameter_table().data());
-      node.entries.push_back({std::string(row.name), {}, shapes[number].write(value)});
-    }
-    return node;
-  };
-  return shape;
+  return Shape<std::vector<V>>::from(erased_by_parameter(
+      [&](const ParameterInfo& row) { return shape_of(row).erased(); }, std::move(text),
+      std::move(sample), check_count, erased_list<V>(),
+      [](void* item) -> Parameter& { return static_cast<V*>(item)->parameter; }));
 }
 
 /// {min, max, scale, start} of each parameter.

@@ -223,14 +223,14 @@ Shape<std::vector<Parameter>> own_per_file() {
 
 Shape<OptimizeStudy> OptimizeStudy::shape() {
   using S = OptimizeStudy;
-  std::vector<Field<S>> fields{kind_field<S>(), variables_field<S>("what may be changed"),
+  Fields<S> fields{kind_field<S>(), variables_field<S>("what may be changed"),
                                derived_field<S>(), choose_field<S>()};
-  for (Field<S>& field : goal(&S::objective)) fields.push_back(std::move(field));
+  fields.push_back(goal(&S::objective));
   fields.push_back(limits_field("constraints", &S::constraints));
   fields.push_back(tolerances_field<S>());
   fields.push_back(solver_field<S>());
   fields.push_back(start_field<S>());
-  return mapping<S>("best design under constraints", std::move(fields), check_robust_search<S>);
+  return mapping<S>("best design under constraints", fields, check_robust_search<S>);
 }
 
 Shape<ParetoStudy> ParetoStudy::shape() {

@@ -34,7 +34,8 @@ Shape<std::string> option_shape(const optim::SolverOption& option) {
   if (option.type == "integer") value.kind = ValueKind::count;
   value.min = option.least;
   value.max = option.most;
-  auto shape = shape_as<std::string, double>(number(value), number_text, {});
+  auto shape =
+      shape_as<std::string, double>(number(value), number_text, [](const std::string&) { return 0.0; });
   shape.write = [](const std::string& typed) { return scalar_node(typed); };
   return shape;
 }
@@ -42,13 +43,10 @@ Shape<std::string> option_shape(const optim::SolverOption& option) {
 using Options = std::map<std::string, std::string>;
 
 Shape<Options> options_shape() {
-  std::vector<Field<Options>> fields;
+  Fields<Options> fields;
   for (const optim::SolverOption& option : optim::solver_options()) {
     const std::string& name = option.name;
-    const bool known = std::any_of(fields.begin(), fields.end(), [&](const Field<Options>& field) {
-      return field.entry.name == name;
-    });
-    if (known) continue;
+    if (fields.has(name)) continue;
     const Shape<std::string> shape = option_shape(option);
     Field<Options> field;
     field.entry.name = name;
@@ -62,10 +60,10 @@ Shape<Options> options_shape() {
       const auto found = from.find(name);
       return found == from.end() ? std::nullopt : std::optional<YamlNode>(write(found->second));
     };
-    fields.push_back(std::move(field));
+    fields.push_back(field);
   }
   return mapping<Options>("options of the named solver itself ('twum solvers' lists them)",
-                          std::move(fields));
+                          fields);
 }
 
 // Number of integers in a range; 1 if the range is wrong, which is reported elsewhere.
@@ -193,7 +191,7 @@ Shape<optim::SolveOptions> solver_shape(const optim::SolveOptions& fresh) {
   const Shape<std::string> name =
       path("a solver ('twum solvers' lists them; for a front: auto or nsga2)", "nlopt:slsqp");
   const auto evaluations = [](auto& options) -> auto& { return options.budget.evaluations; };
-  std::vector<Field<O>> fields{
+  Fields<O> fields{
       standard<O>("name", name, &O::solver),
       standard<O>("starts", count("local searches from different starts", "8", 1, 1e6), &O::starts),
       standard<O>("tolerance", fraction("relative accuracy of the optimum", "1e-8"), &O::tolerance),
@@ -203,14 +201,14 @@ Shape<optim::SolveOptions> solver_shape(const optim::SolveOptions& fresh) {
       hidden(optional<O>("options", options_shape(), &O::solver_options, "the solver's own"))};
   if (fresh.scan > 0)  // fronts have no scan
     fields.insert(
-        fields.begin() + 2,
+        2,
         standard<O>(
             "scan",
             count("designs sampled over the whole range after the searches, to find a better "
                   "local optimum; 0: none",
                   "512", 0, 1e6),
             &O::scan));
-  const auto options = mapping<O>("a solver and its options", std::move(fields), {}, fresh);
+  const auto options = mapping<O>("a solver and its options", fields, {}, fresh);
   const auto plain = shape_as<O, std::string>(
       name,
       [fresh](std::string typed) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -44,48 +45,91 @@ class Given {
   std::vector<const YamlNode*> right_;
 };
 
+/// Writes an entry of a struct; nothing if the entry is left out.
+template <typename T>
+using WriteEntry = FunctionOf<const T, std::optional<YamlNode>>;
+
+/// One entry of a mapping, without the type of its struct.
+struct ErasedField {
+  SchemaEntry entry;
+  ErasedRead read;
+  std::function<std::optional<YamlNode>(void*)> write;
+  bool has_standard{false};
+};
+
 /// One entry of a mapping that is read into a struct, and the member that it sets.
 template <typename T>
 struct Field {
-  SchemaEntry entry;  ///< name and what may stand there
-  /// Sets the member; false if the value is wrong.
-  std::function<bool(T&, const YamlNode&, const Spot&, Diagnostics&)> read;
-  /// The member's value as a user types it; nothing if the entry is left out.
-  std::function<std::optional<YamlNode>(const T&)> write;
+  SchemaEntry entry;    ///< name and what may stand there
+  Read<T> read;         ///< sets the member
+  WriteEntry<T> write;  ///< the member's value as a user types it
   /// if the entry is left out, the member keeps the value that it has in a new struct
   bool has_standard{false};
+
+  ErasedField erased() const { return {entry, read.erased(), write.erased(), has_standard}; }
+  /// The field that `erased` is, which has to be one of a T.
+  static Field from(ErasedField erased) {
+    return {std::move(erased.entry), Read<T>::from(std::move(erased.read)),
+            WriteEntry<T>::from(std::move(erased.write)), erased.has_standard};
+  }
 };
+
+/// The entries of a mapping that is read into a struct.
+template <typename T>
+class Fields {
+ public:
+  Fields(std::initializer_list<Field<T>> fields = {}) {
+    for (const Field<T>& field : fields) push_back(field);
+  }
+  void push_back(const Field<T>& field) { erased_.push_back(field.erased()); }
+  void push_back(const Fields& others) {
+    erased_.insert(erased_.end(), others.erased_.begin(), others.erased_.end());
+  }
+  void insert(std::size_t at, const Field<T>& field) {
+    erased_.insert(erased_.begin() + static_cast<std::ptrdiff_t>(at), field.erased());
+  }
+  /// Whether there is an entry with this name.
+  bool has(std::string_view name) const {
+    return std::any_of(erased_.begin(), erased_.end(),
+                       [&](const ErasedField& field) { return field.entry.name == name; });
+  }
+  const std::vector<ErasedField>& erased() const { return erased_; }
+
+ private:
+  std::vector<ErasedField> erased_;
+};
+
+/// Address of a field's value in a struct. To read into it, an optional is filled; for writing it is null if the entry
+/// is left out.
+enum class Purpose : bool { reading, writing };
+using Reach = std::function<void*(void* whole, Purpose purpose)>;
+
+/// In a member of type V, or an optional V.
+/// @param may_lack  an empty list or text counts as left out
+template <typename V, typename Target>
+void* value_in(Target& member, Purpose purpose, bool may_lack) {
+  if constexpr (requires { member.empty(); })
+    if (may_lack && purpose == Purpose::writing && member.empty()) return nullptr;
+  if constexpr (std::is_same_v<Target, V>) {
+    return &member;
+  } else {
+    if (purpose == Purpose::reading) member = V{};
+    return member.has_value() ? &*member : nullptr;
+  }
+}
+
+ErasedField erased_field(std::string name, ErasedShape shape, Reach reach);
 
 /// @name Fields of a struct
 /// `member` is a pointer to the member, or a function from the struct to a reference to it.
 /// @{
 /// An entry that has to be there.
 template <typename T, typename V, typename Member>
-Field<T> required(std::string name, const Shape<V>& shape, Member member) {
-  Field<T> field;
-  field.entry.name = std::move(name);
-  field.entry.schema = shape.schema;
-  field.entry.required = true;
-  field.read = [read = shape.read, member](T& into, const YamlNode& node, const Spot& spot,
-                                           Diagnostics& diagnostics) {
-    auto& target = std::invoke(member, into);
-    if constexpr (std::is_same_v<std::remove_reference_t<decltype(target)>, V>) {
-      return read(target, node, spot, diagnostics);
-    } else {
-      V value{};
-      const bool right = read(value, node, spot, diagnostics);
-      target = std::move(value);
-      return right;
-    }
-  };
-  field.write = [write = shape.write, member](const T& from) -> std::optional<YamlNode> {
-    const auto& value = std::invoke(member, from);
-    if constexpr (requires { value.has_value(); })
-      return value.has_value() ? std::optional<YamlNode>(write(*value)) : std::nullopt;
-    else
-      return write(value);
-  };
-  return field;
+Field<T> required(std::string name, const Shape<V>& shape, Member member, bool may_lack = false) {
+  return Field<T>::from(erased_field(
+      std::move(name), shape.erased(), [member, may_lack](void* whole, Purpose purpose) {
+        return value_in<V>(std::invoke(member, *static_cast<T*>(whole)), purpose, may_lack);
+      }));
 }
 
 /// An entry whose default is the value in a new struct.
@@ -101,34 +145,18 @@ Field<T> standard(std::string name, const Shape<V>& shape, Member member) {
 /// @param fallback  what holds then, in words
 template <typename T, typename V, typename Member>
 Field<T> optional(std::string name, const Shape<V>& shape, Member member, std::string fallback) {
-  Field<T> field = required<T>(std::move(name), shape, member);
+  Field<T> field = required<T>(std::move(name), shape, member, true);
   field.entry.required = false;
   field.entry.fallback = std::move(fallback);
-  field.write = [write = field.write, member](const T& from) {
-    const auto& value = std::invoke(member, from);
-    if constexpr (requires { value.empty(); }) {
-      if (value.empty()) return std::optional<YamlNode>();
-    }
-    return write(from);
-  };
   return field;
 }
+
+ErasedField erased_selector(std::string name, std::string text, const std::string& value);
 
 /// An entry that says which of several mappings this is. It has no member.
 template <typename T>
 Field<T> selector(std::string name, std::string text, const std::string& value) {
-  Field<T> field;
-  const Shape<std::size_t> shape = choice(std::move(text), {value});
-  field.entry.name = std::move(name);
-  field.entry.schema = shape.schema;
-  field.entry.required = true;
-  field.read = [read = shape.read](T&, const YamlNode& node, const Spot& spot,
-                                   Diagnostics& diagnostics) {
-    std::size_t ignored = 0;
-    return read(ignored, node, spot, diagnostics);
-  };
-  field.write = [write = shape.write](const T&) -> std::optional<YamlNode> { return write(0); };
-  return field;
+  return Field<T>::from(erased_selector(std::move(name), std::move(text), value));
 }
 
 /// The same field, commented out in templates.
@@ -142,96 +170,37 @@ Field<T> hidden(Field<T> field) {
 /// Checks several entries of a mapping together, as far as they could be read. Adds diagnostics and returns false if
 /// something is wrong.
 template <typename T>
-using Check = std::function<bool(T&, const Given&, Diagnostics&)>;
+using Check = FunctionOf<T, bool, const Given&, Diagnostics&>;
+using ErasedCheck = std::function<bool(void*, const Given&, Diagnostics&)>;
 
-/// The schema of a mapping with these fields.
-/// @param fresh  values of what is left out
-template <typename T>
-Schema mapping_schema(std::string text, std::vector<Field<T>>& fields, const T& fresh) {
-  Schema schema;
-  schema.kind = ValueKind::mapping;
-  schema.text = std::move(text);
-  for (Field<T>& field : fields) {
-    if (field.has_standard) {
-      YamlNode value = *field.write(fresh);
-      if (field.entry.fallback.empty()) field.entry.fallback = typed_text(value);
-      field.entry.standards.push_back({std::move(value)});
-    }
-    schema.entries.push_back(field.entry);
-  }
-  return schema;
-}
+/// A new struct, in which what is left out has its default.
+struct Fresh {
+  void* value;
+  std::function<void(void* into)> copy;
+};
 
-/// Reads the entries of a mapping into a struct. Members whose entries are left out stay unchanged.
-template <typename T>
-bool read_entries(T& into, const YamlNode& node, const Spot& spot, const Schema& schema,
-                  const std::vector<Field<T>>& fields, const Check<T>& check,
-                  Diagnostics& diagnostics) {
-  if (node.kind != YamlNode::Kind::mapping) {
-    say_wrong_kind(node, schema, spot, diagnostics);
-    return false;
-  }
-  std::vector<const YamlNode*> right(fields.size(), nullptr);
-  const std::size_t said = diagnostics.count();
-  const std::vector<GivenEntry> given = given_entries(node, schema, spot, diagnostics);
-  bool good = diagnostics.count() == said;
-  for (const auto& [number, entry] : given) {
-    const Spot place = spot.entry(entry->key, entry->key_mark);
-    if (fields[number].read(into, entry->value, place, diagnostics))
-      right[number] = &entry->value;
-    else
-      good = false;
-  }
-  return (!check || check(into, Given(node, spot, schema, right), diagnostics)) && good;
-}
-
-/// The entries of a struct as a mapping, without those that are left out.
-template <typename T>
-YamlNode written_entries(const T& from, const std::vector<Field<T>>& fields) {
-  YamlNode node;
-  node.kind = YamlNode::Kind::mapping;
-  for (const Field<T>& field : fields)
-    if (auto written = field.write(from))
-      node.entries.push_back({field.entry.name, {}, std::move(*written)});
-  return node;
-}
+ErasedShape erased_mapping(std::string text, std::vector<ErasedField> fields,
+                           ErasedCheck check, const Fresh& fresh);
+ErasedField erased_section(std::string name, std::string text, std::vector<ErasedField> fields,
+                           ErasedCheck check, void* fresh);
 
 /// A mapping with fixed names that is read into a struct.
 /// @param fresh  values of what is left out
 template <typename T>
-Shape<T> mapping(std::string text, std::vector<Field<T>> fields, Check<T> check = {},
+Shape<T> mapping(std::string text, const Fields<T>& fields, const Check<T>& check = {},
                  T fresh = {}) {
-  Shape<T> shape;
-  shape.schema = mapping_schema(std::move(text), fields, fresh);
-  const auto parts = kept(std::move(fields));
-  shape.read = [schema = kept(shape.schema), parts, check, fresh](
-                   T& into, const YamlNode& node, const Spot& spot, Diagnostics& diagnostics) {
-    into = fresh;
-    return read_entries(into, node, spot, *schema, *parts, check, diagnostics);
-  };
-  shape.write = [parts](const T& value) { return written_entries(value, *parts); };
-  return shape;
+  return Shape<T>::from(
+      erased_mapping(std::move(text), fields.erased(), check.erased(),
+                     {&fresh, [fresh](void* into) { *static_cast<T*>(into) = fresh; }}));
 }
 
 /// A nested mapping whose entries set members of the same struct. It is required if one of its entries is.
 template <typename T>
-Field<T> section(std::string name, std::string text, std::vector<Field<T>> fields,
-                 Check<T> check = {}) {
-  Field<T> field;
-  field.entry.name = std::move(name);
-  field.entry.schema = mapping_schema(std::move(text), fields, T{});
-  field.entry.required = std::any_of(fields.begin(), fields.end(),
-                                     [](const Field<T>& one) { return one.entry.required; });
-  const auto parts = kept(std::move(fields));
-  field.read = [schema = kept(field.entry.schema), parts, check](
-                   T& into, const YamlNode& node, const Spot& spot, Diagnostics& diagnostics) {
-    return read_entries(into, node, spot, *schema, *parts, check, diagnostics);
-  };
-  field.write = [parts](const T& value) {
-    YamlNode node = written_entries(value, *parts);
-    return node.entries.empty() ? std::nullopt : std::optional<YamlNode>(std::move(node));
-  };
-  return field;
+Field<T> section(std::string name, std::string text, const Fields<T>& fields,
+                 const Check<T>& check = {}) {
+  T fresh{};
+  return Field<T>::from(erased_section(std::move(name), std::move(text), fields.erased(),
+                                       check.erased(), &fresh));
 }
 
 }  // namespace twum::studies

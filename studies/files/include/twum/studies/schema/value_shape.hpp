@@ -2,6 +2,7 @@
 #pragma once
 
 #include <twum/studies/diagnostics/diagnostics.hpp>
+#include <twum/studies/schema/erased.hpp>
 #include <twum/studies/schema/schema.hpp>
 #include <twum/studies/yaml/node.hpp>
 
@@ -29,15 +30,37 @@ struct Spot {
   }
 };
 
+/// Sets the value, or as much of it as can be read. If something is wrong, adds diagnostics and returns false.
+template <typename T>
+using Read = FunctionOf<T, bool, const YamlNode&, const Spot&, Diagnostics&>;
+/// The value as a user types it; reading gives back the same value.
+template <typename T>
+using Write = FunctionOf<const T, YamlNode>;
+
+using ErasedRead = std::function<bool(void*, const YamlNode&, const Spot&, Diagnostics&)>;
+using ErasedWrite = std::function<YamlNode(void*)>;
+
+/// How a value is represented in a file, without the value's type.
+struct ErasedShape {
+  Schema schema;
+  ErasedRead read;
+  ErasedWrite write;
+};
+
 /// How a value of one type is represented in a file: admissible values, reading and writing. From one shape follow
 /// errors with places, defaults, JSON Schema, templates and reference pages.
 template <typename T>
 struct Shape {
-  Schema schema;  ///< what may stand there
-  /// Sets the value, or as much of it as can be read. If something is wrong, adds diagnostics and returns false.
-  std::function<bool(T&, const YamlNode&, const Spot&, Diagnostics&)> read;
-  /// The value as a user types it; read() gives back the same value.
-  std::function<YamlNode(const T&)> write;
+  Schema schema;   ///< what may stand there
+  Read<T> read;    ///< from a file
+  Write<T> write;  ///< to a file
+
+  ErasedShape erased() const { return {schema, read.erased(), write.erased()}; }
+  /// The shape that `erased` is, which has to be one of a T.
+  static Shape from(ErasedShape erased) {
+    return {std::move(erased.schema), Read<T>::from(std::move(erased.read)),
+            Write<T>::from(std::move(erased.write))};
+  }
 };
 
 /// @name Values of one word or number
@@ -107,8 +130,8 @@ Shape<T> text_of(std::string text, std::string example, T (*parse)(std::string_v
 }
 
 /// The same shape for a value of another type.
-template <typename T, typename U>
-Shape<T> shape_as(const Shape<U>& shape, std::function<T(U)> to, std::function<U(const T&)> from) {
+template <typename T, typename U, typename To, typename From>
+Shape<T> shape_as(const Shape<U>& shape, To to, From from) {
   Shape<T> other;
   other.schema = shape.schema;
   other.read = [read = shape.read, to](T& into, const YamlNode& node, const Spot& spot,
@@ -131,61 +154,31 @@ Shape<E> word(std::string text, std::vector<std::string> words) {
       [](const E& value) { return static_cast<std::size_t>(value); });
 }
 
+ErasedShape erased_list_shape(std::string text, ErasedShape item, std::size_t least,
+                              std::size_t most, const ErasedList& list);
+
 /// A list of `least` to `most` items of one shape.
 template <typename T>
-Shape<std::vector<T>> list(std::string text, Shape<T> item, std::size_t least = 1,
+Shape<std::vector<T>> list(std::string text, const Shape<T>& item, std::size_t least = 1,
                            std::size_t most = static_cast<std::size_t>(-1)) {
-  Shape<std::vector<T>> shape;
-  shape.schema.kind = ValueKind::list;
-  shape.schema.text = std::move(text);
-  shape.schema.items.push_back(item.schema);
-  shape.schema.min_items = least;
-  shape.schema.max_items = most;
-  shape.read = [schema = kept(shape.schema), read = item.read](
-                   std::vector<T>& into, const YamlNode& node, const Spot& spot,
-                   Diagnostics& diagnostics) {
-    if (node.kind != YamlNode::Kind::list) {
-      say_wrong_kind(node, *schema, spot, diagnostics);
-      return false;
-    }
-    const bool counted = check_item_count(node, *schema, spot, diagnostics);
-    into.clear();
-    for (std::size_t i = 0; i < node.items.size(); ++i) {
-      const Spot place{spot.path + "[" + std::to_string(i) + "]", node.items[i].mark};
-      T value{};
-      if (read(value, node.items[i], place, diagnostics)) into.push_back(std::move(value));
-    }
-    return counted && into.size() == node.items.size();
-  };
-  shape.write = [write = item.write](const std::vector<T>& values) {
-    YamlNode node;
-    node.kind = YamlNode::Kind::list;
-    for (const T& value : values) node.items.push_back(write(value));
-    return node;
-  };
-  return shape;
+  return Shape<std::vector<T>>::from(
+      erased_list_shape(std::move(text), item.erased(), least, most, erased_list<T>()));
 }
+
+ErasedShape erased_one_of(std::string text, std::vector<ErasedShape> alternatives,
+                          std::function<std::size_t(void*)> which, std::string selector,
+                          std::vector<std::string> words);
 
 /// One of several shapes, distinguished by their kind, or by the word in the entry `selector` if it is not empty.
 /// @param which  index of the alternative that writes a value
 template <typename T>
-Shape<T> one_of(std::string text, std::vector<Shape<T>> alternatives,
-                std::function<std::size_t(const T&)> which, std::string selector = {},
+Shape<T> one_of(std::string text, const std::vector<Shape<T>>& alternatives,
+                const FunctionOf<const T, std::size_t>& which, std::string selector = {},
                 std::vector<std::string> words = {}) {
-  Shape<T> shape;
-  shape.schema.kind = selector.empty() ? ValueKind::any_of : ValueKind::variant;
-  shape.schema.text = std::move(text);
-  shape.schema.selector = std::move(selector);
-  shape.schema.words = std::move(words);
-  for (const Shape<T>& one : alternatives) shape.schema.alternatives.push_back(one.schema);
-  const auto ways = kept(std::move(alternatives));
-  shape.read = [schema = kept(shape.schema), ways](T& into, const YamlNode& node, const Spot& spot,
-                                                   Diagnostics& diagnostics) {
-    const auto found = alternative_of(node, *schema, spot, diagnostics);
-    return found && (*ways)[*found].read(into, node, spot, diagnostics);
-  };
-  shape.write = [ways, which](const T& value) { return (*ways)[which(value)].write(value); };
-  return shape;
+  std::vector<ErasedShape> ways;
+  for (const Shape<T>& one : alternatives) ways.push_back(one.erased());
+  return Shape<T>::from(erased_one_of(std::move(text), std::move(ways), which.erased(),
+                                      std::move(selector), std::move(words)));
 }
 
 }  // namespace twum::studies

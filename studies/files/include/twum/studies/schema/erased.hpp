@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <functional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace twum::studies {
+
+/// A function of a T that is kept as one of an address. Lists of entries are therefore read and written by code that is
+/// compiled once, not once for each struct.
+template <typename T, typename Result, typename... Others>
+class FunctionOf {
+ public:
+  using Erased = std::function<Result(void*, Others...)>;
+
+  FunctionOf() = default;
+  template <std::invocable<T&, Others...> F>
+    requires(!std::same_as<F, FunctionOf>)
+  FunctionOf(F function)  // NOLINT(google-explicit-constructor): a lambda is meant
+      : erased_([function = std::move(function)](void* value, Others... others) -> Result {
+          return function(*static_cast<T*>(value), std::forward<Others>(others)...);
+        }) {}
+
+  /// The function that `erased` keeps, which has to be one of a T.
+  static FunctionOf from(Erased erased) {
+    FunctionOf function;
+    function.erased_ = std::move(erased);
+    return function;
+  }
+
+  Result operator()(T& value, Others... others) const {
+    // constness comes back with the type
+    return erased_(const_cast<std::remove_const_t<T>*>(&value), std::forward<Others>(others)...);
+  }
+  const Erased& erased() const { return erased_; }
+
+ private:
+  Erased erased_;
+};
+
+/// A list by its address.
+struct ErasedList {
+  void (*clear)(void* list);
+  void* (*add)(void* list);  ///< a new item at the end
+  void (*drop)(void* list);  ///< the last item
+  std::size_t (*size)(void* list);
+  void* (*item)(void* list, std::size_t number);
+};
+
+/// Of items of type V.
+template <typename V>
+constexpr ErasedList erased_list() {
+  using List = std::vector<V>;
+  return {[](void* list) { static_cast<List*>(list)->clear(); },
+          [](void* list) -> void* { return &static_cast<List*>(list)->emplace_back(); },
+          [](void* list) { static_cast<List*>(list)->pop_back(); },
+          [](void* list) { return static_cast<List*>(list)->size(); },
+          [](void* list, std::size_t number) -> void* {
+            return &(*static_cast<List*>(list))[number];
+          }};
+}
+
+}  // namespace twum::studies
