@@ -31,14 +31,15 @@ function(twum_library name)
   endif()
 endfunction()
 
-# twum_batches(NAME BATCH PATTERN): with TWUM_UNITY the sources of twum_NAME whose paths match are one batch, the others
-# another. What uses the same heavy templates belongs in one batch, because each batch instantiates them anew.
-function(twum_batches name batch pattern)
-  get_target_property(others twum_${name} SOURCES)
+# twum_batches(TARGET BATCH PATTERN): with TWUM_UNITY the sources of a target whose paths match are one batch, the others
+# another. What uses the same heavy templates belongs in one batch, because each batch instantiates them anew. Two
+# sources of a batch may not give different things the same name.
+function(twum_batches target batch pattern)
+  get_target_property(others ${target} SOURCES)
   set(chosen ${others})
   list(FILTER chosen INCLUDE REGEX "${pattern}")
   list(REMOVE_ITEM others ${chosen})
   set_source_files_properties(${chosen} PROPERTIES UNITY_GROUP ${batch})
   set_source_files_properties(${others} PROPERTIES UNITY_GROUP others)
-  set_target_properties(twum_${name} PROPERTIES UNITY_BUILD_MODE GROUP)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
 endfunction()

@@ -50,7 +50,7 @@ struct Mark {
   const char* place;  // of the label against the mark
 };
 
-struct Picture {
+struct CurvePicture {
   std::vector<std::vector<double>> rows;
   std::vector<Mark> marks;
   bool squeals{false};  // at some speed
@@ -102,17 +102,6 @@ std::vector<std::vector<double>> rows_of(const Motor& motor, double first, doubl
     rows.back().insert(rows.back().end(), {torque, torque});
   }
   return rows;
-}
-
-double largest(const std::vector<std::vector<double>>& rows, Column from, Column to) {
-  double size = 0;
-  for (const std::vector<double>& row : rows) {
-    for (int column = from; column <= to; ++column) {
-      const double value = std::abs(row[static_cast<std::size_t>(column - 1)]);
-      if (std::isfinite(value)) size = std::max(size, value);
-    }
-  }
-  return size;
 }
 
 // Gives the band of squeals its width. True if the motor squeals at some speed.
@@ -187,7 +176,7 @@ std::string point_label(double x, double y, const std::string& text, const char*
          "'#000000'\n";
 }
 
-std::string guides(const Picture& picture) {
+std::string guides(const CurvePicture& picture) {
   std::string script;
   for (const Mark& mark : picture.marks) {
     if (mark.speed <= picture.first) continue;
@@ -198,14 +187,14 @@ std::string guides(const Picture& picture) {
   return script;
 }
 
-std::string series(const Picture& picture, Column column, const studies::DisplayUnit& unit,
+std::string series(const CurvePicture& picture, Column column, const studies::DisplayUnit& unit,
                    const char* name, const char* colour, const char* dash) {
   return "$curve using " + in_unit(kSpeed, picture.speed) + ":" + in_unit(column, unit) +
          " with lines linewidth 2 dashtype " + dash + " linecolor rgb '" + colour + "' title " +
          plot_text(name);
 }
 
-std::string torque_panel(const Picture& picture) {
+std::string torque_panel(const CurvePicture& picture) {
   std::string script = panel_place(0.93, 0.63, false) + guides(picture) +
                        "set offsets 0, 0, graph 0.06, 0\n" +
                        vertical_label("torque", picture.torque);
@@ -223,7 +212,7 @@ std::string torque_panel(const Picture& picture) {
   return script + series(picture, kTorque, picture.torque, "", colour::kBlue, "1") + kEndOfPanel;
 }
 
-std::string power_panel(const Picture& picture) {
+std::string power_panel(const CurvePicture& picture) {
   std::string script = panel_place(0.58, 0.33, false) + "set offsets 0, 0, graph 0.1, 0\n" +
                        vertical_label("power", picture.power);
   for (const Mark& mark : picture.marks) {
@@ -246,7 +235,7 @@ struct Share {
   const char* colour;
 };
 
-std::string terminal_panel(const Picture& picture) {
+std::string terminal_panel(const CurvePicture& picture) {
   constexpr Share kShares[] = {{kUpToOutput, kUpToOutput, "output", colour::kBlue},
                                {kUpToOutput, kUpToFriction, "friction", colour::kVermilion},
                                {kUpToFriction, kUpToLayer, "layer", colour::kGreen},
@@ -266,7 +255,7 @@ std::string terminal_panel(const Picture& picture) {
   return script + kEndOfPanel;
 }
 
-std::string efficiency_panel(const Picture& picture) {
+std::string efficiency_panel(const CurvePicture& picture) {
   const studies::DisplayUnit percent{"%", 0.01};
   std::string script =
       panel_place(0.28, 0.075, true) + "set offsets 0, 0, 0, 0\n" +
@@ -287,7 +276,7 @@ std::string efficiency_panel(const Picture& picture) {
 
 std::string curve_plot(const studies::MotorFile& file, double first, double last) {
   const Motor motor(file.design);
-  Picture picture;
+  CurvePicture picture;
   picture.rows = rows_of(motor, first, last);
   picture.marks = marks_of(motor, first, last);
   picture.squeals = widen_squeals(picture.rows);

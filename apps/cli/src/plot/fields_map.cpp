@@ -11,7 +11,6 @@
 namespace twum::cli {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr int kRadii = 81, kPhases = 361;
 
 using Rows = std::vector<std::vector<double>>;

@@ -12,11 +12,18 @@ namespace twum::cli {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kDegree = kPi / 180;
 
-enum Column : int { kPhase = 1, kPressure, kTraction, kKinetic, kStatic, kStator, kLayer };
+enum Trace : int {
+  kPhase = 1,
+  kPressure,
+  kTraction,
+  kKinetic,
+  kStatic,
+  kStatorVelocity,
+  kLayerVelocity
+};
 
-struct Picture {
+struct FieldsPicture {
   ContactFields fields;
   std::vector<std::vector<double>> rows;
   double edge;  // of the picture, in both directions [rad]
@@ -35,18 +42,9 @@ double edge_of(const std::vector<Zone>& zones) {
 // Samples are equally spaced over the whole wave; as many as leave 600 in the picture.
 int samples_for(double edge) { return 1 + static_cast<int>(std::min(600 * kPi / edge, 60000.0)); }
 
-double largest(const std::vector<std::vector<double>>& rows, Column from, Column to) {
-  double size = 0;
-  for (const std::vector<double>& row : rows) {
-    for (int column = from; column <= to; ++column)
-      size = std::max(size, std::abs(row[static_cast<std::size_t>(column - 1)]));
-  }
-  return size;
-}
-
-Picture picture_of(const MotorDesign& design, double speed) {
+FieldsPicture picture_of(const MotorDesign& design, double speed) {
   const Motor motor(design);
-  Picture picture;
+  FieldsPicture picture;
   picture.edge = edge_of(motor.zones(speed));
   picture.fields = motor.fields(speed, samples_for(picture.edge));
   picture.two_bounds = design.friction.static_ != design.friction.kinetic;
@@ -58,7 +56,8 @@ Picture picture_of(const MotorDesign& design, double speed) {
   }
   picture.pressure = studies::display_unit(largest(picture.rows, kPressure, kPressure), "Pa");
   picture.traction = studies::display_unit(largest(picture.rows, kTraction, kStatic), "Pa");
-  picture.velocity = studies::display_unit(largest(picture.rows, kStator, kLayer), "m/s");
+  picture.velocity =
+      studies::display_unit(largest(picture.rows, kStatorVelocity, kLayerVelocity), "m/s");
   return picture;
 }
 
@@ -71,7 +70,7 @@ const char* zone_colour(ZoneState state) {
   return "#FFFFFF";
 }
 
-std::string zone_ground(const Picture& picture) {
+std::string zone_ground(const FieldsPicture& picture) {
   std::string script;
   int number = 0;
   for (const Zone& zone : picture.fields.zones) {
@@ -84,7 +83,7 @@ std::string zone_ground(const Picture& picture) {
 }
 
 // Names over the zones, above the top panel; narrow zones have their colour only.
-std::string zone_names(const Picture& picture) {
+std::string zone_names(const FieldsPicture& picture) {
   std::string script;
   for (const Zone& zone : picture.fields.zones) {
     if (zone.to - zone.from < 0.12 * picture.edge) continue;
@@ -102,13 +101,14 @@ std::string series(const std::string& scaled, const char* name, const char* colo
          plot_text(name);
 }
 
-std::string bounds(const Picture& picture, Column column, const char* name, const char* dash) {
+std::string bounds(const FieldsPicture& picture, Trace column, const char* name,
+                   const char* dash) {
   const std::string bound = in_unit(column, picture.traction);
   return series(bound, name, colour::kGrey, dash) + ", " +
          series("(-" + bound + ")", "", colour::kGrey, dash);
 }
 
-std::string pressure_panel(const Picture& picture) {
+std::string pressure_panel(const FieldsPicture& picture) {
   std::string script = panel_place(0.915, 0.68, false) + zone_names(picture) +
                        "set offsets 0, 0, graph 0.12, 0\nset yrange [0:]\n" +
                        vertical_label("pressure", picture.pressure) + "plot " +
@@ -123,7 +123,7 @@ std::string pressure_panel(const Picture& picture) {
   return script + "\nunset label\nset offsets 0, 0, 0, 0\nset yrange [*:*]\n";
 }
 
-std::string traction_panel(const Picture& picture) {
+std::string traction_panel(const FieldsPicture& picture) {
   const bool two = picture.two_bounds;
   std::string script = panel_place(0.635, 0.37, false) +
                        vertical_label("traction", picture.traction) + "plot " +
@@ -134,18 +134,18 @@ std::string traction_panel(const Picture& picture) {
          "\nunset label\n";
 }
 
-std::string velocity_panel(const Picture& picture) {
+std::string velocity_panel(const FieldsPicture& picture) {
   return panel_place(0.325, 0.075, true) +
          horizontal_label("phase of the wave, crest at 0", {"deg", 1}) +
          vertical_label("surface velocity", picture.velocity) + "plot " +
-         series(in_unit(kStator, picture.velocity), "stator", colour::kBlue, "1") + ", " +
-         series(in_unit(kLayer, picture.velocity), "layer", colour::kVermilion, "2") + "\n";
+         series(in_unit(kStatorVelocity, picture.velocity), "stator", colour::kBlue, "1") + ", " +
+         series(in_unit(kLayerVelocity, picture.velocity), "layer", colour::kVermilion, "2") + "\n";
 }
 
 }  // namespace
 
 std::string fields_plot(const studies::MotorFile& file, double speed) {
-  const Picture picture = picture_of(file.design, speed);
+  const FieldsPicture picture = picture_of(file.design, speed);
   const OperatingPoint& point = picture.fields.point;
   const std::string edge = plot_number(picture.edge / kDegree);
   return plot_data("fields", picture.rows) +

@@ -6,6 +6,7 @@
 #include <twum/studies/text/words.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace twum::cli {
 namespace {
@@ -19,6 +20,17 @@ std::string with_unit(const std::string& quantity, const studies::DisplayUnit& u
 }
 
 }  // namespace
+
+double largest(const std::vector<std::vector<double>>& rows, int from, int to) {
+  double size = 0;
+  for (const std::vector<double>& row : rows) {
+    for (int column = from; column <= to; ++column) {
+      const double value = std::abs(row[static_cast<std::size_t>(column - 1)]);
+      if (std::isfinite(value)) size = std::max(size, value);
+    }
+  }
+  return size;
+}
 
 std::string plot_style(const std::string& title, int height) {
   return "set border 3 linewidth 1 linecolor rgb '#444444'\n"

@@ -5,7 +5,9 @@
 #include <twum/studies/units/engineering.hpp>
 
 #include <array>
+#include <numbers>
 #include <string>
+#include <vector>
 
 namespace twum::cli {
 
@@ -17,6 +19,11 @@ inline constexpr const char* kGreen = "#009E73";
 inline constexpr const char* kOrange = "#E69F00";
 inline constexpr const char* kGrey = "#666666";
 }  // namespace colour
+
+inline constexpr double kDegree = std::numbers::pi / 180;  ///< [rad]
+
+/// Largest magnitude in the columns of a plot, counted from 1; NaN are left out.
+double largest(const std::vector<std::vector<double>>& rows, int from, int to);
 
 /// Borders, tics, grid and key that all panels share, and the title of the whole picture.
 /// @param title   already quoted by plot_text()

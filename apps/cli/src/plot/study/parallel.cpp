@@ -15,7 +15,8 @@ namespace twum::cli {
 namespace {
 
 // Points of the page.
-constexpr int kWidth = 720, kLeft = 30, kRight = 30, kTitle = 46, kBetween = 60, kBelow = 20;
+constexpr int kPageWidth = 720, kMarginLeft = 30, kMarginRight = 30, kTitleHeight = 46,
+              kAxisHeight = 60, kMarginBelow = 20;
 
 // An axis across the page, under the last one.
 struct PlacedAxis {
@@ -25,7 +26,8 @@ struct PlacedAxis {
   int y;  // above the lower edge of the page
 
   double across(double value) const {
-    return kLeft + (kWidth - kLeft - kRight) * (value - ends.low) / (ends.high - ends.low);
+    return kMarginLeft +
+           (kPageWidth - kMarginLeft - kMarginRight) * (value - ends.low) / (ends.high - ends.low);
   }
 };
 
@@ -45,7 +47,8 @@ std::vector<PlacedAxis> placed(const std::vector<ParallelAxis>& axes, int height
   for (const ParallelAxis& axis : axes) {
     const Extent ends = ends_of(axis.values);
     const double largest = std::max(std::abs(ends.low), std::abs(ends.high));
-    const int y = height - kTitle - kBetween / 2 - kBetween * static_cast<int>(list.size());
+    const int y =
+        height - kTitleHeight - kAxisHeight / 2 - kAxisHeight * static_cast<int>(list.size());
     list.push_back({axis, ends, studies::display_unit(largest, axis.unit), y});
   }
   return list;
@@ -64,12 +67,12 @@ std::string axis_text(const PlacedAxis& a) {
   const auto number = [&](double value) {
     return studies::rounded_text(value / a.unit.divisor, 3);
   };
-  return "set arrow from " + std::to_string(kLeft) + ", " + y + " to " +
-         std::to_string(kWidth - kRight) + ", " + y +
+  return "set arrow from " + std::to_string(kMarginLeft) + ", " + y + " to " +
+         std::to_string(kPageWidth - kMarginRight) + ", " + y +
          " nohead front linewidth 1.5 linecolor rgb '#444444'\n" +
-         label(a.axis.name + unit, kLeft, a.y + 15, "left") +
-         label(number(a.ends.low), kLeft, a.y - 13, "left") +
-         label(number(a.ends.high), kWidth - kRight, a.y - 13, "right");
+         label(a.axis.name + unit, kMarginLeft, a.y + 15, "left") +
+         label(number(a.ends.low), kMarginLeft, a.y - 13, "left") +
+         label(number(a.ends.high), kPageWidth - kMarginRight, a.y - 13, "right");
 }
 
 // The line of a design, and a gap behind it.
@@ -95,7 +98,7 @@ std::string colour_of_lines(std::size_t count) {
 Picture parallel_picture(const std::string& name, const std::string& title,
                          const std::vector<ParallelAxis>& axes,
                          const std::vector<std::size_t>& rows) {
-  const int height = kTitle + kBetween * static_cast<int>(axes.size()) + kBelow;
+  const int height = kTitleHeight + kAxisHeight * static_cast<int>(axes.size()) + kMarginBelow;
   const std::vector<PlacedAxis> places = placed(axes, height);
   std::vector<std::vector<double>> points;
   for (const std::size_t row : rows) add_line(points, places, row);
@@ -105,11 +108,11 @@ Picture parallel_picture(const std::string& name, const std::string& title,
                        "set bmargin at screen 0\nset tmargin at screen 1\n"
                        "unset border\nunset xtics\nunset ytics\nunset grid\n"
                        "set style textbox opaque noborder margins 0.3, 0.2\n";
-  script += "set xrange [0:" + std::to_string(kWidth) +
+  script += "set xrange [0:" + std::to_string(kPageWidth) +
             "]\nset yrange [0:" + std::to_string(height) + "]\n";
   for (const PlacedAxis& a : places) script += axis_text(a);
   return {name,
-          {kWidth, height},
+          {kPageWidth, height},
           script + "plot $d0 using 1:2 with lines linewidth 1.2 linecolor rgb '" +
               colour_of_lines(rows.size()) + "' title ''\n"};
 }
