@@ -482,8 +482,8 @@ YamlNode written_entries(void* from, const std::vector<ErasedField>& fields) {
 
 }  // namespace
 
-ErasedShape erased_mapping(std::string text, std::vector<ErasedField> fields,
-                           ErasedCheck check, const Fresh& fresh) {
+ErasedShape erased_mapping(std::string text, std::vector<ErasedField> fields, ErasedCheck check,
+                           const Fresh& fresh) {
   ErasedShape shape;
   shape.schema = mapping_schema(std::move(text), fields, fresh.value);
   const auto parts = kept(std::move(fields));

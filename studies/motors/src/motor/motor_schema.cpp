@@ -356,9 +356,9 @@ const Shape<MotorFile>& motor_shape() {
   static const Shape<MotorFile> shape = [] {
     Fields<GivenMotor> fields = fields_below("");
     fields.insert(0, optional<GivenMotor>("name", path("name of the motor", "ring-60"),
-                                                       &GivenMotor::name, "no name"));
-    return shape_as<MotorFile, GivenMotor>(
-        mapping<GivenMotor>("one motor", fields, check_motor), motor_of, given_by);
+                                          &GivenMotor::name, "no name"));
+    return shape_as<MotorFile, GivenMotor>(mapping<GivenMotor>("one motor", fields, check_motor),
+                                           motor_of, given_by);
   }();
   return shape;
 }
@@ -368,13 +368,12 @@ const Shape<std::vector<ParameterValue>>& parameter_set_shape() {
   static const Shape<Values> shape = [] {
     Fields<GivenMotor> fields = fields_below("", Extent::part);
     fields.insert(0, optional<GivenMotor>("name", path("name of the set", "PEEK"),
-                                                       &GivenMotor::name, "no name"));
+                                          &GivenMotor::name, "no name"));
     Field<GivenMotor> version = version_field<GivenMotor>();
     version.entry.required = false;
     fields.insert(0, version);
     return shape_as<Values, GivenMotor>(
-        mapping<GivenMotor>("parameters of a motor that belong together", fields,
-                            needs_parameter),
+        mapping<GivenMotor>("parameters of a motor that belong together", fields, needs_parameter),
         [](const GivenMotor& part) { return all_values(part); },
         [](const Values& values) {
           GivenMotor part;

@@ -223,8 +223,8 @@ Shape<std::vector<Parameter>> own_per_file() {
 
 Shape<OptimizeStudy> OptimizeStudy::shape() {
   using S = OptimizeStudy;
-  Fields<S> fields{kind_field<S>(), variables_field<S>("what may be changed"),
-                               derived_field<S>(), choose_field<S>()};
+  Fields<S> fields{kind_field<S>(), variables_field<S>("what may be changed"), derived_field<S>(),
+                   choose_field<S>()};
   fields.push_back(goal(&S::objective));
   fields.push_back(limits_field("constraints", &S::constraints));
   fields.push_back(tolerances_field<S>());

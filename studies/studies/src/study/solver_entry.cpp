@@ -34,8 +34,8 @@ Shape<std::string> option_shape(const optim::SolverOption& option) {
   if (option.type == "integer") value.kind = ValueKind::count;
   value.min = option.least;
   value.max = option.most;
-  auto shape =
-      shape_as<std::string, double>(number(value), number_text, [](const std::string&) { return 0.0; });
+  auto shape = shape_as<std::string, double>(number(value), number_text,
+                                             [](const std::string&) { return 0.0; });
   shape.write = [](const std::string& typed) { return scalar_node(typed); };
   return shape;
 }
@@ -62,8 +62,7 @@ Shape<Options> options_shape() {
     };
     fields.push_back(field);
   }
-  return mapping<Options>("options of the named solver itself ('twum solvers' lists them)",
-                          fields);
+  return mapping<Options>("options of the named solver itself ('twum solvers' lists them)", fields);
 }
 
 // Number of integers in a range; 1 if the range is wrong, which is reported elsewhere.
@@ -201,13 +200,12 @@ Shape<optim::SolveOptions> solver_shape(const optim::SolveOptions& fresh) {
       hidden(optional<O>("options", options_shape(), &O::solver_options, "the solver's own"))};
   if (fresh.scan > 0)  // fronts have no scan
     fields.insert(
-        2,
-        standard<O>(
-            "scan",
-            count("designs sampled over the whole range after the searches, to find a better "
-                  "local optimum; 0: none",
-                  "512", 0, 1e6),
-            &O::scan));
+        2, standard<O>(
+               "scan",
+               count("designs sampled over the whole range after the searches, to find a better "
+                     "local optimum; 0: none",
+                     "512", 0, 1e6),
+               &O::scan));
   const auto options = mapping<O>("a solver and its options", fields, {}, fresh);
   const auto plain = shape_as<O, std::string>(
       name,

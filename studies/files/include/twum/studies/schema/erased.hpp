@@ -15,12 +15,14 @@ namespace twum::studies {
 template <typename T, typename Result, typename... Others>
 class FunctionOf {
  public:
+  /// What is kept.
   using Erased = std::function<Result(void*, Others...)>;
 
   FunctionOf() = default;
+  /// Of a function object that takes a T& first.
   template <std::invocable<T&, Others...> F>
-    requires(!std::same_as<F, FunctionOf>)
-  FunctionOf(F function)  // NOLINT(google-explicit-constructor): a lambda is meant
+  requires(!std::same_as<F, FunctionOf>)
+      FunctionOf(F function)  // NOLINT(google-explicit-constructor): a lambda is meant
       : erased_([function = std::move(function)](void* value, Others... others) -> Result {
           return function(*static_cast<T*>(value), std::forward<Others>(others)...);
         }) {}
@@ -32,10 +34,12 @@ class FunctionOf {
     return function;
   }
 
+  /// Calls it.
   Result operator()(T& value, Others... others) const {
     // constness comes back with the type
     return erased_(const_cast<std::remove_const_t<T>*>(&value), std::forward<Others>(others)...);
   }
+  /// The same as a function of an address, which has to be that of a T.
   const Erased& erased() const { return erased_; }
 
  private:
@@ -44,24 +48,23 @@ class FunctionOf {
 
 /// A list by its address.
 struct ErasedList {
-  void (*clear)(void* list);
-  void* (*add)(void* list);  ///< a new item at the end
-  void (*drop)(void* list);  ///< the last item
-  std::size_t (*size)(void* list);
-  void* (*item)(void* list, std::size_t number);
+  void (*clear)(void* list);                      ///< takes all items out
+  void* (*add)(void* list);                       ///< a new item at the end
+  void (*drop)(void* list);                       ///< takes the last item out
+  std::size_t (*size)(void* list);                ///< number of items
+  void* (*item)(void* list, std::size_t number);  ///< one of them, counted from 0
 };
 
 /// Of items of type V.
 template <typename V>
 constexpr ErasedList erased_list() {
   using List = std::vector<V>;
-  return {[](void* list) { static_cast<List*>(list)->clear(); },
-          [](void* list) -> void* { return &static_cast<List*>(list)->emplace_back(); },
-          [](void* list) { static_cast<List*>(list)->pop_back(); },
-          [](void* list) { return static_cast<List*>(list)->size(); },
-          [](void* list, std::size_t number) -> void* {
-            return &(*static_cast<List*>(list))[number];
-          }};
+  return {
+      [](void* list) { static_cast<List*>(list)->clear(); },
+      [](void* list) -> void* { return &static_cast<List*>(list)->emplace_back(); },
+      [](void* list) { static_cast<List*>(list)->pop_back(); },
+      [](void* list) { return static_cast<List*>(list)->size(); },
+      [](void* list, std::size_t number) -> void* { return &(*static_cast<List*>(list))[number]; }};
 }
 
 }  // namespace twum::studies

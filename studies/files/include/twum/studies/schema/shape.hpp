@@ -51,10 +51,10 @@ using WriteEntry = FunctionOf<const T, std::optional<YamlNode>>;
 
 /// One entry of a mapping, without the type of its struct.
 struct ErasedField {
-  SchemaEntry entry;
-  ErasedRead read;
-  std::function<std::optional<YamlNode>(void*)> write;
-  bool has_standard{false};
+  SchemaEntry entry;                                    ///< name and what may stand there
+  ErasedRead read;                                      ///< Field::read, by the struct's address
+  std::function<std::optional<YamlNode>(void*)> write;  ///< Field::write, likewise
+  bool has_standard{false};                             ///< as of Field
 };
 
 /// One entry of a mapping that is read into a struct, and the member that it sets.
@@ -66,6 +66,7 @@ struct Field {
   /// if the entry is left out, the member keeps the value that it has in a new struct
   bool has_standard{false};
 
+  /// The same without the type of its struct.
   ErasedField erased() const { return {entry, read.erased(), write.erased(), has_standard}; }
   /// The field that `erased` is, which has to be one of a T.
   static Field from(ErasedField erased) {
@@ -78,13 +79,18 @@ struct Field {
 template <typename T>
 class Fields {
  public:
+  /// In the order of the file's templates.
   Fields(std::initializer_list<Field<T>> fields = {}) {
     for (const Field<T>& field : fields) push_back(field);
   }
+  /// Adds a field, or several, at the end.
+  /// @{
   void push_back(const Field<T>& field) { erased_.push_back(field.erased()); }
   void push_back(const Fields& others) {
     erased_.insert(erased_.end(), others.erased_.begin(), others.erased_.end());
   }
+  /// @}
+  /// Adds a field before that with the number `at`.
   void insert(std::size_t at, const Field<T>& field) {
     erased_.insert(erased_.begin() + static_cast<std::ptrdiff_t>(at), field.erased());
   }
@@ -93,15 +99,19 @@ class Fields {
     return std::any_of(erased_.begin(), erased_.end(),
                        [&](const ErasedField& field) { return field.entry.name == name; });
   }
+  /// The same without the type of their struct.
   const std::vector<ErasedField>& erased() const { return erased_; }
 
  private:
   std::vector<ErasedField> erased_;
 };
 
-/// Address of a field's value in a struct. To read into it, an optional is filled; for writing it is null if the entry
-/// is left out.
-enum class Purpose : bool { reading, writing };
+/// What the address of a value is wanted for.
+enum class Purpose : bool {
+  reading,  ///< to set it: an optional is filled first
+  writing   ///< to write it: null if the entry is left out
+};
+/// Gives the address of a field's value in a struct.
 using Reach = std::function<void*(void* whole, Purpose purpose)>;
 
 /// In a member of type V, or an optional V.
@@ -118,6 +128,7 @@ void* value_in(Target& member, Purpose purpose, bool may_lack) {
   }
 }
 
+/// required() by the address of the struct.
 ErasedField erased_field(std::string name, ErasedShape shape, Reach reach);
 
 /// @name Fields of a struct
@@ -151,6 +162,7 @@ Field<T> optional(std::string name, const Shape<V>& shape, Member member, std::s
   return field;
 }
 
+/// selector() without the type of its struct.
 ErasedField erased_selector(std::string name, std::string text, const std::string& value);
 
 /// An entry that says which of several mappings this is. It has no member.
@@ -171,16 +183,19 @@ Field<T> hidden(Field<T> field) {
 /// something is wrong.
 template <typename T>
 using Check = FunctionOf<T, bool, const Given&, Diagnostics&>;
+/// Check<T>, for the address of a T.
 using ErasedCheck = std::function<bool(void*, const Given&, Diagnostics&)>;
 
 /// A new struct, in which what is left out has its default.
 struct Fresh {
-  void* value;
-  std::function<void(void* into)> copy;
+  void* value;                           ///< its address, while the mapping is made
+  std::function<void(void* into)> copy;  ///< makes another struct equal to it
 };
 
-ErasedShape erased_mapping(std::string text, std::vector<ErasedField> fields,
-                           ErasedCheck check, const Fresh& fresh);
+/// mapping() by the address of the struct.
+ErasedShape erased_mapping(std::string text, std::vector<ErasedField> fields, ErasedCheck check,
+                           const Fresh& fresh);
+/// section() by the address of the struct.
 ErasedField erased_section(std::string name, std::string text, std::vector<ErasedField> fields,
                            ErasedCheck check, void* fresh);
 
@@ -199,8 +214,8 @@ template <typename T>
 Field<T> section(std::string name, std::string text, const Fields<T>& fields,
                  const Check<T>& check = {}) {
   T fresh{};
-  return Field<T>::from(erased_section(std::move(name), std::move(text), fields.erased(),
-                                       check.erased(), &fresh));
+  return Field<T>::from(
+      erased_section(std::move(name), std::move(text), fields.erased(), check.erased(), &fresh));
 }
 
 }  // namespace twum::studies

@@ -37,14 +37,16 @@ using Read = FunctionOf<T, bool, const YamlNode&, const Spot&, Diagnostics&>;
 template <typename T>
 using Write = FunctionOf<const T, YamlNode>;
 
+/// Read<T>, for the address of a T.
 using ErasedRead = std::function<bool(void*, const YamlNode&, const Spot&, Diagnostics&)>;
+/// Write<T>, for the address of a T.
 using ErasedWrite = std::function<YamlNode(void*)>;
 
 /// How a value is represented in a file, without the value's type.
 struct ErasedShape {
-  Schema schema;
-  ErasedRead read;
-  ErasedWrite write;
+  Schema schema;      ///< what may stand there
+  ErasedRead read;    ///< from a file
+  ErasedWrite write;  ///< to a file
 };
 
 /// How a value of one type is represented in a file: admissible values, reading and writing. From one shape follow
@@ -55,6 +57,7 @@ struct Shape {
   Read<T> read;    ///< from a file
   Write<T> write;  ///< to a file
 
+  /// The same without the type of its value.
   ErasedShape erased() const { return {schema, read.erased(), write.erased()}; }
   /// The shape that `erased` is, which has to be one of a T.
   static Shape from(ErasedShape erased) {
@@ -154,6 +157,7 @@ Shape<E> word(std::string text, std::vector<std::string> words) {
       [](const E& value) { return static_cast<std::size_t>(value); });
 }
 
+/// list() by the address of the list.
 ErasedShape erased_list_shape(std::string text, ErasedShape item, std::size_t least,
                               std::size_t most, const ErasedList& list);
 
@@ -165,6 +169,7 @@ Shape<std::vector<T>> list(std::string text, const Shape<T>& item, std::size_t l
       erased_list_shape(std::move(text), item.erased(), least, most, erased_list<T>()));
 }
 
+/// one_of() by the address of the value.
 ErasedShape erased_one_of(std::string text, std::vector<ErasedShape> alternatives,
                           std::function<std::size_t(void*)> which, std::string selector,
                           std::vector<std::string> words);
