@@ -101,8 +101,7 @@ std::string series(const std::string& scaled, const char* name, const char* colo
          plot_text(name);
 }
 
-std::string bounds(const FieldsPicture& picture, Trace column, const char* name,
-                   const char* dash) {
+std::string bounds(const FieldsPicture& picture, Trace column, const char* name, const char* dash) {
   const std::string bound = in_unit(column, picture.traction);
   return series(bound, name, colour::kGrey, dash) + ", " +
          series("(-" + bound + ")", "", colour::kGrey, dash);
