@@ -44,7 +44,7 @@ bool keeps_laws(const DrivenMotor<double>& m, const PointNumbers<double>& n, dou
   const double most = m.static_ * m.preload * lever;
   double fastest = std::fabs(speed);
   for (const Slice<double>& s : m.slices())
-    fastest = std::fmax(s.crest_velocity / s.radius, fastest);
+    fastest = std::max(s.crest_velocity / s.radius, fastest);
   const double scale = most * fastest;
   const double share = n.stick_fraction;
   return std::isfinite(n.reactive_force) && std::fabs(excess(n, speed)) <= kBalance * scale &&
@@ -228,16 +228,21 @@ SolvedPoint::SolvedPoint(const DrivenMotor<double>& m, double speed,
                          const LayerMotion<double>& layer, const WarmStart* guess, double accuracy)
     : first_(solve_slice(m, m.slices()[0], speed, layer, guess ? &guess->of_slice(0) : nullptr,
                          accuracy)) {
-  solve_others(m, m.slices(), speed, layer, guess, accuracy);
+  take_first(m, m.slices()[0], speed);
+  if (m.slices().size() > 1) solve_others(m, m.slices(), speed, layer, guess, accuracy);
   if (m.track.splits && status == PointStatus::ok && accuracy < kRough)
     split(m, speed, layer, accuracy);
+}
+
+void SolvedPoint::take_first(const DrivenMotor<double>& m, const Slice<double>& slice,
+                             double speed) {
+  status = status_of(m, first_);
+  numbers = numbers_of(m, slice, first_, speed);
 }
 
 void SolvedPoint::solve_others(const DrivenMotor<double>& m, std::span<const Slice<double>> slices,
                                double speed, const LayerMotion<double>& layer,
                                const WarmStart* guess, double accuracy) {
-  status = status_of(m, first_);
-  numbers = numbers_of(m, slices[0], first_, speed);
   others_.clear();
   others_.reserve(slices.size() - 1);
   for (std::size_t k = 1; k < slices.size() && status == PointStatus::ok; ++k) {
@@ -283,6 +288,7 @@ void SolvedPoint::solve_split(const DrivenMotor<double>& m, double speed,
   lever_ = lever_of<double>(slices, m.preload);
   if (guess && guess->size() != slices.size()) guess = nullptr;
   first_ = solve_slice(m, slices[0], speed, layer, guess ? &guess->of_slice(0) : nullptr, accuracy);
+  take_first(m, slices[0], speed);
   solve_others(m, slices, speed, layer, guess, accuracy);
 }
 

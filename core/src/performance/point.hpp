@@ -179,7 +179,9 @@ class SolvedPoint {
   double lever(const DrivenMotor<double>& motor) const {
     return splits_.empty() ? motor.lever : lever_;
   }
-  /// Solves the slices but the first.
+  /// Status and numbers of the first slice.
+  void take_first(const DrivenMotor<double>& motor, const Slice<double>& slice, double speed);
+  /// Solves the slices but the first, and adds them.
   void solve_others(const DrivenMotor<double>& motor, std::span<const Slice<double>> slices,
                     double speed, const contact::LayerMotion<double>& layer, const WarmStart* guess,
                     double accuracy);

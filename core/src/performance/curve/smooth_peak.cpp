@@ -91,8 +91,8 @@ Peak SmoothPeakSearch::sharp_peak(std::size_t top) {
 // nothing if that does not settle at once between its neighbours, as at a kink.
 std::optional<Peak> SmoothPeakSearch::peak_near(std::size_t top) {
   const CurvePoint &a = nodes_[top - 1], &b = nodes_[top], &c = nodes_[top + 1];
-  const Likely likely = likely_peak(top);
-  double speed = likely.speed;
+  Interpolant curve = curve_about(top);
+  double speed = likely_peak(curve, b.speed);
   Walk walk(points_);
   walk.pass(b.speed < speed ? c : a);
   walk.pass(b);
@@ -102,26 +102,36 @@ std::optional<Peak> SmoothPeakSearch::peak_near(std::size_t top) {
     const Sloped s = goal_.sloped(walk.slope(speed));
     if (s.slope == 0) return Peak{speed, s.value, PeakKind::smooth};
     line.add(speed, s.slope);
-    const double step = i == 0 ? -s.slope / likely.curvature : line.zero() - speed;
+    if (i == 0) curve.bend(speed, s.slope);
+    const Interpolant::Value p = curve.at(speed);
+    const std::optional<double> early = line.zero_of_two(p.curvature, p.jerk);
+    const double straight = -s.slope / p.curvature;
+    const double step = i == 0 ? straight * (1 - 0.5 * p.jerk / p.curvature * straight)
+                               : early.value_or(line.zero()) - speed;
     if (!(step * s.slope > 0)) return {};  // not a maximum
     speed += step;
-    if (line.settled()) return Peak{speed, s.value + 0.5 * s.slope * step, PeakKind::smooth};
+    if (early || line.settled())
+      return Peak{speed, s.value + 0.5 * s.slope * step, PeakKind::smooth};
   }
   return {};
 }
 
-// Where the polynomial through the nodes about `top`, those of the plateau left out, has its maximum, and how it bends.
-SmoothPeakSearch::Likely SmoothPeakSearch::likely_peak(std::size_t top) const {
-  Interpolant line;
+// The polynomial through the nodes about `top`, those of the plateau left out.
+Interpolant SmoothPeakSearch::curve_about(std::size_t top) const {
+  Interpolant curve;
   for (std::size_t k = top < 2 ? 0 : top - 2; k < std::min(top + 3, nodes_.size()); ++k) {
-    if (!nodes_[k].plateau) line.add(nodes_[k].speed, value(k));
+    if (!nodes_[k].plateau) curve.add(nodes_[k].speed, value(k));
   }
-  Likely likely{nodes_[top].speed, 0};
+  return curve;
+}
+
+// Where it has its maximum near a speed.
+double SmoothPeakSearch::likely_peak(const Interpolant& curve, double speed) {
   for (int i = 0; i < 4; ++i) {
-    const Interpolant::Value p = line.at(likely.speed);
-    likely = {likely.speed - p.slope / p.curvature, p.curvature};
+    const Interpolant::Value p = curve.at(speed);
+    speed -= p.slope / p.curvature;
   }
-  return likely;
+  return speed;
 }
 
 // Power and efficiency may have their maximum at the plateau's end, a kink, wherever the best node is.

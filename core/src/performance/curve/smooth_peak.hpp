@@ -24,10 +24,8 @@ class SmoothPeakSearch {
   double sloped_place(std::size_t k) const;
   Peak sharp_peak(std::size_t top);
   std::optional<Peak> peak_near(std::size_t top);
-  struct Likely {
-    double speed, curvature;
-  };
-  Likely likely_peak(std::size_t top) const;
+  Interpolant curve_about(std::size_t top) const;
+  static double likely_peak(const Interpolant& curve, double speed);
   bool plateau_may_top(double best);
 
   GoalCurve goal_;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <optional>
 
 namespace twum::performance {
 
@@ -23,9 +24,9 @@ Bracket close_in(const std::function<double(double)>& f, const Bracket& ends);
 /// Polynomial through a few points of a function, in Newton's form: where to begin an iteration.
 class Interpolant {
  public:
-  static constexpr std::size_t kMost = 5;
+  static constexpr std::size_t kMost = 5;  // and a slope
   struct Value {
-    double value, slope, curvature;
+    double value, slope, curvature, jerk;
   };
 
   void add(double x, double f) {
@@ -38,17 +39,31 @@ class Interpolant {
     ++count_;
   }
 
+  /// Adds the term that leaves the points where they are and gives the polynomial this slope at x. Half way between two
+  /// points such terms have none, and it is left out.
+  void bend(double x, double slope) {
+    const Value before = at(x);
+    coefficients_[count_++] = 1;
+    const Value after = at(x);
+    const double term = (slope - before.slope) / (after.slope - before.slope);
+    const bool small =
+        std::fabs(term * (after.curvature - before.curvature)) < 0.1 * std::fabs(before.curvature);
+    coefficients_[count_ - 1] = small ? term : 0;
+  }
+
   Value at(double x) const {
-    Value p{0, 0, 0};
+    Value p{0, 0, 0, 0};
     for (std::size_t k = count_; k-- > 0;) {
       const double t = x - x_[k];
-      p = {p.value * t + coefficients_[k], p.slope * t + p.value, p.curvature * t + 2 * p.slope};
+      p = {p.value * t + coefficients_[k], p.slope * t + p.value, p.curvature * t + 2 * p.slope,
+           p.jerk * t + 3 * p.curvature};
     }
     return p;
   }
 
  private:
-  std::array<double, kMost> x_{}, coefficients_{}, last_{};
+  std::array<double, kMost + 1> x_{}, coefficients_{};
+  std::array<double, kMost> last_{};
   std::size_t count_{0};
 };
 
@@ -68,6 +83,19 @@ class InverseInterpolation {
 
   /// Where the zero should be; NaN if the points do not tell.
   double zero() const { return points_[0].x + step(); }
+
+  /// The zero after two points, if slope and curvature of the function are known well enough for it. The secant has the
+  /// slope half way between them, and the curvature moves it to that at the zero. What is wrong with the slope is taken
+  /// for ten times as much as secant and slope disagree by, in parts of what the curvature moves.
+  std::optional<double> zero_of_two(double slope, double curvature) const {
+    if (count_ != 2) return {};
+    const auto& [c, b, a] = points_;
+    const double mean = (c.f - b.f) / (c.x - b.x), moved = 0.5 * curvature * (c.x - b.x) / mean;
+    const double here = mean * (1 + moved), step = -c.f / here;
+    const double share = std::max(std::fabs(slope / here - 1), std::fabs(moved));
+    if (!(std::fabs(step) * 10 * share * share <= accuracy_ * unit_)) return {};
+    return c.x + step;
+  }
 
   /// True if zero() is the zero. What the next better formula would add is the product of the distances
   /// of the three points, in units of the curve's own scale, for which a thirtieth of `unit` is taken; and
