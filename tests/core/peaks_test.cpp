@@ -93,6 +93,30 @@ MotorDesign any_box_motor(Uniform& random, int) { return box_motor(random); }
 
 }  // namespace
 
+TEST_CASE("power has no slope at the speed of a smooth peak (T7.16)", "[core][metrics][identity]") {
+  Uniform random(31);
+  int smooth = 0;
+  for (int i = 0; i < 600; ++i) {
+    const MotorDesign ring = realistic_design(random);
+    const Motor motor(i % 3 == 0 ? ring : i % 3 == 1 ? damped(ring) : elastic(ring));
+    const double speed = evaluate(motor, {Metric::speed_at_peak_power}).value;
+    const SpeedDerivative here = differentiate_in_speed(motor, speed);
+    const auto slope_at = [&](double share) {
+      return differentiate_in_speed(motor, speed * share).output_power;
+    };
+    const double curvature = (slope_at(1 + 1e-6) - slope_at(1 - 1e-6)) / (2e-6 * speed);
+    // A kink has slopes of either sign beside it, which no curvature explains.
+    const double scale = here.point.output_power / (speed * speed);
+    if (!(std::fabs(curvature) < 1e3 * scale)) continue;
+    ++smooth;
+    CAPTURE(i, speed, here.output_power, curvature);
+    // The speed is asked for to 1e-13 of the crest speed; the slope itself is rounded to some 1e-14 of P / Omega.
+    CHECK(std::fabs(here.output_power) <=
+          1e-13 * motor.crest_speed() * std::fabs(curvature) + 1e-13 * scale * speed);
+  }
+  CHECK(smooth > 500);
+}
+
 TEST_CASE("the peaks of layers that ring on are those of a fine scan (T7.16, T7.18)",
           "[core][metrics][brute_force]") {
   // Maxima at a kink where the plateau ends, though a speed far from it is the best of few; maxima with a dip

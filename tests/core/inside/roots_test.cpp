@@ -141,3 +141,62 @@ TEST_CASE("inverse interpolation settles soon, only at the zero, and in any unit
     }
   }
 }
+
+TEST_CASE("a polynomial bent to a slope keeps its points and has that slope, or is left as it was",
+          "[core][metrics][closed_form]") {
+  Dice dice(73);
+  for (int i = 0; i < 200; ++i) {
+    // A polynomial of degree three through three points and a slope is the only one.
+    const double a = dice.uniform(-2, 2), b = dice.uniform(1, 2), c = dice.uniform(-0.1, 0.1);
+    const auto value = [&](double x) { return a * x + b * x * x + c * x * x * x; };
+    Interpolant curve;
+    for (const double x : {-1.0, 0.0, 1.0}) curve.add(x, value(x));
+    const double at = dice.uniform(-0.2, 0.2);
+    curve.bend(at, a + 2 * b * at + 3 * c * at * at);
+    const double x = dice.uniform(-1, 1);
+    const Interpolant::Value p = curve.at(x);
+    CAPTURE(i, at, x);
+    // Some ten roundings of numbers up to 6, and the slope's by the term's, which is at least 0.8 there.
+    CHECK(std::fabs(p.value - value(x)) <= 1e-14);
+    CHECK(std::fabs(p.slope - (a + 2 * b * x + 3 * c * x * x)) <= 4e-14);
+    CHECK(std::fabs(p.curvature - (2 * b + 6 * c * x)) <= 1e-13);
+    CHECK(std::fabs(p.jerk - 6 * c) <= 1e-13);
+  }
+  // Where the term has no slope, it cannot be told.
+  Interpolant curve;
+  for (const double x : {-1.0, 0.0, 1.0}) curve.add(x, x * x);
+  curve.bend(1 / std::sqrt(3.0), 7);
+  CHECK(curve.at(0.5).value == 0.25);
+}
+
+TEST_CASE("two points tell the zero of what is known well, and of nothing else",
+          "[core][metrics][closed_form]") {
+  constexpr double kAccuracy = 1e-13;
+  Dice dice(74);
+  int told = 0;
+  for (int i = 0; i < 300; ++i) {
+    const double zero = dice.uniform(0.3, 0.7), slope = -dice.log_uniform(0.1, 10);
+    const double bend = slope * dice.uniform(-20, 20);
+    const auto f = [&](double x) { return (x - zero) * (slope + 0.5 * bend * (x - zero)); };
+    const double first = zero + dice.log_uniform(1e-6, 1e-4);
+    const double second = zero + dice.log_uniform(1e-10, 1e-7);
+    const auto found = [&](double known_slope, double known_bend) {
+      InverseInterpolation line(1, kAccuracy);
+      line.add(first, f(first));
+      line.add(second, f(second));
+      return line.zero_of_two(known_slope, known_bend);
+    };
+    const double here = slope + bend * (second - zero);
+    CAPTURE(i, zero, first, second);
+    // A curvature that is wrong by ten times the share by which it moves the slope, as is allowed for.
+    const double moved = 0.5 * bend * (second - first) / slope;
+    if (const auto at = found(here, bend * (1 + 10 * moved * dice.uniform(-1, 1)))) {
+      ++told;
+      CHECK(std::fabs(*at - zero) <= 1.1 * kAccuracy);  // and terms of the next order
+    }
+    // A slope that disagrees with the secant by a tenth moves steps of 1e-10 and more by more than 1e-13.
+    CHECK_FALSE(found(1.1 * here, bend));
+    CHECK_FALSE(found(1.1 * here, 0));
+  }
+  CHECK(told > 150);
+}
