@@ -10,7 +10,7 @@ import {figure} from './figure.js';
 import {fitCharts, profileCharts, quantityName, settings} from './fit.js';
 import {movesCard} from './moves.js';
 import {named, quantity, table, words} from './table.js';
-import {displayUnit, engineering, intervalDigits, largest, percent, rounded} from './units.js';
+import {displayUnit, engineering, intervalDigits, largest, percent, printed, rounded} from './units.js';
 import {axisLabel, plain} from './words.js';
 
 /** What a measured number is, and where it was read. */
@@ -98,7 +98,7 @@ function planTable() {
 function pointsCard(torques) {
   const outliers = new Map((summary.outliers || []).map((o) => [o.point, o]));
   const remark = (i) => (
-      outliers.size ? [outliers.has(i) ? words('outlier, p = ' + rounded(outliers.get(i).p, 2), 'bad-word') : ''] : []);
+      outliers.size ? [outliers.has(i) ? words('outlier, p = ' + printed(outliers.get(i).p, 2), 'bad-word') : ''] : []);
   const heads = outliers.size ? [''] : [];
   if (torques) {
     const lines = summary.data.map(

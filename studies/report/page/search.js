@@ -11,7 +11,7 @@ import {savedMotor} from './motor.js';
 import {movesCard} from './moves.js';
 import {robustCards} from './robust.js';
 import {csvText, named, parameterCell, quantity, table, tableSaved, valuesTable, words} from './table.js';
-import {between, displayUnit, engineering, rounded} from './units.js';
+import {between, displayUnit, engineering, printed} from './units.js';
 import {axisLabel, goalText, goalValue, holderList, keepsLimits, limitWords, plain, rateWords} from './words.js';
 import {ratioUnit, signed, slopeText, standingName, standingState, wholeEnds} from './words.js';
 
@@ -166,7 +166,7 @@ export function certificateText(certificate) {
     return 'Not certified as an optimum' + (certificate.reason ? ': ' + certificate.reason : '') + '.';
   const rounding = certificate.stationarity < 1e-10;  // of the slope itself
   const left = rounding ? 'nothing but rounding is left of the slope' :
-                          'what is left of the slope, relative to the slope: ' + rounded(certificate.stationarity, 2);
+                          'what is left of the slope, relative to the slope: ' + printed(certificate.stationarity, 2);
   return 'Certified by exact derivatives, independent of the solver: no small change within the limits improves it (' +
       left + ').';
 }

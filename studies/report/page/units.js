@@ -47,6 +47,13 @@ export function rounded(value, digits = 4) {
   return size !== 0 && (size < 1e-4 || size >= 1e7) ? text.toExponential() : String(text);
 }
 
+/** The same in a sentence: "1.2 · 10⁻¹⁰". */
+export function printed(value, digits = 4) {
+  const raised = (sign, power) => (sign === '-' ? '⁻' : '') + [...power].map((d) => '⁰¹²³⁴⁵⁶⁷⁸⁹'[d]).join('');
+  return rounded(value, digits)
+      .replace(/e([+-])(\d+)$/, (_, sign, power) => noBreak + '·' + noBreak + '10' + raised(sign, power));
+}
+
 /** An SI value as people say it: "1.6 µm", "141.6 rpm". */
 export function engineering(value, unit, digits = 4) {
   if (value === null || value === undefined || !Number.isFinite(value)) return '-';

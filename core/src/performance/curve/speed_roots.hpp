@@ -42,26 +42,30 @@ class Interpolant {
   /// Adds the term that leaves the points where they are and gives the polynomial this slope at x. Half way between two
   /// points such terms have none, and it is left out.
   void bend(double x, double slope) {
-    const Value before = at(x);
-    coefficients_[count_++] = 1;
-    const Value after = at(x);
-    const double term = (slope - before.slope) / (after.slope - before.slope);
-    const bool small =
-        std::fabs(term * (after.curvature - before.curvature)) < 0.1 * std::fabs(before.curvature);
-    coefficients_[count_ - 1] = small ? term : 0;
+    Value term{1, 0, 0, 0};
+    for (std::size_t k = 0; k < count_; ++k) term = times(term, x - x_[k]);
+    const Value here = at(x);
+    const double share = (slope - here.slope) / term.slope;
+    const bool small = std::fabs(share * term.curvature) < 0.1 * std::fabs(here.curvature);
+    coefficients_[count_++] = small ? share : 0;
   }
 
   Value at(double x) const {
     Value p{0, 0, 0, 0};
     for (std::size_t k = count_; k-- > 0;) {
-      const double t = x - x_[k];
-      p = {p.value * t + coefficients_[k], p.slope * t + p.value, p.curvature * t + 2 * p.slope,
-           p.jerk * t + 3 * p.curvature};
+      p = times(p, x - x_[k]);
+      p.value += coefficients_[k];
     }
     return p;
   }
 
  private:
+  // The product with a factor that has the slope one.
+  static Value times(const Value& p, double factor) {
+    return {p.value * factor, p.slope * factor + p.value, p.curvature * factor + 2 * p.slope,
+            p.jerk * factor + 3 * p.curvature};
+  }
+
   std::array<double, kMost + 1> x_{}, coefficients_{};
   std::array<double, kMost> last_{};
   std::size_t count_{0};
