@@ -5,7 +5,7 @@
 # agree bit for bit and every build gives the same digits. -fno-math-errno lets square roots be one instruction; no
 # value changes by it.
 #
-# Warnings are for who changes the code (presets dev and ci), as errors: looking for them takes GCC a tenth of its time.
+# Warnings are errors, and only for those who change the code (presets dev and ci): they take GCC a tenth of its time.
 # -Wno-restrict because GCC 12 warns wrongly about "text" + std::string from -O2 on (GCC bug 105651). In a batch of
 # sources one source's names are not another's concern: -Wno-shadow.
 #

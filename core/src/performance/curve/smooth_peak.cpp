@@ -105,9 +105,7 @@ std::optional<Peak> SmoothPeakSearch::peak_near(std::size_t top) {
     if (i == 0) curve.bend(speed, s.slope);
     const Interpolant::Value p = curve.at(speed);
     const std::optional<double> early = line.zero_of_two(p.curvature, p.jerk);
-    const double straight = -s.slope / p.curvature;
-    const double step = i == 0 ? straight * (1 - 0.5 * p.jerk / p.curvature * straight)
-                               : early.value_or(line.zero()) - speed;
+    const double step = i == 0 ? -s.slope / p.curvature : early.value_or(line.zero()) - speed;
     if (!(step * s.slope > 0)) return {};  // not a maximum
     speed += step;
     if (early || line.settled())

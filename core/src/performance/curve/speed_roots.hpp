@@ -24,7 +24,7 @@ Bracket close_in(const std::function<double(double)>& f, const Bracket& ends);
 /// Polynomial through a few points of a function, in Newton's form: where to begin an iteration.
 class Interpolant {
  public:
-  static constexpr std::size_t kMost = 5;  // and a slope
+  static constexpr std::size_t kMost = 5;  // points, besides a slope
   struct Value {
     double value, slope, curvature, jerk;
   };
@@ -39,15 +39,15 @@ class Interpolant {
     ++count_;
   }
 
-  /// Adds the term that leaves the points where they are and gives the polynomial this slope at x. Half way between two
-  /// points such terms have none, and it is left out.
+  /// Gives the polynomial this slope at x, by a term that is zero at all points. Where that term has no slope itself, as
+  /// near the middle of two points, nothing changes.
   void bend(double x, double slope) {
     Value term{1, 0, 0, 0};
     for (std::size_t k = 0; k < count_; ++k) term = times(term, x - x_[k]);
     const Value here = at(x);
     const double share = (slope - here.slope) / term.slope;
     const bool small = std::fabs(share * term.curvature) < 0.1 * std::fabs(here.curvature);
-    coefficients_[count_++] = small ? share : 0;
+    if (small) coefficients_[count_++] = share;
   }
 
   Value at(double x) const {
@@ -88,16 +88,19 @@ class InverseInterpolation {
   /// Where the zero should be; NaN if the points do not tell.
   double zero() const { return points_[0].x + step(); }
 
-  /// The zero after two points, if slope and curvature of the function are known well enough for it. The secant has the
-  /// slope half way between them, and the curvature moves it to that at the zero. What is wrong with the slope is taken
-  /// for ten times as much as secant and slope disagree by, in parts of what the curvature moves.
+  /// The zero after two points, or nothing if it is not accurate enough.
+  ///
+  /// The secant has the slope half way between the points, and the curvature changes it to the slope at the last one. The
+  /// relative error of that slope, and of the step, is the change times the relative error of the curvature. The latter is
+  /// taken to be ten times the change, or ten times the disagreement with the known slope if that is larger.
+  /// @param slope, curvature  of the function at the last point, as far as they are known
   std::optional<double> zero_of_two(double slope, double curvature) const {
     if (count_ != 2) return {};
     const auto& [c, b, a] = points_;
-    const double mean = (c.f - b.f) / (c.x - b.x), moved = 0.5 * curvature * (c.x - b.x) / mean;
-    const double here = mean * (1 + moved), step = -c.f / here;
-    const double share = std::max(std::fabs(slope / here - 1), std::fabs(moved));
-    if (!(std::fabs(step) * 10 * share * share <= accuracy_ * unit_)) return {};
+    const double mean = (c.f - b.f) / (c.x - b.x), change = 0.5 * curvature * (c.x - b.x) / mean;
+    const double here = mean * (1 + change), step = -c.f / here;
+    const double doubt = std::max(std::fabs(slope / here - 1), std::fabs(change));
+    if (!(std::fabs(step) * 10 * doubt * doubt <= accuracy_ * unit_)) return {};
     return c.x + step;
   }
 

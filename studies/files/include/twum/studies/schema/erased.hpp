@@ -10,8 +10,8 @@
 
 namespace twum::studies {
 
-/// A function of a T that is kept as one of an address. Lists of entries are therefore read and written by code that is
-/// compiled once, not once for each struct.
+/// A function whose first argument is a T, kept as a function of an address. Code that reads and writes entries can
+/// therefore be compiled once, not once for each struct.
 template <typename T, typename Result, typename... Others>
 class FunctionOf {
  public:
@@ -19,10 +19,9 @@ class FunctionOf {
   using Erased = std::function<Result(void*, Others...)>;
 
   FunctionOf() = default;
-  /// Of a function object that takes a T& first.
+  /// Of a function object that takes a T& first. Implicit, as for std::function: lambdas are passed.
   template <std::invocable<T&, Others...> F>
-  requires(!std::same_as<F, FunctionOf>)
-      FunctionOf(F function)  // NOLINT(google-explicit-constructor): a lambda is meant
+  requires(!std::same_as<F, FunctionOf>) FunctionOf(F function)
       : erased_([function = std::move(function)](void* value, Others... others) -> Result {
           return function(*static_cast<T*>(value), std::forward<Others>(others)...);
         }) {}
@@ -36,7 +35,7 @@ class FunctionOf {
 
   /// Calls it.
   Result operator()(T& value, Others... others) const {
-    // constness comes back with the type
+    // The function takes a const T again if T is const.
     return erased_(const_cast<std::remove_const_t<T>*>(&value), std::forward<Others>(others)...);
   }
   /// The same as a function of an address, which has to be that of a T.

@@ -115,17 +115,22 @@ enum class Purpose : bool {
 using Reach = std::function<void*(void* whole, Purpose purpose)>;
 
 /// In a member of type V, or an optional V.
-/// @param may_lack  an empty list or text counts as left out
 template <typename V, typename Target>
-void* value_in(Target& member, Purpose purpose, bool may_lack) {
-  if constexpr (requires { member.empty(); })
-    if (may_lack && purpose == Purpose::writing && member.empty()) return nullptr;
+void* value_in(Target& member, Purpose purpose) {
   if constexpr (std::is_same_v<Target, V>) {
     return &member;
   } else {
     if (purpose == Purpose::reading) member = V{};
     return member.has_value() ? &*member : nullptr;
   }
+}
+
+/// The same if an empty list or text counts as left out.
+template <typename V, typename Target>
+void* value_unless_empty(Target& member, Purpose purpose) {
+  if constexpr (requires { member.empty(); })
+    if (purpose == Purpose::writing && member.empty()) return nullptr;
+  return value_in<V>(member, purpose);
 }
 
 /// required() by the address of the struct.
@@ -136,10 +141,10 @@ ErasedField erased_field(std::string name, ErasedShape shape, Reach reach);
 /// @{
 /// An entry that has to be there.
 template <typename T, typename V, typename Member>
-Field<T> required(std::string name, const Shape<V>& shape, Member member, bool may_lack = false) {
-  return Field<T>::from(erased_field(
-      std::move(name), shape.erased(), [member, may_lack](void* whole, Purpose purpose) {
-        return value_in<V>(std::invoke(member, *static_cast<T*>(whole)), purpose, may_lack);
+Field<T> required(std::string name, const Shape<V>& shape, Member member) {
+  return Field<T>::from(
+      erased_field(std::move(name), shape.erased(), [member](void* whole, Purpose purpose) {
+        return value_in<V>(std::invoke(member, *static_cast<T*>(whole)), purpose);
       }));
 }
 
@@ -156,7 +161,10 @@ Field<T> standard(std::string name, const Shape<V>& shape, Member member) {
 /// @param fallback  what holds then, in words
 template <typename T, typename V, typename Member>
 Field<T> optional(std::string name, const Shape<V>& shape, Member member, std::string fallback) {
-  Field<T> field = required<T>(std::move(name), shape, member, true);
+  Field<T> field = Field<T>::from(
+      erased_field(std::move(name), shape.erased(), [member](void* whole, Purpose purpose) {
+        return value_unless_empty<V>(std::invoke(member, *static_cast<T*>(whole)), purpose);
+      }));
   field.entry.required = false;
   field.entry.fallback = std::move(fallback);
   return field;
