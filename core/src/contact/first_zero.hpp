@@ -146,6 +146,12 @@ struct KnownZero {
   }
 };
 
+/// Nothing is known.
+struct NoKnownZero {
+  static constexpr double zero = kNoZero;
+  static bool is_first_from(double /*x*/, const CurveSample& /*c*/) { return false; }
+};
+
 /// The zero near x, if few steps of polish_zero() lead there.
 template <typename Curve>
 KnownZero known_zero(const Curve& curve, double x, double length) {
@@ -164,9 +170,9 @@ KnownZero known_zero(const Curve& curve, double x, double length) {
 ///
 /// @param work   counts samples; past `limit` the march gives up and returns NaN.
 /// @param known  a zero to stop at once it is proven to be the first
-template <typename Curve>
+template <typename Curve, typename Known = NoKnownZero>
 double first_zero(const Curve& curve, double length, StartOrder order, long& work, long limit,
-                  const KnownZero& known = {}) {
+                  const Known& known = {}) {
   double x = 0;
   CurveSample c = curve.first();
   while (++work <= limit) {

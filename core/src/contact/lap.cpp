@@ -43,8 +43,10 @@ class LapRunner {
     begin(entry.carried ? start_.carry_on(entry.zone, here_) : start_.enter(here_));
     lap_.first = zone_.zone;
     while (!done_ && lap_.status == LapStatus::ok) {
-      if (!ends_.expects(zone_.zone, index())) return fail();
-      zone_.zone == ZoneState::stick ? stick() : slip();
+      const ZoneSequence::End* known = ends_.known(zone_.zone, lap_.sequence.count);
+      // A lap that follows another goes through the same zones.
+      if (kEnds == Ends::followed && !known) return fail();
+      zone_.zone == ZoneState::stick ? stick(known) : slip(known);
       if (lap_.zones > kMaxZones) lap_.status = LapStatus::unresolved;
     }
     lap_.one_slip = lap_.zones == 1 && lap_.first != ZoneState::stick;
@@ -59,8 +61,6 @@ class LapRunner {
     return layer_.kind() != LayerKind::elastic &&
            1 + value_of(layer_.response) > 600 * value_of(n_.stick_rate) * size * size * size;
   }
-
-  int index() const { return lap_.sequence.count; }
 
   void begin(const ZoneBegin& zone) {
     zone_ = zone;
@@ -82,7 +82,8 @@ class LapRunner {
     mark(7);
   }
 
-  void slip() {
+  // @param known  the zone's end in the lap nearby; null if it has no such zone
+  void slip(const ZoneSequence::End* known) {
     const double sigma = sign_of(zone_.zone);
     const Harmonic<S> f = forced_response(n_, layer_, sigma);  // t = -sigma mu p (T4.3, T5.1)
     const LapPlace<S> from = here_;
@@ -90,7 +91,7 @@ class LapRunner {
         {from.layer.e - f.at(from.theta, from.at), from.layer.rate - f.slope(from.at)});
     const FreeMotion<S> motion = layer_.start(h0);
     const Harmonic<S> slow = relative_rate(n_, f);
-    const double x = ends_.slip_end(motion, slow, zone_, here_, index());
+    const double x = ends_.slip_end(motion, slow, zone_, here_, known);
     if (std::isnan(x)) return fail();
     note({x, 0, zone_.zone});
     const S length = x == kNoZero ? S(n_.half_angle - from.theta)
@@ -120,7 +121,7 @@ class LapRunner {
     if (x != kNoZero) begin(start_.after_slip(sigma, here_));
   }
 
-  void stick() {
+  void stick(const ZoneSequence::End* known) {
     const S& s = n_.stick_rate;
     const S drift = s * n_.speed_ratio;
     const LapPlace<S> from = here_;
@@ -128,7 +129,7 @@ class LapRunner {
     const Harmonic<S> t{
         from.layer.e - s * from.at.sin + drift * from.theta + layer_.C * s * (1.0 - n_.speed_ratio),
         -drift, -(layer_.C * s), layer_.D * s};
-    const ZoneSequence::End end = ends_.stick_end(t, zone_, here_, index());
+    const ZoneSequence::End end = ends_.stick_end(t, zone_, here_, known);
     if (std::isnan(end.length)) return fail();
     note(end);
     end.length == kNoZero ? reach_exit() : advance(ends_.settled_stick_end(t, here_, end));

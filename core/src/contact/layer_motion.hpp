@@ -57,7 +57,6 @@ class LayerMotion {
     const S inverse = 1.0 / M, half_rate = 0.5 * C * inverse;
     const S square = inverse - half_rate * half_rate;  // beta^2, negative past critical damping
     inverse_inertia_ = value_of(inverse);
-    natural_frequency_ = std::sqrt(inverse_inertia_);
     if (value_of(C) * value_of(C) < 9.0 * value_of(M)) {
       kind_ = LayerKind::oscillating;
       decay_ = half_rate;
@@ -143,7 +142,7 @@ class LayerMotion {
   }
 
   /// 1 / sqrt(M), of an undamped layer, in units of W.
-  double natural_frequency() const { return natural_frequency_; }
+  double natural_frequency() const { return std::sqrt(inverse_inertia_); }
   /// 1 / M
   double inverse_inertia() const { return inverse_inertia_; }
   const S& fast() const { return fast_; }
@@ -178,7 +177,7 @@ class LayerMotion {
   }
 
   LayerKind kind_{LayerKind::elastic};
-  double natural_frequency_{0}, inverse_inertia_{0};
+  double inverse_inertia_{0};
   S decay_{0.0}, square_{0.0}, beta_{0.0};      // oscillating: zeta, beta^2, |beta|
   S fast_{0.0}, slow_{0.0}, inverse_gap_{0.0};  // overdamped and relaxing: rates of the modes
 };

@@ -32,7 +32,7 @@ class Search {
         unique_(monotone_ && layer.C > 0 && !numbers.full),
         swing_(std::sqrt(layer.response)),
         tolerance_(4e-16 * numbers.static_ * (swing_ + numbers.peak)),
-        tight_(4e-16 * numbers.static_ * std::fmin(numbers.peak, 1.0) * swing_),
+        tight_(4e-16 * numbers.static_ * std::min(numbers.peak, 1.0) * swing_),
         loose_(monotone_ && layer.C > 0 ? accuracy / 4e-16 * tight_ : 0) {}
 
   void run(const LapGuess* guess) {
@@ -115,7 +115,7 @@ class Search {
   // Gap of a state that is known well enough. Full contact may drift slowly, lap by lap.
   double enough() const {
     const bool drifts = n_.full && (sticks_all_round() || !contracts(kSlow));
-    return drifts ? tight_ : std::fmax(tight_, loose_);
+    return drifts ? tight_ : std::max(tight_, loose_);
   }
 
   void finish() {

@@ -13,16 +13,6 @@ static double product(const LayerMotion<double>& layer, const LayerState<double>
   return layer.M * a.rate * b.rate + a.e * b.e;
 }
 
-LayerState<double> difference(const LayerState<double>& a, const LayerState<double>& b) {
-  return {a.e - b.e, a.rate - b.rate};
-}
-
-double distance(const LayerMotion<double>& layer, const LayerState<double>& a,
-                const LayerState<double>& b) {
-  const LayerState<double> d = difference(a, b);
-  return std::sqrt(product(layer, d, d));
-}
-
 LayerState<double> secant(const Turn& before, const Turn& now, const LayerMotion<double>& layer) {
   const LayerState<double> in = difference(now.in, before.in),
                            out = difference(now.out, before.out), gap = difference(now.out, now.in);

@@ -3,6 +3,8 @@
 
 #include "contact/lap.hpp"
 
+#include <cmath>
+
 namespace twum::contact {
 
 /// A linear map of states of the layer, (e, e') -> (a e + b e', c e + d e').
@@ -26,10 +28,14 @@ struct Turn {
   LayerState<double> in, out;
 };
 
-LayerState<double> difference(const LayerState<double>& a, const LayerState<double>& b);
+inline LayerState<double> difference(const LayerState<double>& a, const LayerState<double>& b) {
+  return {a.e - b.e, a.rate - b.rate};
+}
 /// In the norm of the layer's energy.
-double distance(const LayerMotion<double>& layer, const LayerState<double>& a,
-                const LayerState<double>& b);
+inline double distance(const LayerMotion<double>& layer, const LayerState<double>& a,
+                       const LayerState<double>& b) {
+  return std::sqrt(layer.energy(difference(a, b)));
+}
 /// The next entry, with what two turns tell of the slope of the return map along their difference (E6.4).
 LayerState<double> secant(const Turn& before, const Turn& now, const LayerMotion<double>& layer);
 

@@ -25,24 +25,23 @@ class ZoneEnds {
         layer_(layer),
         sequence_(sequence && sequence->complete() ? sequence : nullptr) {}
 
-  /// A lap that follows another goes through the same zones.
-  bool expects(ZoneState zone, int index) const {
-    if (kEnds != Ends::followed) return true;
-    return index < sequence_->count && sequence_->ends[index].zone == zone;
+  /// The sequence's end of a zone, if it has one like it at this index.
+  const ZoneSequence::End* known(ZoneState zone, int index) const {
+    const bool has = sequence_ && index < sequence_->count && sequence_->ends[index].zone == zone;
+    return has ? sequence_->ends + index : nullptr;
   }
 
   /// @param slow   what v_rel is beside the layer's own motion
-  /// @param index  of the zone in its lap
+  /// @param known  the zone's end in the sequence; null if it has none
   double slip_end(const FreeMotion<S>& motion, const Harmonic<S>& slow, const ZoneBegin& zone,
-                  const LapPlace<S>& from, int index) {
-    if (is_given(zone, index)) return known_end(zone, index).length;
+                  const LapPlace<S>& from, const ZoneSequence::End* known) {
+    if (is_given(known)) return known ? known->length : kNoZero;
     const FreeMotion<double> own{value_of(motion.u), value_of(motion.w)};
     const double length = value_of(n_.half_angle) - value_of(from.theta);
     const auto& layer = layer_.values();  // lives as long as the curve
     const SlipCurve curve(layer, own, slow.values(), sign_of(zone.zone), value_of(from.theta),
                           values(from.at), length, values(n_.edge));
-    return find_zero(curve, length, zone.slip,
-                     kEnds == Ends::searched ? kNoZero : known_end(zone, index).length);
+    return find_zero(curve, length, zone.slip, near(known, 0));
   }
 
   /// Newton steps in S from the root in double: the value stays, the derivatives come in.
@@ -66,18 +65,16 @@ class ZoneEnds {
   /// glance.
   /// @param t  traction of the zone
   ZoneSequence::End stick_end(const Harmonic<S>& t, const ZoneBegin& zone, const LapPlace<S>& from,
-                              int index) {
-    if (is_given(zone, index)) return known_end(zone, index);
+                              const ZoneSequence::End* known) {
+    if (is_given(known)) return known ? *known : ended(kNoZero, 0);
     const Harmonic<double> traction = t.values();
     const double exit = value_of(n_.half_angle), length = exit - value_of(from.theta);
-    const ZoneSequence::End known =
-        kEnds == Ends::searched ? ZoneSequence::End{} : known_end(zone, index);
     if constexpr (kEnds == Ends::followed) {
-      return ended(find_zero(stick_curve(t, from, known.side), length, {}, known.length),
-                   known.side);
+      return ended(find_zero(stick_curve(t, from, known->side), length, {}, known->length),
+                   known->side);
     }
     const auto side = [&](double iota, double within, const Trig<double>& end) {
-      return stick_end_on(iota, t, zone, from, within, end, known);
+      return stick_end_on(iota, t, zone, from, within, end, near(known, iota));
     };
     const double likely = traction.at(exit, values(n_.edge)) < 0 ? -1 : 1;
     const double first = side(likely, length, values(n_.edge));
@@ -112,18 +109,15 @@ class ZoneEnds {
     return {length, static_cast<float>(side), ZoneState::stick};
   }
 
-  // The sequence's end of a zone like this one, or none.
-  ZoneSequence::End known_end(const ZoneBegin& zone, int index) const {
-    const bool known =
-        sequence_ && index < sequence_->count && sequence_->ends[index].zone == zone.zone;
-    return known ? sequence_->ends[index] : ZoneSequence::End{kNoZero, 0, zone.zone};
+  // True if the sequence's end needs no search.
+  bool is_given(const ZoneSequence::End* known) const {
+    return kEnds == Ends::searched ? sequence_ != nullptr
+                                   : kEnds == Ends::followed && known->length == kNoZero;
   }
 
-  // True if the zone's end needs no search.
-  bool is_given(const ZoneBegin& zone, int index) const {
-    return kEnds == Ends::searched
-               ? sequence_ != nullptr
-               : kEnds == Ends::followed && known_end(zone, index).length == kNoZero;
+  // Where a search may begin.
+  static double near(const ZoneSequence::End* known, double side) {
+    return kEnds != Ends::searched && known && known->side == side ? known->length : kNoZero;
   }
 
   template <typename Curve>
@@ -155,10 +149,9 @@ class ZoneEnds {
 
   double stick_end_on(double iota, const Harmonic<S>& t, const ZoneBegin& zone,
                       const LapPlace<S>& from, double length, const Trig<double>& end,
-                      const ZoneSequence::End& known) {
+                      double near) {
     const StickCurve curve = stick_curve(t, from, iota);
     const StartOrder order = iota > 0 ? zone.plus_side : zone.minus_side;
-    const double near = known.side == iota ? known.length : kNoZero;
     const StickCurve::Glance glance = curve.glance(length, order, end);
     if (glance == StickCurve::Glance::no_zero) return kNoZero;
     if (glance == StickCurve::Glance::one_zero) return curve.only_zero(length, near);

@@ -222,14 +222,12 @@ PointNumbers<double> numbers_of(const DrivenMotor<double>& m, const Slice<double
 
 SolvedPoint::SolvedPoint(const DrivenMotor<double>& m, double speed, const WarmStart* guess,
                          double accuracy)
-    : SolvedPoint(m, speed, layer_of(m, speed), guess, accuracy) {}
-
-SolvedPoint::SolvedPoint(const DrivenMotor<double>& m, double speed,
-                         const LayerMotion<double>& layer, const WarmStart* guess, double accuracy)
-    : first_(solve_slice(m, m.slices()[0], speed, layer, guess ? &guess->of_slice(0) : nullptr,
-                         accuracy)) {
+    : first_(solve_slice(m, m.slices()[0], speed, layer_of(m, speed),
+                         guess ? &guess->of_slice(0) : nullptr, accuracy)) {
   take_first(m, m.slices()[0], speed);
-  if (m.slices().size() > 1) solve_others(m, m.slices(), speed, layer, guess, accuracy);
+  if (m.slices().size() == 1 && !m.track.splits) return;
+  const LayerMotion<double> layer = layer_of(m, speed);
+  solve_others(m, m.slices(), speed, layer, guess, accuracy);
   if (m.track.splits && status == PointStatus::ok && accuracy < kRough)
     split(m, speed, layer, accuracy);
 }

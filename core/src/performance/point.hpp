@@ -171,8 +171,6 @@ class SolvedPoint {
                                       const WarmStart&);
   SolvedPoint(const DrivenMotor<double>& motor, double speed, const WarmStart* guess,
               double accuracy);
-  SolvedPoint(const DrivenMotor<double>& motor, double speed,
-              const contact::LayerMotion<double>& layer, const WarmStart* guess, double accuracy);
   static SolvedPoint of_special(const DrivenMotor<double>& motor, double speed);
 
   /// Mean radius of the preload on the slices.
