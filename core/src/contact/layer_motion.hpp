@@ -64,6 +64,7 @@ class LayerMotion {
       // At critical damping beta = 0 has no derivative, and the series below does not need it.
       if (std::fabs(value_of(square)) > 1e-12) {
         beta_ = sqrt(value_of(square) > 0 ? square : S(-square));
+        inverse_beta_ = 1.0 / beta_;
       }
       return;
     }
@@ -164,10 +165,10 @@ class LayerMotion {
     if (turn > 0) {
       const S envelope = exp(-(decay_ * x));
       const SinCos<S> at = twum::sincos(S(beta_ * x));
-      return {envelope * at.cos, envelope * at.sin / beta_};
+      return {envelope * at.cos, envelope * at.sin * inverse_beta_};
     }
     const S up = exp((beta_ - decay_) * x), down = exp(-((beta_ + decay_) * x));
-    return {0.5 * (up + down), 0.5 * (up - down) / beta_};
+    return {0.5 * (up + down), 0.5 * (up - down) * inverse_beta_};
   }
 
   // In beta^2 x^2, below 0.02: what the series leave out is below 1e-19.
@@ -178,7 +179,7 @@ class LayerMotion {
 
   LayerKind kind_{LayerKind::elastic};
   double inverse_inertia_{0};
-  S decay_{0.0}, square_{0.0}, beta_{0.0};      // oscillating: zeta, beta^2, |beta|
+  S decay_{0.0}, square_{0.0}, beta_{0.0}, inverse_beta_{0.0};  // oscillating: zeta, beta^2, |beta|
   S fast_{0.0}, slow_{0.0}, inverse_gap_{0.0};  // overdamped and relaxing: rates of the modes
 };
 

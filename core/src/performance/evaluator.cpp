@@ -11,24 +11,19 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-std::unique_ptr<const Curve> curve_of(const Motor& motor,
-                                      const std::optional<StatorModes<double>>& modes) {
-  if (!motor.drive()) return std::make_unique<PrescribedCurve>(motor.model(), modes);
+std::unique_ptr<const Curve> curve_of(const Motor& motor) {
+  if (!motor.drive()) return std::make_unique<PrescribedCurve>(motor.model(), motor.modes());
   return std::make_unique<DrivenCurve>(*motor.drive(), motor.model());
 }
 
 }  // namespace
 
 Evaluator::Evaluator(const Motor& motor)
-    : motor_(motor),
-      m_(motor.model()),
-      modes_(stator_modes(motor.design())),
-      curve_(curve_of(motor, modes_)),
-      search_(*curve_) {}
+    : motor_(motor), m_(motor.model()), curve_(curve_of(motor)), search_(*curve_) {}
 
 const StatorModes<double>& Evaluator::modes() const {
-  if (!modes_) throw SearchFailure{MetricStatus::undefined};
-  return *modes_;
+  if (!motor_.modes()) throw SearchFailure{MetricStatus::undefined};
+  return *motor_.modes();
 }
 
 Thresholds& Evaluator::thresholds() {
@@ -57,7 +52,8 @@ double Evaluator::of_plate(PlateNumber number) const {
 // To find that out by a throw takes as long as several points.
 bool Evaluator::has_meaning(Metric metric) const {
   const MetricInfo& row = info(metric);
-  if ((row.needs_modes && !modes_) || (row.needs_geometry && !motor_.design().stator.geometry))
+  if ((row.needs_modes && !motor_.modes()) ||
+      (row.needs_geometry && !motor_.design().stator.geometry))
     return false;
   const bool of_stator =
       metric == Metric::max_efficiency || metric == Metric::speed_at_max_efficiency;

@@ -85,7 +85,6 @@ class Evaluator {
 
   const Motor& motor_;
   const DrivenMotor<double>& m_;  // under the wave that the curve begins with
-  std::optional<StatorModes<double>> modes_;
   std::unique_ptr<const Curve> curve_;
   CurveSearch search_;
   std::optional<Thresholds> thresholds_;

@@ -73,6 +73,8 @@ Motor::Motor(const MotorDesign& design) : design_(design) {
     for (std::size_t i = 1; i < wrong.size(); ++i) text += "; " + wrong[i];
     throw InputError(text);
   }
+  if (const auto modes = performance::stator_modes(design))
+    modes_ = std::make_shared<const performance::StatorModes<double>>(*modes);
   if (design.stator.voltage) {
     drive_ = std::make_shared<const performance::Drive>(design);
     model_ = std::make_shared<const performance::DrivenMotor<double>>(drive_->first_motor());
@@ -126,12 +128,11 @@ performance::MotorPoint Motor::solved(double speed) const {
 
 OperatingPoint Motor::operating_point(double speed) const {
   require_speed(*model_, speed);
-  const auto modes = performance::stator_modes(design_);
   if (!drive_)
     return performance::operating_point_of(*model_, performance::solve_point(*model_, speed), speed,
-                                           modes);
+                                           modes());
   const performance::MotorPoint at = drive_->at(speed);
-  return performance::operating_point_of(at.motor, at.solved, speed, modes);
+  return performance::operating_point_of(at.motor, at.solved, speed, modes());
 }
 
 OperatingPoint Motor::operating_point(const OperatingConditions& at) const {
@@ -141,7 +142,7 @@ OperatingPoint Motor::operating_point(const OperatingConditions& at) const {
       driven<double>(*model_, {at.amplitude, 2 * std::numbers::pi * at.frequency});
   require_speed(m, at.speed);
   return performance::operating_point_of(m, performance::solve_point(m, at.speed), at.speed,
-                                         performance::stator_modes(design_));
+                                         modes());
 }
 
 namespace {
@@ -176,8 +177,8 @@ ContactFields Motor::fields(double speed, int samples, double radius) const {
     throw InputError("fields need at least 2 samples, not " + std::to_string(samples));
   require_on_track(*model_, radius);
   const auto [motor, point] = solved(speed);
-  const auto modes = performance::stator_modes(design_);
-  ContactFields fields{performance::operating_point_of(motor, point, speed, modes), radius, {}, {}};
+  ContactFields fields{
+      performance::operating_point_of(motor, point, speed, modes()), radius, {}, {}};
   if (point.status != PointStatus::ok) return fields;
   fields.zones = performance::zones_at(motor, speed, radius);
   fields.samples = performance::fields_at(motor, speed, radius, samples);
@@ -187,8 +188,7 @@ ContactFields Motor::fields(double speed, int samples, double radius) const {
 BackwardWave Motor::backward_wave(double speed) const {
   require_speed(*model_, speed);
   const auto [motor, point] = solved(speed);
-  return performance::backward_wave_of(motor, point, speed, performance::stator_modes(design_),
-                                       design_.rotor.mass);
+  return performance::backward_wave_of(motor, point, speed, modes(), design_.rotor.mass);
 }
 
 std::vector<WaveState> Motor::wave_states(double speed) const {

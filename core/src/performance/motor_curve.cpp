@@ -60,8 +60,7 @@ MetricStatus metric_status(PointStatus status) {
 }
 
 CurvePoint PrescribedCurve::point(double speed, const WarmStart* guess, double accuracy) const {
-  return curve_point(speed, motor(), solve_point(motor(), speed, guess, accuracy),
-                     modes_ ? &*modes_ : nullptr);
+  return curve_point(speed, motor(), solve_point(motor(), speed, guess, accuracy), modes_);
 }
 
 CurveSlope PrescribedCurve::slope(double speed, const WarmStart* guess) const {

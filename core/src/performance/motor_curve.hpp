@@ -14,15 +14,15 @@ MetricStatus metric_status(PointStatus status);
 /// The curve of a motor under one wave, from rest on.
 class PrescribedCurve final : public Curve {
  public:
-  /// @param modes  of its stator if they are known; both have to outlive the curve
-  PrescribedCurve(const DrivenMotor<double>& motor, const std::optional<StatorModes<double>>& modes)
+  /// @param modes  of its stator, null if they are not known; both have to outlive the curve
+  PrescribedCurve(const DrivenMotor<double>& motor, const StatorModes<double>* modes)
       : Curve(motor, Waves::one), modes_(modes) {}
 
   CurvePoint point(double speed, const WarmStart* guess, double accuracy) const override;
   CurveSlope slope(double speed, const WarmStart* guess) const override;
 
  private:
-  const std::optional<StatorModes<double>>& modes_;
+  const StatorModes<double>* modes_;
 };
 
 /// The curve of a motor under a voltage: the wave follows the speed.

@@ -45,7 +45,7 @@ void add_terminals(OperatingPoint& point, const DrivenMotor<double>& m,
 }  // namespace
 
 OperatingPoint operating_point_of(const DrivenMotor<double>& m, const SolvedPoint& solved,
-                                  double speed, const std::optional<StatorModes<double>>& modes) {
+                                  double speed, const StatorModes<double>* modes) {
   OperatingPoint point = kNoAnswer;
   point.speed = speed, point.status = solved.status;
   if (solved.status != PointStatus::ok) return point;
@@ -65,7 +65,7 @@ OperatingPoint operating_point_of(const DrivenMotor<double>& m, const SolvedPoin
 }
 
 BackwardWave backward_wave_of(const DrivenMotor<double>& m, const SolvedPoint& solved, double speed,
-                              const std::optional<StatorModes<double>>& modes,
+                              const StatorModes<double>* modes,
                               const std::optional<double>& rotor_mass) {
   BackwardWave wave{kNoNumber, kNoNumber, kNoNumber, kNoNumber, kNoNumber, kNoNumber};
   if (solved.status != PointStatus::ok) return wave;

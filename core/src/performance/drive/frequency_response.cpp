@@ -93,13 +93,13 @@ struct FrequencyResponse::Content {
     const auto motor = waves.at_frequency(wave.omega).motor(wave.amplitude);
     const auto solved = performance::solve_point(motor, wave.speed, &wave.start);
     OperatingPoint point =
-        performance::operating_point_of(motor, solved, wave.speed, waves.modes());
+        performance::operating_point_of(motor, solved, wave.speed, &waves.modes());
     // The search for the speed finds the torque to 1e-9. If the rotor stands still, friction balances the load
     // exactly.
     if (load.given == Argument::torque)
       point.torque = load.value, point.output_power = load.value * wave.speed;
     return {wave.frequency(), point, wave.stable,
-            performance::backward_wave_of(motor, solved, wave.speed, waves.modes(),
+            performance::backward_wave_of(motor, solved, wave.speed, &waves.modes(),
                                           waves.modes().rotor_mass)};
   }
 

@@ -14,6 +14,8 @@ namespace twum {
 namespace performance {
 template <typename S>
 struct DrivenMotor;
+template <typename S>
+struct StatorModes;
 class Drive;
 struct MotorPoint;
 }  // namespace performance
@@ -193,6 +195,8 @@ class Motor {
 
   /// The drive of a motor under a voltage, else null. Internal.
   const performance::Drive* drive() const noexcept { return drive_.get(); }
+  /// The modes of the stator, null without modal data. Internal.
+  const performance::StatorModes<double>* modes() const noexcept { return modes_.get(); }
   /// The model of the motor. Internal.
   const performance::DrivenMotor<double>& model() const noexcept { return *model_; }
 
@@ -201,6 +205,7 @@ class Motor {
 
   MotorDesign design_;
   // Immutable, shared by copies.
+  std::shared_ptr<const performance::StatorModes<double>> modes_;
   std::shared_ptr<const performance::Drive> drive_;
   std::shared_ptr<const performance::DrivenMotor<double>> model_;
 };
