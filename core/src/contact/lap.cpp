@@ -137,6 +137,8 @@ class LapRunner {
     if constexpr (kHasMeans) {
       add(lap_.means, stick_integrals(n_, layer_, t, Phase<S>{from.theta, from.at},
                                       Phase<S>{here_.theta, here_.at}));
+    } else {
+      lap_.means.stick_length += here_.theta - from.theta;
     }
     here_.layer.e =
         from.layer.e + s * (here_.at.sin - from.at.sin) - drift * (here_.theta - from.theta);
@@ -255,6 +257,14 @@ Lap<double> prove_lap(const ContactNumbers<double>& numbers, const LayerMotion<d
   } else {
     LapRunner<double>(numbers, layer, nullptr, nullptr, Means::all, lap).run(entry);
   }
+  return lap;
+}
+
+Lap<double> search_states(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
+                          const LapEntry<double>& entry) {
+  Lap<double> lap;
+  LapRunner<double, Ends::searched, false>(numbers, layer, nullptr, nullptr, Means::of_wave, lap)
+      .run(entry);
   return lap;
 }
 

@@ -90,6 +90,10 @@ LayerState<StateDual> next_entry(const ContactNumbers<StateDual>& numbers,
 Lap<double> prove_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
                       const LapEntry<double>& entry, const ZoneSequence& near);
 
+/// A lap of which nothing is known, without any means but the stick length.
+Lap<double> search_states(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
+                          const LapEntry<double>& entry);
+
 /// A lap through the zones of one nearby: it does not search for their ends but follows them to where they have moved (E6.5). A
 /// zone that only a search finds may be missing, so confirm the result by prove_lap(). It has the means of the wave. Nothing if
 /// the lap has other zones here.
@@ -97,7 +101,7 @@ std::optional<Lap<double>> follow_lap(const ContactNumbers<double>& numbers,
                                       const LayerMotion<double>& layer,
                                       const LapEntry<double>& entry, const ZoneSequence& near);
 
-/// The same without any means, in a quarter of the work of run_lap().
+/// The same without any means but the stick length, in a quarter of the work of run_lap().
 std::optional<Lap<double>> follow_states(const ContactNumbers<double>& numbers,
                                          const LayerMotion<double>& layer,
                                          const LapEntry<double>& entry, const ZoneSequence& near);

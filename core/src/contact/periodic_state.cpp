@@ -41,7 +41,7 @@ class Search {
       const LapGuess from = followed(*guess);
       turn(from, from.zones);
     } else {
-      turn(unique_ ? after_slip() : kAtRest, ZoneSequence());
+      first_turn(unique_ ? after_slip() : kAtRest);
     }
     while (s_.laps < kMaxLaps && s_.zones < kMaxZonesInAll && s_.lap.status == LapStatus::ok) {
       if (settled()) return finish();
@@ -86,13 +86,25 @@ class Search {
   // What is left of the layer's motion after the free flight is less than a share.
   bool forgets(double share) const { return layer_.slowest_decay() * flight() > -std::log(share); }
 
+  // Where the layer comes back with anything at all the first lap is hardly the last: it needs no means.
+  void first_turn(const LapEntry<double>& entry) {
+    if (forgets(1e-10)) return turn(entry, ZoneSequence());
+    take(entry, search_states(n_, layer_, entry));
+    has_means_ = false;
+  }
+
   void turn(const LapEntry<double>& entry) { turn(entry, s_.lap.sequence); }
 
   void turn(const LapEntry<double>& entry, const ZoneSequence& near) {
+    take(entry, prove_lap(n_, layer_, entry, near));
+    has_means_ = true;
+  }
+
+  void take(const LapEntry<double>& entry, const Lap<double>& lap) {
     const Turn before = last_turn();
     const std::uint64_t itinerary = s_.lap.itinerary;
     s_.entry = entry;
-    s_.lap = prove_lap(n_, layer_, s_.entry, near);
+    s_.lap = lap;
     ++s_.laps;
     s_.zones += s_.lap.zones;
     const double gap = distance(layer_, s_.entry.layer, s_.lap.next.layer);
@@ -119,6 +131,7 @@ class Search {
   }
 
   void finish() {
+    if (!has_means_) turn(s_.entry);
     s_.status = PeriodicStatus::ok;
     s_.remembers = n_.full || s_.lap.next.layer.e != 0 || s_.lap.next.layer.rate != 0;
   }
@@ -290,6 +303,7 @@ class Search {
   double swing_;  // of the layer that the wave's pressure shakes
   double tolerance_, tight_, loose_;
   LapHistory history_;
+  bool has_means_{false};
   int patience_{4}, follow_from_{0}, checked_{0};
   LayerState<double> checkpoint_{0, 0};
 };
