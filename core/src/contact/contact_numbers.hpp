@@ -22,6 +22,13 @@ Trig<S> trig(const S& theta) {
   return trig_of(twum::sincos(theta));
 }
 
+/// A phase of the wave.
+template <typename S>
+struct Phase {
+  S theta;
+  Trig<S> at;
+};
+
 /// All that the tangential contact depends on, dimensionless. Tractions are in units of the pressure
 /// amplitude P = E A / h, velocities in units of the crest velocity V0, and e = G eps / P stands for
 /// the layer's strain. Theory section 4 then reads, with ' = d / d theta,

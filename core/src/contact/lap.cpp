@@ -33,8 +33,8 @@ class LapRunner {
         ends_(numbers, layer, sequence),
         trace_(trace),
         means_(means),
-        here_{-numbers.half_angle,
-              {-numbers.edge.sin, numbers.edge.cos, numbers.edge.versine},
+        here_{{-numbers.half_angle,
+               {-numbers.edge.sin, numbers.edge.cos, numbers.edge.versine}},
               {S(0.0), S(0.0)}},
         delicate_(is_delicate()) {}
 
@@ -98,22 +98,21 @@ class LapRunner {
                                   : ends_.settled_slip_end(motion, slow, here_, x);
     x == kNoZero ? reach_exit() : advance(length);
     record(from);
-    const Phase<S> start{from.theta, from.at}, end{here_.theta, here_.at};
     if (delicate_ && ShortSlip<S>::rate(layer_) * value_of(length) <= ShortSlip<S>::kReach) {
-      const ShortSlip<S> zone(n_, layer_, sigma, start, length, from.layer, motion.u);
+      const ShortSlip<S> zone(n_, layer_, sigma, from, length, from.layer, motion.u);
       if constexpr (kHasMeans) {
         SlipWork<S> work;
-        if (means_ == Means::all) work = zone.work(start, end);
-        add(lap_.means, slip_integrals(n_, sigma, Moments<S>(start, end), start, end, work));
+        if (means_ == Means::all) work = zone.work(from, here_);
+        add(lap_.means, slip_integrals(n_, sigma, Moments<S>(from, here_), from, here_, work));
       }
       here_.layer = zone.end();
     } else {
       const LayerState<S> h1 = layer_.at(motion, length);
       if constexpr (kHasMeans) {
-        const Moments<S> moments(start, end);
+        const Moments<S> moments(from, here_);
         SlipWork<S> work;
-        if (means_ == Means::all) work = slip_work(n_, layer_, f, moments, start, end, h0, h1);
-        add(lap_.means, slip_integrals(n_, sigma, moments, start, end, work));
+        if (means_ == Means::all) work = slip_work(n_, layer_, f, moments, from, here_, h0, h1);
+        add(lap_.means, slip_integrals(n_, sigma, moments, from, here_, work));
       }
       here_.layer = {h1.e + f.at(here_.theta, here_.at), h1.rate + f.slope(here_.at)};
     }
@@ -135,8 +134,7 @@ class LapRunner {
     end.length == kNoZero ? reach_exit() : advance(ends_.settled_stick_end(t, here_, end));
     record(from);
     if constexpr (kHasMeans) {
-      add(lap_.means, stick_integrals(n_, layer_, t, Phase<S>{from.theta, from.at},
-                                      Phase<S>{here_.theta, here_.at}));
+      add(lap_.means, stick_integrals(n_, layer_, t, from, here_));
     } else {
       lap_.means.stick_length += here_.theta - from.theta;
     }

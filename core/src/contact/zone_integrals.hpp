@@ -9,12 +9,6 @@
 
 namespace twum::contact {
 
-template <typename S>
-struct Phase {
-  S theta;
-  Trig<S> at;
-};
-
 /// Integrals of 1, cos, sin and their products over a zone.
 template <typename S>
 struct Moments {

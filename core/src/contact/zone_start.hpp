@@ -11,11 +11,9 @@
 
 namespace twum::contact {
 
-/// Where a lap is: phase, its sine and cosine, and the layer.
+/// Where a lap is: phase and layer.
 template <typename S>
-struct LapPlace {
-  S theta;
-  Trig<S> at;
+struct LapPlace : Phase<S> {
   LayerState<S> layer;
 };
 
