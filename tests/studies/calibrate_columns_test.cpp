@@ -65,16 +65,16 @@ TEST_CASE("a data sheet's five numbers say what they determine", "[studies][cali
 
 TEST_CASE("at a fold, where the Jacobian lacks rank only there, the profiles give the intervals",
           "[studies][calibrate]") {
-  // With the thickness as a fifth parameter, the first start ends where modulus and thickness move the numbers in parallel. A
-  // change of one by 20 % with the other held shows that they do not act only in combination.
+  // An error of the phase acts as a smaller force factor whatever its sign: at zero it has a column of zeros, where a fit
+  // that starts there stays. A change of the error shows that it does act.
   StudyFile sheet = read_study_file(TWUM_SOURCE_DIR "/examples/studies/calibrate-data-sheet.yaml");
+  sheet.motor.design.stator.imbalance = Imbalance{};
   auto& asked = std::get<CalibrateStudy>(sheet.asked);
-  DesignVariable thickness{Parameter::thickness};
-  thickness.min = 1e-4;
-  thickness.max = 2e-3;
-  thickness.log = true;
-  asked.variables.push_back(thickness);
-  asked.starts = 4;
+  REQUIRE(asked.variables.front().parameter == Parameter::force_factor);
+  asked.variables.front() = DesignVariable{Parameter::phase_error};
+  asked.variables.front().min = -0.3;
+  asked.variables.front().max = 0.3;
+  asked.starts = 1;
   const Run run(sheet);
   CHECK(run.answer.outcome == "undetermined");
   CHECK(run.result().undetermined.empty());
@@ -90,7 +90,7 @@ TEST_CASE("at a fold, where the Jacobian lacks rank only there, the profiles giv
   REQUIRE(json["moves"].contains("frequency"));
   for (const auto& [held, move] : json["moves"].items())
     for (const auto& [name, slope] : move["slopes"].items()) CHECK(slope.is_null());
-  CHECK(json["correlation"]["youngs_modulus"]["thickness"].is_null());
+  CHECK(json["correlation"]["phase_error"]["kinetic_friction"].is_null());
   for (const auto& estimate : run.result().estimates) {
     CAPTURE(estimate.parameter.name);
     REQUIRE(std::isfinite(estimate.low));
