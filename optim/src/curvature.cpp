@@ -33,8 +33,8 @@ bool at_bound(const Multipliers& m, Index k) {
   return std::find(m.bounds.begin(), m.bounds.end(), k) != m.bounds.end();
 }
 
-// Directions along which all active limits stay met, including those with multiplier zero. The smaller space may miss
-// a descent direction, but never contains a false one.
+}  // namespace
+
 Eigen::MatrixXd null_space(const Eigen::MatrixXd& active) {
   const Index n = active.rows();
   if (active.cols() == 0) return Eigen::MatrixXd::Identity(n, n);
@@ -43,8 +43,6 @@ Eigen::MatrixXd null_space(const Eigen::MatrixXd& active) {
   const Eigen::MatrixXd q = qr.householderQ();
   return q.rightCols(n - qr.rank());
 }
-
-}  // namespace
 
 std::optional<Curvature> lagrangian_curvature(Session& session, const Scaling& scaling,
                                               const KktPoint& point, const Multipliers& multipliers,

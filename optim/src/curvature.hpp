@@ -14,6 +14,11 @@ std::optional<Curvature> lagrangian_curvature(Session& session, const Scaling& s
                                               const KktPoint& point, const Multipliers& multipliers,
                                               std::size_t objectives);
 
+/// Directions (columns) along which all active limits stay met, including those with multiplier zero. The smaller space may
+/// miss a descent direction, but never contains a false one.
+/// @param active  gradients of the limits, a column each
+Eigen::MatrixXd null_space(const Eigen::MatrixXd& active);
+
 /// Properties of the reduced Hessian at a stationary point.
 struct ReducedCurvature {
   double smallest{

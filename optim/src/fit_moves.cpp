@@ -4,7 +4,7 @@
 #include "huber_fit.hpp"
 
 #include <Eigen/Core>
-#include <Eigen/LU>
+#include <Eigen/QR>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -77,12 +77,15 @@ class Moves {
     constexpr double kRank = 1e-9;
     const Eigen::MatrixXd half = 0.5 * (hessian + hessian.transpose());
     const Eigen::VectorXd scale = half.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
-    Eigen::FullPivLU<Eigen::MatrixXd> lu(scale.asDiagonal() * half * scale.asDiagonal());
-    lu.setThreshold(kRank);
-    if (!half.allFinite() || !scale.allFinite() || !lu.isInvertible())
+    const Eigen::MatrixXd scaled = scale.asDiagonal() * half * scale.asDiagonal();
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(scaled);
+    qr.setThreshold(kRank);
+    if (!half.allFinite() || !scale.allFinite() || !qr.isInvertible())
       return Eigen::MatrixXd::Constant(mixed.rows(), mixed.cols(),
                                        std::numeric_limits<double>::quiet_NaN());
-    return -(scale.asDiagonal() * lu.solve(scale.asDiagonal() * mixed));
+    const Eigen::MatrixXd right = scale.asDiagonal() * mixed;
+    const Eigen::MatrixXd solution = qr.solve(right);
+    return -(scale.asDiagonal() * solution);
   }
 
   const ResidualFunction& residuals_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fit_statistics.hpp"
 
+#include "in_double.hpp"
+
 #include <Eigen/SVD>
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
@@ -16,7 +18,6 @@ namespace {
 using Eigen::Index;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 // In double precision throughout: long double differs from machine to machine, and valgrind has none.
-using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
 using StudentsT = boost::math::students_t_distribution<double, InDouble>;
 using Normal = boost::math::normal_distribution<double, InDouble>;
 using FisherF = boost::math::fisher_f_distribution<double, InDouble>;

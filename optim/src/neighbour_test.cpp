@@ -5,7 +5,6 @@
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -48,14 +47,19 @@ struct Chain {
 // Probability that the sum of lambda_k z_k^2 is at most 0, for independent normal z_k (Imhof 1961). In the logarithm of his
 // variable the integrand is analytic up to pi / 2 from the real line and falls exponentially to both sides. The error of the
 // trapezoidal rule is then exp(-pi^2 / step).
-double form_below_zero(const VectorXd& lambda) {
+double form_below_zero(const std::vector<double>& lambda) {
   constexpr double kStep = 0.25;
   constexpr double kLowest = -40.0;
   constexpr double kHighest = 80.0;
   double sum = 0.0;
   for (double t = kLowest; t <= kHighest; t += kStep) {
-    const Eigen::ArrayXd x = lambda.array() * std::exp(t);
-    sum += std::sin(0.5 * x.atan().sum()) * std::exp(-0.25 * (1.0 + x.square()).log().sum());
+    const double rate = std::exp(t);
+    double angle = 0.0, decay = 0.0;
+    for (const double each : lambda) {
+      angle += std::atan(each * rate);
+      decay += std::log1p(each * rate * each * rate);
+    }
+    sum += std::sin(0.5 * angle) * std::exp(-0.25 * decay);
   }
   return std::clamp(0.5 - kStep * sum / std::numbers::pi, 0.0, 1.0);
 }
@@ -74,28 +78,28 @@ class DifferenceForm {
 
   MatrixXd form(const MatrixXd& x) const { return chain_.squared_differences(x) - ratio_ * x; }
 
-  // 1 - u (1 - sqrt(1 - sigma^2)) u^T, with the singular vectors and values of q.
+  // 1 - q v (1 + sqrt(1 - s))^-1 v^T q^T, with the eigenvectors v and eigenvalues s of q^T q.
   MatrixXd root_of_covariance() const {
-    const Index m = q_.rows();
-    const MatrixXd one = MatrixXd::Identity(m, m);
+    const MatrixXd one = MatrixXd::Identity(q_.rows(), q_.rows());
     if (q_.cols() == 0) return one;
-    const Eigen::JacobiSVD<MatrixXd> svd(q_, Eigen::ComputeThinU);
-    const VectorXd loss = 1.0 - (1.0 - svd.singularValues().array().square()).max(0.0).sqrt();
-    return one - svd.matrixU() * loss.asDiagonal() * svd.matrixU().transpose();
+    const MatrixXd gram = q_.transpose() * q_;
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(gram);
+    MatrixXd half = q_ * eigen.eigenvectors();
+    for (Index k = 0; k < half.cols(); ++k)
+      half.col(k) /= std::sqrt(1.0 + std::sqrt(std::max(1.0 - eigen.eigenvalues()[k], 0.0)));
+    return one - half * half.transpose();
   }
 
   double exact() const {
     const MatrixXd root = root_of_covariance();
     const MatrixXd whole = root * form(root);
-    const VectorXd all =
-        Eigen::SelfAdjointEigenSolver<MatrixXd>(whole, Eigen::EigenvaluesOnly).eigenvalues();
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(whole, Eigen::EigenvaluesOnly);
     constexpr double kNothing = 1e-10;  // of the form's largest value, 4
     std::vector<double> lambda;
-    for (const double one : all)
+    for (const double one : eigen.eigenvalues())
       if (std::abs(one) > 4.0 * kNothing) lambda.push_back(one);
     if (lambda.empty()) return 1.0;
-    return form_below_zero(
-        Eigen::Map<const VectorXd>(lambda.data(), static_cast<Index>(lambda.size())));
+    return form_below_zero(lambda);
   }
 
   // A sum of so many terms is normal, with this mean and variance.

@@ -4,6 +4,7 @@
 #include <twum/base/error.hpp>
 
 #include "fitted_space.hpp"
+#include "in_double.hpp"
 
 #include <Eigen/Core>
 #include <boost/math/distributions/normal.hpp>
@@ -17,7 +18,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 // In double precision throughout: long double differs from machine to machine, and valgrind has none.
-using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
 using StudentsT = boost::math::students_t_distribution<double, InDouble>;
 using Normal = boost::math::normal_distribution<double, InDouble>;
 

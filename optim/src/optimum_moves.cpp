@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/optim/optimum_moves.hpp>
 
+#include "curvature.hpp"
+
 #include <twum/base/error.hpp>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -75,7 +76,7 @@ class Sensitivity {
     system.bottomLeftCorner(m, n) = a;
     right.topRows(n) = -second(free_, Eigen::seqN(variables_, held));
     right.bottomRows(m) = -here_.active.rightCols(held);
-    const Eigen::MatrixXd moves = Eigen::FullPivLU<Eigen::MatrixXd>(system).solve(right);
+    const Eigen::MatrixXd moves = Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(system).solve(right);
     return in_user_units(moves.topRows(n));
   }
 
@@ -212,15 +213,10 @@ class Sensitivity {
 
   // The Lagrangian has to have positive curvature along the active limits.
   void require_minimum(const Eigen::MatrixXd& hessian) const {
-    const Index n = hessian.rows();
-    Eigen::MatrixXd z = Eigen::MatrixXd::Identity(n, n);
-    if (!rows_.empty()) {
-      Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(here_.active(Eigen::all, free_).transpose());
-      const Eigen::MatrixXd q = qr.householderQ();
-      z = q.rightCols(n - static_cast<Index>(rows_.size()));
-    }
+    const Eigen::MatrixXd z = null_space(here_.active(Eigen::all, free_).transpose());
     if (z.cols() == 0) return;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(z.transpose() * hessian * z);
+    const Eigen::MatrixXd reduced = z.transpose() * hessian * z;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(reduced);
     if (eigen.eigenvalues()[0] <= kNoCurvature * hessian.cwiseAbs().maxCoeff())
       throw NoMoves{"the objective is flat in some direction of the variables, to second order"};
   }

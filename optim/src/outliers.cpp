@@ -2,6 +2,7 @@
 #include <twum/optim/outliers.hpp>
 
 #include "fitted_space.hpp"
+#include "in_double.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -14,7 +15,6 @@ namespace twum::optim {
 namespace {
 
 using Eigen::Index;
-using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
 
 // Two-sided tail probability of a normal or Student's t number.
 double two_tails(double t, bool normal, double freedom) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/optim/yield_estimate.hpp>
 
+#include "in_double.hpp"
+
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
@@ -10,8 +12,7 @@ namespace twum::optim {
 namespace {
 
 // In double precision throughout: long double differs from machine to machine, and valgrind has none.
-using Binomial = boost::math::binomial_distribution<
-    double, boost::math::policies::policy<boost::math::policies::promote_double<false>>>;
+using Binomial = boost::math::binomial_distribution<double, InDouble>;
 
 constexpr double kTail = 0.025;  // outside the interval, on each side
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/normal.hpp"
 
+#include "in_double.hpp"
+
 #include <algorithm>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/special_functions/erf.hpp>
@@ -9,12 +11,6 @@
 #include <numbers>
 
 namespace twum::optim {
-namespace {
-
-// In double precision throughout: long double differs from machine to machine, and valgrind has none.
-using DoublePrecision = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
-
-}  // namespace
 
 double normal_density(double x) {
   return std::exp(-0.5 * x * x) * (0.5 * std::numbers::inv_sqrtpi * std::numbers::sqrt2);
@@ -24,7 +20,7 @@ double normal_cdf(double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); 
 
 double normal_quantile(double p) {
   if (p <= 0.0 || p >= 1.0) return std::copysign(std::numeric_limits<double>::infinity(), p - 0.5);
-  return -std::numbers::sqrt2 * boost::math::erfc_inv(2.0 * p, DoublePrecision());
+  return -std::numbers::sqrt2 * boost::math::erfc_inv(2.0 * p, InDouble());
 }
 
 // Plackett's identity: dPhi2/drho is the joint density, integrated here over rho = sin t from 0.
