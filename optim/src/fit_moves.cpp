@@ -74,6 +74,7 @@ class Moves {
 
   // Solves with rows and columns scaled to a unit diagonal, so that the rank does not depend on units.
   static Eigen::MatrixXd solved(const Eigen::MatrixXd& hessian, const Eigen::MatrixXd& mixed) {
+    if (hessian.rows() == 0) return mixed;  // bounds hold all
     constexpr double kRank = 1e-9;
     const Eigen::MatrixXd half = 0.5 * (hessian + hessian.transpose());
     const Eigen::VectorXd scale = half.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();

@@ -70,6 +70,7 @@ class Sensitivity {
     const Index held = count_ - variables_;
     Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n + m, n + m);
     Eigen::MatrixXd right(n + m, held);
+    if (n + m == 0) return in_user_units(right);  // bounds hold all
     const Eigen::MatrixXd a = here_.active(Eigen::all, free_);
     system.topLeftCorner(n, n) = hessian;
     system.topRightCorner(n, m) = -a.transpose();
