@@ -33,8 +33,7 @@ class LapRunner {
         ends_(numbers, layer, sequence),
         trace_(trace),
         means_(means),
-        here_{{-numbers.half_angle,
-               {-numbers.edge.sin, numbers.edge.cos, numbers.edge.versine}},
+        here_{{-numbers.half_angle, {-numbers.edge.sin, numbers.edge.cos, numbers.edge.versine}},
               {S(0.0), S(0.0)}},
         delicate_(is_delicate()) {}
 
