@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fit_statistics.hpp"
 
-#include "in_double.hpp"
+#include "double_precision.hpp"
 
 #include <Eigen/SVD>
 #include <algorithm>
@@ -18,10 +18,10 @@ namespace {
 using Eigen::Index;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 // In double precision throughout: long double differs from machine to machine, and valgrind has none.
-using StudentsT = boost::math::students_t_distribution<double, InDouble>;
-using Normal = boost::math::normal_distribution<double, InDouble>;
-using FisherF = boost::math::fisher_f_distribution<double, InDouble>;
-using ChiSquare = boost::math::chi_squared_distribution<double, InDouble>;
+using StudentsT = boost::math::students_t_distribution<double, DoublePrecision>;
+using Normal = boost::math::normal_distribution<double, DoublePrecision>;
+using FisherF = boost::math::fisher_f_distribution<double, DoublePrecision>;
+using ChiSquare = boost::math::chi_squared_distribution<double, DoublePrecision>;
 
 // Columns of unit length, so that rank does not depend on units.
 struct Scaled {

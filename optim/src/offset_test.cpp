@@ -3,8 +3,8 @@
 
 #include <twum/base/error.hpp>
 
+#include "double_precision.hpp"
 #include "fitted_space.hpp"
-#include "in_double.hpp"
 
 #include <Eigen/Core>
 #include <boost/math/distributions/normal.hpp>
@@ -18,8 +18,8 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 // In double precision throughout: long double differs from machine to machine, and valgrind has none.
-using StudentsT = boost::math::students_t_distribution<double, InDouble>;
-using Normal = boost::math::normal_distribution<double, InDouble>;
+using StudentsT = boost::math::students_t_distribution<double, DoublePrecision>;
+using Normal = boost::math::normal_distribution<double, DoublePrecision>;
 
 // Parameters that leave less of an offset than this part of its squares take it up.
 constexpr double kTakenUp = 1e-6;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/optim/outliers.hpp>
 
+#include "double_precision.hpp"
 #include "fitted_space.hpp"
-#include "in_double.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -20,9 +20,11 @@ using Eigen::Index;
 double two_tails(double t, bool normal, double freedom) {
   using boost::math::complement;
   if (normal)
-    return 2.0 * cdf(complement(boost::math::normal_distribution<double, InDouble>(), std::abs(t)));
-  return 2.0 * cdf(complement(boost::math::students_t_distribution<double, InDouble>(freedom),
-                              std::abs(t)));
+    return 2.0 * cdf(complement(boost::math::normal_distribution<double, DoublePrecision>(),
+                                std::abs(t)));
+  return 2.0 *
+         cdf(complement(boost::math::students_t_distribution<double, DoublePrecision>(freedom),
+                        std::abs(t)));
 }
 
 class OutlierSearch {

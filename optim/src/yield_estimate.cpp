@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/optim/yield_estimate.hpp>
 
-#include "in_double.hpp"
+#include "double_precision.hpp"
 
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
@@ -12,7 +12,7 @@ namespace twum::optim {
 namespace {
 
 // In double precision throughout: long double differs from machine to machine, and valgrind has none.
-using Binomial = boost::math::binomial_distribution<double, InDouble>;
+using Binomial = boost::math::binomial_distribution<double, DoublePrecision>;
 
 constexpr double kTail = 0.025;  // outside the interval, on each side
 

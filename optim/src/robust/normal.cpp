@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/normal.hpp"
 
-#include "in_double.hpp"
+#include "double_precision.hpp"
 
 #include <algorithm>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
@@ -20,7 +20,7 @@ double normal_cdf(double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); 
 
 double normal_quantile(double p) {
   if (p <= 0.0 || p >= 1.0) return std::copysign(std::numeric_limits<double>::infinity(), p - 0.5);
-  return -std::numbers::sqrt2 * boost::math::erfc_inv(2.0 * p, InDouble());
+  return -std::numbers::sqrt2 * boost::math::erfc_inv(2.0 * p, DoublePrecision());
 }
 
 // Plackett's identity: dPhi2/drho is the joint density, integrated here over rho = sin t from 0.
