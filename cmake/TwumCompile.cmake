@@ -31,8 +31,8 @@ add_library(twum::compile ALIAS twum_compile)
 
 # twum_optimized(TARGET hot|mild|cold): how fully a release optimizes, whatever its preset asks of the rest.
 #   hot   the physics: GCC 12 vectorizes the short loops of dual numbers only from -O3 on
-#   mild  what each row of a study passes through: searches, formulas, the store; the plate, which solves once for each
-#         geometry, and hardly slower than with -O2 (5 %, with derivatives as fast)
+#   mild  what each row of a study passes through: searches, formulas, the store. The plate as well: with -O2 it would be 5 %
+#         faster, and no faster with derivatives
 #   cold  what runs once for each study or page: half of what has to be compiled, a fifth quicker with -Og than with -O1
 function(twum_optimized target part)
   set(level_of_hot -O3)

@@ -17,7 +17,6 @@ namespace {
 
 using Eigen::Index;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-// In double precision throughout: long double differs from machine to machine, and valgrind has none.
 using StudentsT = boost::math::students_t_distribution<double, DoublePrecision>;
 using Normal = boost::math::normal_distribution<double, DoublePrecision>;
 using FisherF = boost::math::fisher_f_distribution<double, DoublePrecision>;

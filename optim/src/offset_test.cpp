@@ -17,7 +17,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-// In double precision throughout: long double differs from machine to machine, and valgrind has none.
 using StudentsT = boost::math::students_t_distribution<double, DoublePrecision>;
 using Normal = boost::math::normal_distribution<double, DoublePrecision>;
 

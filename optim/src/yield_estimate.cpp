@@ -11,7 +11,6 @@
 namespace twum::optim {
 namespace {
 
-// In double precision throughout: long double differs from machine to machine, and valgrind has none.
 using Binomial = boost::math::binomial_distribution<double, DoublePrecision>;
 
 constexpr double kTail = 0.025;  // outside the interval, on each side

@@ -39,6 +39,7 @@ class LapRunner {
 
   void run(const LapEntry<S>& entry) {
     here_.layer = entry.layer;
+    lap_.has_means = kHasMeans;
     begin(entry.carried ? start_.carry_on(entry.zone, here_) : start_.enter(here_));
     lap_.first = zone_.zone;
     while (!done_ && lap_.status == LapStatus::ok) {

@@ -58,6 +58,7 @@ struct Lap {
   double shortest{2 * std::numbers::pi};           ///< length of the shortest zone [rad]
   ZoneState first{ZoneState::stick};               ///< state of the first zone
   LapStatus status{LapStatus::ok};
+  bool has_means{true};   ///< false: of the means only the stick length is computed
   ZoneSequence sequence;  ///< of a search in double
 };
 

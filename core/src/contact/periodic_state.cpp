@@ -44,7 +44,11 @@ class Search {
       first_turn(unique_ ? after_slip() : kAtRest);
     }
     while (s_.laps < kMaxLaps && s_.zones < kMaxZonesInAll && s_.lap.status == LapStatus::ok) {
-      if (settled()) return finish();
+      if (settled()) {
+        if (s_.lap.has_means) return finish();
+        turn(s_.entry);
+        continue;
+      }
       if (cycles()) break;
       advance();
     }
@@ -86,18 +90,15 @@ class Search {
   // What is left of the layer's motion after the free flight is less than a share.
   bool forgets(double share) const { return layer_.slowest_decay() * flight() > -std::log(share); }
 
-  // Where the layer comes back with anything at all the first lap is hardly the last: it needs no means.
+  // Unless the layer comes back with next to nothing, the first lap is hardly the last and needs no means.
   void first_turn(const LapEntry<double>& entry) {
-    if (forgets(1e-10)) return turn(entry, ZoneSequence());
-    take(entry, search_states(n_, layer_, entry));
-    has_means_ = false;
+    forgets(1e-10) ? turn(entry, ZoneSequence()) : take(entry, search_states(n_, layer_, entry));
   }
 
   void turn(const LapEntry<double>& entry) { turn(entry, s_.lap.sequence); }
 
   void turn(const LapEntry<double>& entry, const ZoneSequence& near) {
     take(entry, prove_lap(n_, layer_, entry, near));
-    has_means_ = true;
   }
 
   void take(const LapEntry<double>& entry, const Lap<double>& lap) {
@@ -131,7 +132,6 @@ class Search {
   }
 
   void finish() {
-    if (!has_means_) turn(s_.entry);
     s_.status = PeriodicStatus::ok;
     s_.remembers = n_.full || s_.lap.next.layer.e != 0 || s_.lap.next.layer.rate != 0;
   }
@@ -303,7 +303,6 @@ class Search {
   double swing_;  // of the layer that the wave's pressure shakes
   double tolerance_, tight_, loose_;
   LapHistory history_;
-  bool has_means_{false};
   int patience_{4}, follow_from_{0}, checked_{0};
   LayerState<double> checkpoint_{0, 0};
 };
