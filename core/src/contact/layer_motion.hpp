@@ -4,6 +4,7 @@
 #include "contact/contact_numbers.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <type_traits>
 
 namespace twum::contact {
@@ -133,6 +134,19 @@ class LayerMotion {
 
   /// Energy M h'^2 + h^2 of a homogeneous state; it falls by 2 C h'^2.
   S energy(const LayerState<S>& h) const { return M * h.rate * h.rate + h.e * h.e; }
+
+  /// How far below zero y goes that has this value and this slope here and oscillates as the layer does (E4.9):
+  /// here, or in its next trough, as later ones are less deep. Infinite if the layer does not oscillate.
+  double depth(double value, double slope) const {
+    const double beta = value_of(beta_), decay = value_of(decay_);
+    if (!(value_of(square_) > 0 && beta > 0)) return HUGE_VAL;
+    const double sine = (slope + decay * value) * value_of(inverse_beta_);
+    const double phase = std::atan2(slope, beta * value + decay * sine);
+    const double swing = beta * std::sqrt(value_of(M) * (value * value + sine * sine));
+    const double trough =
+        swing * std::exp(-decay * value_of(inverse_beta_) * (std::numbers::pi + phase));
+    return std::fmax(-value, trough);
+  }
 
   /// Rates of decay: the real part of the slower mode [1 / rad], for deciding what can be neglected.
   double slowest_decay() const {

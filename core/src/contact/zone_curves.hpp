@@ -166,7 +166,7 @@ class SlipCurve {
   }
 
  private:
-  // h' and its three derivatives, and bounds of |h'|, |h'''|, |h''''| from x on.
+  // h' and its three derivatives, and bounds of -sigma h', |h'''|, |h''''| from x on.
   struct Own {
     double rate, rate1, rate2, rate3, bound0, bound2, bound3;
   };
@@ -178,7 +178,7 @@ class SlipCurve {
             slow_.curvature(a) + sigma_ * own.rate2,
             swing_ + own.bound2,
             swing_ + own.bound3,
-            slow > own.bound0 ? skip(length_ - x, slow, slope, own.bound0) : 0,
+            slow > 0 ? skip(length_ - x, slow, slope, own) : 0,
             sigma_ * own.rate3 - slope};
   }
 
@@ -220,20 +220,26 @@ class SlipCurve {
             fast * l1 + slow * l2,
             fast2 + slow2,
             fast2 * l1 + slow2 * l2,
-            std::fabs(fast) + std::fabs(slow),
+            std::fmax(-sigma_ * fast, 0) + std::fmax(-sigma_ * slow, 0),
             std::fabs(fast2) + std::fabs(slow2),
             std::fabs(fast2 * l1) + std::fabs(slow2 * l2)};
   }
 
-  // (E4.6) How far the harmonic part mean + rho cos(u) stays above `bound`, from where it is `slow` and
-  // falls or rises with `slope` = -rho sin(u): all the `rest` of the zone if it is above it there too and
-  // has no minimum between.
-  double skip(double rest, double slow, double slope, double bound) const {
+  // (E4.6) How far the harmonic part mean + rho cos(u) stays above what the layer's own motion takes from it: all the
+  // `rest` of the zone if its lowest value there does.
+  double skip(double rest, double slow, double slope, const Own& own) const {
+    const double mean = slow_.k0 + slow_.kw;
     const bool may_turn = rest > 3 || (slope < 0 && last_slope_ > 0);
-    if (!may_turn && last_ > bound) return kNoZero;
-    const double mean = slow_.k0 + slow_.kw, level = (bound - mean) / swing_;
-    if (level <= -1) return kNoZero;
-    return std::acos(level) - std::atan2(-slope, slow - mean);
+    const double lowest = may_turn ? mean - swing_ : std::fmin(slow, last_);
+    if (lowest > own.bound0 || lowest > depth(own, lowest)) return kNoZero;
+    if (!(slow > own.bound0)) return 0;
+    return std::acos((own.bound0 - mean) / swing_) - std::atan2(-slope, slow - mean);
+  }
+
+  // (E4.9) How far sigma h' goes below zero, where it may be less than `enough`.
+  double depth(const Own& own, double enough) const {
+    const bool may_be = enough > 0.1 * own.bound0 && -sigma_ * own.rate < 0.5 * enough;
+    return may_be ? layer_.depth(sigma_ * own.rate, sigma_ * own.rate1) : kNoZero;
   }
 
   const LayerMotion<double>& layer_;

@@ -62,6 +62,34 @@ TEST_CASE("the skip (E4.6) passes no zero of the slip curve", "[core][events][id
   CHECK(skips > 50);
 }
 
+TEST_CASE("the layer's own motion falls as far below zero as its depth (E4.9), and not farther",
+          "[core][events][closed_form]") {
+  Dice dice(17);
+  int in_a_trough = 0;
+  for (int i = 0; i < 500; ++i) {
+    // exp(-zeta x) cos(beta x - psi), with the layer made for it: 1 / M = zeta^2 + beta^2, C = 2 zeta M.
+    const double beta = dice.log_uniform(0.3, 30), zeta = beta * dice.log_uniform(1e-3, 3);
+    const double psi = dice.uniform(-3.1, 3.1), inertia = 1 / (zeta * zeta + beta * beta);
+    const LayerMotion<double> layer(inertia, 2 * zeta * inertia);
+    const auto y = [&](double x) { return std::exp(-zeta * x) * std::cos(beta * x - psi); };
+    const double depth = layer.depth(y(0), beta * std::sin(psi) - zeta * std::cos(psi));
+    double lowest = 0;
+    constexpr int kSteps = 4000;  // over more than a turn
+    for (int k = 0; k <= kSteps; ++k) lowest = std::min(lowest, y(7 / beta * k / kSteps));
+    in_a_trough += lowest < y(0);
+    // Between two steps of d = 7 / beta / 4000 y is lower than at both by y'' d^2 / 8 at most; y'' is below
+    // 1 / M <= 10 beta^2.
+    CAPTURE(beta, zeta, psi);
+    CHECK(depth >= -lowest * (1 - 1e-12));
+    CHECK(depth <= -lowest + 10 * (7.0 / kSteps) * (7.0 / kSteps) / 8 + 1e-12);
+  }
+  CHECK(in_a_trough > 100);
+  CHECK(in_a_trough < 400);
+  // Two modes do not oscillate.
+  CHECK(LayerMotion<double>(0.1, 2).depth(1, 0) == HUGE_VAL);
+  CHECK(LayerMotion<double>(0, 2).depth(1, 0) == HUGE_VAL);
+}
+
 TEST_CASE("the bounds of the stick curve (E2.4, E4.5) hold everywhere",
           "[core][events][identity]") {
   Dice dice(14);
