@@ -148,6 +148,12 @@ class LayerMotion {
     return std::fmax(-value, trough);
   }
 
+  /// Decay over a turn of the oscillation, which leaves exp(-decay_in_a_turn()) of the swing. 0 if the layer does not
+  /// oscillate.
+  double decay_in_a_turn() const {
+    return 2 * std::numbers::pi * value_of(decay_) * value_of(inverse_beta_);
+  }
+
   /// Rates of decay: the real part of the slower mode [1 / rad], for deciding what can be neglected.
   double slowest_decay() const {
     if (kind_ == LayerKind::elastic) return HUGE_VAL;

@@ -238,7 +238,8 @@ class SlipCurve {
 
   // (E4.9) How far sigma h' goes below zero, where it may be less than `enough`.
   double depth(const Own& own, double enough) const {
-    const bool may_be = enough > 0.1 * own.bound0 && -sigma_ * own.rate < 0.5 * enough;
+    const double least = std::fmax(0.1, 1 - layer_.decay_in_a_turn()) * own.bound0;
+    const bool may_be = enough > least && -sigma_ * own.rate < 0.5 * enough;
     return may_be ? layer_.depth(sigma_ * own.rate, sigma_ * own.rate1) : kNoZero;
   }
 
