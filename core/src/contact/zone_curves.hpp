@@ -145,6 +145,7 @@ class SlipCurve {
         at_(at),
         length_(length),
         swing_(std::sqrt(slow.kw * slow.kw + slow.ks * slow.ks)),
+        least_share_(std::fmax(0.1, 1 - layer.decay_in_a_turn())),
         last_(slow_.at(0, end)),
         last_slope_(slow_.slope(end)) {}
 
@@ -178,7 +179,7 @@ class SlipCurve {
             slow_.curvature(a) + sigma_ * own.rate2,
             swing_ + own.bound2,
             swing_ + own.bound3,
-            slow > 0 ? skip(length_ - x, slow, slope, own) : 0,
+            slow > least_share_ * own.bound0 ? skip(length_ - x, slow, slope, own) : 0,
             sigma_ * own.rate3 - slope};
   }
 
@@ -236,10 +237,10 @@ class SlipCurve {
     return std::acos((own.bound0 - mean) / swing_) - std::atan2(-slope, slow - mean);
   }
 
-  // (E4.9) How far sigma h' goes below zero, where it may be less than `enough`.
-  double depth(const Own& own, double enough) const {
-    const double least = std::fmax(0.1, 1 - layer_.decay_in_a_turn()) * own.bound0;
-    const bool may_be = enough > least && -sigma_ * own.rate < 0.5 * enough;
+  // (E4.9) How far sigma h' goes below zero, where it may be less than `enough`. It is seldom asked for, and makes the
+  // march longer if it is inline.
+  [[gnu::noinline]] double depth(const Own& own, double enough) const {
+    const bool may_be = enough > least_share_ * own.bound0 && -sigma_ * own.rate < 0.5 * enough;
     return may_be ? layer_.depth(sigma_ * own.rate, sigma_ * own.rate1) : kNoZero;
   }
 
@@ -250,6 +251,7 @@ class SlipCurve {
   Trig<double> at_;
   double length_;
   double swing_;              // rho
+  double least_share_;        // of a bound of h' that may be left in its next trough
   double last_, last_slope_;  // the harmonic part at the end of the length
 };
 
