@@ -17,9 +17,6 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kSamePlace = 1e-14;  // [rad]
 constexpr int kMaxZones = 200'000;
 
-// A free layer that has decayed by exp(-37) = 9e-17 enters the next contact at rest.
-constexpr double kForgotten = 37;
-
 // The return map needs no means.
 template <typename S, Ends kEnds = Ends::searched, bool kHasMeans = true>
 class LapRunner {
@@ -196,7 +193,7 @@ class LapRunner {
     lap_.exit = here_.layer;
     if (!n_.full) {
       const S flight = 2 * kPi - 2.0 * n_.half_angle;
-      lap_.next.layer = layer_.slowest_decay() * value_of(flight) > kForgotten
+      lap_.next.layer = enters_at_rest(n_, layer_)
                             ? LayerState<S>{S(0.0), S(0.0)}
                             : layer_.at(layer_.start(here_.layer), flight);
       if constexpr (kHasMeans) {

@@ -44,6 +44,13 @@ struct ZoneSequence {
   bool complete() const { return count <= kCapacity; }
 };
 
+/// True if nothing of the layer's own motion outlives the free flight, as exp(-37) = 9e-17: it enters every contact at rest.
+template <typename S>
+bool enters_at_rest(const ContactNumbers<S>& n, const LayerMotion<S>& layer) {
+  const S flight = 2 * std::numbers::pi - 2.0 * n.half_angle;
+  return !n.full && layer.slowest_decay() * value_of(flight) > 37;
+}
+
 enum class LapStatus : unsigned char { ok, resonance, unresolved };
 
 /// One turn of the wave: from contact entry through all zones and free flight to the next entry.

@@ -79,7 +79,6 @@ class Search {
   // Entry of a layer that left the contact as if it had slipped all through, and long enough for its own
   // motion to be over: nearer than rest where that motion is not over at the next entry.
   LapEntry<double> after_slip() const {
-    if (forgets(1e-16)) return kAtRest;
     const double mean_slip = n_.edge.sin / n_.half_angle - n_.speed_ratio;
     const Harmonic<double> f = forced_response(n_, layer_, mean_slip > 0 ? -1 : 1);
     const LayerState<double> exit{f.at(n_.half_angle, n_.edge), f.slope(n_.edge)};
@@ -213,7 +212,7 @@ class Search {
 
   // The same from a guess, if the layer comes back from a turn with anything at all.
   LapGuess followed(const LapGuess& guess) {
-    if (guess.followed || guess.zones.count == 0 || forgets(1e-16)) return guess;
+    if (guess.followed || guess.zones.count == 0) return guess;
     const auto lap = follow_states(n_, layer_, guess, guess.zones);
     if (!lap) return guess;
     ++s_.laps;
@@ -313,7 +312,13 @@ PeriodicState find_periodic_state(const ContactNumbers<double>& numbers,
                                   const LayerMotion<double>& layer, const LapGuess* guess,
                                   double accuracy) {
   PeriodicState state;
-  Search(numbers, layer, accuracy, state).run(guess);
+  if (!enters_at_rest(numbers, layer)) {
+    Search(numbers, layer, accuracy, state).run(guess);
+    return state;
+  }
+  state.lap = run_lap(numbers, layer, kAtRest);
+  state.laps = 1, state.zones = state.lap.zones;
+  if (state.lap.status != LapStatus::ok) state.status = PeriodicStatus::unresolved;
   return state;
 }
 

@@ -56,11 +56,12 @@ template <typename S>
 SlipWork<S> slip_work(const ContactNumbers<S>& n, const LayerMotion<S>& layer, const Harmonic<S>& f,
                       const Moments<S>& m, const Phase<S>& from, const Phase<S>& to,
                       const LayerState<S>& h0, const LayerState<S>& h1) {
-  const RateMoments<S> own(layer, from, to, h0, h1);
   const S c = 1.0 - n.peak;
   const S p0 = n.peak - from.at.versine, p1 = n.peak - to.at.versine;
   const S pc = m.cc - c * m.c, ps = 0.5 * (p0 * p0 - p1 * p1);
   const S p_forced = f.ks * pc + f.kw * ps;
+  if (layer.kind() == LayerKind::elastic) return {p_forced, S(0.0)};
+  const RateMoments<S> own(layer, from, to, h0, h1);
   const S p_own = own.c - c * (h1.e - h0.e);
   const S own_loss = 0.5 * (layer.energy(h0) - layer.energy(h1));
   const S cross_loss = 2.0 * (f.ks * own.c + f.kw * own.s);
