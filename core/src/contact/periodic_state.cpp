@@ -201,7 +201,8 @@ class Search {
       if (!lap) break;
       ++s_.laps;
       now = {from.layer, lap->next.layer};
-      from = {{secant(before, now, layer_), from.carried, from.zone}, lap->sequence};
+      from.layer = secant(before, now, layer_);
+      from.zones = lap->sequence;
       const double gap_before = gap;
       gap = distance(layer_, now.in, now.out);
       // The next gap would be small enough, or they do not settle.
