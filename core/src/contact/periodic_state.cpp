@@ -307,20 +307,30 @@ class Search {
   LayerState<double> checkpoint_{0, 0};
 };
 
+// Written in place, as all that returns a state here: laps are large.
+PeriodicState lap_from_rest(const ContactNumbers<double>& numbers,
+                            const LayerMotion<double>& layer) {
+  PeriodicState state{kAtRest, run_lap(numbers, layer, kAtRest)};
+  state.laps = 1, state.zones = state.lap.zones;
+  if (state.lap.status != LapStatus::ok) state.status = PeriodicStatus::unresolved;
+  return state;
+}
+
+PeriodicState searched_state(const ContactNumbers<double>& numbers,
+                             const LayerMotion<double>& layer, const LapGuess* guess,
+                             double accuracy) {
+  PeriodicState state;
+  Search(numbers, layer, accuracy, state).run(guess);
+  return state;
+}
+
 }  // namespace
 
 PeriodicState find_periodic_state(const ContactNumbers<double>& numbers,
                                   const LayerMotion<double>& layer, const LapGuess* guess,
                                   double accuracy) {
-  PeriodicState state;
-  if (!enters_at_rest(numbers, layer)) {
-    Search(numbers, layer, accuracy, state).run(guess);
-    return state;
-  }
-  state.lap = run_lap(numbers, layer, kAtRest);
-  state.laps = 1, state.zones = state.lap.zones;
-  if (state.lap.status != LapStatus::ok) state.status = PeriodicStatus::unresolved;
-  return state;
+  return enters_at_rest(numbers, layer) ? lap_from_rest(numbers, layer)
+                                        : searched_state(numbers, layer, guess, accuracy);
 }
 
 }  // namespace twum::contact
