@@ -193,9 +193,8 @@ class LapRunner {
     lap_.exit = here_.layer;
     if (!n_.full) {
       const S flight = 2 * kPi - 2.0 * n_.half_angle;
-      lap_.next.layer = enters_at_rest(n_, layer_)
-                            ? LayerState<S>{S(0.0), S(0.0)}
-                            : layer_.at(layer_.start(here_.layer), flight);
+      lap_.next.layer = enters_at_rest(n_, layer_) ? LayerState<S>{S(0.0), S(0.0)}
+                                                   : layer_.at(layer_.start(here_.layer), flight);
       if constexpr (kHasMeans) {
         m.layer_loss +=
             0.5 * (layer_.energy(layer_.own_part(here_.layer)) - layer_.energy(lap_.next.layer)) /

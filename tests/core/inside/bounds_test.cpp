@@ -65,7 +65,7 @@ TEST_CASE("the skip (E4.6) passes no zero of the slip curve", "[core][events][id
 TEST_CASE("the layer's own motion falls as far below zero as its depth (E4.9), and not farther",
           "[core][events][closed_form]") {
   Dice dice(17);
-  int in_a_trough = 0;
+  int in_a_trough = 0, at_once = 0;
   for (int i = 0; i < 500; ++i) {
     // exp(-zeta x) cos(beta x - psi), with the layer made for it: 1 / M = zeta^2 + beta^2, C = 2 zeta M.
     const double beta = dice.log_uniform(0.3, 30), zeta = beta * dice.log_uniform(1e-3, 3);
@@ -76,7 +76,7 @@ TEST_CASE("the layer's own motion falls as far below zero as its depth (E4.9), a
     double lowest = 0;
     constexpr int kSteps = 4000;  // over more than a turn
     for (int k = 0; k <= kSteps; ++k) lowest = std::min(lowest, y(7 / beta * k / kSteps));
-    in_a_trough += lowest < y(0);
+    (lowest < y(0) ? in_a_trough : at_once) += 1;
     // Between two steps of d = 7 / beta / 4000 y is lower than at both by y'' d^2 / 8 at most; y'' is below
     // 1 / M <= 10 beta^2.
     CAPTURE(beta, zeta, psi);
@@ -84,7 +84,7 @@ TEST_CASE("the layer's own motion falls as far below zero as its depth (E4.9), a
     CHECK(depth <= -lowest + 10 * (7.0 / kSteps) * (7.0 / kSteps) / 8 + 1e-12);
   }
   CHECK(in_a_trough > 100);
-  CHECK(in_a_trough < 400);
+  CHECK(at_once > 50);
   // Two modes do not oscillate.
   CHECK(LayerMotion<double>(0.1, 2).depth(1, 0) == HUGE_VAL);
   CHECK(LayerMotion<double>(0, 2).depth(1, 0) == HUGE_VAL);
