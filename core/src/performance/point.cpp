@@ -181,24 +181,23 @@ std::optional<WarmStart::Entry> SolvedPoint::entry_near(std::span<const Slice<do
                                                         std::size_t k,
                                                         const WarmStart* guess) const {
   if (guess) return guess->of_slice(k);
-  // A layer that slips all through is known in closed form: the search starts there by itself.
-  if (k == 0 || slice(k - 1).slips_one_way()) return {};
+  if (k == 0 || !slice(k - 1).helps()) return {};
   const WarmStart::Entry last = slice(k - 1).start();
-  if (k == 1 || slice(k - 2).slips_one_way()) return last;
+  if (k == 1 || !slice(k - 2).helps()) return last;
   const double t =
       (slices[k].radius - slices[k - 1].radius) / (slices[k - 1].radius - slices[k - 2].radius);
   return WarmStart::beyond(slice(k - 2).start(), last, t);
 }
 
-namespace {
+SolvedSlice::SolvedSlice(const DrivenMotor<double>& m, const Slice<double>& slice, double speed,
+                         const LayerMotion<double>& layer, const WarmStart::Entry* guess,
+                         double accuracy)
+    : locked(speed == 0 && locks_at_rest(m, slice)),
+      state(locked ? contact::PeriodicState{}
+                   : contact::find_periodic_state(contact_numbers(m, slice, speed), layer, guess,
+                                                  accuracy)) {}
 
-SolvedSlice solve_slice(const DrivenMotor<double>& m, const Slice<double>& slice, double speed,
-                        const LayerMotion<double>& layer, const WarmStart::Entry* guess,
-                        double accuracy) {
-  if (speed == 0 && locks_at_rest(m, slice)) return {{}, true};
-  return {contact::find_periodic_state(contact_numbers(m, slice, speed), layer, guess, accuracy),
-          false};
-}
+namespace {
 
 // How the layer moves is the same in all slices: W is.
 LayerMotion<double> layer_of(const DrivenMotor<double>& m, double speed) {
@@ -222,8 +221,8 @@ PointNumbers<double> numbers_of(const DrivenMotor<double>& m, const Slice<double
 
 SolvedPoint::SolvedPoint(const DrivenMotor<double>& m, double speed, const WarmStart* guess,
                          double accuracy)
-    : first_(solve_slice(m, m.slices()[0], speed, layer_of(m, speed),
-                         guess ? &guess->of_slice(0) : nullptr, accuracy)) {
+    : first_(m, m.slices()[0], speed, layer_of(m, speed), guess ? &guess->of_slice(0) : nullptr,
+             accuracy) {
   take_first(m, m.slices()[0], speed);
   if (m.slices().size() == 1 && !m.track.splits) return;
   const LayerMotion<double> layer = layer_of(m, speed);
@@ -245,7 +244,7 @@ void SolvedPoint::solve_others(const DrivenMotor<double>& m, std::span<const Sli
   others_.reserve(slices.size() - 1);
   for (std::size_t k = 1; k < slices.size() && status == PointStatus::ok; ++k) {
     const auto entry = entry_near(slices, k, guess);
-    others_.push_back(solve_slice(m, slices[k], speed, layer, entry ? &*entry : nullptr, accuracy));
+    others_.emplace_back(m, slices[k], speed, layer, entry ? &*entry : nullptr, accuracy);
     status = status_of(m, others_.back());
     numbers = numbers + numbers_of(m, slices[k], others_.back(), speed);
   }
@@ -263,7 +262,7 @@ void SolvedPoint::split(const DrivenMotor<double>& m, double speed,
     const Slice<double> there = slice_at(m, radius, m.b);
     if (!(there.contact.half_angle > 0)) return SliceZones{0, HUGE_VAL};
     const auto entry = entry_at(m.slices(), radius);
-    return zones_of(solve_slice(m, there, speed, layer, entry ? &*entry : nullptr, accuracy));
+    return zones_of({m, there, speed, layer, entry ? &*entry : nullptr, accuracy});
   });
   if (!splits_.empty()) solve_split(m, speed, layer, nullptr, accuracy);
 }
@@ -275,7 +274,7 @@ std::optional<WarmStart::Entry> SolvedPoint::entry_at(std::span<const Slice<doub
   for (std::size_t k = 1; k < size(); ++k)
     if (far(slices[k]) < far(slices[nearest])) nearest = k;
   const SolvedSlice& near = slice(nearest);
-  if (near.locked || near.slips_one_way()) return {};
+  if (!near.helps()) return {};
   return near.start();
 }
 
@@ -285,7 +284,7 @@ void SolvedPoint::solve_split(const DrivenMotor<double>& m, double speed,
   const std::vector<Slice<double>> slices = annulus_of<double>(m, splits_);
   lever_ = lever_of<double>(slices, m.preload);
   if (guess && guess->size() != slices.size()) guess = nullptr;
-  first_ = solve_slice(m, slices[0], speed, layer, guess ? &guess->of_slice(0) : nullptr, accuracy);
+  first_ = {m, slices[0], speed, layer, guess ? &guess->of_slice(0) : nullptr, accuracy};
   take_first(m, slices[0], speed);
   solve_others(m, slices, speed, layer, guess, accuracy);
 }

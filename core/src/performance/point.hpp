@@ -118,10 +118,19 @@ class PointSlices {
 
 /// The contact of one slice at an operating point.
 struct SolvedSlice {
-  contact::PeriodicState state;  ///< undefined where it is locked
+  SolvedSlice() = default;
+  /// @param guess  where the search may begin; null if nothing is known
+  SolvedSlice(const DrivenMotor<double>& m, const Slice<double>& slice, double speed,
+              const contact::LayerMotion<double>& layer, const WarmStart::Entry* guess,
+              double accuracy);
+
   bool locked{false};            ///< sticks all round at rest, in closed form
+  contact::PeriodicState state;  ///< undefined where it is locked
 
   bool slips_one_way() const { return !locked && state.lap.one_slip; }
+  /// It helps to start the search for a slice beside it here. A layer that enters at rest needs no search, and one that
+  /// slips all through starts in closed form by itself.
+  bool helps() const { return !locked && state.remembers && !state.lap.one_slip; }
   WarmStart::Entry start() const { return {state.entry, state.lap.sequence}; }
 };
 
