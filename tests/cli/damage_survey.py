@@ -94,7 +94,9 @@ def verdict(program, study, folder, expected):
         raise AssertionError(f"no end within {HANGS} s") from None
     said = errors.decode(errors="replace")
     if process.returncode in REFUSED:
-        assert said.startswith("twum: ") and str(folder) in said, f"refused with the words {said!r}"
+        words = [line for line in said.splitlines() if not line.startswith("note: ")]
+        refused = words and words[0].startswith("twum: ") and str(folder) in words[0]
+        assert refused, f"refused with the words {said!r}"
         return "refused"
     assert process.returncode in ENDED, f"exit status {process.returncode}: {said}"
     assert results(folder) == expected, "another answer"

@@ -47,12 +47,19 @@ void note_broken(const std::string& law, const BoxPoint& box, BoxSurvey& found) 
     found.examples.push_back(law + " " + identity_case("broken", box));
 }
 
+// Over an annulus the pressure may move to its outer edge (W3.5); at one radius it cannot.
+double largest_torque(const Motor& motor) {
+  const MotorDesign& d = motor.design();
+  const double reach = motor.radial_slices() == 1 ? 0 : 0.5 * d.stator.contact_width;
+  return d.friction.static_ * d.preload * (d.stator.contact_radius + reach);
+}
+
 // The largest value that a metric may have.
 double bound_of(Metric metric, const Motor& motor) {
   switch (metric) {
     case Metric::stall_torque:
     case Metric::max_torque:
-    case Metric::torque_at_peak_power: return motor.holding_torque() * (1 + 0.01 * kPromised);
+    case Metric::torque_at_peak_power: return largest_torque(motor) * (1 + 0.01 * kPromised);
     case Metric::contact_ratio: return 0.5;
     // an input power that balances to 1e-6 of itself, and the balance of all other points, of which T7.10 says 1e-10
     case Metric::max_efficiency:
@@ -111,7 +118,7 @@ std::string broken_law(const Motor& motor, const OperatingPoint& point, double s
   // whose worst case over the box (loss factors of 1e-3 near resonance) is some 1e5.
   const double scale = power_scale(motor, point.speed);
   if (!(std::abs(imbalance(point)) <= slack * scale)) return "identity";
-  if (!(std::abs(point.torque) <= motor.holding_torque() * (1 + 0.01 * slack))) return "bound";
+  if (!(std::abs(point.torque) <= largest_torque(motor) * (1 + 0.01 * slack))) return "bound";
   if (point.friction_power < -0.1 * slack * scale) return "friction gives power";
   if (point.layer_loss < -0.1 * slack * scale) return "layer gives power";
   if (!(point.stick_fraction >= 0 && point.stick_fraction <= 1 + 0.01 * slack))
