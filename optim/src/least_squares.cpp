@@ -108,11 +108,13 @@ const std::vector<SolverInfo>& least_squares_solvers() {
   static const std::vector<SolverInfo> list = [] {
     SolverInfo own, gsl;
     own.name = kOwnFit;
-    own.description = "Levenberg and Marquardt's method with steps cut off at the bounds";
+    own.description =
+        "fits measurements: Levenberg and Marquardt's method, steps cut off at the bounds";
     gsl.name = kGslFit;
-    gsl.description = has_gsl()
-                          ? "GSL's trust region method on the parameters that are not at a bound"
-                          : "this build was made without GSL (TWUM_WITH_GSL=OFF)";
+    gsl.description =
+        has_gsl()
+            ? "fits measurements: GSL's trust region method on parameters that are not at a bound"
+            : "this build was made without GSL (TWUM_WITH_GSL=OFF)";
     gsl.available = has_gsl();
     for (SolverInfo* one : {&own, &gsl}) {
       one->gradient = true;

@@ -136,7 +136,8 @@ def after_signal(program, study, folder, chance, lasts):
 
 def solver_names(program):
     listed = json.loads(subprocess.run([program, "solvers", "--format", "json"], capture_output=True, check=True).stdout)
-    return ["auto"] + [s["name"] for s in listed if s["available"] == "yes"]
+    fits = ("twum:lm", "gsl:lm")  # of measurements
+    return ["auto"] + [s["name"] for s in listed if s["available"] == "yes" and s["name"] not in fits]
 
 
 def main():

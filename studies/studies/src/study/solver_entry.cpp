@@ -4,6 +4,7 @@
 #include "study/entry_shapes.hpp"
 
 #include <twum/base/error.hpp>
+#include <twum/optim/least_squares.hpp>
 #include <twum/optim/solvers.hpp>
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/text/words.hpp>
@@ -102,8 +103,9 @@ std::vector<std::string_view> names_for(const Demands& demands) {
   return names;
 }
 
-const optim::SolverInfo* info_of(std::string_view name) {
-  for (const optim::SolverInfo& solver : optim::solvers()) {
+const optim::SolverInfo* info_of(const std::vector<optim::SolverInfo>& solvers,
+                                 std::string_view name) {
+  for (const optim::SolverInfo& solver : solvers) {
     if (solver.name == name) return &solver;
   }
   return nullptr;
@@ -141,11 +143,9 @@ class SolverChecker {
  private:
   void check_name(const YamlNode& name, const std::string& path) {
     const std::vector<std::string_view> names = names_for(demands_);
-    const optim::SolverInfo* solver = info_of(name.scalar);
+    const optim::SolverInfo* solver = info_of(optim::solvers(), name.scalar);
     if (std::find(names.begin(), names.end(), name.scalar) == names.end()) {
-      const std::string found = (solver != nullptr ? "solver " : "unknown solver ") +
-                                quoted(name.scalar) + (solver != nullptr ? " finds no fronts" : "");
-      diagnostics_.add(name.mark, path, found, remedy(name.scalar, names));
+      diagnostics_.add(name.mark, path, misfit(name.scalar), remedy(name.scalar, names));
       return;
     }
     if (solver == nullptr) return;
@@ -155,6 +155,15 @@ class SolverChecker {
     else if (demands_.limits && !solver->inequality)
       diagnostics_.add(name.mark, path, quoted(name.scalar) + " takes no limits",
                        "nlopt:slsqp, nlopt:mma, nlopt:cobyla and ipopt do");
+  }
+
+  // What a name is that no solver for this study has.
+  static std::string misfit(const std::string& name) {
+    if (info_of(optim::solvers(), name) != nullptr)
+      return "solver " + quoted(name) + " finds no fronts";
+    if (info_of(optim::least_squares_solvers(), name) != nullptr)
+      return "solver " + quoted(name) + " only fits measurements (kind: calibrate)";
+    return "unknown solver " + quoted(name);
   }
 
   static std::string remedy(std::string_view name, const std::vector<std::string_view>& names) {
