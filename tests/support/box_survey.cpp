@@ -47,11 +47,28 @@ void note_broken(const std::string& law, const BoxPoint& box, BoxSurvey& found) 
     found.examples.push_back(law + " " + identity_case("broken", box));
 }
 
-// Over an annulus the pressure may move to its outer edge (W3.5); at one radius it cannot.
+// From the mean radius to the edges; with one slice all of the contact is at the mean radius.
+double reach_of(const Motor& motor) {
+  return motor.radial_slices() == 1 ? 0 : 0.5 * motor.design().stator.contact_width;
+}
+
+// Over an annulus the pressure may move to its outer edge (W3.5).
 double largest_torque(const Motor& motor) {
   const MotorDesign& d = motor.design();
-  const double reach = motor.radial_slices() == 1 ? 0 : 0.5 * d.stator.contact_width;
-  return d.friction.static_ * d.preload * (d.stator.contact_radius + reach);
+  return d.friction.static_ * d.preload * (d.stator.contact_radius + reach_of(motor));
+}
+
+// The scale of powers (T7.11), with the crest's largest speed over the track: V0 / rho goes with R(rho) / rho^2.
+double largest_power(const Motor& motor, double speed) {
+  const Stator& s = motor.design().stator;
+  double fastest = 1;
+  for (const double side : {-1.0, 1.0}) {
+    const double radius = s.contact_radius + side * reach_of(motor);
+    const double along = (radius - s.radial_shape.root) / (s.contact_radius - s.radial_shape.root);
+    fastest = std::max(
+        fastest, std::pow(along, s.radial_shape.exponent) * std::pow(s.contact_radius / radius, 2));
+  }
+  return largest_torque(motor) * std::max(fastest * motor.crest_speed(), std::abs(speed));
 }
 
 // The largest value that a metric may have.
@@ -96,7 +113,7 @@ double survey_point(const Motor& motor, const BoxPoint& box, std::int64_t index,
   ++found.statuses[to_string(point.status)];
   double share = std::numeric_limits<double>::quiet_NaN();
   if (point.status == PointStatus::ok) {
-    const double scale = power_scale(motor, point.speed);
+    const double scale = largest_power(motor, point.speed);
     share = scale > 0 ? std::abs(imbalance(point)) / scale : 0;
     found.identity = std::max(found.identity, share);
     note(found.strangest, {index, share, box});
@@ -116,7 +133,7 @@ std::string broken_law(const Motor& motor, const OperatingPoint& point, double s
   if (!all_finite(point)) return "a number is not finite";
   // 1e-10 of the scale: rounding of the zone integrals times the condition of the periodic state,
   // whose worst case over the box (loss factors of 1e-3 near resonance) is some 1e5.
-  const double scale = power_scale(motor, point.speed);
+  const double scale = largest_power(motor, point.speed);
   if (!(std::abs(imbalance(point)) <= slack * scale)) return "identity";
   if (!(std::abs(point.torque) <= largest_torque(motor) * (1 + 0.01 * slack))) return "bound";
   if (point.friction_power < -0.1 * slack * scale) return "friction gives power";
