@@ -306,7 +306,7 @@ class Hostile(Page):
         folder = self.folder / "hostile"
         folder.mkdir()
         for motor in ("ring-60", "drive-60"):
-            text = (ROOT / f"examples/motors/{motor}.yaml").read_text()
+            text = (ROOT / f"tests/data/motors/{motor}.yaml").read_text()
             text = text.replace(f"name: {motor}", "name: " + json.dumps(HOSTILE, ensure_ascii=False))
             self.assertIn("hacked", text)
             (folder / f"{motor}.yaml").write_text(text)
