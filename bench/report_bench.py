@@ -67,7 +67,7 @@ def main():
         with tempfile.TemporaryDirectory(prefix="twum-bench-") as folder:
             study = pathlib.Path(folder) / "large.yaml"
             rows = int(sys.argv[2]) if len(sys.argv) > 2 else 100000
-            study.write_text(STUDY.format(motor=ROOT / "examples/motors/ring-60.yaml", rows=rows))
+            study.write_text(STUDY.format(motor=ROOT / "tests/data/motors/ring-60.yaml", rows=rows))
             subprocess.run([program, "run", study, "-o", folder + "/out"], check=True, stdout=subprocess.DEVNULL)
             measure(browser, folder + "/out")
     finally:

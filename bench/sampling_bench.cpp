@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-// Whole sampling studies of the example motor, evaluations stored in memory, on all processors. Real time
+// Whole sampling studies of the 60 mm ring motor with one slice, evaluations stored in memory, on all processors. Real time
 // counts; CPU time of the whole process stands beside it.
 namespace {
 
@@ -18,7 +18,7 @@ StudyFile study_of(const std::string& entries) {
   namespace fs = std::filesystem;
   const fs::path path = fs::temp_directory_path() / "twum-sampling-bench.yaml";
   std::ofstream(path) << "twum: 1\nmotor: " TWUM_SOURCE_DIR
-                         "/examples/motors/ring-60.yaml\nstudy:\n"
+                         "/tests/data/motors/ring-60.yaml\nstudy:\n"
                       << entries;
   StudyFile file = read_study_file(path.string());
   fs::remove(path);

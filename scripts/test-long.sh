@@ -48,7 +48,7 @@ step_stop() {
 # 300 random damages to the stored evaluations of each of three studies: refused, or the same answer.
 step_damage() {
   build ci && python3 tests/cli/damage_survey.py build/ci/bin/twum \
-    examples/studies/{sensitivity-sobol,pareto-power-wear,tolerances}.yaml --count 300
+    examples/studies/{sensitivity-sobol,pareto-driven,tolerances}.yaml --count 300
 }
 
 # A build that may be passed on.
@@ -86,7 +86,7 @@ step_tsan() {
 }
 
 small_study() {  # KIND ENTRY...
-  printf 'twum: 1\nmotor: %s\nstudy:\n  kind: %s\n' "$PWD/examples/motors/ring-60.yaml" "$1"
+  printf 'twum: 1\nmotor: %s\nstudy:\n  kind: %s\n' "$PWD/tests/data/motors/ring-60.yaml" "$1"
   printf '  variables:\n    preload: {min: 120 N, max: 200 N}\n    amplitude: {min: 1.2 um, max: 1.8 um}\n'
   printf '  %s\n' "${@:2}"
 }

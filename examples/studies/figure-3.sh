@@ -8,11 +8,12 @@ twum=${TWUM:-twum}
 motor=${1:?a motor file}
 directory=${2:?a directory for the results}
 mkdir -p "$directory"
+radius=(--set radial_slices=1)  # all of the contact at the mean radius, as in the paper
 
-no_load=$("$twum" curve "$motor" --points 2 --format json |
+no_load=$("$twum" curve "$motor" "${radius[@]}" --points 2 --format json |
   python3 -c 'import json, sys; print(json.load(sys.stdin)["metrics"]["no_load_speed"])')
 for percent in 0 85 95 130; do
   speed=$(python3 -c "print($no_load * $percent / 100)")
-  "$twum" fields "$motor" --speed "$speed rad/s" --format csv -o "$directory/at-$percent-percent.csv"
+  "$twum" fields "$motor" "${radius[@]}" --speed "$speed rad/s" --format csv -o "$directory/at-$percent-percent.csv"
   echo "$directory/at-$percent-percent.csv: $percent % of the no-load speed"
 done

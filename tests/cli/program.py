@@ -8,8 +8,9 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-RING = str(ROOT / "examples/motors/ring-60.yaml")
-DRIVE = str(ROOT / "examples/motors/drive-60.yaml")
+# With one slice, at whose radius the closed forms hold.
+RING = str(ROOT / "tests/data/motors/ring-60.yaml")
+DRIVE = str(ROOT / "tests/data/motors/drive-60.yaml")
 PROGRAM = None
 
 

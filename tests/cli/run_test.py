@@ -385,7 +385,7 @@ class Processes(Run):
         for width, expected in ((120, r"\[#*-*\] \d+ % of the budget, \d+ evaluations, \d+/s, at most .* left, run \d+, best max_pressure [\d.]+ [kM]Pa"),
                                 (80, r"% of the budget, at most .* left, best max_pressure"), (60, r"% of the budget, best max_pressure"), (20, r"\[-+\] \d %")):
             with self.subTest(width):
-                shown = self.on_terminal(width, "run", study, "-o", self.folder / "out", "--fresh", "--jobs", "1")
+                shown = self.on_terminal(width, "run", study, "--set", "radial_slices=1", "-o", self.folder / "out", "--fresh", "--jobs", "1")
                 lines = [line for line in shown.split("\n")[0].split("\r\033[K") if line.strip()]
                 self.assertTrue(any(re.search(expected, line) for line in lines), lines)
                 self.assertLess(max(len(line) for line in lines if line.startswith("[")), width)

@@ -10,7 +10,7 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CONSUMER = ROOT / "tests/package/consumer"
-RING = ROOT / "examples/motors/ring-60.yaml"
+RING = ROOT / "tests/data/motors/ring-60.yaml"
 ARGUMENTS = None
 PREFIX = None
 

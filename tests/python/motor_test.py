@@ -13,7 +13,7 @@ import numpy as np
 import twum
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-RING = ROOT / "examples/motors/ring-60.yaml"
+RING = ROOT / "tests/data/motors/ring-60.yaml"
 PROGRAM = os.environ.get("TWUM_PROGRAM")
 
 

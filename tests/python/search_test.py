@@ -7,7 +7,8 @@ import unittest
 
 import twum
 
-RING = pathlib.Path(__file__).resolve().parents[2] / "examples/motors/ring-60.yaml"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+RING = ROOT / "tests/data/motors/ring-60.yaml"
 
 
 def question(motor):
@@ -92,7 +93,7 @@ class Search(unittest.TestCase):
         self.assertEqual((best.motor.kinetic_friction, best.motor.contact_radius), (0.3, 0.03))
 
     def test_sets_come_from_files(self):
-        folder = RING.parents[1] / "studies/linings"
+        folder = ROOT / "examples/studies/linings"
         problem = twum.DesignProblem(twum.Motor(RING)).vary("preload", 60, 300).maximize("holding_torque")
         best = problem.choose("lining", [folder / "peek.yaml", str(folder / "ptfe-peek.yaml")]).solve()
         self.assertEqual(best.choice, {"lining": str(folder / "peek.yaml")})

@@ -7,7 +7,7 @@ import unittest
 import numpy as np
 import twum
 
-RING = pathlib.Path(__file__).resolve().parents[2] / "examples/motors/ring-60.yaml"
+RING = pathlib.Path(__file__).resolve().parents[2] / "tests/data/motors/ring-60.yaml"
 SWEEP = {"kind": "sweep", "sampling": "grid", "metrics": ["holding_torque", "max_pressure"],
          "variables": {"preload": ["100 N", "160 N", "220 N"]}}
 OPTIMIZE = {"kind": "optimize", "minimize": "preload", "variables": {"preload": {"min": "10 N", "max": "500 N"}},

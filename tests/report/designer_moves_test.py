@@ -9,10 +9,12 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from designer_page import PANEL, Designer  # noqa: E402
 from page import ROOT, RPM, main, twum  # noqa: E402
 
+RING = ROOT / "tests/data/motors/ring-60.yaml"  # one slice: the closed forms hold, and a slider's rest changes no number
+
 
 class Hands(Designer):
     def test_a_slider_moves_the_motor_and_steps_back(self):
-        self.explore("ring-60")
+        self.explore("ring-60", RING)
         stall = f"{PANEL}.metrics.stall_torque.value"
         before = self.browser.value(stall)
         self.browser.value("(s => { s.value = 900; s.dispatchEvent(new Event('input', {bubbles: true})); s.value = 950; s.dispatchEvent(new Event('input', {bubbles: true})); s.dispatchEvent(new Event('change', {bubbles: true})); })(document.querySelector('[data-parameter=preload] input[type=range]'))")
@@ -29,7 +31,7 @@ class Hands(Designer):
         self.assertEqual(self.browser.value(f"{PANEL}.state.motor.values.preload"), preload)
 
     def test_a_typed_number_takes_its_unit_and_a_wrong_one_is_refused(self):
-        self.explore("ring-60")
+        self.explore("ring-60", RING)
         field = "document.querySelector('[data-parameter=thickness] .exact')"
         for text, value in (("0.25 mm", 0.00025), ("200", 0.0002), ("180 µm", 0.00018), ("0,3 mm", 0.0003)):
             self.browser.value(f"{field}.value = {json.dumps(text)}; {field}.dispatchEvent(new Event('change'))")
@@ -42,7 +44,7 @@ class Hands(Designer):
         self.assertIn("thickness must be at least", self.text(".say"))
 
     def test_effects_beside_the_sliders_are_what_a_small_step_does(self):
-        self.explore("ring-60")
+        self.explore("ring-60", RING)
         effects = self.browser.value("Object.fromEntries([...document.querySelectorAll('.row[data-parameter]')].map(r => [r.dataset.parameter, r.querySelector('.effect').textContent]))")
         base = self.browser.value(f"{PANEL}.metrics.peak_power.value")
         for name in ("amplitude", "preload", "thickness", "kinetic_friction", "contact_radius"):
@@ -55,17 +57,17 @@ class Hands(Designer):
             self.assertAlmostEqual((moved / base - 1) / 0.001, shown, delta=0.012, msg=name)
 
     def test_a_load_is_met_where_the_curve_crosses_it(self):
-        self.explore("ring-60")
+        self.explore("ring-60", RING)
         self.browser.value(f"{PANEL}.limits.atRest.value = '0.2 N.m'; {PANEL}.limits.at100.value = '0.5 N.m'; {PANEL}.limits.at100.dispatchEvent(new Event('change'))")
         self.browser.settle()
         self.rest()
         speed, torque = self.browser.value(f"(m => [m.speed, m.torque])({PANEL}.meeting)")
         self.assertAlmostEqual(torque, 0.2 + 0.3 * speed / (100 * RPM), delta=1e-9)
-        told = json.loads(twum("curve", ROOT / "examples/motors/ring-60.yaml", "--speeds", f"{speed!r} rad/s", "--format", "json").stdout)
+        told = json.loads(twum("curve", RING, "--speeds", f"{speed!r} rad/s", "--format", "json").stdout)
         self.assertAlmostEqual(told["curve"][0]["torque"], torque, delta=1e-9)
 
     def test_the_load_does_not_cross_the_words_of_the_point_where_it_is_met(self):
-        self.explore("ring-60")
+        self.explore("ring-60", RING)
         for rest, at100 in (("0.2 N.m", "0.5 N.m"), ("0.5 N.m", "0.5 N.m"), ("0 N.m", "0.8 N.m")):
             with self.subTest(rest=rest, at100=at100):
                 self.browser.value(f"{PANEL}.limits.atRest.value = '{rest}'; {PANEL}.limits.at100.value = '{at100}'; {PANEL}.limits.at100.dispatchEvent(new Event('change'))")
@@ -80,7 +82,7 @@ class Hands(Designer):
                     self.assertGreater(abs(load - place[1]), 4)  # letters are 12 px high: half of those without ascenders
 
     def test_a_kept_metric_stays_while_another_parameter_gives_way(self):
-        self.explore("ring-60")
+        self.explore("ring-60", RING)
         self.browser.value(f"{PANEL}.limits.kept.value = 'no_load_speed'; {PANEL}.limits.giving.value = 'amplitude'; {PANEL}.limits.toggleLock()")
         self.browser.settle()
         before = self.browser.value(f"{PANEL}.metrics.no_load_speed.value")
@@ -90,7 +92,7 @@ class Hands(Designer):
         self.assertNotEqual(amplitude, 1.6e-6)
 
     def test_the_address_brings_the_motor_back(self):
-        page = self.explore("ring-60")
+        page = self.explore("ring-60", RING)
         self.set("preload", 123.5)
         self.set("kinetic_friction", 0.25)
         self.browser.value(f"{PANEL}.state.view.limits.push({{metric: 'stall_torque', argument: 'none', at: 0, sense: '>=', value: 0.5}}); {PANEL}.changed = true")
@@ -104,7 +106,7 @@ class Hands(Designer):
         self.assertEqual(self.lines(".limits li span"), ["stall torque at least 500 mN·m"])
 
     def test_a_wide_contact_takes_one_slice_while_a_slider_moves_and_all_at_rest(self):
-        self.explore("ring-60")
+        self.explore("ring-60", RING)
         self.set("radial_slices", 0)
         self.rest()
         whole = self.browser.value(f"{PANEL}.metrics.peak_power.value")
@@ -119,11 +121,11 @@ class Hands(Designer):
         print(f"ring-60 with all slices, derivatives and notes after {took:.0f} ms of rest")
         self.assertNotIn("one slice", self.text("[data-fields]"))
         self.assertEqual(self.browser.value(f"{PANEL}.metrics.peak_power.value"), whole)
-        told = json.loads(twum("curve", ROOT / "examples/motors/ring-60.yaml", "--set", "radial_slices=auto", "--points", 2, "--format", "json").stdout)
+        told = json.loads(twum("curve", RING, "--set", "radial_slices=auto", "--points", 2, "--format", "json").stdout)
         self.assertAlmostEqual(whole, told["metrics"]["peak_power"], delta=1e-9 * whole)
 
     def test_keys_move_the_speed(self):
-        self.explore("ring-60")
+        self.explore("ring-60", RING)
         self.browser.value("document.querySelector('[data-chart=torque]').focus()")
         self.browser.key("Home")
         self.assertRegex(self.text("[data-fields]"), "^at 0 rpm")
@@ -131,7 +133,7 @@ class Hands(Designer):
         self.assertNotRegex(self.text("[data-fields]"), "^at 0 rpm")
 
     def test_measured_points_are_read_with_their_units(self):
-        self.explore("ring-60")
+        self.explore("ring-60", RING)
         points = self.browser.value("readPoints('speed [rpm],torque [mN.m]\\n60,500\\n,1\\n# note\\n120,100\\n', %s.tables)" % PANEL)
         self.assertEqual(len(points), 2)
         self.assertAlmostEqual(points[0]["speed"], 60 * RPM, delta=1e-12)

@@ -256,7 +256,7 @@ class Front(Page):
 
 class Track(Page):
     def test_the_contact_is_shown_over_the_track_and_beside_one_slice(self):
-        (self.folder / "wide.yaml").write_text(f"twum: 1\nmotor: {ROOT}/examples/motors/ring-60.yaml\nset: {{radial_slices: 8}}\nstudy: {{kind: curve}}\n")
+        (self.folder / "wide.yaml").write_text(f"twum: 1\nmotor: {ROOT}/tests/data/motors/ring-60.yaml\nset: {{radial_slices: 8}}\nstudy: {{kind: curve}}\n")
         twum("run", self.folder / "wide.yaml", "-o", self.folder / "wide")
         self.open(self.folder / "wide")
         self.clean(self.folder / "wide")
@@ -267,7 +267,7 @@ class Track(Page):
         self.browser.settle()
         speeds, torques = self.browser.value("(() => { const { data } = document.querySelector('[data-chart=torque]').plot; return [[...data[0]], [...data[2]]]; })()")
         unit = self.browser.value("displayUnit(largest(curves.map(c => c.torque)), 'N.m').divisor")
-        told = json.loads(twum("curve", ROOT / "examples/motors/ring-60.yaml", "--speeds", f"{speeds[150]!r} rpm", "--format", "json").stdout)
+        told = json.loads(twum("curve", ROOT / "tests/data/motors/ring-60.yaml", "--speeds", f"{speeds[150]!r} rpm", "--format", "json").stdout)
         # Linear between 161 points, drawn at 301: second differences of the torque there are some 1e-4 of its size.
         self.assertAlmostEqual(torques[150] * unit, told["curve"][0]["torque"], delta=1e-3 * abs(torques[0] * unit))
 

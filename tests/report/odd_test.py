@@ -9,7 +9,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from page import ROOT, RPM, Page, main, twum  # noqa: E402
 
-RING = ROOT / "examples/motors/ring-60.yaml"
+RING = ROOT / "tests/data/motors/ring-60.yaml"
 
 
 class Study(Page):
@@ -193,7 +193,7 @@ class Calibration(Study):
             rows += f"{f},{y.real},1e-4,{y.imag},1e-4\n"
         (self.folder / "circle.csv").write_text(rows)
         summary = self.study("circle", "kind: calibrate, data: circle.csv, starts: 1, variables: {quality_factor: {min: 50, max: 400}, "
-                             "modal_mass: {min: 10 g, max: 60 g}}", motor=ROOT / "examples/motors/drive-60.yaml")
+                             "modal_mass: {min: 10 g, max: 60 g}}", motor=ROOT / "tests/data/motors/drive-60.yaml")
         self.assertEqual(len(summary["data"]), 22)
         for chart in ("fit conductance", "fit susceptance", "circle"):
             self.assertTrue(self.browser.value(f"Boolean(document.querySelector('[data-chart=\"{chart}\"]').plot)"), chart)

@@ -50,14 +50,14 @@ class Page(unittest.TestCase):
         cls.folder = scratch_folder(cls.addClassCleanup)
         cls.browser = shared_browser()
 
-    def result(self, name):
+    def result(self, name, *options):
         """Result directory of an example; a copy, where the tests' fixture has run it already."""
-        directory = shared_results() / name
-        made = pathlib.Path(os.environ.get("TWUM_RESULTS", "")) / name
+        directory = shared_results() / "".join((name, *options))
+        made = pathlib.Path(os.environ.get("TWUM_RESULTS", "")) / directory.name
         if not directory.exists() and (made / "summary.json").exists():
             shutil.copytree(made, directory)
         if not directory.exists():
-            twum("run", ROOT / "examples/studies" / f"{name}.yaml", "-o", directory)
+            twum("run", ROOT / "examples/studies" / f"{name}.yaml", *options, "-o", directory)
         return directory
 
     def open(self, directory, **options):
@@ -79,6 +79,11 @@ class Page(unittest.TestCase):
         """{name as typed in the first cell: SI values of the others}"""
         return self.browser.value("""Object.fromEntries([...document.querySelectorAll(`[data-table="%s"] tbody tr`)].map(
             (tr) => [tr.cells[0].dataset.name ?? tr.cells[0].textContent, [...tr.cells].slice(1).map((td) => td.dataset.value === undefined ? td.textContent : Number(td.dataset.value))]))""" % name)
+
+    @staticmethod
+    def typed(name, value):
+        """A value of a summary as tables hold it: slices as a motor file has them, other numbers in SI."""
+        return value if name != "radial_slices" or value > 0 else f"auto {-value:g}".removesuffix(" 0")
 
     def text(self, selector):
         """What an element says, with plain blanks."""

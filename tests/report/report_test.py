@@ -43,7 +43,7 @@ class Numbers(Page):
         summary = self.open(self.result("optimize-ring-60"))
         shown = self.table("design")
         for name, value in summary["best"]["design"].items():
-            self.assertEqual(shown[name][:2], [summary["before"]["design"][name], value])
+            self.assertEqual(shown[name][:2], [self.typed(name, summary["before"]["design"][name]), self.typed(name, value)])
         limits = self.table("limits")
         for limit in summary["best"]["constraints"]:
             state, value = limits[limit["text"]][:2]
@@ -139,7 +139,7 @@ class Numbers(Page):
         self.assertIn(f"Point {target + 1}", self.browser.value("document.querySelector('#chosen h2').textContent"))
         shown = self.table(f"point-{target + 1}")
         for name, value in summary["front"][target]["design"].items():
-            self.assertEqual(shown[name][1], value)
+            self.assertEqual(shown[name][1], self.typed(name, value))
         self.assertEqual(len(self.table("front")), len(summary["front"]))
 
     def test_brushing_chooses_what_the_table_of_results_says(self):
@@ -306,7 +306,7 @@ class Hostile(Page):
         folder = self.folder / "hostile"
         folder.mkdir()
         for motor in ("ring-60", "drive-60"):
-            text = (ROOT / f"examples/motors/{motor}.yaml").read_text()
+            text = (ROOT / f"tests/data/motors/{motor}.yaml").read_text()
             text = text.replace(f"name: {motor}", "name: " + json.dumps(HOSTILE, ensure_ascii=False))
             self.assertIn("hacked", text)
             (folder / f"{motor}.yaml").write_text(text)

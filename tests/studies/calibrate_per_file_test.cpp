@@ -3,6 +3,7 @@
 #include "calibrate_support.hpp"
 #include "kinds/found_motors.hpp"
 #include "study/resolved_study.hpp"
+#include "support/motor_files.hpp"
 
 #include <twum/studies/results/fit_curves.hpp>
 
@@ -35,9 +36,8 @@ struct Benches {
     std::ofstream(folder.path("a.csv")) << a;
     std::ofstream(folder.path("b.csv")) << b;
     std::ofstream(folder.path("study.yaml"))
-        << "twum: 1\nmotor: " << TWUM_SOURCE_DIR << "/examples/motors/" << motor
-        << ".yaml\nstudy: {kind: calibrate, data: " << data << ", variables: {" << variables
-        << "}, per_file: [" << per_file << "], " << more << "}\n";
+        << "twum: 1\nmotor: " << motor_path(motor) << "\nstudy: {kind: calibrate, data: " << data
+        << ", variables: {" << variables << "}, per_file: [" << per_file << "], " << more << "}\n";
     return read_study_file(folder.path("study.yaml"));
   }
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The plan of the first measurements (L6.1, L6.2), and columns with a scatter of their own (L9.1).
 #include "calibrate_support.hpp"
+#include "support/motor_files.hpp"
 
 #include <twum/base/error.hpp>
 
@@ -23,8 +24,8 @@ namespace {
 StudyFile unmeasured(const ScratchFolder& folder, const std::string& motor,
                      const std::string& variables) {
   std::ofstream(folder.path("study.yaml"))
-      << "twum: 1\nmotor: " << TWUM_SOURCE_DIR << "/examples/motors/" << motor
-      << ".yaml\nstudy: {kind: calibrate, variables: {" << variables << "}}\n";
+      << "twum: 1\nmotor: " << motor_path(motor) << "\nstudy: {kind: calibrate, variables: {"
+      << variables << "}}\n";
   return read_study_file(folder.path("study.yaml"));
 }
 

@@ -4,6 +4,7 @@
 #include "kinds/calibration.hpp"
 #include "kinds/executor.hpp"
 #include "results/answers.hpp"
+#include "support/motor_files.hpp"
 #include "support/scratch_folder.hpp"
 
 #include <twum/core/performance/motor.hpp>
@@ -34,7 +35,7 @@ inline const std::vector<ParameterValue> kTruth{{Parameter::kinetic_friction, 0.
                                                 {Parameter::amplitude, 1.52e-6},
                                                 {Parameter::youngs_modulus, 2.2e9}};
 
-// A study of examples/motors/MOTOR.yaml in a folder of its own, with its points.
+// A study of motor_path(MOTOR) in a folder of its own, with its points.
 struct Case {
   ScratchFolder folder;
   std::string motor{"ring-60"};
@@ -45,7 +46,7 @@ struct Case {
   StudyFile file(const std::string& csv) const {
     std::ofstream(folder.path("points.csv")) << csv;
     std::ofstream(folder.path("study.yaml"))
-        << "twum: 1\nmotor: " << TWUM_SOURCE_DIR << "/examples/motors/" << motor << ".yaml\n"
+        << "twum: 1\nmotor: " << motor_path(motor) << "\n"
         << (set.empty() ? "" : "set: " + set + "\n")
         << "study: {kind: calibrate, data: points.csv, variables: {" << variables << "}, " << more
         << "}\n";

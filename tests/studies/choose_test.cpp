@@ -2,6 +2,7 @@
 // `choose:`: sets of parameters of which a design has one.
 #include "search_support.hpp"
 #include "study/resolved_study.hpp"
+#include "support/motor_files.hpp"
 
 #include <twum/optim/solve.hpp>
 #include <twum/studies/run/run_study.hpp>
@@ -27,7 +28,7 @@ using test::Search;
 
 namespace {
 
-constexpr const char* kRing = TWUM_SOURCE_DIR "/examples/motors/ring-60.yaml";
+const std::string kRing = test::motor_path("ring-60");
 
 // A study beside the files of its sets.
 class Folder {

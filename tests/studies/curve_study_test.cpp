@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "support/motor_files.hpp"
 #include "support/scratch_folder.hpp"
 
 #include <cmath>
@@ -22,7 +23,7 @@ namespace {
 struct Curves {
   Curves(const std::string& motor, const std::string& entries) {
     const std::string path = folder.path("curve.yaml");
-    std::ofstream(path) << "twum: 1\nmotor: " TWUM_SOURCE_DIR "/examples/motors/" << motor
+    std::ofstream(path) << "twum: 1\nmotor: " << test::motor_path(motor)
                         << "\nstudy:\n  kind: curve\n"
                         << entries;
     file = read_study_file(path);
@@ -48,7 +49,7 @@ struct Curves {
 }  // namespace
 
 TEST_CASE("each row of a family is an operating point of its member", "[studies][curve]") {
-  const Curves curves("ring-60.yaml", "  family: {h: [0.2 mm, 0.3 mm]}\n  points: 7\n");
+  const Curves curves("ring-60", "  family: {h: [0.2 mm, 0.3 mm]}\n  points: 7\n");
   REQUIRE(curves.rows.size() == 14);
   CHECK(curves.answer().family->name == "thickness");
   for (const StoredRow& row : curves.rows) {
@@ -71,7 +72,7 @@ TEST_CASE("each row of a family is an operating point of its member", "[studies]
 }
 
 TEST_CASE("a motor alone is a family of one", "[studies][curve]") {
-  const Curves curves("ring-60.yaml", "  points: 3\n");
+  const Curves curves("ring-60", "  points: 3\n");
   CHECK(curves.rows.size() == 3);
   CHECK_FALSE(curves.answer().family);
   CHECK(curves.rows[0].values.size() == contact_columns().size());
@@ -80,7 +81,7 @@ TEST_CASE("a motor alone is a family of one", "[studies][curve]") {
 }
 
 TEST_CASE("a driven motor's rows balance at the terminals", "[studies][curve]") {
-  const Curves curves("drive-60.yaml", "  family: {voltage: [50 V, 120 V]}\n  points: 15\n");
+  const Curves curves("drive-60", "  family: {voltage: [50 V, 120 V]}\n  points: 15\n");
   const ResultStore store(curves.folder.path("out/results.db"));
   const auto at = [&](const StoredRow& row, const std::string& name) {
     for (std::size_t i = 0; i < store.columns().size(); ++i)
@@ -108,7 +109,7 @@ TEST_CASE("a driven motor's rows balance at the terminals", "[studies][curve]") 
 
 TEST_CASE("amplitude raises the speed and leaves the stall torque of an elastic layer alone",
           "[studies][curve][closed_form]") {
-  const Curves curves("elastic-layer.yaml", "  family: {A: [1.6 um, 2 um, 3 um]}\n  points: 2\n");
+  const Curves curves("elastic-layer", "  family: {A: [1.6 um, 2 um, 3 um]}\n  points: 2\n");
   const MotorDesign& design = curves.file.motor.design;
   // Plateau of theory section 8: the whole contact slips one way, T = mu F r.
   const double bound = design.friction.kinetic * design.preload * design.stator.contact_radius;
@@ -157,12 +158,12 @@ TEST_CASE("curves show what the paper says of its figures 4 to 6", "[studies][cu
 
 TEST_CASE("a value that gives an invalid motor is refused before anything runs",
           "[studies][curve][error]") {
-  CHECK_THROWS_WITH(Curves("ring-60.yaml", "  family: {static_friction: [0.3, 0.1]}\n"),
+  CHECK_THROWS_WITH(Curves("ring-60", "  family: {static_friction: [0.3, 0.1]}\n"),
                     Catch::Contains("study.family: static_friction = 0.1"));
 }
 
 TEST_CASE("what a family stored is verified from its directory alone", "[studies][curve][verify]") {
-  const Curves curves("ring-60.yaml", "  family: {F_N: [80 N, 160 N]}\n  points: 11\n");
+  const Curves curves("ring-60", "  family: {F_N: [80 N, 160 N]}\n  points: 11\n");
   const Verification found = verify_study(curves.folder.path("out"));
   CAPTURE(found.complaints);
   CHECK(found.holds());

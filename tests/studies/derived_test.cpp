@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "search_support.hpp"
+#include "support/motor_files.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/studies/metrics/varied_parameters.hpp>
@@ -17,9 +18,7 @@ using P = Parameter;
 
 namespace {
 
-MotorDesign ring() {
-  return read_motor_file(TWUM_SOURCE_DIR "/examples/motors/ring-60.yaml").design;
-}
+MotorDesign ring() { return read_motor_file(test::motor_path("ring-60")).design; }
 
 // Refused by the reader or by the rules together.
 std::string refusal(std::vector<Parameter> varied,

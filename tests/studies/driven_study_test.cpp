@@ -42,7 +42,7 @@ std::size_t waves_at_rest(MotorDesign design, double voltage) {
 }  // namespace
 
 TEST_CASE("a driven motor is sized, starts by itself and keeps its efficiency", "[studies][size]") {
-  const StudyFile file = example_study("size-driven.yaml");
+  const StudyFile file = narrow_example("size-driven.yaml");
   const Search s(file, 2);
   REQUIRE(s.answer.outcome == "optimal");
   CHECK(s.optimum().best.certificate.passed);

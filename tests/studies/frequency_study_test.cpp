@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "support/motor_files.hpp"
 #include "support/scratch_folder.hpp"
 
 #include <cmath>
@@ -19,9 +20,9 @@ using namespace twum::studies;
 namespace {
 
 struct Sweeps {
-  explicit Sweeps(const std::string& entries, const std::string& motor = "drive-60.yaml") {
+  explicit Sweeps(const std::string& entries, const std::string& motor = "drive-60") {
     const std::string path = folder.path("sweep.yaml");
-    std::ofstream(path) << "twum: 1\nmotor: " TWUM_SOURCE_DIR "/examples/motors/" << motor
+    std::ofstream(path) << "twum: 1\nmotor: " << test::motor_path(motor)
                         << "\nstudy:\n  kind: frequency\n"
                         << entries;
     file = read_study_file(path);
@@ -73,7 +74,7 @@ TEST_CASE("a frequency study keeps to its range, direction and load", "[studies]
 }
 
 TEST_CASE("what makes no frequency study says why", "[studies][frequency]") {
-  CHECK_THROWS_WITH(Sweeps("  points: 5\n", "ring-60.yaml"), Catch::Contains("voltage"));
+  CHECK_THROWS_WITH(Sweeps("  points: 5\n", "ring-60"), Catch::Contains("voltage"));
   CHECK_THROWS_WITH(Sweeps("  torque: 1 N.m\n  speed: 1 rpm\n"),
                     Catch::Contains("cannot be given beside 'torque'"));
   CHECK_THROWS_WITH(Sweeps("  from: 42 kHz\n  to: 40 kHz\n"), Catch::Contains("from"));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "support/motor_files.hpp"
 #include "support/scratch_folder.hpp"
 
 #include <twum/core/performance/motor.hpp>
@@ -44,9 +45,21 @@ void check_equal(const MotorDesign& a, const MotorDesign& b) {
 TEST_CASE("ring-60 is read to the last digit", "[studies][motor]") {
   MotorDesign expected;  // the same motor, as the core's default
   expected.stator.modal_damping = 45;
+  expected.stator.radial_slices = kAutoSlices;
   const MotorFile motor = read_motor_file(TWUM_SOURCE_DIR "/examples/motors/ring-60.yaml");
   CHECK(motor.name == "ring-60");
   check_equal(motor.design, expected);
+}
+
+TEST_CASE("the motors of tests are those of the examples with one slice", "[studies][motor]") {
+  for (const std::string name : {"ring-60", "drive-60"}) {
+    CAPTURE(name);
+    const MotorFile narrow = read_motor_file(test::motor_path(name));
+    CHECK(narrow.name == name);
+    CHECK(narrow.design.stator.radial_slices == 1);
+    check_equal(with(narrow.design, Parameter::radial_slices, kAutoSlices),
+                read_motor_file(TWUM_SOURCE_DIR "/examples/motors/" + name + ".yaml").design);
+  }
 }
 
 TEST_CASE("line ends and a byte order mark make no difference", "[studies][motor]") {

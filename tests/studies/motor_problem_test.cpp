@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "search_support.hpp"
+#include "support/motor_files.hpp"
 
 #include <twum/optim/solve.hpp>
 #include <twum/studies/problem/motor_problem.hpp>
@@ -12,9 +13,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-MotorDesign ring() {
-  return read_motor_file(TWUM_SOURCE_DIR "/examples/motors/ring-60.yaml").design;
-}
+MotorDesign ring() { return read_motor_file(test::motor_path("ring-60")).design; }
 
 // Richardson's central difference of one response: its error is of fourth order in the step.
 double difference(const optim::Problem& problem, std::vector<double> at, std::size_t response,

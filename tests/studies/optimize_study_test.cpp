@@ -176,9 +176,9 @@ TEST_CASE("variables without influence are named", "[studies][optimize]") {
 
 TEST_CASE("NLopt and Ipopt find the same motor, and no random one is better",
           "[studies][optimize]") {
-  const StudyFile file = example_study("optimize-ring-60.yaml");
+  const StudyFile file = narrow_example("optimize-ring-60.yaml");
   const Search nlopt(file, 2);
-  const Search ipopt(example_study("optimize-ring-60-ipopt.yaml"), 2);
+  const Search ipopt(narrow_example("optimize-ring-60-ipopt.yaml"), 2);
   CHECK(nlopt.answer.outcome == "optimal");
   CHECK(ipopt.answer.outcome == "optimal");
   CHECK(nlopt.optimum().best.certificate.passed);
@@ -216,7 +216,7 @@ TEST_CASE("NLopt and Ipopt find the same motor, and no random one is better",
 
 TEST_CASE("an optimize study is the same for any number of threads, however it was interrupted",
           "[studies][optimize]") {
-  const StudyFile file = example_study("optimize-ring-60.yaml");
+  const StudyFile file = narrow_example("optimize-ring-60.yaml");
   const Search whole(file, 1);
   const std::vector<StoredRow> rows = whole.rows();
   for (const unsigned jobs : {2U, 8U}) {
@@ -252,7 +252,7 @@ TEST_CASE("a search that is asked to stop says so, and goes on from there", "[st
 }
 
 TEST_CASE("rows of a search can be computed anew, to the bit", "[studies][optimize]") {
-  const Search s(example_study("optimize-ring-60.yaml"), 2);
+  const Search s(narrow_example("optimize-ring-60.yaml"), 2);
   const std::vector<StoredRow> rows = s.rows();
   REQUIRE(rows.size() > 20);
   for (std::size_t i = 0; i < rows.size(); i += 7) {

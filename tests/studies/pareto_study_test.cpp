@@ -91,7 +91,7 @@ TEST_CASE("what a limit is worth along a front is that of the closed form, each 
 TEST_CASE("no point of a front lies farther beyond the line through its ends than the knee",
           "[studies][pareto]") {
   for (const bool bulges : {true, false}) {
-    const Search s(bulges ? example_study("pareto-power-wear.yaml")
+    const Search s(bulges ? narrow_example("pareto-power-wear.yaml")
                           : study_of("elastic-layer", "", kElasticFront));
     const ParetoResult& f = s.front();
     const auto& a = f.front[f.ends[0]].goals;

@@ -3,6 +3,7 @@
 #include "report/encode.hpp"
 #include "report/track.hpp"
 #include "report_numbers.hpp"
+#include "support/motor_files.hpp"
 
 #include <twum/core/design/parameters.hpp>
 #include <twum/studies/motor/motor_file.hpp>
@@ -20,7 +21,7 @@ using Catch::Matchers::WithinRel;
 namespace {
 
 Motor wide_motor() {
-  const MotorDesign ring = read_motor_file(TWUM_SOURCE_DIR "/examples/motors/ring-60.yaml").design;
+  const MotorDesign ring = read_motor_file(test::motor_path("ring-60")).design;
   return Motor(with(ring, Parameter::radial_slices, 8));
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "search_support.hpp"
+#include "support/motor_files.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -180,7 +181,7 @@ TEST_CASE("the better set of a choice is found under tolerances", "[studies][rob
   std::ofstream(folder.path("smooth.yaml")) << "friction: {kinetic: 0.2, static: 0.2}\n";
   const std::string path = folder.path("study.yaml");
   std::ofstream(path)
-      << "twum: 1\nmotor: " << TWUM_SOURCE_DIR << "/examples/motors/ring-60.yaml\n"
+      << "twum: 1\nmotor: " << motor_path("ring-60") << "\n"
       << "study: {kind: optimize, variables: {preload: {min: 60 N, max: 300 N}}, choose: "
          "{lining: [rough.yaml, smooth.yaml]}, maximize: preload, tolerances: "
          "{kinetic_friction: {distribution: lognormal, sd: 10 %}, preload: "

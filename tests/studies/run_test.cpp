@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/studies/run/run_study.hpp>
 
+#include "support/motor_files.hpp"
 #include "support/scratch_folder.hpp"
 
 #include <twum/studies/metrics/reasons.hpp>
@@ -32,7 +33,7 @@ constexpr const char* kGrid = R"text(
 std::string write_study(const ScratchFolder& folder, const std::string& study,
                         const std::string& name = "grid.yaml") {
   std::ofstream(folder.path(name))
-      << "twum: 1\nmotor: " << TWUM_SOURCE_DIR << "/examples/motors/ring-60.yaml\nstudy:" << study;
+      << "twum: 1\nmotor: " << twum::test::motor_path("ring-60") << "\nstudy:" << study;
   return folder.path(name);
 }
 
@@ -104,9 +105,8 @@ TEST_CASE("the resolved file of every kind is valid and keeps its hash", "[studi
     data << "speed [rpm],torque [N.m]\n";
     for (int i = 0; i < 8; ++i) data << 10 * i << "," << 0.8 - 0.05 * i << "\n";
   }
-  for (const char* motor : {"ring-60.yaml", "drive-60.yaml"})
-    std::filesystem::copy_file(std::string(TWUM_SOURCE_DIR) + "/examples/motors/" + motor,
-                               folder.path(motor));
+  for (const std::string motor : {"ring-60", "drive-60"})
+    std::filesystem::copy_file(twum::test::motor_path(motor), folder.path(motor + ".yaml"));
   for (const std::string_view kind : study_kinds()) {
     CAPTURE(kind);
     const std::string path = folder.path(std::string(kind) + ".yaml");

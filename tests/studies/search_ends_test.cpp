@@ -9,6 +9,7 @@
 #include <twum/studies/problem/motor_problem.hpp>
 
 #include "solve_continuous.hpp"
+#include "support/motor_files.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -41,7 +42,7 @@ Question random_question(std::uint64_t number) {
   const auto spread = [&](double low, double high) {
     return low * std::pow(high / low, random.uniform());
   };
-  MotorDesign motor = read_motor_file(TWUM_SOURCE_DIR "/examples/motors/ring-60.yaml").design;
+  MotorDesign motor = read_motor_file(test::motor_path("ring-60")).design;
   motor.layer.loss_factor = spread(2e-3, 5e-2);
   motor.friction.kinetic = spread(0.12, 0.3);
   motor.friction.static_ = motor.friction.kinetic * (1 + 0.5 * random.uniform());

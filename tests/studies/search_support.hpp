@@ -3,6 +3,7 @@
 
 #include "kinds/executor.hpp"
 #include "results/answers.hpp"
+#include "support/motor_files.hpp"
 #include "support/scratch_folder.hpp"
 
 #include <twum/studies/study/study_file.hpp>
@@ -18,17 +19,22 @@ namespace twum::test {
 
 using namespace twum::studies;
 
-inline StudyFile example_study(const std::string& name) {
-  return read_study_file(TWUM_SOURCE_DIR "/examples/studies/" + name);
+inline StudyFile example_study(const std::string& name,
+                               const std::vector<std::string>& settings = {}) {
+  return read_study_file(TWUM_SOURCE_DIR "/examples/studies/" + name, settings);
 }
 
-/// A study of examples/motors/MOTOR.yaml; `set` and `study` are YAML flow mappings.
+/// The same with one slice, where a test computes thousands of motors.
+inline StudyFile narrow_example(const std::string& name) {
+  return example_study(name, {"radial_slices=1"});
+}
+
+/// A study of motor_path(MOTOR); `set` and `study` are YAML flow mappings.
 inline StudyFile study_of(const std::string& motor, const std::string& set,
                           const std::string& study) {
   const ScratchFolder folder;
   const std::string path = folder.path("study.yaml");
-  std::ofstream(path) << "twum: 1\nmotor: " << TWUM_SOURCE_DIR << "/examples/motors/" << motor
-                      << ".yaml\n"
+  std::ofstream(path) << "twum: 1\nmotor: " << motor_path(motor) << "\n"
                       << (set.empty() ? "" : "set: " + set + "\n") << "study: " << study << "\n";
   return read_study_file(path);
 }

@@ -82,6 +82,8 @@ TEST_CASE("a front holds the number of slices that auto takes where it begins",
       CHECK(test::value(points[i].report.metrics, each.name) == each.value);
   }
   CHECK(counted.store->rows() == given.store->rows());
+  // Said as a motor file says it.
+  CHECK_THAT(counted.text(), Catch::Contains("  " + slices_text(slices)));
 }
 
 TEST_CASE("an answer with a found number of slices can be verified and started from",

@@ -9,6 +9,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "support/motor_files.hpp"
 #include "support/scratch_folder.hpp"
 
 #include <algorithm>
@@ -25,8 +26,8 @@ namespace {
 struct Sweep {
   explicit Sweep(const std::string& entries, unsigned jobs = 2) {
     const std::string path = folder.path("sweep.yaml");
-    std::ofstream(path) << "twum: 1\nmotor: " TWUM_SOURCE_DIR
-                           "/examples/motors/ring-60.yaml\nstudy:\n  kind: sweep\n"
+    std::ofstream(path) << "twum: 1\nmotor: " << test::motor_path("ring-60")
+                        << "\nstudy:\n  kind: sweep\n"
                         << entries;
     file = read_study_file(path);
     RunOptions options;
@@ -254,8 +255,8 @@ TEST_CASE("a concave front is verified as well", "[studies][verify]") {
   const test::ScratchFolder folder;
   const std::string path = folder.path("front.yaml");
   std::ofstream(path)
-      << "twum: 1\nmotor: " TWUM_SOURCE_DIR
-         "/examples/motors/ring-60.yaml\nstudy:\n  kind: pareto\n"
+      << "twum: 1\nmotor: " << test::motor_path("ring-60")
+      << "\nstudy:\n  kind: pareto\n"
          "  variables: {A: {min: 0.8 um, max: 2.2 um}, F_N: {min: 60 N, max: 300 N}}\n"
          "  objectives: [{maximize: stall_torque}, {maximize: no_load_speed}]\n"
          "  constraints: [max_pressure <= 2.5 MPa]\n  points: 5\n";

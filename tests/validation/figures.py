@@ -15,7 +15,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FIGURES = ROOT / "docs/figures"
 REFERENCE = ROOT / "tests/data/reference"
-RING = ROOT / "examples/motors/ring-60.yaml"
+RING = ROOT / "tests/data/motors/ring-60.yaml"
 # Reference motors with and without inertia, with mu_0 = mu and mu_0 > mu.
 SHOWN = (4, 7, 10, 16)
 UNITS = {"wavelengths": "", "contact_radius": "m", "contact_width": "m", "neutral_plane_distance": "m",

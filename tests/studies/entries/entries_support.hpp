@@ -3,6 +3,7 @@
 
 #include "kinds/executor.hpp"
 #include "support/file_text.hpp"
+#include "support/motor_files.hpp"
 #include "support/scratch_folder.hpp"
 
 #include <twum/studies/study/study_file.hpp>
@@ -20,12 +21,12 @@ namespace twum::test {
 
 using namespace twum::studies;
 
-/// A study of examples/motors/MOTOR.yaml, read from a file in a folder that stays.
+/// A study of motor_path(MOTOR), read from a file in a folder that stays.
 inline StudyFile study_in(const ScratchFolder& folder, const std::string& study,
                           const std::string& motor = "elastic-layer",
                           const std::string& name = "study.yaml") {
-  std::ofstream(folder.path(name)) << "twum: 1\nmotor: " << TWUM_SOURCE_DIR << "/examples/motors/"
-                                   << motor << ".yaml\nstudy: " << study << "\n";
+  std::ofstream(folder.path(name))
+      << "twum: 1\nmotor: " << motor_path(motor) << "\nstudy: " << study << "\n";
   return read_study_file(folder.path(name));
 }
 

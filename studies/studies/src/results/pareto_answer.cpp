@@ -65,7 +65,8 @@ std::string front_table(const ParetoResult& result) {
     table.rows.push_back({variable.name});
     for (const Shown& column : columns) {
       const double value = value_of(column.point->report.design, variable.name);
-      table.rows.back().push_back(std::isnan(value) ? "-" : engineering(value, variable.unit));
+      table.rows.back().push_back(
+          std::isnan(value) ? "-" : parameter_text(variable.name, value, variable.unit));
     }
   }
   return aligned(table, kSummaryWidth);
