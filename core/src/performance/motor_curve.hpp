@@ -20,6 +20,10 @@ class PrescribedCurve final : public Curve {
 
   CurvePoint point(double speed, const WarmStart* guess, double accuracy) const override;
   CurveSlope slope(double speed, const WarmStart* guess) const override;
+  std::size_t own_slices() const override { return motor().slices().size(); }
+  SliceAnswer slice(double speed, std::size_t index) const override {
+    return slice_answer(motor(), speed, index);
+  }
 
  private:
   const StatorModes<double>* modes_;

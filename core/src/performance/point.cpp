@@ -219,6 +219,12 @@ PointNumbers<double> numbers_of(const DrivenMotor<double>& m, const Slice<double
 
 }  // namespace
 
+SliceAnswer slice_answer(const DrivenMotor<double>& m, double speed, std::size_t slice) {
+  const SolvedSlice solved(m, m.slices()[slice], speed, layer_of(m, speed), nullptr, 0);
+  if (status_of(m, solved) != PointStatus::ok) return {{}, solved.state.zones};
+  return {solved.state.lap.itinerary};
+}
+
 SolvedPoint::SolvedPoint(const DrivenMotor<double>& m, double speed, const WarmStart* guess,
                          double accuracy)
     : first_(m, m.slices()[0], speed, layer_of(m, speed), guess ? &guess->of_slice(0) : nullptr,

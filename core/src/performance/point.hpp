@@ -134,6 +134,13 @@ struct SolvedSlice {
   WarmStart::Entry start() const { return {state.entry, state.lap.sequence}; }
 };
 
+/// What one slice does by itself at a speed, as with mu_0 > mu, where neighbours tell it nothing.
+struct SliceAnswer {
+  std::optional<std::uint64_t> signature;  ///< of its zones; none without a periodic state
+  long lost{0};                            ///< zones followed in vain
+};
+SliceAnswer slice_answer(const DrivenMotor<double>& motor, double speed, std::size_t slice);
+
 /// The contact at one operating point. Of how many slices it is made only its members know.
 class SolvedPoint {
  public:

@@ -6,6 +6,7 @@
 
 #include <twum/core/performance/metrics.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -57,6 +58,11 @@ class Curve {
   /// @param guess     what a neighbouring point says of the layer; null: nothing
   /// @param accuracy  of the periodic state, as find_periodic_state()
   virtual CurvePoint point(double speed, const WarmStart* guess, double accuracy) const = 0;
+
+  /// Slices of the contact that each have an answer of their own at a speed; 0 if they share a wave that follows from all.
+  virtual std::size_t own_slices() const { return 0; }
+  /// What one of them does at a speed.
+  virtual SliceAnswer slice(double /*speed*/, std::size_t /*index*/) const { return {}; }
 
   /// Points of a curve that had to be followed to know it, by rising speed, as exact as CurveScan wants them.
   virtual std::vector<CurvePoint> followed() const { return {}; }

@@ -15,10 +15,9 @@ Peak JumpingPeakSearch::find() {
     if (end.ok()) consider({end.speed, goal_.value(end), PeakKind::kink});
   };
   const double worth = CurveStretches::kWorth * best.value;
-  CurveStretches stretches(points_);
   for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
     if (std::max(goal_.value(nodes[k]), goal_.value(nodes[k + 1])) < worth) continue;
-    for (const Stretch& stretch : stretches.between(nodes[k], nodes[k + 1])) {
+    for (const Stretch& stretch : stretches_.between(nodes[k], nodes[k + 1])) {
       consider_end(stretch.first);
       for (const Peak& inside : peaks_inside(stretch, GoalCurve::kNearly * best.value))
         consider(inside);
@@ -32,6 +31,10 @@ Peak JumpingPeakSearch::find() {
 // an end without slope: the ends are a little inside.
 std::vector<Peak> JumpingPeakSearch::peaks_inside(const Stretch& stretch, double worth) {
   if (!may_have_peaks(stretch)) return {};
+  const bool low_all_through =
+      stretch.inside.empty() &&
+      std::max(goal_.value(stretch.first), goal_.value(stretch.last)) < worth;
+  if (low_all_through) return {};
   const double low = stretch.first.speed, high = stretch.last.speed;
   const double inset = CurveStretches::kInset * (high - low);
   std::vector<double> places{low + inset};

@@ -13,8 +13,9 @@ namespace twum::performance {
 /// a periodic state, is taken by itself, its ends located by halving.
 class JumpingPeakSearch {
  public:
-  JumpingPeakSearch(Goal goal, CurvePoints& points, CurveCrossings& crossings)
-      : goal_(goal, points), points_(points), crossings_(crossings) {}
+  JumpingPeakSearch(Goal goal, CurvePoints& points, CurveCrossings& crossings,
+                    CurveStretches& stretches)
+      : goal_(goal, points), points_(points), crossings_(crossings), stretches_(stretches) {}
 
   Peak find();
 
@@ -26,6 +27,7 @@ class JumpingPeakSearch {
   GoalCurve goal_;
   CurvePoints& points_;
   CurveCrossings& crossings_;
+  CurveStretches& stretches_;
 };
 
 }  // namespace twum::performance

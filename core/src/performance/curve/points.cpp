@@ -69,9 +69,19 @@ CurveSlope Walk::slope(double speed) {
 
 const CurvePoint& Halving::at(double speed) {
   const CurvePoint& p = points_.kept(speed);
-  lost_ += p.lost;
-  if (lost_ > kMostLost) throw SearchFailure{p.status};
+  lose(p.lost, p.status);
   return p;
+}
+
+std::optional<std::uint64_t> Halving::slice_at(double speed, std::size_t slice) {
+  const SliceAnswer answer = points_.curve().slice(speed, slice);
+  lose(answer.lost, MetricStatus::no_periodic_state);
+  return answer.signature;
+}
+
+void Halving::lose(long zones, MetricStatus status) {
+  lost_ += zones;
+  if (lost_ > kMostLost) throw SearchFailure{status};
 }
 
 }  // namespace twum::performance

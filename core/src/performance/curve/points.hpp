@@ -67,8 +67,12 @@ class Halving {
 
   /// @throws SearchFailure if the search takes too long
   const CurvePoint& at(double speed);
+  /// One slice alone. @throws SearchFailure if the search takes too long
+  std::optional<std::uint64_t> slice_at(double speed, std::size_t slice);
 
  private:
+  void lose(long zones, MetricStatus status);
+
   CurvePoints& points_;
   long lost_{0};  // zones followed in vain by this search
 };

@@ -3,7 +3,6 @@
 
 #include "performance/curve/jumping_peak.hpp"
 #include "performance/curve/smooth_peak.hpp"
-#include "performance/curve/stretches.hpp"
 
 #include <algorithm>
 
@@ -55,7 +54,7 @@ Peak CurveSearch::found_peak(Goal goal) {
   const Peak first = GoalCurve(goal, points_).peak_at(scan_.first(), PeakKind::rest);
   // |T| <= mu F_N r: a motor that stalls on its plateau cannot do better.
   if (goal == Goal::torque && !may_jump && scan_.starts_on_plateau()) return first;
-  const Peak found = may_jump ? JumpingPeakSearch(goal, points_, crossings_).find()
+  const Peak found = may_jump ? JumpingPeakSearch(goal, points_, crossings_, stretches_).find()
                               : SmoothPeakSearch(goal, points_, scan_, crossings_).find();
   const bool no_more = goal == Goal::torque && found.value <= first.value * (1 + kSameTorque);
   return no_more ? first : found;
@@ -96,7 +95,6 @@ Crossing CurveSearch::falls_through(double torque, const Peak& top) {
 std::vector<CurvePoint> CurveSearch::nodes_around(double torque) {
   const std::vector<CurvePoint> nodes = crossings_.working_nodes();
   if (!points_.curve().may_jump()) return nodes;
-  CurveStretches stretches(points_);
   const std::size_t from = std::max<std::size_t>(after_last(nodes, torque), 1) - 1;
   std::vector<CurvePoint> all(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(from) + 1);
   for (std::size_t k = from + 1; k < nodes.size(); ++k) {
@@ -104,7 +102,7 @@ std::vector<CurvePoint> CurveSearch::nodes_around(double torque) {
       all.push_back(nodes[k]);
       continue;
     }
-    for (const Stretch& stretch : stretches.between(nodes[k - 1], nodes[k]))
+    for (const Stretch& stretch : stretches_.between(nodes[k - 1], nodes[k]))
       for (const CurvePoint& each : {stretch.first, stretch.last})
         if (each.ok() && each.speed > all.back().speed) all.push_back(each);
   }

@@ -3,6 +3,7 @@
 
 #include "performance/curve/crossings.hpp"
 #include "performance/curve/goal.hpp"
+#include "performance/curve/stretches.hpp"
 
 #include <array>
 #include <optional>
@@ -15,7 +16,7 @@ class CurveSearch {
  public:
   /// @param curve  has to outlive the search
   explicit CurveSearch(const Curve& curve)
-      : points_(curve), scan_(points_), crossings_(points_, scan_) {}
+      : points_(curve), scan_(points_), crossings_(points_, scan_), stretches_(points_) {}
   CurveSearch(const CurveSearch&) = delete;
   CurveSearch& operator=(const CurveSearch&) = delete;
 
@@ -40,6 +41,7 @@ class CurveSearch {
   CurvePoints points_;
   CurveScan scan_;
   CurveCrossings crossings_;
+  CurveStretches stretches_;
   std::array<std::optional<Peak>, kGoals> peaks_;
 };
 

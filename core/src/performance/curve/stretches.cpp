@@ -12,7 +12,14 @@ constexpr double kJump = 1e-6;  // of the holding torque: more than torque moves
 
 }  // namespace
 
-std::vector<Stretch> CurveStretches::between(const CurvePoint& low, const CurvePoint& end) {
+const std::vector<Stretch>& CurveStretches::between(const CurvePoint& low, const CurvePoint& end) {
+  const std::pair<double, double> speeds{low.speed, end.speed};
+  const auto place = known_.find(speeds);
+  return place != known_.end() ? place->second
+                               : known_.emplace(speeds, found_between(low, end)).first->second;
+}
+
+std::vector<Stretch> CurveStretches::found_between(const CurvePoint& low, const CurvePoint& end) {
   std::vector<Stretch> all;
   CurvePoint before = low;
   Stretch stretch{low, low, {}};
@@ -63,10 +70,45 @@ bool CurveStretches::are_neighbours(double low, double high) const {
   return std::fabs(high - low) <= 4e-16 * (points_.curve().crest() + high);
 }
 
+// Neighbouring speeds between which the first of those slices changes that have other zones at `end` than at `low`; both ends
+// where slices have no answers of their own. Only these are solved.
+std::pair<double, double> CurveStretches::change_of_slices(const CurvePoint& low,
+                                                           const CurvePoint& end) {
+  struct Slice {
+    std::size_t index;
+    std::optional<std::uint64_t> signature;  // at the low end
+  };
+  const auto changed_at = [this](double speed, const std::vector<Slice>& slices) {
+    std::vector<Slice> changed;
+    for (const Slice& s : slices)
+      if (halving_.slice_at(speed, s.index) != s.signature) changed.push_back(s);
+    return changed;
+  };
+  double left = low.speed, right = end.speed;
+  std::vector<Slice> slices;
+  if (low.ok() && !low.special && !end.special)
+    for (std::size_t k = 0; k < points_.curve().own_slices(); ++k)
+      slices.push_back({k, halving_.slice_at(left, k)});
+  slices = changed_at(right, slices);
+  while (!slices.empty() && !are_neighbours(left, right)) {
+    const double middle = 0.5 * (left + right);
+    if (middle <= left || middle >= right) break;
+    std::vector<Slice> changed = changed_at(middle, slices);
+    if (changed.empty()) {
+      left = middle;
+    } else {
+      right = middle, slices = std::move(changed);
+    }
+  }
+  return {left, right};
+}
+
 // Neighbouring speeds between which the sequence of zones that holds at `low` ends.
 std::pair<CurvePoint, CurvePoint> CurveStretches::stretch_end(const CurvePoint& low,
                                                               const CurvePoint& end) {
-  CurvePoint left = low, right = end;
+  const auto [last, next] = change_of_slices(low, end);
+  CurvePoint left = halving_.at(last), right = halving_.at(next);
+  if (left.signature != low.signature) right = left, left = low;  // another slice changes before
   while (!are_neighbours(left.speed, right.speed)) {
     const CurvePoint& middle = halving_.at(0.5 * (left.speed + right.speed));
     if (middle.speed <= left.speed || middle.speed >= right.speed) break;

@@ -3,6 +3,7 @@
 
 #include "performance/curve/points.hpp"
 
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -16,7 +17,8 @@ struct Stretch {
       inside;  ///< speeds between, so close that torque is steady between neighbours
 };
 
-/// Where torque may jump, as with mu_0 > mu, one search takes the curve apart into stretches over which it does not.
+/// Where torque may jump, as with mu_0 > mu, searches take the curve apart into stretches over which it does not, once for all of
+/// them.
 class CurveStretches {
  public:
   static constexpr double kInset =
@@ -27,17 +29,20 @@ class CurveStretches {
 
   /// What lies between two points, cut where the sequence of zones changes and where the torque jumps.
   /// @throws SearchFailure if the search takes too long
-  std::vector<Stretch> between(const CurvePoint& low, const CurvePoint& end);
+  const std::vector<Stretch>& between(const CurvePoint& low, const CurvePoint& end);
 
  private:
+  std::vector<Stretch> found_between(const CurvePoint& low, const CurvePoint& end);
   std::vector<CurvePoint> steady_between(const CurvePoint& low, const CurvePoint& high);
   bool is_steady(const CurvePoint& low, const CurvePoint& high);
+  std::pair<double, double> change_of_slices(const CurvePoint& low, const CurvePoint& end);
   std::pair<CurvePoint, CurvePoint> stretch_end(const CurvePoint& low, const CurvePoint& end);
   CurvePoint past_jump(const CurvePoint& end, double inside);
   bool are_neighbours(double low, double high) const;
 
   CurvePoints& points_;
   Halving halving_;
+  std::map<std::pair<double, double>, std::vector<Stretch>> known_;  // by the speeds of both points
 };
 
 }  // namespace twum::performance
