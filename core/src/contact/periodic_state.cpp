@@ -308,9 +308,11 @@ class Search {
 };
 
 // Written in place, as all that returns a state here: laps are large.
-PeriodicState lap_from_rest(const ContactNumbers<double>& numbers,
-                            const LayerMotion<double>& layer) {
-  PeriodicState state{kAtRest, run_lap(numbers, layer, kAtRest)};
+PeriodicState lap_from_rest(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
+                            const LapGuess* guess) {
+  const bool helps = guess != nullptr && !(numbers.static_ > numbers.kinetic);
+  PeriodicState state{kAtRest, helps ? prove_lap(numbers, layer, kAtRest, guess->zones)
+                                     : run_lap(numbers, layer, kAtRest)};
   state.laps = 1, state.zones = state.lap.zones;
   if (state.lap.status != LapStatus::ok) state.status = PeriodicStatus::unresolved;
   return state;
@@ -329,7 +331,7 @@ PeriodicState searched_state(const ContactNumbers<double>& numbers,
 PeriodicState find_periodic_state(const ContactNumbers<double>& numbers,
                                   const LayerMotion<double>& layer, const LapGuess* guess,
                                   double accuracy) {
-  return enters_at_rest(numbers, layer) ? lap_from_rest(numbers, layer)
+  return enters_at_rest(numbers, layer) ? lap_from_rest(numbers, layer, guess)
                                         : searched_state(numbers, layer, guess, accuracy);
 }
 
