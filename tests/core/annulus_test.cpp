@@ -412,3 +412,21 @@ TEST_CASE("auto ends at 32 slices where the torque may jump", "[core][annulus][a
     CHECK(std::abs(motor.operating_point(speed).torque - mean) <= 6.8e-4 * torque_scale(design));
   }
 }
+
+TEST_CASE("with jumps the largest power of a contact with width is that of many samples (T7.16)",
+          "[core][annulus][brute_force]") {
+  for (const double ratio : {1.1, 1.3}) {
+    const MotorDesign ring = ring_motor();
+    const Motor motor(sliced(with(ring, P::static_friction, ratio * ring.friction.kinetic), 8));
+    constexpr int kSteps = 20'000;
+    double best = 0;
+    for (int i = 0; i <= kSteps; ++i)
+      best = std::max(best, motor.operating_point(motor.crest_speed() * i / kSteps).output_power);
+    const double peak = evaluate(motor, {Metric::peak_power}).value;
+    CAPTURE(ratio, best, peak);
+    CHECK(peak >= best);
+    // Over a step the speed adds V0 / r / 20,000 of mu_0 F_N r, and a torque that falls to zero over a tenth of the crest
+    // speed ten times as much.
+    CHECK(peak - best <= 11 * torque_scale(motor.design()) * motor.crest_speed() / kSteps);
+  }
+}

@@ -135,8 +135,9 @@ class LayerMotion {
   /// Energy M h'^2 + h^2 of a homogeneous state; it falls by 2 C h'^2.
   S energy(const LayerState<S>& h) const { return M * h.rate * h.rate + h.e * h.e; }
 
-  /// How far below zero y goes that has this value and this slope here and oscillates as the layer does (E4.9):
-  /// here, or in its next trough, as later ones are less deep. Infinite if the layer does not oscillate.
+  /// Of a quantity that oscillates as the layer does: how far below zero it goes from here on (E4.9). It is lowest here or in
+  /// its next trough; later troughs are less deep. Infinite if the layer does not oscillate.
+  /// @param value, slope  of the quantity here; the slope is in theta
   double depth(double value, double slope) const {
     const double beta = value_of(beta_), decay = value_of(decay_);
     if (!(value_of(square_) > 0 && beta > 0)) return HUGE_VAL;

@@ -307,7 +307,7 @@ class Search {
   LayerState<double> checkpoint_{0, 0};
 };
 
-// Written in place, as all that returns a state here: laps are large.
+// The lap of a layer that enters at rest. It is made in the state, not copied to it, because it is large.
 PeriodicState lap_from_rest(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
                             const LapGuess* guess) {
   const bool helps = guess != nullptr && !(numbers.static_ > numbers.kinetic);

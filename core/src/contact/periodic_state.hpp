@@ -43,7 +43,7 @@ struct PeriodicState {
 /// settled, must keep it, and must end in an attracting state.
 ///
 /// @param guess     state at entry of a neighbouring point, where the search may begin if the periodic
-///                  state is unique; null: at rest
+///                  state is unique; null: at rest. A layer that enters at rest takes only the ends of its zones from it.
 /// @param accuracy  how well the state has to come back with mu_0 = mu and damping, in units of its largest
 ///                  possible size; 0: to rounding
 PeriodicState find_periodic_state(const ContactNumbers<double>& numbers,

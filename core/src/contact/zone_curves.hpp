@@ -251,7 +251,7 @@ class SlipCurve {
   Trig<double> at_;
   double length_;
   double swing_;              // rho
-  double least_share_;        // of a bound of h' that may be left in its next trough
+  double least_share_;        // of the bound of h'; below it no trough is looked for
   double last_, last_slope_;  // the harmonic part at the end of the length
 };
 

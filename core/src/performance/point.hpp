@@ -128,8 +128,8 @@ struct SolvedSlice {
   contact::PeriodicState state;  ///< undefined where it is locked
 
   bool slips_one_way() const { return !locked && state.lap.one_slip; }
-  /// It helps to start the search for a slice beside it here. A layer that enters at rest needs no search, and one that
-  /// slips all through starts in closed form by itself.
+  /// The search for a neighbouring slice is quicker if it starts here. A layer that enters at rest needs no search, and one
+  /// that slips all through has a start in closed form.
   bool helps() const { return !locked && state.remembers && !state.lap.one_slip; }
   WarmStart::Entry start() const { return {state.entry, state.lap.sequence}; }
 };

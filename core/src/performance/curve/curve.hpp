@@ -59,9 +59,9 @@ class Curve {
   /// @param accuracy  of the periodic state, as find_periodic_state()
   virtual CurvePoint point(double speed, const WarmStart* guess, double accuracy) const = 0;
 
-  /// Slices of the contact that each have an answer of their own at a speed; 0 if they share a wave that follows from all.
+  /// Number of slices of the contact, if each can be solved by itself at a speed; 0 if the wave depends on all of them.
   virtual std::size_t own_slices() const { return 0; }
-  /// What one of them does at a speed.
+  /// One of these slices at a speed.
   virtual SliceAnswer slice(double /*speed*/, std::size_t /*index*/) const { return {}; }
 
   /// Points of a curve that had to be followed to know it, by rising speed, as exact as CurveScan wants them.

@@ -70,8 +70,8 @@ bool CurveStretches::are_neighbours(double low, double high) const {
   return std::fabs(high - low) <= 4e-16 * (points_.curve().crest() + high);
 }
 
-// Neighbouring speeds between which the first of those slices changes that have other zones at `end` than at `low`; both ends
-// where slices have no answers of their own. Only these are solved.
+// Neighbouring speeds between which one slice changes its zones. Only slices are solved that have other zones at `end` than at
+// `low`, since a jump is that of one slice. If slices cannot be solved by themselves: the two speeds.
 std::pair<double, double> CurveStretches::change_of_slices(const CurvePoint& low,
                                                            const CurvePoint& end) {
   struct Slice {
