@@ -3,7 +3,7 @@
 #
 # -ffp-contract=off keeps a*b + c from being fused, so that the double path and the derivative path
 # agree bit for bit and every build gives the same digits. -fno-math-errno lets square roots be one instruction; no
-# value changes by it.
+# value changes by it. -Wno-psabi: no function passes vectors to one that is compiled for another processor.
 #
 # Warnings are errors, and only for those who change the code (presets dev and ci): they take GCC a tenth of its time.
 # -Wno-restrict because GCC 12 warns wrongly about "text" + std::string from -O2 on (GCC bug 105651). In a batch of
@@ -12,7 +12,7 @@
 # A batch of sources (TWUM_UNITY) needs a gigabyte in any case; collecting garbage less often, GCC is a tenth faster on it.
 add_library(twum_compile INTERFACE)
 target_compile_features(twum_compile INTERFACE cxx_std_20)
-target_compile_options(twum_compile INTERFACE -ffp-contract=off -fno-math-errno)
+target_compile_options(twum_compile INTERFACE -ffp-contract=off -fno-math-errno -Wno-psabi)
 if(TWUM_WARNINGS)
   target_compile_options(twum_compile INTERFACE
     -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
@@ -39,6 +39,16 @@ function(twum_optimized target part)
   set(level_of_mild -O1)
   set(level_of_cold -Og)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${level_of_${part}}>)
+endfunction()
+
+# twum_lanes(TARGET WIDTH FLAG...): the source for processors with wider vectors than all have; the program asks when it runs. It
+# is compiled alone and always optimized, so that its flags reach no function that others might use (tests/core/check_lanes.py).
+function(twum_lanes target width)
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|amd64|AMD64)$")
+    target_sources(${target} PRIVATE src/contact/lanes_${width}.cpp)
+    set_source_files_properties(src/contact/lanes_${width}.cpp PROPERTIES
+      COMPILE_OPTIONS "-O3;${ARGN}" SKIP_UNITY_BUILD_INCLUSION ON)
+  endif()
 endfunction()
 
 # Programs where the scripts and the docs expect them: BUILD/bin.

@@ -32,7 +32,7 @@ class LapRunner {
         means_(means),
         here_{{-numbers.half_angle, {-numbers.edge.sin, numbers.edge.cos, numbers.edge.versine}},
               {S(0.0), S(0.0)}},
-        delicate_(is_delicate()) {}
+        delicate_(is_delicate(numbers, layer)) {}
 
   void run(const LapEntry<S>& entry) {
     here_.layer = entry.layer;
@@ -51,14 +51,6 @@ class LapRunner {
   }
 
  private:
-  // Own and forced part of the layer's motion cancel in small contacts, which costs the closed forms
-  // eps (1 + response) / (s theta_L^3) of the powers: more than 1e-13 is too much.
-  bool is_delicate() const {
-    const double size = std::min<double>(value_of(n_.half_angle), 1.0);
-    return layer_.kind() != LayerKind::elastic &&
-           1 + value_of(layer_.response) > 600 * value_of(n_.stick_rate) * size * size * size;
-  }
-
   void begin(const ZoneBegin& zone) {
     zone_ = zone;
     if (zone.zone == ZoneState::stick) stay();
@@ -113,18 +105,13 @@ class LapRunner {
       }
       here_.layer = {h1.e + f.at(here_.theta, here_.at), h1.rate + f.slope(here_.at)};
     }
-    mark(sigma < 0 ? 1 : 2);
+    mark(mark_of(zone_.zone));
     if (x != kNoZero) begin(start_.after_slip(sigma, here_));
   }
 
   void stick(const ZoneSequence::End* known) {
-    const S& s = n_.stick_rate;
-    const S drift = s * n_.speed_ratio;
     const LapPlace<S> from = here_;
-    // t = M e'' + C e' + e with e from (T5.2): (T5.3, E2.3)
-    const Harmonic<S> t{
-        from.layer.e - s * from.at.sin + drift * from.theta + layer_.C * s * (1.0 - n_.speed_ratio),
-        -drift, -(layer_.C * s), layer_.D * s};
+    const Harmonic<S> t = sticking_traction(n_, layer_, from, from.layer.e);
     const ZoneSequence::End end = ends_.stick_end(t, zone_, here_, known);
     if (std::isnan(end.length)) return fail();
     note(end);
@@ -135,10 +122,9 @@ class LapRunner {
     } else {
       lap_.means.stick_length += here_.theta - from.theta;
     }
-    here_.layer.e =
-        from.layer.e + s * (here_.at.sin - from.at.sin) - drift * (here_.theta - from.theta);
+    here_.layer.e = sticking_strain(n_, from, from.layer.e, here_);
     stay();
-    mark(3);
+    mark(mark_of(zone_.zone));
     if (end.length == kNoZero) return;
     if (layer_.kind() == LayerKind::elastic && start_.has_static_excess()) snap(end.side);
     begin(start_.after_stick(end.side, here_));
@@ -172,7 +158,7 @@ class LapRunner {
   }
 
   void mark(std::uint64_t what) {
-    lap_.itinerary = (lap_.itinerary ^ what) * 0x100000001b3ull;
+    lap_.itinerary = marked(lap_.itinerary, what);
     if (what < 7) ++lap_.zones;
   }
 

@@ -53,13 +53,24 @@ bool enters_at_rest(const ContactNumbers<S>& n, const LayerMotion<S>& layer) {
 
 enum class LapStatus : unsigned char { ok, resonance, unresolved };
 
+/// Fingerprint of a sequence of zones, zone by zone.
+/// @{
+inline constexpr std::uint64_t kNoZones = 0xcbf29ce484222325ull;
+inline std::uint64_t marked(std::uint64_t sequence, std::uint64_t what) {
+  return (sequence ^ what) * 0x100000001b3ull;
+}
+inline std::uint64_t mark_of(ZoneState zone) {
+  return zone == ZoneState::slip_plus ? 1 : zone == ZoneState::slip_minus ? 2 : 3;
+}
+/// @}
+
 /// One turn of the wave: from contact entry through all zones and free flight to the next entry.
 template <typename S>
 struct Lap {
   ContactMeans<S> means{S(0.0), S(0.0), S(0.0), S(0.0), S(0.0), S(0.0)};
   LapEntry<S> next{{S(0.0), S(0.0)}};              ///< state at the next entry
   LayerState<S> exit{S(0.0), S(0.0)};              ///< layer where the contact ends
-  std::uint64_t itinerary{0xcbf29ce484222325ull};  ///< fingerprint of the sequence of zones
+  std::uint64_t itinerary{kNoZones};               ///< fingerprint of the sequence of zones
   int zones{0};                                    ///< number of zones
   bool one_slip{false};                            ///< the whole contact slips one way
   double shortest{2 * std::numbers::pi};           ///< length of the shortest zone [rad]

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/contact_numbers.hpp"
+#include "contact/scalars.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -85,68 +86,79 @@ class LayerMotion {
   }
 
   LayerKind kind() const { return kind_; }
+  /// True for the two forms with inertia that need no series where they meet.
+  bool serves_lanes() const {
+    return kind_ == LayerKind::overdamped ||
+           (kind_ == LayerKind::oscillating && value_of(square_) > 1e-3);
+  }
   bool has_inertia() const {
     return kind_ == LayerKind::oscillating || kind_ == LayerKind::overdamped;
   }
 
   /// A difference of states as far as the layer can hold it: an elastic layer has no state of its own,
   /// and without inertia the rate follows from e.
-  LayerState<S> own_part(const LayerState<S>& h) const {
+  template <typename R = S>
+  LayerState<R> own_part(const LayerState<R>& h) const {
     switch (kind_) {
-      case LayerKind::elastic: return {S(0.0), S(0.0)};
+      case LayerKind::elastic: return {R(0.0), R(0.0)};
       case LayerKind::relaxing: return {h.e, slow_ * h.e};
       default: return h;
     }
   }
 
   /// The homogeneous motion that starts from h = e, h' = rate.
-  FreeMotion<S> start(const LayerState<S>& h) const {
+  template <typename R = S>
+  FreeMotion<R> start(const LayerState<R>& h) const {
     switch (kind_) {
       case LayerKind::oscillating: return {h.e, h.rate};
       case LayerKind::overdamped:
         return {(slow_ * h.e - h.rate) * inverse_gap_, (h.rate - fast_ * h.e) * inverse_gap_};
-      case LayerKind::relaxing: return {S(0.0), h.e};
-      default: return {S(0.0), S(0.0)};
+      case LayerKind::relaxing: return {R(0.0), h.e};
+      default: return {R(0.0), R(0.0)};
     }
   }
 
-  /// h and h' after x >= 0.
-  LayerState<S> at(const FreeMotion<S>& motion, const S& x) const {
+  /// h and h' after x >= 0; R is S, or Lanes in a layer that serves_lanes().
+  template <typename R = S>
+  LayerState<R> at(const FreeMotion<R>& motion, const R& x) const {
     using std::exp;
     switch (kind_) {
       case LayerKind::oscillating: {
-        const Propagator p = propagator(x);
-        const S glide = motion.w + decay_ * motion.u;
-        const S h = p.cosine * motion.u + p.sine * glide;
+        const Propagator<R> p = propagator(x);
+        const R glide = motion.w + decay_ * motion.u;
+        const R h = p.cosine * motion.u + p.sine * glide;
         return {h, p.cosine * glide - square_ * (p.sine * motion.u) - decay_ * h};
       }
       case LayerKind::overdamped: {
-        const S fast = motion.u * exp(fast_ * x), slow = motion.w * exp(slow_ * x);
+        const R fast = motion.u * exp(fast_ * x), slow = motion.w * exp(slow_ * x);
         return {fast + slow, fast_ * fast + slow_ * slow};
       }
       case LayerKind::relaxing: {
-        const S slow = motion.w * exp(slow_ * x);
+        const R slow = motion.w * exp(slow_ * x);
         return {slow, slow_ * slow};
       }
-      default: return {S(0.0), S(0.0)};
+      default: return {R(0.0), R(0.0)};
     }
   }
 
   /// Energy M h'^2 + h^2 of a homogeneous state; it falls by 2 C h'^2.
-  S energy(const LayerState<S>& h) const { return M * h.rate * h.rate + h.e * h.e; }
+  template <typename R = S>
+  R energy(const LayerState<R>& h) const { return M * h.rate * h.rate + h.e * h.e; }
 
   /// Of a quantity that oscillates as the layer does: how far below zero it goes from here on (E4.9). It is lowest here or in
   /// its next trough; later troughs are less deep. Infinite if the layer does not oscillate.
   /// @param value, slope  of the quantity here; the slope is in theta
-  double depth(double value, double slope) const {
+  template <typename R = S>
+  R depth(const R& value, const R& slope) const {
+    using std::exp, std::max, std::sqrt;
     const double beta = value_of(beta_), decay = value_of(decay_);
     if (!(value_of(square_) > 0 && beta > 0)) return HUGE_VAL;
-    const double sine = (slope + decay * value) * value_of(inverse_beta_);
-    const double phase = std::atan2(slope, beta * value + decay * sine);
-    const double swing = beta * std::sqrt(value_of(M) * (value * value + sine * sine));
-    const double trough =
-        swing * std::exp(-decay * value_of(inverse_beta_) * (std::numbers::pi + phase));
-    return std::fmax(-value, trough);
+    const R sine = (slope + decay * value) * value_of(inverse_beta_);
+    const R phase = least_argument(R(beta * value + decay * sine), slope);
+    const R swing = beta * sqrt(R(value_of(M) * (value * value + sine * sine)));
+    const R trough =
+        swing * exp(R(-decay * value_of(inverse_beta_) * (std::numbers::pi + phase)));
+    return max(R(-value), trough);
   }
 
   /// Decay over a turn of the oscillation, which leaves exp(-decay_in_a_turn()) of the swing. 0 if the layer does not
@@ -175,25 +187,39 @@ class LayerMotion {
 
  private:
   // exp(-zeta x) cos(beta x) and exp(-zeta x) sin(beta x) / beta, continued through beta^2 <= 0.
+  template <typename R>
   struct Propagator {
-    S cosine, sine;
+    R cosine, sine;
   };
 
-  Propagator propagator(const S& x) const {
+  template <typename R>
+  Propagator<R> vibration(const R& x) const {
+    using std::exp, twum::sincos;
+    const R envelope = exp(-(decay_ * x));
+    const SinCos<R> at = sincos(R(beta_ * x));
+    return {envelope * at.cos, envelope * at.sin * inverse_beta_};
+  }
+
+  template <typename R>
+  Propagator<R> propagator(const R& x) const {
+    if constexpr (std::is_same_v<R, S>) {
+      return anywhere(x);
+    } else {
+      return vibration(x);
+    }
+  }
+
+  Propagator<S> anywhere(const S& x) const {
     using std::exp;
     const double turn = value_of(square_) * value_of(x) * value_of(x);
     if (std::fabs(turn) < 0.02) return series(x, exp(-(decay_ * x)));
-    if (turn > 0) {
-      const S envelope = exp(-(decay_ * x));
-      const SinCos<S> at = twum::sincos(S(beta_ * x));
-      return {envelope * at.cos, envelope * at.sin * inverse_beta_};
-    }
+    if (turn > 0) return vibration(x);
     const S up = exp((beta_ - decay_) * x), down = exp(-((beta_ + decay_) * x));
     return {0.5 * (up + down), 0.5 * (up - down) * inverse_beta_};
   }
 
   // In beta^2 x^2, below 0.02: what the series leave out is below 1e-19.
-  Propagator series(const S& x, const S& envelope) const {
+  Propagator<S> series(const S& x, const S& envelope) const {
     const S q = square_ * x * x;
     return {envelope * cosine_series(q), envelope * x * sine_series(q)};
   }

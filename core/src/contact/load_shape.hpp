@@ -37,7 +37,7 @@ template <typename T, int N>
 Dual<T, N> angle_of_versine(const Dual<T, N>& versine) {
   using std::sin;
   const T angle = angle_of_versine(versine.v);
-  return detail::chain(versine, angle, T(1.0 / sin(angle)));
+  return twum::detail::chain(versine, angle, T(1.0 / sin(angle)));
 }
 
 /// The contact under a crest that presses with p(0) = w P (W2.2). Its edge takes no sine of theta_L.

@@ -3,6 +3,8 @@
 
 #include <twum/base/dual.hpp>
 
+#include <cmath>
+
 namespace twum::contact {
 
 /// Derivatives in the speed and in the wave's amplitude, in this order.
@@ -20,6 +22,12 @@ template <int N>
 struct WithState<Dual<double, N>> {
   using Type = Dual<double, N + 2>;
 };
+
+/// a where the condition holds, else b; in lanes both are computed.
+inline double select(bool condition, double a, double b) { return condition ? a : b; }
+
+/// The argument of x + i y; in lanes it may be a little less.
+inline double least_argument(double x, double y) { return std::atan2(y, x); }
 
 }  // namespace twum::contact
 

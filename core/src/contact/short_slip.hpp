@@ -3,9 +3,19 @@
 
 #include "contact/zone_integrals.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace twum::contact {
+
+/// Own and forced part of the layer's motion cancel in small contacts, which costs the closed forms
+/// eps (1 + response) / (s theta_L^3) of the powers: more than 1e-13 is too much.
+template <typename S>
+bool is_delicate(const ContactNumbers<S>& n, const LayerMotion<S>& layer) {
+  const double size = std::min<double>(value_of(n.half_angle), 1.0);
+  return layer.kind() != LayerKind::elastic &&
+         1 + value_of(layer.response) > 600 * value_of(n.stick_rate) * size * size * size;
+}
 
 /// A slip zone that is short against the layer's own times, by Taylor series (E5.3) from its start.
 ///

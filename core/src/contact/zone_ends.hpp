@@ -88,7 +88,7 @@ class ZoneEnds {
   /// As settled_slip_end().
   S settled_stick_end(const Harmonic<S>& t, const LapPlace<S>& from,
                       const ZoneSequence::End& end) const {
-    const Harmonic<S> f = reserve(t, end.side);
+    const Harmonic<S> f = reserve(n_, t, end.side);
     S length(end.length);
     for (int i = 0; i < kDualDepth<S>; ++i) {
       const S theta = from.theta + length;
@@ -137,14 +137,8 @@ class ZoneEnds {
     return with_value(S(x - with_value(f, 0.0) / slope), value);
   }
 
-  // (E2.4)
-  Harmonic<S> reserve(const Harmonic<S>& t, double iota) const {
-    return {n_.static_ * n_.peak - iota * t.k0, -iota * t.kb, -n_.static_ - iota * t.kw,
-            -iota * t.ks};
-  }
-
   StickCurve stick_curve(const Harmonic<S>& t, const LapPlace<S>& from, double iota) const {
-    return {reserve(t, iota).values(), value_of(from.theta), values(from.at)};
+    return {reserve(n_, t, iota).values(), value_of(from.theta), values(from.at)};
   }
 
   double stick_end_on(double iota, const Harmonic<S>& t, const ZoneBegin& zone,

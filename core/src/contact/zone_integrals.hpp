@@ -31,9 +31,10 @@ template <typename S>
 struct RateMoments {
   S c, s;
 
-  RateMoments(const LayerMotion<S>& layer, const Phase<S>& from, const Phase<S>& to,
+  template <typename L>
+  RateMoments(const LayerMotion<L>& layer, const Phase<S>& from, const Phase<S>& to,
               const LayerState<S>& h0, const LayerState<S>& h1) {
-    const S& M = layer.M;
+    const L& M = layer.M;
     const S b0 = M * h0.rate + layer.C * h0.e, b1 = M * h1.rate + layer.C * h1.e;
     const S m0 = M * h0.e, m1 = M * h1.e;
     const S re = b1 * to.at.cos + m1 * to.at.sin - (b0 * from.at.cos + m0 * from.at.sin);
@@ -52,8 +53,8 @@ struct SlipWork {
 
 /// From the forced part f of e, and the layer's own part h0, h1 at the zone's ends; the own part loses
 /// its energy (E5.2).
-template <typename S>
-SlipWork<S> slip_work(const ContactNumbers<S>& n, const LayerMotion<S>& layer, const Harmonic<S>& f,
+template <typename S, typename L>
+SlipWork<S> slip_work(const ContactNumbers<S>& n, const LayerMotion<L>& layer, const Harmonic<S>& f,
                       const Moments<S>& m, const Phase<S>& from, const Phase<S>& to,
                       const LayerState<S>& h0, const LayerState<S>& h1) {
   const S c = 1.0 - n.peak;
@@ -70,8 +71,8 @@ SlipWork<S> slip_work(const ContactNumbers<S>& n, const LayerMotion<S>& layer, c
 }
 
 /// Integrals over a slip zone.
-template <typename S>
-ContactMeans<S> slip_integrals(const ContactNumbers<S>& n, double sigma, const Moments<S>& m,
+template <typename S, typename Sign>
+ContactMeans<S> slip_integrals(const ContactNumbers<S>& n, const Sign& sigma, const Moments<S>& m,
                                const Phase<S>& from, const Phase<S>& to, const SlipWork<S>& work) {
   const S c = 1.0 - n.peak;
   const S p = n.peak * m.one - (m.one - m.c), pc = m.cc - c * m.c;
@@ -86,8 +87,8 @@ ContactMeans<S> slip_integrals(const ContactNumbers<S>& n, double sigma, const M
 }
 
 /// Integrals over a stick zone with traction t = k0 + kb theta + kw (1 - cos theta) + ks sin theta.
-template <typename S>
-ContactMeans<S> stick_integrals(const ContactNumbers<S>& n, const LayerMotion<S>& layer,
+template <typename S, typename L>
+ContactMeans<S> stick_integrals(const ContactNumbers<S>& n, const LayerMotion<L>& layer,
                                 const Harmonic<S>& t, const Phase<S>& from, const Phase<S>& to) {
   const Moments<S> m(from, to);
   const S theta = 0.5 * (to.theta * to.theta - from.theta * from.theta);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "performance/point.hpp"
 
+#include "contact/lane_laps.hpp"
 #include "contact/return_map.hpp"
 #include "contact/zone_curves.hpp"
 #include "performance/scalars.hpp"
@@ -8,6 +9,7 @@
 #include "performance/zone_splits.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace twum::performance {
@@ -227,32 +229,55 @@ SliceAnswer slice_answer(const DrivenMotor<double>& m, double speed, std::size_t
 
 SolvedPoint::SolvedPoint(const DrivenMotor<double>& m, double speed, const WarmStart* guess,
                          double accuracy)
-    : first_(m, m.slices()[0], speed, layer_of(m, speed), guess ? &guess->of_slice(0) : nullptr,
-             accuracy) {
-  take_first(m, m.slices()[0], speed);
-  if (m.slices().size() == 1 && !m.track.splits) return;
+    : first_(m.annulus.empty() ? SolvedSlice(m, m, speed, layer_of(m, speed), guess ? &guess->of_slice(0) : nullptr,
+             accuracy) : SolvedSlice()) {
+  if (m.annulus.empty()) {
+    status = status_of(m, first_);
+    numbers = numbers_of(m, m, first_, speed);
+    return;
+  }
   const LayerMotion<double> layer = layer_of(m, speed);
-  solve_others(m, m.slices(), speed, layer, guess, accuracy);
+  solve(m, m.slices(), speed, layer, guess, accuracy);
   if (m.track.splits && status == PointStatus::ok && accuracy < kRough)
     split(m, speed, layer, accuracy);
 }
 
-void SolvedPoint::take_first(const DrivenMotor<double>& m, const Slice<double>& slice,
-                             double speed) {
-  status = status_of(m, first_);
-  numbers = numbers_of(m, slice, first_, speed);
+void SolvedPoint::solve(const DrivenMotor<double>& m, std::span<const Slice<double>> slices,
+                        double speed, const LayerMotion<double>& layer, const WarmStart* guess,
+                        double accuracy) {
+  others_.clear();
+  others_.resize(slices.size() - 1);
+  for (std::size_t k = 0; k < slices.size() && status == PointStatus::ok; ++k) {
+    SolvedSlice& s = slice(k);
+    if (k % contact::kLanes == 0) solve_in_step(m, slices, k, speed, layer);
+    if (s.state.laps == 0) {
+      const auto entry = entry_near(slices, k, guess);
+      s = {m, slices[k], speed, layer, entry ? &*entry : nullptr, accuracy};
+    }
+    status = status_of(m, s);
+    const PointNumbers<double> own = numbers_of(m, slices[k], s, speed);
+    numbers = k == 0 ? own : numbers + own;
+  }
 }
 
-void SolvedPoint::solve_others(const DrivenMotor<double>& m, std::span<const Slice<double>> slices,
-                               double speed, const LayerMotion<double>& layer,
-                               const WarmStart* guess, double accuracy) {
-  others_.clear();
-  others_.reserve(slices.size() - 1);
-  for (std::size_t k = 1; k < slices.size() && status == PointStatus::ok; ++k) {
-    const auto entry = entry_near(slices, k, guess);
-    others_.emplace_back(m, slices[k], speed, layer, entry ? &*entry : nullptr, accuracy);
-    status = status_of(m, others_.back());
-    numbers = numbers + numbers_of(m, slices[k], others_.back(), speed);
+void SolvedPoint::solve_in_step(const DrivenMotor<double>& m, std::span<const Slice<double>> slices,
+                                std::size_t from, double speed, const LayerMotion<double>& layer) {
+  std::array<contact::ContactNumbers<double>, contact::kLanes> contacts;
+  std::array<contact::LaneLap, contact::kLanes> laps;
+  std::array<std::size_t, contact::kLanes> which;
+  std::size_t count = 0;
+  for (std::size_t k = from; k < slices.size() && k < from + laps.size(); ++k) {
+    contacts[count] = contact_numbers(m, slices[k], speed);
+    if (!contact::goes_in_step(contacts[count], layer)) continue;
+    laps[count] = {&contacts[count], &slice(k).state.lap};
+    which[count++] = k;
+  }
+  if (count < 2) return;
+  contact::run_in_step(layer, std::span(laps).first(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!laps[i].found) continue;
+    contact::PeriodicState& state = slice(which[i]).state;
+    state.laps = 1, state.zones = state.lap.zones;
   }
 }
 
@@ -290,9 +315,8 @@ void SolvedPoint::solve_split(const DrivenMotor<double>& m, double speed,
   const std::vector<Slice<double>> slices = annulus_of<double>(m, splits_);
   lever_ = lever_of<double>(slices, m.preload);
   if (guess && guess->size() != slices.size()) guess = nullptr;
-  first_ = {m, slices[0], speed, layer, guess ? &guess->of_slice(0) : nullptr, accuracy};
-  take_first(m, slices[0], speed);
-  solve_others(m, slices, speed, layer, guess, accuracy);
+  first_ = {};
+  solve(m, slices, speed, layer, guess, accuracy);
 }
 
 bool SolvedPoint::has_pieces_of_splits(const DrivenMotor<double>& m) const {

@@ -193,12 +193,12 @@ class SolvedPoint {
   double lever(const DrivenMotor<double>& motor) const {
     return splits_.empty() ? motor.lever : lever_;
   }
-  /// Status and numbers of the first slice.
-  void take_first(const DrivenMotor<double>& motor, const Slice<double>& slice, double speed);
-  /// Solves the slices but the first, and adds them.
-  void solve_others(const DrivenMotor<double>& motor, std::span<const Slice<double>> slices,
-                    double speed, const contact::LayerMotion<double>& layer, const WarmStart* guess,
-                    double accuracy);
+  /// Solves the slices and adds them.
+  void solve(const DrivenMotor<double>& motor, std::span<const Slice<double>> slices, double speed,
+             const contact::LayerMotion<double>& layer, const WarmStart* guess, double accuracy);
+  /// Solves those of the next slices from `from` on whose laps can be made in step.
+  void solve_in_step(const DrivenMotor<double>& motor, std::span<const Slice<double>> slices,
+                     std::size_t from, double speed, const contact::LayerMotion<double>& layer);
   /// Solves the track anew where it is split.
   void split(const DrivenMotor<double>& motor, double speed,
              const contact::LayerMotion<double>& layer, double accuracy);
@@ -214,6 +214,7 @@ class SolvedPoint {
 
   std::size_t size() const { return 1 + others_.size(); }
   const SolvedSlice& slice(std::size_t k) const { return k == 0 ? first_ : others_[k - 1]; }
+  SolvedSlice& slice(std::size_t k) { return k == 0 ? first_ : others_[k - 1]; }
   /// Where the search in slice k may begin: what its neighbours in speed or radius say.
   std::optional<WarmStart::Entry> entry_near(std::span<const Slice<double>> slices, std::size_t k,
                                              const WarmStart* guess) const;

@@ -86,8 +86,8 @@ TEST_CASE("the layer's own motion falls as far below zero as its depth (E4.9), a
   CHECK(in_a_trough > 100);
   CHECK(at_once > 50);
   // Two modes do not oscillate.
-  CHECK(LayerMotion<double>(0.1, 2).depth(1, 0) == HUGE_VAL);
-  CHECK(LayerMotion<double>(0, 2).depth(1, 0) == HUGE_VAL);
+  CHECK(LayerMotion<double>(0.1, 2).depth(1.0, 0.0) == HUGE_VAL);
+  CHECK(LayerMotion<double>(0, 2).depth(1.0, 0.0) == HUGE_VAL);
 }
 
 TEST_CASE("the bounds of the stick curve (E2.4, E4.5) hold everywhere",

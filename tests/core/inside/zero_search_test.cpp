@@ -64,8 +64,8 @@ void check_units(const Curve& curve, double length, double x, int k, int m, Sear
   CHECK(other_work == work);
   if (zero == kNoZero) return;
   ++searched.zeros;
-  const KnownZero known = known_zero(curve, zero + 1e-4 * length, length);
-  const KnownZero told = known_zero(other, (zero + 1e-4 * length) * unit, length * unit);
+  const KnownZero<double> known = known_zero(curve, zero + 1e-4 * length, length);
+  const KnownZero<double> told = known_zero(other, (zero + 1e-4 * length) * unit, length * unit);
   REQUIRE(same(told.zero, known.zero * unit));
   work = other_work = 0;
   const double again = first_zero(curve, length, StartOrder::positive, work, 100'000, known);
@@ -120,7 +120,7 @@ TEST_CASE("where f bends too strongly for Householder's step Newton's is taken",
   // f' = -1: the step is f (1 - f f'' / 2) / (1 - f f'' - f^2 f''' / 6). It is taken where the denominator differs
   // from the numerator by less than half of that: f f'' < 2 / 3 and > -2 without f''', |f^2 f'''| < 3 without f''.
   const auto step = [](double f, double f2, double f3) {
-    return householder_step({f, -1, f2, 0, 0, 0, f3});
+    return householder_step(CurveSample{f, -1, f2, 0, 0, 0, f3});
   };
   CHECK(step(0.66, 1, 0) > 0.66);
   CHECK(step(0.67, 1, 0) == 0.67);

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "contact/contact_numbers.hpp"
+#include "contact/layer_motion.hpp"
+
+#include <array>
+#include <cstddef>
+
+namespace twum::contact {
+
+/// What a processor adds and multiplies at once: 2, 4 or 8 numbers.
+enum class LaneWidth : unsigned char { baseline, avx2, avx512 };
+
+inline constexpr int kLanes = 8;
+
+/// Numbers in memory, one for each lane.
+struct LaneArray {
+  alignas(8 * kLanes) double v[kLanes];
+};
+
+/// Contacts of one layer and their laps from rest, one in each lane: what code for one width passes to code for all.
+struct LaneBatch {
+  static constexpr int kRounds = 4;  ///< of slip and stick: as many zones as a ZoneSequence holds
+
+  /// A zone of those lanes that have it: the numbers of a ZoneSequence::End, kNoZero included.
+  struct Zone {
+    LaneArray has, zone, length, side;
+  };
+
+  ContactNumbers<LaneArray> contacts;
+  LaneArray found;  ///< 1 where there is a lap; the others are to go alone
+  ContactMeans<LaneArray> means;
+  LayerState<LaneArray> exit;
+  std::array<Zone, 2 * kRounds> zones;
+  std::size_t count{0};
+};
+
+/// Fills the batch. One for each width, compiled for it.
+/// @{
+void run_lanes_baseline(const LayerMotion<double>& layer, LaneBatch& batch);
+void run_lanes_avx2(const LayerMotion<double>& layer, LaneBatch& batch);
+void run_lanes_avx512(const LayerMotion<double>& layer, LaneBatch& batch);
+/// @}
+
+}  // namespace twum::contact

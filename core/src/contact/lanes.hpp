@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "contact/lane_batch.hpp"
+#include "contact/load_shape.hpp"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <numbers>
+#include <type_traits>
+
+namespace twum::contact {
+
+/// A width's vectors, as many as hold all lanes.
+template <LaneWidth W, typename T>
+struct LaneVectors {
+  static constexpr int kWidth = W == LaneWidth::avx512 ? 8 : W == LaneWidth::avx2 ? 4 : 2;
+  static constexpr int kParts = kLanes / kWidth;
+  using Vector [[gnu::vector_size(8 * kWidth)]] = T;
+
+  Vector part[kParts];
+
+  /// The vectors that a function makes, part by part.
+  template <typename Result, typename Function>
+  static Result each(Function function) {
+    Result result;
+    for (int i = 0; i < kParts; ++i) result.part[i] = function(i);
+    return result;
+  }
+};
+
+/// Conditions in eight lanes. Both sides of && and || are computed.
+template <LaneWidth W>
+struct LaneMask : LaneVectors<W, std::int64_t> {  // all bits of a lane, or none
+  using Base = LaneVectors<W, std::int64_t>;
+
+  friend LaneMask operator!(const LaneMask& a) {
+    return Base::template each<LaneMask>([&](int i) { return ~a.part[i]; });
+  }
+  friend LaneMask operator&&(const LaneMask& a, const LaneMask& b) {
+    return Base::template each<LaneMask>([&](int i) { return a.part[i] & b.part[i]; });
+  }
+  friend LaneMask operator||(const LaneMask& a, const LaneMask& b) {
+    return Base::template each<LaneMask>([&](int i) { return a.part[i] | b.part[i]; });
+  }
+  friend LaneMask& operator&=(LaneMask& a, const LaneMask& b) { return a = a && b; }
+  friend LaneMask& operator|=(LaneMask& a, const LaneMask& b) { return a = a || b; }
+
+  friend bool any(const LaneMask& a) {
+    typename Base::Vector all = a.part[0];
+    for (int i = 1; i < Base::kParts; ++i) all |= a.part[i];
+    std::int64_t bits = 0;
+    for (int lane = 0; lane < Base::kWidth; ++lane) bits |= all[lane];
+    return bits != 0;
+  }
+};
+
+/// Eight numbers that go through the same operations, one for each of eight contacts. Every lane is computed by the operations
+/// of IEEE 754 that are written here, whatever the width: the same bytes on all processors. A width is a type of its own, so that
+/// no function that is compiled for it can be taken for that of another.
+template <LaneWidth W>
+struct Lanes : LaneVectors<W, double> {
+  using Base = LaneVectors<W, double>;
+  using Mask = LaneMask<W>;
+
+  Lanes() = default;
+  Lanes(double x) {  // NOLINT: constants enter formulas as they stand
+    for (int i = 0; i < Base::kParts; ++i) this->part[i] = x - typename Base::Vector{};
+  }
+  explicit Lanes(const LaneArray& array) { std::memcpy(this->part, array.v, sizeof array); }
+  void store(LaneArray& array) const { std::memcpy(array.v, this->part, sizeof array); }
+
+  friend Lanes operator-(const Lanes& a) { return each([&](int i) { return -a.part[i]; }); }
+  friend Lanes operator+(const Lanes& a, const Lanes& b) {
+    return each([&](int i) { return a.part[i] + b.part[i]; });
+  }
+  friend Lanes operator-(const Lanes& a, const Lanes& b) {
+    return each([&](int i) { return a.part[i] - b.part[i]; });
+  }
+  friend Lanes operator*(const Lanes& a, const Lanes& b) {
+    return each([&](int i) { return a.part[i] * b.part[i]; });
+  }
+  friend Lanes operator/(const Lanes& a, const Lanes& b) {
+    return each([&](int i) { return a.part[i] / b.part[i]; });
+  }
+  friend Lanes& operator+=(Lanes& a, const Lanes& b) { return a = a + b; }
+  friend Lanes& operator*=(Lanes& a, const Lanes& b) { return a = a * b; }
+
+  friend Mask operator<(const Lanes& a, const Lanes& b) {
+    return holds([&](int i) { return a.part[i] < b.part[i]; });
+  }
+  friend Mask operator>(const Lanes& a, const Lanes& b) { return b < a; }
+  friend Mask operator<=(const Lanes& a, const Lanes& b) {
+    return holds([&](int i) { return a.part[i] <= b.part[i]; });
+  }
+  friend Mask operator>=(const Lanes& a, const Lanes& b) { return b <= a; }
+
+  friend Lanes max(const Lanes& a, const Lanes& b) { return select(a < b, b, a); }
+  friend Lanes min(const Lanes& a, const Lanes& b) { return select(b < a, b, a); }
+  friend Lanes fabs(const Lanes& x) { return select(x < 0.0, -x, x); }
+  friend Lanes sqrt(const Lanes& x) {
+    LaneArray roots;  // GCC makes one instruction of a loop over an array, but not of one over a vector
+    x.store(roots);
+    for (double& root : roots.v) root = std::sqrt(root);
+    return Lanes(roots);
+  }
+
+  template <typename Function>
+  static Lanes each(Function function) {
+    return Base::template each<Lanes>(function);
+  }
+
+ private:
+  template <typename Function>
+  static Mask holds(Function function) {
+    return Mask::template each<Mask>(function);
+  }
+};
+
+/// a where the condition holds, elsewhere b. Both have been computed.
+template <LaneWidth W>
+Lanes<W> select(const LaneMask<W>& condition, const std::type_identity_t<Lanes<W>>& a,
+                const std::type_identity_t<Lanes<W>>& b) {
+  return Lanes<W>::each([&](int i) { return condition.part[i] ? a.part[i] : b.part[i]; });
+}
+
+namespace detail {
+
+// The whole number nearest to x: 1.5 2^52 + x has no digits behind the point, and ends in that number. |x| < 2^51.
+template <LaneWidth W>
+struct Rounded {
+  static constexpr double kNoDigits = 6755399441055744.0;
+  Lanes<W> shifted, number;
+
+  explicit Rounded(const Lanes<W>& x) : shifted(x + kNoDigits), number(shifted - kNoDigits) {}
+
+  auto integer(int part) const {
+    return std::bit_cast<typename LaneMask<W>::Vector>(shifted.part[part]);
+  }
+  // True where n + more has this bit.
+  LaneMask<W> has(int bit, int more = 0) const {
+    return LaneMask<W>::template each<LaneMask<W>>(
+        [&](int i) { return ((integer(i) + more) & bit) != 0; });
+  }
+};
+
+// c0 + c1 q + c2 q^2 + ... in pairs, then in pairs of pairs: a processor adds them beside one another.
+template <LaneWidth W, typename C, std::size_t N>
+Lanes<W> polynomial(const std::array<C, N>& c, const Lanes<W>& q) {
+  if constexpr (N == 1) {
+    return c[0];
+  } else {
+    std::array<Lanes<W>, (N + 1) / 2> pairs;
+    for (std::size_t i = 0; i < N / 2; ++i) pairs[i] = c[2 * i] + c[2 * i + 1] * q;
+    if (N % 2 == 1) pairs[N / 2] = c[N - 1];
+    return polynomial(pairs, Lanes<W>(q * q));
+  }
+}
+
+// sign^i / (first + 2 i)!: every other coefficient of a Taylor polynomial.
+template <std::size_t N>
+constexpr std::array<double, N> taylor(int first, double sign) {
+  std::array<double, N> c{};
+  double factorial = 1, power = 1;
+  for (int k = 2; k <= first; ++k) factorial *= k;
+  for (std::size_t i = 0; i < N; ++i) {
+    c[i] = power / factorial;
+    const int k = first + 2 * static_cast<int>(i);
+    factorial *= (k + 1) * (k + 2), power *= sign;
+  }
+  return c;
+}
+
+}  // namespace detail
+
+/// exp(x) for x < 700; 1e-308 for all x below -708. Within 2 units in the last place.
+template <LaneWidth W>
+Lanes<W> exp(const Lanes<W>& x) {
+  constexpr double kLn2High = 0x1.62e42fee00000p-1, kLn2Low = 0x1.a39ef35793c76p-33;
+  const Lanes<W> bounded = max(x, Lanes<W>(-708.0));
+  const detail::Rounded<W> n(bounded * std::numbers::log2e);
+  const Lanes<W> r = bounded - n.number * kLn2High - n.number * kLn2Low;  // |r| < 0.347
+  const Lanes<W> q = r * r;
+  // cosh and sinh / r; what is left out is below r^14 / 14! = 4e-18
+  const Lanes<W> even = detail::polynomial(detail::taylor<7>(0, 1), q);
+  const Lanes<W> odd = detail::polynomial(detail::taylor<7>(1, 1), q);
+  const auto power = Lanes<W>::each([&](int i) {  // 2^n
+    return std::bit_cast<typename Lanes<W>::Vector>((n.integer(i) + 1023) << 52);
+  });
+  return (even + r * odd) * power;
+}
+
+/// For |x| < 1e5, within 2e-16 in absolute terms.
+template <LaneWidth W>
+SinCos<Lanes<W>> sincos(const Lanes<W>& x) {
+  // pi / 2 in three parts, of which the first two have 33 digits: their products with n are exact.
+  constexpr double kFirst = 0x1.921fb54400000p+0, kSecond = 0x1.0b4611a600000p-34,
+                   kThird = 0x1.3198a2e037073p-69;
+  const detail::Rounded<W> n(x * (2 / std::numbers::pi));
+  const Lanes<W> r = x - n.number * kFirst - n.number * kSecond - n.number * kThird;
+  const Lanes<W> q = r * r;
+  // |r| < pi / 4: what is left out is below r^17 / 17! = 5e-17
+  const Lanes<W> sine = r * detail::polynomial(detail::taylor<8>(1, -1), q);
+  const Lanes<W> cosine = detail::polynomial(detail::taylor<9>(0, -1), q);
+  const LaneMask<W> swaps = n.has(1), half_turn = n.has(2), turns_cosine = n.has(2, 1);
+  const Lanes<W> s = select(swaps, cosine, sine), c = select(swaps, sine, cosine);
+  return {select(half_turn, -s, s), select(turns_cosine, -c, c)};
+}
+
+/// The argument of x + i y, or a little less: up to 2e-4, by formula 4.4.49 of Abramowitz and Stegun, Handbook of Mathematical
+/// Functions, which is right to 1e-5.
+template <LaneWidth W>
+Lanes<W> least_argument(const Lanes<W>& x, const Lanes<W>& y) {
+  using std::numbers::pi;
+  const Lanes<W> along = fabs(x), across = fabs(y);
+  const Lanes<W> t = min(along, across) / max(max(along, across), Lanes<W>(1e-300)), q = t * t;
+  const Lanes<W> eighth =
+      t * (0.9998660 +
+           q * (-0.3302995 + q * (0.1801410 + q * (-0.0851330 + q * 0.0208351))));
+  const Lanes<W> quarter = select(across > along, 0.5 * pi - eighth, eighth);
+  const Lanes<W> half = select(x < 0.0, pi - quarter, quarter);
+  return select(y < 0.0, -half, half) - 1e-4;
+}
+
+template <LaneWidth W>
+Trig<Lanes<W>> trig_of(const SinCos<Lanes<W>>& a) {
+  return {a.sin, a.cos, select(a.cos > 0.0, a.sin * a.sin / (1.0 + a.cos), 1.0 - a.cos)};
+}
+template <LaneWidth W>
+Trig<Lanes<W>> trig(const Lanes<W>& theta) {
+  return trig_of(sincos(theta));
+}
+
+template <LaneWidth W>
+Lanes<W> load_shape(const Lanes<W>& theta, const Trig<Lanes<W>>& at) {
+  const auto large = fabs(theta) > kLoadSeriesReach;
+  return select(large, at.sin - theta * at.cos, load_shape_series(theta));
+}
+
+}  // namespace twum::contact
