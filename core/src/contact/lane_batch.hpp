@@ -5,7 +5,6 @@
 #include "contact/layer_motion.hpp"
 
 #include <array>
-#include <cstddef>
 
 namespace twum::contact {
 
@@ -32,8 +31,7 @@ struct LaneBatch {
   LaneArray found;  ///< 1 where there is a lap; the others are to go alone
   ContactMeans<LaneArray> means;
   LayerState<LaneArray> exit;
-  std::array<Zone, 2 * kRounds> zones;
-  std::size_t count{0};
+  std::array<Zone, 2 * kRounds> zones;  ///< slip and stick in turn
 };
 
 /// Fills the batch. One for each width, compiled for it.

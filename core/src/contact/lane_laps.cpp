@@ -10,7 +10,8 @@ namespace twum::contact {
 namespace {
 
 #if defined(__wasm__)
-constexpr bool kHasLanes = false;  // two at once are no quicker than one alone, and a page has to be small
+constexpr bool kHasLanes =
+    false;  // two at once are no quicker than one alone, and a page has to be small
 #else
 constexpr bool kHasLanes = true;
 #endif
@@ -38,8 +39,7 @@ void take(Lap<double>& lap, const LaneBatch& batch, int lane) {
                m.layer_loss.v[lane], m.stick_length.v[lane], m.reactive_force.v[lane]};
   lap.exit = {batch.exit.e.v[lane], batch.exit.rate.v[lane]};
   double rest = 2 * batch.contacts.half_angle.v[lane];
-  for (std::size_t i = 0; i < batch.count; ++i) {
-    const LaneBatch::Zone& z = batch.zones[i];
+  for (const LaneBatch::Zone& z : batch.zones) {
     if (z.has.v[lane] == 0) continue;
     const auto zone = static_cast<ZoneState>(static_cast<int>(z.zone.v[lane]));
     const auto side = static_cast<float>(z.side.v[lane]);
@@ -69,8 +69,8 @@ LaneWidth widest_lanes() {
 }
 
 bool goes_in_step(const ContactNumbers<double>& n, const LayerMotion<double>& layer) {
-  return kHasLanes && layer.serves_lanes() && enters_at_rest(n, layer) && !(n.static_ > n.kinetic) &&
-         !is_delicate(n, layer);
+  return kHasLanes && layer.serves_lanes() && enters_at_rest(n, layer) &&
+         !(n.static_ > n.kinetic) && !is_delicate(n, layer);
 }
 
 void run_in_step(const LayerMotion<double>& layer, std::span<LaneLap> laps, LaneWidth width) {

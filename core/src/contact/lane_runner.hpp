@@ -7,6 +7,7 @@
 #include "contact/zone_integrals.hpp"
 #include "contact/zone_start.hpp"
 
+#include <cstddef>
 #include <numbers>
 
 namespace twum::contact {
@@ -46,14 +47,15 @@ class LaneRunner {
   using Mask = LaneMask<W>;
 
  public:
-  LaneRunner(const LayerMotion<double>& layer, LaneBatch& batch)
-      : layer_(layer), batch_(batch), n_(loaded(batch.contacts)) {}
+  /// @param lane  the first of those that are one vector
+  LaneRunner(const LayerMotion<double>& layer, LaneBatch& batch, int lane)
+      : layer_(layer), batch_(batch), lane_(lane), n_(loaded(batch.contacts)) {}
 
   void run() {
     enter();
-    for (int round = 0; round < LaneBatch::kRounds && any(goes_on_); ++round) {
-      slip();
-      if (any(sticks_)) stick();
+    for (zone_ = 0; zone_ < batch_.zones.size(); zone_ += 2) {
+      any(goes_on_) ? slip() : skip(zone_);
+      any(goes_on_ && sticks_) ? stick() : skip(zone_ + 1);
     }
     found_ &= !goes_on_;
     leave();
@@ -64,10 +66,20 @@ class LaneRunner {
   static constexpr int kMaxSamples = 8;           // until a zero is bracketed or ruled out
   static constexpr int kMaxSteps = 8;             // to a bracketed zero
 
-  static ContactNumbers<S> loaded(const ContactNumbers<LaneArray>& n) {
-    return {S(n.inertia),    S(n.damping), S(n.stick_rate), S(n.speed_ratio),
-            S(n.half_angle), S(n.peak),    S(n.kinetic),    S(n.static_),
-            {S(n.edge.sin), S(n.edge.cos), S(n.edge.versine)}, false};
+  S loaded(const LaneArray& array) const { return S(array.v + lane_); }
+  void store(const S& x, LaneArray& array) const { x.store(array.v + lane_); }
+
+  ContactNumbers<S> loaded(const ContactNumbers<LaneArray>& n) const {
+    return {loaded(n.inertia),
+            loaded(n.damping),
+            loaded(n.stick_rate),
+            loaded(n.speed_ratio),
+            loaded(n.half_angle),
+            loaded(n.peak),
+            loaded(n.kinetic),
+            loaded(n.static_),
+            {loaded(n.edge.sin), loaded(n.edge.cos), loaded(n.edge.versine)},
+            false};
   }
 
   // As ZoneStart::enter() of a layer that is at rest.
@@ -87,12 +99,12 @@ class LaneRunner {
                            from.layer.rate - f.slope(from.at)};
     const FreeMotion<S> motion = layer_.start(h0);
     const S rest = n_.half_angle - from.theta;
-    const SlipLanes<W> curve(layer_, motion, relative_rate(n_, f), sigma_, from.theta, from.at, rest,
-                             n_.edge);
+    const SlipLanes<W> curve(layer_, motion, relative_rate(n_, f), sigma_, from.theta, from.at,
+                             rest, n_.edge);
     const S end = first_zero(curve, goes_on_, starts_at_zero_, rest);
     const S length = min(end, rest);
     go(slips, end < rest, length);
-    record(slips, -sigma_, end, 0.0);
+    record(zone_, slips, -sigma_, end, 0.0);
     const LayerState<S> h1 = layer_.at(motion, length);
     const Moments<S> moments(from, here_);
     const SlipWork<S> work = slip_work(n_, layer_, f, moments, from, here_, h0, h1);
@@ -112,7 +124,7 @@ class LaneRunner {
   }
 
   void stick() {
-    const Mask sticks = sticks_;
+    const Mask sticks = goes_on_ && sticks_;
     set(sticks, {here_.layer.e, sticking_rate(n_, here_.at)});
     const LapPlace<S> from = here_;
     const Harmonic<S> t = sticking_traction(n_, layer_, from, from.layer.e);
@@ -121,31 +133,32 @@ class LaneRunner {
     S iota = select(t.at(n_.half_angle, n_.edge) < 0.0, -1.0, 1.0);
     const StickTerms<S> likely(reserve(n_, t, iota), from.theta, from.at),
         other(reserve(n_, t, S(-iota)), from.theta, from.at);
-    const S first = stick_end(likely, rest, likely.last(rest, n_.edge));
-    const S until = min(first, rest), second = stick_end(other, until, other.terms(until));
+    const S first = stick_end(likely, sticks, rest, likely.last(rest, n_.edge));
+    const S until = min(first, rest), second = stick_end(other, sticks, until, other.terms(until));
     const S length = min(first, second);
     iota = select(second < first, -iota, iota);
     fail(sticks && !(length < rest));
     go(sticks, sticks, length);
-    record(sticks, 0.0, length, iota);
+    record(zone_ + 1, sticks, 0.0, length, iota);
     add_to(sticks, stick_integrals(n_, layer_, t, from, here_));
     set(sticks, {sticking_strain(n_, from, from.layer.e, here_), sticking_rate(n_, here_.at)});
     sigma_ = select(sticks, -iota, sigma_);
     starts_flat_ = sticks;
   }
 
-  // As ZoneEnds::stick_end_on() in lanes that stick.
-  S stick_end(const StickTerms<S>& curve, const S& length, const SampleOf<S>& end) {
+  // As ZoneEnds::stick_end_on().
+  S stick_end(const StickTerms<S>& curve, const Mask& lanes, const S& length,
+              const SampleOf<S>& end) {
     const SampleOf<S> first = curve.first();
     const Mask tells = length < StickTerms<S>::kHalfTurn && first.f > 0.0;
-    const Mask one = sticks_ && tells && end.f < 0.0 && curve.has_one_zero(first, length);
+    const Mask one = lanes && tells && end.f < 0.0 && curve.has_one_zero(first, length);
     const Mask none = tells && end.f > 0.0 && curve.has_no_zero(first, end, length);
     S zero = kNoZero;
     if (any(one)) {
       const S guess = curve.taylor_zero(length);
       zero = select(one, polished(curve, one, 0.0, length, guess, first.l3), kNoZero);
     }
-    const Mask open = sticks_ && !one && !none;
+    const Mask open = lanes && !one && !none;
     return any(open) ? select(open, first_zero(curve, open, Mask{}, length), zero) : zero;
   }
 
@@ -159,7 +172,7 @@ class LaneRunner {
     if (any(open && starts_at_zero)) {
       x = select(starts_at_zero, leaving_step(S(select(starts_flat_, 0.0, c.f1)), c), 0.0);
       open &= x < length;
-      c = curve.sample(x);
+      c = chosen(starts_at_zero, curve.sample(x), c);
     }
     for (int i = 0; i < kMaxSamples && any(open); ++i) {
       if (i > 0) c = curve.sample(x);
@@ -225,43 +238,54 @@ class LaneRunner {
 
   void add_to(const Mask& lanes, const ContactMeans<S>& zone) {
     const auto in = [&](const S& value) { return select(lanes, value, 0.0); };
-    add(means_, ContactMeans<S>{in(zone.traction), in(zone.stator_power), in(zone.friction_power),
-                                in(zone.layer_loss), in(zone.stick_length),
-                                in(zone.reactive_force)});
+    add(means_,
+        ContactMeans<S>{in(zone.traction), in(zone.stator_power), in(zone.friction_power),
+                        in(zone.layer_loss), in(zone.stick_length), in(zone.reactive_force)});
   }
 
-  void record(const Mask& lanes, const S& zone, const S& length, const S& side) {
-    LaneBatch::Zone& z = batch_.zones[batch_.count++];
-    select(lanes, 1.0, 0.0).store(z.has);
-    zone.store(z.zone), length.store(z.length), side.store(z.side);
+  void record(std::size_t place, const Mask& lanes, const S& zone, const S& length, const S& side) {
+    LaneBatch::Zone& z = batch_.zones[place];
+    store(select(lanes, 1.0, 0.0), z.has);
+    store(zone, z.zone), store(length, z.length), store(side, z.side);
+  }
+  void skip(std::size_t place) { store(0.0, batch_.zones[place].has); }
+
+  static SampleOf<S> chosen(const Mask& lanes, const SampleOf<S>& a, const SampleOf<S>& b) {
+    return {select(lanes, a.f, b.f),   select(lanes, a.f1, b.f1), select(lanes, a.f2, b.f2),
+            select(lanes, a.l2, b.l2), select(lanes, a.l3, b.l3), select(lanes, a.skip, b.skip),
+            select(lanes, a.f3, b.f3)};
   }
 
   void fail(const Mask& lanes) { found_ &= !lanes, goes_on_ &= !lanes; }
 
   // The layer loses all that it takes along.
   void leave() {
-    if (layer_.C == 0) means_.layer_loss = 0.0;
-    else means_.layer_loss += 0.5 * layer_.energy(here_.layer) / n_.stick_rate;
+    if (layer_.C == 0)
+      means_.layer_loss = 0.0;
+    else
+      means_.layer_loss += 0.5 * layer_.energy(here_.layer) / n_.stick_rate;
     const double mean = 1 / (2 * std::numbers::pi);
     ContactMeans<LaneArray>& m = batch_.means;
-    (mean * means_.traction).store(m.traction);
-    (mean * means_.stator_power).store(m.stator_power);
-    (mean * means_.friction_power).store(m.friction_power);
-    (mean * means_.layer_loss).store(m.layer_loss);
-    means_.stick_length.store(m.stick_length);
-    (mean * means_.reactive_force).store(m.reactive_force);
-    here_.layer.e.store(batch_.exit.e), here_.layer.rate.store(batch_.exit.rate);
-    select(found_, 1.0, 0.0).store(batch_.found);
+    store(mean * means_.traction, m.traction);
+    store(mean * means_.stator_power, m.stator_power);
+    store(mean * means_.friction_power, m.friction_power);
+    store(mean * means_.layer_loss, m.layer_loss);
+    store(means_.stick_length, m.stick_length);
+    store(mean * means_.reactive_force, m.reactive_force);
+    store(here_.layer.e, batch_.exit.e), store(here_.layer.rate, batch_.exit.rate);
+    store(select(found_, 1.0, 0.0), batch_.found);
   }
 
   const LayerMotion<double>& layer_;
   LaneBatch& batch_;
+  const int lane_;
   const ContactNumbers<S> n_;
   LapPlace<S> here_;
   ContactMeans<S> means_{0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
   S sigma_;
-  Mask found_, goes_on_, sticks_{};
-  Mask starts_at_zero_{}, starts_flat_{};  // slip zones after others, and those after stick
+  std::size_t zone_{0};
+  Mask found_, goes_on_, sticks_;
+  Mask starts_at_zero_, starts_flat_;  // slip zones after others, and those after stick
 };
 
 }  // namespace twum::contact

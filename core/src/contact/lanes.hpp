@@ -15,109 +15,74 @@
 
 namespace twum::contact {
 
-/// A width's vectors, as many as hold all lanes.
+/// How many lanes are one vector.
+template <LaneWidth W>
+inline constexpr int kWidth = W == LaneWidth::avx512 ? 8
+                              : W == LaneWidth::avx2 ? 4
+                                                     : 2;
+
 template <LaneWidth W, typename T>
-struct LaneVectors {
-  static constexpr int kWidth = W == LaneWidth::avx512 ? 8 : W == LaneWidth::avx2 ? 4 : 2;
-  static constexpr int kParts = kLanes / kWidth;
-  using Vector [[gnu::vector_size(8 * kWidth)]] = T;
-
-  Vector part[kParts];
-
-  /// The vectors that a function makes, part by part.
-  template <typename Result, typename Function>
-  static Result each(Function function) {
-    Result result;
-    for (int i = 0; i < kParts; ++i) result.part[i] = function(i);
-    return result;
-  }
+struct LaneVector {
+  using Type [[gnu::vector_size(8 * kWidth<W>)]] = T;
 };
 
-/// Conditions in eight lanes. Both sides of && and || are computed.
+/// Conditions in lanes. Both sides of && and || are computed.
 template <LaneWidth W>
-struct LaneMask : LaneVectors<W, std::int64_t> {  // all bits of a lane, or none
-  using Base = LaneVectors<W, std::int64_t>;
+struct LaneMask {
+  using Vector = typename LaneVector<W, std::int64_t>::Type;
+  Vector v;  ///< all bits of a lane, or none
 
-  friend LaneMask operator!(const LaneMask& a) {
-    return Base::template each<LaneMask>([&](int i) { return ~a.part[i]; });
-  }
-  friend LaneMask operator&&(const LaneMask& a, const LaneMask& b) {
-    return Base::template each<LaneMask>([&](int i) { return a.part[i] & b.part[i]; });
-  }
-  friend LaneMask operator||(const LaneMask& a, const LaneMask& b) {
-    return Base::template each<LaneMask>([&](int i) { return a.part[i] | b.part[i]; });
-  }
+  LaneMask(const Vector& lanes = Vector{}) : v(lanes) {}  // NOLINT: comparisons are masks
+
+  friend LaneMask operator!(const LaneMask& a) { return ~a.v; }
+  friend LaneMask operator&&(const LaneMask& a, const LaneMask& b) { return a.v & b.v; }
+  friend LaneMask operator||(const LaneMask& a, const LaneMask& b) { return a.v | b.v; }
   friend LaneMask& operator&=(LaneMask& a, const LaneMask& b) { return a = a && b; }
   friend LaneMask& operator|=(LaneMask& a, const LaneMask& b) { return a = a || b; }
 
   friend bool any(const LaneMask& a) {
-    typename Base::Vector all = a.part[0];
-    for (int i = 1; i < Base::kParts; ++i) all |= a.part[i];
     std::int64_t bits = 0;
-    for (int lane = 0; lane < Base::kWidth; ++lane) bits |= all[lane];
+    for (int lane = 0; lane < kWidth<W>; ++lane) bits |= a.v[lane];
     return bits != 0;
   }
 };
 
-/// Eight numbers that go through the same operations, one for each of eight contacts. Every lane is computed by the operations
-/// of IEEE 754 that are written here, whatever the width: the same bytes on all processors. A width is a type of its own, so that
-/// no function that is compiled for it can be taken for that of another.
+/// Numbers that go through the same operations, one for each of some contacts. Every lane is computed by the operations of
+/// IEEE 754 that are written here, whatever the width and whatever the other lanes: the same bytes on all processors. A width is
+/// a type of its own, so that no function that is compiled for it can be taken for that of another.
 template <LaneWidth W>
-struct Lanes : LaneVectors<W, double> {
-  using Base = LaneVectors<W, double>;
+struct Lanes {
   using Mask = LaneMask<W>;
+  using Vector = typename LaneVector<W, double>::Type;
+  Vector v;
 
   Lanes() = default;
-  Lanes(double x) {  // NOLINT: constants enter formulas as they stand
-    for (int i = 0; i < Base::kParts; ++i) this->part[i] = x - typename Base::Vector{};
-  }
-  explicit Lanes(const LaneArray& array) { std::memcpy(this->part, array.v, sizeof array); }
-  void store(LaneArray& array) const { std::memcpy(array.v, this->part, sizeof array); }
+  Lanes(const Vector& lanes) : v(lanes) {}  // NOLINT: as with doubles
+  Lanes(double x) : v(x - Vector{}) {}      // NOLINT: constants enter formulas as they stand
+  explicit Lanes(const double* lanes) { std::memcpy(&v, lanes, sizeof v); }
+  void store(double* lanes) const { std::memcpy(lanes, &v, sizeof v); }
 
-  friend Lanes operator-(const Lanes& a) { return each([&](int i) { return -a.part[i]; }); }
-  friend Lanes operator+(const Lanes& a, const Lanes& b) {
-    return each([&](int i) { return a.part[i] + b.part[i]; });
-  }
-  friend Lanes operator-(const Lanes& a, const Lanes& b) {
-    return each([&](int i) { return a.part[i] - b.part[i]; });
-  }
-  friend Lanes operator*(const Lanes& a, const Lanes& b) {
-    return each([&](int i) { return a.part[i] * b.part[i]; });
-  }
-  friend Lanes operator/(const Lanes& a, const Lanes& b) {
-    return each([&](int i) { return a.part[i] / b.part[i]; });
-  }
+  friend Lanes operator-(const Lanes& a) { return -a.v; }
+  friend Lanes operator+(const Lanes& a, const Lanes& b) { return a.v + b.v; }
+  friend Lanes operator-(const Lanes& a, const Lanes& b) { return a.v - b.v; }
+  friend Lanes operator*(const Lanes& a, const Lanes& b) { return a.v * b.v; }
+  friend Lanes operator/(const Lanes& a, const Lanes& b) { return a.v / b.v; }
   friend Lanes& operator+=(Lanes& a, const Lanes& b) { return a = a + b; }
-  friend Lanes& operator*=(Lanes& a, const Lanes& b) { return a = a * b; }
 
-  friend Mask operator<(const Lanes& a, const Lanes& b) {
-    return holds([&](int i) { return a.part[i] < b.part[i]; });
-  }
-  friend Mask operator>(const Lanes& a, const Lanes& b) { return b < a; }
-  friend Mask operator<=(const Lanes& a, const Lanes& b) {
-    return holds([&](int i) { return a.part[i] <= b.part[i]; });
-  }
-  friend Mask operator>=(const Lanes& a, const Lanes& b) { return b <= a; }
+  friend Mask operator<(const Lanes& a, const Lanes& b) { return a.v < b.v; }
+  friend Mask operator>(const Lanes& a, const Lanes& b) { return a.v > b.v; }
+  friend Mask operator<=(const Lanes& a, const Lanes& b) { return a.v <= b.v; }
+  friend Mask operator>=(const Lanes& a, const Lanes& b) { return a.v >= b.v; }
 
   friend Lanes max(const Lanes& a, const Lanes& b) { return select(a < b, b, a); }
   friend Lanes min(const Lanes& a, const Lanes& b) { return select(b < a, b, a); }
   friend Lanes fabs(const Lanes& x) { return select(x < 0.0, -x, x); }
   friend Lanes sqrt(const Lanes& x) {
-    LaneArray roots;  // GCC makes one instruction of a loop over an array, but not of one over a vector
+    // GCC makes one instruction of a loop over an array, but not of one over a vector.
+    alignas(8 * kWidth<W>) double roots[kWidth<W>];
     x.store(roots);
-    for (double& root : roots.v) root = std::sqrt(root);
+    for (double& root : roots) root = std::sqrt(root);
     return Lanes(roots);
-  }
-
-  template <typename Function>
-  static Lanes each(Function function) {
-    return Base::template each<Lanes>(function);
-  }
-
- private:
-  template <typename Function>
-  static Mask holds(Function function) {
-    return Mask::template each<Mask>(function);
   }
 };
 
@@ -125,7 +90,7 @@ struct Lanes : LaneVectors<W, double> {
 template <LaneWidth W>
 Lanes<W> select(const LaneMask<W>& condition, const std::type_identity_t<Lanes<W>>& a,
                 const std::type_identity_t<Lanes<W>>& b) {
-  return Lanes<W>::each([&](int i) { return condition.part[i] ? a.part[i] : b.part[i]; });
+  return condition.v ? a.v : b.v;
 }
 
 namespace detail {
@@ -133,19 +98,15 @@ namespace detail {
 // The whole number nearest to x: 1.5 2^52 + x has no digits behind the point, and ends in that number. |x| < 2^51.
 template <LaneWidth W>
 struct Rounded {
+  using Integers = typename LaneMask<W>::Vector;
   static constexpr double kNoDigits = 6755399441055744.0;
   Lanes<W> shifted, number;
 
   explicit Rounded(const Lanes<W>& x) : shifted(x + kNoDigits), number(shifted - kNoDigits) {}
 
-  auto integer(int part) const {
-    return std::bit_cast<typename LaneMask<W>::Vector>(shifted.part[part]);
-  }
+  Integers integer() const { return std::bit_cast<Integers>(shifted.v); }
   // True where n + more has this bit.
-  LaneMask<W> has(int bit, int more = 0) const {
-    return LaneMask<W>::template each<LaneMask<W>>(
-        [&](int i) { return ((integer(i) + more) & bit) != 0; });
-  }
+  LaneMask<W> has(int bit, int more = 0) const { return ((integer() + more) & bit) != 0; }
 };
 
 // c0 + c1 q + c2 q^2 + ... in pairs, then in pairs of pairs: a processor adds them beside one another.
@@ -188,9 +149,7 @@ Lanes<W> exp(const Lanes<W>& x) {
   // cosh and sinh / r; what is left out is below r^14 / 14! = 4e-18
   const Lanes<W> even = detail::polynomial(detail::taylor<7>(0, 1), q);
   const Lanes<W> odd = detail::polynomial(detail::taylor<7>(1, 1), q);
-  const auto power = Lanes<W>::each([&](int i) {  // 2^n
-    return std::bit_cast<typename Lanes<W>::Vector>((n.integer(i) + 1023) << 52);
-  });
+  const Lanes<W> power = std::bit_cast<typename Lanes<W>::Vector>((n.integer() + 1023) << 52);
   return (even + r * odd) * power;
 }
 
@@ -219,8 +178,7 @@ Lanes<W> least_argument(const Lanes<W>& x, const Lanes<W>& y) {
   const Lanes<W> along = fabs(x), across = fabs(y);
   const Lanes<W> t = min(along, across) / max(max(along, across), Lanes<W>(1e-300)), q = t * t;
   const Lanes<W> eighth =
-      t * (0.9998660 +
-           q * (-0.3302995 + q * (0.1801410 + q * (-0.0851330 + q * 0.0208351))));
+      t * (0.9998660 + q * (-0.3302995 + q * (0.1801410 + q * (-0.0851330 + q * 0.0208351))));
   const Lanes<W> quarter = select(across > along, 0.5 * pi - eighth, eighth);
   const Lanes<W> half = select(x < 0.0, pi - quarter, quarter);
   return select(y < 0.0, -half, half) - 1e-4;

@@ -68,13 +68,13 @@ inline std::uint64_t mark_of(ZoneState zone) {
 template <typename S>
 struct Lap {
   ContactMeans<S> means{S(0.0), S(0.0), S(0.0), S(0.0), S(0.0), S(0.0)};
-  LapEntry<S> next{{S(0.0), S(0.0)}};              ///< state at the next entry
-  LayerState<S> exit{S(0.0), S(0.0)};              ///< layer where the contact ends
-  std::uint64_t itinerary{kNoZones};               ///< fingerprint of the sequence of zones
-  int zones{0};                                    ///< number of zones
-  bool one_slip{false};                            ///< the whole contact slips one way
-  double shortest{2 * std::numbers::pi};           ///< length of the shortest zone [rad]
-  ZoneState first{ZoneState::stick};               ///< state of the first zone
+  LapEntry<S> next{{S(0.0), S(0.0)}};     ///< state at the next entry
+  LayerState<S> exit{S(0.0), S(0.0)};     ///< layer where the contact ends
+  std::uint64_t itinerary{kNoZones};      ///< fingerprint of the sequence of zones
+  int zones{0};                           ///< number of zones
+  bool one_slip{false};                   ///< the whole contact slips one way
+  double shortest{2 * std::numbers::pi};  ///< length of the shortest zone [rad]
+  ZoneState first{ZoneState::stick};      ///< state of the first zone
   LapStatus status{LapStatus::ok};
   bool has_means{true};   ///< false: of the means only the stick length is computed
   ZoneSequence sequence;  ///< of a search in double

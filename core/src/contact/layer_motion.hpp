@@ -4,6 +4,7 @@
 #include "contact/contact_numbers.hpp"
 #include "contact/scalars.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <type_traits>
@@ -143,7 +144,9 @@ class LayerMotion {
 
   /// Energy M h'^2 + h^2 of a homogeneous state; it falls by 2 C h'^2.
   template <typename R = S>
-  R energy(const LayerState<R>& h) const { return M * h.rate * h.rate + h.e * h.e; }
+  R energy(const LayerState<R>& h) const {
+    return M * h.rate * h.rate + h.e * h.e;
+  }
 
   /// Of a quantity that oscillates as the layer does: how far below zero it goes from here on (E4.9). It is lowest here or in
   /// its next trough; later troughs are less deep. Infinite if the layer does not oscillate.
@@ -156,8 +159,7 @@ class LayerMotion {
     const R sine = (slope + decay * value) * value_of(inverse_beta_);
     const R phase = least_argument(R(beta * value + decay * sine), slope);
     const R swing = beta * sqrt(R(value_of(M) * (value * value + sine * sine)));
-    const R trough =
-        swing * exp(R(-decay * value_of(inverse_beta_) * (std::numbers::pi + phase)));
+    const R trough = swing * exp(R(-decay * value_of(inverse_beta_) * (std::numbers::pi + phase)));
     return max(R(-value), trough);
   }
 

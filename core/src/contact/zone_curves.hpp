@@ -193,8 +193,7 @@ class SlipTerms {
   /// @param theta, at    phase where the zone starts
   /// @param length, end  how long it may last, and the phase there
   SlipTerms(const LayerMotion<double>& layer, const FreeMotion<S>& motion, const Harmonic<S>& slow,
-            const S& sigma, const S& theta, const Trig<S>& at, const S& length,
-            const Trig<S>& end)
+            const S& sigma, const S& theta, const Trig<S>& at, const S& length, const Trig<S>& end)
       : layer_(layer),
         motion_(motion),
         slow_{sigma * slow.k0, S(0.0), sigma * slow.kw, sigma * slow.ks},
@@ -305,9 +304,9 @@ class SlipTerms {
   S theta_;
   Trig<S> at_;
   S length_;
-  S swing_;                // rho
-  double least_share_;     // of the bound of h'; below it no trough is looked for
-  S last_, last_slope_;    // the harmonic part at the end of the length
+  S swing_;              // rho
+  double least_share_;   // of the bound of h'; below it no trough is looked for
+  S last_, last_slope_;  // the harmonic part at the end of the length
 };
 
 /// The same with all that is known of its zeros.
@@ -338,7 +337,8 @@ class SlipCurve : public SlipTerms<double> {
   // (E4.9) How far sigma h' goes below zero, where it may be less than `enough`. It is seldom asked for, and makes the
   // march longer if it is inline.
   [[gnu::noinline]] double depth(const Own& own, double enough) const {
-    return depth_may_be(enough, own) ? layer_.depth(sigma_ * own.rate, sigma_ * own.rate1) : kNoZero;
+    return depth_may_be(enough, own) ? layer_.depth(sigma_ * own.rate, sigma_ * own.rate1)
+                                     : kNoZero;
   }
 };
 

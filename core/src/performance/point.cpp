@@ -229,8 +229,9 @@ SliceAnswer slice_answer(const DrivenMotor<double>& m, double speed, std::size_t
 
 SolvedPoint::SolvedPoint(const DrivenMotor<double>& m, double speed, const WarmStart* guess,
                          double accuracy)
-    : first_(m.annulus.empty() ? SolvedSlice(m, m, speed, layer_of(m, speed), guess ? &guess->of_slice(0) : nullptr,
-             accuracy) : SolvedSlice()) {
+    : first_(m.annulus.empty() ? SolvedSlice(m, m, speed, layer_of(m, speed),
+                                             guess ? &guess->of_slice(0) : nullptr, accuracy)
+                               : SolvedSlice()) {
   if (m.annulus.empty()) {
     status = status_of(m, first_);
     numbers = numbers_of(m, m, first_, speed);
