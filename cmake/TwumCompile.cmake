@@ -41,12 +41,12 @@ function(twum_optimized target part)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:${level_of_${part}}>)
 endfunction()
 
-# twum_lanes(TARGET WIDTH FLAG...): the source for processors with wider vectors than all have; the program asks when it runs. It
-# is compiled alone and always optimized, so that its flags reach no function that others might use (tests/core/check_lanes.py).
-function(twum_lanes target width)
+# twum_lanes(TARGET SOURCE FLAG...): a source for processors with wider vectors than all have; the program asks when it runs. It is
+# compiled alone and always optimized, so that its flags reach no function that others might use (tests/core/check_lanes.py).
+function(twum_lanes target source)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|amd64|AMD64)$")
-    target_sources(${target} PRIVATE src/contact/lanes_${width}.cpp)
-    set_source_files_properties(src/contact/lanes_${width}.cpp PROPERTIES
+    target_sources(${target} PRIVATE ${source})
+    set_source_files_properties(${source} PROPERTIES
       COMPILE_OPTIONS "-O3;${ARGN}" SKIP_UNITY_BUILD_INCLUSION ON)
   endif()
 endfunction()

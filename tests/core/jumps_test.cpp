@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Loads where torque jumps, which takes mu_0 > mu.
 #include "core/curve_motors.hpp"
+#include "support/driven_motors.hpp"
 #include "support/test_motors.hpp"
 
 #include <twum/core/performance/metrics.hpp>
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace twum;
@@ -67,4 +69,33 @@ TEST_CASE("where torque jumps past zero the no-load speed carries every smaller 
     // A root in speed, some eps of it, and a slope of up to 1e5 holding torques per V0 / r.
     CHECK(std::abs(motor.operating_point(speed).torque - load) <= 1e-9 * motor.holding_torque());
   }
+}
+
+TEST_CASE("a slice that jumps under a voltage leaves its neighbours' maximum (T7.15)",
+          "[core][metrics][driven]") {
+  // At a speed where a slice jumps the wave may have no balance.
+  MotorDesign design = driven_motor_with_layer();
+  design.stator.contact_width = 3.05319e-3;
+  design.stator.frequency = 40'524.518;
+  design.stator.voltage = 93.9577;
+  design.stator.quality_factor = 209.202;
+  design.layer.thickness = 0.594026e-3;
+  design.layer.youngs_modulus = 1.07046e9;
+  design.layer.loss_factor = 0.158992;
+  design.friction = {0.260522, 0.331714};
+  design.preload = 116.541;
+  design.stator.radial_slices = 8;
+  const Motor motor(design);
+  const double free = ask(motor, Metric::no_load_speed).value;
+  double torque = 0, power = 0;
+  for (int i = 0; i <= 1000; ++i) {
+    const OperatingPoint p = motor.operating_point(free * i / 1000);
+    if (p.status != PointStatus::ok) continue;
+    torque = std::max(torque, p.torque), power = std::max(power, p.torque * p.speed);
+  }
+  const double most = ask(motor, Metric::max_torque).value,
+               peak = ask(motor, Metric::peak_power).value;
+  // Between two samples a slice that jumps adds at most what mu_0 - mu lets its eighth of the load hold, 0.27 / 8 of the torque.
+  CHECK((most >= torque && most <= 1.034 * torque));
+  CHECK((peak >= power && peak <= 1.034 * power));
 }

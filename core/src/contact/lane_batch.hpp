@@ -13,6 +13,13 @@ enum class LaneWidth : unsigned char { baseline, avx2, avx512 };
 
 inline constexpr int kLanes = 8;
 
+/// A page has to be small: there every contact goes alone.
+#if defined(__wasm__)
+inline constexpr bool kHasLanes = false;
+#else
+inline constexpr bool kHasLanes = true;
+#endif
+
 /// Numbers in memory, one for each lane.
 struct LaneArray {
   alignas(8 * kLanes) double v[kLanes];

@@ -9,19 +9,12 @@
 namespace twum::contact {
 namespace {
 
-#if defined(__wasm__)
-constexpr bool kHasLanes =
-    false;  // two at once are no quicker than one alone, and a page has to be small
-#else
-constexpr bool kHasLanes = true;
-#endif
-
 void run(const LayerMotion<double>& layer, LaneBatch& batch, LaneWidth width) {
 #if defined(__x86_64__)
   if (width == LaneWidth::avx512) return run_lanes_avx512(layer, batch);
   if (width == LaneWidth::avx2) return run_lanes_avx2(layer, batch);
 #endif
-  if constexpr (kHasLanes) run_lanes_baseline(layer, batch);
+  run_lanes_baseline(layer, batch);
 }
 
 void put(ContactNumbers<LaneArray>& n, int lane, const ContactNumbers<double>& contact) {
@@ -69,8 +62,8 @@ LaneWidth widest_lanes() {
 }
 
 bool goes_in_step(const ContactNumbers<double>& n, const LayerMotion<double>& layer) {
-  return kHasLanes && layer.serves_lanes() && enters_at_rest(n, layer) &&
-         !(n.static_ > n.kinetic) && !is_delicate(n, layer);
+  return layer.serves_lanes() && enters_at_rest(n, layer) && !(n.static_ > n.kinetic) &&
+         !is_delicate(n, layer);
 }
 
 void run_in_step(const LayerMotion<double>& layer, std::span<LaneLap> laps, LaneWidth width) {

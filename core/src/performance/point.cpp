@@ -246,11 +246,10 @@ SolvedPoint::SolvedPoint(const DrivenMotor<double>& m, double speed, const WarmS
 void SolvedPoint::solve(const DrivenMotor<double>& m, std::span<const Slice<double>> slices,
                         double speed, const LayerMotion<double>& layer, const WarmStart* guess,
                         double accuracy) {
-  others_.clear();
-  others_.resize(slices.size() - 1);
+  others_ = std::vector<SolvedSlice>(slices.size() - 1);
   for (std::size_t k = 0; k < slices.size() && status == PointStatus::ok; ++k) {
     SolvedSlice& s = slice(k);
-    if (k % contact::kLanes == 0) solve_in_step(m, slices, k, speed, layer);
+    if (contact::kHasLanes && k % contact::kLanes == 0) solve_in_step(m, slices, k, speed, layer);
     if (s.state.laps == 0) {
       const auto entry = entry_near(slices, k, guess);
       s = {m, slices[k], speed, layer, entry ? &*entry : nullptr, accuracy};

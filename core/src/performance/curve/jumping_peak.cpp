@@ -45,10 +45,20 @@ std::vector<Peak> JumpingPeakSearch::peaks_inside(const Stretch& stretch, double
     const bool worthy = stretch.inside.empty() ||
                         std::max(goal_.at(places[k - 1]).value, goal_.at(places[k]).value) >= worth;
     if (!worthy) continue;
-    if (const std::optional<Peak> peak = goal_.peak_between(places[k - 1], places[k]))
+    if (const std::optional<Peak> peak = peak_between(places[k - 1], places[k]))
       peaks.push_back(*peak);
   }
   return peaks;
+}
+
+// A slice that jumps may leave the drive of a motor under a voltage without balance at single speeds. No maximum is there.
+std::optional<Peak> JumpingPeakSearch::peak_between(double low, double high) {
+  try {
+    return goal_.peak_between(low, high);
+  } catch (const SearchFailure& failure) {
+    if (failure.status != MetricStatus::pulled_out) throw;
+    return {};
+  }
 }
 
 bool JumpingPeakSearch::may_have_peaks(const Stretch& stretch) const {

@@ -5,6 +5,7 @@
 #include "performance/curve/goal.hpp"
 #include "performance/curve/stretches.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace twum::performance {
@@ -22,6 +23,7 @@ class JumpingPeakSearch {
  private:
   bool may_have_peaks(const Stretch& stretch) const;
   std::vector<Peak> peaks_inside(const Stretch& stretch, double worth);
+  std::optional<Peak> peak_between(double low, double high);
   Peak named(Peak peak);
 
   GoalCurve goal_;

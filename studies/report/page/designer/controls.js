@@ -23,7 +23,8 @@ function sliderRange(row, value, modal) {
   const typical = row.typical || value || 1;
   const clip = (low, high) => ({low: Math.max(low, row.min), high: Math.min(high, row.max)});
   if (row.integer) return {...clip(Math.max(row.min, 0), Math.max(2 * typical, 2 * value)), log: false};
-  if (modal && row.unit === 'Hz') return {...clip(0.94 * value, 1.06 * value), log: false};  // a resonance is narrow
+  // a resonance is narrow
+  if (modal && row.unit === 'Hz') return {...clip(0.94 * value, 1.06 * value), log: false};
   if (row.unit === '1' && row.max - row.min <= 2) return {low: row.min, high: row.max, log: false};
   if (row.min < 0) {
     const size = 3 * Math.max(Math.abs(value), Math.abs(typical));

@@ -41,7 +41,8 @@ export class Core {
   restart() {
     /** @type {any} */
     const imports = {};
-    const notHere = () => 52;  // what WASI answers to a call that does not exist
+    // what WASI answers to a call that does not exist
+    const notHere = () => 52;
     for (const {module, name} of WebAssembly.Module.imports(this.module)) (imports[module] ??= {})[name] = notHere;
     this.exports = /** @type {any} */ (new WebAssembly.Instance(this.module, imports).exports);
     this.exports._initialize();
@@ -71,7 +72,8 @@ export class Core {
     try {
       count = this.exports[name](...given);
     } catch (error) {
-      this.restart();  // after a trap nothing in the instance can be relied on
+      // after a trap nothing in the instance can be relied on
+      this.restart();
       throw new CoreError('internal error, please report it with this motor: ' + error.message);
     }
     if (count < 0) throw new CoreError(this.text());

@@ -18,7 +18,8 @@ function statedMotor(design, name) {
   const state = new DesignState({...data.designer.motor, name});
   const names = Object.keys(design).filter((n) => Object.hasOwn(data.parameters, n) && Number.isFinite(design[n]));
   names.sort(
-      (a, b) => Number(a === 'static_friction') - Number(b === 'static_friction'));  // its ratio to mu is replaced last
+      // its ratio to mu is replaced last
+      (a, b) => Number(a === 'static_friction') - Number(b === 'static_friction'));
   for (const n of names) state.set(n, design[n], data.parameters[n].alternative);
   return state.motor;
 }

@@ -11,7 +11,8 @@ import {studyYaml} from './motor.js';
 import {readQuantity, typedQuantity} from './quantity.js';
 
 const bandPlaces = 24;
-const longTask = 200;  // [ms]
+// [ms]
+const longTask = 200;
 
 /** Where motor and load meet, at the highest speed: there the motor runs. Null if they do not. */
 export function meetingPoint(core, curve, load) {
@@ -65,7 +66,8 @@ export function showBroken(panel, row) {
   while (panel.state.view.limits.length && broken.length < bandPlaces && performance.now() - begin < longTask)
     broken.push(breaksLimit(panel, row.name, row.fromSlider((sliderSteps * (broken.length + 0.5)) / bandPlaces)));
   row.showBands(broken.length === bandPlaces ? broken : []);
-  if (broken.length) panel.core.motor(panel.state.motor);  // the motor that is shown is asked next
+  // the motor that is shown is asked next
+  if (broken.length) panel.core.motor(panel.state.motor);
 }
 
 /** A look at many motors takes one slice of each. */

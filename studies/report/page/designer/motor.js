@@ -187,7 +187,8 @@ function fillDefaults(motor) {
 
 /** What has to be in a motor file and is not. */
 function missingEntries(motor, tables) {
-  const drawn = motor.values.substrate_thickness !== undefined;  // gives the neutral plane
+  // gives the neutral plane
+  const drawn = motor.values.substrate_thickness !== undefined;
   return Object.entries(tables.parameters)
       .filter(
           ([name, row]) => row.required && motor.values[name] === undefined &&

@@ -16,10 +16,13 @@ import {designerTools} from './tools.js';
 import {FieldsView, WaveView} from './wave.js';
 
 const curvePoints = 161;
-const quickPoints = 61;  // of a motor that takes longer than a frame, until there is time for more
-const slowCurve = 50;    // [ms] a curve of all slices that takes longer comes with fewer points first
+// of a motor that takes longer than a frame, until there is time for more
+const quickPoints = 61;
+// [ms] a curve of all slices that takes longer comes with fewer points first
+const slowCurve = 50;
 let panels = 0;
-const restDelay = 40;  // [ms] that a slider which is held stands still before the rest is computed
+// [ms] that a slider which is held stands still before the rest is computed
+const restDelay = 40;
 
 export class DesignerPanel {
   /**
@@ -28,7 +31,8 @@ export class DesignerPanel {
    * @param {import('./core.js').Core} core
    * @param {import('./state.js').StatedMotor} motor
    */
-  constructor(node, tables, core, motor, inAddress = false) {  // the address is the whole page's, which a report shares
+  // the address is the whole page's, which a report shares
+  constructor(node, tables, core, motor, inAddress = false) {
     this.id = String(++panels);
     this.tables = tables;
     this.core = core;
@@ -271,11 +275,13 @@ export class DesignerPanel {
   rest() {
     const whole = this.sketch || this.dragging;
     const rows = Object.values(this.rows).filter((row) => !row.node.hidden);
-    const slow = this.times.whole > slowCurve;  // of the last time
+    // of the last time
+    const slow = this.times.whole > slowCurve;
     this.tasks = [
       () => {
         if (whole) this.showWhole(slow ? quickPoints : curvePoints);
-        this.showEffects();  // a pause between the two would be a frame
+        // a pause between the two would be a frame
+        this.showEffects();
       },
       ...(whole ? [() => this.computeMetrics(false), ...(slow ? [() => this.drawCurve(curvePoints)] : [])] : []),
       () => this.limits.judge(),

@@ -81,7 +81,8 @@ export class SectionView {
     if (!parts.every((p) => [p.inner, p.outer, p.low, p.high].every(Number.isFinite))) return;
     const outer = Math.max(...parts.map((p) => p.outer));
     const [low, high] = [Math.min(...parts.map((p) => p.low)), Math.max(...parts.map((p) => p.high))];
-    const unit = outer / 100;  // the picture is 106 units wide
+    // the picture is 106 units wide
+    const unit = outer / 100;
     const depth = (high - low) / unit;
     this.picture.setAttribute('viewBox', '-2 -2 106 ' + (depth + 10));
     const box = (p) => svg('rect', {

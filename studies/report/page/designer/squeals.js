@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the motor squeals, found while nothing moves: a speed costs as much as a point of the curve for each slice.
 
-const squealSpeeds = 51;  // as many as in a report
+// as many as in a report
+const squealSpeeds = 51;
 
 export class Squeals {
   /** @param {HTMLElement} entry  of the key, which a motor that does not squeal hides */
