@@ -365,7 +365,7 @@ TEST_CASE("fields at a radius are those of the wave and the rotor there (W1.1, W
                             design.stator.neutral_plane_distance * amplitude;
     CHECK(crest.stator_velocity == Approx(velocity).epsilon(1e-13));
     // the face is a plane cone: pressures at two radii differ by the wave's height and the cone's
-    const FieldSample& middle = motor.fields(speed, 721, r).samples[360];
+    const FieldSample middle = motor.fields(speed, 721, r).samples[360];
     const double rise = amplitude - design.stator.amplitude - (radius - r) * std::tan(1e-4);
     CHECK(
         crest.pressure ==
