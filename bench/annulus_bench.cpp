@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A contact with width beside one slice: points, all metrics, gradients, and what `auto` takes. Ratios count.
+// A contact with width beside one slice: points, all metrics, gradients, and what `auto` takes; slices in step beside slices one
+// after the other. Ratios count.
+#include "contact/lane_laps.hpp"
+#include "performance/motor_model.hpp"
 #include "support/test_motors.hpp"
 #include "timing.hpp"
 
@@ -9,6 +12,7 @@
 #include <twum/core/performance/motor.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -69,6 +73,41 @@ void beside_one_slice(benchmark::State& state, Shape shape) {
   }
 }
 
+// The laps of eight slices in step, in lanes of this width, beside the same laps one after the other; at a share of the
+// no-load speed.
+void in_step(benchmark::State& state, contact::LaneWidth width) {
+  if (width > contact::widest_lanes()) return state.SkipWithError("not on this processor");
+  const MotorDesign design = ring(contact::kLanes, Shape::level);
+  const auto values = performance::model_values(design);
+  const auto motor =
+      performance::driven(performance::motor_model(values, performance::track_rule(design)),
+                          performance::design_wave(values));
+  const double share = 0.01 * static_cast<double>(state.range(0));
+  const double speed = share * evaluate(Motor(design), {Metric::no_load_speed}).value;
+  std::vector<contact::ContactNumbers<double>> contacts;
+  for (const auto& slice : motor.slices())
+    contacts.push_back(performance::contact_numbers(motor, slice, speed));
+  const contact::LayerMotion<double> layer(contacts[0].inertia, contacts[0].damping);
+  std::vector<contact::Lap<double>> laps(contacts.size());
+  std::vector<contact::LaneLap> lanes;
+  for (std::size_t k = 0; k < laps.size(); ++k) lanes.push_back({&contacts[k], &laps[k]});
+  const auto laps_in_step = [&] {
+    std::fill(laps.begin(), laps.end(), contact::Lap<double>());
+    contact::run_in_step(layer, lanes, width);
+    benchmark::DoNotOptimize(laps);
+  };
+  const auto laps_alone = [&] {
+    for (std::size_t k = 0; k < laps.size(); ++k)
+      laps[k] = contact::run_lap(contacts[k], layer, contact::LapEntry<double>{{0, 0}});
+    benchmark::DoNotOptimize(laps);
+  };
+  for (auto _ : state) {
+    const double alone = bench::seconds_per_call(laps_alone, 200);
+    state.counters["share_of_alone"] = bench::seconds_per_call(laps_in_step, 200) / alone;
+    state.counters["alone_us"] = 1e6 * alone;
+  }
+}
+
 void make_motor(benchmark::State& state, int slices, Shape shape) {
   const MotorDesign design = ring(slices, shape);
   for (auto _ : state) benchmark::DoNotOptimize(Motor(design));
@@ -92,6 +131,21 @@ BENCHMARK_CAPTURE(beside_one_slice, rising, Shape::rising)
     ->Arg(8)
     ->Arg(32)
     ->Arg(kAutoSlices)
+    ->Iterations(1);
+BENCHMARK_CAPTURE(in_step, two, contact::LaneWidth::baseline)
+    ->Arg(10)
+    ->Arg(72)
+    ->Arg(100)
+    ->Iterations(1);
+BENCHMARK_CAPTURE(in_step, four, contact::LaneWidth::avx2)
+    ->Arg(10)
+    ->Arg(72)
+    ->Arg(100)
+    ->Iterations(1);
+BENCHMARK_CAPTURE(in_step, eight, contact::LaneWidth::avx512)
+    ->Arg(10)
+    ->Arg(72)
+    ->Arg(100)
     ->Iterations(1);
 BENCHMARK_CAPTURE(make_motor, one, 1, Shape::level);
 BENCHMARK_CAPTURE(make_motor, level_8, 8, Shape::level);

@@ -154,18 +154,17 @@ double followed_zero(const Curve& curve, double x, double length) {
 }
 
 /// A zero of which nothing is known but that it is one.
-template <typename S>
 struct KnownZero {
-  S zero{kNoZero};                 ///< kNoZero if none is known
-  S place{0.0}, f1{0.0}, f2{0.0};  ///< a place close to it, with f' < 0 and f'' there
+  double zero{kNoZero};           ///< kNoZero if none is known
+  double place{0}, f1{0}, f2{0};  ///< a place close to it, with f' < 0 and f'' there
 
   /// True if it is the first zero from x on (E3.6).
   /// @param c  sample with bounds that hold from x on
-  auto is_first_from(const S& x, const SampleOf<S>& c) const {
-    using std::fabs, std::max, std::sqrt;
-    const S bend = fabs(f2) + sqrt(f2 * f2 - 2.0 * c.l3 * f1);
-    const S falling = max(S(-f1 / c.l2), S(-2.0 * f1 / bend));
-    return x >= place - falling && fabs(zero - place) < falling;
+  bool is_first_from(double x, const CurveSample& c) const {
+    if (zero == kNoZero) return false;
+    const double bend = std::fabs(f2) + std::sqrt(f2 * f2 - 2 * c.l3 * f1);
+    const double falling = std::max(-f1 / c.l2, -2 * f1 / bend);
+    return x >= place - falling && std::fabs(zero - place) < falling;
   }
 };
 
@@ -177,7 +176,7 @@ struct NoKnownZero {
 
 /// The zero near x, if few steps of polish_zero() lead there.
 template <typename Curve>
-KnownZero<double> known_zero(const Curve& curve, double x, double length) {
+KnownZero known_zero(const Curve& curve, double x, double length) {
   for (int i = 0; i < 3 && x > 0 && x < length; ++i) {
     const CurveSample c = curve.sample(x);
     const double zero = x + householder_step(c);
@@ -212,7 +211,7 @@ double first_zero(const Curve& curve, double length, StartOrder order, long& wor
     const double step = std::max(zero_free_step(c, order), c.skip);
     if (!(step > 0)) return x;
     x += step;
-    if (known.zero != kNoZero && known.is_first_from(x, c)) return known.zero;
+    if (known.is_first_from(x, c)) return known.zero;
     if (x >= length) return kNoZero;
     order = StartOrder::positive;
     c = curve.sample(x);

@@ -3,6 +3,8 @@
 
 #include "contact/short_slip.hpp"
 
+#include <twum/base/error.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -67,6 +69,7 @@ bool goes_in_step(const ContactNumbers<double>& n, const LayerMotion<double>& la
 }
 
 void run_in_step(const LayerMotion<double>& layer, std::span<LaneLap> laps, LaneWidth width) {
+  TWUM_ASSERT(laps.size() <= kLanes);
   if (laps.empty()) return;
   LaneBatch batch;
   for (int lane = 0; lane < kLanes; ++lane) {

@@ -87,10 +87,12 @@ class LayerMotion {
   }
 
   LayerKind kind() const { return kind_; }
-  /// True for the two forms with inertia that need no series where they meet.
+  /// True for the two forms with inertia that need no series where they meet, if no angle of the vibration within a turn is more
+  /// than the sine of lanes takes, 1e5 (a layer with a natural frequency of 16 000 times the wave's is as good as rigid).
   bool serves_lanes() const {
+    const double square = value_of(square_), most = 1e5 / (2 * std::numbers::pi);
     return kind_ == LayerKind::overdamped ||
-           (kind_ == LayerKind::oscillating && value_of(square_) > 1e-3);
+           (kind_ == LayerKind::oscillating && square > 1e-3 && square < most * most);
   }
   bool has_inertia() const {
     return kind_ == LayerKind::oscillating || kind_ == LayerKind::overdamped;
@@ -98,10 +100,9 @@ class LayerMotion {
 
   /// A difference of states as far as the layer can hold it: an elastic layer has no state of its own,
   /// and without inertia the rate follows from e.
-  template <typename R = S>
-  LayerState<R> own_part(const LayerState<R>& h) const {
+  LayerState<S> own_part(const LayerState<S>& h) const {
     switch (kind_) {
-      case LayerKind::elastic: return {R(0.0), R(0.0)};
+      case LayerKind::elastic: return {S(0.0), S(0.0)};
       case LayerKind::relaxing: return {h.e, slow_ * h.e};
       default: return h;
     }

@@ -165,7 +165,7 @@ TEST_CASE("a known zero (E3.6) ends the march where it is the first, and only th
       last = f;
       if (!falls) continue;
       const double told = polish_zero(curve, x - slip.length / 500, x, x, curve.sample(x));
-      const KnownZero<double> known = known_zero(curve, told * (1 + 1e-9), slip.length);
+      const KnownZero known = known_zero(curve, told * (1 + 1e-9), slip.length);
       long with = 0;
       const double found =
           first_zero(curve, slip.length, StartOrder::positive, with, 1'000'000, known);

@@ -214,6 +214,13 @@ TEST_CASE("contacts that a layer does not enter at rest go alone", "[core][lanes
   CHECK_FALSE(goes(0.2));   // critical damping
   CHECK_FALSE(goes(0.16));  // by 8 a radian, over 4.28 radians: exp(-34) is left
   CHECK(goes(0.18));
+  const double inertia = n.inertia;
+  n.inertia =
+      1e-11;  // its vibration turns by 316 000 rad per radian of the wave, more than the sine of lanes takes
+  CHECK_FALSE(goes(1e-6));
+  n.inertia = 1e-8;
+  CHECK(goes(1e-5));
+  n.inertia = inertia, n.damping = 0.18;
   n.static_ = 1.1 * n.kinetic;
   CHECK_FALSE(goes_in_step(n, LayerMotion<double>(n.inertia, n.damping)));
   CHECK_FALSE(goes_in_step(n, LayerMotion<double>(0, 0)));

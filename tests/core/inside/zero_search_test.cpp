@@ -64,8 +64,8 @@ void check_units(const Curve& curve, double length, double x, int k, int m, Sear
   CHECK(other_work == work);
   if (zero == kNoZero) return;
   ++searched.zeros;
-  const KnownZero<double> known = known_zero(curve, zero + 1e-4 * length, length);
-  const KnownZero<double> told = known_zero(other, (zero + 1e-4 * length) * unit, length * unit);
+  const KnownZero known = known_zero(curve, zero + 1e-4 * length, length);
+  const KnownZero told = known_zero(other, (zero + 1e-4 * length) * unit, length * unit);
   REQUIRE(same(told.zero, known.zero * unit));
   work = other_work = 0;
   const double again = first_zero(curve, length, StartOrder::positive, work, 100'000, known);

@@ -51,7 +51,7 @@ std::vector<Peak> JumpingPeakSearch::peaks_inside(const Stretch& stretch, double
   return peaks;
 }
 
-// A slice that jumps may leave the drive of a motor under a voltage without balance at single speeds. No maximum is there.
+// At single speeds where a slice jumps, the wave of a motor under a voltage may have no balance: no maximum is there.
 std::optional<Peak> JumpingPeakSearch::peak_between(double low, double high) {
   try {
     return goal_.peak_between(low, high);
