@@ -22,11 +22,12 @@ using namespace twum;
 
 enum class Shape { level, rising };
 
-MotorDesign ring(int slices, Shape shape) {
+MotorDesign ring(int slices, Shape shape, double threshold = 1) {
   MotorDesign design = test::ring_motor();
   design.stator.modal_damping = 45;  // so that efficiency has a maximum
   design.stator.radial_slices = slices;
   if (shape == Shape::rising) design.stator.radial_shape = {2, 13.25e-3, {}};
+  design.friction.static_ = threshold * design.friction.kinetic;
   return design;
 }
 
@@ -61,8 +62,9 @@ double seconds_per_gradient(const Motor& motor) {
                                  5);
 }
 
-void beside_one_slice(benchmark::State& state, Shape shape) {
-  const Motor one(ring(1, Shape::level)), many(ring(static_cast<int>(state.range(0)), shape));
+void beside_one_slice(benchmark::State& state, Shape shape, double threshold) {
+  const Motor one(ring(1, Shape::level, threshold)),
+      many(ring(static_cast<int>(state.range(0)), shape, threshold));
   for (auto _ : state) {
     const double point = seconds_per_point(many), metrics = seconds_per_evaluation(many);
     state.counters["point_us"] = 1e6 * point;
@@ -118,7 +120,7 @@ void make_motor(benchmark::State& state, int slices, Shape shape) {
 
 }  // namespace
 
-BENCHMARK_CAPTURE(beside_one_slice, level, Shape::level)
+BENCHMARK_CAPTURE(beside_one_slice, level, Shape::level, 1)
     ->Arg(4)
     ->Arg(8)
     ->Arg(16)
@@ -127,7 +129,12 @@ BENCHMARK_CAPTURE(beside_one_slice, level, Shape::level)
     ->Arg(128)
     ->Arg(kAutoSlices)
     ->Iterations(1);
-BENCHMARK_CAPTURE(beside_one_slice, rising, Shape::rising)
+BENCHMARK_CAPTURE(beside_one_slice, rising, Shape::rising, 1)
+    ->Arg(8)
+    ->Arg(32)
+    ->Arg(kAutoSlices)
+    ->Iterations(1);
+BENCHMARK_CAPTURE(beside_one_slice, threshold, Shape::level, 1.3)  // mu_0 / mu
     ->Arg(8)
     ->Arg(32)
     ->Arg(kAutoSlices)

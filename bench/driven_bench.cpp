@@ -11,6 +11,7 @@
 #include <twum/core/performance/motor.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -20,9 +21,11 @@ using namespace twum;
 using namespace twum::test;
 
 MotorDesign design_of(benchmark::State& state) {
-  const bool elastic = state.range(0) == 0;
-  state.SetLabel(elastic ? "elastic layer" : "inertia and viscosity");
-  MotorDesign design = elastic ? driven_motor() : driven_motor_with_layer();
+  constexpr std::array kLabels{"elastic layer", "inertia and viscosity", "the same, mu_0 = 1.3 mu"};
+  const auto kind = static_cast<std::size_t>(state.range(0));
+  state.SetLabel(kLabels[kind]);
+  MotorDesign design = kind == 0 ? driven_motor() : driven_motor_with_layer();
+  if (kind == 2) design.friction.static_ = 1.3 * design.friction.kinetic;
   design.stator.radial_slices = static_cast<int>(state.range(1));
   return design;
 }
@@ -145,6 +148,11 @@ BENCHMARK(point_on_the_branch)->ArgsProduct({{0, 1}, {1, 8}})->Unit(benchmark::k
 BENCHMARK(waves_at_a_speed)->ArgsProduct({{0, 1}, {1}})->Unit(benchmark::kMicrosecond);
 BENCHMARK(metrics_of_a_design)->ArgsProduct({{0, 1}, {1, 8}})->Unit(benchmark::kMicrosecond);
 BENCHMARK(gradients_of_a_design)->ArgsProduct({{0, 1}, {1, 8}})->Unit(benchmark::kMicrosecond);
+// Where slices jump: their number given, and `auto`.
+BENCHMARK(metrics_of_a_design)
+    ->ArgsProduct({{2}, {8, 32, kAutoSlices}})
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(gradients_of_a_design)->ArgsProduct({{2}, {kAutoSlices}})->Unit(benchmark::kMillisecond);
 BENCHMARK(sweeps_under_torque)->ArgsProduct({{0, 1}, {1, 8}})->Unit(benchmark::kMillisecond);
 BENCHMARK(sweeps_at_a_speed)->ArgsProduct({{0, 1}, {1, 8}})->Unit(benchmark::kMillisecond);
 BENCHMARK(each_frequency_by_itself)->ArgsProduct({{0, 1}, {1}})->Unit(benchmark::kMillisecond);

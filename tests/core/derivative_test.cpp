@@ -84,16 +84,13 @@ TEST_CASE(
   check_every_metric(check_designs(20250102, 6, annulus_of));
 }
 
-// Where the search for a split takes one step more the torque steps by 1e-9 of its scale (W4.4): 5e-6 of it over
-// the difference of 2e-4. The
-// third derivatives that a central difference leaves are of order 1e2 of the scale: 1e-8 times that.
-TEST_CASE("a track that is split where zones begin has the derivatives of differences (W4.4)",
-          "[core][annulus][derivative][differential]") {
-  MotorDesign design = ring_motor();
-  design.stator.radial_slices = -12;
+namespace {
+
+// Torques beside their derivatives.
+void check_torques(const MotorDesign& design) {
   const Motor motor(design);
   std::vector<MetricRequest> requests;
-  for (const double share : {0.3, 0.8, 0.95, 1.2})
+  for (const double share : {0.3, 0.65, 0.8, 0.95, 1.2})
     requests.push_back({Metric::torque_at, Argument::speed, share * motor.crest_speed()});
   const auto found = differentiate(motor, requests);
   for (const Parameter parameter : {Parameter::amplitude, Parameter::preload, Parameter::thickness,
@@ -108,6 +105,55 @@ TEST_CASE("a track that is split where zones begin has the derivatives of differ
             1e-5 * torque_scale(design) / x);
     }
   }
+}
+
+}  // namespace
+
+// Where the search for a split takes one step more the torque steps by 1e-9 of its scale (W4.4): 5e-6 of it over
+// the difference of 2e-4. The
+// third derivatives that a central difference leaves are of order 1e2 of the scale: 1e-8 times that.
+TEST_CASE("a track that is split where zones begin has the derivatives of differences (W4.4)",
+          "[core][annulus][derivative][differential]") {
+  MotorDesign design = ring_motor();
+  design.stator.radial_slices = -12;
+  check_torques(design);
+}
+
+// A jump of 1 % of the scale that moves by a tenth of the track per relative change of a parameter adds 1e-3 to a derivative, a
+// hundred times the tolerance: a split that stood still would be seen.
+TEST_CASE("a track that is split where its slices jump has the derivatives of differences (W4.5)",
+          "[core][annulus][derivative][differential]") {
+  const MotorDesign ring = ring_motor();
+  MotorDesign ringing = ring;  // comes back with a hundredth of its motion
+  ringing.layer.thickness = 0.5e-3, ringing.layer.youngs_modulus = 0.9e9;
+  for (MotorDesign design : {ring, elastic(ring), damped(ring), ringing}) {
+    design.friction.static_ = 1.3 * design.friction.kinetic;
+    design.stator.radial_slices = -12;
+    check_torques(design);
+  }
+}
+
+// Maxima take second derivatives. They are smooth, where those of a number of slices lie beside jumps.
+TEST_CASE("the metrics of a track with mu_0 > mu have the derivatives of differences (W4.5)",
+          "[core][annulus][derivative][differential]") {
+  MotorDesign design = ring_motor();
+  design.stator.modal_damping = 45;
+  design.friction.static_ = 1.3 * design.friction.kinetic;
+  design.stator.radial_slices = -10;
+  const std::vector<MetricRequest> requests{{Metric::no_load_speed},  {Metric::max_torque},
+                                            {Metric::peak_power},     {Metric::speed_at_peak_power},
+                                            {Metric::max_efficiency}, {Metric::plateau_speed}};
+  for (const MetricDerivative& found : differentiate(Motor(design), requests))
+    CHECK(found.smoothness == Smoothness::smooth);
+  Tally tally;
+  Deviation deviation("derivatives of a track that jumps against Richardson differences, relative",
+                      1e-7);
+  check_gradients(design, requests, tally, deviation);
+  CAPTURE(tally.total_sharp(), tally.blunt, tally.again, tally.examples);
+  CHECK(tally.wrong == 0);
+  CHECK(tally.total_sharp() >= 40);
+  CHECK(tally.sharp["speed_at_peak_power"] >= 5);
+  CHECK(deviation.holds());
 }
 
 TEST_CASE("a layer that still rings at the next entry has the derivatives of differences (E6.2)",

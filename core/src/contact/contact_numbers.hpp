@@ -52,6 +52,22 @@ struct ContactNumbers {
   bool full;      ///< full contact: no free zone, theta runs from -pi to pi
 };
 
+/// The numbers without derivatives.
+template <typename S>
+ContactNumbers<double> values_of(const ContactNumbers<S>& n) {
+  const auto at = [](const S& x) { return value_of(x); };
+  return {at(n.inertia),
+          at(n.damping),
+          at(n.stick_rate),
+          at(n.speed_ratio),
+          at(n.half_angle),
+          at(n.peak),
+          at(n.kinetic),
+          at(n.static_),
+          {at(n.edge.sin), at(n.edge.cos), at(n.edge.versine)},
+          n.full};
+}
+
 /// How the layer moves when left alone.
 enum class LayerKind : unsigned char {
   elastic,      ///< M = C = 0: no motion of its own

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace twum::contact {
@@ -34,12 +35,13 @@ class LapRunner {
               {S(0.0), S(0.0)}},
         delicate_(is_delicate(numbers, layer)) {}
 
-  void run(const LapEntry<S>& entry) {
+  /// @param zones  how many of them; the lap is whole if it has no more
+  void run(const LapEntry<S>& entry, int zones = std::numeric_limits<int>::max()) {
     here_.layer = entry.layer;
     lap_.has_means = kHasMeans;
     begin(entry.carried ? start_.carry_on(entry.zone, here_) : start_.enter(here_));
     lap_.first = zone_.zone;
-    while (!done_ && lap_.status == LapStatus::ok) {
+    while (!done_ && lap_.status == LapStatus::ok && lap_.sequence.count < zones) {
       const ZoneSequence::End* known = ends_.known(zone_.zone, lap_.sequence.count);
       // A lap that follows another goes through the same zones.
       if (kEnds == Ends::followed && !known) return fail();
@@ -49,6 +51,8 @@ class LapRunner {
     lap_.one_slip = lap_.zones == 1 && lap_.first != ZoneState::stick;
     leave();
   }
+
+  LapPlace<S> here() const { return here_; }
 
  private:
   void begin(const ZoneBegin& zone) {
@@ -274,11 +278,26 @@ std::optional<Lap<double>> follow_states(const ContactNumbers<double>& numbers,
   return followed<false>(numbers, layer, entry, near);
 }
 
+template <typename S>
+LapPlace<S> place_after(int zones, const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
+                        const LapEntry<S>& entry) {
+  Lap<S> lap;
+  LapRunner<S> runner(numbers, layer, nullptr, nullptr, Means::of_wave, lap);
+  runner.run(entry, zones);
+  return runner.here();
+}
+
 #define TWUM_INSTANTIATE(S)                                                                    \
   template Lap<S> run_lap(const ContactNumbers<S>&, const LayerMotion<S>&, const LapEntry<S>&, \
                           const ZoneSequence*, std::vector<ZoneTrace>*, Means);
 TWUM_FOR_EACH_CONTACT_SCALAR(TWUM_INSTANTIATE)
 TWUM_FOR_EACH_WITH_STATE(TWUM_INSTANTIATE)
+#undef TWUM_INSTANTIATE
+
+#define TWUM_INSTANTIATE(S)                                                              \
+  template LapPlace<S> place_after(int, const ContactNumbers<S>&, const LayerMotion<S>&, \
+                                   const LapEntry<S>&);
+TWUM_FOR_EACH_MARGIN_SCALAR(TWUM_INSTANTIATE)
 #undef TWUM_INSTANTIATE
 
 }  // namespace twum::contact

@@ -14,6 +14,12 @@
 
 namespace twum::contact {
 
+/// Where a lap is: phase and layer.
+template <typename S>
+struct LapPlace : Phase<S> {
+  LayerState<S> layer;
+};
+
 /// Where a lap begins: the layer's state at entry and, in full contact, the zone it is in.
 template <typename S>
 struct LapEntry {
@@ -95,6 +101,11 @@ template <typename S>
 Lap<S> run_lap(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
                const LapEntry<S>& entry, const ZoneSequence* sequence = nullptr,
                std::vector<ZoneTrace>* trace = nullptr, Means means = Means::all);
+
+/// Where the lap is after some of its zones.
+template <typename S>
+LapPlace<S> place_after(int zones, const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
+                        const LapEntry<S>& entry);
 
 /// The return map alone: the layer at the next entry, without the means.
 /// @param sequence  as in run_lap()

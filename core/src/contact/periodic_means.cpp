@@ -91,12 +91,15 @@ class DifferentiatedTurn {
 
 MovingMeans moving_means(const ContactNumbers<MotionDual>& numbers, const PeriodicState& state,
                          Means means) {
-  if (!state.remembers) {
-    const LapEntry<MotionDual> entry = constant_entry<MotionDual>(state.entry);
-    const LayerMotion<MotionDual> layer(numbers.inertia, numbers.damping);
-    return {run_lap(numbers, layer, entry, &state.lap.sequence, nullptr, means).means, {}};
+  if constexpr (!kStateAlways) {
+    if (!state.remembers) {
+      const LapEntry<MotionDual> entry = constant_entry<MotionDual>(state.entry);
+      const LayerMotion<MotionDual> layer(numbers.inertia, numbers.damping);
+      return {run_lap(numbers, layer, entry, &state.lap.sequence, nullptr, means).means, {}};
+    }
   }
   const DifferentiatedTurn turn(numbers, state, means);
+  if (!state.remembers) return {turn.means(), {}};
   const auto in_state = [](const WithState<MotionDual>::Type& x) {
     return LayerState<double>{x.d[2], x.d[3]};
   };
@@ -115,10 +118,12 @@ ContactMeans<S> periodic_means(const ContactNumbers<S>& numbers,
     LapEntry<S> entry = constant_entry<S>(state.entry);
     const ZoneSequence* sequence = &state.lap.sequence;
     constexpr Means means = kDualDepth<S> == 1 ? Means::all : Means::of_wave;
-    if (!state.remembers) return run_lap(numbers, layer, entry, sequence, nullptr, means).means;
     if constexpr (kDualDepth<S> == 1) {
+      if constexpr (!kStateAlways)
+        if (!state.remembers) return run_lap(numbers, layer, entry, sequence, nullptr, means).means;
       return DifferentiatedTurn(numbers, state).means();
     } else {
+      if (!state.remembers) return run_lap(numbers, layer, entry, sequence, nullptr, means).means;
       const Matrix2 j = return_jacobian(values, state.entry, sequence);
       for (int i = 0; i < kDualDepth<S>; ++i) {
         const LayerState<S> next =

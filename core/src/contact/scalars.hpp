@@ -23,6 +23,13 @@ struct WithState<Dual<double, N>> {
   using Type = Dual<double, N + 2>;
 };
 
+/// A page has to be small: there these serve where the layer comes back at rest, too, and take a little longer.
+#ifdef __wasm__
+inline constexpr bool kStateAlways = true;
+#else
+inline constexpr bool kStateAlways = false;
+#endif
+
 /// a where the condition holds, else b; in lanes both are computed.
 inline double select(bool condition, double a, double b) { return condition ? a : b; }
 
@@ -36,6 +43,12 @@ inline double least_argument(double x, double y) { return std::atan2(y, x); }
   X(double)                             \
   X(MotionDual)                         \
   X(NumbersDual)                        \
+  X(NumbersDual2)
+
+/// Those that the margin of a jump takes: laps in them are made anyway.
+#define TWUM_FOR_EACH_MARGIN_SCALAR(X) \
+  X(double)                            \
+  X(WithState<NumbersDual>::Type)      \
   X(NumbersDual2)
 
 /// Those of them that the periodic state is differentiated with in one lap.

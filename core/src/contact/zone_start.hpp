@@ -3,19 +3,13 @@
 
 #include "contact/contact_numbers.hpp"
 #include "contact/first_zero.hpp"
-#include "contact/layer_motion.hpp"
+#include "contact/lap.hpp"
 
 #include <twum/core/contact/zone.hpp>
 
 #include <cmath>
 
 namespace twum::contact {
-
-/// Where a lap is: phase and layer.
-template <typename S>
-struct LapPlace : Phase<S> {
-  LayerState<S> layer;
-};
 
 template <typename S>
 S pressure(const ContactNumbers<S>& n, const Trig<S>& at) {

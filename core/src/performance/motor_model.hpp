@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/contact_numbers.hpp"
+#include "contact/jump.hpp"
 #include "design/radial_shape.hpp"
 #include "performance/scalars.hpp"
 
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -37,12 +39,19 @@ template <typename S>
 struct Piece {
   S low, high;
   bool root_low, root_high;
+  double gap{0};  ///< no slice stands so close to the lower end [m]
 };
 
 /// Where a piece is split into panels, in parts of its length.
-struct Split {
+template <typename S>
+struct SplitPlace {
   std::size_t piece;
-  double place;
+  S place;
+  double gap{0};  ///< no slice is to stand so close beyond it, as it would have no answer
+};
+/// The same with the jump of the means that is there, if there is one: the split moves with it.
+struct Split : SplitPlace<double> {
+  std::optional<contact::Jump> jump{};
 };
 
 /// What a design says to the contact model, whatever wave drives it (theory sections 1 and 2).
@@ -58,6 +67,18 @@ struct MotorModel {
   S compliance;  ///< 1 / G
   TrackRule track;
 };
+
+/// mu_0 > mu: released at once, the traction jumps.
+template <typename S>
+bool has_static_excess(const MotorModel<S>& m) {
+  return value_of(m.static_) > value_of(m.kinetic);
+}
+
+/// The torque may jump over speed and parameters, slice by slice. A track that is split where its slices jump has no such jumps.
+template <typename S>
+bool may_jump(const MotorModel<S>& m) {
+  return has_static_excess(m) && !m.track.splits;
+}
 
 /// The wave prescribed at an operating point, beside the design.
 template <typename S>
@@ -227,7 +248,8 @@ DrivenMotor<S> over_annulus(DrivenMotor<S> motor);
 
 /// The slices that touch where the pieces are split (W4.1, W4.3), in rising order of radius.
 template <typename S>
-std::vector<Slice<S>> annulus_of(const DrivenMotor<S>& motor, std::span<const Split> splits);
+std::vector<Slice<S>> annulus_of(const DrivenMotor<S>& motor,
+                                 std::span<const SplitPlace<S>> splits);
 
 /// Mean radius of the preload on some slices.
 template <typename S>

@@ -18,7 +18,6 @@ namespace {
 using contact::LayerMotion;
 using contact::PeriodicStatus;
 
-constexpr double kRough = 1e-6;  // accuracy for which a track needs no splits
 // Accuracy for a guess that Newton's method has already led to the periodic state. An error of the state changes torque and
 // powers by about as much of their scale, and of all laws that are then checked the strictest is the balance of the drive
 // (1e-11).
@@ -58,7 +57,7 @@ bool keeps_laws(const DrivenMotor<double>& m, const PointNumbers<double>& n, dou
 // unless its own vibration brings it back to rest on the stator: then it sticks and slips in a rhythm
 // that has nothing to do with the turns of the wave.
 bool drags_steadily(const DrivenMotor<double>& m, double speed) {
-  if (!(m.static_ > m.kinetic) || m.inertia == 0 || speed == 0) return true;
+  if (!has_static_excess(m) || m.inertia == 0 || speed == 0) return true;
   const double W = m.omega + m.kappa * m.r * speed;
   const double pressure = m.contact.max_pressure;
   const LayerMotion<double> layer(m.inertia * W * W / m.shear, m.viscosity * W / m.shear);
@@ -210,7 +209,7 @@ LayerMotion<double> layer_of(const DrivenMotor<double>& m, double speed) {
 // What is the matter with a slice. With mu_0 > mu a locked one is torn loose.
 PointStatus status_of(const DrivenMotor<double>& m, const SolvedSlice& s) {
   if (!s.locked) return point_status(s.state.status);
-  return m.static_ > m.kinetic ? PointStatus::no_periodic_state : PointStatus::ok;
+  return has_static_excess(m) ? PointStatus::no_periodic_state : PointStatus::ok;
 }
 
 PointNumbers<double> numbers_of(const DrivenMotor<double>& m, const Slice<double>& slice,
@@ -238,23 +237,25 @@ SolvedPoint::SolvedPoint(const DrivenMotor<double>& m, double speed, const WarmS
     return;
   }
   const LayerMotion<double> layer = layer_of(m, speed);
-  solve(m, m.slices(), speed, layer, guess, accuracy);
-  if (m.track.splits && status == PointStatus::ok && accuracy < kRough)
-    split(m, speed, layer, accuracy);
+  const bool splits = m.track.splits && accuracy < kWithoutSplits;
+  // With mu_0 > mu a slice may have no answer, and those beside it have.
+  const bool may_skip = splits && has_static_excess(m);
+  solve(m, m.slices(), speed, layer, guess, accuracy, may_skip);
+  if (splits && (status == PointStatus::ok || may_skip)) split(m, speed, layer, accuracy);
 }
 
 void SolvedPoint::solve(const DrivenMotor<double>& m, std::span<const Slice<double>> slices,
                         double speed, const LayerMotion<double>& layer, const WarmStart* guess,
-                        double accuracy) {
+                        double accuracy, bool may_skip) {
   others_ = std::vector<SolvedSlice>(slices.size() - 1);
-  for (std::size_t k = 0; k < slices.size() && status == PointStatus::ok; ++k) {
+  for (std::size_t k = 0; k < slices.size() && (status == PointStatus::ok || may_skip); ++k) {
     SolvedSlice& s = slice(k);
     if (contact::kHasLanes && k % contact::kLanes == 0) solve_in_step(m, slices, k, speed, layer);
     if (s.state.laps == 0) {
       const auto entry = entry_near(slices, k, guess);
       s = {m, slices[k], speed, layer, entry ? &*entry : nullptr, accuracy};
     }
-    status = status_of(m, s);
+    if (const PointStatus own = status_of(m, s); own != PointStatus::ok) status = own;
     const PointNumbers<double> own = numbers_of(m, slices[k], s, speed);
     numbers = k == 0 ? own : numbers + own;
   }
@@ -284,18 +285,37 @@ void SolvedPoint::solve_in_step(const DrivenMotor<double>& m, std::span<const Sl
 void SolvedPoint::split(const DrivenMotor<double>& m, double speed,
                         const LayerMotion<double>& layer, double accuracy) {
   const auto zones_of = [](const SolvedSlice& s) {
-    return s.locked ? SliceZones{0, HUGE_VAL}
-                    : SliceZones{s.state.lap.itinerary, s.state.lap.shortest};
+    if (s.locked) return SliceZones{0, HUGE_VAL};
+    return s.state.status != PeriodicStatus::ok
+               ? SliceZones{SliceZones::kNoAnswer, HUGE_VAL}
+               : SliceZones{s.state.lap.itinerary, s.state.lap.shortest};
   };
   std::vector<SliceZones> zones;
   for (std::size_t k = 0; k < size(); ++k) zones.push_back(zones_of(slice(k)));
-  splits_ = zone_splits(m, zones, [&](double radius) {
+  const auto zones_at = [&](double radius) {
     const Slice<double> there = slice_at(m, radius, m.b);
     if (!(there.contact.half_angle > 0)) return SliceZones{0, HUGE_VAL};
     const auto entry = entry_at(m.slices(), radius);
     return zones_of({m, there, speed, layer, entry ? &*entry : nullptr, accuracy});
-  });
-  if (!splits_.empty()) solve_split(m, speed, layer, nullptr, accuracy);
+  };
+  if (!has_static_excess(m)) {
+    splits_ = zone_splits(m, zones, {zones_at, {}, {}});
+  } else {
+    const auto numbers_at = [&](double radius) {
+      return contact_numbers(m, slice_at(m, radius, m.b), speed);
+    };
+    splits_ = zone_splits(m, zones,
+                          {zones_at,
+                           [&](double low, double high) {
+                             return contact::jump_between(numbers_at(low), numbers_at(high));
+                           },
+                           [&](double radius, const contact::Jump& jump) {
+                             return contact::jump_margin(numbers_at(radius), jump);
+                           }});
+  }
+  if (splits_.empty()) return;
+  status = PointStatus::ok;
+  solve_split(m, speed, layer, nullptr, accuracy);
 }
 
 std::optional<WarmStart::Entry> SolvedPoint::entry_at(std::span<const Slice<double>> slices,
@@ -312,11 +332,12 @@ std::optional<WarmStart::Entry> SolvedPoint::entry_at(std::span<const Slice<doub
 void SolvedPoint::solve_split(const DrivenMotor<double>& m, double speed,
                               const LayerMotion<double>& layer, const WarmStart* guess,
                               double accuracy) {
-  const std::vector<Slice<double>> slices = annulus_of<double>(m, splits_);
+  const std::vector<SplitPlace<double>> places(splits_.begin(), splits_.end());
+  const std::vector<Slice<double>> slices = annulus_of<double>(m, places);
   lever_ = lever_of<double>(slices, m.preload);
   if (guess && guess->size() != slices.size()) guess = nullptr;
   first_ = {};
-  solve(m, slices, speed, layer, guess, accuracy);
+  solve(m, slices, speed, layer, guess, accuracy, false);
 }
 
 bool SolvedPoint::has_pieces_of_splits(const DrivenMotor<double>& m) const {
@@ -333,7 +354,8 @@ static double gained(const contact::LayerState<double>& slope,
 std::optional<NewtonTurn> SolvedPoint::newton_turn(const DrivenMotor<double>& m, double speed,
                                                    const WarmStart& entry,
                                                    const MovingStates& states) const {
-  const PointSlices slices(m, splits_);
+  const std::vector<SplitPlace<double>> places(splits_.begin(), splits_.end());
+  const PointSlices<double> slices(m, places);
   if (special || is_trivial(m) || slices.size() != size() || entry.size() != size() ||
       states.size() != size())
     return {};
@@ -383,7 +405,7 @@ SolvedPoint solve_point(const DrivenMotor<double>& m, double speed, const WarmSt
 
 SolvedPoint solve_point_near(const DrivenMotor<double>& m, double speed, const SolvedPoint& near,
                              const WarmStart& guess) {
-  if (near.splits_.empty() || !near.has_pieces_of_splits(m))
+  if (near.splits_.empty() || has_static_excess(m) || !near.has_pieces_of_splits(m))
     return solve_point(m, speed, &guess, kConfirmed);
   SolvedPoint point;
   point.splits_ = near.splits_;

@@ -102,7 +102,7 @@ struct NewtonTurn {
 template <typename S>
 class PointSlices {
  public:
-  PointSlices(const DrivenMotor<S>& motor, std::span<const Split> splits)
+  PointSlices(const DrivenMotor<S>& motor, std::span<const SplitPlace<S>> splits)
       : own_(splits.empty() ? std::vector<Slice<S>>() : annulus_of(motor, splits)),
         all_(splits.empty() ? motor.slices() : std::span<const Slice<S>>(own_)) {}
   PointSlices(const PointSlices&) = delete;
@@ -193,9 +193,11 @@ class SolvedPoint {
   double lever(const DrivenMotor<double>& motor) const {
     return splits_.empty() ? motor.lever : lever_;
   }
-  /// Solves the slices and adds them.
+  /// Solves the slices and adds them, up to the first without an answer.
+  /// @param may_skip  goes on beyond it; then the sum means nothing
   void solve(const DrivenMotor<double>& motor, std::span<const Slice<double>> slices, double speed,
-             const contact::LayerMotion<double>& layer, const WarmStart* guess, double accuracy);
+             const contact::LayerMotion<double>& layer, const WarmStart* guess, double accuracy,
+             bool may_skip);
   /// Solves those of the next slices from `from` on whose laps can be made in step.
   void solve_in_step(const DrivenMotor<double>& motor, std::span<const Slice<double>> slices,
                      std::size_t from, double speed, const contact::LayerMotion<double>& layer);
@@ -229,9 +231,12 @@ class SolvedPoint {
   std::vector<Split> splits_;  // none: the slices are those of the motor
 };
 
+/// Accuracy of the periodic states from which on a track is not split.
+inline constexpr double kWithoutSplits = 1e-6;
+
 /// Solves one operating point.
 /// @param guess     what a neighbouring point says; null: the layer enters at rest
-/// @param accuracy  of the periodic state, as find_periodic_state(); from 1e-6 on a track is not split
+/// @param accuracy  of the periodic state, as find_periodic_state(); see kWithoutSplits
 SolvedPoint solve_point(const DrivenMotor<double>& motor, double speed,
                         const WarmStart* guess = nullptr, double accuracy = 0);
 

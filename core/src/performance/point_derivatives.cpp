@@ -2,11 +2,15 @@
 #include "performance/point_derivatives.hpp"
 
 #include "contact/slip_margin.hpp"
+#include "performance/contact_directions.hpp"
+#include "performance/mapped_motor.hpp"
+#include "performance/moving_splits.hpp"
 #include "performance/track.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace twum::performance {
 namespace {
@@ -14,75 +18,7 @@ namespace {
 using contact::ContactNumbers;
 using contact::MotionDual;
 using contact::NumbersDual;
-using contact::NumbersDual2;
 using contact::SpeedDual;
-
-// The contact's scalar that goes with a model scalar.
-template <typename S>
-struct ContactScalar;
-template <>
-struct ContactScalar<ModelDual> {
-  using Outer = NumbersDual;
-};
-template <>
-struct ContactScalar<ModelDual2> {
-  using Outer = NumbersDual2;
-};
-
-// The seven numbers as a list; in partial contact theta_L stands for the edge, in full contact its pressure.
-template <typename S>
-std::array<S, 7> listed(const ContactNumbers<S>& n) {
-  return {n.inertia, n.damping, n.stick_rate, n.speed_ratio, n.full ? n.peak : n.half_angle,
-          n.kinetic, n.static_};
-}
-
-// Seeds the seven numbers as independent variables.
-template <typename K, typename S>
-ContactNumbers<K> seeded(const ContactNumbers<S>& n) {
-  const std::array<S, 7> x = listed(n);
-  const auto variable = [&x](int i) { return K::variable(x[static_cast<std::size_t>(i)].v, i); };
-  ContactNumbers<K> k{variable(0), variable(1), variable(2),
-                      variable(3), K(0.0),      K(0.0),
-                      variable(5), variable(6), {K(0.0), K(0.0), K(0.0)},
-                      n.full};
-  if (n.full) {
-    k.half_angle = K(value_of(n.half_angle));
-    k.peak = variable(4);
-    k.edge = {K(0.0), K(-1.0), K(2.0)};
-  } else {
-    k.half_angle = variable(4);
-    k.edge = contact::trig(k.half_angle);
-    k.peak = k.edge.versine;
-  }
-  return k;
-}
-
-// Derivatives in the seven numbers times those of the numbers.
-template <typename S, typename K>
-S chained(const K& f, const std::array<S, 7>& x) {
-  S r;
-  r.v = f.v;
-  for (int j = 0; j < kDirections; ++j) {
-    r.d[j] = f.d[0] * x[0].d[j];
-    for (int i = 1; i < 7; ++i) r.d[j] = r.d[j] + f.d[i] * x[static_cast<std::size_t>(i)].d[j];
-  }
-  return r;
-}
-
-template <typename S>
-ContactNumbers<double> values_of(const ContactNumbers<S>& n) {
-  const auto at = [](const S& x) { return value_of(x); };
-  return {at(n.inertia),
-          at(n.damping),
-          at(n.stick_rate),
-          at(n.speed_ratio),
-          at(n.half_angle),
-          at(n.peak),
-          at(n.kinetic),
-          at(n.static_),
-          {at(n.edge.sin), at(n.edge.cos), at(n.edge.versine)},
-          n.full};
-}
 
 // Each of kModelParameters a direction of its own.
 template <typename S>
@@ -111,55 +47,13 @@ DrivenMotor<Dual<T, kDirections>> differentiated_motor(const MotorDesign& design
   return driven(motor_model(p, track), design_wave(p));
 }
 
-namespace {
-
-// The same along a speed on which it does not depend.
-ModelDual2 constant_in_speed(const ModelDual& x) {
-  ModelDual2 r;
-  r.v = SpeedDual(x.v);
-  for (int j = 0; j < kDirections; ++j) r.d[j] = SpeedDual(x.d[j]);
-  return r;
-}
-
-Slice<ModelDual2> constant_in_speed(const Slice<ModelDual>& s) {
-  const auto c = [](const ModelDual& x) { return constant_in_speed(x); };
-  const NormalContact<ModelDual>& n = s.contact;
-  return {c(s.radius),
-          c(s.width),
-          c(s.shape),
-          c(s.amplitude),
-          c(s.crest_velocity),
-          c(s.load),
-          c(s.share),
-          {c(n.half_angle), c(n.edge_cosine), c(n.pressure_amplitude), c(n.half_length),
-           c(n.load_ratio), c(n.ratio), c(n.max_pressure), n.full},
-          c(s.stick_gain),
-          c(s.peak),
-          {c(s.edge.sin), c(s.edge.cos), c(s.edge.versine)},
-          c(s.pressure_force),
-          c(s.torque_scale),
-          c(s.power_scale),
-          c(s.force_scale)};
-}
-
-}  // namespace
-
-DrivenMotor<ModelDual2> constant_in_speed(const DrivenMotor<ModelDual>& m) {
-  const auto c = [](const ModelDual& x) { return constant_in_speed(x); };
-  DrivenMotor<ModelDual2> r;
-  static_cast<MotorModel<ModelDual2>&>(r) = {
-      c(m.n),       c(m.r),          c(m.b),       c(m.kappa),          c(m.tilt),
-      c(m.youngs),  c(m.thickness),  c(m.shear),   c(m.viscosity),      c(m.inertia),
-      c(m.kinetic), c(m.static_),    c(m.preload), c(m.stator_damping), {},
-      c(m.slope),   c(m.compliance), m.track};
-  std::transform(m.shape_numbers.begin(), m.shape_numbers.end(), r.shape_numbers.begin(), c);
-  static_cast<Slice<ModelDual2>&>(r) = constant_in_speed(static_cast<const Slice<ModelDual>&>(m));
-  r.omega = c(m.omega), r.lever = c(m.lever), r.holding_lever = c(m.holding_lever);
-  r.indentation = c(m.indentation);
-  for (const Piece<ModelDual>& p : m.pieces)
-    r.pieces.push_back({c(p.low), c(p.high), p.root_low, p.root_high});
-  for (const Slice<ModelDual>& s : m.annulus) r.annulus.push_back(constant_in_speed(s));
-  return r;
+DrivenMotor<ModelDual2> constant_in_speed(const DrivenMotor<ModelDual>& motor) {
+  return mapped<ModelDual2>(motor, [](const ModelDual& x) {
+    ModelDual2 r;
+    r.v = SpeedDual(x.v);
+    for (int j = 0; j < kDirections; ++j) r.d[j] = SpeedDual(x.d[j]);
+    return r;
+  });
 }
 
 template DrivenMotor<ModelDual> differentiated_motor(const MotorDesign&, const double&,
@@ -177,12 +71,28 @@ ModelDual2 speed_variable<ModelDual2>(double speed) {
   return ModelDual2::variable(SpeedDual::variable(speed, 0), kSpeedDirection);
 }
 
+namespace {
+
+// The splits of a track in the motor's scalar.
+template <typename S, typename R>
+std::vector<SplitPlace<S>> places_of(const DrivenMotor<S>& m, const R& speed,
+                                     std::span<const Split> splits) {
+  if constexpr (std::is_same_v<S, R>) {
+    return moving_splits(m, speed, splits);
+  } else {
+    return {splits.begin(), splits.end()};
+  }
+}
+
+}  // namespace
+
 // The sum over slices of what `differentiate` says of each that is not locked.
 template <typename S, typename R, typename Differentiate>
 PointNumbers<R> SolvedPoint::summed(const DrivenMotor<S>& m, const R& speed,
                                     Differentiate differentiate) const {
   if (special) return special_point(m, speed);
-  const PointSlices<S> slices(m, splits_);
+  const std::vector<SplitPlace<S>> places = places_of(m, speed, splits_);
+  const PointSlices<S> slices(m, places);
   const auto numbers_of = [&](std::size_t k) {
     const Slice<S>& s = slices[k];
     if (slice(k).locked) return locked_slice(m, s, speed);
@@ -210,10 +120,13 @@ PointNumbers<S> SolvedPoint::differentiated(const DrivenMotor<S>& m, const S& sp
 
 PointNumbers<MotionDual> SolvedPoint::differentiated(const DrivenMotor<double>& m,
                                                      const MotionDual& speed) const {
-  return summed(m, speed,
-                [](const ContactNumbers<MotionDual>& n, const contact::PeriodicState& state) {
-                  return contact::moving_means(n, state, contact::Means::all).means;
-                });
+  const auto means = [](const ContactNumbers<MotionDual>& n, const contact::PeriodicState& state) {
+    return contact::moving_means(n, state, contact::Means::all).means;
+  };
+  const bool moves = std::any_of(splits_.begin(), splits_.end(),
+                                 [](const Split& split) { return split.jump.has_value(); });
+  return moves ? summed(mapped<MotionDual>(m, [](double x) { return MotionDual(x); }), speed, means)
+               : summed(m, speed, means);
 }
 
 MovingPoint SolvedPoint::moving(const DrivenMotor<MotionDual>& m, const MotionDual& speed) const {

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
+#include <numbers>
 
 namespace twum::performance {
 namespace {
@@ -12,6 +14,8 @@ namespace {
 constexpr double kStates = 1e-9;  // of the periodic states, far less than what is wanted
 constexpr double kWanted = 1e-6;  // of the scales of torque and powers
 constexpr std::array kCounts{6, 8, 10, 12, 16, 24, 32, 48, 64, 96, 128};
+// Share of the layer's motion that outlives the free flight, above which a track that jumps is not split.
+constexpr double kLong = 0.1;
 // Where torque may jump. Four times as many leave a third of the error, and metrics take five times as long.
 constexpr int kMostWithJumps = 32;
 // Speeds in parts of the crest speed: from the end of the plateau to full braking zones come and go along the track.
@@ -62,19 +66,27 @@ int nodes_needed(const ModelArray<double>& values, const TrackRule& rule, int mo
   return most;
 }
 
+// Each turn leaves so much of the layer's own motion that its slices take many laps to settle, and that those which jump have no
+// periodic state over a good part of the track.
+bool remembers_long(const DrivenMotor<double>& m) {
+  const contact::ContactNumbers<double> n = contact_numbers(m, 0.0);
+  const contact::LayerMotion<double> layer(n.inertia, n.damping);
+  return n.full || std::exp(-layer.slowest_decay() * 2 * (std::numbers::pi - n.half_angle)) > kLong;
+}
+
 }  // namespace
 
 TrackRule track_rule(const MotorDesign& design) {
   const Stator& stator = design.stator;
   const auto& table = stator.radial_shape.table;
-  // Released at once, the traction jumps where zones begin. The radius of a jump moves with every parameter, which would
-  // have to stand in the derivatives.
+  const ModelArray<double> values = model_values(design);
   const bool jumps = design.friction.static_ > design.friction.kinetic;
+  const bool stays = jumps && remembers_long(driven(motor_model(values), design_wave(values)));
   TrackRule rule{std::abs(stator.radial_slices),
                  table.empty() ? nullptr : std::make_shared<const ShapeSpline>(table),
-                 stator.geometry.has_value(), stator.radial_slices <= kAutoSlices && !jumps};
+                 stator.geometry.has_value(), stator.radial_slices <= kAutoSlices && !stays};
   if (rule.nodes == kAutoSlices)
-    rule.nodes = nodes_needed(model_values(design), rule, jumps ? kMostWithJumps : kCounts.back());
+    rule.nodes = nodes_needed(values, rule, jumps ? kMostWithJumps : kCounts.back());
   return rule;
 }
 

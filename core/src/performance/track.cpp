@@ -185,15 +185,15 @@ namespace {
 // the ends of a contact.
 template <typename S>
 std::vector<Piece<S>> panels_of(const Piece<S>& piece, std::size_t index,
-                                std::span<const Split> splits) {
+                                std::span<const SplitPlace<S>> splits) {
   const S length = piece.high - piece.low;
   std::vector<Piece<S>> panels;
   Piece<S> rest = piece;
-  for (const Split& split : splits) {
+  for (const SplitPlace<S>& split : splits) {
     if (split.piece != index) continue;
     const S end = piece.low + split.place * length;
-    panels.push_back({rest.low, end, rest.root_low, true});
-    rest.low = end, rest.root_low = true;
+    panels.push_back({rest.low, end, rest.root_low, true, rest.gap});
+    rest.low = end, rest.root_low = true, rest.gap = split.gap * value_of(length);
   }
   panels.push_back(rest);
   return panels;
@@ -202,7 +202,7 @@ std::vector<Piece<S>> panels_of(const Piece<S>& piece, std::size_t index,
 }  // namespace
 
 template <typename S>
-std::vector<Slice<S>> annulus_of(const DrivenMotor<S>& m, std::span<const Split> splits) {
+std::vector<Slice<S>> annulus_of(const DrivenMotor<S>& m, std::span<const SplitPlace<S>> splits) {
   std::vector<Slice<S>> slices;
   slices.reserve((m.pieces.size() + splits.size()) * static_cast<std::size_t>(m.track.nodes));
   S load(0.0), area(0.0);
@@ -274,12 +274,13 @@ S pressure_nonuniformity(const DrivenMotor<S>& m) {
   return mean_pressure(slice_at(m, radius_in(m, radius), m.b).contact) * track_area(m) / m.preload;
 }
 
-#define TWUM_INSTANTIATE(S, R)                                                              \
-  template Slice<S> slice_at(const DrivenMotor<S>&, const S&, const S&);                    \
-  template std::vector<Slice<S>> annulus_of(const DrivenMotor<S>&, std::span<const Split>); \
-  template DrivenMotor<S> over_annulus(DrivenMotor<S>);                                     \
-  template std::vector<Slice<S>> edges_of(const DrivenMotor<S>&);                           \
-  template S largest_pressure(const DrivenMotor<S>&);                                       \
+#define TWUM_INSTANTIATE(S, R)                                               \
+  template Slice<S> slice_at(const DrivenMotor<S>&, const S&, const S&);     \
+  template std::vector<Slice<S>> annulus_of(const DrivenMotor<S>&,           \
+                                            std::span<const SplitPlace<S>>); \
+  template DrivenMotor<S> over_annulus(DrivenMotor<S>);                      \
+  template std::vector<Slice<S>> edges_of(const DrivenMotor<S>&);            \
+  template S largest_pressure(const DrivenMotor<S>&);                        \
   template S pressure_nonuniformity(const DrivenMotor<S>&);
 TWUM_FOR_EACH_MODEL_SCALAR(TWUM_INSTANTIATE)
 TWUM_INSTANTIATE(contact::MotionDual, contact::MotionDual)

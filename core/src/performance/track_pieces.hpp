@@ -55,13 +55,14 @@ inline GaussRule::Node substituted(bool low, bool high, const GaussRule::Node& n
   return node;
 }
 
-/// Calls visit(radius, width) at the nodes of a piece or of a part of it.
+/// Calls visit(radius, width) at the nodes of a piece or of a part of it. Those in its gap stand at the gap's end.
 template <typename R, typename Visit>
 void for_each_node(const Piece<R>& piece, int nodes, Visit visit) {
   const R length = piece.high - piece.low;
+  const double from = piece.gap / value_of(length);
   for (const GaussRule::Node& node : gauss_rule(nodes).nodes) {
     const auto [place, weight] = substituted(piece.root_low, piece.root_high, node);
-    visit(R(piece.low + length * place), R(length * weight));
+    visit(R(piece.low + length * std::max(place, from)), R(length * weight));
   }
 }
 

@@ -17,6 +17,11 @@ constexpr double kClose = 1e-6;
 constexpr double kNarrow = 0.005;
 // Where only one end of a bracket has a short zone, the next place lies this share of the bracket towards that end.
 constexpr double kHopeful = 0.7;
+// Where the means jump, their error is as large as that of the split. By how much it may be off.
+constexpr double kSharp = 1e-14;
+// A bracket that does not tell its jump is narrowed to this.
+constexpr double kCloseToJump = 1e-10;
+constexpr int kMostJumpSteps = 20;
 constexpr int kMostProbes = 40;
 constexpr int kMostSplits = 6;  // between two nodes
 
@@ -45,18 +50,30 @@ struct Side {
   }
 };
 
-// The splits of one piece.
-class PieceSplits {
+// One piece and what can be asked there.
+struct PieceQueries {
+  const Piece<double>& piece;
+  const SliceQueries& at;
+
+  double radius(double place) const { return piece.low + (piece.high - piece.low) * place; }
+  Probe probe(double place) const { return {place, at.zones(radius(place))}; }
+};
+
+// A split, in parts of the piece.
+struct Place {
+  double place;
+  std::optional<contact::Jump> jump{};
+  double gap{0};  // beyond it slices have no answer over this length
+};
+using Places = std::vector<Place>;
+
+// Splits where zones begin from nothing.
+class SmoothSplits {
  public:
-  PieceSplits(const Piece<double>& piece, const ZonesAt& zones_at)
-      : piece_(piece), zones_at_(zones_at) {}
+  explicit SmoothSplits(const PieceQueries& queries) : queries_(queries) {}
 
-  Probe probe(double place) const {
-    return {place, zones_at_(piece_.low + (piece_.high - piece_.low) * place)};
-  }
-
-  std::vector<double> among(const std::vector<Probe>& probes) const {
-    std::vector<double> places;
+  Places among(const std::vector<Probe>& probes) const {
+    Places places;
     for (std::size_t k = 1; k < probes.size(); ++k) {
       Side low{probes[k - 1], {}}, high{probes[k], {}};
       if (k > 1) low = side_of(probes[k - 1], probes[k - 2]);
@@ -64,8 +81,8 @@ class PieceSplits {
       for (int i = 0; i < kMostSplits && low.near.zones.signature != probes[k].zones.signature;
            ++i) {
         const auto [place, next] = end_of(low, high);
-        if (!places.empty() && place - places.back() < kNarrow) places.pop_back();
-        places.push_back(place);
+        if (!places.empty() && place - places.back().place < kNarrow) places.pop_back();
+        places.push_back({place});
         low = {next, {}};
       }
     }
@@ -95,40 +112,113 @@ class PieceSplits {
         // What lies across has to be the other side's, and not what comes between.
         const double across = *zero + (below ? kNarrow : -kNarrow);
         if (!(across > low.near.place && across < high.near.place)) return {*zero, high.near};
-        const Probe there = probe(across);
+        const Probe there = queries_.probe(across);
         if (below && there.zones.signature != own) return {*zero, there};
         if (!below && there.zones.signature == own) return {*zero, high.near};
         (below ? low : high).take(there);
         continue;
       }
       const double share = below ? 1 - kHopeful : kHopeful;
-      const Probe here = probe(inside ? *zero : std::lerp(low.near.place, high.near.place, share));
+      const Probe here =
+          queries_.probe(inside ? *zero : std::lerp(low.near.place, high.near.place, share));
       (here.zones.signature == own ? low : high).take(here);
     }
     return {0.5 * (low.near.place + high.near.place), high.near};
   }
 
-  const Piece<double>& piece_;
-  const ZonesAt& zones_at_;
+  const PieceQueries& queries_;
+};
+
+// Splits where zones may begin with a length, as with mu_0 > mu.
+class JumpSplits {
+ public:
+  explicit JumpSplits(const PieceQueries& queries) : queries_(queries) {}
+
+  Places among(const std::vector<Probe>& probes) const {
+    Places places;
+    for (std::size_t k = 1; k < probes.size(); ++k) {
+      Probe low = probes[k - 1];
+      for (int i = 0; i < kMostSplits && low.zones.signature != probes[k].zones.signature; ++i) {
+        const auto [place, next] = end_of(low, probes[k]);
+        const bool after_gap =
+            !low.zones.has_answer() && !places.empty() && place - places.back().place < kNarrow;
+        // Between two sequences the layer may go through both in turns, over next to nothing of the track.
+        if (after_gap) {
+          places.back().gap = place - places.back().place + kClose;
+        } else {
+          places.push_back({place, jump_between(place - kBesideJump, place + kBesideJump)});
+        }
+        low = next;
+      }
+    }
+    return places;
+  }
+
+ private:
+  struct End {
+    double place;
+    Probe next;  // just beyond
+  };
+
+  std::optional<contact::Jump> jump_between(double low, double high) const {
+    return queries_.at.jump(queries_.radius(low), queries_.radius(high));
+  }
+
+  // Where the zones at `low` end.
+  End end_of(Probe low, Probe high) const {
+    const std::uint64_t own = low.zones.signature;
+    const bool answers = low.zones.has_answer();
+    if (answers)
+      if (const std::optional<End> end = jump_in(low, high)) return *end;
+    while (high.place - low.place > (answers ? kCloseToJump : kClose)) {
+      const Probe here = queries_.probe(0.5 * (low.place + high.place));
+      (here.zones.signature == own ? low : high) = here;
+    }
+    return {0.5 * (low.place + high.place), high};
+  }
+
+  // The jump between two places, by secants over its margin; nothing if another one comes before.
+  std::optional<End> jump_in(const Probe& low, const Probe& high) const {
+    const auto jump = jump_between(low.place, high.place);
+    if (!jump) return {};
+    const auto margin = [&](double place) {
+      return queries_.at.margin(queries_.radius(place), *jump);
+    };
+    double a = low.place, b = high.place, at_a = margin(a), at_b = margin(b);
+    if (!(at_a * at_b < 0)) return {};
+    for (int i = 0; i < kMostJumpSteps && std::fabs(b - a) > kSharp && at_b != 0; ++i) {
+      const double next = b - at_b * (b - a) / (at_b - at_a);
+      if (!(next > low.place && next < high.place)) return {};
+      a = b, at_a = at_b, b = next, at_b = margin(next);
+    }
+    const Probe below = queries_.probe(b - kBesideJump), above = queries_.probe(b + kBesideJump);
+    const bool parts = below.zones.signature == low.zones.signature &&
+                       above.zones.signature != low.zones.signature;
+    return parts ? std::optional(End{b, above}) : std::nullopt;
+  }
+
+  const PieceQueries& queries_;
 };
 
 }  // namespace
 
 std::vector<Split> zone_splits(const DrivenMotor<double>& m,
-                               const std::vector<SliceZones>& at_nodes, const ZonesAt& zones_at) {
+                               const std::vector<SliceZones>& at_nodes, const SliceQueries& at) {
   std::vector<Split> splits;
   std::size_t node = 0;
   for (std::size_t k = 0; k < m.pieces.size(); ++k) {
     const Piece<double>& piece = m.pieces[k];
-    const PieceSplits own(piece, zones_at);
+    const PieceQueries queries{piece, at};
     std::vector<Probe> probes;
     // Where a contact begins or closes its slices are nearer to the end than any split has to be.
-    if (!piece.root_low) probes.push_back(own.probe(0));
+    if (!piece.root_low) probes.push_back(queries.probe(0));
     for (; node < at_nodes.size() && m.annulus[node].radius < piece.high; ++node)
       probes.push_back(
           {(m.annulus[node].radius - piece.low) / (piece.high - piece.low), at_nodes[node]});
-    if (!piece.root_high) probes.push_back(own.probe(1));
-    for (const double place : own.among(probes)) splits.push_back({k, place});
+    if (!piece.root_high) probes.push_back(queries.probe(1));
+    const Places places = has_static_excess(m) ? JumpSplits(queries).among(probes)
+                                               : SmoothSplits(queries).among(probes);
+    for (const auto& [place, jump, gap] : places) splits.push_back({{k, place, gap}, jump});
   }
   return splits;
 }

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace twum::performance {
@@ -13,15 +14,28 @@ namespace twum::performance {
 struct SliceZones {
   std::uint64_t signature;  ///< fingerprint of their sequence
   double shortest;          ///< length of the shortest [rad]
+
+  static constexpr std::uint64_t kNoAnswer = ~std::uint64_t{0};
+  bool has_answer() const { return signature != kNoAnswer; }
 };
 
-/// The zones of the slice at a radius of the track [m].
-using ZonesAt = std::function<SliceZones(double radius)>;
+/// How far beside a jump its slices are surely those of one side, in parts of a piece.
+inline constexpr double kBesideJump = 1e-9;
+
+/// What can be asked at radii of the track [m].
+struct SliceQueries {
+  std::function<SliceZones(double radius)> zones;
+  /// With mu_0 > mu, else empty: where two slices part, and what another has left to it.
+  /// @{
+  std::function<std::optional<contact::Jump>(double low, double high)> jump;
+  std::function<double(double radius, const contact::Jump&)> margin;
+  /// @}
+};
 
 /// Where zones appear or vanish along the track (W4.4), as splits of the pieces that touch: to about 1e-6 of a piece, and to
-/// 2e-4 where a zone begins at the edge of the contact.
+/// 2e-4 where a zone begins at the edge of the contact. With mu_0 > mu (W4.5): to 1e-10.
 /// @param at_nodes  zones of the motor's slices, in their order
 std::vector<Split> zone_splits(const DrivenMotor<double>& motor,
-                               const std::vector<SliceZones>& at_nodes, const ZonesAt& zones_at);
+                               const std::vector<SliceZones>& at_nodes, const SliceQueries& at);
 
 }  // namespace twum::performance

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 using namespace twum;
@@ -40,25 +41,39 @@ struct MadeTrack {
     const Piece<double>& piece = motor.pieces.front();
     return (radius - piece.low) / (piece.high - piece.low);
   }
-  std::vector<double> found() {
+  std::vector<Split> splits() {
     std::vector<SliceZones> at_nodes;
     for (const Slice<double>& s : motor.annulus) at_nodes.push_back(at_place(place_of(s.radius)));
+    SliceQueries queries;
+    queries.zones = [this](double radius) {
+      ++calls;
+      return at_place(place_of(radius));
+    };
+    queries.jump = [](double, double) { return std::nullopt; };  // nothing helps to find them
+    return zone_splits(motor, at_nodes, queries);
+  }
+  std::vector<double> found() {
     std::vector<double> places;
-    for (const Split& split : zone_splits(motor, at_nodes, [this](double radius) {
-           ++calls;
-           return at_place(place_of(radius));
-         }))
-      places.push_back(split.place);
+    for (const Split& split : splits()) places.push_back(split.place);
     return places;
   }
 };
 
+Motor motor_of_eight(double threshold) {
+  MotorDesign design = test::ring_motor();
+  design.stator.radial_slices = -8;
+  design.friction.static_ = threshold * design.friction.kinetic;
+  return Motor(design);
+}
+
 const DrivenMotor<double>& track_of_eight() {
-  static const Motor motor = [] {
-    MotorDesign design = test::ring_motor();
-    design.stator.radial_slices = -8;
-    return Motor(design);
-  }();
+  static const Motor motor = motor_of_eight(1);
+  return motor.model();
+}
+
+// mu_0 > mu
+const DrivenMotor<double>& jumping_track() {
+  static const Motor motor = motor_of_eight(1.3);
   return motor.model();
 }
 
@@ -81,6 +96,49 @@ TEST_CASE("the track is split where zones begin, whatever the law of their lengt
       }
       CHECK(track.calls <= 2 + 30 * static_cast<int>(breaks.size()));
     }
+  }
+}
+
+TEST_CASE("a track is split where its slices jump, however near one another (W4.5)",
+          "[core][annulus][made]") {
+  for (const std::vector<double>& breaks :
+       {std::vector{0.001}, {0.37}, {0.2, 0.6}, {0.5, 0.5003}, {0.41, 0.411, 0.55}}) {
+    MadeTrack track{jumping_track(), breaks, &jump};
+    const std::vector<double> places = track.found();
+    CAPTURE(breaks, places, track.calls);
+    REQUIRE(places.size() == breaks.size());
+    for (std::size_t i = 0; i < breaks.size(); ++i)
+      CHECK(std::abs(places[i] - breaks[i]) <= 1e-10);  // halved to that
+  }
+}
+
+TEST_CASE("slices without an answer between two others are passed over where they are few (W4.5)",
+          "[core][annulus][made]") {
+  for (const double width : {1e-5, 1e-3, 0.05}) {
+    const double low = 0.5, high = low + width;
+    const DrivenMotor<double>& motor = jumping_track();
+    const auto at_place = [=](double place) {
+      if (place >= low && place < high) return SliceZones{SliceZones::kNoAnswer, HUGE_VAL};
+      return SliceZones{place < low ? 1u : 2u, 1};
+    };
+    const MadeTrack places{motor, {}, &jump};
+    std::vector<SliceZones> at_nodes;
+    for (const Slice<double>& s : motor.annulus)
+      at_nodes.push_back(at_place(places.place_of(s.radius)));
+    SliceQueries queries;
+    queries.zones = [&](double radius) { return at_place(places.place_of(radius)); };
+    queries.jump = [](double, double) { return std::nullopt; };
+    const std::vector<Split> splits = zone_splits(motor, at_nodes, queries);
+    CAPTURE(width, splits.size());
+    if (width >
+        0.005) {  // too many: they are a panel of their own, which says that it has no answer
+      CHECK(splits.size() == 2);
+      continue;
+    }
+    REQUIRE(splits.size() == 1);
+    CHECK(std::abs(splits[0].place - low) <= 1e-6);
+    CHECK(splits[0].gap >= width);
+    CHECK(splits[0].gap <= width + 3e-6);  // both ends are known to 1e-6
   }
 }
 

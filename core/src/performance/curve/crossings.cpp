@@ -129,8 +129,8 @@ double CurveCrossings::plateau_end() {
   const double slack = 1e-4 * curve.crest();  // nodes are not exact
   double speed = margin_end(std::max(low - slack, curve.begin()), high + slack);
   // With mu_0 > mu the layer may hold on to sticking where slipping all through would be possible too.
-  if (curve.may_jump()) {
-    if (!points_.at(speed * (1 - 1e-9)).plateau) speed = last_on_plateau(low, speed);
+  if (curve.has_static_excess()) {
+    if (!on_plateau(speed * (1 - 1e-9))) speed = last_on_plateau(low, speed);
   } else if (!curve.falls()) {  // its wave takes derivatives from the point
     speed = just_before(speed);
   }
@@ -164,11 +164,16 @@ double CurveCrossings::just_before(double end) const {
   return speed;
 }
 
-double CurveCrossings::last_on_plateau(double low, double high) {
-  Halving halving(points_);
+// The slices of a track are, whatever its edges do. There the wave does not feel the speed.
+bool CurveCrossings::on_plateau(double speed) const {
+  const SolvedPoint solved = solve_point(points_.curve().motor(), speed, nullptr, kWithoutSplits);
+  return solved.status == PointStatus::ok && solved.drives();
+}
+
+double CurveCrossings::last_on_plateau(double low, double high) const {
   while (high - low > 1e-15 * points_.curve().crest()) {
     const double middle = 0.5 * (low + high);
-    (halving.at(middle).plateau ? low : high) = middle;
+    (on_plateau(middle) ? low : high) = middle;
   }
   return low;
 }

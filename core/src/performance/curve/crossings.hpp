@@ -36,7 +36,8 @@ class CurveCrossings {
   std::optional<double> zero_near(double torque, const CurvePoint& low, const CurvePoint& high);
   double margin_end(double low, double high) const;
   double just_before(double end) const;
-  double last_on_plateau(double low, double high);
+  bool on_plateau(double speed) const;
+  double last_on_plateau(double low, double high) const;
 
   CurvePoints& points_;
   CurveScan& scan_;

@@ -129,7 +129,7 @@ const std::vector<CurvePoint>& CurveScan::rippled(const CurvePoint& low, const C
 
 double CurveScan::step() const {
   const Curve& curve = points_.curve();
-  return curve.crest() / (curve.may_jump() ? kJumpingIntervals : kIntervals);
+  return curve.crest() / (curve.has_static_excess() ? kJumpingIntervals : kIntervals);
 }
 
 const CurvePoint& CurveScan::on_grid(int k) {
@@ -162,7 +162,8 @@ void CurveScan::run() {
   for (const CurvePoint& p : followed)
     if (p.speed > nodes_.back().speed && nodes_.back().torque > 0)
       if (const CurvePoint next = checked(p, walk_); next.ok()) nodes_.push_back(next);
-  if (followed.empty() && !curve.may_jump() && forgets_a_turn(curve.motor()) && starts_on_plateau())
+  if (followed.empty() && !curve.has_static_excess() && forgets_a_turn(curve.motor()) &&
+      starts_on_plateau())
     skip_plateau();
   double stride = step();
   for (double speed = nodes_.back().speed + stride; nodes_.back().torque > 0; speed += stride) {

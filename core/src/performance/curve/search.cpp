@@ -50,12 +50,13 @@ Peak CurveSearch::peak(Goal goal) {
 
 Peak CurveSearch::found_peak(Goal goal) {
   scan_.require_drive();
-  const bool may_jump = points_.curve().may_jump();
+  const Curve& curve = points_.curve();
   const Peak first = GoalCurve(goal, points_).peak_at(scan_.first(), PeakKind::rest);
   // |T| <= mu F_N r: a motor that stalls on its plateau cannot do better.
-  if (goal == Goal::torque && !may_jump && scan_.starts_on_plateau()) return first;
-  const Peak found = may_jump ? JumpingPeakSearch(goal, points_, crossings_, stretches_).find()
-                              : SmoothPeakSearch(goal, points_, scan_, crossings_).find();
+  if (goal == Goal::torque && !curve.has_static_excess() && scan_.starts_on_plateau()) return first;
+  const Peak found = curve.may_jump()
+                         ? JumpingPeakSearch(goal, points_, crossings_, stretches_).find()
+                         : SmoothPeakSearch(goal, points_, scan_, crossings_).find();
   const bool no_more = goal == Goal::torque && found.value <= first.value * (1 + kSameTorque);
   return no_more ? first : found;
 }
