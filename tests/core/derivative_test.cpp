@@ -69,6 +69,21 @@ void check_every_metric(const Tally& tally) {
   CHECK(tally.total_sharp() > 1000);
 }
 
+// The same for some metrics of one design, the speed at peak power among them.
+// @param name  of the row of docs/validation.md
+void check_some_metrics(const MotorDesign& design, const std::vector<MetricRequest>& requests,
+                        const char* name) {
+  Tally tally;
+  Deviation deviation(name, 1e-7);
+  check_gradients(design, requests, tally, deviation);
+  CAPTURE(tally.total_sharp(), tally.blunt, tally.again, tally.examples);
+  CHECK(tally.wrong == 0);
+  CHECK(tally.again <= tally.total_sharp() / 100);  // by chance, and seldom
+  CHECK(tally.total_sharp() >= 50);
+  CHECK(tally.sharp["speed_at_peak_power"] >= 5);
+  CHECK(deviation.holds());
+}
+
 }  // namespace
 
 TEST_CASE("every metric's derivative by every parameter is that of differences",
@@ -145,15 +160,8 @@ TEST_CASE("the metrics of a track with mu_0 > mu have the derivatives of differe
                                             {Metric::max_efficiency}, {Metric::plateau_speed}};
   for (const MetricDerivative& found : differentiate(Motor(design), requests))
     CHECK(found.smoothness == Smoothness::smooth);
-  Tally tally;
-  Deviation deviation("derivatives of a track that jumps against Richardson differences, relative",
-                      1e-7);
-  check_gradients(design, requests, tally, deviation);
-  CAPTURE(tally.total_sharp(), tally.blunt, tally.again, tally.examples);
-  CHECK(tally.wrong == 0);
-  CHECK(tally.total_sharp() >= 40);
-  CHECK(tally.sharp["speed_at_peak_power"] >= 5);
-  CHECK(deviation.holds());
+  check_some_metrics(design, requests,
+                     "derivatives of a track that jumps against Richardson differences, relative");
 }
 
 TEST_CASE("a layer that still rings at the next entry has the derivatives of differences (E6.2)",
@@ -171,16 +179,8 @@ TEST_CASE("a layer that still rings at the next entry has the derivatives of dif
   }
   // and the second derivatives, by which a peak moves
   requests.push_back({Metric::speed_at_peak_power});
-  Tally tally;
-  Deviation deviation("derivatives of a ringing layer against Richardson differences, relative",
-                      1e-7);
-  check_gradients(design, requests, tally, deviation);
-  CAPTURE(tally.total_sharp(), tally.blunt, tally.again, tally.examples);
-  CHECK(tally.wrong == 0);
-  CHECK(tally.again <= tally.total_sharp() / 100);  // by chance, and seldom
-  CHECK(tally.total_sharp() >= 50);
-  CHECK(tally.sharp["speed_at_peak_power"] >= 5);
-  CHECK(deviation.holds());
+  check_some_metrics(design, requests,
+                     "derivatives of a ringing layer against Richardson differences, relative");
 }
 
 TEST_CASE("derivatives of hundreds of designs are those of differences",

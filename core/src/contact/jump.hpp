@@ -7,8 +7,9 @@
 
 namespace twum::contact {
 
-/// Where two contacts that hardly differ part, on their way from rest or because the periodic state of one has ended. With
-/// mu_0 > mu a zone may begin with a length, and all that follows jumps.
+/// The place in the laps of two nearly equal contacts from which on they differ by more than a little (W4.5): with mu_0 > mu a zone
+/// may begin with a length at once, and all that follows jumps. The laps begin at rest, or in the periodic state that only one of
+/// the two contacts has.
 struct Jump {
   enum class Kind : unsigned char {
     in_slip,   ///< v_rel touches zero inside a slip zone
@@ -17,20 +18,19 @@ struct Jump {
     at_entry   ///< it rises from the edge of the contact as fast as that of slip
   };
   Kind kind;
-  int turn;                        ///< turns before
-  int zone;                        ///< zones before, in the turn
+  int turn;                        ///< number of whole turns before it
+  int zone;                        ///< number of zones before it, in its turn
   double side;                     ///< sign of v_rel, or of the traction at its threshold
-  double place;                    ///< phase, near which the touching is [rad]
-  LapEntry<double> entry{{0, 0}};  ///< of the first turn: rest, or a periodic state
-  int beside{
-      0};  ///< the margin has an answer on the side of the first contact (-1), of the second (1), on both (0)
+  double place;                    ///< phase near it [rad]
+  LapEntry<double> entry{{0, 0}};  ///< where the first turn begins
+  int beside{0};  ///< contact that has the state at entry: the first (-1), the second (1), both (0)
 };
 
-/// Nothing if they go through the same zones, or part only after very many turns.
+/// Nothing if the zones of all turns agree, or differ only by zones that begin with no length, or first differ after 200 turns.
 std::optional<Jump> jump_between(const ContactNumbers<double>& a, const ContactNumbers<double>& b);
 
-/// What a contact that parts at a jump from its neighbours has left to the touching: it vanishes at the jump, and what lies on
-/// both sides has unlike signs. Smooth. Units of P.
+/// The margin g of (W4.5): the least |v_rel| or the least of mu_0 p - |t| near the jump's place, with its sign. It is zero for the
+/// contact at the jump, and has opposite signs on the two sides of it. Smooth. Tractions in units of P, rates as E1.3 has them.
 template <typename S>
 S jump_margin(const ContactNumbers<S>& numbers, const Jump& jump);
 

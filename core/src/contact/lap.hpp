@@ -102,7 +102,7 @@ Lap<S> run_lap(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
                const LapEntry<S>& entry, const ZoneSequence* sequence = nullptr,
                std::vector<ZoneTrace>* trace = nullptr, Means means = Means::all);
 
-/// Where the lap is after some of its zones.
+/// Phase and layer after the first `zones` zones of a lap; at its end if it has fewer.
 template <typename S>
 LapPlace<S> place_after(int zones, const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
                         const LapEntry<S>& entry);

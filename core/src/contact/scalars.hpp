@@ -23,7 +23,8 @@ struct WithState<Dual<double, N>> {
   using Type = Dual<double, N + 2>;
 };
 
-/// A page has to be small: there these serve where the layer comes back at rest, too, and take a little longer.
+/// Use the scalars with the layer's state also for layers that come back at rest. This is a little slower, but saves a second
+/// version of the lap: the page has to be small.
 #ifdef __wasm__
 inline constexpr bool kStateAlways = true;
 #else
@@ -45,7 +46,7 @@ inline double least_argument(double x, double y) { return std::atan2(y, x); }
   X(NumbersDual)                        \
   X(NumbersDual2)
 
-/// Those that the margin of a jump takes: laps in them are made anyway.
+/// The scalars of a jump's margin. The program has laps in them for other reasons.
 #define TWUM_FOR_EACH_MARGIN_SCALAR(X) \
   X(double)                            \
   X(WithState<NumbersDual>::Type)      \

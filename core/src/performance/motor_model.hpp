@@ -54,6 +54,11 @@ struct Split : SplitPlace<double> {
   std::optional<contact::Jump> jump{};
 };
 
+/// The splits where they are, as if none moved.
+inline std::vector<SplitPlace<double>> fixed_places(std::span<const Split> splits) {
+  return {splits.begin(), splits.end()};
+}
+
 /// What a design says to the contact model, whatever wave drives it (theory sections 1 and 2).
 template <typename S>
 struct MotorModel {
@@ -74,7 +79,8 @@ bool has_static_excess(const MotorModel<S>& m) {
   return value_of(m.static_) > value_of(m.kinetic);
 }
 
-/// The torque may jump over speed and parameters, slice by slice. A track that is split where its slices jump has no such jumps.
+/// The torque may jump over speed and parameters: each slice jumps at its own speed. If the track is split at the jumps (W4.5),
+/// their sum is continuous.
 template <typename S>
 bool may_jump(const MotorModel<S>& m) {
   return has_static_excess(m) && !m.track.splits;

@@ -13,8 +13,7 @@ using contact::MotionDual;
 
 constexpr int kAlong = 0;  // direction of a split's place
 
-// The scalar of the contact that goes with one of the motor: of those with derivatives in its numbers that laps are made in
-// anyway.
+// The scalar of the margin that goes with one of the motor.
 template <typename S>
 struct MarginScalar {
   using Outer = contact::WithState<contact::NumbersDual>::Type;
@@ -24,7 +23,7 @@ struct MarginScalar<ModelDual2> {
   using Outer = contact::NumbersDual2;
 };
 
-// What the contact at a split has left to its jump.
+// The margin of the contact at a split (W4.5).
 template <typename S>
 S margin_at(const DrivenMotor<S>& m, const S& speed, const SplitPlace<S>& split,
             const contact::Jump& jump) {

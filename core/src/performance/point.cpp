@@ -298,21 +298,16 @@ void SolvedPoint::split(const DrivenMotor<double>& m, double speed,
     const auto entry = entry_at(m.slices(), radius);
     return zones_of({m, there, speed, layer, entry ? &*entry : nullptr, accuracy});
   };
-  if (!has_static_excess(m)) {
-    splits_ = zone_splits(m, zones, {zones_at, {}, {}});
-  } else {
-    const auto numbers_at = [&](double radius) {
-      return contact_numbers(m, slice_at(m, radius, m.b), speed);
-    };
-    splits_ = zone_splits(m, zones,
-                          {zones_at,
-                           [&](double low, double high) {
-                             return contact::jump_between(numbers_at(low), numbers_at(high));
-                           },
-                           [&](double radius, const contact::Jump& jump) {
-                             return contact::jump_margin(numbers_at(radius), jump);
-                           }});
-  }
+  const auto numbers_at = [&](double radius) {
+    return contact_numbers(m, slice_at(m, radius, m.b), speed);
+  };
+  const auto jump_at = [&](double low, double high) {
+    return contact::jump_between(numbers_at(low), numbers_at(high));
+  };
+  const auto margin_at = [&](double radius, const contact::Jump& jump) {
+    return contact::jump_margin(numbers_at(radius), jump);
+  };
+  splits_ = zone_splits(m, zones, {zones_at, jump_at, margin_at});
   if (splits_.empty()) return;
   status = PointStatus::ok;
   solve_split(m, speed, layer, nullptr, accuracy);
@@ -332,8 +327,7 @@ std::optional<WarmStart::Entry> SolvedPoint::entry_at(std::span<const Slice<doub
 void SolvedPoint::solve_split(const DrivenMotor<double>& m, double speed,
                               const LayerMotion<double>& layer, const WarmStart* guess,
                               double accuracy) {
-  const std::vector<SplitPlace<double>> places(splits_.begin(), splits_.end());
-  const std::vector<Slice<double>> slices = annulus_of<double>(m, places);
+  const std::vector<Slice<double>> slices = annulus_of<double>(m, fixed_places(splits_));
   lever_ = lever_of<double>(slices, m.preload);
   if (guess && guess->size() != slices.size()) guess = nullptr;
   first_ = {};
@@ -354,8 +348,7 @@ static double gained(const contact::LayerState<double>& slope,
 std::optional<NewtonTurn> SolvedPoint::newton_turn(const DrivenMotor<double>& m, double speed,
                                                    const WarmStart& entry,
                                                    const MovingStates& states) const {
-  const std::vector<SplitPlace<double>> places(splits_.begin(), splits_.end());
-  const PointSlices<double> slices(m, places);
+  const PointSlices<double> slices(m, fixed_places(splits_));
   if (special || is_trivial(m) || slices.size() != size() || entry.size() != size() ||
       states.size() != size())
     return {};

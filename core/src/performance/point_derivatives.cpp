@@ -80,7 +80,7 @@ std::vector<SplitPlace<S>> places_of(const DrivenMotor<S>& m, const R& speed,
   if constexpr (std::is_same_v<S, R>) {
     return moving_splits(m, speed, splits);
   } else {
-    return {splits.begin(), splits.end()};
+    return fixed_places(splits);
   }
 }
 

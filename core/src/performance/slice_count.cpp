@@ -66,8 +66,8 @@ int nodes_needed(const ModelArray<double>& values, const TrackRule& rule, int mo
   return most;
 }
 
-// Each turn leaves so much of the layer's own motion that its slices take many laps to settle, and that those which jump have no
-// periodic state over a good part of the track.
+// True if much of the layer's own motion is left after a turn. Such slices take many laps to settle, and many of those near a
+// jump have no periodic state: a split track would be slow and often without an answer.
 bool remembers_long(const DrivenMotor<double>& m) {
   const contact::ContactNumbers<double> n = contact_numbers(m, 0.0);
   const contact::LayerMotion<double> layer(n.inertia, n.damping);
@@ -81,10 +81,11 @@ TrackRule track_rule(const MotorDesign& design) {
   const auto& table = stator.radial_shape.table;
   const ModelArray<double> values = model_values(design);
   const bool jumps = design.friction.static_ > design.friction.kinetic;
-  const bool stays = jumps && remembers_long(driven(motor_model(values), design_wave(values)));
+  const bool stays_whole =
+      jumps && remembers_long(driven(motor_model(values), design_wave(values)));
   TrackRule rule{std::abs(stator.radial_slices),
                  table.empty() ? nullptr : std::make_shared<const ShapeSpline>(table),
-                 stator.geometry.has_value(), stator.radial_slices <= kAutoSlices && !stays};
+                 stator.geometry.has_value(), stator.radial_slices <= kAutoSlices && !stays_whole};
   if (rule.nodes == kAutoSlices)
     rule.nodes = nodes_needed(values, rule, jumps ? kMostWithJumps : kCounts.back());
   return rule;

@@ -19,13 +19,13 @@ struct SliceZones {
   bool has_answer() const { return signature != kNoAnswer; }
 };
 
-/// How far beside a jump its slices are surely those of one side, in parts of a piece.
+/// At this distance from a jump, in parts of a piece, the zones are surely those of one side.
 inline constexpr double kBesideJump = 1e-9;
 
-/// What can be asked at radii of the track [m].
+/// What can be asked of slices at radii of the track [m].
 struct SliceQueries {
   std::function<SliceZones(double radius)> zones;
-  /// With mu_0 > mu, else empty: where two slices part, and what another has left to it.
+  /// Asked with mu_0 > mu only: where the laps of two slices part, and the margin of a slice there (W4.5).
   /// @{
   std::function<std::optional<contact::Jump>(double low, double high)> jump;
   std::function<double(double radius, const contact::Jump&)> margin;

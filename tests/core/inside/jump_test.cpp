@@ -25,9 +25,9 @@ ContactNumbers<double> at_ratio(ContactNumbers<double> n, double ratio) {
 
 }  // namespace
 
-// Halving over the speed finds where the sequence of zones changes, by whole laps alone. There the margin has to change its sign,
-// and to vanish as far as the halved interval and its slope say. Layers that come back at rest: others are nearly so, and the
-// derivatives of tracks compare them with differences.
+// Halving over the speed finds the place where the sequence of zones changes, from whole laps alone. The margin has to change its
+// sign there, and may not exceed its slope times the interval that is left (1e-10). Only layers that come back at rest are asked:
+// then one lap decides. Tests of derivatives cover the others.
 TEST_CASE("the margin of a jump vanishes where the zones change (W4.5)", "[core][inside][oracle]") {
   Dice dice(20261126);
   int jumps = 0;

@@ -164,7 +164,8 @@ double CurveCrossings::just_before(double end) const {
   return speed;
 }
 
-// The slices of a track are, whatever its edges do. There the wave does not feel the speed.
+// True if every slice slips and drives. The edges of a track are left out: track_plateau_end() looks at them. On the plateau the
+// wave is the same at every speed, so the motor under the first wave tells.
 bool CurveCrossings::on_plateau(double speed) const {
   const SolvedPoint solved = solve_point(points_.curve().motor(), speed, nullptr, kWithoutSplits);
   return solved.status == PointStatus::ok && solved.drives();

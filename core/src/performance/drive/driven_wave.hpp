@@ -95,8 +95,8 @@ class DrivenWaves {
 
   /// The track is split where zones begin.
   bool splits() const { return model_.track.splits; }
-  /// The torque may jump over the speed: mu_0 > mu.
-  bool may_jump() const { return has_static_excess(model_); }
+  /// mu_0 > mu: only laps from rest tell the contact's state, not a wave nearby.
+  bool has_static_excess() const { return performance::has_static_excess(model_); }
   const StatorModes<double>& modes() const { return modes_; }
   double drive() const { return drive_; }
   double omega() const { return omega_; }

@@ -93,7 +93,7 @@ std::optional<HeldWaves::Carried> HeldWaves::carried(const DrivenWaves& waves, d
 }
 
 HeldWaves::HeldWaves(const DrivenWaves& waves, const RotorLoad& load)
-    : waves_(waves), load_(load), may_jump_(waves.may_jump()) {}
+    : waves_(waves), load_(load) {}
 
 HeldWaves::Guess HeldWaves::guess_of(const ResponseWave& wave) const {
   const double crest = waves_.at_frequency(wave.omega).crest_speed_per_amplitude() * wave.amplitude;
@@ -111,7 +111,8 @@ std::optional<ResponseWave> HeldWaves::held(double amplitude, double side,
 std::optional<ResponseWave> HeldWaves::settled(double amplitude, double side,
                                                const Guess& guess) const {
   const bool loaded = load_.given == Argument::torque && !guess.standing;
-  if (may_jump_ || guess.start == nullptr || (loaded && !(guess.torque_slope < 0))) return {};
+  if (waves_.has_static_excess() || guess.start == nullptr || (loaded && !(guess.torque_slope < 0)))
+    return {};
   const double inertia = waves_.modes().mass * amplitude * guess.omega * guess.omega,
                near = kNearRatio + kNearShare * std::fabs(guess.speed_ratio);
   ResponseWave wave;

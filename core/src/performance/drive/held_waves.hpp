@@ -76,7 +76,6 @@ class HeldWaves {
 
   const DrivenWaves& waves_;
   RotorLoad load_;
-  bool may_jump_;  // mu_0 > mu
 };
 
 }  // namespace twum::performance

@@ -65,7 +65,7 @@ RunningBranch::RunningBranch(const DrivenWaves& waves, const std::vector<ForceEx
 // Between the extrema of H if that is enough to find it.
 std::optional<DrivenWave> RunningBranch::running_at_rest(
     const std::vector<ForceExtremum>& extrema) const {
-  if (!extrema.empty() && !waves_.may_jump())
+  if (!extrema.empty() && !waves_.has_static_excess())
     if (const auto wave = largest(wave_solutions(waves_, 0, extrema).found)) return wave;
   return largest(wave_solutions(waves_, 0).found);
 }

@@ -180,7 +180,7 @@ SpeedDerivative differentiate_in_speed(const Motor& motor, double speed);
 /// About 30 microseconds for all metrics without argument, a microsecond for a point metric at a speed; about 300
 /// microseconds where mu_0 > mu. No argument makes it throw: a speed at or below -motor.wave_speed() gives the status
 /// out_of_range, a torque that the motor cannot carry gives unreachable. Continuous in the parameters except for
-/// jumps where mu_0 > mu, which a track with `auto` does not have; differentiate() returns the smoothness.
+/// jumps where mu_0 > mu; a track that `auto` splits there (W4.5) has none. differentiate() returns the smoothness.
 /// @{
 std::vector<MetricValue> evaluate(const Motor& motor, std::span<const MetricRequest> requests);
 MetricValue evaluate(const Motor& motor, const MetricRequest& request);
