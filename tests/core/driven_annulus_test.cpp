@@ -101,6 +101,26 @@ TEST_CASE(
   }
 }
 
+// Along the branch jumps are followed from wave to wave; a prescribed wave searches for them. They are told to 1e-9 of the track,
+// where the torque changes by less than itself.
+TEST_CASE("jumps followed along a branch are those of the prescribed wave (W4.5)",
+          "[core][driven][annulus][identity]") {
+  MotorDesign design = driven_motor_with_layer();
+  design.friction.static_ = 1.3 * design.friction.kinetic;
+  design.stator.radial_slices = kAutoSlices;
+  const Motor motor(design);
+  design.stator.radial_slices = motor.radial_slices();
+  for (double speed = 0.5; speed < 14; speed += 0.45) {
+    const OperatingPoint p = motor.operating_point(speed);
+    CAPTURE(speed);
+    REQUIRE(p.status == PointStatus::ok);
+    const Motor prescribed(with(design, Parameter::amplitude, p.amplitude));
+    const OperatingPoint q = prescribed.operating_point(speed);
+    CHECK(q.torque == Approx(p.torque).epsilon(1e-9));
+    CHECK(q.voltage == Approx(p.voltage).epsilon(1e-9));
+  }
+}
+
 TEST_CASE("no wave of a wide contact is missed (D2.8, D2.10)",
           "[core][driven][annulus][brute_force]") {
   for (const double voltage : {25.0, 45.0, 60.0, 120.0}) {

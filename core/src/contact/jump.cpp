@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace twum::contact {
@@ -15,8 +16,8 @@ namespace {
 
 constexpr double kParted = 1e-3;  // of the contact's half, more than the ends of zones move
 constexpr int kMostTurns = 200;
-constexpr int kTurnsToMove = 30;  // a periodic state has its derivatives after this many
-constexpr double kSame = 1e-16;   // of P
+constexpr int kMostTurnsToMove = 30;
+constexpr double kSame = 1e-16;  // of P
 
 // Zone by zone.
 using Trace = std::vector<ZoneTrace>;
@@ -73,6 +74,13 @@ std::optional<Jump> jump_from_rest(const ContactNumbers<double>& a,
   return {};
 }
 
+// After so many turns a periodic state has its derivatives: the free flight alone leaves nothing else of the layer's motion.
+int turns_to_move(const ContactNumbers<double>& n, const LayerMotion<double>& layer) {
+  const double left_by_turn = layer.slowest_decay() * 2 * (std::numbers::pi - n.half_angle);
+  const double turns = std::ceil(-std::log(kSame) / left_by_turn);
+  return turns < kMostTurnsToMove ? static_cast<int>(turns) : kMostTurnsToMove;
+}
+
 // Newton's method may find a periodic state where laps from rest lead to another one: then it is its own end that counts.
 std::optional<Jump> end_of_state(const ContactNumbers<double>& a, const ContactNumbers<double>& b) {
   const LayerMotion<double> at_a(a.inertia, a.damping), at_b(b.inertia, b.damping);
@@ -81,7 +89,7 @@ std::optional<Jump> end_of_state(const ContactNumbers<double>& a, const ContactN
   Trace trace_a, trace_b;
   run_lap(a, at_a, state.entry, nullptr, &trace_a, Means::of_wave);
   run_lap(b, at_b, state.entry, nullptr, &trace_b, Means::of_wave);
-  std::optional<Jump> jump = parting(trace_a, trace_b, kTurnsToMove);
+  std::optional<Jump> jump = parting(trace_a, trace_b, turns_to_move(a, at_a));
   if (jump) jump->entry = state.entry;
   return jump;
 }

@@ -24,11 +24,11 @@ constexpr double kResonance = 1e16;  // response to the wave's own frequency, sq
 class Search {
  public:
   Search(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer, double accuracy,
-         PeriodicState& state)
+         bool decided, PeriodicState& state)
       : s_(state),
         n_(numbers),
         layer_(layer),
-        monotone_(!(numbers.static_ > numbers.kinetic)),
+        monotone_(decided || !(numbers.static_ > numbers.kinetic)),
         unique_(monotone_ && layer.C > 0 && !numbers.full),
         swing_(std::sqrt(layer.response)),
         tolerance_(4e-16 * numbers.static_ * (swing_ + numbers.peak)),
@@ -298,9 +298,9 @@ class Search {
   PeriodicState& s_;
   const ContactNumbers<double>& n_;
   const LayerMotion<double>& layer_;
-  bool monotone_;
-  bool unique_;   // only where there is one periodic state may the search start anywhere
-  double swing_;  // of the layer that the wave's pressure shakes
+  bool monotone_;  // any laps lead to the state, or those from rest are known to
+  bool unique_;    // only where there is one periodic state may the search start anywhere
+  double swing_;   // of the layer that the wave's pressure shakes
   double tolerance_, tight_, loose_;
   LapHistory history_;
   int patience_{4}, follow_from_{0}, checked_{0};
@@ -322,7 +322,7 @@ PeriodicState searched_state(const ContactNumbers<double>& numbers,
                              const LayerMotion<double>& layer, const LapGuess* guess,
                              double accuracy) {
   PeriodicState state;
-  Search(numbers, layer, accuracy, state).run(guess);
+  Search(numbers, layer, accuracy, guess && guess->decided, state).run(guess);
   return state;
 }
 

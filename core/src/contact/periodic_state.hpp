@@ -22,6 +22,8 @@ struct LapGuess : LapEntry<double> {
 
   ZoneSequence zones;    ///< where the zones of its lap nearly end; none where that is not known
   bool followed{false};  ///< laps through these zones have led here: only the proof is left
+  /// Laps from rest lead through the zones of this state: with mu_0 > mu the search may begin here only if that is known.
+  bool decided{false};
 };
 
 /// The state that repeats itself from turn to turn.
@@ -43,7 +45,8 @@ struct PeriodicState {
 /// settled, must keep it, and must end in an attracting state.
 ///
 /// @param guess     state at entry of a neighbouring point, where the search may begin if the periodic
-///                  state is unique; null: at rest. A layer that enters at rest takes only the ends of its zones from it.
+///                  state is unique or decided; null: at rest. A layer that enters at rest takes only the ends of its zones
+///                  from it.
 /// @param accuracy  how well the state has to come back with mu_0 = mu and damping, in units of its largest
 ///                  possible size; 0: to rounding
 PeriodicState find_periodic_state(const ContactNumbers<double>& numbers,

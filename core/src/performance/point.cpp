@@ -6,7 +6,6 @@
 #include "contact/zone_curves.hpp"
 #include "performance/scalars.hpp"
 #include "performance/track.hpp"
-#include "performance/zone_splits.hpp"
 
 #include <algorithm>
 #include <array>
@@ -165,6 +164,11 @@ double SolvedPoint::shortest_zone() const {
   return shortest;
 }
 
+bool SolvedPoint::jumps() const {
+  return std::any_of(splits_.begin(), splits_.end(),
+                     [](const Split& s) { return s.jump.has_value(); });
+}
+
 long SolvedPoint::zones_followed() const {
   long zones = first_.state.zones;
   for (const SolvedSlice& s : others_) zones += s.state.zones;
@@ -282,32 +286,46 @@ void SolvedPoint::solve_in_step(const DrivenMotor<double>& m, std::span<const Sl
   }
 }
 
-void SolvedPoint::split(const DrivenMotor<double>& m, double speed,
-                        const LayerMotion<double>& layer, double accuracy) {
-  const auto zones_of = [](const SolvedSlice& s) {
-    if (s.locked) return SliceZones{0, HUGE_VAL};
-    return s.state.status != PeriodicStatus::ok
-               ? SliceZones{SliceZones::kNoAnswer, HUGE_VAL}
-               : SliceZones{s.state.lap.itinerary, s.state.lap.shortest};
-  };
+namespace {
+
+SliceZones zones_of(const SolvedSlice& s) {
+  if (s.locked) return {0, HUGE_VAL};
+  return s.state.status != PeriodicStatus::ok
+             ? SliceZones{SliceZones::kNoAnswer, HUGE_VAL}
+             : SliceZones{s.state.lap.itinerary, s.state.lap.shortest, s.state.laps};
+}
+
+}  // namespace
+
+std::vector<SliceZones> SolvedPoint::zones_of_slices() const {
   std::vector<SliceZones> zones;
   for (std::size_t k = 0; k < size(); ++k) zones.push_back(zones_of(slice(k)));
-  const auto zones_at = [&](double radius) {
-    const Slice<double> there = slice_at(m, radius, m.b);
-    if (!(there.contact.half_angle > 0)) return SliceZones{0, HUGE_VAL};
-    const auto entry = entry_at(m.slices(), radius);
-    return zones_of({m, there, speed, layer, entry ? &*entry : nullptr, accuracy});
-  };
-  const auto numbers_at = [&](double radius) {
+  return zones;
+}
+
+SliceQueries SolvedPoint::queries(const DrivenMotor<double>& m,
+                                  std::span<const Slice<double>> slices, double speed,
+                                  const LayerMotion<double>& layer, double accuracy) const {
+  const auto numbers_at = [&m, speed](double radius) {
     return contact_numbers(m, slice_at(m, radius, m.b), speed);
   };
-  const auto jump_at = [&](double low, double high) {
-    return contact::jump_between(numbers_at(low), numbers_at(high));
-  };
-  const auto margin_at = [&](double radius, const contact::Jump& jump) {
-    return contact::jump_margin(numbers_at(radius), jump);
-  };
-  splits_ = zone_splits(m, zones, {zones_at, jump_at, margin_at});
+  return {[this, &m, slices, speed, &layer, accuracy](double radius) {
+            const Slice<double> there = slice_at(m, radius, m.b);
+            if (!(there.contact.half_angle > 0)) return SliceZones{0, HUGE_VAL};
+            const auto entry = entry_at(slices, radius);
+            return zones_of({m, there, speed, layer, entry ? &*entry : nullptr, accuracy});
+          },
+          [numbers_at](double low, double high) {
+            return contact::jump_between(numbers_at(low), numbers_at(high));
+          },
+          [numbers_at](double radius, const contact::Jump& jump) {
+            return contact::jump_margin(numbers_at(radius), jump);
+          }};
+}
+
+void SolvedPoint::split(const DrivenMotor<double>& m, double speed,
+                        const LayerMotion<double>& layer, double accuracy) {
+  splits_ = zone_splits(m, zones_of_slices(), queries(m, m.slices(), speed, layer, accuracy));
   if (splits_.empty()) return;
   status = PointStatus::ok;
   solve_split(m, speed, layer, nullptr, accuracy);
@@ -324,14 +342,15 @@ std::optional<WarmStart::Entry> SolvedPoint::entry_at(std::span<const Slice<doub
   return near.start();
 }
 
-void SolvedPoint::solve_split(const DrivenMotor<double>& m, double speed,
-                              const LayerMotion<double>& layer, const WarmStart* guess,
-                              double accuracy) {
-  const std::vector<Slice<double>> slices = annulus_of<double>(m, fixed_places(splits_));
+std::vector<Slice<double>> SolvedPoint::solve_split(const DrivenMotor<double>& m, double speed,
+                                                    const LayerMotion<double>& layer,
+                                                    const WarmStart* guess, double accuracy) {
+  std::vector<Slice<double>> slices = annulus_of<double>(m, fixed_places(splits_));
   lever_ = lever_of<double>(slices, m.preload);
   if (guess && guess->size() != slices.size()) guess = nullptr;
   first_ = {};
   solve(m, slices, speed, layer, guess, accuracy, false);
+  return slices;
 }
 
 bool SolvedPoint::has_pieces_of_splits(const DrivenMotor<double>& m) const {
@@ -398,13 +417,30 @@ SolvedPoint solve_point(const DrivenMotor<double>& m, double speed, const WarmSt
 
 SolvedPoint solve_point_near(const DrivenMotor<double>& m, double speed, const SolvedPoint& near,
                              const WarmStart& guess) {
-  if (near.splits_.empty() || has_static_excess(m) || !near.has_pieces_of_splits(m))
-    return solve_point(m, speed, &guess, kConfirmed);
   SolvedPoint point;
-  point.splits_ = near.splits_;
-  point.solve_split(m, speed, layer_of(m, speed), &guess, kConfirmed);
+  if (near.splits_.empty() || !near.has_pieces_of_splits(m) ||
+      !point.follow(m, speed, near.splits_, guess))
+    return solve_point(m, speed, &guess, kConfirmed);
   point.check(m, speed, kConfirmed);
   return point;
+}
+
+bool SolvedPoint::follow(const DrivenMotor<double>& m, double speed, std::vector<Split> splits,
+                         const WarmStart& guess) {
+  const LayerMotion<double> layer = layer_of(m, speed);
+  if (!has_static_excess(m)) {
+    splits_ = std::move(splits);
+    solve_split(m, speed, layer, &guess, kConfirmed);
+    return true;
+  }
+  auto followed = followed_splits(m, std::move(splits), queries(m, m.slices(), speed, layer, 0));
+  if (!followed) return false;
+  splits_ = std::move(*followed);
+  WarmStart start = guess;
+  for (std::size_t k = 0; k < start.size(); ++k) start.of_slice(k).decided = true;
+  const std::vector<Slice<double>> slices = solve_split(m, speed, layer, &start, kConfirmed);
+  return status == PointStatus::ok && change_at_splits(m, splits_, slices, zones_of_slices(),
+                                                       queries(m, slices, speed, layer, 0));
 }
 
 void SolvedPoint::check(const DrivenMotor<double>& m, double speed, double accuracy) {

@@ -3,6 +3,7 @@
 
 #include "contact/periodic_state.hpp"
 #include "performance/motor_model.hpp"
+#include "performance/zone_splits.hpp"
 
 #include <twum/core/performance/motor.hpp>
 
@@ -161,6 +162,8 @@ class SolvedPoint {
   std::uint64_t signature() const;
   /// Length of the shortest zone [rad].
   double shortest_zone() const;
+  /// The means of the contact jump somewhere along the track, which is split there.
+  bool jumps() const;
   /// Zones followed to find it: what the search cost.
   long zones_followed() const;
   WarmStart start() const;
@@ -204,10 +207,18 @@ class SolvedPoint {
   /// Solves the track anew where it is split.
   void split(const DrivenMotor<double>& motor, double speed,
              const contact::LayerMotion<double>& layer, double accuracy);
-  /// Solves the track with its splits.
-  void solve_split(const DrivenMotor<double>& motor, double speed,
-                   const contact::LayerMotion<double>& layer, const WarmStart* guess,
-                   double accuracy);
+  /// Solves the track with its splits. Its slices.
+  std::vector<Slice<double>> solve_split(const DrivenMotor<double>& motor, double speed,
+                                         const contact::LayerMotion<double>& layer,
+                                         const WarmStart* guess, double accuracy);
+  /// The same with the splits of a point nearby. False if those at jumps cannot be followed; then this point means nothing.
+  bool follow(const DrivenMotor<double>& motor, double speed, std::vector<Split> splits,
+              const WarmStart& guess);
+  std::vector<SliceZones> zones_of_slices() const;
+  /// What the slices at an operating point answer. They hold on to the arguments.
+  SliceQueries queries(const DrivenMotor<double>& motor, std::span<const Slice<double>> slices,
+                       double speed, const contact::LayerMotion<double>& layer,
+                       double accuracy) const;
   bool has_pieces_of_splits(const DrivenMotor<double>& motor) const;
   void check(const DrivenMotor<double>& motor, double speed, double accuracy);
   /// Where the search at a radius may begin: what the nearest slice says.

@@ -15,7 +15,7 @@ constexpr double kStates = 1e-9;  // of the periodic states, far less than what 
 constexpr double kWanted = 1e-6;  // of the scales of torque and powers
 constexpr std::array kCounts{6, 8, 10, 12, 16, 24, 32, 48, 64, 96, 128};
 // Share of the layer's motion that outlives the free flight, above which a track that jumps is not split.
-constexpr double kLong = 0.1;
+constexpr double kLong = 0.5;
 // Where torque may jump. Four times as many leave a third of the error, and metrics take five times as long.
 constexpr int kMostWithJumps = 32;
 // Speeds in parts of the crest speed: from the end of the plateau to full braking zones come and go along the track.
@@ -39,10 +39,15 @@ double difference(const DrivenMotor<double>& m, const SolvedPoint& a, const Solv
                    std::fabs(p.layer_loss - q.layer_loss) / power});
 }
 
-Numbers points_of(const DrivenMotor<double>& m) {
+// Jumps lie where fewer nodes have found them.
+Numbers points_of(const DrivenMotor<double>& m, const Numbers* fewer) {
   Numbers points;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    points[i] = solve_point(m, kSpeeds[i] * m.crest_velocity / m.r, nullptr, kStates);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double speed = kSpeeds[i] * m.crest_velocity / m.r;
+    points[i] = fewer && has_static_excess(m)
+                    ? solve_point_near(m, speed, (*fewer)[i], (*fewer)[i].start())
+                    : solve_point(m, speed, nullptr, kStates);
+  }
   return points;
 }
 
@@ -59,7 +64,7 @@ int nodes_needed(const ModelArray<double>& values, const TrackRule& rule, int mo
   for (std::size_t i = 0; i < kCounts.size() && kCounts[i] <= most; ++i) {
     const DrivenMotor<double> motor = motor_of(values, rule, kCounts[i]);
     if (is_trivial(motor)) return kCounts[i];
-    const Numbers points = points_of(motor);
+    const Numbers points = points_of(motor, i > 0 ? &before : nullptr);
     if (i > 0 && difference(motor, before, points) <= kWanted) return kCounts[i - 1];
     before = points;
   }

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
+#include <utility>
 
 namespace twum::performance {
 namespace {
@@ -17,12 +19,26 @@ constexpr double kClose = 1e-6;
 constexpr double kNarrow = 0.005;
 // Where only one end of a bracket has a short zone, the next place lies this share of the bracket towards that end.
 constexpr double kHopeful = 0.7;
+constexpr double kAcross = 0.1;  // the same where it would vanish at the other end
 // Where the means jump, their error is as large as that of the split. By how much it may be off.
 constexpr double kSharp = 1e-14;
 // A bracket that does not tell its jump is narrowed to this.
 constexpr double kCloseToJump = 1e-10;
+// The same where a state ends because it no longer attracts: each turn then brings it little nearer.
+constexpr double kCloseToSlow = 1e-7;
+constexpr int kSlow = 200;  // turns
 constexpr int kMostJumpSteps = 20;
-constexpr int kMostProbes = 40;
+constexpr double kFirstStep = 1e-6;  // of secants from a point nearby
+constexpr double kFollowed = 0.3;    // their reach
+// A bracket this much narrower tells more of its jump.
+constexpr double kNarrower = 0.15;
+// Of so many steps one halves, should the shortest zone mislead.
+constexpr int kHalvedOnce = 4;
+// At this distance from the end of a short zone the zones are those beyond it.
+constexpr double kJustBeyond = 1e-5;
+constexpr double kFarther = 30;  // steps away from where laps part for a while
+constexpr double kWider = 2;     // steps through a gap
+constexpr int kMostProbes = 60;
 constexpr int kMostSplits = 6;  // between two nodes
 
 struct Probe {
@@ -30,23 +46,38 @@ struct Probe {
   SliceZones zones;
 };
 
-// Two probes with the same zones, the nearer one to the other side first.
+// Probes with the same zones, the nearest one to the other side first.
 struct Side {
   Probe near;
-  std::optional<Probe> beyond;
+  std::optional<Probe> beyond{}, farther{};
 
   void take(const Probe& probe) {
-    beyond = probe.zones.signature == near.zones.signature ? std::optional(near) : std::nullopt;
+    const bool same = probe.zones.signature == near.zones.signature;
+    farther = same ? beyond : std::nullopt;
+    beyond = same ? std::optional(near) : std::nullopt;
     near = probe;
   }
 
-  // Where the shortest zone of this side vanishes: the square of its length falls in proportion to the distance.
+  // Where the shortest zone of this side vanishes: its length falls in proportion to the distance, or the square does (W4.4).
+  // A third probe tells which; without it, the square.
   std::optional<double> vanishing_place() const {
-    if (!beyond) return {};
-    const double here = near.zones.shortest * near.zones.shortest;
-    const double there = beyond->zones.shortest * beyond->zones.shortest;
-    if (!(here < there)) return {};
+    if (!beyond || !(near.zones.shortest < beyond->zones.shortest)) return {};
+    const double squares = vanishing_place(2);
+    if (!farther) return squares;
+    const double lengths = vanishing_place(1);
+    return error(lengths, 1) < error(squares, 2) ? lengths : squares;
+  }
+
+ private:
+  double vanishing_place(int power) const {
+    const double here = std::pow(near.zones.shortest, power),
+                 there = std::pow(beyond->zones.shortest, power);
     return near.place + (near.place - beyond->place) * here / (there - here);
+  }
+  // Of the third probe's length, if the zone vanishes there.
+  double error(double zero, int power) const {
+    const double ratio = (farther->place - zero) / (near.place - zero);
+    return std::fabs(near.zones.shortest * std::pow(ratio, 1.0 / power) - farther->zones.shortest);
   }
 };
 
@@ -67,137 +98,200 @@ struct Place {
 };
 using Places = std::vector<Place>;
 
-// Splits where zones begin from nothing.
-class SmoothSplits {
- public:
-  explicit SmoothSplits(const PieceQueries& queries) : queries_(queries) {}
+// Where the zones at one of two probes end, between them.
+struct End {
+  double place;
+  Probe next;  // just beyond
+  std::optional<contact::Jump> jump{};
+};
 
-  Places among(const std::vector<Probe>& probes) const {
-    Places places;
-    for (std::size_t k = 1; k < probes.size(); ++k) {
-      Side low{probes[k - 1], {}}, high{probes[k], {}};
-      if (k > 1) low = side_of(probes[k - 1], probes[k - 2]);
-      if (k + 1 < probes.size()) high = side_of(probes[k], probes[k + 1]);
-      for (int i = 0; i < kMostSplits && low.near.zones.signature != probes[k].zones.signature;
-           ++i) {
-        const auto [place, next] = end_of(low, high);
-        if (!places.empty() && place - places.back().place < kNarrow) places.pop_back();
-        places.push_back({place});
-        low = {next, {}};
+// Searches for the end of the zones of the low side: secants over the margin of a jump, or over the length of the shortest zone, in
+// a bracket. With mu_0 > mu zones may begin with a length.
+class EndSearch {
+ public:
+  EndSearch(const PieceQueries& queries, bool may_jump, Side low, Side high)
+      : queries_(queries),
+        may_jump_(may_jump),
+        low_(std::move(low)),
+        high_(std::move(high)),
+        tried_(length()) {}
+
+  End run() {
+    for (int i = 0; i < kMostProbes && length() > close_enough(); ++i) {
+      if (may_jump_ && length() < kNarrower * tried_) {
+        tried_ = length();
+        if (const std::optional<double> jump = jump_inside()) {
+          if (const std::optional<End> end = end_at_jump(*jump)) return *end;
+          continue;
+        }
+      }
+      const bool below = low_.near.zones.shortest < high_.near.zones.shortest;
+      const std::optional<double> zero =
+          i % kHalvedOnce == kHalvedOnce - 1 ? std::nullopt : side(below).vanishing_place();
+      if (!zero || *zero < low_.near.place || *zero > high_.near.place) {
+        halve(below, zero);
+      } else if (std::fabs(*zero - side(below).near.place) >= kNear) {
+        take_at(*zero);
+      } else if (const std::optional<End> end = end_at_zero(*zero, below)) {
+        return *end;
       }
     }
-    return places;
+    return {std::midpoint(low_.near.place, high_.near.place), high_.near,
+            may_jump_ ? jump_between(low_.near, high_.near) : std::nullopt};
+  }
+
+ private:
+  const Side& side(bool low) const { return low ? low_ : high_; }
+  double length() const { return high_.near.place - low_.near.place; }
+  bool holds(double place) const { return place > low_.near.place && place < high_.near.place; }
+  bool is_low(const Probe& probe) const {
+    return probe.zones.signature == low_.near.zones.signature;
+  }
+  void take(const Probe& probe) { (is_low(probe) ? low_ : high_).take(probe); }
+  Probe take_at(double place) {
+    const Probe there = queries_.probe(place);
+    take(there);
+    return there;
+  }
+
+  // Length of a bracket that needs no more probes.
+  double close_enough() const {
+    if (!may_jump_) return kClose;
+    const int turns = std::max(low_.near.zones.turns, high_.near.zones.turns);
+    return turns > kSlow ? kCloseToSlow : kCloseToJump;
+  }
+
+  // A zero at the other probe, or just beyond, leaves the end just on this side of it.
+  void halve(bool below, const std::optional<double>& zero) {
+    const double other = side(!below).near.place;
+    const bool across = zero && std::fabs(*zero - other) < kAcross * length();
+    const double own = across ? kAcross : may_jump_ ? 0.5 : kHopeful;
+    take_at(std::lerp(low_.near.place, high_.near.place, below ? 1 - own : own));
+  }
+
+  // What lies across has to be the other side's, and not what comes between.
+  std::optional<End> end_at_zero(double zero, bool below) {
+    const double step = may_jump_ ? kJustBeyond : kNarrow, across = zero + (below ? step : -step);
+    if (!holds(across)) return End{zero, high_.near};
+    const Probe there = queries_.probe(across);
+    if (is_low(there) != below) return End{zero, below ? there : high_.near};
+    take(there);
+    return {};
+  }
+
+  // Nothing if the zones beside the jump are those of one side: laps from rest part there for a while, and for good not far from it.
+  std::optional<End> end_at_jump(double jump) {
+    const Probe below = queries_.probe(jump - kBesideJump);
+    const bool low = is_low(below);
+    const Probe beside = low ? queries_.probe(jump + kBesideJump) : below;
+    if (low && !is_low(beside)) return End{jump, beside, jump_between(below, beside)};
+    take(beside);
+    double step = low ? kBesideJump : -kBesideJump;
+    do {
+      step *= kFarther;
+    } while (holds(beside.place + step) && is_low(take_at(beside.place + step)) == low);
+    tried_ = HUGE_VAL;
+    return {};
+  }
+
+  std::optional<contact::Jump> jump_between(const Probe& low, const Probe& high) const {
+    return queries_.at.jump(queries_.radius(low.place), queries_.radius(high.place));
+  }
+
+  // Where laps from rest part, if the probes beside that are inside.
+  std::optional<double> jump_inside() const {
+    const auto jump = jump_between(low_.near, high_.near);
+    if (!jump) return {};
+    const std::optional<double> zero =
+        jump->beside == 0 ? margin_zero(*jump) : margin_zero_of(side(jump->beside < 0), *jump);
+    return zero && holds(*zero - kBesideJump) && holds(*zero + kBesideJump) ? zero : std::nullopt;
+  }
+
+  double margin(double place, const contact::Jump& jump) const {
+    return queries_.at.margin(queries_.radius(place), jump);
+  }
+
+  std::optional<double> margin_zero(const contact::Jump& jump) const {
+    double a = low_.near.place, b = high_.near.place;
+    double at_a = margin(a, jump), at_b = margin(b, jump);
+    if (!(at_a * at_b < 0)) return {};
+    for (int i = 0; i < kMostJumpSteps && std::fabs(b - a) > kSharp && at_b != 0; ++i) {
+      const double next = b - at_b * (b - a) / (at_b - at_a);
+      if (!holds(next)) return {};
+      a = b, at_a = at_b, b = next, at_b = margin(next, jump);
+    }
+    return std::fabs(b - a) < kBesideJump ? std::optional(b) : std::nullopt;
+  }
+
+  // The same from the side that has the state: elsewhere its margin is not smooth.
+  std::optional<double> margin_zero_of(const Side& side, const contact::Jump& jump) const {
+    if (!side.beyond) return {};
+    const double here = margin(side.near.place, jump), there = margin(side.beyond->place, jump);
+    return side.near.place + (side.near.place - side.beyond->place) * here / (there - here);
+  }
+
+  const PieceQueries& queries_;
+  bool may_jump_;
+  Side low_, high_;
+  double tried_;  // length of the bracket when a jump was last looked for
+};
+
+// The splits of a piece. With mu_0 > mu slices may have no answer.
+class PieceSplits {
+ public:
+  PieceSplits(const PieceQueries& queries, bool may_jump)
+      : queries_(queries), may_jump_(may_jump) {}
+
+  Places among(const std::vector<Probe>& probes) {
+    for (std::size_t k = 1; k < probes.size(); ++k) {
+      Side low{probes[k - 1]}, high{probes[k]};
+      if (k > 1) low = side_of(probes[k - 1], probes[k - 2]);
+      if (k + 1 < probes.size()) high = side_of(probes[k], probes[k + 1]);
+      for (int i = 0; i < kMostSplits && low.near.zones.signature != probes[k].zones.signature; ++i)
+        low = {may_jump_ && !low.near.zones.has_answer() ? after_gap(low.near, high.near)
+                                                         : after_end(low, high)};
+    }
+    return places_;
   }
 
  private:
   static Side side_of(const Probe& near, const Probe& beyond) {
-    Side side{beyond, {}};
+    Side side{beyond};
     side.take(near);
     return side;
   }
 
-  struct End {
-    double place;
-    Probe next;  // just beyond
-  };
+  // Adds the place where the zones of the low side end. What lies beyond.
+  Probe after_end(const Side& low, const Side& high) {
+    const auto [place, next, jump] = EndSearch(queries_, may_jump_, low, high).run();
+    if (!may_jump_ && !places_.empty() && place - places_.back().place < kNarrow)
+      places_.pop_back();
+    places_.push_back({place, jump});
+    return next;
+  }
 
-  // Where the zones of the low side end: secants on the side whose shortest zone vanishes there, in a bracket.
-  End end_of(Side low, Side high) const {
-    const std::uint64_t own = low.near.zones.signature;
-    for (int i = 0; i < kMostProbes && high.near.place - low.near.place > kClose; ++i) {
-      const bool below = low.near.zones.shortest < high.near.zones.shortest;
-      const auto zero = (below ? low : high).vanishing_place();
-      const bool inside = zero && *zero > low.near.place && *zero < high.near.place;
-      if (inside && std::fabs(*zero - (below ? low : high).near.place) < kNear) {
-        // What lies across has to be the other side's, and not what comes between.
-        const double across = *zero + (below ? kNarrow : -kNarrow);
-        if (!(across > low.near.place && across < high.near.place)) return {*zero, high.near};
-        const Probe there = queries_.probe(across);
-        if (below && there.zones.signature != own) return {*zero, there};
-        if (!below && there.zones.signature == own) return {*zero, high.near};
-        (below ? low : high).take(there);
-        continue;
-      }
-      const double share = below ? 1 - kHopeful : kHopeful;
-      const Probe here =
-          queries_.probe(inside ? *zero : std::lerp(low.near.place, high.near.place, share));
-      (here.zones.signature == own ? low : high).take(here);
-    }
-    return {0.5 * (low.near.place + high.near.place), high.near};
+  // Between two sequences a layer may go through both in turns, over next to nothing of the track. Adds that to the last place.
+  Probe after_gap(const Probe& low, const Probe& high) {
+    const Probe next = beyond_gap(low, high);
+    const double gap = places_.empty() ? kNarrow : next.place - places_.back().place;
+    if (gap < kNarrow)
+      places_.back().gap = gap;
+    else
+      places_.push_back({next.place});
+    return next;
+  }
+
+  // The first of the places at kWider times the distance each time that has an answer.
+  Probe beyond_gap(const Probe& low, const Probe& high) const {
+    for (double step = kClose; low.place + step < high.place; step *= kWider)
+      if (const Probe there = queries_.probe(low.place + step); there.zones.has_answer())
+        return there;
+    return high;
   }
 
   const PieceQueries& queries_;
-};
-
-// Splits where zones may begin with a length, as with mu_0 > mu.
-class JumpSplits {
- public:
-  explicit JumpSplits(const PieceQueries& queries) : queries_(queries) {}
-
-  Places among(const std::vector<Probe>& probes) const {
-    Places places;
-    for (std::size_t k = 1; k < probes.size(); ++k) {
-      Probe low = probes[k - 1];
-      for (int i = 0; i < kMostSplits && low.zones.signature != probes[k].zones.signature; ++i) {
-        const auto [place, next] = end_of(low, probes[k]);
-        const bool after_gap =
-            !low.zones.has_answer() && !places.empty() && place - places.back().place < kNarrow;
-        // Between two sequences the layer may go through both in turns, over next to nothing of the track.
-        if (after_gap) {
-          places.back().gap = place - places.back().place + kClose;
-        } else {
-          places.push_back({place, jump_between(place - kBesideJump, place + kBesideJump)});
-        }
-        low = next;
-      }
-    }
-    return places;
-  }
-
- private:
-  struct End {
-    double place;
-    Probe next;  // just beyond
-  };
-
-  std::optional<contact::Jump> jump_between(double low, double high) const {
-    return queries_.at.jump(queries_.radius(low), queries_.radius(high));
-  }
-
-  // Where the zones at `low` end.
-  End end_of(Probe low, Probe high) const {
-    const std::uint64_t own = low.zones.signature;
-    const bool answers = low.zones.has_answer();
-    if (answers)
-      if (const std::optional<End> end = jump_in(low, high)) return *end;
-    while (high.place - low.place > (answers ? kCloseToJump : kClose)) {
-      const Probe here = queries_.probe(0.5 * (low.place + high.place));
-      (here.zones.signature == own ? low : high) = here;
-    }
-    return {0.5 * (low.place + high.place), high};
-  }
-
-  // The jump between two places, by secants over its margin; nothing if another one comes before.
-  std::optional<End> jump_in(const Probe& low, const Probe& high) const {
-    const auto jump = jump_between(low.place, high.place);
-    if (!jump) return {};
-    const auto margin = [&](double place) {
-      return queries_.at.margin(queries_.radius(place), *jump);
-    };
-    double a = low.place, b = high.place, at_a = margin(a), at_b = margin(b);
-    if (!(at_a * at_b < 0)) return {};
-    for (int i = 0; i < kMostJumpSteps && std::fabs(b - a) > kSharp && at_b != 0; ++i) {
-      const double next = b - at_b * (b - a) / (at_b - at_a);
-      if (!(next > low.place && next < high.place)) return {};
-      a = b, at_a = at_b, b = next, at_b = margin(next);
-    }
-    const Probe below = queries_.probe(b - kBesideJump), above = queries_.probe(b + kBesideJump);
-    const bool parts = below.zones.signature == low.zones.signature &&
-                       above.zones.signature != low.zones.signature;
-    return parts ? std::optional(End{b, above}) : std::nullopt;
-  }
-
-  const PieceQueries& queries_;
+  bool may_jump_;
+  Places places_;
 };
 
 }  // namespace
@@ -216,11 +310,80 @@ std::vector<Split> zone_splits(const DrivenMotor<double>& m,
       probes.push_back(
           {(m.annulus[node].radius - piece.low) / (piece.high - piece.low), at_nodes[node]});
     if (!piece.root_high) probes.push_back(queries.probe(1));
-    const Places places = has_static_excess(m) ? JumpSplits(queries).among(probes)
-                                               : SmoothSplits(queries).among(probes);
+    const Places places = PieceSplits(queries, has_static_excess(m)).among(probes);
     for (const auto& [place, jump, gap] : places) splits.push_back({{k, place, gap}, jump});
   }
   return splits;
+}
+
+namespace {
+
+// The place of a split's jump, by secants from where it is in a point nearby.
+std::optional<double> followed_place(const PieceQueries& queries, const Split& split) {
+  const auto margin = [&](double place) {
+    return queries.at.margin(queries.radius(place), *split.jump);
+  };
+  double a = split.place, b = a + kFirstStep, at_a = margin(a), at_b = margin(b);
+  for (int i = 0; i < kMostJumpSteps && std::fabs(b - a) > kSharp && at_b != 0; ++i) {
+    const double next = b - at_b * (b - a) / (at_b - at_a);
+    if (!(std::fabs(next - split.place) < kFollowed)) return {};
+    a = b, at_a = at_b, b = next, at_b = margin(next);
+  }
+  return b;
+}
+
+}  // namespace
+
+std::optional<std::vector<Split>> followed_splits(const DrivenMotor<double>& m,
+                                                  std::vector<Split> splits,
+                                                  const SliceQueries& at) {
+  double last = 0;
+  for (Split& split : splits) {
+    if (split.jump) {
+      if (split.jump->beside != 0) return {};  // its state would have to be followed too
+      const auto place = followed_place({m.pieces[split.piece], at}, split);
+      if (!place) return {};
+      split.place = *place;
+    }
+    const double along = static_cast<double>(split.piece) + split.place;
+    if (!(along > last)) return {};
+    last = along;
+  }
+  return splits;
+}
+
+bool change_at_splits(const DrivenMotor<double>& m, const std::vector<Split>& splits,
+                      std::span<const Slice<double>> slices,
+                      const std::vector<SliceZones>& at_nodes, const SliceQueries& at) {
+  std::size_t node = 0;
+  for (std::size_t k = 0; k < m.pieces.size(); ++k) {
+    const Piece<double>& piece = m.pieces[k];
+    const PieceQueries queries{piece, at};
+    std::optional<std::uint64_t> own;  // zones of a panel
+    const auto agrees = [&own](const SliceZones& zones) {
+      if (!own) own = zones.signature;
+      return zones.has_answer() && zones.signature == *own;
+    };
+    const auto nodes_agree_below = [&](double radius) {
+      for (; node < slices.size() && slices[node].radius < radius; ++node)
+        if (!agrees(at_nodes[node])) return false;
+      return true;
+    };
+    if (!piece.root_low && !agrees(queries.probe(0).zones)) return false;
+    for (const Split& split : splits) {
+      if (split.piece != k) continue;
+      if (!nodes_agree_below(queries.radius(split.place))) return false;
+      const auto below = own;
+      if (split.jump && !agrees(queries.probe(split.place - kBesideJump).zones)) return false;
+      own.reset();
+      if (!split.jump) continue;
+      if (!agrees(queries.probe(split.place + split.gap + kBesideJump).zones)) return false;
+      if (own == below) return false;
+    }
+    if (!nodes_agree_below(piece.high)) return false;
+    if (!piece.root_high && !agrees(queries.probe(1).zones)) return false;
+  }
+  return true;
 }
 
 }  // namespace twum::performance

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace twum::performance {
@@ -14,6 +15,7 @@ namespace twum::performance {
 struct SliceZones {
   std::uint64_t signature;  ///< fingerprint of their sequence
   double shortest;          ///< length of the shortest [rad]
+  int turns{0};             ///< that it took to find them
 
   static constexpr std::uint64_t kNoAnswer = ~std::uint64_t{0};
   bool has_answer() const { return signature != kNoAnswer; }
@@ -37,5 +39,17 @@ struct SliceQueries {
 /// @param at_nodes  zones of the motor's slices, in their order
 std::vector<Split> zone_splits(const DrivenMotor<double>& motor,
                                const std::vector<SliceZones>& at_nodes, const SliceQueries& at);
+
+/// The splits of a point nearby with those at jumps where these are now. Nothing if one of them cannot be followed.
+std::optional<std::vector<Split>> followed_splits(const DrivenMotor<double>& motor,
+                                                  std::vector<Split> splits,
+                                                  const SliceQueries& at);
+
+/// True if the zones change at all splits with a jump, and nowhere else.
+/// @param slices    of the motor with these splits
+/// @param at_nodes  their zones
+bool change_at_splits(const DrivenMotor<double>& motor, const std::vector<Split>& splits,
+                      std::span<const Slice<double>> slices,
+                      const std::vector<SliceZones>& at_nodes, const SliceQueries& at);
 
 }  // namespace twum::performance

@@ -107,8 +107,11 @@ double DrivenWaves::MovingWave::amplitude_per_speed() const {
 }
 
 DrivenWaves::LevelSlopes DrivenWaves::slopes(double amplitude, double speed, const WarmStart* guess,
-                                             double accuracy) const {
-  LevelSlopes s{solve_point(motor(amplitude), speed, guess, accuracy), {}, {}, 0, 0, {}};
+                                             double accuracy, const SolvedPoint* near) const {
+  LevelSlopes s;
+  s.solved = near && near->jumps()
+                 ? solve_point_near(motor(amplitude), speed, *near, guess ? *guess : near->start())
+                 : solve_point(motor(amplitude), speed, guess, accuracy);
   SlopedWave& a = s.in_amplitude;
   a.wave = wave_of(s.solved, amplitude, speed);
   if (a.wave.status != PointStatus::ok) return s;

@@ -83,8 +83,9 @@ class DrivenWaves {
     MovingStates states;
   };
   /// @param accuracy  of the periodic state, as find_periodic_state()
+  /// @param near      a point with nearly the same speed and wave; null if none is known
   LevelSlopes slopes(double amplitude, double speed, const WarmStart* guess = nullptr,
-                     double accuracy = 0) const;
+                     double accuracy = 0, const SolvedPoint* near = nullptr) const;
 
   /// The force that a wave needs from the drive, from the numbers of its contact.
   WaveBalance<double> balance(const PointNumbers<double>& n, double amplitude) const {

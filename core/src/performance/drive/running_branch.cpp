@@ -91,13 +91,14 @@ std::optional<RunningBranch::Node> RunningBranch::first_node(
 
 // Newton steps for H(A) = Theta u_0 near a guess, and the slope of the level curve (D2.9). Nodes only start other
 // searches, so the last step is not solved again.
-RunningBranch::NodeSearch RunningBranch::node(double speed, double guess,
-                                              const WarmStart* start) const {
+RunningBranch::NodeSearch RunningBranch::node(double speed, double guess, const WarmStart* start,
+                                              const SolvedPoint* near) const {
   double a = guess;
   long zones = 0;
   WarmStart from;
+  DrivenWaves::LevelSlopes s;
   for (int i = 0; i < kMostSecants; ++i) {
-    DrivenWaves::LevelSlopes s = waves_.slopes(a, speed, start, kNodeAccuracy);
+    s = waves_.slopes(a, speed, start, kNodeAccuracy, near);
     const SlopedWave& w = s.in_amplitude;
     zones += w.wave.zones;
     if (w.wave.status != PointStatus::ok || !(w.fold() > 0)) return {{}, zones};
@@ -108,7 +109,7 @@ RunningBranch::NodeSearch RunningBranch::node(double speed, double guess,
       const bool grows = !(waves_.stability(w).trace < 0);
       return {branch_node(std::move(s), step, grows), zones};
     }
-    from = moved(w.wave.start, s.states, step), start = &from;
+    from = moved(w.wave.start, s.states, step), start = &from, near = &s.solved;
   }
   return {{}, zones};
 }
@@ -136,29 +137,38 @@ std::optional<BranchWave> RunningBranch::followed(double speed, const BranchGues
   return {};
 }
 
-// Secants for H(A) = Theta u_0 near a guess, in the direction in which H rises with A. Each step starts from the
+// Secants for H(A) = Theta u_0 from a wave that is solved, in the direction in which H rises with A. Each step starts from the
 // layer's state of the last one.
-std::optional<BranchWave> RunningBranch::polished(double speed, double guess, double force_slope,
-                                                  const WarmStart& start) const {
-  double slope = force_slope, before = 0, excess_before = 0, a = guess;
-  WarmStart last = start, from = start;
-  for (int i = 0; i < kMostSecants; ++i) {
-    const DrivenWave wave = waves_.at(a, speed, &from);
-    if (wave.status != PointStatus::ok) return {};
-    const double excess = wave.force() - waves_.drive();
+std::optional<MotorPoint> RunningBranch::polished(double speed, double guess, SolvedPoint at_guess,
+                                                  double force_slope) const {
+  double slope = force_slope, before = 0, excess_before = 0;
+  MotorPoint at{waves_.motor(guess), std::move(at_guess)};
+  WarmStart last = at.solved.start();
+  for (int i = 0; i < kMostSecants && at.solved.status == PointStatus::ok; ++i) {
+    const double a = at.motor.amplitude;
+    const double excess = waves_.balance(at.solved.numbers, a).force() - waves_.drive();
     if (i > 0 && a != before) slope = (excess - excess_before) / (a - before);
     if (!(slope > 0)) return {};
     const double step = -excess / slope;
     if (!(std::fabs(step) <= kReach * guess)) return {};
-    from = i > 0 && a != before ? WarmStart::beyond(last, wave.start, step / (a - before))
-                                : wave.start;
+    const WarmStart here = at.solved.start();
+    const WarmStart from =
+        i > 0 && a != before ? WarmStart::beyond(last, here, step / (a - before)) : here;
+    at.motor = waves_.motor(a + step);
+    at.solved = waves_.has_static_excess() ? solve_point_near(at.motor, speed, at.solved, from)
+                                           : solve_point(at.motor, speed, &from);
     // The error of a secant is the product of the last two steps over a length of the order of the amplitude.
     const double last_step = i > 0 ? a - before : kReach * a;
-    if (std::fabs(step * last_step) <= kSettled * a * a) return BranchWave{a + step, speed, from};
-    last = wave.start, before = a, excess_before = excess;
-    a += step;
+    if (std::fabs(step * last_step) <= kSettled * a * a) return at;
+    last = here, before = a, excess_before = excess;
   }
   return {};
+}
+
+std::optional<MotorPoint> RunningBranch::polished(const Node& node) const {
+  const WarmStart start = node.solved.start();
+  return polished(node.speed, node.amplitude,
+                  solve_point(waves_.motor(node.amplitude), node.speed, &start), node.force_slope);
 }
 
 // Predicts by the cubic through the last two nodes, or by the tangent.
@@ -167,10 +177,10 @@ RunningBranch::NodeSearch RunningBranch::stepped(const Node& from, double speed,
   const double d = speed - from.speed;
   if (before && std::fabs(from.speed - before->speed) >= 0.5 * std::fabs(d)) {
     const BranchGuess guess = guess_between(*before, from, speed);
-    return node(speed, guess.amplitude, &guess.start);
+    return node(speed, guess.amplitude, &guess.start, &from.solved);
   }
   const WarmStart start = from.solved.start();
-  return node(speed, from.amplitude + from.slope * d, &start);
+  return node(speed, from.amplitude + from.slope * d, &start, &from.solved);
 }
 
 // Continues from the last node, with steps that are halved where the branch bends.
@@ -253,14 +263,14 @@ std::optional<BranchWave> RunningBranch::bracketed(double speed, double low, dou
 
 // Continues from a node to a speed between the last node and an end. Near a fold the amplitude changes like the
 // square root of the distance and lies above that of the fold.
-std::optional<BranchWave> RunningBranch::beyond(const Node& last, const BranchEnd& end,
+std::optional<MotorPoint> RunningBranch::beyond(const Node& last, const BranchEnd& end,
                                                 double speed) const {
   if (end.pulls_out())
     if (const auto wave = bracketed(speed, end.amplitude, last.amplitude * (1 + kStraight)))
-      return wave;
+      return solved(*wave);
   if (std::fabs(speed - last.speed) > kFar * step_) {
     const std::optional<DrivenWave> far = largest(wave_solutions(waves_, speed).found);
-    return far ? std::optional(BranchWave{far->amplitude, speed, far->start}) : std::nullopt;
+    return far ? std::optional(solved({far->amplitude, speed, far->start})) : std::nullopt;
   }
   Node at = last;
   double stride = std::copysign(step_, speed - last.speed);
@@ -274,7 +284,7 @@ std::optional<BranchWave> RunningBranch::beyond(const Node& last, const BranchEn
       if (std::fabs(stride) < 1e-9 * step_) return {};
     }
   }
-  return polished(speed, at.amplitude, at.force_slope, at.solved.start());
+  return polished(at);
 }
 
 MotorPoint RunningBranch::solved(const BranchWave& wave) const {
@@ -313,6 +323,7 @@ std::array<const RunningBranch::Node*, 2> RunningBranch::beside(const Node& a,
 
 // Through the zones of the nearer node, or where those do not lead there, of the guess itself: zones begin and end between
 // nodes. As splits move with the speed, a track that is split has those of the guess, and its slopes where the nodes have other slices.
+// Those at a jump move with the amplitude as well, so that no turn through the zones of the guess leads to the wave.
 std::optional<MotorPoint> RunningBranch::between(const Node& a, const Node& b, double speed) const {
   BranchGuess guess = guess_between(a, b, speed, beside(a, b));
   if (!waves_.splits()) {
@@ -321,16 +332,14 @@ std::optional<MotorPoint> RunningBranch::between(const Node& a, const Node& b, d
   }
   const SolvedPoint near =
       solve_point(waves_.motor(guess.amplitude), speed, &guess.start, kNodeAccuracy);
-  if (near.status == PointStatus::ok) {
+  if (near.status == PointStatus::ok && !near.jumps()) {
     guess.start = near.start();
     if (guess.states.size() != guess.start.size())
       guess.states = waves_.moving(near, guess.amplitude, speed).states;
     if (auto point = proven(speed, guess, near)) return point;
   }
-  if (const auto wave = polished(speed, guess.amplitude, guess.force_slope, guess.start))
-    return solved(*wave);
-  if (const auto wave = beyond(a, {HUGE_VAL, 0}, speed)) return solved(*wave);
-  return {};
+  if (auto point = polished(speed, guess.amplitude, near, guess.force_slope)) return point;
+  return beyond(a, {HUGE_VAL, 0}, speed);
 }
 
 std::optional<MotorPoint> RunningBranch::at(double speed) const {
@@ -339,14 +348,10 @@ std::optional<MotorPoint> RunningBranch::at(double speed) const {
     if (speed == end.speed) return solved({end.amplitude, speed, nodes_.front().solved.start()});
   const auto above = std::upper_bound(nodes_.begin(), nodes_.end(), speed,
                                       [](double s, const Node& n) { return s < n.speed; });
-  const auto solved_if = [this](const std::optional<BranchWave>& wave) {
-    return wave ? std::optional(solved(*wave)) : std::nullopt;
-  };
-  if (above == nodes_.begin()) return solved_if(beyond(nodes_.front(), lower_, speed));
+  if (above == nodes_.begin()) return beyond(nodes_.front(), lower_, speed);
   const Node& a = *(above - 1);
-  if (a.speed == speed)
-    return solved_if(polished(speed, a.amplitude, a.force_slope, a.solved.start()));
-  if (above == nodes_.end()) return solved_if(beyond(a, upper_, speed));
+  if (a.speed == speed) return polished(a);
+  if (above == nodes_.end()) return beyond(a, upper_, speed);
   return between(a, *above, speed);
 }
 

@@ -56,7 +56,8 @@ class RunningBranch {
 
   std::optional<DrivenWave> running_at_rest(const std::vector<ForceExtremum>& extrema) const;
   std::optional<Node> first_node(const std::vector<ForceExtremum>& extrema) const;
-  NodeSearch node(double speed, double guess, const WarmStart* start) const;
+  NodeSearch node(double speed, double guess, const WarmStart* start,
+                  const SolvedPoint* near = nullptr) const;
 
   MotorPoint solved(const BranchWave& wave) const;
   bool balances(const MotorPoint& point) const;
@@ -66,14 +67,15 @@ class RunningBranch {
   std::optional<MotorPoint> between(const Node& a, const Node& b, double speed) const;
   std::optional<BranchWave> followed(double speed, const BranchGuess& guess,
                                      const SolvedPoint& near) const;
-  std::optional<BranchWave> polished(double speed, double guess, double force_slope,
-                                     const WarmStart& start) const;
+  std::optional<MotorPoint> polished(double speed, double guess, SolvedPoint at_guess,
+                                     double force_slope) const;
+  std::optional<MotorPoint> polished(const Node& node) const;
   NodeSearch stepped(const Node& from, double speed, const Node* before = nullptr) const;
   BranchEnd follow(double step, int steps);
   double fold_amplitude(double speed, double near) const;
   BranchEnd fold_beyond(const Node& last, double speed) const;
   std::optional<BranchWave> bracketed(double speed, double low, double high) const;
-  std::optional<BranchWave> beyond(const Node& last, const BranchEnd& end, double speed) const;
+  std::optional<MotorPoint> beyond(const Node& last, const BranchEnd& end, double speed) const;
 
   const DrivenWaves& waves_;
   double step_{0};           // of the grid

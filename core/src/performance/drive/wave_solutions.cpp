@@ -57,9 +57,10 @@ ExtremumSearch extremum_between(const DrivenWaves& waves, double speed, const Fo
   double a = std::clamp(near.amplitude, low, high), bend = near.bend, before = 0, slope_before = 0;
   long zones = 0;
   WarmStart from;
+  DrivenWaves::LevelSlopes s;
   for (int i = 0; i < kMostSlopes && zones <= kMostZonesToSolve; ++i) {
-    const DrivenWaves::LevelSlopes s =
-        waves.slopes(a, speed, i > 0 ? &from : nullptr, kSlopeAccuracy);
+    s = i > 0 ? waves.slopes(a, speed, &from, kSlopeAccuracy, &s.solved)
+              : waves.slopes(a, speed, nullptr, kSlopeAccuracy);
     const SlopedWave& w = s.in_amplitude;
     zones += w.wave.zones;
     if (w.wave.status != PointStatus::ok) break;
