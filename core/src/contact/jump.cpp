@@ -74,7 +74,8 @@ std::optional<Jump> jump_from_rest(const ContactNumbers<double>& a,
   return {};
 }
 
-// After so many turns a periodic state has its derivatives: the free flight alone leaves nothing else of the layer's motion.
+// After so many turns from a fixed state the derivatives are those of the periodic state: the free flights have damped all else to
+// rounding.
 int turns_to_move(const ContactNumbers<double>& n, const LayerMotion<double>& layer) {
   const double left_by_turn = layer.slowest_decay() * 2 * (std::numbers::pi - n.half_angle);
   const double turns = std::ceil(-std::log(kSame) / left_by_turn);

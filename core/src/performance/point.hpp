@@ -212,8 +212,9 @@ class SolvedPoint {
                                          const contact::LayerMotion<double>& layer,
                                          const WarmStart* guess, double accuracy);
   /// The same with the splits of a point nearby. False if those at jumps cannot be followed; then this point means nothing.
-  bool follow(const DrivenMotor<double>& motor, double speed, std::vector<Split> splits,
-              const WarmStart& guess);
+  bool follow(const DrivenMotor<double>& motor, double speed,
+              const contact::LayerMotion<double>& layer, std::vector<Split> splits,
+              const WarmStart& guess, double accuracy);
   std::vector<SliceZones> zones_of_slices() const;
   /// What the slices at an operating point answer. They hold on to the arguments.
   SliceQueries queries(const DrivenMotor<double>& motor, std::span<const Slice<double>> slices,

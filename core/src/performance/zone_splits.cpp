@@ -81,6 +81,21 @@ struct Side {
   }
 };
 
+struct Value {
+  double place, f;
+};
+
+// Zero of f by secants from two values; nothing if a step leaves where they may go, or if they do not settle.
+template <typename F, typename Inside>
+std::optional<double> secant_zero(const F& f, Value a, Value b, const Inside& inside) {
+  for (int i = 0; i < kMostJumpSteps && std::fabs(b.place - a.place) > kSharp && b.f != 0; ++i) {
+    const double next = b.place - b.f * (b.place - a.place) / (b.f - a.f);
+    if (!inside(next)) return {};
+    a = b, b = {next, f(next)};
+  }
+  return std::fabs(b.place - a.place) < kBesideJump ? std::optional(b.place) : std::nullopt;
+}
+
 // One piece and what can be asked there.
 struct PieceQueries {
   const Piece<double>& piece;
@@ -88,6 +103,9 @@ struct PieceQueries {
 
   double radius(double place) const { return piece.low + (piece.high - piece.low) * place; }
   Probe probe(double place) const { return {place, at.zones(radius(place))}; }
+  double margin(double place, const contact::Jump& jump) const {
+    return at.margin(radius(place), jump);
+  }
 };
 
 // A split, in parts of the piece.
@@ -179,7 +197,8 @@ class EndSearch {
     return {};
   }
 
-  // Nothing if the zones beside the jump are those of one side: laps from rest part there for a while, and for good not far from it.
+  // Nothing if the zones on both sides of the place are the same: laps from rest differ there in some turns, but end alike. The
+  // place where they end differently is not far.
   std::optional<End> end_at_jump(double jump) {
     const Probe below = queries_.probe(jump - kBesideJump);
     const bool low = is_low(below);
@@ -207,26 +226,19 @@ class EndSearch {
     return zero && holds(*zero - kBesideJump) && holds(*zero + kBesideJump) ? zero : std::nullopt;
   }
 
-  double margin(double place, const contact::Jump& jump) const {
-    return queries_.at.margin(queries_.radius(place), jump);
-  }
-
   std::optional<double> margin_zero(const contact::Jump& jump) const {
-    double a = low_.near.place, b = high_.near.place;
-    double at_a = margin(a, jump), at_b = margin(b, jump);
-    if (!(at_a * at_b < 0)) return {};
-    for (int i = 0; i < kMostJumpSteps && std::fabs(b - a) > kSharp && at_b != 0; ++i) {
-      const double next = b - at_b * (b - a) / (at_b - at_a);
-      if (!holds(next)) return {};
-      a = b, at_a = at_b, b = next, at_b = margin(next, jump);
-    }
-    return std::fabs(b - a) < kBesideJump ? std::optional(b) : std::nullopt;
+    const auto margin = [&](double place) { return queries_.margin(place, jump); };
+    const Value low{low_.near.place, margin(low_.near.place)},
+        high{high_.near.place, margin(high_.near.place)};
+    if (!(low.f * high.f < 0)) return {};
+    return secant_zero(margin, low, high, [this](double place) { return holds(place); });
   }
 
   // The same from the side that has the state: elsewhere its margin is not smooth.
   std::optional<double> margin_zero_of(const Side& side, const contact::Jump& jump) const {
     if (!side.beyond) return {};
-    const double here = margin(side.near.place, jump), there = margin(side.beyond->place, jump);
+    const double here = queries_.margin(side.near.place, jump),
+                 there = queries_.margin(side.beyond->place, jump);
     return side.near.place + (side.near.place - side.beyond->place) * here / (there - here);
   }
 
@@ -320,16 +332,12 @@ namespace {
 
 // The place of a split's jump, by secants from where it is in a point nearby.
 std::optional<double> followed_place(const PieceQueries& queries, const Split& split) {
-  const auto margin = [&](double place) {
-    return queries.at.margin(queries.radius(place), *split.jump);
+  const auto margin = [&](double place) { return queries.margin(place, *split.jump); };
+  const auto near = [&split](double place) {
+    return place > 0 && place < 1 && std::fabs(place - split.place) < kFollowed;
   };
-  double a = split.place, b = a + kFirstStep, at_a = margin(a), at_b = margin(b);
-  for (int i = 0; i < kMostJumpSteps && std::fabs(b - a) > kSharp && at_b != 0; ++i) {
-    const double next = b - at_b * (b - a) / (at_b - at_a);
-    if (!(std::fabs(next - split.place) < kFollowed)) return {};
-    a = b, at_a = at_b, b = next, at_b = margin(next);
-  }
-  return b;
+  const double first = split.place, second = first + kFirstStep;
+  return secant_zero(margin, {first, margin(first)}, {second, margin(second)}, near);
 }
 
 }  // namespace
@@ -373,8 +381,8 @@ bool change_at_splits(const DrivenMotor<double>& m, const std::vector<Split>& sp
     for (const Split& split : splits) {
       if (split.piece != k) continue;
       if (!nodes_agree_below(queries.radius(split.place))) return false;
-      const auto below = own;
       if (split.jump && !agrees(queries.probe(split.place - kBesideJump).zones)) return false;
+      const auto below = own;
       own.reset();
       if (!split.jump) continue;
       if (!agrees(queries.probe(split.place + split.gap + kBesideJump).zones)) return false;

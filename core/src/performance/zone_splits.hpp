@@ -34,13 +34,14 @@ struct SliceQueries {
   /// @}
 };
 
-/// Where zones appear or vanish along the track (W4.4), as splits of the pieces that touch: to about 1e-6 of a piece, and to
-/// 2e-4 where a zone begins at the edge of the contact. With mu_0 > mu (W4.5): to 1e-10.
+/// Where zones appear or vanish along the track (W4.4), as splits of the pieces that touch: to about 1e-6 of a piece. Where the
+/// means jump (W4.5): to 1e-10, or to 1e-7 where a state ends because it no longer attracts.
 /// @param at_nodes  zones of the motor's slices, in their order
 std::vector<Split> zone_splits(const DrivenMotor<double>& motor,
                                const std::vector<SliceZones>& at_nodes, const SliceQueries& at);
 
-/// The splits of a point nearby with those at jumps where these are now. Nothing if one of them cannot be followed.
+/// The splits of a point nearby (W4.5): those with a jump move to where it is now, the others stay. Nothing if a jump is not found
+/// within 0.3 of its piece, or if only the contact on one side of it has its state.
 std::optional<std::vector<Split>> followed_splits(const DrivenMotor<double>& motor,
                                                   std::vector<Split> splits,
                                                   const SliceQueries& at);

@@ -157,12 +157,16 @@ TEST_CASE(
     CAPTURE(unseen);
     CHECK(!change_at_splits(motor, *found, slices, zones_of_slices(), queries));
   }
+  track.breaks = {};  // a jump that is gone
+  CHECK(!change_at_splits(motor, *found, slices, zones_of_slices(), queries));
   // A state that only one side has would have to be followed too, and a jump far away may be another one.
   contact::Jump of_state = known;
   of_state.beside = -1;
   CHECK(!followed_splits(motor, {{{0, 0.38}, of_state}}, queries));
   track.breaks = {0.9};
   CHECK(!followed_splits(motor, {{{0, 0.38}, known}}, queries));
+  track.breaks = {1.01};  // beyond the track
+  CHECK(!followed_splits(motor, {{{0, 0.95}, known}}, queries));
 }
 
 TEST_CASE("slices without an answer between two others are passed over where they are few (W4.5)",
