@@ -38,47 +38,70 @@ std::vector<MetricRequest> all_metrics() {
   return requests;
 }
 
-// Median over speeds 0 to 1.2 no-load.
-double seconds_per_point(const Motor& motor) {
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// Of times that are taken in turns, because a machine changes its speed within a run: their medians.
+struct Pair {
+  double seconds, beside;
+
+  double ratio() const { return seconds / beside; }
+};
+
+template <typename F, typename G>
+Pair in_turns(int turns, F seconds, G beside) {
+  std::vector<double> first, second;
+  for (int i = 0; i < turns; ++i) first.push_back(seconds(i)), second.push_back(beside(i));
+  return {median(first), median(second)};
+}
+
+// Over speeds 0 to 1.2 no-load.
+auto points_of(const Motor& motor) {
   const double free = evaluate(motor, {Metric::no_load_speed}).value;
-  std::vector<double> seconds;
-  for (int i = 0; i <= 60; ++i) {
+  return [&motor, free](int i) {
     const double speed = 0.02 * i * free;
-    seconds.push_back(bench::seconds_per_call(
-        [&] { benchmark::DoNotOptimize(motor.operating_point(speed)); }, 30));
-  }
-  std::nth_element(seconds.begin(), seconds.begin() + 30, seconds.end());
-  return seconds[30];
+    return bench::seconds_per_call([&] { benchmark::DoNotOptimize(motor.operating_point(speed)); },
+                                   30);
+  };
 }
 
-double seconds_per_evaluation(const Motor& motor) {
-  const auto requests = all_metrics();
-  return bench::seconds_per_call([&] { benchmark::DoNotOptimize(evaluate(motor, requests)); }, 10);
+auto metrics_of(const Motor& motor) {
+  return [&motor, requests = all_metrics()](int /*turn*/) {
+    return bench::seconds_per_call([&] { benchmark::DoNotOptimize(evaluate(motor, requests)); }, 3);
+  };
 }
 
-double seconds_per_gradient(const Motor& motor) {
-  const auto requests = all_metrics();
-  return bench::seconds_per_call([&] { benchmark::DoNotOptimize(differentiate(motor, requests)); },
-                                 5);
+auto gradients_of(const Motor& motor) {
+  return [&motor, requests = all_metrics()](int /*turn*/) {
+    return bench::seconds_per_call(
+        [&] { benchmark::DoNotOptimize(differentiate(motor, requests)); }, 3);
+  };
 }
 
 void beside_one_slice(benchmark::State& state, Shape shape, double threshold) {
   const Motor one(ring(1, Shape::level, threshold)),
       many(ring(static_cast<int>(state.range(0)), shape, threshold));
   for (auto _ : state) {
-    const double point = seconds_per_point(many), metrics = seconds_per_evaluation(many);
-    state.counters["point_us"] = 1e6 * point;
-    state.counters["times_one_point"] = point / seconds_per_point(one);
-    state.counters["metrics_us"] = 1e6 * metrics;
-    state.counters["times_one_metrics"] = metrics / seconds_per_evaluation(one);
-    state.counters["gradients_times_metrics"] = seconds_per_gradient(many) / metrics;
+    const Pair point = in_turns(61, points_of(many), points_of(one)),
+               metrics = in_turns(5, metrics_of(many), metrics_of(one)),
+               gradients = in_turns(5, gradients_of(many), metrics_of(many));
+    state.counters["point_us"] = 1e6 * point.seconds;
+    state.counters["times_one_point"] = point.ratio();
+    state.counters["metrics_us"] = 1e6 * metrics.seconds;
+    state.counters["times_one_metrics"] = metrics.ratio();
+    state.counters["gradients_times_metrics"] = gradients.ratio();
   }
 }
 
 // The laps of eight slices in step, in lanes of this width, beside the same laps one after the other; at a share of the
 // no-load speed.
-void in_step(benchmark::State& state, contact::LaneWidth width) {
-  if (width > contact::widest_lanes()) return state.SkipWithError("not on this processor");
+void in_step(benchmark::State& state, contact::LaneCode& code) {
+  const auto codes = contact::lane_codes();
+  if (std::find(codes.begin(), codes.end(), &code) == codes.end())
+    return state.SkipWithError("not on this processor");
   const MotorDesign design = ring(contact::kLanes, Shape::level);
   const auto values = performance::model_values(design);
   const auto motor =
@@ -95,7 +118,7 @@ void in_step(benchmark::State& state, contact::LaneWidth width) {
   for (std::size_t k = 0; k < laps.size(); ++k) lanes.push_back({&contacts[k], &laps[k]});
   const auto laps_in_step = [&] {
     std::fill(laps.begin(), laps.end(), contact::Lap<double>());
-    contact::run_in_step(layer, lanes, width);
+    contact::run_in_step(layer, lanes, code);
     benchmark::DoNotOptimize(laps);
   };
   const auto laps_alone = [&] {
@@ -139,17 +162,17 @@ BENCHMARK_CAPTURE(beside_one_slice, threshold, Shape::level, 1.3)  // mu_0 / mu
     ->Arg(32)
     ->Arg(kAutoSlices)
     ->Iterations(1);
-BENCHMARK_CAPTURE(in_step, two, contact::LaneWidth::baseline)
+BENCHMARK_CAPTURE(in_step, two, contact::run_lanes_baseline)
     ->Arg(10)
     ->Arg(72)
     ->Arg(100)
     ->Iterations(1);
-BENCHMARK_CAPTURE(in_step, four, contact::LaneWidth::avx2)
+BENCHMARK_CAPTURE(in_step, four, contact::run_lanes_avx2)
     ->Arg(10)
     ->Arg(72)
     ->Arg(100)
     ->Iterations(1);
-BENCHMARK_CAPTURE(in_step, eight, contact::LaneWidth::avx512)
+BENCHMARK_CAPTURE(in_step, eight, contact::run_lanes_avx512)
     ->Arg(10)
     ->Arg(72)
     ->Arg(100)

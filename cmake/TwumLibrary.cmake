@@ -31,9 +31,9 @@ function(twum_library name)
   endif()
 endfunction()
 
-# twum_batches(TARGET BATCH PATTERN): with TWUM_UNITY the sources of a target whose paths match are one batch, the others
-# another. What uses the same heavy templates belongs in one batch, because each batch instantiates them anew. Two
-# sources of a batch may not give different things the same name.
+# twum_batches(TARGET BATCH PATTERN [PART]): with TWUM_UNITY the sources of a target whose paths match are one batch, the
+# others another. What uses the same heavy templates belongs in one batch, because each batch instantiates them anew. Two
+# sources of a batch may not give different things the same name. A PART of twum_optimized() is for these sources alone.
 function(twum_batches target batch pattern)
   get_target_property(others ${target} SOURCES)
   set(chosen ${others})
@@ -42,4 +42,10 @@ function(twum_batches target batch pattern)
   set_source_files_properties(${chosen} PROPERTIES UNITY_GROUP ${batch})
   set_source_files_properties(${others} PROPERTIES UNITY_GROUP others)
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+  if(ARGC GREATER 3)
+    if(TWUM_UNITY)  # options of its sources would take them out of the batch
+      set(chosen ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/Unity/unity_${batch}_cxx.cxx)
+    endif()
+    set_source_files_properties(${chosen} PROPERTIES COMPILE_OPTIONS "${level_of_${ARGV3}}")
+  endif()
 endfunction()

@@ -7,6 +7,7 @@ import pty
 import re
 import resource
 import select
+import shutil
 import signal
 import sqlite3
 import struct
@@ -40,17 +41,20 @@ class Run(program.Case):
         self.ok("run", self.study(samples), "-o", self.folder / folder, *options)
         return self.folder / folder
 
-    def begin(self, folder, samples=LARGE, **options):
-        """A run under way, with its first rows stored."""
-        process = subprocess.Popen(
-            [program.PROGRAM, "run", self.study(samples), "-o", self.folder / folder, "--jobs", "2"],
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE, **options)
-        database = self.folder / folder / "results.db"
-        for _ in range(3000):
-            if process.poll() is not None or self.rows(database) > 0:
-                break
-            time.sleep(0.01)
-        return process
+    def begin(self, folder, samples=LARGE):
+        """A run that is held (SIGSTOP) with some of its rows stored; one that was too quick to be held is begun again."""
+        command = [program.PROGRAM, "run", self.study(samples), "-o", self.folder / folder, "--jobs", "2"]
+        for _ in range(50):
+            process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            while process.poll() is None and self.rows(self.folder / folder / "results.db") == 0:
+                time.sleep(0.01)
+            process.send_signal(signal.SIGSTOP)
+            if 0 < self.rows(self.folder / folder / "results.db") < samples:
+                return process
+            process.kill()
+            process.communicate()
+            shutil.rmtree(self.folder / folder)
+        self.fail("no run could be held before its end")
 
     @staticmethod
     def rows(database):
@@ -331,6 +335,7 @@ class Processes(Run):
     def test_the_second_of_two_is_refused(self):
         first = self.begin("out")
         text = self.refused("run", self.study(LARGE), "-o", self.folder / "out", status=3)
+        first.send_signal(signal.SIGCONT)
         first.communicate()
         self.assertEqual(first.returncode, 0)
         self.assertIn("another twum", text)
@@ -341,16 +346,20 @@ class Processes(Run):
             with self.subTest(name):
                 process = self.begin(name)
                 process.send_signal(getattr(signal, name))
+                process.send_signal(signal.SIGCONT)
                 out, errors = process.communicate(timeout=600)
                 self.assertEqual(process.returncode, 130, errors)
-                self.assertIn(b"interrupted", out.splitlines()[0])
-                summary = self.summary(name)
-                self.assertTrue(errors.endswith(b"\ntwum: interrupted after %d of %d evaluations; the same command resumes the study\n" %
-                                                (summary["evaluations"], LARGE)), errors)
-                self.assertEqual(summary["outcome"], "interrupted")
-                self.assertLess(summary["evaluations"], LARGE)
-                self.assertEqual((self.folder / name / "results.csv").read_text().count("\n"),
-                                 1 + summary["evaluations"])
+                # It ends within a second: on a machine that is too busy to write the results in time, without them.
+                said = rb"\ntwum: interrupted after (\d+) of %d evaluations%s; the same command resumes the study\n\Z"
+                if not re.search(said % (LARGE, b", before all result files were written"), errors):
+                    self.assertIn(b"interrupted", out.splitlines()[0])
+                    summary = self.summary(name)
+                    self.assertRegex(errors, said % (LARGE, b""))
+                    self.assertEqual(int(re.search(said % (LARGE, b""), errors)[1]), summary["evaluations"])
+                    self.assertEqual(summary["outcome"], "interrupted")
+                    self.assertLess(summary["evaluations"], LARGE)
+                    self.assertEqual((self.folder / name / "results.csv").read_text().count("\n"),
+                                     1 + summary["evaluations"])
                 self.assertEqual(results(self.run_into(name, samples=LARGE)), expected)
 
     def test_a_killed_run_ends_with_the_same_bytes(self):
@@ -382,8 +391,9 @@ class Processes(Run):
 
     def test_a_search_shows_its_budget_and_its_best_on_one_line(self):
         study = program.ROOT / "examples/studies/size-driven.yaml"
-        for width, expected in ((120, r"\[#*-*\] \d+ % of the budget, \d+ evaluations, \d+/s, at most .* left, run \d+, best max_pressure [\d.]+ [kM]Pa"),
-                                (80, r"% of the budget, at most .* left, best max_pressure"), (60, r"% of the budget, best max_pressure"), (20, r"\[-+\] \d %")):
+        # A busy machine takes minutes for the budget, and says so in more letters.
+        for width, expected in ((130, r"\[#*-*\] \d+ % of the budget, \d+ evaluations, \d+/s, at most .* left, run \d+, best max_pressure [\d.]+ [kM]Pa"),
+                                (90, r"% of the budget, at most .* left, best max_pressure"), (60, r"% of the budget, best max_pressure"), (20, r"\[-+\] \d %")):
             with self.subTest(width):
                 shown = self.on_terminal(width, "run", study, "--set", "radial_slices=1", "-o", self.folder / "out", "--fresh", "--jobs", "1")
                 lines = [line for line in shown.split("\n")[0].split("\r\033[K") if line.strip()]

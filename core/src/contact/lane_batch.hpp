@@ -8,8 +8,8 @@
 
 namespace twum::contact {
 
-/// What a processor adds and multiplies at once: 2, 4 or 8 numbers.
-enum class LaneWidth : unsigned char { baseline, avx2, avx512 };
+/// What a processor adds and multiplies at once: 1, 2, 4 or 8 numbers. One at a time is what tests compare the others with.
+enum class LaneWidth : unsigned char { single, baseline, avx2, avx512 };
 
 inline constexpr int kLanes = 8;
 
@@ -42,10 +42,7 @@ struct LaneBatch {
 };
 
 /// Fills the batch. One for each width, compiled for it.
-/// @{
-void run_lanes_baseline(const LayerMotion<double>& layer, LaneBatch& batch);
-void run_lanes_avx2(const LayerMotion<double>& layer, LaneBatch& batch);
-void run_lanes_avx512(const LayerMotion<double>& layer, LaneBatch& batch);
-/// @}
+using LaneCode = void(const LayerMotion<double>& layer, LaneBatch& batch);
+LaneCode run_lanes_baseline, run_lanes_avx2, run_lanes_avx512;
 
 }  // namespace twum::contact

@@ -6,18 +6,10 @@
 #include <twum/base/error.hpp>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 
 namespace twum::contact {
 namespace {
-
-void run(const LayerMotion<double>& layer, LaneBatch& batch, LaneWidth width) {
-#if defined(__x86_64__)
-  if (width == LaneWidth::avx512) return run_lanes_avx512(layer, batch);
-  if (width == LaneWidth::avx2) return run_lanes_avx2(layer, batch);
-#endif
-  run_lanes_baseline(layer, batch);
-}
 
 void put(ContactNumbers<LaneArray>& n, int lane, const ContactNumbers<double>& contact) {
   n.inertia.v[lane] = contact.inertia, n.damping.v[lane] = contact.damping;
@@ -38,11 +30,12 @@ void take(Lap<double>& lap, const LaneBatch& batch, int lane) {
     if (z.has.v[lane] == 0) continue;
     const auto zone = static_cast<ZoneState>(static_cast<int>(z.zone.v[lane]));
     const auto side = static_cast<float>(z.side.v[lane]);
-    lap.sequence.ends[lap.sequence.count++] = {z.length.v[lane], side, zone};
+    const double length = z.length.v[lane];
+    lap.sequence.ends[lap.sequence.count++] = {length, side, zone};
     lap.itinerary = marked(lap.itinerary, mark_of(zone));
-    const double length = std::fmin(z.length.v[lane], rest);
-    lap.shortest = std::fmin(lap.shortest, length);
+    lap.shortest = std::min({lap.shortest, length, rest});
     lap.next.zone = zone;
+    if (!(length < rest)) break;  // it lasts to the exit
     rest -= length;
   }
   lap.zones = lap.sequence.count;
@@ -52,15 +45,17 @@ void take(Lap<double>& lap, const LaneBatch& batch, int lane) {
 
 }  // namespace
 
-LaneWidth widest_lanes() {
+std::span<LaneCode* const> lane_codes() {
 #if defined(__x86_64__)
-  static const LaneWidth widest = __builtin_cpu_supports("avx512dq") ? LaneWidth::avx512
-                                  : __builtin_cpu_supports("avx2")   ? LaneWidth::avx2
-                                                                     : LaneWidth::baseline;
-  return widest;
+  static constexpr std::array kCodes{&run_lanes_baseline, &run_lanes_avx2, &run_lanes_avx512};
+  static const std::size_t count = __builtin_cpu_supports("avx512dq") ? 3
+                                   : __builtin_cpu_supports("avx2")   ? 2
+                                                                      : 1;
 #else
-  return LaneWidth::baseline;
+  static constexpr std::array kCodes{&run_lanes_baseline};
+  static constexpr std::size_t count = 1;
 #endif
+  return std::span(kCodes).first(count);
 }
 
 bool goes_in_step(const ContactNumbers<double>& n, const LayerMotion<double>& layer) {
@@ -68,7 +63,7 @@ bool goes_in_step(const ContactNumbers<double>& n, const LayerMotion<double>& la
          !is_delicate(n, layer);
 }
 
-void run_in_step(const LayerMotion<double>& layer, std::span<LaneLap> laps, LaneWidth width) {
+void run_in_step(const LayerMotion<double>& layer, std::span<LaneLap> laps, LaneCode& code) {
   TWUM_ASSERT(laps.size() <= kLanes);
   if (laps.empty()) return;
   LaneBatch batch;
@@ -76,7 +71,7 @@ void run_in_step(const LayerMotion<double>& layer, std::span<LaneLap> laps, Lane
     const std::size_t lap = std::min(static_cast<std::size_t>(lane), laps.size() - 1);
     put(batch.contacts, lane, *laps[lap].contact);
   }
-  run(layer, batch, width);
+  code(layer, batch);
   for (std::size_t lane = 0; lane < laps.size(); ++lane) {
     laps[lane].found = batch.found.v[lane] != 0;
     if (laps[lane].found) take(*laps[lane].lap, batch, static_cast<int>(lane));

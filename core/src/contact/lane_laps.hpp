@@ -8,8 +8,8 @@
 
 namespace twum::contact {
 
-/// The widest that this processor has. The numbers are the same for all, to the last bit.
-LaneWidth widest_lanes();
+/// What this processor can run, the widest last. The numbers are the same for all, to the last bit.
+std::span<LaneCode* const> lane_codes();
 
 /// True if the lap of a contact can be made in step with others: the layer comes to it at rest, with inertia, and mu_0 = mu.
 bool goes_in_step(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer);
@@ -24,6 +24,6 @@ struct LaneLap {
 /// Laps from rest of up to kLanes contacts that one layer goes through in step: the search of run_lap() in lanes, with the
 /// simpler of its bounds. A lap of which few samples do not prove that no zone ends earlier is not found.
 void run_in_step(const LayerMotion<double>& layer, std::span<LaneLap> laps,
-                 LaneWidth width = widest_lanes());
+                 LaneCode& code = *lane_codes().back());
 
 }  // namespace twum::contact

@@ -17,9 +17,10 @@ namespace twum::contact {
 
 /// How many lanes are one vector.
 template <LaneWidth W>
-inline constexpr int kWidth = W == LaneWidth::avx512 ? 8
-                              : W == LaneWidth::avx2 ? 4
-                                                     : 2;
+inline constexpr int kWidth = W == LaneWidth::avx512     ? 8
+                              : W == LaneWidth::avx2     ? 4
+                              : W == LaneWidth::baseline ? 2
+                                                         : 1;
 
 template <LaneWidth W, typename T>
 struct LaneVector {

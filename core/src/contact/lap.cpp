@@ -253,28 +253,25 @@ Lap<double> search_states(const ContactNumbers<double>& numbers, const LayerMoti
 }
 
 template <bool kHasMeans>
-static std::optional<Lap<double>> followed(const ContactNumbers<double>& numbers,
-                                           const LayerMotion<double>& layer,
-                                           const LapEntry<double>& entry,
-                                           const ZoneSequence& near) {
-  std::optional<Lap<double>> lap;
-  if (!near.complete()) return lap;
-  lap.emplace();
-  LapRunner<double, Ends::followed, kHasMeans>(numbers, layer, &near, nullptr, Means::of_wave, *lap)
-      .run(entry);
-  if (lap->status != LapStatus::ok || lap->sequence.count != near.count) lap.reset();
+static Lap<double> followed(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
+                            const LapEntry<double>& entry, const ZoneSequence& near) {
+  Lap<double> lap;
+  if (near.complete()) {
+    LapRunner<double, Ends::followed, kHasMeans>(numbers, layer, &near, nullptr, Means::of_wave,
+                                                 lap)
+        .run(entry);
+  }
+  if (lap.sequence.count != near.count) lap.status = LapStatus::unresolved;
   return lap;
 }
 
-std::optional<Lap<double>> follow_lap(const ContactNumbers<double>& numbers,
-                                      const LayerMotion<double>& layer,
-                                      const LapEntry<double>& entry, const ZoneSequence& near) {
+Lap<double> follow_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
+                       const LapEntry<double>& entry, const ZoneSequence& near) {
   return followed<true>(numbers, layer, entry, near);
 }
 
-std::optional<Lap<double>> follow_states(const ContactNumbers<double>& numbers,
-                                         const LayerMotion<double>& layer,
-                                         const LapEntry<double>& entry, const ZoneSequence& near) {
+Lap<double> follow_states(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
+                          const LapEntry<double>& entry, const ZoneSequence& near) {
   return followed<false>(numbers, layer, entry, near);
 }
 

@@ -9,7 +9,6 @@
 
 #include <cstdint>
 #include <numbers>
-#include <optional>
 #include <vector>
 
 namespace twum::contact {
@@ -73,6 +72,9 @@ inline std::uint64_t mark_of(ZoneState zone) {
 /// One turn of the wave: from contact entry through all zones and free flight to the next entry.
 template <typename S>
 struct Lap {
+  // NOLINTNEXTLINE(modernize-use-equals-default): as in ZoneSequence, which `= default` would fill with zeros
+  Lap() {}
+
   ContactMeans<S> means{S(0.0), S(0.0), S(0.0), S(0.0), S(0.0), S(0.0)};
   LapEntry<S> next{{S(0.0), S(0.0)}};     ///< state at the next entry
   LayerState<S> exit{S(0.0), S(0.0)};     ///< layer where the contact ends
@@ -125,15 +127,13 @@ Lap<double> search_states(const ContactNumbers<double>& numbers, const LayerMoti
                           const LapEntry<double>& entry);
 
 /// A lap through the zones of one nearby: it does not search for their ends but follows them to where they have moved (E6.5). A
-/// zone that only a search finds may be missing, so confirm the result by prove_lap(). It has the means of the wave. Nothing if
-/// the lap has other zones here.
-std::optional<Lap<double>> follow_lap(const ContactNumbers<double>& numbers,
-                                      const LayerMotion<double>& layer,
-                                      const LapEntry<double>& entry, const ZoneSequence& near);
+/// zone that only a search finds may be missing, so confirm the result by prove_lap(). It has the means of the wave. Its status
+/// is not ok if it has other zones here.
+Lap<double> follow_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
+                       const LapEntry<double>& entry, const ZoneSequence& near);
 
 /// The same without any means but the stick length, in a quarter of the work of run_lap().
-std::optional<Lap<double>> follow_states(const ContactNumbers<double>& numbers,
-                                         const LayerMotion<double>& layer,
-                                         const LapEntry<double>& entry, const ZoneSequence& near);
+Lap<double> follow_states(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
+                          const LapEntry<double>& entry, const ZoneSequence& near);
 
 }  // namespace twum::contact

@@ -197,12 +197,12 @@ class Search {
     double gap = distance(layer_, now.in, now.out);
     for (int i = 0; i < kMaxFollowed; ++i) {
       const Turn before = now;
-      const auto lap = follow_states(n_, layer_, from, from.zones);
-      if (!lap) break;
+      const Lap<double> lap = follow_states(n_, layer_, from, from.zones);
+      if (lap.status != LapStatus::ok) break;
       ++s_.laps;
-      now = {from.layer, lap->next.layer};
+      now = {from.layer, lap.next.layer};
       from.layer = secant(before, now, layer_);
-      from.zones = lap->sequence;
+      from.zones = lap.sequence;
       const double gap_before = gap;
       gap = distance(layer_, now.in, now.out);
       // The next gap would be small enough, or they do not settle.
@@ -214,11 +214,11 @@ class Search {
   // The same from a guess, if the layer comes back from a turn with anything at all.
   LapGuess followed(const LapGuess& guess) {
     if (guess.followed || guess.zones.count == 0) return guess;
-    const auto lap = follow_states(n_, layer_, guess, guess.zones);
-    if (!lap) return guess;
+    const Lap<double> lap = follow_states(n_, layer_, guess, guess.zones);
+    if (lap.status != LapStatus::ok) return guess;
     ++s_.laps;
-    const Turn now{guess.layer, lap->next.layer};
-    const LapGuess next(lap->next, lap->sequence);
+    const Turn now{guess.layer, lap.next.layer};
+    const LapGuess next(lap.next, lap.sequence);
     return distance(layer_, now.in, now.out) <= enough() ? next : followed(next, now);
   }
 

@@ -307,18 +307,18 @@ std::optional<NewtonTurn> SolvedPoint::newton_turn(const DrivenMotor<double>& m,
     const contact::ContactNumbers<double> n = contact_numbers(m, s, speed);
     if (n.full) return {};
     auto lap = contact::follow_lap(n, layer, at, at.zones);
-    if (!lap) lap = contact::prove_lap(n, layer, at, {});
-    if (lap->status != contact::LapStatus::ok) return {};
-    at.zones = lap->sequence, at.followed = true;
-    const double gap = contact::distance(layer, at.layer, lap->next.layer);
+    if (lap.status != contact::LapStatus::ok) lap = contact::prove_lap(n, layer, at, {});
+    if (lap.status != contact::LapStatus::ok) return {};
+    at.zones = lap.sequence, at.followed = true;
+    const double gap = contact::distance(layer, at.layer, lap.next.layer);
     turn.gap = std::fmax(turn.gap, gap / (n.static_ * n.peak));
     const contact::StateSlopes& moves = states[k];
     const contact::LayerState<double> d =
-        moves.resolvent * contact::difference(lap->next.layer, at.layer);
+        moves.resolvent * contact::difference(lap.next.layer, at.layer);
     at.layer = {at.layer.e + d.e, at.layer.rate + d.rate};
-    lap->means.stator_power += gained(moves.of_power, d);
-    lap->means.reactive_force += gained(moves.of_force, d);
-    turn.numbers = turn.numbers + slice_numbers(m, s, *lap, lap->means);
+    lap.means.stator_power += gained(moves.of_power, d);
+    lap.means.reactive_force += gained(moves.of_force, d);
+    turn.numbers = turn.numbers + slice_numbers(m, s, lap, lap.means);
   }
   return turn;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "contact/lanes.hpp"
 #include "contact/lane_laps.hpp"
+#include "contact/lane_runner.hpp"
 #include "random_contact.hpp"
 
 #include <catch2/catch.hpp>
@@ -27,11 +28,9 @@ Pairs lanes_of(Number number) {
   return Pairs(numbers);
 }
 
-std::vector<LaneWidth> widths_here() {
-  std::vector<LaneWidth> widths{LaneWidth::baseline};
-  for (const LaneWidth width : {LaneWidth::avx2, LaneWidth::avx512})
-    if (width <= widest_lanes()) widths.push_back(width);
-  return widths;
+// One contact after the other, as on a processor without vectors.
+void run_lanes_single(const LayerMotion<double>& layer, LaneBatch& batch) {
+  for (int lane = 0; lane < kLanes; ++lane) LaneRunner<LaneWidth::single>(layer, batch, lane).run();
 }
 
 // A layer with inertia and a quick decay, underdamped and overdamped in turn, in a contact of any kind.
@@ -66,10 +65,10 @@ struct InStep {
   std::vector<Lap<double>> laps;
   std::vector<LaneLap> lanes;
 
-  explicit InStep(const Track& track, LaneWidth width = widest_lanes())
+  explicit InStep(const Track& track, LaneCode& code = *lane_codes().back())
       : laps(track.contacts.size()) {
     for (std::size_t k = 0; k < laps.size(); ++k) lanes.push_back({&track.contacts[k], &laps[k]});
-    run_in_step(track.layer, lanes, width);
+    run_in_step(track.layer, lanes, code);
   }
 };
 
@@ -181,16 +180,16 @@ TEST_CASE("a zone that just appears is not missed in step", "[core][lanes][event
   CHECK(edges > 100);
 }
 
-TEST_CASE("vectors of every width give the same bytes", "[core][lanes]") {
+TEST_CASE("a contact alone and vectors of every width give the same bytes", "[core][lanes]") {
   Dice dice(14);
   for (int i = 0; i < 2'000; ++i) {
     const Track track(dice, i);
-    const InStep pairs(track, LaneWidth::baseline);
-    for (const LaneWidth width : widths_here()) {
-      const InStep wide(track, width);
+    const InStep single(track, run_lanes_single);
+    for (LaneCode* code : lane_codes()) {
+      const InStep wide(track, *code);
       for (std::size_t k = 0; k < track.contacts.size(); ++k) {
-        REQUIRE(wide.lanes[k].found == pairs.lanes[k].found);
-        const Lap<double>&a = pairs.laps[k], &b = wide.laps[k];
+        REQUIRE(wide.lanes[k].found == single.lanes[k].found);
+        const Lap<double>&a = single.laps[k], &b = wide.laps[k];
         REQUIRE(std::memcmp(&a.means, &b.means, sizeof a.means) == 0);
         REQUIRE(std::memcmp(&a.exit, &b.exit, sizeof a.exit) == 0);
         REQUIRE(a.itinerary == b.itinerary);
