@@ -37,7 +37,7 @@ add_library(twum::compile ALIAS twum_compile)
 #   cold  what runs once for each study or page: half of what has to be compiled, a fifth quicker with -Og than with -O1
 set(level_of_hot $<$<CONFIG:Release>:-O3>)
 if(TWUM_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-  # GCC stops to inline when a source has grown by 40 %, and a batch reaches that: points of light layers took 5 % longer.
+  # GCC stops inlining when a source has grown by 40 %. A batch reaches that, and points of elastic layers took 5 % longer.
   set(level_of_hot $<$<CONFIG:Release>:-O3\;--param=inline-unit-growth=200>)
 endif()
 set(level_of_warm $<$<CONFIG:Release>:-O2>)

@@ -72,8 +72,7 @@ inline std::uint64_t mark_of(ZoneState zone) {
 /// One turn of the wave: from contact entry through all zones and free flight to the next entry.
 template <typename S>
 struct Lap {
-  // NOLINTNEXTLINE(modernize-use-equals-default): as in ZoneSequence, which `= default` would fill with zeros
-  Lap() {}
+  Lap() {}  // with `= default`, Lap() would first fill the ends of zones with zeros
 
   ContactMeans<S> means{S(0.0), S(0.0), S(0.0), S(0.0), S(0.0), S(0.0)};
   LapEntry<S> next{{S(0.0), S(0.0)}};     ///< state at the next entry

@@ -119,8 +119,8 @@ class PointSlices {
 
 /// The contact of one slice at an operating point.
 struct SolvedSlice {
-  // Not `= default`, with which lists of slices would first fill 300 bytes each with zeros, the room for zones included.
-  SolvedSlice() {}  // NOLINT(modernize-use-equals-default)
+  // With `= default`, a list of slices would first fill each of them (300 bytes) with zeros.
+  SolvedSlice() {}
   /// @param guess  where the search may begin; null if nothing is known
   SolvedSlice(const DrivenMotor<double>& m, const Slice<double>& slice, double speed,
               const contact::LayerMotion<double>& layer, const WarmStart::Entry* guess,
