@@ -29,22 +29,31 @@ if(TWUM_SANITIZE)
 endif()
 add_library(twum::compile ALIAS twum_compile)
 
-# twum_optimized(TARGET hot|warm|mild|cold): how fully a release optimizes, whatever its preset asks of the rest.
-#   hot   points and their derivatives: GCC 12 vectorizes the short loops of dual numbers only from -O3 on
-#   warm  what searches among points: with -O3 metrics would be 1.5 % faster, and a quarter longer to compile
-#   mild  what each row of a study passes through: searches, formulas, the store. The plate as well: with -O2 it would be 5 %
-#         faster, and no faster with derivatives
-#   cold  what runs once for each study or page: half of what has to be compiled, a fifth quicker with -Og than with -O1
-set(level_of_hot $<$<CONFIG:Release>:-O3>)
-if(TWUM_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-  # GCC stops inlining when a source has grown by 40 %. A batch reaches that, and points of elastic layers took 5 % longer.
-  set(level_of_hot $<$<CONFIG:Release>:-O3\;--param=inline-unit-growth=200>)
+# twum_optimized(TARGET hot|duals|warm|mild|cold): how fully a release optimizes, whatever its preset asks of the rest.
+#   hot    points, where GCC inlines all that it can
+#   duals  derivatives: GCC 12 vectorizes the short loops of dual numbers only from -O3 on. They are five times as much code, and
+#          run as fast with the limits of inlining that -O2 has, in two thirds of the time to compile
+#   warm   what searches among points: with -O3 metrics would be 1.5 % faster, and a quarter longer to compile
+#   mild   what each row of a study passes through: searches, formulas, the store. The plate as well: with -O2 it would be 5 %
+#          faster, and no faster with derivatives
+#   cold   what runs once for each study or page: half of what has to be compiled, a fifth quicker with -Og than with -O1
+set(level_of_hot -O3)
+set(level_of_duals -O3)
+set(level_of_warm -O2)
+set(level_of_mild -O1)
+set(level_of_cold -Og)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  # GCC would stop when a source has grown by 40 %, and a batch of sources reaches that: points of elastic layers took 5 % longer.
+  list(APPEND level_of_hot --param=inline-unit-growth=200 --param=max-inline-insns-auto=45
+    --param=max-inline-insns-single=400 --param=inline-min-speedup=5)
+  list(APPEND level_of_duals --param=inline-unit-growth=200 --param=max-inline-insns-auto=15
+    --param=max-inline-insns-single=70)
 endif()
-set(level_of_warm $<$<CONFIG:Release>:-O2>)
-set(level_of_mild $<$<CONFIG:Release>:-O1>)
-set(level_of_cold $<$<CONFIG:Release>:-Og>)
+foreach(part hot duals warm mild cold)
+  set(level_of_${part} "$<$<CONFIG:Release>:${level_of_${part}}>")
+endforeach()
 function(twum_optimized target part)
-  target_compile_options(${target} PRIVATE ${level_of_${part}})
+  target_compile_options(${target} PRIVATE "${level_of_${part}}")
 endfunction()
 
 # twum_lanes(TARGET SOURCE FLAG...): a source for processors with wider vectors than all have; the program asks when it runs. It is

@@ -6,7 +6,7 @@ find_program(TWUM_WASM_COMPILER NAMES clang++-14)
 # Compiles and links a program that needs both libraries.
 function(twum_find_wasm_tools result)
   set(probe ${CMAKE_BINARY_DIR}/CMakeFiles/wasm_probe)
-  file(WRITE ${probe}.cpp "#include <vector>\nint main() { return static_cast<int>(std::vector<int>(3).size()); }\n")
+  file(WRITE ${probe}.cpp "#include <version>\nint main() {}\n")
   execute_process(
     COMMAND ${TWUM_WASM_COMPILER} --target=wasm32-wasi -std=c++20 -fno-exceptions ${probe}.cpp -o ${probe}.wasm
     RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)

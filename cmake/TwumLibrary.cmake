@@ -33,14 +33,21 @@ endfunction()
 
 # twum_batches(TARGET BATCH PATTERN [PART]): with TWUM_UNITY the sources of a target whose paths match are one batch, the
 # others another. What uses the same heavy templates belongs in one batch, because each batch instantiates them anew. Two
-# sources of a batch may not give different things the same name. A PART of twum_optimized() is for these sources alone.
+# sources of a batch may not give different things the same name. A PART of twum_optimized() is for these sources alone. The batch
+# that is made last comes first in the library: of a function that several batches contain the linker takes that one.
 function(twum_batches target batch pattern)
   get_target_property(others ${target} SOURCES)
   set(chosen ${others})
   list(FILTER chosen INCLUDE REGEX "${pattern}")
   list(REMOVE_ITEM others ${chosen})
+  set_target_properties(${target} PROPERTIES SOURCES "${chosen};${others}")
   set_source_files_properties(${chosen} PROPERTIES UNITY_GROUP ${batch})
-  set_source_files_properties(${others} PROPERTIES UNITY_GROUP others)
+  foreach(other IN LISTS others)
+    get_source_file_property(group ${other} UNITY_GROUP)
+    if(NOT group)
+      set_source_files_properties(${other} PROPERTIES UNITY_GROUP others)
+    endif()
+  endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
   if(ARGC GREATER 3)
     if(TWUM_UNITY)  # options of its sources would take them out of the batch

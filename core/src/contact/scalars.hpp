@@ -39,18 +39,18 @@ inline double least_argument(double x, double y) { return std::atan2(y, x); }
 
 }  // namespace twum::contact
 
-/// The closed list of scalars that the contact runs on.
-#define TWUM_FOR_EACH_CONTACT_SCALAR(X) \
-  X(double)                             \
-  X(MotionDual)                         \
-  X(NumbersDual)                        \
+/// The closed list of scalars that the contact runs on: double, and these.
+#define TWUM_FOR_EACH_CONTACT_DUAL(X) \
+  X(MotionDual)                       \
+  X(NumbersDual)                      \
   X(NumbersDual2)
+#define TWUM_FOR_EACH_CONTACT_SCALAR(X) X(double) TWUM_FOR_EACH_CONTACT_DUAL(X)
 
-/// The scalars of a jump's margin. The program has laps in them for other reasons.
-#define TWUM_FOR_EACH_MARGIN_SCALAR(X) \
-  X(double)                            \
-  X(WithState<NumbersDual>::Type)      \
+/// The scalars of a jump's margin: double, and these. The program has laps in them for other reasons.
+#define TWUM_FOR_EACH_MARGIN_DUAL(X) \
+  X(WithState<NumbersDual>::Type)    \
   X(NumbersDual2)
+#define TWUM_FOR_EACH_MARGIN_SCALAR(X) X(double) TWUM_FOR_EACH_MARGIN_DUAL(X)
 
 /// Those of them that the periodic state is differentiated with in one lap.
 #define TWUM_FOR_EACH_WITH_STATE(X) \

@@ -15,6 +15,7 @@ constexpr int kMissing = 4;            // points without an answer that may foll
 constexpr double kFarthest = 1e4;      // times the crest speed
 constexpr double kPerRipple = 12;      // nodes
 constexpr double kMostRippled = 1500;  // nodes of ripples from rest to the crest speed
+constexpr double kFewRipples = 60;     // nodes: a radian of a ripple is V0 / (30 r)
 constexpr double kRounding = 1e-15;    // of a speed
 constexpr double kHighest = 1.3;       // times the crest speed: no wave drives beyond
 
@@ -107,7 +108,8 @@ CurvePoint CurveScan::checked(CurvePoint n, Walk& walk) {
 
 bool CurveScan::falls_smoothly() const {
   const Curve& curve = points_.curve();
-  return curve.falls() && forgets_a_turn(curve.motor()) && !ripples();
+  const DrivenMotor<double>& m = curve.motor();
+  return curve.falls() && forgets_a_turn(m) && nodes_of_ripples(m) <= kFewRipples;
 }
 
 bool CurveScan::ripples() const { return nodes_of_ripples(points_.curve().motor()) > kIntervals; }
