@@ -93,11 +93,12 @@ bool may_colour_errors() {
          !dumb_terminal();
 }
 
+// To the second an estimate would only look accurate.
 std::string duration_text(double seconds) {
-  const auto whole = static_cast<long>(seconds + 0.5);
-  if (whole < 60) return std::to_string(whole) + " s";
-  const std::string rest = std::to_string(whole % 60);
-  return std::to_string(whole / 60) + " min " + (rest.size() < 2 ? "0" : "") + rest + " s";
+  const auto rounded = [seconds](double unit) { return std::lround(seconds / unit); };
+  if (rounded(1) < 100) return std::to_string(rounded(1)) + " s";
+  if (rounded(60) < 200) return std::to_string(rounded(60)) + " min";
+  return std::to_string(rounded(3600)) + " h";
 }
 
 }  // namespace twum::cli

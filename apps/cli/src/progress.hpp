@@ -44,7 +44,7 @@ class Progress {
 /// True if text on standard error may be coloured: a terminal, and NO_COLOR is not set.
 bool may_colour_errors();
 
-/// Seconds as "42 s" or "3 min 05 s".
+/// An estimate of seconds as "42 s", "3 min" or "5 h".
 std::string duration_text(double seconds);
 
 }  // namespace twum::cli
