@@ -77,7 +77,7 @@ TEST_CASE("no line is wider than asked, and no word is lost", "[files][table]") 
     table.rows.push_back({"µ" + std::to_string(i), "kW/m^2",
                           "what it is in some words, more or less",
                           "why its range ends where it does, and no sooner"});
-  const std::size_t width = GENERATE(40, 60, 80, 110);
+  const std::size_t width = GENERATE(40U, 60U, 80U, 110U);
   CAPTURE(width);
   const std::string text = aligned(table, width);
   for (const std::string& line : lines_of(text)) {

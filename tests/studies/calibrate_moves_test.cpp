@@ -39,7 +39,8 @@ void check_moves(const std::string& motor, const std::string& ranges, const std:
   const MovedCase one(motor, ranges, "", loss);
   const Run run(one.file(csv));
   const CalibrateResult& result = run.result();
-  for (const auto& [name, unit] : held) {
+  for (const auto& each : held) {
+    const std::string &name = each.first, &unit = each.second;
     const auto move = std::find_if(result.moves.begin(), result.moves.end(),
                                    [&](const auto& m) { return m.held.name == name; });
     REQUIRE(move != result.moves.end());

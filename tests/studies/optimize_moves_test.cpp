@@ -42,7 +42,8 @@ void check_moves(const std::string& motor, const std::string& study,
   const OptimizeResult& result = search.optimum();
   REQUIRE(search.answer.outcome == "optimal");
   CHECK(result.unmoved.empty());
-  for (const auto& [name, unit] : held) {
+  for (const auto& each : held) {
+    const std::string &name = each.first, &unit = each.second;
     const Move* move = find_move(result, name);
     REQUIRE(move != nullptr);
     const double h = 2e-3 * move->held.value;

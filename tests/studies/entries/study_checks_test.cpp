@@ -341,7 +341,7 @@ TEST_CASE("every kind of schema says what it expects", "[studies][schema]") {
   const Shape<int> kind = mapping<int>("one", {selector<int>("kind", "what it is", "curve")});
   const Shape<int> other = mapping<int>("other", {selector<int>("kind", "what it is", "sweep")});
   const Shape<int> variant =
-      one_of<int>("either", {kind, other}, [](int) { return 0; }, "kind", {"curve", "sweep"});
+      one_of<int>("either", {kind, other}, [](int) { return 0U; }, "kind", {"curve", "sweep"});
   CHECK(expectation(variant.schema) == "expected a mapping with kind: curve, sweep");
   CHECK(said_of(variant, "x: {kind: sweep}\n").empty());
   CHECK(said_of(variant, "x: {kind: [sweep]}\n") ==
