@@ -31,7 +31,7 @@ add_library(twum::compile ALIAS twum_compile)
 
 # twum_optimized(TARGET hot|duals|warm|mild|cold): how fully a release optimizes, whatever its preset asks of the rest.
 #   hot    points, where GCC inlines all that it can
-#   duals  derivatives: GCC 12 vectorizes the short loops of dual numbers only from -O3 on. They are five times as much code, and
+#   duals  derivatives: GCC 12 vectorizes the short loops of dual numbers only from -O3 on. They are four times as much code, and
 #          run as fast with the limits of inlining that -O2 has, in two thirds of the time to compile
 #   warm   what searches among points: with -O3 metrics would be 1.5 % faster, and a quarter longer to compile
 #   mild   what each row of a study passes through: searches, formulas, the store. The plate as well: with -O2 it would be 5 %

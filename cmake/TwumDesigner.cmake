@@ -3,7 +3,7 @@
 # and C++ libraries of wasm32-wasi. scripts/install-deps.sh installs them.
 find_program(TWUM_WASM_COMPILER NAMES clang++-14)
 
-# Compiles and links a program that needs both libraries.
+# Compiles and links a program: Clang links both libraries to each one.
 function(twum_find_wasm_tools result)
   set(probe ${CMAKE_BINARY_DIR}/CMakeFiles/wasm_probe)
   file(WRITE ${probe}.cpp "#include <version>\nint main() {}\n")

@@ -5,6 +5,24 @@
 
 namespace twum::contact {
 
+template <>
+Lap<double> run_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
+                    const LapEntry<double>& entry, const ZoneSequence* sequence,
+                    std::vector<ZoneTrace>* trace, Means means) {
+  Lap<double> lap;
+  LapRunner<double>(numbers, layer, sequence, trace, means, lap).run(entry);
+  return lap;
+}
+
+template <>
+LapPlace<double> place_after(int zones, const ContactNumbers<double>& numbers,
+                             const LayerMotion<double>& layer, const LapEntry<double>& entry) {
+  Lap<double> lap;
+  LapRunner<double> runner(numbers, layer, nullptr, nullptr, Means::of_wave, lap);
+  runner.run(entry, zones);
+  return runner.here();
+}
+
 LayerState<StateDual> next_entry(const ContactNumbers<StateDual>& numbers,
                                  const LayerMotion<StateDual>& layer,
                                  const LapEntry<StateDual>& entry, const ZoneSequence* sequence) {
@@ -56,11 +74,5 @@ Lap<double> follow_states(const ContactNumbers<double>& numbers, const LayerMoti
                           const LapEntry<double>& entry, const ZoneSequence& near) {
   return followed<false>(numbers, layer, entry, near);
 }
-
-template Lap<double> run_lap(const ContactNumbers<double>&, const LayerMotion<double>&,
-                             const LapEntry<double>&, const ZoneSequence*, std::vector<ZoneTrace>*,
-                             Means);
-template LapPlace<double> place_after(int, const ContactNumbers<double>&,
-                                      const LayerMotion<double>&, const LapEntry<double>&);
 
 }  // namespace twum::contact

@@ -102,11 +102,18 @@ template <typename S>
 Lap<S> run_lap(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
                const LapEntry<S>& entry, const ZoneSequence* sequence = nullptr,
                std::vector<ZoneTrace>* trace = nullptr, Means means = Means::all);
+template <>
+Lap<double> run_lap(const ContactNumbers<double>& numbers, const LayerMotion<double>& layer,
+                    const LapEntry<double>& entry, const ZoneSequence* sequence,
+                    std::vector<ZoneTrace>* trace, Means means);
 
 /// Phase and layer after the first `zones` zones of a lap; at its end if it has fewer.
 template <typename S>
 LapPlace<S> place_after(int zones, const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
                         const LapEntry<S>& entry);
+template <>
+LapPlace<double> place_after(int zones, const ContactNumbers<double>& numbers,
+                             const LayerMotion<double>& layer, const LapEntry<double>& entry);
 
 /// The return map alone: the layer at the next entry, without the means.
 /// @param sequence  as in run_lap()

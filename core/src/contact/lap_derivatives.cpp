@@ -4,6 +4,24 @@
 
 namespace twum::contact {
 
+template <typename S>
+Lap<S> run_lap(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
+               const LapEntry<S>& entry, const ZoneSequence* sequence,
+               std::vector<ZoneTrace>* trace, Means means) {
+  Lap<S> lap;
+  LapRunner<S>(numbers, layer, sequence, trace, means, lap).run(entry);
+  return lap;
+}
+
+template <typename S>
+LapPlace<S> place_after(int zones, const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
+                        const LapEntry<S>& entry) {
+  Lap<S> lap;
+  LapRunner<S> runner(numbers, layer, nullptr, nullptr, Means::of_wave, lap);
+  runner.run(entry, zones);
+  return runner.here();
+}
+
 #define TWUM_INSTANTIATE(S)                                                                    \
   template Lap<S> run_lap(const ContactNumbers<S>&, const LayerMotion<S>&, const LapEntry<S>&, \
                           const ZoneSequence*, std::vector<ZoneTrace>*, Means);

@@ -13,7 +13,8 @@
 #include <numbers>
 
 namespace twum::contact {
-namespace {  // of each source that includes it: what one place calls is inlined, however long it is
+// Unnamed, so that each source has a class of its own: GCC then inlines a function of any length that only one place calls.
+namespace {
 
 /// Follows a lap zone by zone. The return map needs no means.
 template <typename S, Ends kEnds = Ends::searched, bool kHasMeans = true>
@@ -213,23 +214,5 @@ class LapRunner {
 };
 
 }  // namespace
-
-template <typename S>
-Lap<S> run_lap(const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
-               const LapEntry<S>& entry, const ZoneSequence* sequence,
-               std::vector<ZoneTrace>* trace, Means means) {
-  Lap<S> lap;
-  LapRunner<S>(numbers, layer, sequence, trace, means, lap).run(entry);
-  return lap;
-}
-
-template <typename S>
-LapPlace<S> place_after(int zones, const ContactNumbers<S>& numbers, const LayerMotion<S>& layer,
-                        const LapEntry<S>& entry) {
-  Lap<S> lap;
-  LapRunner<S> runner(numbers, layer, nullptr, nullptr, Means::of_wave, lap);
-  runner.run(entry, zones);
-  return runner.here();
-}
 
 }  // namespace twum::contact
