@@ -1,26 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fit_statistics.hpp"
 
-#include "double_precision.hpp"
-
 #include <Eigen/SVD>
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/fisher_f.hpp>
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
+#include <twum/optim/distributions.hpp>
 
 namespace twum::optim {
 namespace {
 
 using Eigen::Index;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-using StudentsT = boost::math::students_t_distribution<double, DoublePrecision>;
-using Normal = boost::math::normal_distribution<double, DoublePrecision>;
-using FisherF = boost::math::fisher_f_distribution<double, DoublePrecision>;
-using ChiSquare = boost::math::chi_squared_distribution<double, DoublePrecision>;
 
 // Columns of unit length, so that rank does not depend on units.
 struct Scaled {
@@ -91,7 +82,7 @@ double half_width(std::size_t parameter, const LeastSquaresOptions& options,
   if (options.small_sample.empty() || !std::isfinite(result.student_t)) return result.student_t;
   const SmallSample& sample = options.small_sample[parameter];
   if (sample.quantile > 0.0) return sample.quantile;
-  return quantile(StudentsT(sample.freedom), 0.5 + 0.5 * options.confidence);
+  return student_quantile(sample.freedom, 0.5 + 0.5 * options.confidence);
 }
 
 void fill_estimates(const Eigen::MatrixXd& covariance, const FittedState& state,
@@ -159,8 +150,8 @@ void fill_scatter(const FittedState& state, const LeastSquaresOptions& options,
   result.scatter = known ? options.deviation : result.residual_deviation;
   if (std::isfinite(state.scatter)) result.scatter = state.scatter;
   const double upper = 0.5 + 0.5 * options.confidence;
-  result.student_t = known           ? quantile(Normal(), upper)
-                     : freedom > 0.0 ? quantile(StudentsT(freedom), upper)
+  result.student_t = known           ? normal_quantile(upper)
+                     : freedom > 0.0 ? student_quantile(freedom, upper)
                                      : kNan;
   for (const Index j : state.free)
     if (!options.small_sample.empty())
@@ -170,9 +161,9 @@ void fill_scatter(const FittedState& state, const LeastSquaresOptions& options,
   if (parameters == 0)
     joint = 0.0;
   else if (known)
-    joint = quantile(ChiSquare(count), options.confidence);
+    joint = chi_square_quantile(count, options.confidence);
   else if (freedom > 0.0)
-    joint = count * quantile(FisherF(count, freedom), options.confidence);
+    joint = count * fisher_quantile(count, freedom, options.confidence);
   result.joint_limit = result.sum_of_squares + joint * result.scatter * result.scatter;
 }
 

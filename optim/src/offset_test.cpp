@@ -3,22 +3,17 @@
 
 #include <twum/base/error.hpp>
 
-#include "double_precision.hpp"
 #include "fitted_space.hpp"
 
 #include <Eigen/Core>
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
-#include <limits>
+#include <twum/optim/distributions.hpp>
 
 namespace twum::optim {
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-using StudentsT = boost::math::students_t_distribution<double, DoublePrecision>;
-using Normal = boost::math::normal_distribution<double, DoublePrecision>;
 
 // Parameters that leave less of an offset than this part of its squares take it up.
 constexpr double kTakenUp = 1e-6;
@@ -28,11 +23,6 @@ VectorXd chosen(const VectorXd& all, std::span<const std::size_t> rows) {
   for (std::size_t i = 0; i < rows.size(); ++i)
     some[static_cast<Index>(i)] = all[static_cast<Index>(rows[i])];
   return some;
-}
-
-double both_tails(double t, double freedom) {
-  return std::isfinite(freedom) ? 2.0 * cdf(complement(StudentsT(freedom), t))
-                                : 2.0 * cdf(complement(Normal(), t));
 }
 
 }  // namespace
@@ -54,8 +44,7 @@ OffsetTest offset_test(const Residuals& at, const LeastSquaresResult& fit, const
   test.offset = seen.dot(all) / squares;
   if (std::isfinite(deviation)) {
     test.deviation = deviation / std::sqrt(squares);
-    test.p =
-        both_tails(std::abs(test.offset) / test.deviation, std::numeric_limits<double>::infinity());
+    test.p = student_tails(kInfinity, std::abs(test.offset) / test.deviation);
     return test;
   }
   const VectorXd rest = left_of(all) - test.offset * seen;
@@ -69,7 +58,7 @@ OffsetTest offset_test(const Residuals& at, const LeastSquaresResult& fit, const
   }
   if (!(freedom >= 1.0 && scatter > 0.0)) return test;
   test.deviation = std::sqrt(scatter / (freedom * squares));
-  test.p = both_tails(std::abs(test.offset) / test.deviation, freedom);
+  test.p = student_tails(freedom, std::abs(test.offset) / test.deviation);
   return test;
 }
 

@@ -1,31 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/optim/outliers.hpp>
 
-#include "double_precision.hpp"
 #include "fitted_space.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numeric>
+#include <twum/optim/distributions.hpp>
 
 namespace twum::optim {
 namespace {
 
 using Eigen::Index;
-
-// Two-sided tail probability of a normal or Student's t number.
-double two_tails(double t, bool normal, double freedom) {
-  using boost::math::complement;
-  if (normal)
-    return 2.0 * cdf(complement(boost::math::normal_distribution<double, DoublePrecision>(),
-                                std::abs(t)));
-  return 2.0 *
-         cdf(complement(boost::math::students_t_distribution<double, DoublePrecision>(freedom),
-                        std::abs(t)));
-}
 
 class OutlierSearch {
  public:
@@ -82,7 +69,8 @@ class OutlierSearch {
       if (std::abs(t) <= std::abs(found.outlier.distance)) continue;
       found = {i, {static_cast<std::size_t>(rows_[static_cast<std::size_t>(i)]), t, 1.0}};
     }
-    const double each = two_tails(found.outlier.distance, known(), freedom - 1.0);
+    const double each =
+        student_tails(known() ? kInfinity : freedom - 1.0, std::abs(found.outlier.distance));
     found.outlier.p = std::min(1.0, static_cast<double>(rows_.size()) * each);
     return found;
   }

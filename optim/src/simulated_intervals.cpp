@@ -2,9 +2,9 @@
 #include <twum/optim/group_deviations.hpp>
 #include <twum/optim/random.hpp>
 
+#include <twum/optim/distributions.hpp>
 #include "fitted_space.hpp"
 #include "kenward_roger.hpp"
-#include "robust/normal.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/QR>

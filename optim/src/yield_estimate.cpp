@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/optim/yield_estimate.hpp>
 
-#include "double_precision.hpp"
-
 #include <algorithm>
-#include <boost/math/distributions/binomial.hpp>
 #include <cmath>
-#include <twum/base/error.hpp>
+#include <twum/optim/distributions.hpp>
 
 namespace twum::optim {
 namespace {
-
-using Binomial = boost::math::binomial_distribution<double, DoublePrecision>;
 
 constexpr double kTail = 0.025;  // outside the interval, on each side
 
@@ -27,11 +22,9 @@ const char* to_string(YieldVerdict verdict) {
 }
 
 YieldEstimate yield_estimate(std::uint64_t good, std::uint64_t products) {
-  TWUM_ASSERT(good <= products && products > 0);
-  const auto k = static_cast<double>(good);
-  const auto n = static_cast<double>(products);
-  return {good, products, k / n, Binomial::find_lower_bound_on_p(n, k, kTail),
-          Binomial::find_upper_bound_on_p(n, k, kTail)};
+  const ProbabilityRange range = probability_range(good, products, kTail);
+  return {good, products, static_cast<double>(good) / static_cast<double>(products), range.low,
+          range.high};
 }
 
 YieldVerdict verdict_on(const YieldEstimate& estimate, double wanted) {

@@ -4,7 +4,7 @@
 
 #include "performance/track_pieces.hpp"
 
-#include <boost/math/tools/minima.hpp>
+#include <twum/base/scalar_search.hpp>
 
 #include <algorithm>
 #include <numbers>
@@ -157,7 +157,7 @@ double most_pressed_radius(const DrivenMotor<double>& m) {
     if (mean_pressure_at(m, at(i)) > mean_pressure_at(m, at(top))) top = i;
   if (top == 0 || top == kLooks) return at(top);
   const auto less = [&](double radius) { return -mean_pressure_at(m, radius); };
-  return boost::math::tools::brent_find_minima(less, at(top - 1), at(top + 1), 26).first;
+  return least_between(less, at(top - 1), at(top + 1)).place;
 }
 
 }  // namespace

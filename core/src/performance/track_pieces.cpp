@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "performance/track_pieces.hpp"
 
-#include <boost/math/tools/toms748_solve.hpp>
+#include <twum/base/scalar_search.hpp>
+
+#include <functional>
 
 namespace twum::performance {
 namespace {
@@ -9,15 +11,8 @@ namespace {
 constexpr int kLooksPerMode = 16;  // a polynomial of degree 4 turns three times at most
 constexpr int kLooksPerRow = 4;    // of a table: its spline turns at most twice between two rows
 
-template <typename F>
-double zero_between(F f, double low, double high) {
-  const double at_low = f(low), at_high = f(high);
-  if (at_low == 0) return low;
-  if (at_high == 0) return high;
-  boost::uintmax_t limit = 200;
-  const auto found = boost::math::tools::toms748_solve(
-      f, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(52), limit);
-  return 0.5 * (found.first + found.second);
+double zero_between(const std::function<double(double)>& f, double low, double high) {
+  return closed_in(f, {low, high, f(low), f(high)}).nearest();
 }
 
 }  // namespace

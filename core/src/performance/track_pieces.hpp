@@ -2,8 +2,9 @@
 #pragma once
 
 #include "contact/load_shape.hpp"
-#include "performance/gauss_rule.hpp"
 #include "performance/track.hpp"
+
+#include <twum/base/gauss_rule.hpp>
 
 #include <algorithm>
 #include <limits>

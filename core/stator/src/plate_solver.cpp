@@ -3,10 +3,10 @@
 
 #include <twum/base/error.hpp>
 
+#include <Spectra/LinAlg/BKLDLT.h>
 #include <Spectra/MatOp/DenseCholesky.h>
 #include <Spectra/MatOp/DenseSymMatProd.h>
 #include <Spectra/SymGEigsSolver.h>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <limits>
@@ -33,12 +33,16 @@ constexpr Index kSpare = 20;
 constexpr Index kRestarts = 1000;
 constexpr double kConverged = 1e-14;
 
-// Rows of linear forms in the functions of an element at a Gauss point, field after field.
-MatrixXd form_matrix(const Element& element, std::size_t q, double half, Index rows,
+template <int Rows>
+using Forms = Eigen::Matrix<double, Rows, Eigen::Dynamic>;
+
+// Linear forms in the functions of an element at a Gauss point, field after field.
+template <int Rows>
+Forms<Rows> forms_at(const Element& element, std::size_t q, double half,
                      const std::vector<Term<double>>& terms) {
   const Basis& basis = element.table->basis;
   const auto functions = static_cast<Index>(basis.size());
-  MatrixXd matrix = MatrixXd::Zero(rows, functions * static_cast<Index>(element.dofs.size()));
+  Forms<Rows> matrix = Forms<Rows>::Zero(Rows, functions * static_cast<Index>(element.dofs.size()));
   for (const Term<double>& term : terms) {
     const auto& shapes = element.table->values[term.order][q];
     const double scale = term.factor / std::pow(half, static_cast<double>(term.order));
@@ -72,12 +76,14 @@ Matrices element_matrices(const Mesh& mesh, const Element& element,
   const Eigen::Vector3d inertia(section.mass, section.rotary_inertia, section.rotary_inertia);
   for (std::size_t q = 0; q < element.table->points.size(); ++q) {
     const auto at = plate_point(mesh, element, segments, q);
-    const MatrixXd strain = form_matrix(element, q, at.half, 5,
-                                        strain_terms(mesh.theory, mesh.nodal_diameters, at.radius));
-    const MatrixXd motion = form_matrix(element, q, at.half, 3,
-                                        motion_terms(mesh.theory, mesh.nodal_diameters, at.radius));
-    sum.stiffness.noalias() += strain.transpose() * (at.weight * elastic * strain);
-    sum.mass.noalias() += motion.transpose() * (at.weight * inertia.asDiagonal() * motion);
+    const auto strain = forms_at<5>(element, q, at.half,
+                                    strain_terms(mesh.theory, mesh.nodal_diameters, at.radius));
+    const auto motion = forms_at<3>(element, q, at.half,
+                                    motion_terms(mesh.theory, mesh.nodal_diameters, at.radius));
+    const Forms<5> stress = at.weight * elastic.lazyProduct(strain);
+    const Forms<3> momentum = at.weight * inertia.asDiagonal() * motion;
+    sum.stiffness += strain.transpose().lazyProduct(stress);
+    sum.mass += motion.transpose().lazyProduct(momentum);
   }
   return sum;
 }
@@ -156,17 +162,16 @@ std::vector<std::vector<double>> answers_beside_mode(const Mesh& mesh,
   const VectorXd momentum = plate.mass * Eigen::Map<const VectorXd>(mode.data(), n);
   MatrixXd system = MatrixXd::Zero(n + 1, n + 1);
   system.topLeftCorner(n, n) = plate.stiffness - eigenvalue * plate.mass;
-  system.topRightCorner(n, 1) = momentum;
-  system.bottomLeftCorner(1, n) = momentum.transpose();
-  MatrixXd right(n + 1, static_cast<Index>(loads.size()));
-  for (Index k = 0; k < right.cols(); ++k) {
-    const ModeLoad& load = loads[static_cast<std::size_t>(k)];
-    right.col(k) << Eigen::Map<const VectorXd>(load.force.data(), n), load.share;
-  }
-  const MatrixXd solved = system.partialPivLu().solve(right);
+  system.bottomLeftCorner(1, n) =
+      momentum.transpose();  // of a symmetric matrix the half below is read
+  const Spectra::BKLDLT<double> factors(system);
   std::vector<std::vector<double>> answers;
-  for (Index k = 0; k < solved.cols(); ++k)
-    answers.emplace_back(solved.col(k).begin(), solved.col(k).end() - 1);
+  for (const ModeLoad& load : loads) {
+    VectorXd right(n + 1);
+    right << Eigen::Map<const VectorXd>(load.force.data(), n), load.share;
+    factors.solve_inplace(right);
+    answers.emplace_back(right.begin(), right.end() - 1);
+  }
   return answers;
 }
 

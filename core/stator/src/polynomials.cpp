@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "polynomials.hpp"
 
-#include <boost/math/special_functions/legendre.hpp>
+#include <twum/base/gauss_rule.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace twum::stator {
 namespace {
@@ -61,15 +62,9 @@ Basis make_basis(Continuity continuity, int degree) {
 BasisTable make_table(Continuity continuity, int degree) {
   BasisTable table{make_basis(continuity, degree), {}, {}, {}};
   // 1 / rho is not a polynomial, so there are four points more than the squares of the basis need.
-  const int count = degree + 4;
-  const auto add = [&](double x) {
-    const double slope = boost::math::legendre_p_prime(count, x);
-    table.points.push_back(x);
-    table.weights.push_back(2 / ((1 - x * x) * slope * slope));
-  };
-  for (const double zero : boost::math::legendre_p_zeros<double>(count)) {
-    add(zero);
-    if (zero > 0) add(-zero);
+  for (const GaussRule::Node& node : gauss_rule(degree + 4).nodes) {
+    table.points.push_back(2 * node.place - 1);
+    table.weights.push_back(2 * node.weight);
   }
   auto series = table.basis.legendre;
   for (auto& derivative : table.values) {

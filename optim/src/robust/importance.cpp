@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/importance.hpp"
 
-#include "robust/normal.hpp"
+#include <twum/optim/distributions.hpp>
 
 #include <twum/optim/scrambled_sobol.hpp>
 

@@ -2,8 +2,9 @@
 #include "robust/inverse_form.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/roots.hpp>
 #include <cmath>
+#include <functional>
+#include <twum/base/scalar_search.hpp>
 
 namespace twum::optim {
 namespace {
@@ -26,14 +27,11 @@ double largest_difference(std::span<const double> a, std::span<const double> b) 
 }
 
 // The root of a falling function between two places.
-template <typename F>
-double root(const F& f, double low, double high) {
-  if (f(low) <= 0.0) return low;
-  if (f(high) >= 0.0) return high;
-  std::uintmax_t most = 100;
-  const auto [a, b] = boost::math::tools::toms748_solve(
-      f, low, high, boost::math::tools::eps_tolerance<double>(50), most);
-  return 0.5 * (a + b);
+double root(const std::function<double(double)>& f, double low, double high) {
+  const double at_low = f(low), at_high = f(high);
+  if (at_low <= 0.0) return low;
+  if (at_high >= 0.0) return high;
+  return closed_in(f, {low, high, at_low, at_high}).nearest();
 }
 
 // The step of U3.2: the z on |z| = radius with the least sum of a_k T_k(z_k), where each component solves

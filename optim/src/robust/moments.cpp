@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/moments.hpp"
 
+#include <twum/optim/distributions.hpp>
 #include "robust/margin.hpp"
-#include "robust/normal.hpp"
 
 #include <twum/optim/scrambled_sobol.hpp>
 

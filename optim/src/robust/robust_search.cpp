@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/robust_search.hpp"
 
+#include <twum/optim/distributions.hpp>
 #include "robust/centres.hpp"
-#include "robust/normal.hpp"
 #include "robust/verification.hpp"
 
 #include <twum/optim/certificate.hpp>

@@ -68,6 +68,14 @@ TEST_CASE("an end that is a zero is the zero", "[core][metrics][limit]") {
   CHECK(high.high == 1);
 }
 
+TEST_CASE("a minimum is found to half the digits", "[core][metrics][closed_form]") {
+  const auto parabola = [](double x) { return 2 + (x - 0.3) * (x - 0.3); };
+  const LeastValue least = least_between(parabola, 0, 1);
+  // Nearer than the root of a rounding all values are one.
+  CHECK(std::fabs(least.place - 0.3) <= 3e-8);
+  CHECK(least.value == Approx(2).epsilon(1e-15));
+}
+
 TEST_CASE("what does not change its sign is not closed in on", "[core][metrics][error]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(closed_in([](double x) { return 1 + x; }, 0, 1), SearchFailure);

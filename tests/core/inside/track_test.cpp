@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "performance/track.hpp"
-#include "performance/gauss_rule.hpp"
 #include "support/test_motors.hpp"
 
 #include <catch2/catch.hpp>
 
+#include <twum/base/gauss_rule.hpp>
 #include <twum/core/performance/motor.hpp>
 
 #include <cmath>

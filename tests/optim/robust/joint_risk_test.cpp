@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "torque_problem.hpp"
 
+#include <twum/optim/distributions.hpp>
 #include "robust/joint_risk.hpp"
-#include "robust/normal.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -94,7 +94,7 @@ Crossing CurveCrossings::falls_through(double torque, const CurvePoint& low,
   const Bracket b =
       close_in(excess, {low.speed, high.speed, low.torque - torque, high.torque - torque});
   const bool jump = b.at_low - b.at_high > kTorqueJump * points_.curve().holding();
-  return {std::fabs(b.at_low) <= std::fabs(b.at_high) || jump ? b.low : b.high, jump};
+  return {jump ? b.low : b.nearest(), jump};
 }
 
 Crossing CurveCrossings::no_load() {

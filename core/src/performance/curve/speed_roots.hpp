@@ -3,6 +3,8 @@
 
 #include "performance/curve/curve.hpp"
 
+#include <twum/base/scalar_search.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,12 +14,7 @@
 
 namespace twum::performance {
 
-/// Two neighbouring speeds, or any two between which a function changes its sign, with its values there.
-struct Bracket {
-  double low, high, at_low, at_high;
-};
-
-/// Closes in on a sign change to neighbouring doubles, or to an exact zero.
+/// closed_in() for a search along the curve.
 /// @throws SearchFailure (unresolved) if the ends do not differ in sign
 Bracket close_in(const std::function<double(double)>& f, const Bracket& ends);
 

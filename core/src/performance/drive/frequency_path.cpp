@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "performance/drive/frequency_path.hpp"
 
-#include <boost/math/tools/minima.hpp>
+#include <twum/base/scalar_search.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,7 @@ namespace twum::performance {
 namespace {
 
 constexpr int kNodesOfFlank = 80;
-constexpr double kScanRatio = 1.25;  // of amplitudes on the backbone
-constexpr int kTurnDigits = 26;      // bits to which the position of an extremum can be known
+constexpr double kScanRatio = 1.25;                        // of amplitudes on the backbone
 constexpr double kSmallestWave = 1e-30, kLargestWave = 1;  // [m]
 constexpr int kHalvings = 40;  // of a step of the path, for a loss of stability
 
@@ -83,7 +82,7 @@ std::vector<FrequencyPath::Stretch> FrequencyPath::stretches() const {
     } else if (wave && (excess(*last) > 0) != (excess(*wave) > 0)) {
       double border = now;
       try {
-        border = root_between(excess_at, before, now, excess(*last), excess(*wave));
+        border = closed_in(excess_at, {before, now, excess(*last), excess(*wave)}).nearest();
       } catch (const NoWave&) {  // then it stays less accurate
       }
       if (excess(*last) > 0) found.push_back({begin, border, closed});
@@ -153,9 +152,8 @@ std::optional<ResponseWave> FrequencyPath::turn(const Stretch& stretch, const Re
   };
   const double sign = highest ? -1 : 1;
   try {
-    const auto [place, omega] = boost::math::tools::brent_find_minima(
-        [&](double s) { return sign * at_place(s).omega; }, a.place, c.place, kTurnDigits);
-    return at_place(place);
+    const auto omega = [&](double s) { return sign * at_place(s).omega; };
+    return at_place(least_between(omega, a.place, c.place).place);
   } catch (const NoWave&) {
     return {};
   }
@@ -249,7 +247,7 @@ std::optional<ResponseWave> FrequencyPath::at(const Stretch& stretch, const Resp
     return last->omega - omega;
   };
   try {
-    excess(root_between(excess, a.place, b.place, a.omega - omega, b.omega - omega));
+    excess(closed_in(excess, {a.place, b.place, a.omega - omega, b.omega - omega}).nearest());
     return last;
   } catch (const NoWave&) {
     return {};

@@ -3,10 +3,9 @@
 
 #include "performance/drive/learned_slopes.hpp"
 
-#include <boost/math/tools/toms748_solve.hpp>
+#include <twum/base/scalar_search.hpp>
 
 #include <cmath>
-#include <cstdint>
 
 namespace twum::performance {
 namespace {
@@ -38,16 +37,6 @@ double wanted_force(const DrivenWaves& waves, const DrivenWave& wave, double sid
 
 }  // namespace
 
-double root_between(const std::function<double(double)>& f, double low, double high, double at_low,
-                    double at_high) {
-  if (at_low == 0) return low;
-  if (at_high == 0) return high;
-  std::uintmax_t most = 60;
-  const auto [x, y] = boost::math::tools::toms748_solve(
-      f, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(51), most);
-  return std::fabs(f(x)) < std::fabs(f(y)) ? x : y;
-}
-
 // The largest speed at which the rotor carries the torque; it is negative where the load drives the rotor back.
 std::optional<HeldWaves::Carried> HeldWaves::at_torque(const DrivenWaves& waves, double amplitude,
                                                        double speed_ratio, double window) const {
@@ -76,7 +65,7 @@ std::optional<HeldWaves::Carried> HeldWaves::at_torque(const DrivenWaves& waves,
         if (low == 0 && stands(amplitude, last.torque)) return Carried{last, true};
       }
     }
-    const double ratio = root_between(excess, low, high, at_low, at_high);
+    const double ratio = closed_in(excess, {low, high, at_low, at_high}).nearest();
     if (std::fabs(excess(ratio)) > kTorqueKept * waves.traction_bound()) return {};
     return Carried{last, false};
   } catch (const NoWave&) {

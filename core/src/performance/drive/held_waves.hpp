@@ -29,10 +29,6 @@ struct ResponseWave {
 /// Thrown inside searches where the contact has no answer.
 struct NoWave {};
 
-/// Root in a bracket, to rounding.
-double root_between(const std::function<double(double)>& f, double low, double high, double at_low,
-                    double at_high);
-
 /// Finds frequency and speed of a wave with a given amplitude, or amplitude and speed of a wave with a given
 /// frequency, under the load of the rotor.
 class HeldWaves {

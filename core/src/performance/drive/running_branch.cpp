@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "performance/drive/running_branch.hpp"
 
-#include <boost/math/tools/toms748_solve.hpp>
+#include <twum/base/scalar_search.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -236,13 +236,11 @@ BranchEnd RunningBranch::fold_beyond(const Node& last, double speed) const {
   for (int i = 0; i < 12 && !(at_outside > 0); ++i)
     at_outside = missing(outside += 0.1 * std::copysign(step_, speed - last.speed));
   if (!(at_inside < 0 && at_outside > 0)) return {last.speed, last.amplitude};
-  std::uintmax_t most = 60;
   const bool upward = outside > inside;
-  const auto [x, y] = boost::math::tools::toms748_solve(
-      missing, std::fmin(inside, outside), std::fmax(inside, outside),
-      upward ? at_inside : at_outside, upward ? at_outside : at_inside,
-      boost::math::tools::eps_tolerance<double>(48), most);
-  const double end = upward ? x : y;
+  const Bracket ends = upward ? Bracket{inside, outside, at_inside, at_outside}
+                              : Bracket{outside, inside, at_outside, at_inside};
+  const Bracket fold = closed_in(missing, ends, 48);
+  const double end = upward ? fold.low : fold.high;
   return {end, fold_amplitude(end, least_force(waves_, end, low, high).amplitude)};
 }
 
@@ -255,10 +253,8 @@ std::optional<BranchWave> RunningBranch::bracketed(double speed, double low, dou
   const auto excess = [&](double a) { return waves_.at(a, speed).force() - waves_.drive(); };
   const double at_low = excess(low), at_high = excess(high);
   if (!(at_low < 0 && at_high > 0)) return {};
-  std::uintmax_t most = 60;
-  const auto [x, y] = boost::math::tools::toms748_solve(
-      excess, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(52), most);
-  return BranchWave{y, speed, waves_.at(y, speed).start};
+  const double amplitude = closed_in(excess, {low, high, at_low, at_high}).high;
+  return BranchWave{amplitude, speed, waves_.at(amplitude, speed).start};
 }
 
 // Continues from a node to a speed between the last node and an end. Near a fold the amplitude changes like the

@@ -3,12 +3,10 @@
 
 #include "performance/drive/branch_node.hpp"
 
-#include <boost/math/tools/minima.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
+#include <twum/base/scalar_search.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -28,15 +26,6 @@ constexpr double kSettledPlace = 1e-7;  // of the amplitude; the error is its sq
 // of the states with which slopes are found; an extremum is off by as much, its force by the square
 constexpr double kSlopeAccuracy = 1e-10;
 constexpr int kMostSlopes = 60;
-constexpr int kHalfOfDigits = 26;  // bits to which the position of an extremum can be known
-
-// Minimizes by Brent's method in units of the interval's end, because its tolerance is absolute.
-template <typename F>
-std::pair<double, double> minimum_of(const F& f, double low, double high) {
-  const auto [x, value] = boost::math::tools::brent_find_minima(
-      [&](double t) { return f(t * high); }, low / high, 1.0, kHalfOfDigits);
-  return {x * high, value};
-}
 
 // Thrown for an amplitude whose contact has no periodic state.
 struct NoState {};
@@ -192,13 +181,7 @@ class ForceCurve {
     const double low = excess(a.amplitude), high = excess(b.amplitude);
     if (low == 0 || high == 0 || (low < 0) == (high < 0))
       return std::fabs(low) <= std::fabs(high) ? a.amplitude : b.amplitude;
-    std::uintmax_t steps = 100;
-    const auto close = [](double x, double y) {
-      return std::fabs(y - x) <= 2 * std::numeric_limits<double>::epsilon() * std::fabs(y);
-    };
-    const auto [x, y] = boost::math::tools::toms748_solve(excess, a.amplitude, b.amplitude, low,
-                                                          high, close, steps);
-    return std::fabs(excess(x)) <= std::fabs(excess(y)) ? x : y;
+    return closed_in(excess, {a.amplitude, b.amplitude, low, high}).nearest();
   }
 
   const DrivenWaves& waves_;
@@ -276,15 +259,15 @@ std::vector<ForceExtremum> force_extrema(const DrivenWaves& waves, double speed)
 
 LeastForce least_force(const DrivenWaves& waves, double speed, double low, double high) {
   long zones = 0;
-  const auto [place, force] = minimum_of(
-      [&](double x) {
-        if (zones > kMostZonesToSolve) return std::numeric_limits<double>::infinity();
-        const DrivenWave wave = waves.at(x, speed);
-        zones += wave.zones;
-        return wave.force();
-      },
-      low, high);
-  return {place, force};
+  // In units of the interval's end, because the tolerance of Brent's method is absolute.
+  const auto force = [&](double share) {
+    if (zones > kMostZonesToSolve) return std::numeric_limits<double>::infinity();
+    const DrivenWave wave = waves.at(share * high, speed);
+    zones += wave.zones;
+    return wave.force();
+  };
+  const LeastValue least = least_between(force, low / high, 1.0);
+  return {least.place * high, least.value};
 }
 
 }  // namespace twum::performance

@@ -1,22 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "statistics/double_precision.hpp"
-
 #include <twum/base/error.hpp>
+#include <twum/optim/distributions.hpp>
 #include <twum/studies/statistics/distribution.hpp>
 
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/triangular.hpp>
 #include <cmath>
 
 namespace twum::studies {
-namespace {
-
-namespace math = boost::math;
-using Normal = math::normal_distribution<double, DoublePrecision>;
-using Triangular = math::triangular_distribution<double, DoublePrecision>;
-
-}  // namespace
 
 Distribution Distribution::normal(double mean, double sd) { return {Shape::normal, mean, sd}; }
 
@@ -54,14 +44,13 @@ double Distribution::quantile(double p) const {
 
 double Distribution::whole_cdf(double x) const {
   switch (shape_) {
-    case Shape::normal: return std::isinf(x) ? (x > 0 ? 1.0 : 0.0) : math::cdf(Normal(a_, b_), x);
-    case Shape::lognormal:
-      if (!(x > 0)) return 0;
-      return std::isinf(x) ? 1.0 : math::cdf(Normal(a_, b_), std::log(x));
+    case Shape::normal: return optim::normal_cdf((x - a_) / b_);
+    case Shape::lognormal: return x > 0 ? optim::normal_cdf((std::log(x) - a_) / b_) : 0;
     case Shape::uniform: return std::clamp((x - a_) / (b_ - a_), 0.0, 1.0);
     case Shape::triangular:
       if (x <= a_ || x >= b_) return x <= a_ ? 0 : 1;
-      return math::cdf(Triangular(a_, c_, b_), x);
+      if (x <= c_) return (x - a_) / (b_ - a_) * ((x - a_) / (c_ - a_));
+      return 1 - (b_ - x) / (b_ - a_) * ((b_ - x) / (b_ - c_));
   }
   TWUM_ASSERT(false);
   return 0;
@@ -69,10 +58,12 @@ double Distribution::whole_cdf(double x) const {
 
 double Distribution::whole_quantile(double p) const {
   switch (shape_) {
-    case Shape::normal: return math::quantile(Normal(a_, b_), p);
-    case Shape::lognormal: return std::exp(math::quantile(Normal(a_, b_), p));
+    case Shape::normal: return a_ + b_ * optim::normal_quantile(p);
+    case Shape::lognormal: return std::exp(a_ + b_ * optim::normal_quantile(p));
     case Shape::uniform: return a_ + p * (b_ - a_);
-    case Shape::triangular: return math::quantile(Triangular(a_, c_, b_), p);
+    case Shape::triangular:
+      if (p * (b_ - a_) <= c_ - a_) return a_ + std::sqrt(p * (b_ - a_) * (c_ - a_));
+      return b_ - std::sqrt((1 - p) * (b_ - a_) * (b_ - c_));
   }
   TWUM_ASSERT(false);
   return 0;

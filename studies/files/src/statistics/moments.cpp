@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "statistics/double_precision.hpp"
-
+#include <twum/optim/distributions.hpp>
 #include <twum/studies/statistics/moments.hpp>
-#include <twum/studies/statistics/quantiles.hpp>
 
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <limits>
 
@@ -37,15 +34,14 @@ Estimate Moments::mean_estimate(double confidence) const {
   if (count_ == 0) return {};
   if (count_ == 1) return {mean_, Estimate{}.low, Estimate{}.high};
   const auto n = static_cast<double>(count_);
-  const double half = student_quantile(n - 1, confidence) * sd() / std::sqrt(n);
+  const double half = optim::student_quantile(n - 1, (1 + confidence) / 2) * sd() / std::sqrt(n);
   return {mean_, mean_ - half, mean_ + half};
 }
 
 Estimate Moments::sd_estimate(double confidence) const {
   const double value = sd();
   const auto n = static_cast<double>(count_);
-  const double z = boost::math::quantile(
-      boost::math::normal_distribution<double, DoublePrecision>(), (1 + confidence) / 2);
+  const double z = optim::normal_quantile((1 + confidence) / 2);
   // The correction n / (n - z) of small samples needs a few draws to make sense.
   if (count_ < 4 || n <= 2 * z) return {value, Estimate{}.low, Estimate{}.high};
   if (value == 0) return {0, 0, 0};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/base/error.hpp>
-#include <twum/studies/statistics/quantiles.hpp>
+#include <twum/optim/distributions.hpp>
 #include <twum/studies/statistics/sobol_indices.hpp>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ Estimate ratio_estimate(std::span<const std::pair<double, double>> replicates, d
   for (const auto& [n, d] : replicates) scatter += (n - ratio * d) * (n - ratio * d);
   const auto count = static_cast<double>(replicates.size());
   const double error = std::sqrt(scatter * count / (count - 1)) / std::abs(below);
-  const double half = student_quantile(count - 1, confidence) * error;
+  const double half = optim::student_quantile(count - 1, (1 + confidence) / 2) * error;
   return {ratio, ratio - half, ratio + half};
 }
 

@@ -3,9 +3,9 @@
 
 #include "results/calibration_notes.hpp"
 
+#include <twum/optim/distributions.hpp>
 #include <twum/optim/offset_test.hpp>
 #include <twum/studies/results/fit_curves.hpp>
-#include <twum/studies/statistics/fit_tests.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -166,7 +166,8 @@ void test_kinds(CalibrateResult& result, const std::vector<Points>& kinds) {
   CalibrateResult::KindScatter worst;
   for (const Points& kind : kinds) {
     const double sum = sum_of(kind);
-    const double p = of_many(chi_square_tail(sum, kind.size()), kinds.size());
+    const double p =
+        of_many(optim::chi_square_tail(static_cast<double>(kind.size()), sum), kinds.size());
     if (p < worst.p) worst = {kind.front()->quantity, sum, kind.size(), p};
   }
   if (worst.p < kUnlikely) result.worst_kind = worst;
@@ -186,7 +187,7 @@ void test_residuals(CalibrateResult& result, const optim::Residuals& residuals,
   double sum = 0;
   for (const Points& kind : kinds) sum += sum_of(kind);
   result.chi_square = sum;
-  result.chi_square_p = chi_square_tail(sum, freedom);
+  result.chi_square_p = optim::chi_square_tail(static_cast<double>(freedom), sum);
   test_kinds(result, kinds);
 }
 

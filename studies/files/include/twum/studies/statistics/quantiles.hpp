@@ -20,7 +20,4 @@ Estimate quantile_estimate(std::span<const double> sorted, double p, double conf
 /// @param draws  0 gives NaN
 Estimate proportion_estimate(std::uint64_t hits, std::uint64_t draws, double confidence);
 
-/// The (1 + confidence) / 2 quantile of Student's t with `freedom` > 0 degrees of freedom.
-double student_quantile(double freedom, double confidence);
-
 }  // namespace twum::studies

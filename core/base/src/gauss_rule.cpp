@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "performance/gauss_rule.hpp"
+#include <twum/base/gauss_rule.hpp>
 
 #include <boost/math/special_functions/legendre.hpp>
 
 #include <map>
 
-namespace twum::performance {
+namespace twum {
 namespace {
 
 GaussRule made(int nodes) {
@@ -31,4 +31,4 @@ const GaussRule& gauss_rule(int nodes) {
   return place->second;
 }
 
-}  // namespace twum::performance
+}  // namespace twum

@@ -3,12 +3,14 @@
 
 #include <vector>
 
-namespace twum::performance {
+namespace twum {
 
 /// Gauss-Legendre rule on 0 .. 1.
 struct GaussRule {
+  /// A place and the share of the integral that is taken there.
   struct Node {
-    double place, weight;
+    double place;   ///< inside 0 .. 1
+    double weight;  ///< all together 1
   };
   std::vector<Node> nodes;  ///< in rising order
 };
@@ -16,4 +18,4 @@ struct GaussRule {
 /// The rule of a number of nodes, made once in each thread; it lives as long as the thread.
 const GaussRule& gauss_rule(int nodes);
 
-}  // namespace twum::performance
+}  // namespace twum

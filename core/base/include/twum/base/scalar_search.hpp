@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+
+namespace twum {
+
+/// Two places between which a function changes its sign.
+struct Bracket {
+  double low;      ///< a place
+  double high;     ///< another one, not below it
+  double at_low;   ///< the value at the lower place
+  double at_high;  ///< the value at the higher place
+
+  /// The end at which the function is nearer to zero.
+  double nearest() const;
+};
+
+/// Closes in on a change of sign by Algorithm 748 (Alefeld, Potra and Shi 1995), until both ends agree in so many bits or one of
+/// them is an exact zero; then both are.
+/// @param ends  the values there differ in sign, or one of them is zero
+/// @param bits  more than 51 are 51: neighbouring numbers, but for a few
+Bracket closed_in(const std::function<double(double)>& f, const Bracket& ends, int bits = 51);
+
+/// The least value of a function.
+struct LeastValue {
+  double place;  ///< where
+  double value;  ///< how much
+};
+
+/// Minimizes between two places by Brent's method.
+/// @param bits  of the larger place; more than half of a number's, 26, are 26
+LeastValue least_between(const std::function<double(double)>& f, double low, double high,
+                         int bits = 26);
+
+}  // namespace twum

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <twum/optim/distributions.hpp>
+
+#include <twum/base/error.hpp>
+
+#include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/special_functions/erf.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace twum::optim {
+namespace {
+
+// Makes Boost compute in double: long double differs from machine to machine, and valgrind has none. Boost's functions
+// name both entries where they call one another, so each of them is compiled once only if both are named here.
+using DoublePrecision = boost::math::policies::policy<boost::math::policies::promote_float<false>,
+                                                      boost::math::policies::promote_double<false>>;
+using StudentsT = boost::math::students_t_distribution<double, DoublePrecision>;
+using ChiSquare = boost::math::chi_squared_distribution<double, DoublePrecision>;
+using FisherF = boost::math::fisher_f_distribution<double, DoublePrecision>;
+using Binomial = boost::math::binomial_distribution<double, DoublePrecision>;
+
+}  // namespace
+
+double normal_density(double x) {
+  return std::exp(-0.5 * x * x) * (0.5 * std::numbers::inv_sqrtpi * std::numbers::sqrt2);
+}
+
+double normal_cdf(double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); }
+
+double normal_quantile(double p) {
+  if (p <= 0.0 || p >= 1.0) return std::copysign(std::numeric_limits<double>::infinity(), p - 0.5);
+  return -std::numbers::sqrt2 * boost::math::erfc_inv(2.0 * p, DoublePrecision());
+}
+
+// Plackett's identity: dPhi2/drho is the joint density, integrated here over rho = sin t from 0.
+double normal_cdf(double h, double k, double rho) {
+  const double product = normal_cdf(h) * normal_cdf(k);
+  if (!std::isfinite(h) || !std::isfinite(k)) return product;
+  const double sign = rho < 0.0 ? -1.0 : 1.0;
+  const auto density = [&](double t) {
+    const double cosine = std::cos(t);
+    const double square = h * h + k * k - 2.0 * h * k * sign * std::sin(t);
+    return std::exp(-0.5 * square / (cosine * cosine)) / (2.0 * std::numbers::pi);
+  };
+  const double end = std::asin(std::min(std::abs(rho), 1.0));
+  if (end == 0.0) return product;
+  using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
+  return product + sign * Rule::integrate(density, 0.0, end, 10, 1e-13);
+}
+
+double student_quantile(double freedom, double p) {
+  return std::isinf(freedom) ? normal_quantile(p) : quantile(StudentsT(freedom), p);
+}
+
+double student_tails(double freedom, double t) {
+  return 2.0 * (std::isinf(freedom) ? normal_cdf(-t) : cdf(complement(StudentsT(freedom), t)));
+}
+
+double chi_square_quantile(double freedom, double p) { return quantile(ChiSquare(freedom), p); }
+
+double chi_square_tail(double freedom, double x) {
+  return freedom == 0.0 ? 1.0 : cdf(complement(ChiSquare(freedom), x));
+}
+
+double fisher_quantile(double above, double below, double p) {
+  return quantile(FisherF(above, below), p);
+}
+
+double binomial_cdf(double draws, double p, double count) { return cdf(Binomial(draws, p), count); }
+
+// Boost rounds a real solution, so the last steps are ours.
+double binomial_quantile(double draws, double p, double level) {
+  const Binomial hits(draws, p);
+  double k = std::floor(quantile(hits, level));
+  while (k > 0.0 && cdf(hits, k - 1.0) >= level) --k;
+  while (k < draws && cdf(hits, k) < level) ++k;
+  return k;
+}
+
+ProbabilityRange probability_range(std::uint64_t hits, std::uint64_t draws, double tail) {
+  TWUM_ASSERT(hits <= draws && draws > 0);
+  const auto k = static_cast<double>(hits), n = static_cast<double>(draws);
+  return {Binomial::find_lower_bound_on_p(n, k, tail), Binomial::find_upper_bound_on_p(n, k, tail)};
+}
+
+}  // namespace twum::optim
