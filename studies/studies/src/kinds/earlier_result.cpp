@@ -1,38 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinds/earlier_result.hpp"
 
+#include "results/stored_summary.hpp"
+
 #include <twum/base/error.hpp>
 #include <twum/studies/metrics/expression.hpp>
+#include <twum/studies/store/result_store.hpp>
 #include <twum/studies/text/words.hpp>
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <utility>
 
 namespace twum::studies {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::ordered_json;
 
-EarlierDesign design_from(const json& entries) {
+EarlierDesign design_from(const Json& entries) {
   EarlierDesign design;
   for (const auto& [name, entry] : entries.items()) {
-    const json& value = entry.is_object() ? entry.value("value", json()) : entry;
+    const Json& value = entry.is_object() ? entry.value("value", Json()) : entry;
     const auto parameter = find_parameter(name);
     if (parameter && value.is_number()) design.emplace_back(*parameter, value.get<double>());
   }
   return design;
 }
 
-std::vector<EarlierDesign> designs_from(const json& summary) {
+std::vector<EarlierDesign> designs_from(const Json& summary) {
   std::vector<EarlierDesign> designs;
   if (summary.contains("front")) {
-    for (const json& point : summary["front"]) designs.push_back(design_from(point.at("design")));
+    for (const Json& point : summary["front"]) designs.push_back(design_from(point.at("design")));
   } else if (summary.contains("best") && summary["best"].is_object()) {
     designs.push_back(design_from(summary["best"].at("design")));
   } else if (summary.contains("estimates")) {
@@ -71,16 +71,18 @@ std::pair<double, double> merit(const DesignProblem& problem, const EarlierDesig
 
 std::vector<EarlierDesign> earlier_designs(const std::string& folder) {
   const std::string path = (std::filesystem::path(folder) / "summary.json").string();
-  std::ifstream file(path);
-  if (!file)
+  if (!std::filesystem::exists(path))
     throw InputError("study.start: no result in " + studies::quoted(folder) +
                      "; expected the directory of a study that has been run");
+  const InputError unreadable("study.start: " + studies::quoted(path) +
+                              " cannot be read; run that study again");
   std::vector<EarlierDesign> designs;
   try {
-    designs = designs_from(json::parse(file));
-  } catch (const json::exception&) {
-    throw InputError("study.start: " + studies::quoted(path) +
-                     " cannot be read; run that study again");
+    designs = designs_from(stored_summary(path));
+  } catch (const StoreError&) {
+    throw unreadable;
+  } catch (const Json::exception&) {
+    throw unreadable;
   }
   if (designs.empty())
     throw InputError("study.start: " + studies::quoted(path) +
