@@ -22,14 +22,25 @@ inline Eigen::MatrixXd free_jacobian(const Residuals& at, const LeastSquaresResu
   return all(Eigen::all, free);
 }
 
-/// Orthonormal basis of the column space. The squared norm of a row is the leverage of its residual. Internal.
-inline Eigen::MatrixXd fitted_space(Eigen::MatrixXd columns) {
-  if (columns.cols() == 0) return columns;
+/// Columns of length 1, so that rank does not depend on units. Internal.
+inline Eigen::MatrixXd unit_columns(Eigen::MatrixXd columns) {
   for (Eigen::Index k = 0; k < columns.cols(); ++k)
     if (const double size = columns.col(k).stableNorm(); size > 0.0) columns.col(k) /= size;
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns);
+  return columns;
+}
+
+/// Orthonormal basis of the column space. The squared norm of a row is the leverage of its residual. Internal.
+inline Eigen::MatrixXd fitted_space(const Eigen::MatrixXd& columns) {
+  if (columns.cols() == 0) return columns;
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(unit_columns(columns));
   qr.setThreshold(1e-10);
   return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), qr.rank());
+}
+
+/// The estimate of a parameter is the coordinate along its row, in this basis and in parts of its column's length. Internal.
+inline Eigen::MatrixXd parameter_rows(const Eigen::MatrixXd& columns,
+                                      const Eigen::MatrixXd& basis) {
+  return unit_columns(columns).completeOrthogonalDecomposition().pseudoInverse() * basis;
 }
 
 }  // namespace twum::optim

@@ -8,7 +8,6 @@
 #include "kenward_roger.hpp"
 
 #include <Eigen/Core>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -58,18 +57,15 @@ class GroupedFit {
 
   Shares shares() {
     std::vector<double> b;
-    std::vector<Index> free;
+    std::vector<std::size_t> free;
     for (const Estimate& e : result_.fit.estimates) {
-      if (!e.at_bound) free.push_back(static_cast<Index>(b.size()));
+      if (!e.at_bound) free.push_back(b.size());
       b.push_back(e.value);
     }
     const Residuals here = in_deviations(residuals_(b), groups_, result_.deviations);
     ++counters_.evaluations;
     ++counters_.gradients;
-    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    const Eigen::Map<const RowMajor> jacobian(
-        here.jacobian.data(), static_cast<Index>(groups_.size()), static_cast<Index>(b.size()));
-    const Eigen::MatrixXd columns = jacobian(Eigen::all, free);
+    const Eigen::MatrixXd columns = free_jacobian(here, result_.fit);
     const Eigen::MatrixXd q = fitted_space(columns);
     const std::size_t count = result_.deviations.size();
     Shares found{std::vector<double>(count, 0.0), std::vector<double>(count, 0.0)};
@@ -82,25 +78,15 @@ class GroupedFit {
     return found;
   }
 
-  // Kenward and Roger (L9.2, L9.3). Row i of the fitted space q has the share q_i q_i^T of what is known of the parameters;
-  // those of a group are summed.
-  void find_small_sample(Eigen::MatrixXd columns, const Eigen::MatrixXd& q,
-                         const std::vector<Index>& free) {
-    std::vector<Eigen::MatrixXd> shares(result_.deviations.size(),
-                                        Eigen::MatrixXd::Zero(q.cols(), q.cols()));
-    Eigen::VectorXd counts = Eigen::VectorXd::Zero(static_cast<Index>(shares.size()));
-    for (std::size_t i = 0; i < groups_.size(); ++i) {
-      const auto row = q.row(static_cast<Index>(i));
-      shares[groups_[i]] += row.transpose() * row;
-      ++counts[static_cast<Index>(groups_[i])];
-    }
-    const KenwardRoger known(shares, counts);
-    for (Index j = 0; j < columns.cols(); ++j)
-      if (const double size = columns.col(j).stableNorm(); size > 0.0) columns.col(j) /= size;
-    const Eigen::MatrixXd a = columns.completeOrthogonalDecomposition().pseudoInverse();
+  // Kenward and Roger (L9.2, L9.3).
+  void find_small_sample(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& q,
+                         const std::vector<std::size_t>& free) {
+    const GroupShares groups(q, groups_, result_.deviations.size());
+    const KenwardRoger known(groups.shares, groups.counts);
+    const Eigen::MatrixXd rows = parameter_rows(columns, q);
     for (std::size_t j = 0; j < free.size(); ++j)
-      result_.small_sample[static_cast<std::size_t>(free[j])] =
-          known.of((a.row(static_cast<Index>(j)) * q).transpose().normalized());
+      result_.small_sample[free[j]] =
+          known.of(rows.row(static_cast<Index>(j)).transpose().normalized());
   }
 
   // True if the residuals have the deviations that the fit was made with (L9.1); else these change.

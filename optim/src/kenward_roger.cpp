@@ -9,6 +9,17 @@ namespace twum::optim {
 
 using Eigen::Index;
 
+GroupShares::GroupShares(const Eigen::MatrixXd& basis, std::span<const std::size_t> groups,
+                         std::size_t count)
+    : shares(count, Eigen::MatrixXd::Zero(basis.cols(), basis.cols())),
+      counts(Eigen::VectorXd::Zero(static_cast<Index>(count))) {
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const auto row = basis.row(static_cast<Index>(i));
+    shares[groups[i]] += row.transpose() * row;
+    ++counts[static_cast<Index>(groups[i])];
+  }
+}
+
 KenwardRoger::KenwardRoger(const std::vector<Eigen::MatrixXd>& shares,
                            const Eigen::VectorXd& counts)
     : shares_(shares) {

@@ -4,9 +4,21 @@
 #include <twum/optim/least_squares.hpp>
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace twum::optim {
+
+/// What each group of residuals tells of the parameters (L9.2). Internal.
+struct GroupShares {
+  /// @param basis   orthonormal, of the fitted space
+  /// @param groups  of each residual
+  GroupShares(const Eigen::MatrixXd& basis, std::span<const std::size_t> groups, std::size_t count);
+
+  std::vector<Eigen::MatrixXd> shares;  ///< Q_k^T Q_k; their sum is 1
+  Eigen::VectorXd counts;               ///< m_k, residuals
+};
 
 /// What estimated deviations of groups of residuals make of standard deviations of parameters (L9.2, L9.3). Internal.
 class KenwardRoger {

@@ -2,12 +2,12 @@
 #include <twum/optim/offset_test.hpp>
 
 #include <twum/base/error.hpp>
+#include <twum/optim/distributions.hpp>
 
 #include "fitted_space.hpp"
 
 #include <Eigen/Core>
 #include <cmath>
-#include <twum/optim/distributions.hpp>
 
 namespace twum::optim {
 namespace {

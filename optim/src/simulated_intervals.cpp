@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <twum/optim/distributions.hpp>
 #include <twum/optim/group_deviations.hpp>
 #include <twum/optim/random.hpp>
 
-#include <twum/optim/distributions.hpp>
 #include "fitted_space.hpp"
 #include "kenward_roger.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -29,31 +28,22 @@ constexpr double kLeastSquares = 1e-12;  // of a group's squares: a fit through 
 class SimulatedFits {
  public:
   SimulatedFits(const MatrixXd& columns, std::span<const std::size_t> groups)
-      : groups_(groups), q_(fitted_space(columns)) {
-    const std::size_t count = 1 + *std::max_element(groups.begin(), groups.end());
-    shares_.assign(count, MatrixXd::Zero(q_.cols(), q_.cols()));
-    counts_ = VectorXd::Zero(static_cast<Index>(count));
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-      const auto row = q_.row(static_cast<Index>(i));
-      shares_[groups[i]] += row.transpose() * row;
-      ++counts_[static_cast<Index>(groups[i])];
-    }
-    MatrixXd scaled = columns;
-    for (Index j = 0; j < scaled.cols(); ++j)
-      if (const double size = scaled.col(j).stableNorm(); size > 0.0) scaled.col(j) /= size;
-    along_ = scaled.completeOrthogonalDecomposition().pseudoInverse() * q_;
-  }
+      : groups_(groups),
+        q_(fitted_space(columns)),
+        told_(q_, groups, 1 + *std::max_element(groups.begin(), groups.end())),
+        along_(parameter_rows(columns, q_)) {}
 
   // |error| of each parameter in its estimated standard deviations, of the simulation of this number.
   std::vector<double> ratios(std::size_t number) {
     draw(number);
     settle();
     std::vector<MatrixXd> whitened;
-    for (std::size_t k = 0; k < shares_.size(); ++k) {
-      const MatrixXd half = root_.matrixL().solve(shares_[k] / squares_[static_cast<Index>(k)]);
+    for (std::size_t k = 0; k < told_.shares.size(); ++k) {
+      const MatrixXd half =
+          root_.matrixL().solve(told_.shares[k] / squares_[static_cast<Index>(k)]);
       whitened.emplace_back(root_.matrixL().solve(half.transpose()));
     }
-    const KenwardRoger known(whitened, counts_);
+    const KenwardRoger known(whitened, told_.counts);
     std::vector<double> list;
     for (Index j = 0; j < along_.rows(); ++j) {
       VectorXd c = root_.matrixL().solve(along_.row(j).transpose());
@@ -69,8 +59,8 @@ class SimulatedFits {
     constexpr std::uint64_t kSeed = 1;
     constexpr double kHalfStep = 0x1.0p-54;  // keeps 0 out
     Random random(kSeed, 0, number);
-    seen_.assign(shares_.size(), VectorXd::Zero(q_.cols()));
-    sums_ = VectorXd::Zero(counts_.size());
+    seen_.assign(told_.shares.size(), VectorXd::Zero(q_.cols()));
+    sums_ = VectorXd::Zero(told_.counts.size());
     for (std::size_t i = 0; i < groups_.size(); ++i) {
       const double e = normal_quantile(random.uniform() + kHalfStep);
       seen_[groups_[i]] += e * q_.row(static_cast<Index>(i)).transpose();
@@ -80,24 +70,24 @@ class SimulatedFits {
 
   // L9.1, from sums over the groups alone.
   void settle() {
-    squares_ = VectorXd::Ones(counts_.size());
+    squares_ = VectorXd::Ones(told_.counts.size());
     for (int round = 0; round < kMostSettlingRounds; ++round) {
       MatrixXd information = MatrixXd::Zero(q_.cols(), q_.cols());
       VectorXd right = VectorXd::Zero(q_.cols());
-      for (std::size_t k = 0; k < shares_.size(); ++k) {
-        information += shares_[k] / squares_[static_cast<Index>(k)];
+      for (std::size_t k = 0; k < told_.shares.size(); ++k) {
+        information += told_.shares[k] / squares_[static_cast<Index>(k)];
         right += seen_[k] / squares_[static_cast<Index>(k)];
       }
       root_.compute(information);
       fit_ = root_.solve(right);
       const MatrixXd inverse = root_.solve(MatrixXd::Identity(q_.cols(), q_.cols()));
       bool same = true;
-      for (Index k = 0; k < counts_.size(); ++k) {
+      for (Index k = 0; k < told_.counts.size(); ++k) {
         const auto group = static_cast<std::size_t>(k);
         const double left =
-            sums_[k] - 2.0 * fit_.dot(seen_[group]) + fit_.dot(shares_[group] * fit_);
+            sums_[k] - 2.0 * fit_.dot(seen_[group]) + fit_.dot(told_.shares[group] * fit_);
         const double freedom =
-            counts_[k] - inverse.cwiseProduct(shares_[group]).sum() / squares_[k];
+            told_.counts[k] - inverse.cwiseProduct(told_.shares[group]).sum() / squares_[k];
         const double next = std::max(left, kLeastSquares * sums_[k]) / freedom;
         same = same && std::abs(next / squares_[k] - 1.0) <= kSimulatedSettled;
         squares_[k] = next;
@@ -107,15 +97,14 @@ class SimulatedFits {
   }
 
   std::span<const std::size_t> groups_;
-  MatrixXd q_;                    // orthonormal basis of the fitted space
-  std::vector<MatrixXd> shares_;  // Q_k^T Q_k
-  VectorXd counts_;               // m_k
-  MatrixXd along_;                // rows: each parameter in this basis
-  std::vector<VectorXd> seen_;    // Q_k^T e_k
-  VectorXd sums_;                 // e_k^T e_k
-  VectorXd squares_;              // d_k^2
-  VectorXd fit_;                  // in this basis
-  Eigen::LLT<MatrixXd> root_;     // of the information
+  MatrixXd q_;  // orthonormal basis of the fitted space
+  GroupShares told_;
+  MatrixXd along_;              // rows: each parameter in this basis
+  std::vector<VectorXd> seen_;  // Q_k^T e_k
+  VectorXd sums_;               // e_k^T e_k
+  VectorXd squares_;            // d_k^2
+  VectorXd fit_;                // in this basis
+  Eigen::LLT<MatrixXd> root_;   // of the information
 };
 
 }  // namespace

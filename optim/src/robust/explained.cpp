@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/explained.hpp"
 
-#include <twum/optim/distributions.hpp>
-
 #include <cmath>
+#include <twum/optim/distributions.hpp>
 
 namespace twum::optim {
 namespace {

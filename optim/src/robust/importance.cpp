@@ -2,7 +2,6 @@
 #include "robust/importance.hpp"
 
 #include <twum/optim/distributions.hpp>
-
 #include <twum/optim/scrambled_sobol.hpp>
 
 #include <algorithm>

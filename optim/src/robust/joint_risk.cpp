@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/joint_risk.hpp"
 
-#include <twum/optim/distributions.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <twum/optim/distributions.hpp>
 
 namespace twum::optim {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/moments.hpp"
 
-#include <twum/optim/distributions.hpp>
 #include "robust/margin.hpp"
 
+#include <twum/optim/distributions.hpp>
 #include <twum/optim/scrambled_sobol.hpp>
 
 #include <cmath>

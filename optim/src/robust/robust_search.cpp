@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/robust_search.hpp"
 
-#include <twum/optim/distributions.hpp>
 #include "robust/centres.hpp"
 #include "robust/verification.hpp"
 
 #include <twum/optim/certificate.hpp>
+#include <twum/optim/distributions.hpp>
 #include <twum/optim/low_discrepancy.hpp>
 #include <twum/optim/solve.hpp>
 

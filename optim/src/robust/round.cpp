@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/round.hpp"
 
-#include <twum/optim/distributions.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <twum/optim/distributions.hpp>
 
 namespace twum::optim {
 namespace {

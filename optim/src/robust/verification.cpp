@@ -2,7 +2,6 @@
 #include "robust/verification.hpp"
 
 #include <twum/optim/distributions.hpp>
-
 #include <twum/optim/random.hpp>
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "torque_problem.hpp"
 
-#include <twum/optim/distributions.hpp>
 #include "robust/joint_risk.hpp"
 
 #include <catch2/catch.hpp>
@@ -9,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <twum/optim/distributions.hpp>
 
 using namespace twum::optim;
 using twum::test::robust_case;
