@@ -140,6 +140,19 @@ class Init(program.Case):
                 self.assertIn(f"\nmotor: {motor} ", text)
                 self.ok("check", self.write("named.yaml", text))
 
+    def test_a_motor_under_a_voltage_varies_it(self):
+        self.write("motor.yaml", (ROOT / "examples/motors/drive-60.yaml").read_bytes())  # 120 V
+        for kind, line in (("optimize", "voltage: {min: 96 V, max: 144 V}"), ("sweep", "voltage: {min: 96 V, max: 144 V, points: 8}"),
+                           ("curve", "voltage: [96 V, 120 V, 144 V]")):
+            with self.subTest(kind):
+                path = self.folder / f"{kind}.yaml"
+                self.ok("init", kind, "--motor", "motor.yaml", "-o", path)
+                self.assertIn(line, path.read_text())
+                self.assertNotIn("amplitude:", path.read_text())
+                self.assertNotIn("amplitude", program.twum("check", path).stderr)
+        study = self.write("study.yaml", self.ok("init", "size", "--motor", "not-yet.yaml").replace("not-yet", "motor"))
+        self.assertIn("note: amplitude varied: it takes the place of the motor's voltage", program.twum("check", study).stderr)
+
     def test_a_motor_is_named_whatever_its_path(self):
         for name in ("it's.yaml", "- dash.yaml", "a: b.yaml", "größe #1.yaml", "{x}.yaml", "null", "true"):
             with self.subTest(name):

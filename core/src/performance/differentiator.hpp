@@ -51,6 +51,12 @@ class Differentiator {
   Derived at_pull_out(Metric metric);
   /// The wave at a fold moves with the design, but that does not count where H is at its extremum.
   Derived threshold(Metric metric);
+  struct RestForce {
+    DesignDual force;
+    double slope;  // in the amplitude
+    Smoothness smoothness;
+  };
+  RestForce force_at_rest(const Threshold& threshold, double amplitude, const MotorDesign& design);
   template <typename F>
   Derived of_motor(F f) const {
     return {widened(f(model_))};

@@ -6,6 +6,13 @@
 #include <cmath>
 
 namespace twum::performance {
+namespace {
+
+// of d ln H / d ln A at an extremum, which is found to 1e-7 of the amplitude: a steeper one is a kink, on one side of which the
+// derivative is taken
+constexpr double kSteep = 1e-4;
+
+}  // namespace
 
 // At the fold H = Theta u_0 and H_A = 0: the first moves the speed, the second the amplitude.
 Derived Differentiator::at_pull_out(Metric metric) {
@@ -33,22 +40,39 @@ Derived Differentiator::at_pull_out(Metric metric) {
   return {result, of_point(speed)};
 }
 
-// H is at an extremum over the amplitude, which therefore drops out (D3.3).
+// H of a wave at rest, with its slope in the amplitude. Its derivatives are at fixed amplitude.
+Differentiator::RestForce Differentiator::force_at_rest(const Threshold& t, double amplitude,
+                                                        const MotorDesign& design) {
+  const DrivenMotor<ModelDual> motor = differentiated_motor(design, amplitude, m_.track);
+  const ModelDual rest = speed_variable<ModelDual>(0);
+  const DrivenWaves waves = values_.thresholds().waves_at(t.frequency);
+  const SolvedPoint point = solve_point(waves.motor(amplitude), 0);
+  if (point.status != PointStatus::ok) throw SearchFailure{metric_status(point.status)};
+  const auto modes = moving_modes(values_.modes(), motor.stator_damping);
+  DesignDual force =
+      wave_balance(modes, wave_point(motor, point.differentiated(motor, rest), rest)).force();
+  force.d[kSpeedDirection] = force.d[model_index(Parameter::amplitude)] = 0;
+  return {force, waves.in_amplitude(amplitude, 0).force_slope(),
+          point.special ? Smoothness::smooth : smoothness_of(waves.motor(amplitude), point, 0)};
+}
+
+// H is at an extremum over the amplitude, which therefore drops out (D3.3), or at a kink (D3.5).
 Derived Differentiator::threshold(Metric metric) {
   const Threshold& t = values_.thresholds().at(metric);
   if (t.amplitude == 0) return {DesignDual(t.value), Smoothness::flat};
   const bool is_voltage = metric == Metric::start_voltage || metric == Metric::hold_voltage;
   const MotorDesign design = is_voltage ? design_ : with(design_, Parameter::frequency, t.value);
-  const DrivenMotor<ModelDual> motor = differentiated_motor(design, t.amplitude, m_.track);
-  const ModelDual rest = speed_variable<ModelDual>(0);
-  const DrivenMotor<double> wave = values_.thresholds().waves_at(t.frequency).motor(t.amplitude);
-  const SolvedPoint point = solve_point(wave, 0);
-  if (point.status != PointStatus::ok) throw SearchFailure{metric_status(point.status)};
-  const Smoothness smoothness = point.special ? Smoothness::smooth : smoothness_of(wave, point, 0);
-  const auto modes = moving_modes(values_.modes(), motor.stator_damping);
-  DesignDual force =
-      wave_balance(modes, wave_point(motor, point.differentiated(motor, rest), rest)).force();
-  force.d[kSpeedDirection] = force.d[model_index(Parameter::amplitude)] = 0;
+  auto [force, slope, smoothness] = force_at_rest(t, t.amplitude, design);
+  if (t.beyond_kink > 0) {
+    const RestForce beyond = force_at_rest(t, t.beyond_kink, design);
+    const double share = slope / (slope - beyond.slope);
+    force = with_value(DesignDual(force + share * (beyond.force - force)), force.v);
+    smoothness = Smoothness::smooth;
+  } else if (std::fabs(slope) * t.amplitude > kSteep * force.v) {
+    smoothness = Smoothness::one_sided;
+  }
+  const auto modes = moving_modes(
+      values_.modes(), differentiated_motor(design, t.amplitude, m_.track).stator_damping);
   if (is_voltage)
     return {
         with_value(force / (modes.force_factor * modes.unequal.share()) * std::sqrt(0.5), t.value),

@@ -47,9 +47,14 @@ constexpr std::array<MetricInfo, kMetricCount> kMetricTable{{
     {M::pull_out_torque, "pull_out_torque", "N.m", A::none,
      "torque at the lowest speed at which the voltage sustains a running wave", kModes},
     {M::start_voltage, "start_voltage", "V", A::none,
-     "voltage above which the motor starts by itself from rest, rms", kModes},
+     "voltage above which the motor starts by itself from rest, rms; 0 where there is one wave at "
+     "every "
+     "voltage",
+     kModes},
     {M::hold_voltage, "hold_voltage", "V", A::none,
-     "voltage below which the running wave ends at rest, rms", kModes},
+     "voltage below which the running wave ends at rest, rms; 0 where there is one wave at every "
+     "voltage",
+     kModes},
     {M::start_frequency, "start_frequency", "Hz", A::none,
      "frequency above which the motor starts by itself from rest", kModes},
     {M::pull_out_frequency, "pull_out_frequency", "Hz", A::none,

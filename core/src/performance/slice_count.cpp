@@ -18,6 +18,10 @@ constexpr std::array kCounts{6, 8, 10, 12, 16, 24, 32, 48, 64, 96, 128};
 constexpr double kLong = 0.5;
 // Where torque may jump. Four times as many leave a third of the error, and metrics take five times as long.
 constexpr int kMostWithJumps = 32;
+// Zones that the search in the middle of the track may follow at one speed; usual motors need some tens. A stiff layer without
+// damping needs thousands and milliseconds, far from any motor: then the track has few slices and no splits.
+constexpr long kMostLaborious = 5000;
+constexpr int kOfLaborious = 8;
 // Speeds in parts of the crest speed: from the end of the plateau to full braking zones come and go along the track.
 constexpr std::array kSpeeds{0.2, 0.5, 0.65, 0.75, 0.8, 0.85, 0.9, 0.95, 1.0, 1.05, 1.1, 1.2, 1.4};
 
@@ -79,6 +83,14 @@ bool remembers_long(const DrivenMotor<double>& m) {
   return n.full || std::exp(-layer.slowest_decay() * 2 * (std::numbers::pi - n.half_angle)) > kLong;
 }
 
+bool is_laborious(const ModelArray<double>& values) {
+  const DrivenMotor<double> m = driven(motor_model(values), design_wave(values));
+  return std::any_of(kSpeeds.begin(), kSpeeds.end(), [&](double share) {
+    const double speed = share * m.crest_velocity / m.r;
+    return solve_point(m, speed, nullptr, kStates).zones_followed() > kMostLaborious;
+  });
+}
+
 }  // namespace
 
 TrackRule track_rule(const MotorDesign& design) {
@@ -91,6 +103,10 @@ TrackRule track_rule(const MotorDesign& design) {
   TrackRule rule{std::abs(stator.radial_slices),
                  table.empty() ? nullptr : std::make_shared<const ShapeSpline>(table),
                  stator.geometry.has_value(), stator.radial_slices <= kAutoSlices && !stays_whole};
+  if (rule.splits && !stator.voltage && is_laborious(values)) {
+    rule.splits = false;
+    if (rule.nodes == kAutoSlices) rule.nodes = kOfLaborious;
+  }
   if (rule.nodes == kAutoSlices)
     rule.nodes = nodes_needed(values, rule, jumps ? kMostWithJumps : kCounts.back());
   return rule;

@@ -115,11 +115,11 @@ double fraction_read(std::size_t bytes, double size) {
 }
 
 int run_evaluate(const EvaluateOptions& options) {
-  if (options.designs.empty()) return run_alone(options, metrics_of(options));
-  Output output(options.output, {options.motor.path, options.designs});
   const unsigned jobs = job_count(
       options.jobs.empty() ? 0
                            : static_cast<unsigned>(parse_count("--jobs", options.jobs, 1, 1024)));
+  if (options.designs.empty()) return run_alone(options, metrics_of(options));
+  Output output(options.output, {options.motor.path, options.designs});
   std::vector<studies::MetricExpression> metrics = metrics_of(options);
   const MotorDesign base = load_motor(options.motor).design;
   const File file = open_designs(options.designs);

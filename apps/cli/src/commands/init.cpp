@@ -13,6 +13,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace twum::cli {
 namespace {
@@ -42,6 +43,18 @@ std::vector<std::string> kinds() {
   return names;
 }
 
+// Of the motor that a study names, if that is there already and has one.
+std::optional<double> voltage_of(const InitOptions& options) {
+  if (options.motor.empty()) return {};
+  const std::filesystem::path path =
+      std::filesystem::path(options.path).parent_path() / options.motor;
+  try {
+    return studies::read_motor_file(path.string()).design.stator.voltage;
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
 std::string template_of(const InitOptions& options) {
   if (options.driven) {
     if (options.kind != "motor" || !options.motor.empty())
@@ -49,7 +62,7 @@ std::string template_of(const InitOptions& options) {
     return driven_motor_text();
   }
   if (const auto study = studies::find_study_kind(options.kind))
-    return studies::study_template(*study, options.motor);
+    return studies::study_template(*study, options.motor, voltage_of(options));
   if (!options.motor.empty())
     throw InputError("init: --motor is for a study; 'twum init motor' writes a motor file itself");
   return studies::yaml_template(studies::motor_file_shape().schema, kMotorHeading);

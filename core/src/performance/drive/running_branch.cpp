@@ -27,7 +27,7 @@ constexpr int kMostSecants = 12;
 constexpr double kNodeSettled = 3e-4;
 constexpr double kNodeAccuracy = 1e-9;  // of the layer's state at a node, as of its amplitude
 constexpr double kSettled = 1e-13;      // of the amplitude; largest error after the last secant
-constexpr double kReach = 0.2;          // of the amplitude: largest step of a secant
+constexpr double kReach = 0.2;  // of the amplitude: largest step of a secant, or from node to node
 // of the amplitude and of the layer's state: largest distance of the guess from where the first step leads
 constexpr double kFarGuess = 1e-2;
 // of the amplitude and of the layer's state: largest error after the last step of Newton's method
@@ -171,16 +171,22 @@ std::optional<MotorPoint> RunningBranch::polished(const Node& node) const {
                   solve_point(waves_.motor(node.amplitude), node.speed, &start), node.force_slope);
 }
 
-// Predicts by the cubic through the last two nodes, or by the tangent.
+// Predicts by the cubic through the last two nodes, or by the tangent. Beside a fold these may lead far away, and to a wave of
+// another branch.
 RunningBranch::NodeSearch RunningBranch::stepped(const Node& from, double speed,
                                                  const Node* before) const {
   const double d = speed - from.speed;
+  const auto near = [&from](double amplitude) {
+    return std::fabs(amplitude - from.amplitude) <= kReach * from.amplitude;
+  };
   if (before && std::fabs(from.speed - before->speed) >= 0.5 * std::fabs(d)) {
     const BranchGuess guess = guess_between(*before, from, speed);
-    return node(speed, guess.amplitude, &guess.start, &from.solved);
+    return near(guess.amplitude) ? node(speed, guess.amplitude, &guess.start, &from.solved)
+                                 : NodeSearch{{}, 0};
   }
+  const double guess = from.amplitude + from.slope * d;
   const WarmStart start = from.solved.start();
-  return node(speed, from.amplitude + from.slope * d, &start, &from.solved);
+  return near(guess) ? node(speed, guess, &start, &from.solved) : NodeSearch{{}, 0};
 }
 
 // Continues from the last node, with steps that are halved where the branch bends.

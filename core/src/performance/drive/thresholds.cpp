@@ -94,7 +94,7 @@ Threshold Thresholds::voltage(bool start) {
   if (!e) return {0, 0, frequency_};
   const StatorModes<double>& m = waves_.modes();
   const double force_per_volt = std::numbers::sqrt2 * m.force_factor * m.unequal.share();
-  return {e->force / force_per_volt, e->amplitude, frequency_};
+  return {e->force / force_per_volt, e->amplitude, frequency_, e->beyond_kink};
 }
 
 // The extremum of H falls with the frequency, from the free resonance on, until it vanishes. It is followed from the design's

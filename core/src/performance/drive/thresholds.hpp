@@ -13,9 +13,10 @@ namespace twum::performance {
 /// A voltage or a frequency at which the number of waves at rest changes, and the wave that appears or vanishes
 /// there.
 struct Threshold {
-  double value;      ///< [V] rms, or [Hz]
-  double amplitude;  ///< amplitude at the fold [m]; 0 if there is no fold at any voltage
-  double frequency;  ///< [Hz]
+  double value;           ///< [V] rms, or [Hz]
+  double amplitude;       ///< amplitude at the fold [m]; 0 if there is no fold at any voltage
+  double frequency;       ///< [Hz]
+  double beyond_kink{0};  ///< as of ForceExtremum
 };
 
 /// Where a motor at rest starts by itself and where it stops running (D3.2 to D3.4). Each threshold is computed once.

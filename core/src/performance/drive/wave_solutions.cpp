@@ -16,6 +16,10 @@ namespace {
 
 constexpr double kRatio = 1.25;  // of neighbouring samples; H bends over amplitudes of its own size
 constexpr double kScanAccuracy = 1e-5;  // crude enough for a track without splits
+constexpr double kNoise = 1e-4;         // of H: a fall that may be the samples' inaccuracy
+constexpr double kNextTo = 1e-2;  // of the amplitude: samples nearer than that tell nothing new
+constexpr double kFlat = 0.15;    // of what H would change by were it proportional to the amplitude
+constexpr int kParts = 4;
 // Limit of zones that one search may follow in a slice, some ten milliseconds. Usual motors need a thousand, contacts
 // unlike any motor millions.
 constexpr long kMostZonesToSolve = 50'000;
@@ -25,6 +29,8 @@ constexpr double kShortStep = 3e-5;     // of the amplitude; its cube is below t
 constexpr double kSettledPlace = 1e-7;  // of the amplitude; the error is its square
 // of the states with which slopes are found; an extremum is off by as much, its force by the square
 constexpr double kSlopeAccuracy = 1e-10;
+constexpr double kSettledKink = 1e-9;  // of the amplitude; the force is a line on both sides
+constexpr double kSecants = 10;        // what the error of secants has at most as a factor
 constexpr int kMostSlopes = 60;
 
 // Thrown for an amplitude whose contact has no periodic state.
@@ -39,14 +45,29 @@ struct ExtremumSearch {
   long zones;  // followed
 };
 
+// H near an amplitude, to first order.
+struct ForceLine {
+  double amplitude, force, slope;
+};
+
+// Where the lines on both sides of a kink meet.
+ForceExtremum kink_between(const ForceLine& below, const ForceLine& above, bool maximum) {
+  const double apart = above.amplitude - below.amplitude, turn = below.slope - above.slope;
+  const double from = (above.force - below.force - above.slope * apart) / turn;
+  return {below.amplitude, below.force + below.slope * from, maximum, -turn / apart,
+          above.amplitude};
+}
+
 // Where H_A vanishes between two amplitudes: secants from a vertex nearby, halving where they leave the interval. The last step
 // is not solved again; the parabola gives the force.
 ExtremumSearch extremum_between(const DrivenWaves& waves, double speed, const ForceExtremum& near,
                                 double low, double high) {
   double a = std::clamp(near.amplitude, low, high), bend = near.bend, before = 0, slope_before = 0;
+  double last_before = a;
   long zones = 0;
   WarmStart from;
   DrivenWaves::LevelSlopes s;
+  ForceLine below{low, 0, 0}, above{high, 0, 0};
   for (int i = 0; i < kMostSlopes && zones <= kMostZonesToSolve; ++i) {
     s = i > 0 ? waves.slopes(a, speed, &from, kSlopeAccuracy, &s.solved)
               : waves.slopes(a, speed, nullptr, kSlopeAccuracy);
@@ -55,14 +76,20 @@ ExtremumSearch extremum_between(const DrivenWaves& waves, double speed, const Fo
     if (w.wave.status != PointStatus::ok) break;
     const double slope = w.force_slope();
     if (i > 0 && slope != slope_before) bend = (slope - slope_before) / (a - before);
-    (slope > 0) == near.maximum ? low = a : high = a;
+    ((slope > 0) == near.maximum ? below : above) = {a, w.wave.force(), slope};
+    const double left = below.amplitude, right = above.amplitude;
+    if (right - left <= kSettledKink * a) return {kink_between(below, above, near.maximum), zones};
     const double secant = a - slope / bend;
-    const bool inside = (bend < 0) == near.maximum && secant >= low && secant <= high;
-    const double step = (inside ? secant : 0.5 * (low + high)) - a, last = i > 0 ? a - before : a;
-    if (std::fabs(step) <= kShortStep * a && std::fabs(step * last) <= kSettledPlace * a * a)
+    const bool inside = (bend < 0) == near.maximum && secant >= left && secant <= right;
+    const double step = (inside ? secant : 0.5 * (left + right)) - a, last = i > 0 ? a - before : a;
+    // The error of secants is the product of the last two over the amplitude; at a kink it stays a share of the last one.
+    const bool smooth = std::fabs(step) * a <= kSecants * std::fabs(last * last_before);
+    if (inside && smooth && std::fabs(step) <= kShortStep * a &&
+        std::fabs(step * last) <= kSettledPlace * a * a)
       return {ForceExtremum{a + step, w.wave.force() + 0.5 * slope * step, near.maximum, bend},
               zones};
-    before = a, slope_before = slope, from = moved(w.wave.start, s.states, step);
+    last_before = last, before = a, slope_before = slope;
+    from = moved(w.wave.start, s.states, step);
     a += step;
   }
   return {{}, zones};
@@ -74,11 +101,14 @@ class ForceCurve {
   ForceCurve(const DrivenWaves& waves, double speed) : waves_(waves), speed_(speed) {}
 
   void sample(const Range& range) {
-    for (double a = range.low; a < range.high; a *= kRatio) sample(a);
-    sample(range.high);
     const double full = waves_.full_contact_amplitude();
-    if (full > range.low && full < range.high) sample(full);
+    const auto close = [](double a, double b) { return std::fabs(a - b) < kNextTo * b; };
+    for (double a = range.low; a < range.high; a *= kRatio)
+      if (!close(a, full) && !close(a, range.high)) sample(a);
+    sample(range.high);
+    if (full > range.low && full < range.high && !close(full, range.high)) sample(full);
     std::sort(samples_.begin(), samples_.end(), below);
+    look_closer();
   }
 
   // The ends of a range, and extrema inside it.
@@ -131,7 +161,7 @@ class ForceCurve {
 
   bool rises_below(double amplitude) const {
     for (std::size_t i = 1; i < samples_.size() && samples_[i].amplitude < amplitude; ++i)
-      if (samples_[i].force < samples_[i - 1].force) return false;
+      if (samples_[i].force < (1 - kNoise) * samples_[i - 1].force) return false;
     return true;
   }
 
@@ -152,6 +182,20 @@ class ForceCurve {
     const DrivenWave wave = waves_.at(amplitude, speed_, guess, kScanAccuracy);
     zones_ += wave.zones;
     if (wave.status == PointStatus::ok) samples_.push_back({amplitude, wave.force(), wave.start});
+  }
+
+  // H may rise, fall and rise again between two samples with nearly the same force.
+  void look_closer() {
+    std::vector<double> places;
+    for (std::size_t i = 1; i < samples_.size(); ++i) {
+      const Sample &a = samples_[i - 1], &b = samples_[i];
+      const double apart = 1 - a.amplitude / b.amplitude;
+      if (std::fabs(b.force - a.force) > kFlat * apart * b.force) continue;
+      for (int k = 1; k < kParts; ++k)
+        places.push_back(a.amplitude + (b.amplitude - a.amplitude) * k / kParts);
+    }
+    for (const double place : places) sample(place);
+    std::sort(samples_.begin(), samples_.end(), below);
   }
 
   // The extremum about a sample, from the vertex of the parabola through it and its neighbours; the sample itself where the

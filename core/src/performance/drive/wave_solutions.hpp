@@ -31,6 +31,9 @@ struct ForceExtremum {
   double amplitude, force;  ///< [m], [N]
   bool maximum;
   double bend;  ///< H_AA, negative at a maximum [N/m^2]
+  /// Amplitude beyond a kink, where a zone begins or ends and H_A jumps past zero; then `amplitude` is the one below it. 0 where
+  /// H_A is zero.
+  double beyond_kink{0};
 };
 
 /// All solutions at a speed, the smallest amplitude first (D2.8): H is sampled over all possible amplitudes, its

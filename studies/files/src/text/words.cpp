@@ -33,12 +33,14 @@ void append_escaped(std::string& out, unsigned char byte) {
   out += kDigits[byte & 0xFU];
 }
 
-// The candidate of which the word is more than half, if there is only one.
+// The candidate that the word begins, if there is only one: by more than half, or by all before an underscore.
 std::string_view only_beginning(std::string_view word,
                                 std::span<const std::string_view> candidates) {
   std::string_view found;
   for (const std::string_view candidate : candidates) {
-    if (2 * word.size() <= candidate.size() || !candidate.starts_with(word)) continue;
+    if (!candidate.starts_with(word)) continue;
+    const bool part = candidate.size() > word.size() && candidate[word.size()] == '_';
+    if (!part && 2 * word.size() <= candidate.size()) continue;
     if (!found.empty()) return {};
     found = candidate;
   }

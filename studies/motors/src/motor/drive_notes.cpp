@@ -5,6 +5,8 @@
 #include <twum/core/performance/metrics.hpp>
 #include <twum/studies/units/engineering.hpp>
 
+#include <numbers>
+
 namespace twum::studies {
 namespace {
 
@@ -37,10 +39,14 @@ std::optional<ModelNote> drive_note(const Motor& motor) {
   const Stator& stator = motor.design().stator;
   if (!stator.voltage) return {};
   const double resonance = get(motor.design(), Parameter::resonance_frequency);
-  if (drive_frequency(motor.design()) <= resonance)
+  const auto clamped = [&](const char* where) {
     return note(motor, "there is one small wave, which the rotor clamps",
-                "drive it above the resonance of its stator, " + engineering(resonance, "Hz"));
-  const PointStatus rest = motor.operating_point(0).status;
+                std::string("drive it ") + where + " the resonance of its stator, " +
+                    engineering(resonance, "Hz"));
+  };
+  if (drive_frequency(motor.design()) <= resonance) return clamped("above");
+  const OperatingPoint at_rest = motor.operating_point(0);
+  const PointStatus rest = at_rest.status;
   const auto start = [&](const char* side) {
     return threshold(motor, Metric::start_voltage, Metric::start_frequency, side);
   };
@@ -56,7 +62,20 @@ std::optional<ModelNote> drive_note(const Motor& motor) {
   const MetricValue starts = evaluate(motor, {Metric::start_voltage});
   // An optimum with the limit `start_voltage <= voltage` may violate it by 1e-6 relative.
   constexpr double kMet = 1e-6;
-  if (starts.status != MetricStatus::ok || *stator.voltage >= starts.value * (1 - kMet)) return {};
+  if (starts.status != MetricStatus::ok) return {};
+  // The only wave, which lags by less than a quarter of a turn: driven below the resonance that the rotor gives it (D2.4).
+  if (starts.value == 0 && rest == PointStatus::ok && at_rest.phase_lag < 0.5 * std::numbers::pi)
+    return clamped("farther above");
+  if (*stator.voltage >= starts.value * (1 - kMet)) return {};
+  const MetricValue holds = evaluate(motor, {Metric::hold_voltage});
+  if (holds.status == MetricStatus::ok && *stator.voltage < holds.value * (1 - kMet))
+    return note(motor, "the wave at rest is a small one, which the rotor clamps",
+                "a running wave takes " + threshold(motor, Metric::hold_voltage,
+                                                    Metric::pull_out_frequency, "at least "));
+  constexpr double kNear = 1e-3;
+  if (*stator.voltage >= starts.value * (1 - kNear))
+    return note(motor, "the motor is less than 0.1 % below its start voltage",
+                "raise the voltage or the frequency a little if it has to start by itself");
   return note(motor, "the motor runs but does not start by itself",
               "to start it takes " + start("more than "));
 }

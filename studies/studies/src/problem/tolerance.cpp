@@ -4,6 +4,8 @@
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/units/engineering.hpp>
 
+#include <cmath>
+
 namespace twum::studies {
 namespace {
 
@@ -71,7 +73,16 @@ Distribution Tolerance::distribution(double value) const {
 }
 
 std::optional<ValueError> complaint(const Tolerance& tolerance, double value) {
+  if (tolerance.parameter == Parameter::radial_slices)
+    return ValueError(
+        "the number of slices belongs to the computation, and motors do not differ in it",
+        "leave it out");
   const double centre = tolerance.centre(value);
+  if (std::isnan(centre))
+    return ValueError("found a spread about the motor's own value, and this motor has none",
+                      tolerance.parameter == Parameter::amplitude
+                          ? "its wave follows from the voltage: vary that, or give a mean"
+                          : "give a mean, or leave it out");
   if (auto wrong = meaningless_share(tolerance, centre)) return wrong;
   if (tolerance.shape == Tolerance::Shape::lognormal)
     if (auto wrong = lognormal_complaint(tolerance, centre)) return wrong;

@@ -225,9 +225,33 @@ std::unique_ptr<StudyKindRun> make_kind(const StudyFile& file) {
   return std::visit([&](const auto& asked) { return asked.run(file); }, file.asked);
 }
 
+namespace {
+
+bool varies_amplitude(const StudyFile& file) {
+  const auto varied = [](const auto& asked) {
+    std::vector<Parameter> list;
+    if constexpr (requires { asked.variables; }) list = parameters_of(asked.variables);
+    if constexpr (requires { asked.family->parameter; })
+      if (asked.family) list.push_back(asked.family->parameter);
+    return std::find(list.begin(), list.end(), Parameter::amplitude) != list.end();
+  };
+  return std::visit(varied, file.asked);
+}
+
+std::vector<std::string> notes_of(const StudyFile& file, const StudyKindRun& kind) {
+  std::vector<std::string> notes = kind.notes();
+  if (file.motor.design.stator.voltage && varies_amplitude(file))
+    notes.emplace_back(
+        "amplitude varied: it takes the place of the motor's voltage, and the load does not change "
+        "it; vary voltage or frequency to keep the drive");
+  return notes;
+}
+
+}  // namespace
+
 std::vector<std::string> study_notes(const StudyFile& file) {
   const std::unique_ptr<StudyKindRun> kind = make_kind(file);
-  std::vector<std::string> notes = kind->notes();
+  std::vector<std::string> notes = notes_of(file, *kind);
   for (std::string& note : kind->notes_before()) notes.push_back(std::move(note));
   return notes;
 }
@@ -235,9 +259,9 @@ std::vector<std::string> study_notes(const StudyFile& file) {
 namespace {
 
 std::string duration_words(double seconds) {
-  if (seconds < 120) return rounded_text(seconds, 2) + " s";
-  if (seconds < 7200) return rounded_text(seconds / 60, 2) + " min";
-  return rounded_text(seconds / 3600, 2) + " h";
+  if (seconds < 100) return rounded_text(seconds, 2) + " s";
+  if (seconds < 6000) return rounded_text(seconds / 60, 2) + " min";
+  return std::to_string(std::lround(seconds / 3600)) + " h";
 }
 
 }  // namespace
@@ -250,8 +274,8 @@ std::string pace_note(const StudyFile& file) {
   if (longest < kLong) return {};
   return "an evaluation of this motor takes about " + rounded_text(1e3 * pace->seconds, 2) +
          " ms, so that the budget of " + std::to_string(pace->evaluations) +
-         " evaluations (solver: max_evaluations) lasts up to " + duration_words(longest) +
-         " on one processor";
+         " evaluations (solver: max_evaluations) lasts about " + duration_words(longest) +
+         " on one processor, or several times as long where other designs take longer";
 }
 
 StudyResult result_of(const StudyFile& file, const StudyKindRun& kind, const ResultStore& store,
@@ -263,7 +287,7 @@ StudyResult result_of(const StudyFile& file, const StudyKindRun& kind, const Res
   result.evaluations = store.rows();
   result.seed = kind.seed();
   result.answer = std::move(answer.answer);
-  result.model_notes = kind.notes();
+  result.model_notes = notes_of(file, kind);
   for (std::string& note : notes_on(file, result)) result.model_notes.push_back(std::move(note));
   return result;
 }

@@ -3,6 +3,8 @@
 #include <twum/studies/schema/publish.hpp>
 #include <twum/studies/study/study_file.hpp>
 
+#include <twum/studies/text/number.hpp>
+
 #include <algorithm>
 
 namespace twum::studies {
@@ -45,9 +47,24 @@ SharedList<SchemaEntry> driven_motor_entries() {
   return all;
 }
 
+// Lines of a template that vary the amplitude first, with the voltage in its place.
+std::string with_voltage(std::string lines, double voltage) {
+  constexpr std::string_view kAmplitude = "amplitude: ";
+  if (!lines.starts_with(kAmplitude)) return lines;
+  const auto volts = [voltage](double share) { return rounded_text(share * voltage, 3) + " V"; };
+  const std::size_t end = std::min(lines.find('\n'), lines.size());
+  const std::string line = lines.substr(0, end);
+  const std::size_t points = line.find(", points");
+  const std::string range = line.find('{') == std::string::npos
+                                ? "[" + volts(0.8) + ", " + volts(1) + ", " + volts(1.2) + "]"
+                                : "{min: " + volts(0.8) + ", max: " + volts(1.2) +
+                                      (points == std::string::npos ? "}" : line.substr(points));
+  return "voltage: " + range + lines.substr(end);
+}
+
 }  // namespace
 
-std::string study_template(StudyKind kind, std::string_view motor) {
+std::string study_template(StudyKind kind, std::string_view motor, std::optional<double> voltage) {
   Schema file;
   file.kind = ValueKind::mapping;
   std::vector<SchemaEntry>& entries = file.entries.own();
@@ -59,6 +76,9 @@ std::string study_template(StudyKind kind, std::string_view motor) {
   entries.back().shown = false;
   entries.push_back(entry("study", "", ""));
   entries.back().schema = study_schema(kind);
+  if (voltage)
+    for (SchemaEntry& one : entries.back().schema.entries.own())
+      one.schema.sample = with_voltage(one.schema.sample, *voltage);
   const std::string heading = "# A study for twum: " + entries.back().schema.text + ".\n" +
                               "# Check it with 'twum check FILE', run it with 'twum run FILE'.\n";
   if (motor.empty()) {  // after the study, which is more important

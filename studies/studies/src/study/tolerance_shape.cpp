@@ -202,7 +202,7 @@ std::vector<std::string> tolerance_notes(const std::vector<Tolerance>& tolerance
   for (const Tolerance& one : tolerances) {
     const double own = get(design, one.parameter);
     const double centre = one.centre(own);
-    if (std::fabs(centre - own) <= kSame * std::fabs(own)) continue;
+    if (std::isnan(own) || std::fabs(centre - own) <= kSame * std::fabs(own)) continue;
     const ParameterInfo& row = info(one.parameter);
     notes.push_back(std::string(row.name) + " varies about " + engineering(centre, row.unit) +
                     ", but the motor has " + engineering(own, row.unit) +

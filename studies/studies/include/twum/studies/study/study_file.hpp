@@ -50,7 +50,9 @@ std::string study_reference();
 
 /// A commented template of a study file of one kind. It is valid in any directory; only `calibrate` needs a file with
 /// measured points.
-/// @param motor  path of a motor file that the study names; empty: the study contains the motor
-std::string study_template(StudyKind kind, std::string_view motor = {});
+/// @param motor    path of a motor file that the study names; empty: the study contains the motor
+/// @param voltage  of this motor, if it has one: varied in place of the amplitude [V]
+std::string study_template(StudyKind kind, std::string_view motor = {},
+                           std::optional<double> voltage = {});
 
 }  // namespace twum::studies
