@@ -67,6 +67,12 @@ class FindPackage(Case):
         program = self.consumer("-DPART=core", *refused)
         self.assertAlmostEqual(float(self.ok(program)), HOLDING, delta=4e-16)
 
+    def test_a_program_may_take_eigen_itself_with_other_options(self):
+        said = self.ok(self.consumer("-DPART=optim")).split()
+        # The parameters that made the points, ones, and the matrix's trace; the fit's tolerance is 1e-10.
+        for number, truth in zip(said, (2, 0.5, 20, 40), strict=True):
+            self.assertAlmostEqual(float(number), truth, delta=1e-8)
+
     def test_unknown_component_is_refused_by_name(self):
         done = self.configure("-DPART=motors")
         self.assertNotEqual(done.returncode, 0)
@@ -84,18 +90,6 @@ class PkgConfig(Case):
         flags = self.ok("pkg-config", "--cflags", "--libs", "twum", env={"PKG_CONFIG_PATH": str(found)}).split()
         self.ok(ARGUMENTS.compiler, "-std=c++20", CONSUMER / "everything.cpp", *flags, "-o", self.folder / "program")
         self.check_everything(self.folder / "program", env={"LD_LIBRARY_PATH": str(found.parent)})  # for shared ones
-
-    def test_a_program_may_take_eigen_itself_with_other_options(self):
-        found = next(PREFIX.rglob("pkgconfig"))
-        flags = self.ok("pkg-config", "--cflags", "--libs", "twum", env={"PKG_CONFIG_PATH": str(found)}).split()
-        eigen = self.ok("pkg-config", "--cflags", "eigen3").split()
-        # Memory aligned as for processors with AVX.
-        self.ok(ARGUMENTS.compiler, "-std=c++20", "-DEIGEN_MAX_ALIGN_BYTES=32", *eigen, CONSUMER / "own_eigen.cpp", *flags,
-                "-o", self.folder / "program")
-        said = self.ok(self.folder / "program", env={"LD_LIBRARY_PATH": str(found.parent)}).split()
-        # The parameters that made the points, ones, and the matrix's trace; the fit's tolerance is 1e-10.
-        for number, truth in zip(said, (2, 0.5, 20, 40), strict=True):
-            self.assertAlmostEqual(float(number), truth, delta=1e-8)
 
     def test_core_names_no_package_of_others(self):
         found = next(PREFIX.rglob("pkgconfig"))

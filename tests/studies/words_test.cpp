@@ -46,12 +46,15 @@ TEST_CASE("a limit stops the counting of edits and changes none below it", "[stu
   CHECK(*std::min_element(seen.begin(), seen.begin() + 8) > 0);
 }
 
-TEST_CASE("the beginning of a name is enough if it is more than half and no other has it",
-          "[studies][text]") {
+TEST_CASE(
+    "the beginning of a name is enough if it is a word or more than half, and no other has it",
+    "[studies][text]") {
   const std::array<std::string_view, 4> names{"neutral_plane_distance", "contact_radius",
                                               "contact_width", "static_friction"};
   CHECK(nearest("neutral_plane_dist", names) == "neutral_plane_distance");
-  CHECK(nearest("neutral", names).empty());
+  CHECK(nearest("neutral", names) == "neutral_plane_distance");
+  CHECK(nearest("neut", names).empty());
+  CHECK(nearest("contact", names).empty());
   CHECK(nearest("contact_", names).empty());
   CHECK(nearest("contact_wi", names) == "contact_width");
 }
