@@ -58,8 +58,8 @@ function(twum_batches target batch pattern)
 endfunction()
 
 # twum_takes_eigen(TARGET OWNER [DEFINITION...]): Eigen and Spectra under names of OWNER's. They are templates, of which the linker
-# keeps one for a whole program. One that takes Eigen itself, or another library of ours, with other options would share them:
-# Eigen aligns memory as its options say (-mavx2: otherwise), and what one side had allocated the other could not free.
+# keeps one for a whole program. A program with its own Eigen, or another library of ours, would share them. But Eigen aligns
+# memory as its options say, and -mavx2 changes that: what one side allocates the other cannot free.
 function(twum_takes_eigen target owner)
   target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:Eigen3::Eigen>)
   target_compile_definitions(${target} PRIVATE Eigen=Eigen_of_${owner} Spectra=Spectra_of_${owner} ${ARGN})

@@ -151,7 +151,7 @@ class Init(program.Case):
                 self.assertNotIn("amplitude:", path.read_text())
                 self.assertNotIn("amplitude", program.twum("check", path).stderr)
         study = self.write("study.yaml", self.ok("init", "size", "--motor", "not-yet.yaml").replace("not-yet", "motor"))
-        self.assertIn("note: amplitude varied: it takes the place of the motor's voltage", program.twum("check", study).stderr)
+        self.assertIn("note: amplitude varied: it replaces the motor's voltage", program.twum("check", study).stderr)
 
     def test_a_motor_is_named_whatever_its_path(self):
         for name in ("it's.yaml", "- dash.yaml", "a: b.yaml", "größe #1.yaml", "{x}.yaml", "null", "true"):

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-// Motors under a voltage at which a search once took a wrong turn.
+// Motors at which a search once took a wrong turn; all but one are under a voltage.
 namespace {
 
 using namespace twum;

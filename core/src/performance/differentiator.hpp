@@ -52,10 +52,11 @@ class Differentiator {
   /// The wave at a fold moves with the design, but that does not count where H is at its extremum.
   Derived threshold(Metric metric);
   struct RestForce {
-    DesignDual force;
-    double slope;  // in the amplitude
+    DesignDual force;  ///< H [N]
+    double slope;      ///< H_A [N/m]
     Smoothness smoothness;
   };
+  /// H of a wave at rest at the threshold's frequency (D2.4); derivatives at fixed amplitude.
   RestForce force_at_rest(const Threshold& threshold, double amplitude, const MotorDesign& design);
   template <typename F>
   Derived of_motor(F f) const {

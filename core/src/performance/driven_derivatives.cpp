@@ -40,7 +40,6 @@ Derived Differentiator::at_pull_out(Metric metric) {
   return {result, of_point(speed)};
 }
 
-// H of a wave at rest, with its slope in the amplitude. Its derivatives are at fixed amplitude.
 Differentiator::RestForce Differentiator::force_at_rest(const Threshold& t, double amplitude,
                                                         const MotorDesign& design) {
   const DrivenMotor<ModelDual> motor = differentiated_motor(design, amplitude, m_.track);
@@ -71,8 +70,7 @@ Derived Differentiator::threshold(Metric metric) {
   } else if (std::fabs(slope) * t.amplitude > kSteep * force.v) {
     smoothness = Smoothness::one_sided;
   }
-  const auto modes = moving_modes(
-      values_.modes(), differentiated_motor(design, t.amplitude, m_.track).stator_damping);
+  const auto modes = moving_modes(values_.modes(), model_.stator_damping);
   if (is_voltage)
     return {
         with_value(force / (modes.force_factor * modes.unequal.share()) * std::sqrt(0.5), t.value),

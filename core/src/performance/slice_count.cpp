@@ -103,6 +103,7 @@ TrackRule track_rule(const MotorDesign& design) {
   TrackRule rule{std::abs(stator.radial_slices),
                  table.empty() ? nullptr : std::make_shared<const ShapeSpline>(table),
                  stator.geometry.has_value(), stator.radial_slices <= kAutoSlices && !stays_whole};
+  // A motor under a voltage has no wave here; Drive asks again with one.
   if (rule.splits && !stator.voltage && is_laborious(values)) {
     rule.splits = false;
     if (rule.nodes == kAutoSlices) rule.nodes = kOfLaborious;

@@ -176,17 +176,16 @@ std::optional<MotorPoint> RunningBranch::polished(const Node& node) const {
 RunningBranch::NodeSearch RunningBranch::stepped(const Node& from, double speed,
                                                  const Node* before) const {
   const double d = speed - from.speed;
-  const auto near = [&from](double amplitude) {
-    return std::fabs(amplitude - from.amplitude) <= kReach * from.amplitude;
-  };
+  double amplitude = from.amplitude + from.slope * d;
+  WarmStart start;
   if (before && std::fabs(from.speed - before->speed) >= 0.5 * std::fabs(d)) {
-    const BranchGuess guess = guess_between(*before, from, speed);
-    return near(guess.amplitude) ? node(speed, guess.amplitude, &guess.start, &from.solved)
-                                 : NodeSearch{{}, 0};
+    BranchGuess guess = guess_between(*before, from, speed);
+    amplitude = guess.amplitude, start = std::move(guess.start);
+  } else {
+    start = from.solved.start();
   }
-  const double guess = from.amplitude + from.slope * d;
-  const WarmStart start = from.solved.start();
-  return near(guess) ? node(speed, guess, &start, &from.solved) : NodeSearch{{}, 0};
+  if (!(std::fabs(amplitude - from.amplitude) <= kReach * from.amplitude)) return {{}, 0};
+  return node(speed, amplitude, &start, &from.solved);
 }
 
 // Continues from the last node, with steps that are halved where the branch bends.

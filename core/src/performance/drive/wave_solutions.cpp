@@ -30,7 +30,7 @@ constexpr double kSettledPlace = 1e-7;  // of the amplitude; the error is its sq
 // of the states with which slopes are found; an extremum is off by as much, its force by the square
 constexpr double kSlopeAccuracy = 1e-10;
 constexpr double kSettledKink = 1e-9;  // of the amplitude; the force is a line on both sides
-constexpr double kSecants = 10;        // what the error of secants has at most as a factor
+constexpr double kSecants = 10;        // largest factor in the error of secants
 constexpr int kMostSlopes = 60;
 
 // Thrown for an amplitude whose contact has no periodic state.
@@ -67,7 +67,7 @@ ExtremumSearch extremum_between(const DrivenWaves& waves, double speed, const Fo
   long zones = 0;
   WarmStart from;
   DrivenWaves::LevelSlopes s;
-  ForceLine below{low, 0, 0}, above{high, 0, 0};
+  std::optional<ForceLine> below, above;
   for (int i = 0; i < kMostSlopes && zones <= kMostZonesToSolve; ++i) {
     s = i > 0 ? waves.slopes(a, speed, &from, kSlopeAccuracy, &s.solved)
               : waves.slopes(a, speed, nullptr, kSlopeAccuracy);
@@ -76,12 +76,14 @@ ExtremumSearch extremum_between(const DrivenWaves& waves, double speed, const Fo
     if (w.wave.status != PointStatus::ok) break;
     const double slope = w.force_slope();
     if (i > 0 && slope != slope_before) bend = (slope - slope_before) / (a - before);
-    ((slope > 0) == near.maximum ? below : above) = {a, w.wave.force(), slope};
-    const double left = below.amplitude, right = above.amplitude;
-    if (right - left <= kSettledKink * a) return {kink_between(below, above, near.maximum), zones};
+    const bool left = (slope > 0) == near.maximum;
+    (left ? below : above) = ForceLine{a, w.wave.force(), slope};
+    (left ? low : high) = a;
+    if (below && above && high - low <= kSettledKink * a)
+      return {kink_between(*below, *above, near.maximum), zones};
     const double secant = a - slope / bend;
-    const bool inside = (bend < 0) == near.maximum && secant >= left && secant <= right;
-    const double step = (inside ? secant : 0.5 * (left + right)) - a, last = i > 0 ? a - before : a;
+    const bool inside = (bend < 0) == near.maximum && secant >= low && secant <= high;
+    const double step = (inside ? secant : 0.5 * (low + high)) - a, last = i > 0 ? a - before : a;
     // The error of secants is the product of the last two over the amplitude; at a kink it stays a share of the last one.
     const bool smooth = std::fabs(step) * a <= kSecants * std::fabs(last * last_before);
     if (inside && smooth && std::fabs(step) <= kShortStep * a &&

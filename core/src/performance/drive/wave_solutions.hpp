@@ -38,7 +38,7 @@ struct ForceExtremum {
 
 /// All solutions at a speed, the smallest amplitude first (D2.8): H is sampled over all possible amplitudes, its
 /// extrema between samples are refined, and each change of sign is bisected. Amplitudes whose contact has no periodic
-/// state are skipped. Takes some 40 microseconds.
+/// state are skipped. Takes 20 microseconds with an elastic layer, 70 with inertia.
 WaveSolutions wave_solutions(const DrivenWaves& waves, double speed);
 
 /// The same where all extrema of H at that speed are known, and every amplitude has a periodic state: each change of sign lies

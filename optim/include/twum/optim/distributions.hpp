@@ -3,10 +3,11 @@
 
 #include <cstdint>
 
-namespace twum::optim {
+/// @file
+/// Distributions behind intervals and tests, to about 1e-14, also in a tail. Probabilities lie between 0 and 1; degrees of freedom
+/// need not be whole.
 
-/// Distributions behind intervals and tests: to about 1e-14, relative in a tail. Probabilities lie between 0 and 1;
-/// degrees of freedom need not be whole.
+namespace twum::optim {
 
 /// The density of a standard normal number.
 double normal_density(double x);

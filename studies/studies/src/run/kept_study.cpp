@@ -242,8 +242,8 @@ std::vector<std::string> notes_of(const StudyFile& file, const StudyKindRun& kin
   std::vector<std::string> notes = kind.notes();
   if (file.motor.design.stator.voltage && varies_amplitude(file))
     notes.emplace_back(
-        "amplitude varied: it takes the place of the motor's voltage, and the load does not change "
-        "it; vary voltage or frequency to keep the drive");
+        "amplitude varied: it replaces the motor's voltage and does not follow the load; vary "
+        "voltage or frequency instead to keep the drive");
   return notes;
 }
 
