@@ -17,14 +17,25 @@
 namespace twum::optim {
 namespace {
 
+namespace policies = boost::math::policies;
+
 // Makes Boost compute in double: long double differs from machine to machine, and valgrind has none. Boost's functions
 // name both entries where they call one another, so each of them is compiled once only if both are named here.
-using DoublePrecision = boost::math::policies::policy<boost::math::policies::promote_float<false>,
-                                                      boost::math::policies::promote_double<false>>;
-using StudentsT = boost::math::students_t_distribution<double, DoublePrecision>;
-using ChiSquare = boost::math::chi_squared_distribution<double, DoublePrecision>;
-using FisherF = boost::math::fisher_f_distribution<double, DoublePrecision>;
-using Binomial = boost::math::binomial_distribution<double, DoublePrecision>;
+// Arguments without a meaning give NaN, and overflow infinity, in place of Boost's exceptions.
+using Quiet =
+    policies::policy<policies::promote_float<false>, policies::promote_double<false>,
+                     policies::domain_error<policies::ignore_error>,
+                     policies::pole_error<policies::ignore_error>,
+                     policies::overflow_error<policies::ignore_error>,
+                     policies::evaluation_error<policies::ignore_error>>;
+using StudentsT = boost::math::students_t_distribution<double, Quiet>;
+using ChiSquare = boost::math::chi_squared_distribution<double, Quiet>;
+using FisherF = boost::math::fisher_f_distribution<double, Quiet>;
+using Binomial = boost::math::binomial_distribution<double, Quiet>;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+bool is_probability(double p) { return p >= 0.0 && p <= 1.0; }
 
 }  // namespace
 
@@ -35,13 +46,15 @@ double normal_density(double x) {
 double normal_cdf(double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); }
 
 double normal_quantile(double p) {
+  if (std::isnan(p)) return kNaN;
   if (p <= 0.0 || p >= 1.0) return std::copysign(std::numeric_limits<double>::infinity(), p - 0.5);
-  return -std::numbers::sqrt2 * boost::math::erfc_inv(2.0 * p, DoublePrecision());
+  return -std::numbers::sqrt2 * boost::math::erfc_inv(2.0 * p, Quiet());
 }
 
 // Plackett's identity: dPhi2/drho is the joint density, integrated here over rho = sin t from 0.
 double normal_cdf(double h, double k, double rho) {
   const double product = normal_cdf(h) * normal_cdf(k);
+  if (std::isnan(product) || std::isnan(rho)) return kNaN;
   if (!std::isfinite(h) || !std::isfinite(k)) return product;
   const double sign = rho < 0.0 ? -1.0 : 1.0;
   const auto density = [&](double t) {
@@ -56,27 +69,43 @@ double normal_cdf(double h, double k, double rho) {
 }
 
 double student_quantile(double freedom, double p) {
+  if (!(freedom > 0.0) || !is_probability(p)) return kNaN;
   return std::isinf(freedom) ? normal_quantile(p) : quantile(StudentsT(freedom), p);
 }
 
 double student_tails(double freedom, double t) {
+  if (!(freedom > 0.0) || !(t >= 0.0)) return kNaN;
+  if (std::isinf(t)) return 0.0;
   return 2.0 * (std::isinf(freedom) ? normal_cdf(-t) : cdf(complement(StudentsT(freedom), t)));
 }
 
-double chi_square_quantile(double freedom, double p) { return quantile(ChiSquare(freedom), p); }
+double chi_square_quantile(double freedom, double p) {
+  if (!(freedom > 0.0) || std::isinf(freedom) || !is_probability(p)) return kNaN;
+  return quantile(ChiSquare(freedom), p);
+}
 
 double chi_square_tail(double freedom, double x) {
+  if (!(freedom >= 0.0) || std::isinf(freedom) || !(x >= 0.0)) return kNaN;
+  if (std::isinf(x)) return 0.0;
   return freedom == 0.0 ? 1.0 : cdf(complement(ChiSquare(freedom), x));
 }
 
 double fisher_quantile(double above, double below, double p) {
+  const bool counts = above > 0.0 && below > 0.0 && std::isfinite(above) && std::isfinite(below);
+  if (!counts || !is_probability(p)) return kNaN;
+  if (p == 1.0) return std::numeric_limits<double>::infinity();
   return quantile(FisherF(above, below), p);
 }
 
-double binomial_cdf(double draws, double p, double count) { return cdf(Binomial(draws, p), count); }
+double binomial_cdf(double draws, double p, double count) {
+  if (!(draws >= 0.0) || std::isinf(draws) || !is_probability(p) || std::isnan(count)) return kNaN;
+  if (count < 0.0) return 0.0;
+  return count >= draws ? 1.0 : cdf(Binomial(draws, p), count);
+}
 
 // Boost rounds a real solution, so the last steps are ours.
 double binomial_quantile(double draws, double p, double level) {
+  if (!(draws >= 0.0) || std::isinf(draws) || !is_probability(p) || !is_probability(level)) return kNaN;
   const Binomial hits(draws, p);
   double k = std::floor(quantile(hits, level));
   while (k > 0.0 && cdf(hits, k - 1.0) >= level) --k;

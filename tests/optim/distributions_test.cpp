@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 using namespace twum::optim;
@@ -82,4 +83,41 @@ TEST_CASE("the ends of Clopper and Pearson leave their tails", "[optim][statisti
   CHECK(probability_range(0, 40, kTail).low == 0);
   CHECK(probability_range(40, 40, kTail).high == 1);
   CHECK_THAT(probability_range(0, 40, kTail).high, WithinRel(1 - std::pow(kTail, 1.0 / 40), 1e-12));
+}
+
+TEST_CASE("a distribution never throws: zeros, infinities and NaN give a limit or NaN",
+          "[optim][statistics][edge]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double ends[] = {0.0,  -0.0, 1.0, -1.0, 0.5,       2.0,  1e-320,
+                         1e300, kInfinity, -kInfinity, nan, 12.0, 1e-300};
+  for (const double a : ends)
+    for (const double b : ends) {
+      CAPTURE(a, b);
+      CHECK_NOTHROW(student_quantile(a, b));
+      CHECK_NOTHROW(student_tails(a, b));
+      CHECK_NOTHROW(chi_square_quantile(a, b));
+      CHECK_NOTHROW(chi_square_tail(a, b));
+      // A probability has no meaning with a NaN, and lies between 0 and 1 otherwise.
+      const bool undefined = std::isnan(a) || std::isnan(b);
+      const double tail = chi_square_tail(a, b), tails = student_tails(a, b);
+      CHECK((std::isnan(tail) || (tail >= 0 && tail <= 1)));
+      CHECK((std::isnan(tails) || (tails >= 0 && tails <= 1)));
+      if (undefined) CHECK((std::isnan(tail) && std::isnan(tails)));
+      for (const double c : ends) {
+        CAPTURE(c);
+        CHECK_NOTHROW(fisher_quantile(a, b, c));
+        CHECK_NOTHROW(binomial_cdf(a, b, c));
+        CHECK_NOTHROW(binomial_quantile(a, b, c));
+        CHECK_NOTHROW(normal_cdf(a, b, c));
+        const double share = binomial_cdf(a, b, c);
+        CHECK((std::isnan(share) || (share >= 0 && share <= 1)));
+      }
+    }
+  CHECK(std::isnan(normal_quantile(nan)));
+  CHECK(student_tails(3, kInfinity) == 0);
+  CHECK(chi_square_tail(3, kInfinity) == 0);
+  CHECK(student_quantile(3, 0) == -kInfinity);
+  CHECK(student_quantile(3, 1) == kInfinity);
+  CHECK(chi_square_quantile(3, 0) == 0);
+  CHECK(binomial_cdf(10, 0.3, 10) == 1);
 }

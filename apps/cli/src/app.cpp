@@ -5,12 +5,14 @@
 #include "exit_status.hpp"
 #include "interrupt.hpp"
 #include "licence.hpp"
+#include "message.hpp"
 #include "output.hpp"
 #include "progress.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/studies/diagnostics/diagnostics.hpp>
 #include <twum/studies/run/processes.hpp>
+#include <twum/studies/store/result_store.hpp>
 #include <twum/studies/text/words.hpp>
 
 #include <CLI/CLI.hpp>
@@ -34,23 +36,10 @@ constexpr const char* kExamples = R"text(Examples:
 Exit status: 0 done; 1 no feasible or converged answer; 2 the input is wrong;
 3 a file could not be written, or an internal error; 130 interrupted.)text";
 
-// The lines with a caret in red, for a terminal that may show colours.
-std::string with_colour(const std::string& text) {
-  std::string out;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string line = text.substr(begin, end - begin);
-    const bool caret = line.find_first_not_of(" |^") == std::string::npos && line.ends_with('^');
-    out += (caret ? "\033[1;31m" + line + "\033[0m" : line) + (end < text.size() ? "\n" : "");
-    begin = end + 1;
-  }
-  return out;
-}
-
 // Of several processes started together, only the first reports errors in the input.
 int complain(const std::string& text, int status) {
   if (status == kWrongInput && studies::launched_number() > 0) return status;
-  std::fprintf(stderr, "%s\n", text.c_str());
+  may_colour_errors() ? say_with_red_carets(text) : say(text);
   return status;
 }
 
@@ -136,10 +125,12 @@ int perform(const Action& action) {
     return action();
   } catch (const ClosedPipe&) {
     return kDone;  // the reader of the pipe has stopped reading
+  } catch (const studies::Interrupted&) {
+    return complain("twum: interrupted", kInterrupted);
   } catch (const OutputError& error) {
     return complain(std::string("twum: ") + error.what(), kFailed);
   } catch (const studies::FileError& error) {
-    return complain(may_colour_errors() ? with_colour(error.what()) : error.what(), kWrongInput);
+    return complain(error.what(), kWrongInput);
   } catch (const InputError& error) {
     return complain(std::string("twum: ") + error.what(), kWrongInput);
   } catch (const std::bad_alloc&) {

@@ -12,7 +12,7 @@ Json number_json(double value) { return std::isfinite(value) ? Json(value) : Jso
 Json motor_json(const studies::MotorFile& motor) {
   Json json{{"twum", version()}, {"name", motor.name}};
   for (const ParameterInfo& row : parameter_table()) {
-    if (in_use(motor.design, row.parameter))
+    if (is_given(motor.design, row.parameter))
       json["motor"][std::string(row.name)] = get(motor.design, row.parameter);
   }
   return json;
@@ -21,7 +21,7 @@ Json motor_json(const studies::MotorFile& motor) {
 Json parameter_units_json(const studies::MotorFile& motor) {
   Json units = Json::object();
   for (const ParameterInfo& row : parameter_table()) {
-    if (in_use(motor.design, row.parameter)) units[std::string(row.name)] = row.unit;
+    if (is_given(motor.design, row.parameter)) units[std::string(row.name)] = row.unit;
   }
   return units;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "load.hpp"
 
+#include "message.hpp"
 #include "notes.hpp"
 #include "options.hpp"
 
@@ -34,7 +35,7 @@ std::optional<double> speed_of(const LoadOptions& options, const Motor& motor) {
   const double torque = parse_torque("--torque", options.torque);
   const MetricValue speed = evaluate(motor, {Metric::speed_at, Argument::torque, torque});
   if (speed.status == MetricStatus::ok) return speed.value;
-  std::fprintf(stderr, "twum: no answer at this torque: %s\n", to_string(speed.status));
+  say("twum: no answer at this torque: " + std::string(to_string(speed.status)));
   explain_reasons({to_string(speed.status)});
   return {};
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "notes.hpp"
 
+#include "message.hpp"
+
 #include <twum/studies/metrics/reasons.hpp>
 #include <twum/studies/motor/model_notes.hpp>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace twum::cli {
 
@@ -14,14 +15,14 @@ void print_model_notes(const MotorDesign& design, std::span<const std::string> s
     const bool known = std::any_of(said.begin(), said.end(), [&](const std::string& one) {
       return one.starts_with(note.text);
     });
-    if (!known) std::fprintf(stderr, "note: %s\n", note.text.c_str());
+    if (!known) say("note: " + note.text);
   }
 }
 
 void explain_reasons(const std::set<std::string>& reasons) {
   for (const studies::Reason& reason : studies::reasons()) {
     const char* word = to_string(reason.status);
-    if (reasons.contains(word)) std::fprintf(stderr, "note: %s: %s\n", word, reason.meaning);
+    if (reasons.contains(word)) say("note: " + std::string(word) + ": " + reason.meaning);
   }
 }
 

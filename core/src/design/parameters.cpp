@@ -279,6 +279,22 @@ bool in_use(const MotorDesign& design, Parameter parameter) {
   }
 }
 
+bool is_given(const MotorDesign& design, Parameter parameter) {
+  if (in_use(design, parameter)) return true;
+  switch (parameter) {
+    case P::shape_exponent:
+    case P::shape_root:
+      if (design.stator.geometry || !design.stator.radial_shape.table.empty()) return false;
+      [[fallthrough]];
+    case P::rotor_taper:
+    case P::blocked_capacitance:
+    case P::loss_tangent:
+      if (design.stator.geometry && plate_number_of(parameter)) return false;
+      return get(design, parameter) != 0;
+    default: return false;
+  }
+}
+
 std::string complaint(Parameter parameter, double value) {
   const ParameterInfo& row = info(parameter);
   // called only for an error

@@ -3,6 +3,8 @@
 
 #include "performance/motor_curve.hpp"
 
+#include <twum/base/error.hpp>
+
 #include <cmath>
 #include <limits>
 
@@ -68,6 +70,8 @@ MetricValue Evaluator::evaluate(const MetricRequest& request) {
                                 : MetricValue{kNaN, MetricStatus::inaccurate};
   } catch (const SearchFailure& failure) {
     return {kNaN, failure.status};
+  } catch (const EvaluationError&) {  // a search without a bracket
+    return {kNaN, MetricStatus::unresolved};
   }
 }
 

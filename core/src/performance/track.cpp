@@ -157,7 +157,7 @@ double most_pressed_radius(const DrivenMotor<double>& m) {
     if (mean_pressure_at(m, at(i)) > mean_pressure_at(m, at(top))) top = i;
   if (top == 0 || top == kLooks) return at(top);
   const auto less = [&](double radius) { return -mean_pressure_at(m, radius); };
-  return least_between(less, at(top - 1), at(top + 1)).place;
+  return least_between("the highest place of the track", less, at(top - 1), at(top + 1)).place;
 }
 
 }  // namespace

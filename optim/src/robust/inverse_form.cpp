@@ -20,38 +20,53 @@ std::vector<double> scaled(std::span<const double> v, double factor) {
   return result;
 }
 
+// Replaces slopes that do not exist, at a kink or a cusp, by zero. True if there was none.
+bool only_finite(std::vector<double>& slopes) {
+  const auto exists = [](double slope) { return std::isfinite(slope); };
+  const bool all = std::ranges::all_of(slopes, exists);
+  for (double& slope : slopes)
+    if (!exists(slope)) slope = 0.0;
+  return all;
+}
+
 double largest_difference(std::span<const double> a, std::span<const double> b) {
   double d = 0.0;
   for (std::size_t k = 0; k < a.size(); ++k) d = std::max(d, std::abs(a[k] - b[k]));
   return d;
 }
 
-// The root of a falling function between two places.
+// The root of a falling function between two places, or the end that is nearer to it.
 double root(const std::function<double(double)>& f, double low, double high) {
   const double at_low = f(low), at_high = f(high);
   if (at_low <= 0.0) return low;
   if (at_high >= 0.0) return high;
-  return closed_in(f, {low, high, at_low, at_high}).nearest();
+  return closed_in("the worst product", f, {low, high, at_low, at_high}).nearest();
 }
 
 // The step of U3.2: the z on |z| = radius with the least sum of a_k T_k(z_k), where each component solves
-// a_k dT_k/dz_k = -mu z_k. Costs no evaluation.
+// a_k dT_k/dz_k = -mu z_k. Costs no evaluation. Only the direction of the slopes counts: the largest is scaled to one.
 class LinearInBuilt {
  public:
   LinearInBuilt(const RobustProblem& problem, std::span<const double> x, std::vector<double> slopes,
                 double radius)
-      : problem_(problem), x_(x), slopes_(std::move(slopes)), radius_(radius) {}
+      : problem_(problem), x_(x), slopes_(std::move(slopes)), radius_(radius) {
+    const double largest = std::abs(*std::ranges::max_element(
+        slopes_, {}, [](double slope) { return std::abs(slope); }));
+    if (largest > 0.0) slopes_ = scaled(slopes_, 1.0 / largest);
+  }
 
   std::vector<double> least() const {
     // All normal: z = -d / mu. Otherwise mu is near that, and |z| falls with mu.
     double size = 0.0;
     for (std::size_t k = 0; k < slopes_.size(); ++k)
       size = std::max(size, std::abs(slopes_[k]) * by_normal(k, 0.0));
+    if (size == 0.0) return std::vector<double>(slopes_.size(), 0.0);  // nothing moves the margin
     const double middle = std::log(size / radius_);
     const double log_mu = root([&](double t) { return norm(at(std::exp(t))) - radius_; },
                                middle - 40.0, middle + 10.0);
     std::vector<double> z = at(std::exp(log_mu));
-    return scaled(z, radius_ / norm(z));
+    const double length = norm(z);
+    return length > 0.0 ? scaled(z, radius_ / length) : z;
   }
 
  private:
@@ -117,8 +132,14 @@ class InverseForm {
  private:
   static constexpr double kRounding = 1e-12;
 
-  MarginPoint evaluate(std::vector<double> z) const {
-    return margin_at(problem_, margin_, x_, std::move(z));
+  // A product whose slopes do not all exist is not known to be the worst; drawn products decide about the margin then.
+  MarginPoint evaluate(std::vector<double> z) {
+    MarginPoint point = margin_at(problem_, margin_, x_, std::move(z));
+    if (!point.failure.empty()) return point;
+    if (!std::isfinite(point.value)) point.failure = "not-finite";
+    const bool inputs = only_finite(point.by_input), spreads = only_finite(point.by_spread);
+    exact_ = only_finite(point.by_normal) && inputs && spreads && exact_;
+    return point;
   }
 
   std::vector<double> target() const {
@@ -143,7 +164,7 @@ class InverseForm {
   InversePoint concluded(bool converged, bool far = false) const {
     InversePoint result;
     result.at = best_;
-    result.converged = converged;
+    result.converged = converged && exact_;
     if (!best_.failure.empty()) return result;
     const double slope = norm(best_.by_normal);
     result.by_beta = -slope;
@@ -158,6 +179,7 @@ class InverseForm {
   double beta_;
   double side_;
   double part_{1.0};
+  bool exact_{true};  // every slope so far exists
   MarginPoint best_;
 };
 

@@ -128,12 +128,15 @@ function startsCard() {
   const goal = summary.objective;
   const note = 'Each run of a solver, and the code that it returned. ' +
       (summary.relaxation || !summary.best ? '' : certificateText(summary.best.certificate));
-  const header = ['run', 'solver', 'solver\'s return code', plain(goal.metric), 'keeps the limits', 'evaluations'];
+  const sliced = summary.stages.some((s) => s.slices !== undefined);
+  const header = ['run', 'solver', 'solver\'s return code', plain(goal.metric), 'keeps the limits', 'evaluations',
+    ...(sliced ? ['radial_slices'] : [])];
   const lines = summary.stages.map(
       (s) =>
           [words(s.stage), words(s.solver), words(s.word), {text: goalText(goal, s.objective), value: s.objective},
            words(s.feasible ? 'yes' : 'no', s.feasible ? 'good-word' : 'bad-word'),
-           {text: String(s.evaluations), value: s.evaluations}]);
+           {text: String(s.evaluations), value: s.evaluations},
+           ...(sliced ? [parameterCell('radial_slices', s.slices)] : [])]);
   if (lines.length) card('The runs of the solvers', note, 'wide').append(table('starts', header, lines));
 }
 
@@ -171,9 +174,25 @@ export function certificateText(certificate) {
       left + ').';
 }
 
+/** The runs with as many slices as the last one, which found the answer. Values of the others differ by the error of their slices. */
+function comparableRuns() {
+  const runs = summary.stages.filter((s) => s.solver);
+  const last = runs[runs.length - 1];
+  return {runs: runs.filter((s) => s.slices === last.slices), before: runs.filter((s) => s.slices !== last.slices)};
+}
+
+/** Where the answer's runs began, if runs with another number of slices came first. */
+function coarseText(before) {
+  if (!before.length) return '';
+  const slices = before[before.length - 1].slices;
+  const few = slices < 0 ? 'auto ' + -slices : slices;
+  return '; ' + (before.length === 1 ? 'one run' : before.length + ' runs') + ' from different starts with radial_slices ' +
+      few + ' came first to find where to begin, and their values are not comparable with it';
+}
+
 /** How many runs came to the best value. */
 function runsText(runs, best, choosing) {
-  if (runs.length === 1) return 'the one run of a solver ended there';
+  if (runs.length === 1) return 'the one run of a solver' + (summary.stages.length > 1 ? ' with the slices of the answer' : '') + ' ended there';
   const same = runs.filter((s) => s.feasible && Math.abs(s.objective - best) <= 1e-6 * Math.abs(best)).length;
   const wide = runs.filter((s) => data.global_solvers.includes(s.solver)).length;
   return same + ' of ' + runs.length + ' runs of solvers from different starts' + choosing +
@@ -185,15 +204,15 @@ function runsText(runs, best, choosing) {
 function startsText() {
   const {best} = summary;
   const value = goalValue(best, summary.objective);
-  const runs = summary.stages.filter((s) => s.solver);
-  if (value === null || !runs.length) return '';
+  if (value === null || !summary.stages.some((s) => s.solver)) return '';
+  const {runs, before} = comparableRuns();
   const whole = Object.keys(best.design).filter((n) => data.parameters[n]?.integer);
   const held = [...Object.keys(best.choice || {}), ...whole];
   const choosing = held.length ? ' and ' + (best.choice ? 'choices' : 'whole numbers') : '';
   const tail = held.length ? ' Held in each run: ' + held.map(plain).join(', ') +
           '; the limits above are worth so much at what was found for ' + (held.length > 1 ? 'them' : 'it') + '.' :
                              '';
-  return 'It is a local optimum: ' + runsText(runs, value, choosing) +
+  return 'It is a local optimum: ' + runsText(runs, value, choosing) + coarseText(before) +
       '. A better design far from all of them cannot be ruled out.' + tail;
 }
 

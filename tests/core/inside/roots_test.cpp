@@ -2,6 +2,8 @@
 #include "performance/curve/speed_roots.hpp"
 #include "random_contact.hpp"
 
+#include <twum/base/error.hpp>
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -70,7 +72,7 @@ TEST_CASE("an end that is a zero is the zero", "[core][metrics][limit]") {
 
 TEST_CASE("a minimum is found to half the digits", "[core][metrics][closed_form]") {
   const auto parabola = [](double x) { return 2 + (x - 0.3) * (x - 0.3); };
-  const LeastValue least = least_between(parabola, 0, 1);
+  const LeastValue least = least_between("the least value", parabola, 0, 1);
   // Nearer than the root of a rounding all values are one.
   CHECK(std::fabs(least.place - 0.3) <= 3e-8);
   CHECK(least.value == Approx(2).epsilon(1e-15));
@@ -84,6 +86,33 @@ TEST_CASE("what does not change its sign is not closed in on", "[core][metrics][
   const Function falling = [](double x) { return 0.5 - x; };
   CHECK_THROWS_AS(close_in(falling, {0, 1, nan, -0.5}), SearchFailure);
   CHECK_THROWS_AS(close_in(falling, {0, 1, 0.5, nan}), SearchFailure);
+}
+
+TEST_CASE("every search for a root names what it sought when there is no bracket",
+          "[core][metrics][error]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  const auto line = [](double x) { return x - 0.5; };
+  const Bracket bad[] = {{0, 1, 1, 2},   {0, 1, nan, 1},      {0, 1, -1, nan},
+                         {nan, 1, -1, 1}, {0, infinity, -1, 1}, {1, 0, 1, -1}};
+  for (const Bracket& ends : bad) {
+    CAPTURE(ends.low, ends.high, ends.at_low, ends.at_high);
+    CHECK_THROWS_WITH(twum::closed_in("the speed", line, ends),
+                      Catch::Matchers::Contains("no root found for the speed"));
+  }
+  const auto gap = [&](double x) { return x == 0 ? -1.0 : x == 1 ? 1.0 : nan; };
+  CHECK_THROWS_AS(twum::closed_in("the speed", gap, {0, 1, -1, 1}), EvaluationError);
+  // Values of any size, infinite ones too, enclose a root.
+  const auto steep = [&](double x) { return x < 0.25 ? -infinity : infinity; };
+  const Bracket step = twum::closed_in("the step", steep, {0, 1, -infinity, infinity});
+  CHECK(std::fabs(step.low - 0.25) <= 1e-15);
+  for (const double size : {1e-300, 1e300}) {
+    const auto scaled = [&](double x) { return size * (x - 0.3); };
+    const Bracket b = twum::closed_in("the zero", scaled, {0, 1, scaled(0), scaled(1)});
+    CHECK(std::fabs(b.nearest() - 0.3) <= 1e-15);
+  }
+  CHECK_THROWS_AS(least_between("the least", line, nan, 1), EvaluationError);
+  CHECK_THROWS_AS(least_between("the least", line, 1, 0), EvaluationError);
 }
 
 TEST_CASE(

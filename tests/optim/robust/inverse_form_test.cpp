@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 using namespace twum::optim;
@@ -126,4 +127,31 @@ TEST_CASE("a curved limit with two worst points leads to one of them, not to the
   CHECK(worst.at.value <= 1e-6);
   const auto saddle = inverse_form(problem, {0, 1.0, 0.0, true}, x, beta, {});
   CHECK(saddle.at.value == Approx(3.0 - beta));
+}
+
+TEST_CASE("margins with slopes that are zero, not finite or of any size have an answer or a reason",
+          "[optim][robust][edge]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double> x{0.5};
+  for (const Law law : {Law::normal, Law::lognormal, Law::uniform, Law::triangular})
+    for (const double slope : {0.0, 1e-320, 1e-300, 1e-8, 1.0, 1e300, kInfinity, nan})
+      for (const bool mixed : {false, true})
+        for (const double beta : {-3.0, 0.0, 3.0}) {
+          const auto problem = response_problem(2, law, [&](std::span<const double> z) {
+            return Evaluation{{std::isfinite(slope) && slope < 1e200 ? 1.0 + slope * z[0] : 1.0},
+                              {slope, mixed ? 1.0 : slope},
+                              {},
+                              {}};
+          });
+          CAPTURE(static_cast<int>(law), slope, mixed, beta);
+          const auto worst = inverse_form(problem, {0, 1.0, 0.5, true}, x, beta, {});
+          CHECK(worst.at.failure.empty());
+          CHECK(std::isfinite(worst.at.value));
+          if (!std::isfinite(slope)) CHECK_FALSE(worst.converged);
+          // The point lies on the sphere, or at the design where nothing moves the margin.
+          double size = 0;
+          for (const double z : worst.at.z) size += z * z;
+          if (worst.at.failure.empty() && slope != 0 && beta != 0 && worst.converged)
+            CHECK((size == 0 || std::sqrt(size) == Approx(3.0).epsilon(1e-9)));
+        }
 }

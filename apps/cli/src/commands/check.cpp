@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command.hpp"
 #include "exit_status.hpp"
+#include "message.hpp"
 #include "notes.hpp"
 #include "options.hpp"
 #include "output.hpp"
@@ -73,9 +74,8 @@ int run_check(const MotorOptions& options) {
   output.write(options.path + ": " + found.words + "\n");
   output.finish();
   if (!found.missing.empty())
-    std::fprintf(stderr, "note: %s: does not exist yet; 'twum run' needs it\n",
-                 found.missing.c_str());
-  for (const std::string& note : found.notes) std::fprintf(stderr, "note: %s\n", note.c_str());
+    say("note: " + found.missing + ": does not exist yet; 'twum run' needs it");
+  for (const std::string& note : found.notes) say("note: " + note);
   print_model_notes(found.motor, found.notes);
   return kDone;
 }

@@ -4,6 +4,7 @@
 #include "formats.hpp"
 #include "interrupt.hpp"
 #include "json_parts.hpp"
+#include "message.hpp"
 #include "notes.hpp"
 #include "options.hpp"
 #include "output.hpp"
@@ -250,8 +251,8 @@ int run_curve(const CurveOptions& options) {
   const bool any = std::any_of(curve.points.begin(), curve.points.end(),
                                [](const OperatingPoint& p) { return p.status == PointStatus::ok; });
   if (any) return kDone;
-  std::fprintf(stderr, "twum: no point of the curve has an answer: %s\n",
-               curve.points.empty() ? "no speeds" : to_string(curve.points.front().status));
+  say(std::string("twum: no point of the curve has an answer: ") +
+      (curve.points.empty() ? "no speeds" : to_string(curve.points.front().status)));
   return kNoAnswer;
 }
 

@@ -3,6 +3,7 @@
 #include "exit_status.hpp"
 #include "formats.hpp"
 #include "interrupt.hpp"
+#include "message.hpp"
 #include "notes.hpp"
 #include "options.hpp"
 #include "output.hpp"
@@ -136,8 +137,7 @@ int run_evaluate(const EvaluateOptions& options) {
   if (metrics.empty()) metrics = usual_metrics(base, header.text);
   const studies::DesignTable table(reader, header, base, std::move(metrics));
   for (const std::string& warning : table.warnings()) {
-    std::fprintf(stderr, "%s:%zu: warning: %s\n", reader.name().c_str(), header.records[0].line,
-                 warning.c_str());
+    say(reader.name() + ":" + std::to_string(header.records[0].line) + ": warning: " + warning);
   }
 
   studies::DesignCounts counts;
@@ -152,15 +152,14 @@ int run_evaluate(const EvaluateOptions& options) {
   }
   output.finish();
   if (counts.rows == 0)
-    std::fprintf(stderr, "twum: %s has no designs below its header\n", reader.name().c_str());
+    say("twum: " + reader.name() + " has no designs below its header");
   if (counts.failed > 0) {
-    std::fprintf(stderr,
-                 "twum: %zu of %zu designs failed or are incomplete; see the column 'status'\n",
-                 counts.failed, counts.rows);
+    say("twum: " + std::to_string(counts.failed) + " of " + std::to_string(counts.rows) +
+        " designs failed or are incomplete; see the column 'status'");
   }
-  for (const std::string& note : counts.notes) std::fprintf(stderr, "note: %s\n", note.c_str());
+  for (const std::string& note : counts.notes) say("note: " + note);
   if (!interrupted()) return counts.empty == counts.rows ? kNoAnswer : kDone;
-  std::fprintf(stderr, "twum: interrupted after %zu designs\n", counts.rows);
+  say("twum: interrupted after " + std::to_string(counts.rows) + " designs");
   return kInterrupted;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command.hpp"
 #include "exit_status.hpp"
+#include "message.hpp"
 #include "notes.hpp"
 #include "options.hpp"
 #include "output.hpp"
@@ -50,8 +51,7 @@ int run_explore(const ExploreOptions& options) {
     output.finish();
   }
   if (!studies::has_designer())
-    std::fprintf(stderr,
-                 "note: this build cannot compute in a page; the page says what is missing\n");
+    say("note: this build cannot compute in a page; the page says what is missing");
   print_model_notes(motor.design);
   return kDone;
 }

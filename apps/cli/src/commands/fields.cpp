@@ -4,6 +4,7 @@
 #include "formats.hpp"
 #include "json_parts.hpp"
 #include "load.hpp"
+#include "message.hpp"
 #include "notes.hpp"
 #include "options.hpp"
 #include "output.hpp"
@@ -177,7 +178,7 @@ int run_fields(const FieldsOptions& options) {
   if (!speed) return kNoAnswer;
   fields.radii = fields_over(motor, *speed, static_cast<int>(samples));
   if (fields.point().status != PointStatus::ok) {
-    std::fprintf(stderr, "twum: no answer at this speed: %s\n", to_string(fields.point().status));
+    say(std::string("twum: no answer at this speed: ") + to_string(fields.point().status));
     explain_reasons({to_string(fields.point().status)});
     return kNoAnswer;
   }

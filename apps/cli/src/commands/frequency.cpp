@@ -4,6 +4,7 @@
 #include "formats.hpp"
 #include "json_parts.hpp"
 #include "load.hpp"
+#include "message.hpp"
 #include "notes.hpp"
 #include "options.hpp"
 #include "output.hpp"
@@ -284,9 +285,8 @@ int run_frequency(const FrequencyOptions& options) {
   const bool any = std::any_of(answer.branches.begin(), answer.branches.end(),
                                [](const ResponseBranch& branch) { return branch.stable; });
   if (any) return kDone;
-  std::fprintf(stderr,
-               "twum: no steady wave at any frequency: the load is more than the motor carries, or "
-               "every wave grows; try less torque or another speed\n");
+  say("twum: no steady wave at any frequency: the load is more than the motor carries, or every wave grows; "
+      "try less torque or another speed");
   return kNoAnswer;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command.hpp"
 #include "exit_status.hpp"
+#include "interrupt.hpp"
+#include "message.hpp"
 #include "output.hpp"
 #include "plot/study/pictures.hpp"
 
@@ -42,14 +44,14 @@ std::string made_directory(const PlotOptions& options) {
 
 int run_plot(const PlotOptions& options) {
   std::vector<Picture> pictures;
-  studies::read_result(options.directory,
-                       [&](const studies::StudyFile& file, const studies::StudyResult& result,
-                           const studies::ResultStore& store) {
-                         pictures = study_pictures({file, result, store});
-                       });
+  const StopOnInterrupt stop;
+  studies::read_result(
+      options.directory,
+      [&](const studies::StudyFile& file, const studies::StudyResult& result,
+          const studies::ResultStore& store) { pictures = study_pictures({file, result, store}); },
+      stop.token());
   if (pictures.empty()) {
-    std::fprintf(stderr, "twum: this study has no answer to draw; %s/report.html says why\n",
-                 options.directory.c_str());
+    say("twum: this study has no answer to draw; " + options.directory + "/report.html says why");
     return kNoAnswer;
   }
   const std::string directory = made_directory(options);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command.hpp"
 #include "exit_status.hpp"
+#include "interrupt.hpp"
 #include "output.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/studies/report/report.hpp>
+#include <twum/studies/text/words.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -22,9 +24,10 @@ int run_report(const std::string& directory) {
   std::error_code ignored;
   if (!std::filesystem::is_directory(directory, ignored))
     throw InputError(directory + ": no such directory; give one that 'twum run' wrote");
-  const std::string path = studies::write_report(directory);
+  const StopOnInterrupt stop;
+  const std::string path = studies::write_report(directory, stop.token());
   Output output("");
-  output.write(path + "\n");
+  output.write(studies::printable_lines(path) + "\n");
   output.finish();
   return kDone;
 }

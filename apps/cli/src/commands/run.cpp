@@ -2,6 +2,7 @@
 #include "command.hpp"
 #include "exit_status.hpp"
 #include "interrupt.hpp"
+#include "message.hpp"
 #include "options.hpp"
 #include "output.hpp"
 #include "progress.hpp"
@@ -92,7 +93,7 @@ void say_motor_files(const studies::StudyResult& result, const std::string& dire
   if (const auto* front = std::get_if<studies::ParetoResult>(&result.answer);
       front != nullptr && front->has_knee())
     text += ", the knee is " + path(files[front->knee]);
-  std::fprintf(stderr, "motor file%s: %s\n", files.size() == 1 ? "" : "s", text.c_str());
+  say(std::string(files.size() == 1 ? "motor file: " : "motor files: ") + text);
 }
 
 // Runs the study, alone or as the first of several processes.
@@ -101,18 +102,17 @@ int run_first(const StudyOptions& options, studies::RunOptions run) {
   const studies::StudyFile file = studies::read_study_file(options.path, options.settings);
   const std::string directory = directory_of(options);
   const std::vector<std::string> notes = studies::study_notes(file);
-  for (const std::string& note : notes) std::fprintf(stderr, "note: %s\n", note.c_str());
+  for (const std::string& note : notes) say("note: " + note);
   const std::string pace = studies::pace_note(file);
-  if (!pace.empty()) std::fprintf(stderr, "note: %s\n", pace.c_str());
+  if (!pace.empty()) say("note: " + pace);
   const studies::StudyResult result = run_with_progress(file, directory, run);
   if (result.was_complete) {
-    std::fprintf(stderr, "twum: %s holds this result already; --fresh computes it again\n",
-                 directory.c_str());
+    say("twum: " + directory + " holds this result already; --fresh computes it again");
   }
   Output output("");
   output.write(studies::summary_text(result, notes));
   output.finish();
-  std::fprintf(stderr, "results: %s\n", directory.c_str());
+  say("results: " + directory);
   say_motor_files(result, directory);
   if (result.outcome == "interrupted") say_study_interrupted(result.evaluations);
   return status_of(result);

@@ -4,6 +4,7 @@
 #include "formats.hpp"
 #include "json_parts.hpp"
 #include "load.hpp"
+#include "message.hpp"
 #include "notes.hpp"
 #include "options.hpp"
 #include "output.hpp"
@@ -93,7 +94,7 @@ std::optional<double> loaded_speed(const StatorOptions& options, const Motor& mo
   if (options.load.given()) return speed_of(options.load, motor);
   const MetricValue best = evaluate(motor, {Metric::speed_at_max_overall_efficiency});
   if (best.status == MetricStatus::ok) return best.value;
-  std::fprintf(stderr, "note: no operating point under load: %s\n", to_string(best.status));
+  say(std::string("note: no operating point under load: ") + to_string(best.status));
   explain_reasons({to_string(best.status)});
   return {};
 }
@@ -122,7 +123,7 @@ StatorAnswer compute_stator(const StatorOptions& options) {
     answer.point = point;
     answer.contact = contact_circuit(motor, point);
   } else {
-    std::fprintf(stderr, "twum: no answer at this speed: %s\n", to_string(point.status));
+    say(std::string("twum: no answer at this speed: ") + to_string(point.status));
     explain_reasons({to_string(point.status)});
   }
   return answer;

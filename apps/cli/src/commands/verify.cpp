@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command.hpp"
 #include "exit_status.hpp"
+#include "interrupt.hpp"
 #include "options.hpp"
 #include "output.hpp"
 
@@ -60,6 +61,8 @@ int run_verify(const VerifyCommand& command) {
     options.samples = parse_count("--samples", command.samples, 0, 1000000000);
   if (!command.seed.empty())
     options.seed = parse_count("--seed", command.seed, 0, 9007199254740992);
+  const StopOnInterrupt stop;
+  options.stop = stop.token();
   const studies::Verification found = studies::verify_study(command.directory, options);
   Output output("");
   output.write(report(found));

@@ -82,7 +82,7 @@ std::vector<FrequencyPath::Stretch> FrequencyPath::stretches() const {
     } else if (wave && (excess(*last) > 0) != (excess(*wave) > 0)) {
       double border = now;
       try {
-        border = closed_in(excess_at, {before, now, excess(*last), excess(*wave)}).nearest();
+        border = closed_in("an end of a stretch of waves", excess_at, {before, now, excess(*last), excess(*wave)}).nearest();
       } catch (const NoWave&) {  // then it stays less accurate
       }
       if (excess(*last) > 0) found.push_back({begin, border, closed});
@@ -153,7 +153,7 @@ std::optional<ResponseWave> FrequencyPath::turn(const Stretch& stretch, const Re
   const double sign = highest ? -1 : 1;
   try {
     const auto omega = [&](double s) { return sign * at_place(s).omega; };
-    return at_place(least_between(omega, a.place, c.place).place);
+    return at_place(least_between("the least frequency of a stretch of waves", omega, a.place, c.place).place);
   } catch (const NoWave&) {
     return {};
   }
@@ -247,7 +247,7 @@ std::optional<ResponseWave> FrequencyPath::at(const Stretch& stretch, const Resp
     return last->omega - omega;
   };
   try {
-    excess(closed_in(excess, {a.place, b.place, a.omega - omega, b.omega - omega}).nearest());
+    excess(closed_in("a wave at a frequency", excess, {a.place, b.place, a.omega - omega, b.omega - omega}).nearest());
     return last;
   } catch (const NoWave&) {
     return {};

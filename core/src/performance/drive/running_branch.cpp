@@ -244,7 +244,7 @@ BranchEnd RunningBranch::fold_beyond(const Node& last, double speed) const {
   const bool upward = outside > inside;
   const Bracket ends = upward ? Bracket{inside, outside, at_inside, at_outside}
                               : Bracket{outside, inside, at_outside, at_inside};
-  const Bracket fold = closed_in(missing, ends, 48);
+  const Bracket fold = closed_in("the speed at which the running branch ends", missing, ends, 48);
   const double end = upward ? fold.low : fold.high;
   return {end, fold_amplitude(end, least_force(waves_, end, low, high).amplitude)};
 }
@@ -258,7 +258,7 @@ std::optional<BranchWave> RunningBranch::bracketed(double speed, double low, dou
   const auto excess = [&](double a) { return waves_.at(a, speed).force() - waves_.drive(); };
   const double at_low = excess(low), at_high = excess(high);
   if (!(at_low < 0 && at_high > 0)) return {};
-  const double amplitude = closed_in(excess, {low, high, at_low, at_high}).high;
+  const double amplitude = closed_in("an amplitude of the running branch", excess, {low, high, at_low, at_high}).high;
   return BranchWave{amplitude, speed, waves_.at(amplitude, speed).start};
 }
 

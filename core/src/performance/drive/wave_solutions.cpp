@@ -227,7 +227,7 @@ class ForceCurve {
     const double low = excess(a.amplitude), high = excess(b.amplitude);
     if (low == 0 || high == 0 || (low < 0) == (high < 0))
       return std::fabs(low) <= std::fabs(high) ? a.amplitude : b.amplitude;
-    return closed_in(excess, {a.amplitude, b.amplitude, low, high}).nearest();
+    return closed_in("an amplitude of the driven wave", excess, {a.amplitude, b.amplitude, low, high}).nearest();
   }
 
   const DrivenWaves& waves_;
@@ -312,7 +312,7 @@ LeastForce least_force(const DrivenWaves& waves, double speed, double low, doubl
     zones += wave.zones;
     return wave.force();
   };
-  const LeastValue least = least_between(force, low / high, 1.0);
+  const LeastValue least = least_between("the least force of a wave", force, low / high, 1.0);
   return {least.place * high, least.value};
 }
 

@@ -6,6 +6,7 @@
 /// @file
 /// Distributions behind intervals and tests, to about 1e-14, also in a tail. Probabilities lie between 0 and 1; degrees of freedom
 /// need not be whole.
+/// An argument outside its range, or NaN, gives NaN.
 
 namespace twum::optim {
 

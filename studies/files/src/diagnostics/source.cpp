@@ -1,31 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/studies/diagnostics/source.hpp>
 
+#include "text/file_content.hpp"
 #include "text/utf8.hpp"
 
-#include <twum/base/error.hpp>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <filesystem>
-#include <memory>
 
 namespace twum::studies {
-namespace {
-
-struct CloseFile {
-  void operator()(std::FILE* file) const {
-    if (file != stdin) std::fclose(file);
-  }
-};
-
-[[noreturn]] void unreadable(const std::string& path, const char* why) {
-  throw InputError(path + ": cannot be read: " + why);
-}
-
-}  // namespace
 
 Source::Source(std::string name, std::string text)
     : name_(std::move(name)), text_(std::move(text)), line_begins_{0} {
@@ -63,19 +44,7 @@ SourceMark Source::mark_within(SourceMark begin, std::string_view value, std::si
 }
 
 Source read_source(const std::string& path) {
-  std::error_code ignored;
-  if (path != "-" && std::filesystem::is_directory(path, ignored))
-    unreadable(path, "it is a directory");
-  const std::unique_ptr<std::FILE, CloseFile> file(path == "-" ? stdin
-                                                               : std::fopen(path.c_str(), "rb"));
-  if (!file) unreadable(path, std::strerror(errno));
-  std::string text;
-  char buffer[1 << 16];
-  while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, file.get())) {
-    text.append(buffer, got);
-    if (text.size() > kLargestFile) unreadable(path, "it is larger than 4 MiB");
-  }
-  if (std::ferror(file.get()) != 0) unreadable(path, std::strerror(errno));
+  std::string text = file_content(path, kLargestFile);
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
   return {path == "-" ? "standard input" : path, std::move(text)};
 }

@@ -39,6 +39,19 @@ std::vector<std::string> table_names(const std::vector<StoredColumn>& columns) {
   return names;
 }
 
+// The statements that define the tables, that of the evaluations last.
+std::vector<std::string> tables_for(const std::vector<StoredColumn>& columns) {
+  // Columns have no type, because type REAL would turn -0 into 0.
+  std::string values;
+  for (const std::string& name : table_names(columns)) values += ", " + sqlite::quoted_name(name);
+  return {"CREATE TABLE seal (rows INTEGER NOT NULL, sum INTEGER NOT NULL)",
+          "CREATE TABLE facts (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID",
+          "CREATE TABLE columns (place INTEGER PRIMARY KEY, name TEXT NOT NULL, unit TEXT NOT NULL)",
+          "CREATE TABLE evaluations (stage INTEGER NOT NULL, \"index\" INTEGER NOT NULL" + values +
+              ", status TEXT NOT NULL, detail BLOB, checksum INTEGER NOT NULL, "
+              "PRIMARY KEY (stage, \"index\")) WITHOUT ROWID"};
+}
+
 bool same(const std::vector<StoredColumn>& a, const std::vector<StoredColumn>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](const StoredColumn& x, const StoredColumn& y) {
@@ -48,14 +61,17 @@ bool same(const std::vector<StoredColumn>& a, const std::vector<StoredColumn>& b
 
 }  // namespace
 
-ResultStore::Database::Database(const std::string& path, const std::vector<StoredColumn>& columns)
-    : connection_(path, true) {
+ResultStore::Database::Database(const std::string& path, const std::vector<StoredColumn>& columns,
+                                const std::stop_token& stop)
+    : connection_(path, true, stop) {
   open(columns);
-  if (!same(columns_, columns))
-    throw StoreError(path + ": holds the rows of another study, with other columns");
+  require(columns);
 }
 
-ResultStore::Database::Database(const std::string& path) : connection_(path, false) { open({}); }
+ResultStore::Database::Database(const std::string& path, const std::stop_token& stop)
+    : connection_(path, false, stop) {
+  open({});
+}
 
 void ResultStore::Database::open(const std::vector<StoredColumn>& columns_of_new) {
   connection_.execute("PRAGMA busy_timeout = 5000");
@@ -78,9 +94,14 @@ ResultStore::Database::~Database() {
     // A finished database is one plain file, which can be read from a folder without permission to write. If another
     // program is reading it now, it stays in write-ahead mode.
     connection_.execute("PRAGMA busy_timeout = 0; PRAGMA journal_mode = DELETE");
-  } catch (const StoreError&) {
+  } catch (const Error&) {
     // Errors are ignored here; call flush() to get them.
   }
+}
+
+void ResultStore::Database::require(const std::vector<StoredColumn>& columns) const {
+  if (!same(columns_, columns))
+    throw StoreError(connection_.path() + ": holds the rows of another study, with other columns");
 }
 
 // True for a database file that was created but never filled.
@@ -89,19 +110,9 @@ bool ResultStore::Database::is_blank() {
 }
 
 void ResultStore::Database::make_tables(const std::vector<StoredColumn>& columns) {
-  std::string sql =
-      "BEGIN IMMEDIATE; PRAGMA application_id = " + std::to_string(kApplication) +
-      "; PRAGMA user_version = " + std::to_string(kVersion) +
-      "; CREATE TABLE seal (rows INTEGER NOT NULL, sum INTEGER NOT NULL)"
-      "; CREATE TABLE facts (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID"
-      "; CREATE TABLE columns (place INTEGER PRIMARY KEY, name TEXT NOT NULL, unit TEXT NOT NULL)"
-      "; CREATE TABLE evaluations (stage INTEGER NOT NULL, \"index\" INTEGER NOT NULL";
-  // Columns have no type, because type REAL would turn -0 into 0.
-  for (const std::string& name : table_names(columns)) sql += ", " + sqlite::quoted_name(name);
-  sql +=
-      ", status TEXT NOT NULL, detail BLOB, checksum INTEGER NOT NULL, "
-      "PRIMARY KEY (stage, \"index\")) WITHOUT ROWID";
-  connection_.execute(sql);
+  connection_.execute("BEGIN IMMEDIATE; PRAGMA application_id = " + std::to_string(kApplication) +
+                      "; PRAGMA user_version = " + std::to_string(kVersion));
+  for (const std::string& table : tables_for(columns)) connection_.execute(table);
   sqlite::Statement insert(connection_, "INSERT INTO columns VALUES (?, ?, ?)");
   for (std::size_t i = 0; i < columns.size(); ++i) {
     insert.bind(1, static_cast<std::int64_t>(i));
@@ -124,8 +135,24 @@ void ResultStore::Database::check_tables() {
                      ": was written by another version of twum; use that one, or run the study "
                      "again with --fresh");
   }
+  check_schema();
   const std::string found = connection_.text_of("PRAGMA quick_check(1)");
   if (found != "ok") fail_damaged(connection_.path(), found);
+}
+
+// The database defines the four tables and nothing else. A view, a trigger or a virtual table in the place of one could compute
+// for ever.
+void ResultStore::Database::check_schema() {
+  std::vector<std::string> found;
+  sqlite::Statement select(connection_, "SELECT sql FROM sqlite_master ORDER BY rowid");
+  while (select.step()) found.emplace_back(select.text(0));
+  const auto holds = [&](const std::string& table) {
+    return std::find(found.begin(), found.end(), table) != found.end();
+  };
+  const std::vector<std::string> fixed = tables_for({});
+  const bool readable = found.size() == fixed.size() && std::all_of(fixed.begin(), fixed.end() - 1, holds);
+  if (readable && holds(tables_for(stored_columns()).back())) return;
+  fail_damaged(connection_.path(), "its tables are not those that twum writes");
 }
 
 std::vector<StoredColumn> ResultStore::Database::stored_columns() {
@@ -262,7 +289,7 @@ std::optional<std::uint64_t> ResultStore::Database::stage_from(std::uint64_t sta
                            "SELECT stage FROM evaluations WHERE stage >= ? ORDER BY stage LIMIT 1");
   select.bind(1, static_cast<std::int64_t>(stage));
   if (!select.step()) return {};
-  return static_cast<std::uint64_t>(select.integer(0));
+  return select.count(0);
 }
 
 std::vector<StoredRow> ResultStore::Database::page(std::uint64_t stage, std::uint64_t from) {

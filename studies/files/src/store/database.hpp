@@ -24,14 +24,15 @@ namespace twum::studies {
 /// Every member function takes the lock.
 class ResultStore::Database {
  public:
-  Database(const std::string& path, const std::vector<StoredColumn>& columns);
+  Database(const std::string& path, const std::vector<StoredColumn>& columns, const std::stop_token& stop);
   /// An existing database, with the columns it has.
-  explicit Database(const std::string& path);
+  explicit Database(const std::string& path, const std::stop_token& stop);
   ~Database();
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
 
   const std::vector<StoredColumn>& columns() const noexcept { return columns_; }
+  void require(const std::vector<StoredColumn>& columns) const;
   void add(const StoredRow& row);
   void flush();
   std::uint64_t next_index(std::uint64_t stage);
@@ -48,6 +49,7 @@ class ResultStore::Database {
   bool is_blank();
   void make_tables(const std::vector<StoredColumn>& columns);
   void check_tables();
+  void check_schema();
   std::vector<StoredColumn> stored_columns();
   void read_content();
   void prepare();

@@ -5,15 +5,21 @@
 
 namespace twum::studies {
 
-ResultStore::ResultStore(const std::string& path, const std::vector<StoredColumn>& columns)
-    : database_(std::make_unique<Database>(path, columns)) {}
+ResultStore::ResultStore(const std::string& path, const std::vector<StoredColumn>& columns,
+                         const std::stop_token& stop)
+    : database_(std::make_unique<Database>(path, columns, stop)) {}
 
-ResultStore::ResultStore(const std::string& path) : database_(std::make_unique<Database>(path)) {}
+ResultStore::ResultStore(const std::string& path, const std::stop_token& stop)
+    : database_(std::make_unique<Database>(path, stop)) {}
 
 ResultStore::~ResultStore() = default;
 
 const std::vector<StoredColumn>& ResultStore::columns() const noexcept {
   return database_->columns();
+}
+
+void ResultStore::require(const std::vector<StoredColumn>& columns) const {
+  database_->require(columns);
 }
 
 void ResultStore::add(const StoredRow& row) { database_->add(row); }
@@ -39,9 +45,13 @@ void ResultStore::read(const std::function<void(const StoredRow&)>& visit) const
 
 void ResultStore::read(std::uint64_t stage,
                        const std::function<void(const StoredRow&)>& visit) const {
-  for (std::vector<StoredRow> page = database_->page(stage, 0); !page.empty();
-       page = database_->page(stage, page.back().index + 1)) {
+  for (std::vector<StoredRow> page = database_->page(stage, 0); !page.empty();) {
     for (const StoredRow& row : page) visit(row);
+    const std::uint64_t next = page.back().index + 1;
+    page = database_->page(stage, next);
+    if (!page.empty() && page.front().index < next)
+      throw StoreError("results.db: is damaged: the rows of stage " + std::to_string(stage) +
+                       " are not in order");
   }
 }
 

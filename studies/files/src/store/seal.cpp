@@ -31,8 +31,7 @@ std::string name_of(const StoredRow& row) {
 Seal stored_seal(sqlite::Connection& connection) {
   sqlite::Statement select(connection, "SELECT rows, sum FROM seal");
   if (!select.step()) fail_damaged(connection.path(), "it has no seal");
-  return {static_cast<std::uint64_t>(select.integer(0)),
-          static_cast<std::uint64_t>(select.integer(1))};
+  return {select.count(0), static_cast<std::uint64_t>(select.integer(1))};
 }
 
 // After the values stand status, detail and checksum.
@@ -91,8 +90,8 @@ StoredRow read_row(const sqlite::Connection& connection, const sqlite::Statement
                    std::size_t columns) {
   const int after_values = kFirstValue + static_cast<int>(columns);
   StoredRow row;
-  row.stage = static_cast<std::uint64_t>(select.integer(0));
-  row.index = static_cast<std::uint64_t>(select.integer(1));
+  row.stage = select.count(0);
+  row.index = select.count(1);
   row.values.reserve(columns);
   for (int i = kFirstValue; i < after_values; ++i) row.values.push_back(select.real(i));
   row.status = select.text(after_values);

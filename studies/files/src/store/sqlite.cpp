@@ -31,13 +31,26 @@ std::string reason(int code, int system, const char* text) {
   }
 }
 
+constexpr int kStepsBetweenLooks = 10000;  // steps of SQLite's virtual machine: about 0.1 ms
+
+int asked_to_stop(void* stop) {
+  return static_cast<const std::stop_token*>(stop)->stop_requested() ? 1 : 0;
+}
+
 }  // namespace
 
-Connection::Connection(std::string path, bool make) : path_(std::move(path)) {
+Connection::Connection(std::string path, bool make, std::stop_token stop)
+    : path_(std::move(path)), stop_(std::move(stop)) {
   const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_EXRESCODE |
                     (make ? SQLITE_OPEN_CREATE : 0);
   const int code = sqlite3_open_v2(path_.c_str(), &handle_, flags, nullptr);
-  if (code == SQLITE_OK) return;
+  if (code == SQLITE_OK) {
+    // A schema that somebody else has written may call nothing, and an ordinary statement may not change the schema's text.
+    sqlite3_db_config(handle_, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+    sqlite3_db_config(handle_, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+    if (stop_.stop_possible()) sqlite3_progress_handler(handle_, kStepsBetweenLooks, &asked_to_stop, &stop_);
+    return;
+  }
   const int system = handle_ == nullptr ? 0 : sqlite3_system_errno(handle_);
   sqlite3_close(handle_);
   throw StoreError(path_ + ": " + reason(code, system, sqlite3_errstr(code)));
@@ -46,6 +59,7 @@ Connection::Connection(std::string path, bool make) : path_(std::move(path)) {
 Connection::~Connection() { sqlite3_close(handle_); }
 
 void Connection::fail(int code) const {
+  if ((code & 0xff) == SQLITE_INTERRUPT) throw Interrupted();
   throw StoreError(path_ + ": " +
                    reason(code, sqlite3_system_errno(handle_), sqlite3_errmsg(handle_)));
 }
@@ -114,6 +128,7 @@ bool Statement::step() {
     const int system = sqlite3_system_errno(connection_.handle_);
     const std::string text = sqlite3_errmsg(connection_.handle_);
     sqlite3_reset(handle_);
+    if ((code & 0xff) == SQLITE_INTERRUPT) throw Interrupted();
     throw StoreError(connection_.path() + ": " + reason(code, system, text.c_str()));
   }
   return code == SQLITE_ROW;
@@ -126,15 +141,35 @@ void Statement::run() {
   reset();
 }
 
-std::int64_t Statement::integer(int column) const { return sqlite3_column_int64(handle_, column); }
+// A value of another type than was written would be converted without a word, and a row that is not a number compares as larger
+// than all numbers.
+void Statement::require(int column, bool right, const char* type) const {
+  if (right) return;
+  throw StoreError(connection_.path() + ": is damaged: column " + std::string(sqlite3_column_name(handle_, column)) +
+                   " holds a value that is not " + type +
+                   "; restore it from a copy, or run the study again with --fresh");
+}
+
+std::int64_t Statement::integer(int column) const {
+  require(column, sqlite3_column_type(handle_, column) == SQLITE_INTEGER, "a whole number");
+  return sqlite3_column_int64(handle_, column);
+}
+
+std::uint64_t Statement::count(int column) const {
+  const std::int64_t value = integer(column);
+  require(column, value >= 0, "a count");
+  return static_cast<std::uint64_t>(value);
+}
 
 double Statement::real(int column) const {
-  return sqlite3_column_type(handle_, column) == SQLITE_NULL
-             ? std::numeric_limits<double>::quiet_NaN()
-             : sqlite3_column_double(handle_, column);
+  const int type = sqlite3_column_type(handle_, column);
+  if (type == SQLITE_NULL) return std::numeric_limits<double>::quiet_NaN();
+  require(column, type == SQLITE_FLOAT, "a number");
+  return sqlite3_column_double(handle_, column);
 }
 
 std::string_view Statement::text(int column) const {
+  require(column, sqlite3_column_type(handle_, column) == SQLITE_TEXT, "a text");
   const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(handle_, column));
   return text == nullptr
              ? std::string_view()
@@ -143,6 +178,8 @@ std::string_view Statement::text(int column) const {
 }
 
 std::string_view Statement::blob(int column) const {
+  const int type = sqlite3_column_type(handle_, column);
+  require(column, type == SQLITE_BLOB || type == SQLITE_NULL, "a sequence of bytes");
   const auto* bytes = static_cast<const char*>(sqlite3_column_blob(handle_, column));
   return bytes == nullptr
              ? std::string_view()

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -15,7 +16,8 @@ namespace twum::studies::sqlite {
 class Connection {
  public:
   /// Opens a database file and creates it if `make` is true; ":memory:" has no file.
-  Connection(std::string path, bool make);
+  /// @param stop  ends a statement within milliseconds; it then throws Interrupted
+  Connection(std::string path, bool make, std::stop_token stop = {});
   ~Connection();
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
@@ -40,6 +42,7 @@ class Connection {
  private:
   friend class Statement;
   std::string path_;
+  std::stop_token stop_;
   sqlite3* handle_{nullptr};
 };
 
@@ -64,12 +67,16 @@ class Statement {
   /// step() of a statement without rows, then reset().
   void run();
 
+  /// The values of a row. @throws StoreError if a value has another type
   std::int64_t integer(int column) const;
+  std::uint64_t count(int column) const;  ///< of an integer that is not negative
   double real(int column) const;  ///< NULL becomes NaN
   std::string_view text(int column) const;
   std::string_view blob(int column) const;
 
  private:
+  void require(int column, bool right, const char* type) const;
+
   Connection& connection_;
   sqlite3_stmt* handle_{nullptr};
 };

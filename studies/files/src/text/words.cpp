@@ -112,22 +112,43 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+namespace {
+
+// Moves the first character of a text to the end of another one, a control character or a byte that is no UTF-8 as \xNN.
+void move_printable(std::string_view& text, std::string& out) {
+  const std::size_t length = utf8_length(text);
+  const auto byte = static_cast<unsigned char>(text.front());
+  const bool control = byte < 0x20 || byte == 0x7F;
+  const bool control_beyond_ascii =
+      length == 2 && byte == 0xC2 && static_cast<unsigned char>(text[1]) < 0xA0;
+  const bool shown = length > 0 && !control && !control_beyond_ascii;
+  if (shown)
+    out.append(text, 0, length);
+  else
+    append_escaped(out, byte);
+  text.remove_prefix(shown ? length : 1);
+}
+
+}  // namespace
+
 std::string printable(std::string_view text, std::size_t limit) {
   std::string out;
   for (std::size_t shown = 0; !text.empty(); ++shown) {
     if (shown == limit) return out + "...";
-    const std::size_t length = utf8_length(text);
-    const auto byte = static_cast<unsigned char>(text.front());
-    const bool control = byte < 0x20 || byte == 0x7F;
-    const bool control_beyond_ascii =
-        length == 2 && byte == 0xC2 && static_cast<unsigned char>(text[1]) < 0xA0;
-    if (length == 0 || control || control_beyond_ascii) {
-      append_escaped(out, byte);
-      text.remove_prefix(1);
-    } else {
-      out.append(text, 0, length);
-      text.remove_prefix(length);
+    move_printable(text, out);
+  }
+  return out;
+}
+
+std::string printable_lines(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    if (text.front() != '\n') {
+      move_printable(text, out);
+      continue;
     }
+    out += '\n';
+    text.remove_prefix(1);
   }
   return out;
 }

@@ -321,7 +321,7 @@ GivenMotor given_by(const MotorFile& motor) {
   if (motor.design.stator.geometry) given.inner_edge = motor.design.stator.geometry->support;
   if (motor.design.stator.branch != Branch::running) given.branch = motor.design.stator.branch;
   for (const ParameterInfo& row : parameter_table())
-    if (in_use(motor.design, row.parameter))
+    if (is_given(motor.design, row.parameter))
       given.values.emplace_back(row.parameter, get(motor.design, row.parameter));
   return given;
 }

@@ -134,7 +134,7 @@ Json curve_json(const MotorDesign& base, const DesignValues& values, const std::
   for (const double speed : speeds) points.push_back(motor->operating_point(speed));
   Json json{{"label", label}, {"design", Json::object()}, {"metrics", metrics_json(*motor)}};
   for (const ParameterInfo& row : parameter_table()) {
-    if (in_use(motor->design(), row.parameter))
+    if (is_given(motor->design(), row.parameter))
       json["design"][std::string(row.name)] = get(motor->design(), row.parameter);
   }
   const auto add = [&](const char* name, auto value) {

@@ -94,7 +94,7 @@ Json fit_json(const StudyFile& study, const CalibrateResult& answer) {
 Json base_json(const MotorDesign& base) {
   Json json = Json::object();
   for (const ParameterInfo& row : parameter_table()) {
-    if (in_use(base, row.parameter)) json[std::string(row.name)] = get(base, row.parameter);
+    if (is_given(base, row.parameter)) json[std::string(row.name)] = get(base, row.parameter);
   }
   return json;
 }
@@ -137,7 +137,7 @@ Json global_solvers_json() {
 
 std::string report_html(const StudyFile& study, const std::string& text, const StudyResult& result,
                         const ResultStore& store) {
-  const MotorDesign& base = study.motor.design;
+  const MotorDesign& base = result.design;
   const Json summary = summary_value(result);
   const Json rows = rows_json(store);
   Json data{
@@ -167,8 +167,8 @@ std::string report_html(const StudyFile& study, const std::string& text, const S
   return filled(page, "/*DATA*/", embedded(data));
 }
 
-std::string write_report(const std::string& directory) {
-  StoredStudy stored(directory);
+std::string write_report(const std::string& directory, const std::stop_token& stop) {
+  StoredStudy stored(directory, stop);
   const StudyResult result = stored.answer();
   ResultFolder& folder = stored.folder();
   folder.write(ResultFolder::kReport,

@@ -95,7 +95,7 @@ std::vector<NamedValue> DesignReporter::design_of(const MotorDesign& motor) cons
   for (const DerivedParameter& rule : problem_.derived)
     values.push_back(named(motor, rule.parameter));
   for (const Parameter parameter : chosen_)
-    if (in_use(motor, parameter)) values.push_back(named(motor, parameter));
+    if (is_given(motor, parameter)) values.push_back(named(motor, parameter));
   for (const Parameter parameter : extra_parameters_) values.push_back(named(motor, parameter));
   return values;
 }

@@ -74,15 +74,12 @@ std::vector<EarlierDesign> earlier_designs(const std::string& folder) {
   if (!std::filesystem::exists(path))
     throw InputError("study.start: no result in " + studies::quoted(folder) +
                      "; expected the directory of a study that has been run");
-  const InputError unreadable("study.start: " + studies::quoted(path) +
-                              " cannot be read; run that study again");
   std::vector<EarlierDesign> designs;
   try {
-    designs = designs_from(stored_summary(path));
+    designs = from_summary(path, [&] { return designs_from(stored_summary(path)); });
   } catch (const StoreError&) {
-    throw unreadable;
-  } catch (const Json::exception&) {
-    throw unreadable;
+    throw InputError("study.start: " + studies::quoted(path) +
+                     " cannot be read; run that study again");
   }
   if (designs.empty())
     throw InputError("study.start: " + studies::quoted(path) +

@@ -2,6 +2,8 @@
 #include "kinds/metric_gradients.hpp"
 #include "kinds/sensitivity_study.hpp"
 
+#include <twum/base/error.hpp>
+
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -16,6 +18,14 @@ class LocalSensitivity : public SensitivityRun {
       : SensitivityRun(asked, motor), gradients_(metrics_, varied_) {
     for (const DesignVariable& range : asked.variables)
       motor_.push_back(std::isnan(range.start) ? get(base_, range.parameter) : range.start);
+  }
+
+  std::optional<MotorDesign> own_motor() const override {
+    try {
+      return varied_.motor(motor_);
+    } catch (const Error&) {  // the row says why there is no such motor
+      return {};
+    }
   }
 
   KindAnswer run(RunContext& context) override {

@@ -51,6 +51,9 @@ OptimizeResult OptimumRun::answer(const optim::Result& found) const {
   result.scan = found.scan;
   result.solver = found.solver;
   result.stages = found.stages;
+  if (counts_slices())
+    for (const optim::StageReport& stage : found.stages)
+      result.slices_of_stages.push_back(slices_of(stage.stage));
   result.found = !found.design.empty();
   if (result.found) {
     result.best = reports.report(found.design, found.certificate);

@@ -167,6 +167,7 @@ KindAnswer robust_optimum(const RobustBeginning& beginning, OptimizeResult plain
 
   plain.solver = found.last.solver;
   plain.stages = found.last.stages;
+  plain.slices_of_stages.clear();  // all of the same
   plain.found = !found.design.empty();
   if (plain.found) {
     std::vector<double> design = found.design;

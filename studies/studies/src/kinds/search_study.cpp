@@ -47,7 +47,10 @@ SearchRun::SearchRun(const StudyFile& file, DesignProblem asked, optim::SolveOpt
       limits_entry_(file.kind() == StudyKind::size ? "limits" : "constraints"),
       options_(std::move(options)) {
   problem_.motor = before_;
-  if (!start.empty()) start_from((std::filesystem::path(file.folder) / start).string());
+  if (!start.empty()) {
+    start_from((std::filesystem::path(file.folder) / start).string());
+    started_ = before_ = problem_.motor;
+  }
   counts_slices_ = leaves_slices();
   first_slices_ = slices();
   if (!counts_slices_) return;
@@ -75,6 +78,11 @@ DesignProblem SearchRun::asked_with(int slices) const {
   DesignProblem asked = problem_;
   if (counts_slices_) asked.motor.stator.radial_slices = slices;
   return asked;
+}
+
+int SearchRun::slices_of(std::uint64_t stage) const {
+  const int nodes = nodes_of_stage(stage);
+  return nodes > 0 ? -nodes : first_slices_;
 }
 
 int SearchRun::nodes_needed(std::span<const double> design) const {
@@ -182,7 +190,7 @@ const SearchRun::Answers& SearchRun::answers(std::uint64_t stage) const {
   const std::lock_guard lock(answers_mutex_);
   const auto found = answers_.find(nodes);
   if (found != answers_.end()) return found->second;
-  const DesignProblem asked = asked_with(nodes > 0 ? -nodes : first_slices_);
+  const DesignProblem asked = asked_with(slices_of(stage));
   return answers_.emplace(nodes, Answers{SearchRows(asked), MotorResponses(asked)}).first->second;
 }
 

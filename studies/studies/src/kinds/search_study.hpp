@@ -23,6 +23,7 @@ class SearchRun : public StudyKindRun {
   }
   std::uint64_t seed() const override { return options_.seed; }
   std::optional<Pace> pace() const override;
+  std::optional<MotorDesign> own_motor() const override { return started_; }
   std::vector<std::string> notes() const override;
   std::vector<std::string> notes_before() const override;
   std::optional<StoredRow> recompute(const StoredRow& asked) const override;
@@ -52,6 +53,8 @@ class SearchRun : public StudyKindRun {
   void begin_with_slices(int slices);
   /// Sets the slices of all evaluations from now on.
   void use_slices(int slices);
+  /// The slices of the evaluations of a stage.
+  int slices_of(std::uint64_t stage) const;
   /// Nodes a panel that `auto` chooses for a design.
   int nodes_needed(std::span<const double> design) const;
   /// @}
@@ -74,7 +77,8 @@ class SearchRun : public StudyKindRun {
   bool is_chosen(Parameter parameter) const;
 
   DesignProblem problem_;
-  MotorDesign before_;        // the motor of the file, its slices those of the search
+  MotorDesign before_;        // the motor of the file or of `start:`, its slices those of the search
+  std::optional<MotorDesign> started_;  // the motor of `start:`
   std::string limits_entry_;  // entry with the limits in a study of this kind
   // parameters that are not variables: changed by the start, or the number of slices
   std::vector<Parameter> extra_parameters_;

@@ -54,6 +54,8 @@ class StudyKindRun {
   /// How many of the columns are variables.
   virtual std::size_t variables() const = 0;
   virtual std::uint64_t seed() const { return 0; }
+  /// The motor that is varied, if it is not that of the file.
+  virtual std::optional<MotorDesign> own_motor() const { return {}; }
   /// How long the study may take; nothing if the number of evaluations is known beforehand.
   virtual std::optional<Pace> pace() const { return {}; }
   /// Reasons to doubt the answer, one sentence each without a full stop.

@@ -3,6 +3,7 @@
 #include "kinds/sample_rows.hpp"
 #include "kinds/stored_medians.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -15,6 +16,7 @@ class SweepRun : public StudyKindRun {
  public:
   SweepRun(const SweepStudy& asked, const MotorDesign& motor)
       : sampler_(asked),
+        derived_(parameters_of(asked.derived)),
         evaluator_({motor, sampler_.variables(), asked.derived},
                    with_derived(asked.metrics, asked.derived)) {}
 
@@ -62,6 +64,10 @@ class SweepRun : public StudyKindRun {
     }
   }
 
+  bool is_derived(const std::string& name) const {
+    return std::ranges::any_of(derived_, [&](Parameter p) { return info(p).name == name; });
+  }
+
   SweepResult answer(const ResultStore& store) const {
     SweepResult result;
     result.sampling = to_string(sampler_.sampling());
@@ -69,8 +75,10 @@ class SweepRun : public StudyKindRun {
     const std::vector<StoredColumn> all = columns();
     const auto metrics = all.begin() + static_cast<std::ptrdiff_t>(variables());
     result.variables.assign(all.begin(), metrics);
-    for (auto column = metrics; column != all.end(); ++column)
+    for (auto column = metrics; column != all.end(); ++column) {
+      if (is_derived(column->name)) result.derived.push_back(result.metrics.size());
       result.metrics.push_back({*column, 0, kNoValue, kNoValue, kNoValue, {}, {}});
+    }
     store.read(0, [&](const StoredRow& row) {
       ++result.stored;
       result.failed += row.status == "ok" ? 0 : 1;
@@ -83,6 +91,7 @@ class SweepRun : public StudyKindRun {
   }
 
   DesignSampler sampler_;
+  std::vector<Parameter> derived_;
   RowEvaluator evaluator_;
 };
 

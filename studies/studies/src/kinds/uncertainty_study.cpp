@@ -68,9 +68,9 @@ std::vector<LimitPlace> place_limits(const std::vector<MotorLimit>& limits,
   return places;
 }
 
-// The motor of the file, or the best design of an earlier study.
-MotorDesign motor_of(const StudyFile& file, const std::string& start) {
-  if (start.empty()) return file.motor.design;
+// The values of an earlier study's best design; none if the motor of the file is varied.
+EarlierDesign start_design(const StudyFile& file, const std::string& start) {
+  if (start.empty()) return {};
   const auto designs = earlier_designs((std::filesystem::path(file.folder) / start).string());
   if (designs.size() != 1) {
     throw InputError("study.start: '" + start + "' holds a front of " +
@@ -79,7 +79,15 @@ MotorDesign motor_of(const StudyFile& file, const std::string& start) {
                      "instead, such as 'motor: " +
                      start + "/" + front_file(1, designs.size()) + "'");
   }
-  return with(file.motor.design, designs.front());
+  return designs.front();
+}
+
+// What tells the varied motor from others: the varied parameters and those of the earlier design.
+std::vector<Parameter> nominal_parameters(const UncertaintyStudy& asked, const EarlierDesign& start) {
+  std::vector<Parameter> list = parameters_of(asked.variables);
+  for (const auto& [parameter, value] : start)
+    if (std::find(list.begin(), list.end(), parameter) == list.end()) list.push_back(parameter);
+  return list;
 }
 
 // Motors drawn by their tolerances, one row each.
@@ -90,7 +98,8 @@ MotorDesign motor_of(const StudyFile& file, const std::string& start) {
 class UncertaintyRun : public StudyKindRun {
  public:
   UncertaintyRun(const UncertaintyStudy& asked, const StudyFile& file)
-      : design_(motor_of(file, asked.start)),
+      : start_(start_design(file, asked.start)),
+        design_(with(file.motor.design, start_)),
         tolerances_(asked.variables),
         variables_(drawn_variables(asked.variables, design_)),
         probabilities_(sorted(asked.quantiles)),
@@ -99,11 +108,13 @@ class UncertaintyRun : public StudyKindRun {
         evaluator_({design_, parameters_of(variables_), asked.derived}, metrics_),
         seed_(asked.seed),
         samples_(asked.samples),
-        start_(asked.start) {}
+        start_folder_(asked.start),
+        nominal_(nominal_parameters(asked, start_)) {}
 
   std::vector<StoredColumn> columns() const override { return evaluator_.columns(); }
   std::size_t variables() const override { return variables_.size(); }
   std::uint64_t seed() const override { return seed_; }
+  std::optional<MotorDesign> own_motor() const override { return design_; }
   std::vector<std::string> notes() const override {
     return shapes::tolerance_notes(tolerances_, design_);
   }
@@ -138,7 +149,10 @@ class UncertaintyRun : public StudyKindRun {
   UncertaintyResult frame() const {
     UncertaintyResult result;
     result.confidence = kConfidence;
-    result.start = start_;
+    result.start = start_folder_;
+    for (const Parameter parameter : nominal_)
+      result.nominal.push_back({std::string(info(parameter).name), std::string(info(parameter).unit),
+                                get(design_, parameter)});
     const std::vector<StoredColumn> all = columns();
     const auto metrics = all.begin() + static_cast<std::ptrdiff_t>(variables());
     result.variables.assign(all.begin(), metrics);
@@ -199,6 +213,7 @@ class UncertaintyRun : public StudyKindRun {
       metric.quantiles.push_back({p, quantile_estimate(values, p, kConfidence)});
   }
 
+  EarlierDesign start_;
   MotorDesign design_;
   std::vector<Tolerance> tolerances_;
   std::vector<DrawnVariable> variables_;
@@ -208,7 +223,8 @@ class UncertaintyRun : public StudyKindRun {
   RowEvaluator evaluator_;
   std::uint64_t seed_;
   std::uint64_t samples_;
-  std::string start_;
+  std::string start_folder_;
+  std::vector<Parameter> nominal_;
 };
 
 }  // namespace

@@ -190,11 +190,7 @@ Comparison compare_results(std::span<const std::string> directories) {
   Comparer comparer(directories.size());
   for (std::size_t i = 0; i < directories.size(); ++i) {
     comparison.names.push_back(directories[i]);
-    try {
-      comparer.add(i, summaries[i]);
-    } catch (const Json::exception& error) {
-      throw StoreError(directories[i] + "/summary.json: is damaged: " + error.what());
-    }
+    from_summary(directories[i] + "/summary.json", [&] { comparer.add(i, summaries[i]); });
   }
   comparison.rows = comparer.take();
   for (ComparisonRow& row : comparison.rows) {

@@ -16,9 +16,9 @@
 namespace twum::studies {
 namespace {
 
-Json stages_json(const std::vector<optim::StageReport>& stages) {
+Json stages_json(const OptimizeResult& result) {
   Json json = Json::array();
-  for (const optim::StageReport& stage : stages)
+  for (const optim::StageReport& stage : result.stages)
     json.push_back({{"stage", stage.stage},
                     {"solver", stage.solver},
                     {"word", stage.word},
@@ -26,6 +26,8 @@ Json stages_json(const std::vector<optim::StageReport>& stages) {
                     {"feasible", stage.feasible},
                     {"objective", number_json(stage.objective)},
                     {"evaluations", stage.evaluations}});
+  for (std::size_t i = 0; i < result.slices_of_stages.size(); ++i)
+    json[i]["slices"] = result.slices_of_stages[i];
   return json;
 }
 
@@ -65,7 +67,7 @@ std::string value_words(double value, const Goal& goal) {
 }
 
 std::string design_table(const OptimizeResult& result) {
-  TextTable table{{{"design", "start", "best", ""}}};
+  TextTable table{{{"design", "before", "best", ""}}};
   for (const ChosenSet& one : result.best.choice)
     table.rows.push_back({one.choice, "-", printable(one.set), "chosen"});
   for (const NamedValue& value : result.best.design)
@@ -76,7 +78,7 @@ std::string design_table(const OptimizeResult& result) {
 }
 
 std::string metric_table_text(const OptimizeResult& result) {
-  TextTable table{{{"metric", "start", "best"}}};
+  TextTable table{{{"metric", "before", "best"}}};
   for (const NamedValue& value : result.best.metrics)
     table.rows.push_back({value.name, cell(value_of(result.before_metrics, value.name), value.unit),
                           cell(value.value, value.unit)});
@@ -189,7 +191,7 @@ Json answer_json(const OptimizeResult& result) {
   if (!result.unmoved.empty()) json["moves_missing"] = result.unmoved;
   json["scan"] = scan_json(result.scan);
   json["solver"] = result.solver;
-  json["stages"] = stages_json(result.stages);
+  json["stages"] = stages_json(result);
   json["units"] = Json::object();
   add_units(json["units"], result.before_design);
   add_units(json["units"], result.before_metrics);

@@ -13,6 +13,8 @@ Json design_json(const SweepResult& result, const SweepResult::Design& design) {
   Json json{{"row", design.index}, {"design", Json::object()}, {"metrics", Json::object()}};
   for (std::size_t i = 0; i < result.variables.size(); ++i)
     json["design"][result.variables[i].name] = number_json(design.variables[i]);
+  for (const std::size_t i : result.derived)
+    json["design"][result.metrics[i].column.name] = number_json(design.metrics[i]);
   for (std::size_t i = 0; i < result.metrics.size(); ++i)
     json["metrics"][result.metrics[i].column.name] = number_json(design.metrics[i]);
   return json;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/estimate_json.hpp"
+#include "results/search_words.hpp"
 
+#include <twum/studies/motor/settings.hpp>
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/text/text_table.hpp>
 #include <twum/studies/text/words.hpp>
@@ -118,11 +120,20 @@ std::string yield_text(const UncertaintyResult& result) {
   return text;
 }
 
+// "preload 234 N, amplitude 1.9 um"
+std::string listed(const std::vector<NamedValue>& values) {
+  std::string text;
+  for (const NamedValue& value : values)
+    text += (text.empty() ? "" : ", ") + value.name + " " + parameter_text(value.name, value.value, value.unit);
+  return text;
+}
+
 }  // namespace
 
 Json answer_json(const UncertaintyResult& result) {
   Json json{{"samples", result.samples}, {"confidence", result.confidence}};
   if (!result.start.empty()) json["start"] = result.start;
+  json["nominal"] = {{"design", values_json(result.nominal)}};
   json["metrics"] = Json::object();
   json["units"] = Json::object();
   for (const StoredColumn& variable : result.variables)
@@ -156,6 +167,8 @@ std::string answer_text(const UncertaintyResult& result) {
   std::string text = counted(result.samples, "motor") + " drawn, " +
                      rounded_text(100 * result.confidence, 3) + " % intervals in parentheses";
   if (result.failed > 0) text += "; " + std::to_string(result.failed) + " failed or incomplete";
+  if (!result.start.empty())
+    text += "\nvaried: the design of " + quoted(result.start) + ", " + listed(result.nominal);
   return text + "\n\n" + spread_table(result) + missing_text(result) + yield_text(result);
 }
 

@@ -39,6 +39,14 @@ struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
+// A new file in the place of what a killed run has left. A link there is not followed: it could lead to any file of the user.
+std::unique_ptr<std::FILE, CloseFile> new_file(const std::string& path) {
+  ::unlink(path.c_str());
+  const int descriptor =
+      ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+  return std::unique_ptr<std::FILE, CloseFile>(descriptor < 0 ? nullptr : ::fdopen(descriptor, "wb"));
+}
+
 // Whether a file has the header of an SQLite file of this program. An empty file counts as well: its creation was
 // interrupted.
 bool is_our_database(const std::string& path) {
@@ -112,7 +120,8 @@ void ResultFolder::discard_numbered() const {
 void ResultFolder::check_ours() const {
   std::error_code error;
   for (const std::string_view name : kNumbered)
-    if (has(name) && !fs::is_directory(file(name), error)) refuse_foreign(file(name), "");
+    if (has(name) && !fs::is_directory(fs::symlink_status(file(name), error)))
+      refuse_foreign(file(name), "");
   if (has_database() && is_our_database(file(kDatabase))) return;
   if (has_database()) refuse_foreign(file(kDatabase), "");
   const std::string alone = " (there is no results.db with it)";
@@ -183,7 +192,7 @@ void ResultFolder::write(
   std::error_code ignored;  // creating the file itself will then fail
   fs::create_directories(fs::path(place).parent_path(), ignored);
   const std::string part = place + std::string(kPart);
-  std::unique_ptr<std::FILE, CloseFile> stream(std::fopen(part.c_str(), "wb"));
+  std::unique_ptr<std::FILE, CloseFile> stream = new_file(part);
   if (!stream) fail(place, "cannot be written", errno);
   const auto check = [&](bool good) {
     const int reason = errno;

@@ -4,6 +4,8 @@
 #include "kinds/executor.hpp"
 #include "results/stored_summary.hpp"
 #include "run/kept_study.hpp"
+#include "study/resolved_study.hpp"
+#include "text/file_content.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/studies/run/stored_result.hpp>
@@ -14,7 +16,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
+#include <vector>
 
 namespace twum::studies {
 namespace {
@@ -56,14 +58,50 @@ std::unique_ptr<StudyKindRun> make_stored_kind(const StudyFile& file) {
   }
 }
 
+// In pieces, so that a stop request need not wait for a large file.
+void copy_file(const fs::path& from, const fs::path& to, const std::stop_token& stop) {
+  std::ifstream source(from, std::ios::binary);
+  std::ofstream copy(to, std::ios::binary);
+  std::vector<char> piece(std::size_t{4} << 20U);
+  while (source.read(piece.data(), static_cast<std::streamsize>(piece.size())) || source.gcount() > 0) {
+    if (stop.stop_requested()) throw Interrupted();
+    copy.write(piece.data(), source.gcount());
+  }
+  copy.close();
+  if (source.bad() || !source.eof() || !copy)
+    throw StoreError(from.string() + ": cannot be copied to " + to.string() + ": " +
+                     std::strerror(errno) + "; set TMPDIR to a folder with room");
+}
+
 // Copies the database with its log, which a killed run may have left, so that nothing changes in the directory.
-std::string copy_database(const std::string& directory, const std::string& to) {
+std::string copy_database(const std::string& directory, const std::string& to,
+                          const std::stop_token& stop) {
   for (const std::string suffix : {"", "-wal"}) {
     const std::string name = std::string(ResultFolder::kDatabase) + suffix;
-    if (!fs::exists(fs::path(directory) / name)) continue;
-    fs::copy_file(fs::path(directory) / name, fs::path(to) / name);
+    if (fs::exists(fs::path(directory) / name))
+      copy_file(fs::path(directory) / name, fs::path(to) / name, stop);
   }
   return (fs::path(to) / ResultFolder::kDatabase).string();
+}
+
+// The files beside the motor that the study was run with: the same names have to hold the same content, because the stored
+// numbers belong to it.
+std::vector<std::string> changed_files(const StudyFile& file, const ResultStore& store) {
+  const std::string stored = store.fact(facts::kFiles);
+  std::vector<std::string> changed;
+  for (const auto& [entry, path, hash] : resolve(file).files)
+    if (("\n" + stored).find("\n" + entry + " " + hash + "\n") == std::string::npos)
+      changed.push_back(path);
+  return changed;
+}
+
+void refuse_changed_files(const StudyFile& file, const std::string& directory,
+                          const ResultStore& store) {
+  std::string text;
+  for (const std::string& path : changed_files(file, store))
+    text += path + ": has changed since the study in " + directory + " was run with it\n";
+  if (text.empty()) return;
+  throw InputError(text + "restore what it was, or run the study again into another directory");
 }
 
 }  // namespace
@@ -84,17 +122,19 @@ ScratchFolder::~ScratchFolder() {
   fs::remove_all(path_, ignored);
 }
 
-StoredStudy::StoredStudy(const std::string& directory)
+StoredStudy::StoredStudy(const std::string& directory, const std::stop_token& stop)
     : folder_(required_result(directory)),
       summary_(stored_summary(folder_.file(ResultFolder::kSummary))),
       file_(read_stored_study(folder_.file(ResultFolder::kStudy))),
-      kind_(make_stored_kind(file_)),
-      store_(copy_database(directory, scratch_.path()), kind_->columns()) {}
+      stop_(stop),
+      store_(copy_database(directory, scratch_.path(), stop), stop) {
+  refuse_changed_files(file_, directory, store_);
+  kind_ = make_stored_kind(file_);
+  store_.require(kind_->columns());
+}
 
 std::string StoredStudy::text() const {
-  std::ostringstream text;
-  text << std::ifstream(folder_.file(ResultFolder::kStudy), std::ios::binary).rdbuf();
-  return text.str();
+  return written_content(folder_.file(ResultFolder::kStudy));
 }
 
 StudyResult StoredStudy::answer() {
@@ -104,8 +144,9 @@ StudyResult StoredStudy::answer() {
   }
   const std::uint64_t rows = store_.rows();
   ThreadExecutor executor(*kind_);
-  RunContext context{store_, executor, {}, {}};
+  RunContext context{store_, executor, stop_, {}};
   StudyResult result = result_of(file_, *kind_, store_, kind_->run(context));
+  if (stop_.stop_requested()) throw Interrupted();
   store_.flush();
   if (store_.rows() != rows) {
     throw StoreError(folder_.file(ResultFolder::kDatabase) + ": " +
@@ -122,8 +163,9 @@ StudyResult StoredStudy::answer() {
 
 void read_result(
     const std::string& directory,
-    const std::function<void(const StudyFile&, const StudyResult&, const ResultStore&)>& use) {
-  StoredStudy stored(directory);
+    const std::function<void(const StudyFile&, const StudyResult&, const ResultStore&)>& use,
+    const std::stop_token& stop) {
+  StoredStudy stored(directory, stop);
   const StudyResult result = stored.answer();
   use(stored.file(), result, stored.store());
 }

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <memory>
+#include <stop_token>
 #include <string>
 
 namespace twum::studies {
@@ -34,7 +35,8 @@ class ScratchFolder {
 class StoredStudy {
  public:
   /// @throws InputError if the directory holds no result; StoreError if the result is damaged
-  explicit StoredStudy(const std::string& directory);
+  /// @throws InputError also if a file that the study names has changed since; Interrupted after a stop request
+  explicit StoredStudy(const std::string& directory, const std::stop_token& stop = {});
 
   ResultFolder& folder() { return folder_; }
   const StudyFile& file() const { return file_; }
@@ -53,9 +55,10 @@ class StoredStudy {
   ResultFolder folder_;
   nlohmann::ordered_json summary_;
   StudyFile file_;
-  std::unique_ptr<StudyKindRun> kind_;
+  std::stop_token stop_;
   ScratchFolder scratch_;
   ResultStore store_;
+  std::unique_ptr<StudyKindRun> kind_;
 };
 
 }  // namespace twum::studies

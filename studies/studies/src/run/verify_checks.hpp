@@ -27,11 +27,13 @@ void verify_rows(const StudyKindRun& kind, const ResultStore& store, const Verif
 
 /// Checks designs and certificates of a summary.
 void verify_designs(const StudyFile& file, const StudyKindRun& kind,
-                    const nlohmann::ordered_json& summary, Verification& found);
+                    const nlohmann::ordered_json& summary, const std::stop_token& stop,
+                    Verification& found);
 
 /// Compares the answer of a summary with the one that the kind derives from the stored rows, and returns the latter.
 KindAnswer verify_answer(StudyKindRun& kind, ResultStore& store,
-                         const nlohmann::ordered_json& summary, Verification& found);
+                         const nlohmann::ordered_json& summary, const std::stop_token& stop,
+                         Verification& found);
 
 /// Compares everything else in a summary (evaluations, failures, notes, hash, ...) with the new result, except times
 /// and versions, which may differ.

@@ -39,7 +39,7 @@ class TextComparison {
 
 void compare_motor(const MotorDesign& there, const FoundMotor& now, Verification& found) {
   for (const ParameterInfo& row : parameter_table()) {
-    if (!in_use(now.motor.design, row.parameter)) continue;
+    if (!is_given(now.motor.design, row.parameter)) continue;
     const double value = get(now.motor.design, row.parameter);
     if (note_deviation(found, get(there, row.parameter), value)) continue;
     complain(found, now.file + ": " + std::string(row.name) + " is not that of the " + now.what);

@@ -62,6 +62,7 @@ void verify_rows(const StudyKindRun& kind, const ResultStore& store, const Verif
     const bool drawn = left > 0 && random.below(left) < wanted;
     if (left > 0) --left;
     if (!drawn) return;
+    if (options.stop.stop_requested()) throw Interrupted();
     --wanted;
     const std::optional<StoredRow> again = kind.recompute(row);
     ++(again ? found.rows_checked : found.rows_skipped);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/studies/run/verify_study.hpp>
 
+#include "results/stored_summary.hpp"
 #include "run/kept_study.hpp"
 #include "run/stored_study.hpp"
 #include "run/verify_checks.hpp"
@@ -8,7 +9,7 @@
 namespace twum::studies {
 
 Verification verify_study(const std::string& directory, const VerifyOptions& options) {
-  StoredStudy stored(directory);
+  StoredStudy stored(directory, options.stop);
   const StudyFile& file = stored.file();
   StudyKindRun& kind = stored.kind();
   ResultStore& store = stored.store();
@@ -18,17 +19,21 @@ Verification verify_study(const std::string& directory, const VerifyOptions& opt
   found.study = stored.name();
   found.kind = to_string(file.kind());
   verify_rows(kind, store, options, found);
-  verify_designs(file, kind, summary, found);
-  verify_study_hash(file, summary, found);
+  const std::string path = folder.file(ResultFolder::kSummary);
+  from_summary(path, [&] { verify_designs(file, kind, summary, options.stop, found); });
+  from_summary(path, [&] { verify_study_hash(file, summary, found); });
   if (stored.interrupted()) {
     verify_interrupted(store, summary, found);
     return found;
   }
   const FailureCount failures = verify_table(kind, store, folder.file(ResultFolder::kTable), found);
-  StudyResult result = result_of(file, kind, store, verify_answer(kind, store, summary, found));
+  StudyResult result =
+      result_of(file, kind, store, from_summary(path, [&] {
+                  return verify_answer(kind, store, summary, options.stop, found);
+                }));
   result.study = found.study;
   set_failures(result, failures);
-  verify_record(result, summary, found);
+  from_summary(path, [&] { verify_record(result, summary, found); });
   verify_motor_files(file, result, directory, found);
   return found;
 }

@@ -23,8 +23,9 @@ std::string shown(const Json& json) { return json.dump(); }
 // Checks every object in a summary that has a design and metrics.
 class DesignCheck {
  public:
-  DesignCheck(const StudyFile& file, const StudyKindRun& kind, Verification& found)
-      : file_(file), kind_(kind), found_(found) {}
+  DesignCheck(const StudyFile& file, const StudyKindRun& kind, const std::stop_token& stop,
+              Verification& found)
+      : file_(file), kind_(kind), stop_(stop), found_(found) {}
 
   void look(const Json& json, const std::string& path) {
     if (json.is_array()) {
@@ -56,6 +57,7 @@ class DesignCheck {
 
  private:
   void check(const Json& design, const Json& metrics, const std::string& path) {
+    if (stop_.stop_requested()) throw Interrupted();
     ++found_.designs;
     std::vector<MetricExpression> expressions;
     try {
@@ -65,6 +67,8 @@ class DesignCheck {
       ExpressionEvaluator(expressions).evaluate(motor, values);
       for (std::size_t i = 0; i < values.size(); ++i)
         compare(expressions[i], values[i], metrics, path);
+    } catch (const Interrupted&) {
+      throw;
     } catch (const Error& error) {  // a name or value that the summary should not have
       complain(found_, "summary.json: " + path + ": " + error.what());
     }
@@ -130,6 +134,7 @@ class DesignCheck {
 
   const StudyFile& file_;
   const StudyKindRun& kind_;
+  const std::stop_token& stop_;
   Verification& found_;
 };
 
@@ -171,18 +176,19 @@ std::uint64_t certified_anew(const Answer& answer) {
 }  // namespace
 
 void verify_designs(const StudyFile& file, const StudyKindRun& kind, const Json& summary,
-                    Verification& found) {
-  DesignCheck check(file, kind, found);
+                    const std::stop_token& stop, Verification& found) {
+  DesignCheck check(file, kind, stop, found);
   check.look(summary, "");
   if (summary.contains("curves")) check.look_at_curves(summary);
 }
 
 KindAnswer verify_answer(StudyKindRun& kind, ResultStore& store, const Json& summary,
-                         Verification& found) {
+                         const std::stop_token& stop, Verification& found) {
   const std::uint64_t before = store.rows();
   ThreadExecutor executor(kind);
-  RunContext context{store, executor, {}, {}};
+  RunContext context{store, executor, stop, {}};
   KindAnswer answer = kind.run(context);
+  if (stop.stop_requested()) throw Interrupted();
   store.flush();
   found.answer_checked = true;
   found.certificates += certified_anew(answer.answer);

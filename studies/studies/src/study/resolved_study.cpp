@@ -4,9 +4,9 @@
 #include "study/choice_shape.hpp"
 #include "study/study_kinds.hpp"
 #include "text/checksum.hpp"
+#include "text/file_content.hpp"
 #include "yaml/yaml_text.hpp"
 
-#include <twum/base/error.hpp>
 #include <twum/studies/text/words.hpp>
 #include <twum/studies/yaml/loader.hpp>
 
@@ -14,10 +14,8 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <optional>
-#include <sstream>
 
 namespace twum::studies {
 namespace {
@@ -106,15 +104,6 @@ YamlNode complete(const YamlNode& node, const Schema& schema, const Around& arou
   }
 }
 
-std::string content_of(const std::string& path) {
-  std::error_code ignored;
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream content;
-  if (!file || fs::is_directory(path, ignored) || !(content << file.rdbuf()))
-    throw InputError(path + ": cannot be read");
-  return content.str();
-}
-
 std::string hex(std::uint64_t value) {
   std::string text(16, '0');
   for (std::size_t i = 16; i-- > 0; value >>= 4U) text[i] = "0123456789abcdef"[value & 15U];
@@ -192,14 +181,14 @@ ResolvedStudy resolve(const StudyFile& file) {
   result.study = complete(typed ? file.study : result.meaning, shape.schema, {});
   for (const shapes::SetFile& file_of_set : shapes::set_files(result.study)) {
     const std::string path = (fs::path(file.folder) / file_of_set.path->scalar).string();
-    result.files.push_back({file_of_set.entry, path, hex(checksum(content_of(path)))});
+    result.files.push_back({file_of_set.entry, path, hex(checksum(file_content(path, kLargestResult)))});
   }
   for (const PathEntry& entry : path_entries(result.study)) {
     const std::string path = (fs::path(file.folder) / entry.node->scalar).string();
     const std::string content =
         entry.name == "start"
-            ? without_times(content_of((fs::path(path) / "summary.json").string()))
-            : content_of(path);
+            ? without_times(file_content((fs::path(path) / "summary.json").string(), kLargestResult))
+            : file_content(path, kLargestResult);
     result.files.push_back({entry.name, path, hex(checksum(content))});
   }
   return result;

@@ -95,7 +95,7 @@ std::vector<Picture> pictures_of(const FinishedStudy& study,
   for (const studies::MetricSensitivity& metric : answer.metrics)
     if (!bars_of(answer, metric).empty()) pictures.push_back(effects(study, answer, metric));
   std::vector<NamedMotor> motors;
-  add_motor(motors, "motor", study.file.motor.design, {});
+  add_motor(motors, "motor", study.result.design, {});
   add_curve_pictures(pictures, study.title("the motor"), motors);
   return pictures;
 }

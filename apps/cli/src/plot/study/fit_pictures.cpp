@@ -178,7 +178,7 @@ std::vector<Picture> pictures_of(const FinishedStudy& study, const CalibrateResu
   if (answer.estimates.empty()) return pictures;
   const std::vector<std::string> files = answer.files();
   for (const std::string& file : files)
-    add_motor(motors, file.empty() ? "fitted motor" : file, study.file.motor.design,
+    add_motor(motors, file.empty() ? "fitted motor" : file, study.result.design,
               answer.motor_values(file));
   if (motors.empty()) return pictures;
   add_fits(pictures, study, answer);

@@ -75,7 +75,7 @@ std::vector<Picture> pictures_of(const FinishedStudy& study, const studies::Curv
   std::vector<Picture> pictures;
   std::vector<NamedMotor> motors;
   for (const studies::CurveResult::Member& member : answer.members)
-    add_motor(motors, member_name(answer.family, member.value), study.file.motor.design,
+    add_motor(motors, member_name(answer.family, member.value), study.result.design,
               member_values(answer.family, member.value));
   add_curve_pictures(pictures, study.title("torque-speed curves"), motors);
   return pictures;
@@ -94,7 +94,7 @@ std::vector<Picture> pictures_of(const FinishedStudy& study,
                            answer.load.given == Argument::speed};
   for (const studies::FrequencyResult::Jumped& jumped : member.jumps)
     picture.jumps.push_back(jumped.jump);
-  const studies::MotorFile titled{study.title("response"), study.file.motor.design};
+  const studies::MotorFile titled{study.title("response"), study.result.design};
   return {{"response", kFrequencyPlotSize, frequency_plot(titled, picture)}};
 }
 

@@ -191,8 +191,8 @@ std::vector<Picture> pictures_of(const FinishedStudy& study,
   std::vector<Picture> pictures;
   if (!answer.found) return pictures;
   std::vector<NamedMotor> motors;
-  add_motor(motors, "before", study.file.motor.design, answer.before_design);
-  add_motor(motors, "best design", study.file.motor.design, answer.best.design);
+  add_motor(motors, "before", study.result.design, answer.before_design);
+  add_motor(motors, "best design", study.result.design, answer.best.design);
   add_curve_pictures(pictures, study.title("before and after"), motors,
                      limits_of(study.file.asked));
   add_history(pictures, study, answer);
@@ -212,7 +212,7 @@ std::vector<Picture> pictures_of(const FinishedStudy& study, const studies::Pare
   if (answer.has_knee()) shown.insert(answer.knee);
   std::vector<NamedMotor> motors;
   for (const std::size_t i : shown)
-    add_motor(motors, role_of(answer, i), study.file.motor.design, answer.front[i].report.design);
+    add_motor(motors, role_of(answer, i), study.result.design, answer.front[i].report.design);
   add_curve_pictures(pictures, study.title("motors of the front"), motors,
                      limits_of(study.file.asked));
   return pictures;

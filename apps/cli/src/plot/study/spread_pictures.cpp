@@ -77,7 +77,7 @@ std::vector<Picture> pictures_of(const FinishedStudy& study,
       pictures.push_back(histogram_of(study, answer, metric, values));
   }
   std::vector<NamedMotor> motors;
-  add_motor(motors, "motor", study.file.motor.design, {});
+  add_motor(motors, "motor", study.result.design, {});
   add_curve_pictures(pictures, study.title("the motor"), motors);
   return pictures;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <string_view>
 
 namespace twum {
 
@@ -18,9 +19,12 @@ struct Bracket {
 
 /// Closes in on a change of sign by Algorithm 748 (Alefeld, Potra and Shi 1995), until both ends agree in so many bits or one of
 /// them is an exact zero; then both are.
-/// @param ends  the values there differ in sign, or one of them is zero
-/// @param bits  more than 51 are 51: neighbouring numbers, but for a few
-Bracket closed_in(const std::function<double(double)>& f, const Bracket& ends, int bits = 51);
+/// @param sought  what the root is, for the message of the error
+/// @param ends    finite places; the values there differ in sign, or one of them is zero
+/// @param bits    more than 51 are 51: neighbouring numbers, but for a few
+/// @throws EvaluationError "no-bracket" if the ends are no such places, or a value of f inside is not a number
+Bracket closed_in(std::string_view sought, const std::function<double(double)>& f,
+                  const Bracket& ends, int bits = 51);
 
 /// The least value of a function.
 struct LeastValue {
@@ -29,8 +33,10 @@ struct LeastValue {
 };
 
 /// Minimizes between two places by Brent's method.
-/// @param bits  of the larger place; more than half of a number's, 26, are 26
-LeastValue least_between(const std::function<double(double)>& f, double low, double high,
-                         int bits = 26);
+/// @param sought  what the place is, for the message of the error
+/// @param bits    of the larger place; more than half of a number's, 26, are 26
+/// @throws EvaluationError "no-bracket" if the places are not finite or low > high
+LeastValue least_between(std::string_view sought, const std::function<double(double)>& f,
+                         double low, double high, int bits = 26);
 
 }  // namespace twum

@@ -137,6 +137,11 @@ double get(const MotorDesign& design, Parameter parameter);
 /// distance and radial shape, which are then not in use; without a geometry its own parameters are not in use.
 bool in_use(const MotorDesign& design, Parameter parameter);
 
+/// True if a file of this design has to state the parameter: it is in use, or it has a value of its own that comes into use
+/// with another parameter. These are the radial shape and the taper of a track with one slice, and capacitance and loss
+/// tangent of a stator without a force factor, where they are not zero.
+bool is_given(const MotorDesign& design, Parameter parameter);
+
 /// Derivatives of every parameter's value, as get() returns it: row i, column j is d value i / d parameter j, SI.
 using ParameterJacobian = std::array<std::array<double, kParameterCount>, kParameterCount>;
 

@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,13 @@ class StoreError : public Error {
   using Error::Error;
 };
 
+/// What was asked for ended early because a stop was requested.
+class Interrupted : public Error {
+ public:
+  /// The text says so.
+  Interrupted() : Error("interrupted") {}
+};
+
 /// The evaluations of a study in an SQLite database (write-ahead log, one writer, batched commits). Committed rows
 /// survive if the process is killed at any moment; rows of an unfinished batch are computed again. All functions are
 /// thread-safe.
@@ -40,11 +48,14 @@ class ResultStore {
   /// Opens or creates a database. An existing one must have these columns; all of it is read and its checksum is
   /// verified.
   /// @param path  ":memory:" keeps everything in memory
+  /// @param stop  ends reading and checking within milliseconds; they then throw Interrupted
   /// @throws StoreError naming the file and the reason
-  ResultStore(const std::string& path, const std::vector<StoredColumn>& columns);
+  ResultStore(const std::string& path, const std::vector<StoredColumn>& columns,
+              const std::stop_token& stop = {});
   /// Opens an existing database, with the columns it has; an empty file has none.
+  /// @param stop  as above
   /// @throws StoreError likewise
-  explicit ResultStore(const std::string& path);
+  explicit ResultStore(const std::string& path, const std::stop_token& stop = {});
   /// Commits all added rows.
   ~ResultStore();
   ResultStore(const ResultStore&) = delete;
@@ -52,6 +63,9 @@ class ResultStore {
 
   /// Columns of a row.
   const std::vector<StoredColumn>& columns() const noexcept;
+
+  /// @throws StoreError unless these are the columns
+  void require(const std::vector<StoredColumn>& columns) const;
 
   /// Adds a row; one that is already there stays as it is. Committed within about 0.2 s. A row
   /// without a value for a column has NaN there.

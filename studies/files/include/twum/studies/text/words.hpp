@@ -29,6 +29,9 @@ std::string_view trimmed(std::string_view text);
 /// A user's text made safe to print: control characters as \\xNN, at most `limit` characters.
 std::string printable(std::string_view text, std::size_t limit = 60);
 
+/// The same for a text of several lines, whole.
+std::string printable_lines(std::string_view text);
+
 /// printable() between single quotes.
 std::string quoted(std::string_view text);
 /// Overloads without which argument-dependent lookup would prefer std::quoted().

@@ -22,7 +22,7 @@ std::string report_html(const StudyFile& study, const std::string& text, const S
 /// Writes report.html of a result directory again from its study and its stored evaluations.
 /// @return the path of the page
 /// @throws InputError if the directory holds no result, or one of an interrupted study; StoreError if the
-///         result is damaged or the page cannot be written
-std::string write_report(const std::string& directory);
+///         result is damaged or the page cannot be written; Interrupted after a stop request
+std::string write_report(const std::string& directory, const std::stop_token& stop = {});
 
 }  // namespace twum::studies

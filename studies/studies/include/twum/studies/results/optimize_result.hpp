@@ -140,6 +140,9 @@ struct OptimizeResult {
   optim::Scan scan;         ///< result of sampling the whole range for a better optimum
   std::string solver;       ///< name of the solver that found the answer
   std::vector<optim::StageReport> stages;  ///< report of each solver run
+  /// radial_slices of each run, where the search chooses them; empty otherwise. Values of runs with different numbers differ by
+  /// the error of the coarser contact
+  std::vector<int> slices_of_stages;
   /// numbers whose derivatives follow: the variables that are free, then the goal
   std::vector<NamedValue> moving;
   std::vector<Move> moves;  ///< their derivatives by each fixed parameter that has an influence

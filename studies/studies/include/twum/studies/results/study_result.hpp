@@ -37,6 +37,8 @@ struct StudyResult {
   std::string study;                 ///< name: that of the file without extension
   StudyKind kind{StudyKind::curve};  ///< what it asked
   std::string motor;                 ///< name of the motor
+  /// the motor that was varied: that of the file, or the design of the earlier study that `start:` names
+  MotorDesign design{};
   /// Outcome: "interrupted" if a stop was requested, otherwise
   /// * of a search: "optimal", "feasible", "infeasible", "budget" or "failed";
   /// * of a calibration: one of these words, or

@@ -3,6 +3,7 @@
 
 #include <twum/studies/store/column.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -33,6 +34,8 @@ struct SweepResult {
   std::uint64_t failed{0};              ///< of these, failed or incomplete
   std::vector<StoredColumn> variables;  ///< in the order of the study
   std::vector<Metric> metrics;          ///< in the order asked
+  /// which of the metrics are derived parameters: with the variables they make up a design
+  std::vector<std::size_t> derived;
 };
 
 }  // namespace twum::studies

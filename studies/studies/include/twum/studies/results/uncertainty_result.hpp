@@ -46,6 +46,8 @@ struct UncertaintyResult {
   /// of these, motors without a value that a limit needs; they count as violating it
   std::uint64_t no_value{0};
   std::string start;  ///< the other study whose best design is the motor; empty: none
+  /// the motor without its tolerances: the varied parameters, and those of the other study's design
+  std::vector<NamedValue> nominal;
   std::vector<StoredColumn> variables;  ///< in the order of the study
   std::vector<CutOff> cut_off;          ///< distributions that reach beyond the admissible range
   std::vector<Metric> metrics;          ///< in the order asked

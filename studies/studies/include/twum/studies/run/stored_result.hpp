@@ -6,6 +6,7 @@
 #include <twum/studies/study/study_file.hpp>
 
 #include <functional>
+#include <stop_token>
 #include <string>
 
 namespace twum::studies {
@@ -14,9 +15,11 @@ namespace twum::studies {
 /// the evaluations. Changes nothing in the directory. Takes the time of the study without its evaluations:
 /// milliseconds; under tolerances seconds.
 /// @param use  called with these; they are valid during the call only
-/// @throws InputError if the directory holds no result, or one of an interrupted study; StoreError if the result is damaged
+/// @throws InputError if the directory holds no result, or one of an interrupted study; StoreError if the result is damaged;
+/// Interrupted after a stop request
 void read_result(
     const std::string& directory,
-    const std::function<void(const StudyFile&, const StudyResult&, const ResultStore&)>& use);
+    const std::function<void(const StudyFile&, const StudyResult&, const ResultStore&)>& use,
+    const std::stop_token& stop = {});
 
 }  // namespace twum::studies

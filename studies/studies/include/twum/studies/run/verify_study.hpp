@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@ namespace twum::studies {
 struct VerifyOptions {
   std::uint64_t samples{1000};  ///< stored rows to evaluate again, drawn at random
   std::uint64_t seed{1};        ///< of the draw
+  std::stop_token stop{};       ///< ends the verification; it then throws Interrupted
 };
 
 /// Comparison of the results in a directory with a new computation. A number holds if it agrees to 1e-12 relative.
@@ -35,7 +37,8 @@ struct Verification {
 /// their certificates, the answer that follows from the rows with its counts and notes, study.yaml by its hash,
 /// results.csv and the motor files. Does not check report.html, which `twum report` writes again. Changes nothing in
 /// the directory.
-/// @throws InputError if there is no such directory or no result in it; StoreError if it cannot be read.
+/// @throws InputError if there is no such directory or no result in it, or a file that the study names has changed since;
+/// StoreError if the results cannot be read; Interrupted after a stop request.
 Verification verify_study(const std::string& directory, const VerifyOptions& options = {});
 
 }  // namespace twum::studies
