@@ -67,6 +67,8 @@ SolverRun run_solver(const Problem& problem, const SolveOptions& options, const 
   } else {
     run.report = plan.optimizer->run(plan.optimizer->info, nlp, plan.start, settings);
   }
+  // The solver only knows that it was stopped.
+  if (run.report.stop == StopReason::evaluations) run.report.word = "max_evaluations";
   run.best = nlp.best();
   if (run.best) run.design = nlp.design(run.best->z);
   return run;

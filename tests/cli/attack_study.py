@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Random studies of pareto, size, uncertainty, sensitivity and frequency (stop_study.py has optimize), with what may happen to them.
+"""Random studies of every kind, on motors with an amplitude, with a voltage and with a plate, sliced and tapered, with what may
+happen to them.
 
     attack_study.py TWUM [--other OLDER_TWUM] [--count 100] [--kills 0] [--seed 1] [--minutes M] [--keep DIR]
 
@@ -14,6 +15,7 @@ import collections
 import math
 import pathlib
 import random
+import re
 import resource
 import shutil
 import subprocess
@@ -62,6 +64,19 @@ def driven(chance):
                          mass=spread(chance, 15, 40), quality=spread(chance, 80, 300), factor=spread(chance, 0.3, 0.8),
                          thickness=spread(chance, 0.3, 0.7), modulus=spread(chance, 0.5, 2), kinetic=kinetic,
                          static=kinetic * chance.choice([1, 1.1]), preload=spread(chance, 80, 250))
+
+
+def tapered(chance, text):
+    """The same motor with a track of some slices, or of one beside a taper and a shape that only more slices would use."""
+    slices = chance.choice(["1", "1", "4", "8", "auto"])
+    shape = f"radial_slices: {slices}, radial_shape: {{exponent: {chance.uniform(-2, 3):.3g}, root: {chance.uniform(0, 5):.3g} mm}}, "
+    text = text.replace("stator: {", "stator: {" + shape, 1)
+    return text.replace("  preload:", f"  rotor: {{taper: {chance.uniform(-100, 100):.3g} urad, mass: 50 g}}\n  preload:", 1)
+
+
+def plate(chance):
+    text = (pathlib.Path(__file__).resolve().parents[2] / "examples/motors/plate-30.yaml").read_text()
+    return re.sub(r"^(  preload:).*$", lambda m: f"{m[1]} {chance.uniform(5, 30):.4g} N", text, flags=re.M)
 
 
 def named(metric):
@@ -128,15 +143,57 @@ def frequency(chance):
             f"  direction: {chance.choice(['up', 'down', 'both'])}"]
 
 
-KINDS = {"pareto": pareto, "size": size, "uncertainty": uncertainty, "sensitivity": sensitivity}
+def optimize(chance, motor):
+    goal = f"  {chance.choice(['minimize', 'maximize'])}: {named(chance.choice(METRICS))}"
+    return [*ranges(chance, motor), goal, *limits(chance, "constraints"), f"  solver: {{max_evaluations: {chance.choice([50, 1000])}, starts: 2}}"]
+
+
+def robust(chance, motor):
+    spreads = [f"    {name}: {chance.uniform(1, 8):.3g} %" for name, _, _ in chance.sample(VARIABLES, chance.randint(1, 2))]
+    return [*ranges(chance, motor, 1, 2), "  tolerances:", *spreads, f"  maximize: \"quantile({named(chance.choice(METRICS))}, 5 %)\"",
+            "  solver: {max_evaluations: 60, starts: 1, scan: 0}"]
+
+
+def sweep(chance, motor):
+    lines = [f"    {name}: {{min: {motor[key] / 1.3:.6g} {unit}, max: {motor[key] * 1.3:.6g} {unit}}}"
+             for name, key, unit in chance.sample(VARIABLES, chance.randint(1, 3)) if name not in ("contact_width", "thickness")]
+    derived = chance.choice([[], ["  derived: {contact_width: 0.12 * contact_radius}"], ["  derived: {static_friction: 1.05 * kinetic_friction}"]])
+    lines = lines or [f"    preload: {{min: {motor['preload'] / 2:.4g} N, max: {motor['preload']:.4g} N}}"]
+    return ["  variables:", *lines, *derived, f"  sampling: {chance.choice(['lhs', 'sobol'])}", f"  samples: {chance.randint(5, 60)}", *metrics(chance)]
+
+
+def curve(chance, motor):
+    name, key, unit = chance.choice(VARIABLES)
+    family = ", ".join(f"{motor[key] * chance.uniform(0.8, 1.2):.4g} {unit}".strip() for _ in range(3))
+    return [f"  family: {{{name}: [{family}]}}", f"  points: {chance.randint(5, 60)}"]
+
+
+def calibrate(chance, motor):
+    """Without data: it plans the first measurements."""
+    return ["  variables:", "    kinetic_friction: {min: 0.05, max: 0.5}", "    youngs_modulus: {min: 0.3 GPa, max: 20 GPa, scale: log}"]
+
+
+KINDS = {"pareto": pareto, "size": size, "uncertainty": uncertainty, "sensitivity": sensitivity, "optimize": optimize, "robust": robust,
+         "sweep": sweep, "curve": curve, "calibrate": calibrate}
 ATTACKED = [*KINDS, "frequency"]
+# of a motor under a voltage or with a plate; each has these
+DRIVEN_VARIABLES = {"preload", "thickness", "youngs_modulus", "density", "loss_factor"}
 
 
 def random_study(chance, kind):
     if kind == "frequency":
         return "\n".join([driven(chance) + "study:", "  kind: frequency", *frequency(chance)]) + "\n"
     motor = random_motor(chance)
-    return "\n".join([MOTOR.format(**motor) + "study:", f"  kind: {kind}", *KINDS[kind](chance, motor)]) + "\n"
+    text = MOTOR.format(**motor)
+    other = chance.choice(["amplitude", "amplitude", "tapered", "voltage", "plate"])
+    lines = KINDS[kind](chance, motor)
+    if other == "tapered":
+        text = tapered(chance, text)
+    varied = {name for name, _, _ in VARIABLES if any(re.match(rf" *(family: {{)?{name}:", line) for line in lines)}
+    if other in ("voltage", "plate") and varied <= DRIVEN_VARIABLES:
+        text = driven(chance) if other == "voltage" else plate(chance)
+    kind = "optimize" if kind == "robust" else kind
+    return "\n".join([text.rstrip() + "\nstudy:", f"  kind: {kind}", *lines]) + "\n"
 
 
 def run(program, *arguments, **options):

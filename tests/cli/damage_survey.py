@@ -132,6 +132,27 @@ def survey(program, study, count, seed=1):
     return counts
 
 
+def summary_survey(program, study, count, seed=1):
+    """How many of so many flipped bits of summary.json were found, and how many change nothing that is compared; none ends verify in any
+    other way than by a verdict or a message."""
+    chance = random.Random(f"{seed} summary of {study.name}")
+    counts = collections.Counter()
+    with tempfile.TemporaryDirectory(prefix="twum-damage-") as scratch:
+        folder = pathlib.Path(scratch, "finished")
+        finish(start(program, study, folder, jobs=1))
+        good = (folder / "summary.json").read_bytes()
+        for number in range(count):
+            data = bytearray(good)
+            what = f"{study.name}, summary.json: {flip(data, chance)} (seed {seed}, number {number})"
+            (folder / "summary.json").write_bytes(data)
+            done = subprocess.run([program, "verify", str(folder), "--samples", "5"], capture_output=True, timeout=HANGS)
+            said = (done.stdout + done.stderr).decode(errors="replace")
+            if done.returncode not in (0, 1, *REFUSED) or "json.exception" in said:
+                raise AssertionError(f"{what}: exit status {done.returncode}: {said}")
+            counts["not compared" if done.returncode == 0 else "found"] += 1
+    return counts
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program")
@@ -144,6 +165,8 @@ def main():
         text = ", ".join(f"{kind.__name__} {counts[kind.__name__, 'refused']} refused {counts[kind.__name__, 'same']} same"
                          for kind in KINDS)
         print(f"{study.name}: {options.count} damages, none unnoticed: {text}", flush=True)
+        seen = summary_survey(options.program, study, options.count, options.seed)
+        print(f"{study.name}: {options.count} bits of its summary flipped: {seen['found']} found, {seen['not compared']} not compared", flush=True)
 
 
 if __name__ == "__main__":

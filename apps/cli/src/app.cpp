@@ -33,8 +33,9 @@ constexpr const char* kExamples = R"text(Examples:
   twum init optimize -o study.yaml                    a commented study file to start from
   twum run study.yaml                                 runs it, or resumes it
 
-Exit status: 0 done; 1 no feasible or converged answer; 2 the input is wrong;
-3 a file could not be written, or an internal error; 130 interrupted.)text";
+Exit status: 0 done: of a search, its design or front keeps all limits; 1 there is no such design, the
+motor of a calibration does not follow the points, or nothing has a value; 2 the input is wrong;
+3 a file could not be written or read, or an internal error; 130 interrupted.)text";
 
 // Of several processes started together, only the first reports errors in the input.
 int complain(const std::string& text, int status) {
@@ -159,6 +160,8 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return explain(app, error);
+  } catch (const InputError& error) {
+    return complain(std::string("twum: ") + error.what(), kWrongInput);
   }
   return perform([&] {
     refuse_empty_options(app);

@@ -4,27 +4,52 @@
 #include "options.hpp"
 #include "terminal.hpp"
 
+#include <twum/base/error.hpp>
 #include <twum/studies/tables/csv.hpp>
 #include <twum/studies/text/number.hpp>
+#include <twum/studies/text/words.hpp>
 
 #include <unistd.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 
 namespace twum::cli {
 namespace {
 
-// "csv" of "results/curve.csv"
-std::string format_of(const std::string& path) {
-  const std::string extension = std::filesystem::path(path).extension().string();
-  if (extension == ".md") return "markdown";
-  return extension.empty() ? extension : extension.substr(1);
+// Endings that say nothing of a format: none, those of plain text, and numbers, as of "run-1.5".
+bool says_nothing(const std::string& ending) {
+  constexpr std::array kPlain{"", "txt", "dat", "out", "log"};
+  const bool number = std::ranges::all_of(ending, [](unsigned char c) { return std::isdigit(c) != 0; });
+  return number || std::ranges::find(kPlain, ending) != kPlain.end();
 }
 
+std::string ending_of(const std::string& format) { return format == "markdown" ? "md" : format; }
+
+
 }  // namespace
+
+std::string format_of(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  if (extension.empty()) return extension;
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".md" ? "markdown" : extension.substr(1);
+}
+
+void require_ending(const std::string& path, const std::vector<std::string>& formats) {
+  const std::string ending = format_of(path);
+  if (says_nothing(ending) || std::ranges::find(formats, ending) != formats.end()) return;
+  std::string endings;
+  for (const std::string& format : formats)
+    if (format != "table") endings += (endings.empty() ? "." : ", .") + ending_of(format);
+  throw InputError("-o " + studies::printable(path, 200) + ": nothing that can be written here is a ." +
+                   studies::printable(ending_of(ending)) + " file; expected the ending " + endings);
+}
 
 std::size_t OutputOptions::table_width() const {
   return path.empty() ? terminal_width(STDOUT_FILENO).value_or(0) : 0;
@@ -45,7 +70,11 @@ void add_output_options(CLI::App& command, OutputOptions& options,
             options.path = path;
             const std::string by_name = format_of(path);
             const bool known = std::find(formats.begin(), formats.end(), by_name) != formats.end();
-            if (given->count() == 0 && known) options.format = by_name;
+            if (given->count() > 0) return;
+            if (known)
+              options.format = by_name;
+            else
+              require_ending(path, formats);
           },
           "Write the result to this file")
       ->type_name("FILE");

@@ -26,6 +26,13 @@ struct OutputOptions {
 void add_output_options(CLI::App& command, OutputOptions& options,
                         const std::vector<std::string>& formats);
 
+/// Format that the ending of a path names, in small letters: "csv" of "results/curve.CSV", "markdown" of ".md".
+std::string format_of(const std::string& path);
+
+/// Refuses a file whose ending is that of another format than these, such as "curve.xlsx".
+/// @throws InputError
+void require_ending(const std::string& path, const std::vector<std::string>& formats);
+
 /// A number for a CSV cell; empty if it is not a number.
 std::string cell_of(double value);
 

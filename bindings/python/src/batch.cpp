@@ -57,11 +57,30 @@ void refuse_alternatives_together(const std::vector<ParameterColumn>& columns,
   }
 }
 
-Designs to_designs(const py::dict& arguments) {
+// A dictionary, or another mapping such as a DataFrame, whose columns are then parameters.
+py::dict to_dict(const py::object& mapping) {
+  if (py::isinstance<py::dict>(mapping)) return mapping;
+  if (!py::hasattr(mapping, "keys") || !py::hasattr(mapping, "__getitem__"))
+    throw py::type_error("designs: expected a mapping of parameters to values, such as a dictionary or a "
+                         "DataFrame, not " +
+                         py::cast<std::string>(py::type::of(mapping).attr("__name__")));
+  py::dict entries;
+  for (const py::handle key : mapping.attr("keys")()) {
+    const std::string name = to_text("name of a parameter", key);
+    if (const auto letter = name.size() == 1 ? find_parameter(name) : std::nullopt)
+      throw InputError("column '" + name + "': a letter alone does not say whether " +
+                       std::string(info(*letter).name) + " is meant; name the column so, or drop it");
+    entries[key] = mapping[key];
+  }
+  return entries;
+}
+
+Designs to_designs(const py::object& given) {
+  const py::dict arguments = to_dict(given);
   Designs designs;
   bool counted = false;
   for (const auto& [key, value] : arguments) {
-    const Parameter parameter = studies::parse_parameter(py::cast<std::string>(key));
+    const Parameter parameter = studies::parse_parameter(to_text("name of a parameter", key));
     ParameterColumn column{parameter, column_values(parameter, value)};
     refuse_alternatives_together(designs.columns, column);
     const bool single = is_single(value);
@@ -140,7 +159,7 @@ std::string status_of(const std::vector<studies::MetricExpression>& metrics,
   return "ok";
 }
 
-py::dict evaluate_batch(const PyMotor& base, const py::dict& arguments, const py::object& names,
+py::dict evaluate_batch(const PyMotor& base, const py::object& arguments, const py::object& names,
                         unsigned jobs) {
   const Designs designs = to_designs(arguments);
   const std::vector<studies::MetricExpression> metrics = to_metrics(names);
@@ -216,7 +235,7 @@ class DerivativeColumns {
   std::vector<std::string> status_;
 };
 
-py::dict gradients_batch(const PyMotor& base, const py::dict& arguments, const py::object& names,
+py::dict gradients_batch(const PyMotor& base, const py::object& arguments, const py::object& names,
                          bool fixed_static_friction, unsigned jobs) {
   const Designs designs = to_designs(arguments);
   const std::vector<studies::MetricExpression> metrics = to_metrics(names);
@@ -251,7 +270,7 @@ void add_batch(py::module_& module) {
              py::kw_only(), py::arg("jobs") = 0,
              "evaluate(motor, designs, metrics, *, jobs=0)\n--\n\n"
              "Metrics of many designs, on all processors unless `jobs` says otherwise.\n\n"
-             "`designs` maps names of parameters to arrays in SI units, all of one length, or to "
+             "`designs` maps names of parameters (a dictionary, a DataFrame) to arrays in SI units, all of one length, or to "
              "single values,\n"
              "which may have a unit; the rest is the motor's. The answer maps each metric to an "
              "array, and 'status'\n"

@@ -72,6 +72,22 @@ Array from_objects(const py::array& objects, const ToNumber& one) {
 
 }  // namespace
 
+std::string to_text(const std::string& name, py::handle value) {
+  if (!PyUnicode_Check(value.ptr()))
+    throw py::type_error(name + ": expected a text, not " +
+                         py::cast<std::string>(py::type::of(value).attr("__name__")));
+  py::ssize_t size = 0;
+  const char* const text = PyUnicode_AsUTF8AndSize(value.ptr(), &size);
+  if (text == nullptr) {
+    PyErr_Clear();
+    throw InputError(name + ": a text with a lone surrogate, which stands for no character");
+  }
+  std::string result(text, static_cast<std::size_t>(size));
+  if (result.find('\0') != std::string::npos)
+    throw InputError(name + ": a text with a NUL character in it");
+  return result;
+}
+
 py::str to_py(std::string_view text) { return py::str(text.data(), text.size()); }
 
 std::optional<double> number_of(py::handle value) {
@@ -93,7 +109,7 @@ double to_quantity(const std::string& name, py::handle value, std::string_view u
                    std::string_view example) {
   if (py::isinstance<py::str>(value)) {
     try {
-      return studies::parse_quantity(py::cast<std::string>(value), {unit, example});
+      return studies::parse_quantity(to_text(name, value), {unit, example});
     } catch (const InputError& error) {
       throw InputError(name + ": " + error.what());
     }
@@ -131,7 +147,7 @@ double to_parameter_value(Parameter parameter, py::handle value) {
   const std::string name(row.name);
   if (py::isinstance<py::str>(value)) {
     try {
-      return studies::parse_setting(name + "=" + py::cast<std::string>(value)).second;
+      return studies::parse_setting(name + "=" + to_text(name, value)).second;
     } catch (const InputError& error) {
       throw InputError(name + ": " + error.what());
     }
@@ -145,7 +161,7 @@ std::vector<ParameterValue> to_parameter_values(const py::dict& arguments) {
   std::string wrong;
   for (const auto& [key, value] : arguments) {
     try {
-      const Parameter parameter = studies::parse_parameter(py::cast<std::string>(key));
+      const Parameter parameter = studies::parse_parameter(to_text("name of a parameter", key));
       const double number = to_parameter_value(parameter, value);
       const std::string refusal = complaint(parameter, number);
       if (!refusal.empty()) throw InputError(std::string(info(parameter).name) + " " + refusal);
@@ -160,13 +176,13 @@ std::vector<ParameterValue> to_parameter_values(const py::dict& arguments) {
 
 std::vector<studies::MetricExpression> to_metrics(py::handle metrics) {
   if (py::isinstance<py::str>(metrics)) {
-    return studies::parse_metric_list(py::cast<std::string>(metrics));
+    return studies::parse_metric_list(to_text("metrics", metrics));
   }
   std::vector<studies::MetricExpression> list;
   for (const py::handle one : metrics) {
     if (!py::isinstance<py::str>(one))
       throw py::type_error("metrics: expected texts such as 'stall_torque'");
-    studies::MetricExpression expression = studies::parse_metric(py::cast<std::string>(one));
+    studies::MetricExpression expression = studies::parse_metric(to_text("metrics", one));
     const bool twice = std::any_of(
         list.begin(), list.end(), [&](const auto& other) { return other.text == expression.text; });
     if (twice) throw InputError("metrics: '" + expression.text + "' is given twice");

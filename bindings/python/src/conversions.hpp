@@ -21,6 +21,10 @@ namespace py = pybind11;
 
 using Array = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
+/// A text of Python as UTF-8.
+/// @throws TypeError for another type, InputError for a text with a NUL or a lone surrogate
+std::string to_text(const std::string& name, py::handle value);
+
 /// A view on a table's text as a Python string.
 py::str to_py(std::string_view text);
 

@@ -27,7 +27,7 @@ PyMotor make(const py::object& path, const std::optional<std::string>& name,
              const py::kwargs& parameters) {
   studies::MotorFile file;
   if (!path.is_none()) {
-    const auto text = py::cast<std::string>(py::module_::import("os").attr("fspath")(path));
+    const auto text = to_text("path", py::module_::import("os").attr("fsdecode")(path));
     file = studies::read_motor_file(text);
   }
   if (name) file.name = *name;

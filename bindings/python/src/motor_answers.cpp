@@ -113,7 +113,7 @@ py::object point_metric(const PyMotor& self, const MetricInfo& row, Argument arg
                         const py::object& at) {
   const std::string name(row.name);
   if (py::isinstance<py::str>(at)) {
-    const auto metric = studies::parse_metric(name + "(" + py::cast<std::string>(at) + ")");
+    const auto metric = studies::parse_metric(name + "(" + to_text(name, at) + ")");
     return py::float_(point_value(self, metric.text, *metric.request()));
   }
   MetricRequest request{row.metric, argument, 0};

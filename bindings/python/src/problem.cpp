@@ -49,7 +49,7 @@ PyProblem& derive(PyProblem& self, const std::string& name, const std::string& e
 studies::ParameterSet to_set(const std::string& name, const py::handle& given) {
   if (py::isinstance<py::dict>(given))
     return {name, {}, to_parameter_values(py::cast<py::dict>(given))};
-  const auto path = py::cast<std::string>(py::str(given));
+  const auto path = to_text("path of a set", py::str(given));
   return {name, path, studies::read_parameter_set(studies::read_source(path))};
 }
 
@@ -94,7 +94,7 @@ optim::SolveOptions solve_options(py::dict from) {
   for (const auto& [key, value] : from) {
     constexpr std::array<std::string_view, 8> kNames{
         "solver", "starts", "scan", "tolerance", "seed", "max_evaluations", "max_seconds", "jobs"};
-    const auto name = py::cast<std::string>(key);
+    const auto name = to_text("name", key);
     throw InputError("unknown option " + studies::quoted(name) + "; " +
                      studies::did_you_mean(name, kNames));
   }

@@ -61,8 +61,10 @@ void add_tables(py::module_& module) {
              "solver_table()\n--\n\nEvery solver of optimizations, one dictionary each.");
   module.def(
       "quantity",
-      [](const std::string& text, const std::string& unit) {
-        return studies::parse_quantity(text, {unit, "1 " + unit});
+      [](const py::str& text, const py::str& unit) {
+        const std::string si = to_text("unit", unit);
+        if (si != "1") studies::parse_measure("1 " + si);  // is one
+        return studies::parse_quantity(to_text("text", text), {si, "1 " + si});
       },
       py::arg("text"), py::arg("unit"),
       "quantity(text, unit)\n--\n\nThe number that a text such as '100 rpm' is in an SI unit such "

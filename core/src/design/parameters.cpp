@@ -345,4 +345,10 @@ std::vector<std::string> complaints(const MotorDesign& design) {
   return found;
 }
 
+void require_motor(const MotorDesign& design) {
+  std::string text;
+  for (const std::string& wrong : complaints(design)) text += (text.empty() ? "" : "; ") + wrong;
+  if (!text.empty()) throw InputError("motor design: " + text);
+}
+
 }  // namespace twum

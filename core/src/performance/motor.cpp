@@ -67,12 +67,7 @@ double OperatingPoint::efficiency() const noexcept {
 }
 
 Motor::Motor(const MotorDesign& design) : design_(design) {
-  const std::vector<std::string> wrong = complaints(design);
-  if (!wrong.empty()) {
-    std::string text = "motor design: " + wrong.front();
-    for (std::size_t i = 1; i < wrong.size(); ++i) text += "; " + wrong[i];
-    throw InputError(text);
-  }
+  require_motor(design);
   if (const auto modes = performance::stator_modes(design))
     modes_ = std::make_shared<const performance::StatorModes<double>>(*modes);
   if (design.stator.voltage) {

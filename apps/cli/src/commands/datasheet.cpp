@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command.hpp"
 #include "exit_status.hpp"
+#include "formats.hpp"
 #include "load.hpp"
 #include "options.hpp"
 #include "output.hpp"
@@ -56,6 +57,7 @@ std::string sheet_of(const SheetOptions& options, const std::string& motor) {
 }
 
 int run_datasheet(const SheetOptions& options) {
+  if (!options.page.empty()) require_ending(options.page, {"html", "htm"});
   MotorOptions of = options.motor;
   of.path = motor_of(of.path);
   const std::string path = sheet_of(options, of.path);

@@ -119,6 +119,7 @@ int run_evaluate(const EvaluateOptions& options) {
   const unsigned jobs = job_count(
       options.jobs.empty() ? 0
                            : static_cast<unsigned>(parse_count("--jobs", options.jobs, 1, 1024)));
+  if (!options.output.empty()) require_ending(options.output, {"csv"});
   if (options.designs.empty()) return run_alone(options, metrics_of(options));
   Output output(options.output, {options.motor.path, options.designs});
   std::vector<studies::MetricExpression> metrics = metrics_of(options);

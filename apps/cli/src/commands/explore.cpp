@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command.hpp"
 #include "exit_status.hpp"
+#include "formats.hpp"
 #include "message.hpp"
 #include "notes.hpp"
 #include "options.hpp"
@@ -40,6 +41,7 @@ std::string page_of(const ExploreOptions& options) {
 
 int run_explore(const ExploreOptions& options) {
   const std::string path = page_of(options);
+  require_ending(path, {"html", "htm"});
   Output page(path, {options.motor.path});
   const studies::MotorFile motor = load_motor(options.motor);
   const Motor valid(motor.design);

@@ -2,6 +2,7 @@
 #include "command.hpp"
 #include "driven_motor.hpp"
 #include "exit_status.hpp"
+#include "formats.hpp"
 #include "options.hpp"
 #include "output.hpp"
 
@@ -69,6 +70,7 @@ std::string template_of(const InitOptions& options) {
 }
 
 int run_init(const InitOptions& options) {
+  require_ending(options.path, {"yaml", "yml"});
   std::error_code ignored;
   if (std::filesystem::is_regular_file(options.path, ignored)) {
     throw InputError(options.path + ": exists already; choose another name after -o");

@@ -16,6 +16,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,19 +53,19 @@ std::string directory_of(const StudyOptions& options) {
   return (std::filesystem::path("results") / name).string();
 }
 
-// A search that used up its budget may still have found a design within all limits, or a part of a front.
-bool has_feasible_design(const studies::StudyResult& result) {
+// Whether a search has a design, or a front of designs, that keeps all limits: also one that used up its budget.
+std::optional<bool> keeps_all_limits(const studies::StudyResult& result) {
   if (const auto* front = std::get_if<studies::ParetoResult>(&result.answer))
-    return !front->front.empty();
+    return result.outcome != "infeasible" && !front->front.empty();
   const auto* best = std::get_if<studies::OptimizeResult>(&result.answer);
-  return best != nullptr && best->found && studies::keeps_limits(best->best);
+  if (best == nullptr) return {};
+  return result.outcome != "infeasible" && best->found && studies::keeps_limits(best->best);
 }
 
 int status_of(const studies::StudyResult& result) {
   if (result.outcome == "interrupted") return kInterrupted;
-  if (result.outcome == "budget") return has_feasible_design(result) ? kDone : kNoAnswer;
-  const bool answered = result.outcome == "done" || result.outcome == "optimal" ||
-                        result.outcome == "feasible" || result.outcome == "fitted";
+  const bool answered = keeps_all_limits(result).value_or(result.outcome == "done" ||
+                                                          result.outcome == "fitted");
   return answered ? kDone : kNoAnswer;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command.hpp"
 #include "exit_status.hpp"
+#include "formats.hpp"
 #include "options.hpp"
 #include "output.hpp"
 
@@ -40,6 +41,7 @@ std::string schema_text(const SchemaOptions& options) {
 int run_schema(const SchemaOptions& options) {
   if (options.kind == "motor" && options.format == "markdown")
     throw InputError("the page of the motor file is 'twum parameters --format markdown'");
+  require_ending(options.path, {options.format == "markdown" ? "markdown" : "json"});
   Output output(options.path);
   output.write(schema_text(options));
   output.finish();

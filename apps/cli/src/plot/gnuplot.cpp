@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plot/gnuplot.hpp"
 
+#include "formats.hpp"
 #include "output.hpp"
 
 #include <twum/base/error.hpp>
@@ -123,8 +124,8 @@ bool same_file(const std::string& a, const std::string& b) {
 }  // namespace
 
 PlotFile::PlotFile(std::string path, const std::vector<std::string>& inputs)
-    : path_(std::move(path)), vector_graphics_(path_.ends_with(".svg")) {
-  if (!vector_graphics_ && !path_.ends_with(".png")) {
+    : path_(std::move(path)), vector_graphics_(format_of(path_) == "svg") {
+  if (!vector_graphics_ && format_of(path_) != "png") {
     throw InputError("--plot: " + studies::quoted(path_) +
                      " must end in .svg or .png; the ending selects the format");
   }

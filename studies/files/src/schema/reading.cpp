@@ -7,6 +7,9 @@
 #include <twum/studies/text/value_error.hpp>
 #include <twum/studies/text/words.hpp>
 
+#include <map>
+#include <set>
+
 namespace twum::studies {
 namespace {
 
@@ -18,14 +21,23 @@ const SchemaEntry* entry_of(const Schema& mapping, std::string_view key) {
   return nullptr;
 }
 
-// The key of an entry in a mapping; null if it is not given.
-const YamlEntry* given(const YamlNode& node, const Schema& mapping, std::string_view name) {
-  for (const YamlEntry& entry : node.entries) {
-    const SchemaEntry* known = entry_of(mapping, entry.key);
-    if (known != nullptr && known->name == name) return &entry;
+// The first entry of a mapping for each entry of its schema, found in one pass.
+class FirstGiven {
+ public:
+  FirstGiven(const YamlNode& node, const Schema& mapping) {
+    for (const YamlEntry& entry : node.entries)
+      if (const SchemaEntry* known = entry_of(mapping, entry.key)) first_.emplace(known->name, &entry);
   }
-  return nullptr;
-}
+
+  // Null if it is not given.
+  const YamlEntry* find(std::string_view name) const {
+    const auto found = first_.find(name);
+    return found == first_.end() ? nullptr : found->second;
+  }
+
+ private:
+  std::map<std::string_view, const YamlEntry*> first_;
+};
 
 // Another usual name of an entry, as in other kinds of study.
 std::string_view synonym(std::string_view word, const std::vector<std::string_view>& names) {
@@ -48,12 +60,12 @@ void say_twice(const YamlEntry& second, const YamlEntry& first, const Spot& spot
 }
 
 // The required mapping that is missing and to which an unknown entry belongs; null if there is none, or more than one.
-const SchemaEntry* missing_parent(const YamlNode& node, const Schema& schema,
+const SchemaEntry* missing_parent(const FirstGiven& given, const Schema& schema,
                                   std::string_view key) {
   const SchemaEntry* parent = nullptr;
   for (const SchemaEntry& entry : schema.entries) {
     if (!entry.required || entry.schema.kind != ValueKind::mapping ||
-        given(node, schema, entry.name) != nullptr || entry_of(entry.schema, key) == nullptr)
+        given.find(entry.name) != nullptr || entry_of(entry.schema, key) == nullptr)
       continue;
     if (parent != nullptr) return nullptr;
     parent = &entry;
@@ -96,14 +108,14 @@ void say_both(const YamlEntry& own, const YamlEntry& alternative, const Spot& sp
                    alternative.key_mark, "'" + alternative.key + "' given here"});
 }
 
-void check_presence(const YamlNode& node, const Schema& schema, const SchemaEntry& entry,
-                    const Spot& spot, Diagnostics& diagnostics) {
-  const YamlEntry* own = given(node, schema, entry.name);
+void check_presence(const FirstGiven& given, const SchemaEntry& entry, const Spot& spot,
+                    Diagnostics& diagnostics) {
+  const YamlEntry* own = given.find(entry.name);
   const YamlEntry* alternative =
-      entry.alternative_entry.empty() ? nullptr : given(node, schema, entry.alternative_entry);
+      entry.alternative_entry.empty() ? nullptr : given.find(entry.alternative_entry);
   if (own != nullptr && alternative != nullptr)
     return say_both(*own, *alternative, spot, diagnostics);
-  const bool spared = !entry.spared_by.empty() && given(node, schema, entry.spared_by) != nullptr;
+  const bool spared = !entry.spared_by.empty() && given.find(entry.spared_by) != nullptr;
   if (own != nullptr || alternative != nullptr || spared || !entry.required) return;
   const bool one_word = entry.schema.kind == ValueKind::word && entry.schema.words.size() == 1;
   std::string remedy = one_word
@@ -186,27 +198,25 @@ bool check_item_count(const YamlNode& list, const Schema& schema, const Spot& sp
 std::vector<GivenEntry> given_entries(const YamlNode& node, const Schema& schema, const Spot& spot,
                                       Diagnostics& diagnostics) {
   std::vector<GivenEntry> found;
-  std::vector<std::string_view> meant;  // entries that mistyped names were probably meant for
+  const FirstGiven given(node, schema);
+  std::set<std::string_view> meant;  // entries that mistyped names were probably meant for
   for (const YamlEntry& entry : node.entries) {
     const SchemaEntry* known = entry_of(schema, entry.key);
     if (known == nullptr) {
-      const SchemaEntry* parent = missing_parent(node, schema, entry.key);
+      const SchemaEntry* parent = missing_parent(given, schema, entry.key);
       if (parent == nullptr) {
-        meant.push_back(say_unknown(entry, schema, spot, diagnostics));
-      } else if (std::find(meant.begin(), meant.end(), parent->name) == meant.end()) {
-        say_misplaced(entry, *parent, spot,
-                      diagnostics);  // once for all entries of the same parent
-        meant.push_back(parent->name);
+        meant.insert(say_unknown(entry, schema, spot, diagnostics));
+      } else if (meant.insert(parent->name).second) {  // once for all entries of the same parent
+        say_misplaced(entry, *parent, spot, diagnostics);
       }
       continue;
     }
     found.push_back({static_cast<std::size_t>(known - schema.entries.data()), &entry});
-    const YamlEntry* first = given(node, schema, known->name);
+    const YamlEntry* first = given.find(known->name);
     if (first != &entry) say_twice(entry, *first, spot, diagnostics);
   }
   for (const SchemaEntry& entry : schema.entries)
-    if (std::find(meant.begin(), meant.end(), entry.name) == meant.end())
-      check_presence(node, schema, entry, spot, diagnostics);
+    if (!meant.contains(entry.name)) check_presence(given, entry, spot, diagnostics);
   return found;
 }
 

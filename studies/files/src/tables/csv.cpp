@@ -65,14 +65,39 @@ bool CsvReader::fill() {
   return !at_end_;
 }
 
+// A spreadsheet's own format, or a text in another encoding, has no records that could be read.
+void CsvReader::check_kind() {
+  constexpr std::size_t kEnough = 512;
+  while (end_ - at_ < kEnough && fill()) continue;
+  known_kind_ = true;
+  const std::string_view head = rest().substr(0, kEnough);
+  const std::string save = "; save it as CSV (text with commas, UTF-8)";
+  if (head.starts_with("PK\x03\x04"))
+    throw InputError(name_ + ": is a spreadsheet (.xlsx, .ods) or another packed file, not a text" + save);
+  if (head.starts_with("\xD0\xCF\x11\xE0"))
+    throw InputError(name_ + ": is a spreadsheet (.xls) or another document, not a text" + save);
+  if (head.starts_with("\xFF\xFE") || head.starts_with("\xFE\xFF"))
+    throw InputError(name_ + ": is a text in UTF-16" + save);
+  if (head.find('\0') != std::string_view::npos)
+    throw InputError(name_ + ": is not a text, or one in UTF-16" + save);
+}
+
+// Line ends of old programs: without line feeds the whole file would be one line.
+void CsvReader::refuse_lone_returns(std::string_view record, std::size_t line) const {
+  if (line != 1 || record.find('"') != std::string_view::npos) return;
+  if (record.find('\r') == std::string_view::npos) return;
+  throw InputError(name_ + ": its lines end in a carriage return alone (CR); save it with line feeds (LF or CRLF)");
+}
+
 // Finds the record that begins at at_: its length with the line end, and its number of lines.
 bool CsvReader::find_record(std::size_t& length, std::size_t& lines) {
   QuoteState quotes;
   while (true) {
     const std::string_view text = rest();
     const std::size_t feed = text.find('\n');
-    const bool simple =
-        feed != std::string_view::npos && text.substr(0, feed).find('"') == std::string_view::npos;
+    const bool remark = text.starts_with('#');  // whose quotation marks mean nothing
+    const bool simple = remark || (feed != std::string_view::npos &&
+                                   text.substr(0, feed).find('"') == std::string_view::npos);
     const std::size_t end = simple ? feed : quotes.find_end(text);
     if (end != std::string_view::npos) {
       length = end + 1;
@@ -100,12 +125,14 @@ bool CsvReader::find_record(std::size_t& length, std::size_t& lines) {
 bool CsvReader::next(CsvChunk& chunk) {
   std::size_t length = 0;
   std::size_t lines = 0;
+  if (!known_kind_) check_kind();
   while (find_record(length, lines)) {
     std::string_view record = rest().substr(0, length);
     if (record.ends_with('\n')) record.remove_suffix(1);
     if (record.ends_with('\r')) record.remove_suffix(1);
     const std::size_t line = line_;
-    const bool blank = trimmed(record).empty();
+    const bool blank = trimmed(record).empty() || record.starts_with('#');
+    refuse_lone_returns(record, line);
     if (!blank) {
       chunk.records.push_back({chunk.text.size(), record.size(), line});
       chunk.text.append(record);
@@ -140,6 +167,20 @@ CsvReader::Bytes bytes_of(std::FILE* file, const std::string& name) {
     }
     return got;
   };
+}
+
+std::string_view other_separator(std::string_view header) {
+  bool inside = false;
+  std::size_t semicolons = 0, tabs = 0;
+  for (const char c : header) {
+    if (c == '"') inside = !inside;
+    if (inside) continue;
+    if (c == ',') return {};
+    semicolons += c == ';' ? 1 : 0;
+    tabs += c == '\t' ? 1 : 0;
+  }
+  if (semicolons == 0 && tabs == 0) return {};
+  return semicolons >= tabs ? "semicolons" : "tabs";
 }
 
 bool split_record(std::string_view record, std::vector<std::string_view>& cells) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace twum::studies {
 
@@ -12,6 +14,11 @@ struct Heading {
   bool has_unit;
 };
 
-Heading split_heading(std::string_view text);
+/// The ways to read a heading, the usual one first: "NAME [UNIT]" or a name alone, then "NAME (UNIT)" and "NAME / UNIT" if
+/// UNIT is one.
+std::vector<Heading> heading_forms(std::string_view text);
+
+/// The first word of a heading: letters, digits and underscores.
+std::string_view first_word(std::string_view text);
 
 }  // namespace twum::studies

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/studies/units/units.hpp>
 
+#include "text/utf8.hpp"
 #include "units/unit_definitions.hpp"
 #include "units/unit_system.hpp"
 
@@ -121,17 +122,52 @@ Match match_unit(std::string_view unit, std::string_view whole, std::size_t at,
                    expectation_instead_of(unit, expected), at);
 }
 
+std::string without(std::string_view text, char separator) {
+  std::string rest(text);
+  std::erase(rest, separator);
+  return rest;
+}
+
+// Whether commas stand before groups of three digits only, as in "1,200" and "1,200.5".
+bool groups_thousands(std::string_view number, char separator) {
+  const std::size_t first = number.find(separator);
+  if (first == std::string_view::npos || first == 0 || first > 3 || number[0] == '0') return false;
+  for (std::size_t at = first; at < number.size() && number[at] == separator; at += 4) {
+    const std::string_view group = number.substr(at + 1, 3);
+    const bool digits = group.size() == 3 && std::ranges::all_of(group, is_digit);
+    const bool longer = at + 4 < number.size() && is_digit(number[at + 4]);
+    if (!digits || longer) return false;
+  }
+  return true;
+}
+
+// A comma is the decimal sign of some and separates the thousands of others. Where both readings are possible, both are offered.
+void refuse_comma(std::string_view text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string_view::npos) return;
+  const std::size_t end = text.find_first_not_of("+-0123456789.,");
+  const std::string_view number = text.substr(0, end);
+  const std::string unit(end == std::string_view::npos ? std::string_view() : text.substr(end));
+  const auto shown = [&](const std::string& digits) { return studies::quoted(digits + unit); };
+  std::string pointed = without(number, '.');  // "1.200,5" as "1200.5"
+  if (const std::size_t at = pointed.find(','); at != std::string::npos) pointed[at] = '.';
+  const std::string whole = without(number, ',');
+  const bool decimal = number_prefix(pointed) == pointed.size();
+  const bool thousands = groups_thousands(number.substr(number.find_first_not_of("+-")), ',') &&
+                         number_prefix(whole) == whole.size();
+  const bool points = number.find('.') != std::string_view::npos;
+  if (thousands && decimal && !points)
+    throw ValueError(studies::quoted(text) + " has a comma, which may stand for a decimal point or "
+                     "separate thousands", "write " + shown(pointed) + " or " + shown(whole), comma);
+  if (thousands)
+    throw ValueError(studies::quoted(text) + " has commas between thousands", "write " + shown(whole), comma);
+  if (decimal && (!points || number.find('.') < comma))
+    throw ValueError(studies::quoted(text) + " has a decimal comma", "write " + shown(pointed), comma);
+}
+
 [[noreturn]] void no_number(std::string_view text, std::span<const Expected> expected) {
   if (text.empty()) throw ValueError("empty", expectation(expected));
-  const std::size_t comma = text.find(',');
-  if (comma != std::string_view::npos) {
-    std::string pointed(text);
-    pointed[comma] = '.';
-    if (number_prefix(pointed) > comma) {
-      throw ValueError(studies::quoted(text) + " has a decimal comma",
-                       "write " + studies::quoted(pointed), comma);
-    }
-  }
+  refuse_comma(text);
   throw ValueError(quoted(text) + " is not a number", expectation(expected));
 }
 

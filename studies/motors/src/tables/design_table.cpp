@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <twum/studies/tables/design_table.hpp>
 
-#include "tables/heading.hpp"
+#include "tables/parameter_heading.hpp"
 
-#include <twum/core/performance/batch.hpp>
 #include <twum/studies/motor/settings.hpp>
 #include <twum/studies/text/number.hpp>
 #include <twum/studies/text/value_error.hpp>
@@ -65,11 +64,12 @@ DesignTable::DesignTable(const CsvReader& reader, const CsvChunk& header, const 
   const std::string place = reader.name() + ":" + std::to_string(header.records[0].line) + ": ";
   std::vector<std::string> wrong;
   std::vector<std::string_view> cells;
-  if (!split_record(header_, cells))
-    wrong.emplace_back("a quotation mark that cannot stand there; quote whole cells");
-  if (cells.size() == 1 && header_.find_first_of(";\t") != std::string::npos) {
-    wrong.emplace_back("only one column; separate columns with commas");
+  const bool well_formed = split_record(header_, cells);
+  if (const std::string_view separator = other_separator(header_); !separator.empty()) {
+    wrong.push_back("columns separated by " + std::string(separator) + "; separate them with commas");
     cells.clear();
+  } else if (!well_formed) {
+    wrong.emplace_back("a quotation mark that cannot stand there; quote whole cells");
   }
   for (const std::string_view cell : cells) {
     try {
@@ -98,24 +98,43 @@ DesignTable::DesignTable(const CsvReader& reader, const CsvChunk& header, const 
 }
 
 DesignTable::TableColumn DesignTable::read_column(const std::string& text) {
-  const Heading heading = split_heading(text);
-  const auto parameter = find_parameter(heading.name);
-  if (!parameter) {
-    std::vector<std::string_view> names;
-    for (const ParameterInfo& row : parameter_table()) names.push_back(row.name);
-    if (const auto meant = nearest(heading.name, names); !meant.empty()) {
-      warnings_.push_back("column " + quoted(text) +
-                          " is not a parameter and is only copied; did you mean '" +
-                          std::string(meant) + "'?");
-    }
-    return {text, text, {}, {}};
-  }
-  const ParameterInfo& row = info(*parameter);
+  for (const Heading& heading : heading_forms(text))
+    if (const auto parameter = parameter_named(heading.name))
+      return parameter_column(text, heading, info(*parameter));
+  warn_of_copy(text);
+  return {text, text, {}, {}};
+}
+
+DesignTable::TableColumn DesignTable::parameter_column(const std::string& text,
+                                                       const Heading& heading,
+                                                       const ParameterInfo& row) {
+  const bool letter = heading.name.size() == 1;
+  if (is_bare_letter(heading))
+    throw ValueError(bare_letter_words(heading.name, row), bare_letter_advice(row));
+  if (letter)
+    warnings_.push_back("column " + quoted(text) + " sets " + std::string(row.name));
   if (!heading.has_unit && row.unit != "1")
     without_unit_.push_back(std::string(heading.name) + " [" + std::string(row.unit) + "]");
   const Scale scale =
       heading.has_unit ? parse_unit(heading.unit, {row.unit, row.example}) : Scale();
-  return {std::string(heading.name), text, parameter, scale};
+  return {std::string(heading.name), text, row.parameter, scale};
+}
+
+// A heading that is nearly a parameter, or begins with the name of one.
+void DesignTable::warn_of_copy(const std::string& text) {
+  const std::string_view name = heading_forms(text).front().name;
+  std::vector<std::string_view> names;
+  for (const ParameterInfo& row : parameter_table()) {
+    names.push_back(row.name);
+    if (row.symbol.size() > 2) names.push_back(row.symbol);  // shorter ones are near too many words
+  }
+  const auto begins = parameter_named(first_word(text));
+  const std::string_view near = nearest(name, names);
+  if (near.empty() && !begins) return;
+  const ParameterInfo& row = info(near.empty() ? *begins : *find_parameter(near));
+  if (near.empty() && row.symbol == first_word(text)) return;  // a word that happens to be a symbol
+  warnings_.push_back("column " + quoted(text) + " is not a parameter and is only copied; did you mean '" +
+                      heading_of(row) + "'?");
 }
 
 // True for a column that the result computes itself, as in the result of an earlier run.
@@ -197,6 +216,25 @@ bool DesignTable::read_values(std::size_t line, Scratch& scratch) const {
   return true;
 }
 
+DesignOutcome<std::vector<MetricValue>> DesignTable::metrics(Scratch& scratch) const {
+  return ask_design([&] { return with(base_, scratch.values); },
+                    [&](const Motor& motor) {
+                      scratch.notes = model_notes(motor);
+                      return evaluator_.evaluate(motor);
+                    });
+}
+
+// No contact is solved where nothing asks for one.
+DesignOutcome<std::vector<MetricValue>> DesignTable::parameters(const Scratch& scratch) const {
+  return outcome_of([&] {
+    const MotorDesign design = with(base_, scratch.values);
+    require_motor(design);
+    std::vector<MetricValue> values(metrics_.size());
+    evaluator_.combine(design, {}, values);
+    return values;
+  });
+}
+
 // Sets scratch.metrics, and scratch.reason if something is wrong.
 bool DesignTable::compute(std::string_view record, std::size_t line, Scratch& scratch) const {
   scratch.well_formed = split_record(record, scratch.cells);
@@ -209,11 +247,7 @@ bool DesignTable::compute(std::string_view record, std::size_t line, Scratch& sc
     return false;
   }
   if (!read_values(line, scratch)) return false;
-  auto outcome = ask_design([&] { return with(base_, scratch.values); },
-                            [&](const Motor& motor) {
-                              scratch.notes = model_notes(motor);
-                              return evaluator_.evaluate(motor);
-                            });
+  auto outcome = evaluator_.requests().empty() ? parameters(scratch) : metrics(scratch);
   if (const auto* failure = std::get_if<DesignFailure>(&outcome)) {
     const bool refused = failure->kind == DesignFailure::Kind::refused;
     scratch.reason = (refused ? at_line(line) : "") + failure->text;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tables/measured_columns.hpp"
 
-#include "tables/heading.hpp"
+#include "tables/parameter_heading.hpp"
 
 #include <twum/studies/text/value_error.hpp>
 #include <twum/studies/text/words.hpp>
@@ -19,10 +19,11 @@ class ColumnReader {
   ColumnReader(const std::vector<ColumnHeading>& headings, Diagnostics& diagnostics)
       : headings_(headings), diagnostics_(diagnostics) {
     has_speed_ = has("speed");
+    for (const ColumnHeading& heading : headings) parts_.push_back(known_form(heading.text));
   }
 
   std::vector<MeasuredColumn> read(SourceMark begin) {
-    for (const ColumnHeading& heading : headings_) add(heading);
+    for (std::size_t i = 0; i < headings_.size(); ++i) add(headings_[i], parts_[i]);
     check_repeats();
     if (unknown_) return std::move(columns_);  // the unknown column may be the missing one
     for (MeasuredColumn& column : columns_) {
@@ -36,13 +37,27 @@ class ColumnReader {
 
  private:
   bool has(std::string_view name) const {
-    return std::any_of(headings_.begin(), headings_.end(),
-                       [&](const auto& h) { return split_heading(h.text).name == name; });
+    return std::ranges::any_of(headings_, [&](const auto& heading) {
+      return std::ranges::any_of(heading_forms(heading.text),
+                                 [&](const Heading& form) { return form.name == name; });
+    });
   }
 
-  void add(const ColumnHeading& heading) {
-    const Heading parts = split_heading(heading.text);
+  // The first reading of a heading whose name is known, or the usual one.
+  Heading known_form(const std::string& text) const {
+    const std::vector<Heading> forms = heading_forms(text);
+    const auto known = std::ranges::find_if(
+        forms, [&](const Heading& form) { return column_of(std::string(form.name)).has_value(); });
+    return known == forms.end() ? forms.front() : *known;
+  }
+
+  void add(const ColumnHeading& heading, const Heading& parts) {
     std::optional<MeasuredColumn> column = column_of(std::string(parts.name));
+    if (column && column->role == ColumnRole::parameter && is_bare_letter(parts)) {
+      const ParameterInfo& row = info(column->parameter);
+      diagnostics_.add(heading.mark, "", bare_letter_words(parts.name, row), bare_letter_advice(row));
+      unknown_ = true;
+    }
     if (!column) {
       unknown_ = true;
       diagnostics_.add(
@@ -103,7 +118,7 @@ class ColumnReader {
       column.expected = unit_of(*reading);
       return column;
     }
-    const auto parameter = find_parameter(name);
+    const auto parameter = parameter_named(name);
     if (!parameter) return {};
     column.role = ColumnRole::parameter;
     column.parameter = *parameter;
@@ -200,6 +215,7 @@ class ColumnReader {
   }
 
   const std::vector<ColumnHeading>& headings_;
+  std::vector<Heading> parts_;  // of each heading
   Diagnostics& diagnostics_;
   bool has_speed_{false};
   bool unknown_{false};
@@ -211,6 +227,14 @@ class ColumnReader {
 std::vector<MeasuredColumn> measured_columns(const std::vector<ColumnHeading>& headings,
                                              SourceMark begin, Diagnostics& diagnostics) {
   return ColumnReader(headings, diagnostics).read(begin);
+}
+
+std::vector<std::string> by_letter(const std::vector<MeasuredColumn>& columns) {
+  std::vector<std::string> list;
+  for (const MeasuredColumn& column : columns)
+    if (column.role == ColumnRole::parameter && column.name.size() == 1)
+      list.push_back(column.name + " sets " + std::string(info(column.parameter).name));
+  return list;
 }
 
 std::vector<std::string> without_unit(const std::vector<MeasuredColumn>& columns) {

@@ -42,4 +42,7 @@ std::vector<MeasuredColumn> measured_columns(const std::vector<ColumnHeading>& h
 /// Headings without a unit that have a dimension, with the SI unit they are read in: "torque [N.m]".
 std::vector<std::string> without_unit(const std::vector<MeasuredColumn>& columns);
 
+/// Columns that set a parameter by a letter: "h sets thickness".
+std::vector<std::string> by_letter(const std::vector<MeasuredColumn>& columns);
+
 }  // namespace twum::studies

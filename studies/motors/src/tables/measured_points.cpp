@@ -37,7 +37,7 @@ class PointReader {
     diagnostics_.throw_if_any();
     weigh();
     diagnostics_.throw_if_any();
-    MeasuredPoints table{std::move(points_), without_unit(columns_)};
+    MeasuredPoints table{std::move(points_), without_unit(columns_), by_letter(columns_)};
     for (const MeasuredColumn& column : columns_)
       if (column.role == ColumnRole::parameter)
         table.set.emplace_back(column.parameter, column.mark);
@@ -61,7 +61,7 @@ class PointReader {
 
   bool split(std::string_view record, std::size_t line) {
     const bool good = split_record(record, cells_);
-    if (!good) {
+    if (!good && (has_header_ || other_separator(record).empty())) {
       diagnostics_.add(source_.mark(static_cast<int>(line) - 1, 0), "",
                        "a quotation mark that cannot stand there", "quote whole cells");
     }
@@ -69,14 +69,14 @@ class PointReader {
   }
 
   void read_header(std::string_view record, std::size_t line) {
-    if (!split(record, line)) return;
-    const bool other_separator =
-        cells_.size() == 1 && record.find_first_of(";\t") != std::string_view::npos;
-    if (other_separator) {
-      diagnostics_.add({static_cast<int>(line), 1}, "", "only one column",
-                       "separate columns with commas");
+    const bool well_formed = split(record, line);
+    if (const std::string_view separator = other_separator(record); !separator.empty()) {
+      diagnostics_.add({static_cast<int>(line), 1}, "",
+                       "columns separated by " + std::string(separator),
+                       "separate them with commas");
       return;
     }
+    if (!well_formed) return;
     if (cells_.size() > kMostColumns) {
       diagnostics_.add({static_cast<int>(line), 1}, "", std::to_string(cells_.size()) + " columns",
                        "expected " + std::to_string(kMostColumns) + " at most");
@@ -93,7 +93,6 @@ class PointReader {
   void read_lines(const CsvChunk& chunk) {
     for (std::size_t i = 0; i < chunk.records.size(); ++i) {
       const std::string_view record = chunk.record(i);
-      if (record.starts_with('#')) continue;
       if (has_header_) {
         read_row(record, chunk.records[i].line);
         continue;
@@ -268,6 +267,7 @@ MeasuredPoints joined(std::vector<MeasuredPoints> files) {
     std::move(file.points.begin(), file.points.end(), std::back_inserter(all.points));
     std::move(file.without_unit.begin(), file.without_unit.end(),
               std::back_inserter(all.without_unit));
+    std::move(file.by_letter.begin(), file.by_letter.end(), std::back_inserter(all.by_letter));
   }
   const bool alike = one_kind(all.points);
   if (files.size() == 1 && alike) return all;

@@ -35,6 +35,46 @@ std::vector<std::string> unit_notes(const MeasuredPoints& table) {
           names};
 }
 
+std::vector<std::string> letter_notes(const MeasuredPoints& table) {
+  std::vector<std::string> notes;
+  for (const std::string& column : table.by_letter) notes.push_back("the column " + column);
+  return notes;
+}
+
+bool same_reading(const MeasuredPoint& a, const MeasuredPoint& b) {
+  const auto* one = std::get_if<MetricRequest>(&a.reading);
+  const auto* other = std::get_if<MetricRequest>(&b.reading);
+  const bool there = one == nullptr || other == nullptr || one->at == other->at;
+  return same_kind(a.reading, b.reading) && there && a.value == b.value && a.set == b.set;
+}
+
+// Tables with the same numbers count twice: a fit then takes its errors for smaller than they are.
+std::vector<std::string> copy_notes(const std::vector<MeasuredPoints>& tables,
+                                    const std::vector<std::string>& names) {
+  std::vector<std::string> notes;
+  for (std::size_t k = 1; k < tables.size(); ++k)
+    for (std::size_t i = 0; i < k; ++i) {
+      if (!std::ranges::equal(tables[i].points, tables[k].points, same_reading)) continue;
+      notes.push_back(names[k] + " holds the same numbers as " + names[i] +
+                      ", so that each counts twice and intervals are too narrow; leave one of them out "
+                      "unless the numbers were measured twice");
+      break;
+    }
+  return notes;
+}
+
+// The same file by any path.
+void refuse_file_twice(const std::vector<std::string>& names, const std::vector<std::string>& paths) {
+  std::error_code ignored;
+  for (std::size_t k = 1; k < paths.size(); ++k)
+    for (std::size_t i = 0; i < k; ++i)
+      if (std::filesystem::equivalent(paths[i], paths[k], ignored))
+        throw InputError("study.data: " + quoted(names[k]) +
+                         (names[i] == names[k] ? " is given twice"
+                                               : " is the same file as " + quoted(names[i])) +
+                         ", and its points would count twice; leave one of them out");
+}
+
 // Refuses a parameter that a column sets and the study estimates.
 void refuse_set(const MeasuredPoints& table, const CalibrateStudy& asked,
                 Diagnostics& diagnostics) {
@@ -219,7 +259,9 @@ AskedFit asked_fit(const CalibrateStudy& asked, const StudyFile& file) {
     tables.push_back(checked_table(asked, file.motor.design, paths.back()));
     if (asked.scatter == Scatter::by_column) give_sizes(tables.back().points);
   }
+  refuse_file_twice(asked.data, paths);
   require_deviations(tables, paths);
+  std::vector<std::string> notes = copy_notes(tables, asked.data);
   MeasuredPoints table = joined(std::move(tables));
   std::vector<MeasuredPoint>& points = table.points;
   std::vector<FitParameter> parameters = fit_parameters(asked);
@@ -227,7 +269,8 @@ AskedFit asked_fit(const CalibrateStudy& asked, const StudyFile& file) {
     throw InputError(names + ": " + counted(points.size(), "point") + " cannot determine " +
                      counted(parameters.size(), "parameter") +
                      "; measure more points or estimate fewer parameters");
-  std::vector<std::string> notes = unit_notes(table);
+  for (const std::vector<std::string>& more : {unit_notes(table), letter_notes(table)})
+    notes.insert(notes.end(), more.begin(), more.end());
   std::vector<std::size_t> columns;
   if (asked.scatter == Scatter::by_column) columns = columns_of(points);
   return {{file.motor.design, std::move(parameters), std::move(points), asked.derived},

@@ -35,11 +35,31 @@ Sizes sizes_of(const CalibrateResult& result) {
   return {std::sqrt(sizes.measured / count), std::sqrt(sizes.fitted / count)};
 }
 
+// Torques of the other sign that would fit in size: a test stand that counts the load as negative, or turns the other way.
+bool reversed_signs(const CalibrateResult& result, Notes& notes) {
+  const auto share = [&](auto&& has) {
+    return static_cast<double>(std::count_if(result.data.begin(), result.data.end(), has)) /
+           static_cast<double>(result.data.size());
+  };
+  constexpr double kMost = 0.5;
+  const bool negative = share([](const auto& point) { return point.value < 0; }) > kMost;
+  const bool opposite = share([](const auto& point) { return point.value * point.fitted <= 0; }) > kMost;
+  if (!negative || !opposite) return false;
+  const bool backward = share([](const auto& point) { return point.at < 0; }) > kMost;
+  notes.push_back(backward
+                      ? "The signs of speed and torque look reversed: both are negative at most points. Give "
+                        "both as positive numbers where the motor drives."
+                      : "The signs of torque look reversed: most are negative, where the motor drives. A torque is "
+                        "positive where the motor drives its load.");
+  return true;
+}
+
 // A unit taken for another shows in sizes or in signs.
 void add_unit_hints(const CalibrateResult& result, Notes& notes) {
   const bool torques = std::all_of(result.data.begin(), result.data.end(),
                                    [](const auto& point) { return point.torque(); });
   if (!torques) return;
+  if (reversed_signs(result, notes)) return;
   constexpr double kFar = 3;
   const Sizes sizes = sizes_of(result);
   const double ratio = sizes.measured / sizes.fitted;

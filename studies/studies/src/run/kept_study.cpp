@@ -8,6 +8,7 @@
 #include "results/row_pass.hpp"
 #include "run/result_folder.hpp"
 #include "run/verify_checks.hpp"
+#include "study/never_defined.hpp"
 #include "study/resolved_study.hpp"
 
 #include <twum/base/error.hpp>
@@ -253,6 +254,8 @@ std::vector<std::string> study_notes(const StudyFile& file) {
   const std::unique_ptr<StudyKindRun> kind = make_kind(file);
   std::vector<std::string> notes = notes_of(file, *kind);
   for (std::string& note : kind->notes_before()) notes.push_back(std::move(note));
+  for (std::string& note : range_notes(file.asked, file.motor.design, file.study, file.path))
+    notes.push_back(std::move(note));
   return notes;
 }
 

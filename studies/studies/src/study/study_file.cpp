@@ -2,6 +2,7 @@
 #include <twum/studies/study/study_file.hpp>
 
 #include "study/choice_shape.hpp"
+#include "study/never_defined.hpp"
 #include "study/plate_derivatives.hpp"
 #include "study/study_kinds.hpp"
 #include "study/tolerance_shape.hpp"
@@ -297,6 +298,8 @@ StudyFile read_study(const Source& source, const std::string& folder,
     if (diagnostics.empty()) check_derived(text.study, motor->design, root, diagnostics);
     if (diagnostics.empty() && files.empty())
       check_choices(text.study, motor->design, root, diagnostics);
+    if (diagnostics.empty() && files.empty())
+      check_defined(text.study, motor->design, root, diagnostics);
     if (diagnostics.empty()) check_plate_derivatives(text.study, motor->design, root, diagnostics);
   }
   throw_all(diagnostics, files);

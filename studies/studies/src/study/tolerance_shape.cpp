@@ -97,6 +97,12 @@ bool check_entries(Shape_ shape, const Given& given, Diagnostics& diagnostics) {
   };
   const bool between = any(entries.between) && !any(entries.about);
   const std::vector<std::string_view>& own = between ? entries.between : entries.about;
+  const bool two_ends = given.find("min") != nullptr && given.find("max") != nullptr;
+  if (two_ends && given.find("distribution") == nullptr && !any(entries.about)) {
+    diagnostics.add(given.node().mark, given.path(), "two ends without a distribution",
+                    "add 'distribution: uniform', or with 'mode' triangular");
+    return false;
+  }
   bool good = true;
   for (const YamlEntry& entry : given.node().entries) {
     const bool known =

@@ -181,4 +181,7 @@ MotorDesign with(const MotorDesign& design, Parameter parameter, double value);
 /// its radial shape is known and positive on the track, a voltage has its modal data, and a geometry can be built.
 std::vector<std::string> complaints(const MotorDesign& design);
 
+/// @throws InputError with every complaint, as the constructor of Motor does
+void require_motor(const MotorDesign& design);
+
 }  // namespace twum

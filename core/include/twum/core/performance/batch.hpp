@@ -32,13 +32,11 @@ struct DesignFailure {
 template <typename Answer>
 using DesignOutcome = std::variant<Answer, DesignFailure>;
 
-/// Builds one motor and asks it. Turns every std::exception of either step into a DesignFailure.
-/// @param make  `MotorDesign make()`, which may throw an InputError for values that no motor can have
-/// @param ask   `Answer ask(const Motor&)`
-template <typename Make, typename Ask>
-auto ask_design(Make&& make, Ask&& ask) -> DesignOutcome<std::invoke_result_t<Ask&, const Motor&>> {
+/// Calls a function and turns every std::exception into a DesignFailure.
+template <typename Compute>
+auto outcome_of(Compute&& compute) -> DesignOutcome<std::invoke_result_t<Compute&>> {
   try {
-    return ask(Motor(make()));
+    return compute();
   } catch (const InputError& error) {
     return DesignFailure{DesignFailure::Kind::refused, error.what()};
   } catch (const EvaluationError& error) {
@@ -46,6 +44,14 @@ auto ask_design(Make&& make, Ask&& ask) -> DesignOutcome<std::invoke_result_t<As
   } catch (const std::exception& error) {
     return DesignFailure{DesignFailure::Kind::error, error.what()};
   }
+}
+
+/// Builds one motor and asks it. Turns every std::exception of either step into a DesignFailure.
+/// @param make  `MotorDesign make()`, which may throw an InputError for values that no motor can have
+/// @param ask   `Answer ask(const Motor&)`
+template <typename Make, typename Ask>
+auto ask_design(Make&& make, Ask&& ask) -> DesignOutcome<std::invoke_result_t<Ask&, const Motor&>> {
+  return outcome_of([&] { return ask(Motor(make())); });
 }
 
 /// Asks many designs on several threads by run_indexed(). The outcomes come in the order of the designs and do not

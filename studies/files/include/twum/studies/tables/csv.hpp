@@ -30,7 +30,7 @@ struct CsvChunk {
 };
 
 /// Cuts a stream of bytes into CSV records (RFC 4180: commas, "" quoting, line ends LF or CRLF, line breaks inside
-/// quotes). Blank lines and a byte order mark are skipped. Memory holds one block of the stream and one record,
+/// quotes). Blank lines, remarks (lines that begin with #) and a byte order mark are skipped. Memory holds one block of the stream and one record,
 /// whatever the length of the stream.
 class CsvReader {
  public:
@@ -42,7 +42,7 @@ class CsvReader {
   CsvReader(std::string name, Bytes bytes) : name_(std::move(name)), bytes_(std::move(bytes)) {}
 
   /// Replaces the chunk by the next records, at most `most` and at most about 256 KiB; false at the end.
-  /// @throws InputError if a quotation does not end or a record is longer than 64 MiB, after the records before it
+  /// @throws InputError for a file of another kind (a spreadsheet, UTF-16, lines that end in CR alone), if a quotation does not end or a record is longer than 64 MiB, after the records before it
   ///         were returned.
   bool read(CsvChunk& chunk, std::size_t most);
 
@@ -57,6 +57,8 @@ class CsvReader {
   bool fill();
   bool find_record(std::size_t& length, std::size_t& lines);
   bool next(CsvChunk& chunk);
+  void check_kind();
+  void refuse_lone_returns(std::string_view record, std::size_t line) const;
 
   std::string name_;
   Bytes bytes_;
@@ -67,12 +69,16 @@ class CsvReader {
   std::size_t bytes_read_{0};
   bool at_start_{true};
   bool at_end_{false};
+  bool known_kind_{false};
   std::exception_ptr failure_;  // thrown by the next read
 };
 
 /// The bytes of a C file, which must outlive them.
 /// @throws InputError (when read from) if reading fails.
 CsvReader::Bytes bytes_of(std::FILE* file, const std::string& name);
+
+/// What separates the columns of a header that has no comma outside quotation marks: "semicolons", "tabs", or nothing.
+std::string_view other_separator(std::string_view header);
 
 /// Divides a record into cells, with their quotation marks; the cells are views into the record.
 /// @return false if a quotation mark is in the wrong place.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <twum/core/design/motor_design.hpp>
+#include <twum/core/performance/batch.hpp>
 #include <twum/studies/metrics/expression.hpp>
 #include <twum/studies/motor/model_notes.hpp>
 #include <twum/studies/tables/csv.hpp>
@@ -20,8 +21,10 @@ namespace twum::studies {
 /// True if one of the expressions has a value. If metrics were asked for, parameters do not count.
 bool any_answer(std::span<const MetricExpression> asked, std::span<const MetricValue> values);
 
-/// A table with one design in each row. Columns named like parameters (with an optional "[unit]") replace the
-/// parameters of a base motor. Other columns are copied to the result, except those that the result computes itself.
+struct Heading;
+
+/// A table with one design in each row. Columns named like parameters (with an optional "[unit]", "(unit)" or "/ unit") replace
+/// the parameters of a base motor. Lines that begin with # are remarks. Other columns are copied to the result, except those that the result computes itself.
 /// Cells that a spreadsheet would run as a formula get a leading apostrophe (append_cell()).
 class DesignTable {
  public:
@@ -72,7 +75,12 @@ class DesignTable {
   };
 
   TableColumn read_column(const std::string& text);
+  TableColumn parameter_column(const std::string& text, const Heading& heading,
+                               const ParameterInfo& row);
+  void warn_of_copy(const std::string& text);
   void check_alternatives(std::vector<std::string>& wrong) const;
+  DesignOutcome<std::vector<MetricValue>> metrics(Scratch& scratch) const;
+  DesignOutcome<std::vector<MetricValue>> parameters(const Scratch& scratch) const;
   bool compute(std::string_view record, std::size_t line, Scratch& scratch) const;
   bool read_values(std::size_t line, Scratch& scratch) const;
   bool is_computed(const std::string& heading) const;
