@@ -5,12 +5,15 @@
 #include <twum/core/performance/motor.hpp>
 #include <twum/studies/motor/motor_file.hpp>
 #include <twum/studies/schema/publish.hpp>
+#include <twum/studies/units/units.hpp>
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <random>
 
 using namespace twum;
 using namespace twum::studies;
@@ -101,6 +104,53 @@ TEST_CASE("a motor that is written reads back the same", "[studies][motor]") {
   const MotorFile again = read_motor(Source("m.yaml", motor_text(motor)));
   CHECK(again.name == motor.name);
   check_equal(again.design, motor.design);
+}
+
+namespace {
+
+// An admissible value near the one that the table shows as an example.
+double random_value(const ParameterInfo& row, std::mt19937& dice) {
+  const double example = parse_quantity(row.example, {row.unit, row.example});
+  const double value = example * std::exp(std::uniform_real_distribution<>(-0.3, 0.3)(dice));
+  if (row.integer) return std::round(value);
+  return std::clamp(value, row.min, row.max);
+}
+
+// A motor with about half of all parameters given at random: those that exclude each other replace each other.
+MotorDesign random_design(const MotorDesign& base, std::mt19937& dice) {
+  MotorDesign design = base;
+  for (const ParameterInfo& row : parameter_table()) {
+    if (dice() % 2 == 0) continue;
+    try {
+      design = with(design, row.parameter, random_value(row, dice));
+    } catch (const InputError&) {  // it does not fit the others
+    }
+  }
+  return design;
+}
+
+}  // namespace
+
+TEST_CASE("what was given is written, whether it is in use or not, and reads back to the bit",
+          "[studies][motor][identity]") {
+  std::mt19937 dice(17);
+  int tapered = 0;
+  for (const std::string name : {"ring-60", "drive-60", "plate-30"}) {
+    const MotorDesign base =
+        read_motor_file(TWUM_SOURCE_DIR "/examples/motors/" + name + ".yaml").design;
+    for (int i = 0; i < 200; ++i) {
+      MotorDesign design = random_design(base, dice);
+      if (dice() % 2 == 0) design = with(design, Parameter::radial_slices, 1);
+      if (!complaints(design).empty()) continue;
+      const std::string text = motor_text({"m", design});
+      const MotorDesign again = read(text);
+      CAPTURE(name, i, text);
+      check_equal(again, design);
+      CHECK(motor_text({"m", again}) == text);
+      tapered += design.stator.radial_slices == 1 && design.rotor.taper != 0 ? 1 : 0;
+    }
+  }
+  CHECK(tapered > 20);  // the case that a track of one slice does not use
 }
 
 TEST_CASE("an equivalent circuit stands for the modal data (D4.4)", "[studies][motor]") {

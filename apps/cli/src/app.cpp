@@ -21,6 +21,8 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <stdexcept>
+#include <typeinfo>
 
 namespace twum::cli {
 namespace {
@@ -136,8 +138,14 @@ int perform(const Action& action) {
     return complain(std::string("twum: ") + error.what(), kWrongInput);
   } catch (const std::bad_alloc&) {
     return complain("twum: not enough memory", kFailed);
-  } catch (const std::exception& error) {
+  } catch (const Error& error) {
     return complain(std::string("twum: ") + error.what(), kFailed);
+  } catch (const BugError& error) {
+    return complain(std::string("twum: ") + error.what(), kFailed);
+  } catch (const std::exception& error) {
+    return complain(std::string("twum: internal error, please report it with this command and its files: ") +
+                        typeid(error).name(),
+                    kFailed);
   }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output.hpp"
 
+#include <twum/studies/text/words.hpp>
+
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -33,6 +35,8 @@ void Output::write(std::string_view text) {
   if (file_ == nullptr) open();
   if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) fail();
 }
+
+void Output::say(std::string_view text) { write(studies::printable_lines(text)); }
 
 void Output::finish() {
   if (file_ == nullptr) open();

@@ -36,6 +36,8 @@ class Output {
 
   /// @throws OutputError, ClosedPipe
   void write(std::string_view text);
+  /// Writes words for a person: control characters, which names of files may contain, are shown as \xNN.
+  void say(std::string_view text);
   /// Flushes and closes the destination; to be called once, at the end.
   void finish();
 

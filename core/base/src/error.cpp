@@ -4,7 +4,7 @@
 namespace twum::detail {
 
 void assertion_failed(const char* condition, const char* file, int line) {
-  throw std::logic_error(std::string("internal error, please report it: ") + file + ":" +
+  throw BugError(std::string("internal error, please report it: ") + file + ":" +
                          std::to_string(line) + ": " + condition);
 }
 

@@ -305,6 +305,10 @@ Derived Differentiator::plateau_of_track() {
   const double end = values_.plateau_of_track();
   if (end == value_of(slices.dual)) return slices;
   if (end == 0) return {DesignDual(0.0), Smoothness::flat};
+  // With mu_0 > mu an edge may leave the plateau for another state before its margin is used up.
+  const ModelDual margin = edge_margin_derivative(model_, end);
+  if (std::fabs(margin.v / margin.d[kSpeedDirection]) > 1e-9 * m_.crest_velocity / m_.r)
+    return {DesignDual(end), Smoothness::undefined};
   return {zero_of(held(edge_margin_derivative(model_, end), end), end), Smoothness::smooth};
 }
 

@@ -86,6 +86,8 @@ int Motor::radial_slices() const noexcept {
   return design_.stator.radial_slices <= kAutoSlices ? -nodes : nodes;
 }
 
+bool Motor::slices_settled() const noexcept { return model_->track.settled; }
+
 std::vector<double> Motor::slice_radii() const {
   std::vector<double> radii;
   for (const performance::Slice<double>& slice : model_->slices()) radii.push_back(slice.radius);

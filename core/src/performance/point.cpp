@@ -230,6 +230,12 @@ SliceAnswer slice_answer(const DrivenMotor<double>& m, double speed, std::size_t
   return {solved.state.lap.itinerary};
 }
 
+bool slice_drives(const DrivenMotor<double>& m, const Slice<double>& slice, double speed) {
+  const SolvedSlice solved(m, slice, speed, layer_of(m, speed), nullptr, kWithoutSplits);
+  return status_of(m, solved) == PointStatus::ok && solved.slips_one_way() &&
+         solved.state.lap.first == ZoneState::slip_plus;
+}
+
 SolvedPoint::SolvedPoint(const DrivenMotor<double>& m, double speed, const WarmStart* guess,
                          double accuracy)
     : first_(m.annulus.empty() ? SolvedSlice(m, m, speed, layer_of(m, speed),

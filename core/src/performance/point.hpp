@@ -142,6 +142,8 @@ struct SliceAnswer {
   long lost{0};                            ///< zones followed in vain
 };
 SliceAnswer slice_answer(const DrivenMotor<double>& motor, double speed, std::size_t slice);
+/// True if a slice, of the sum or an edge of the track, slips and drives all through at a speed.
+bool slice_drives(const DrivenMotor<double>& motor, const Slice<double>& slice, double speed);
 
 /// The contact at one operating point. Of how many slices it is made only its members know.
 class SolvedPoint {

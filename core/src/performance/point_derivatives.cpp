@@ -212,10 +212,27 @@ ModelDual plateau_margin_derivative(const DrivenMotor<ModelDual>& motor, double 
   return first_margin(motor, motor.slices(), speed);
 }
 
+namespace {
+
+// With mu_0 > mu a slice that sticks may hold on to it at speeds at which it could slip all through.
+double last_driving_speed(const DrivenMotor<double>& m, const Slice<double>& slice, double end) {
+  constexpr double kBeside = 1e-9;  // at the end itself slip and stick meet
+  if (slice_drives(m, slice, end * (1 - kBeside))) return end;
+  double low = 0, high = end;
+  while (high - low > 1e-15 * end) {
+    const double middle = 0.5 * (low + high);
+    (slice_drives(m, slice, middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace
+
 double track_plateau_end(const DrivenMotor<double>& m, double end) {
   for (const Slice<double>& edge : edges_of(m)) {
     if (!(margin_in(m, edge, 0).value > 0)) return 0;
     if (margin_in(m, edge, end).value < 0) end = sticking_speed(m, edge, end);
+    if (has_static_excess(m)) end = last_driving_speed(m, edge, end);
   }
   return end;
 }

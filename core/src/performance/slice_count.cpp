@@ -62,17 +62,23 @@ double difference(const DrivenMotor<double>& m, const Numbers& a, const Numbers&
   return most;
 }
 
-// The first number of nodes whose points the next number does not change: the difference is the error of the former.
-int nodes_needed(const ModelArray<double>& values, const TrackRule& rule, int most) {
+// The first number of nodes whose points the next number does not change: the difference is the error of the former. If there
+// is none, the largest.
+TrackRule with_nodes_needed(const ModelArray<double>& values, TrackRule rule, int most) {
+  const auto settled = [&rule](int nodes) {
+    rule.nodes = nodes;
+    return rule;
+  };
   Numbers before;
   for (std::size_t i = 0; i < kCounts.size() && kCounts[i] <= most; ++i) {
     const DrivenMotor<double> motor = motor_of(values, rule, kCounts[i]);
-    if (is_trivial(motor)) return kCounts[i];
+    if (is_trivial(motor)) return settled(kCounts[i]);
     const Numbers points = points_of(motor, i > 0 ? &before : nullptr);
-    if (i > 0 && difference(motor, before, points) <= kWanted) return kCounts[i - 1];
+    if (i > 0 && difference(motor, before, points) <= kWanted) return settled(kCounts[i - 1]);
     before = points;
   }
-  return most;
+  rule.nodes = most, rule.settled = false;
+  return rule;
 }
 
 // True if much of the layer's own motion is left after a turn. Such slices take many laps to settle, and many of those near a
@@ -106,10 +112,10 @@ TrackRule track_rule(const MotorDesign& design) {
   // A motor under a voltage has no wave here; Drive asks again with one.
   if (rule.splits && !stator.voltage && is_laborious(values)) {
     rule.splits = false;
-    if (rule.nodes == kAutoSlices) rule.nodes = kOfLaborious;
+    if (rule.nodes == kAutoSlices) rule.nodes = kOfLaborious, rule.settled = false;
   }
   if (rule.nodes == kAutoSlices)
-    rule.nodes = nodes_needed(values, rule, jumps ? kMostWithJumps : kCounts.back());
+    return with_nodes_needed(values, rule, jumps ? kMostWithJumps : kCounts.back());
   return rule;
 }
 

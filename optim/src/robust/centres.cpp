@@ -76,4 +76,8 @@ ImportanceSample Centres::sample(const SamplePlan& plan) {
   return sample;
 }
 
+ImportanceSample Centres::sample_unchanged(const SamplePlan& plan) const {
+  return draw_importance(problem_, terms_, x_, centres_, plan);
+}
+
 }  // namespace twum::optim

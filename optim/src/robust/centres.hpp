@@ -15,6 +15,9 @@ class Centres {
 
   /// Draws a sample. If failing products lie away from every centre, adds a centre there and draws again.
   ImportanceSample sample(const SamplePlan& plan);
+  /// Draws a sample about the centres as they are. Only such samples give an unbiased risk: one that is drawn again where it
+  /// shows a new way to fail, and kept where it misses it, is one-sided.
+  ImportanceSample sample_unchanged(const SamplePlan& plan) const;
 
   /// True if the worst point of the term is a centre.
   bool holds(std::size_t term) const { return taken_[term]; }

@@ -20,6 +20,7 @@ namespace {
 constexpr std::uint64_t kStagesOfASolve = 1000;    // more than one search ever takes
 constexpr double kDesignStill = 1e-3;              // of the unit box
 constexpr std::uint64_t kFreshScrambles = 10'000;  // apart from those that correct
+constexpr std::uint64_t kSoughtScrambles = 1'000'000;  // apart from both
 constexpr std::uint64_t kCoarse = 4096, kFine = 16384;
 
 double unit(const Variable& v, double x) {
@@ -59,7 +60,9 @@ std::vector<double> wanted_risks(const RobustProblem& problem) {
 std::vector<double> aimed_risks(const RobustProblem& problem) {
   std::vector<double> risks = wanted_risks(problem);
   for (std::size_t s = 0; s < risks.size(); ++s)
-    if (!is_goal(problem, s)) risks[s] = risk_to_aim_at(risks[s], products_for(risks[s]));
+    if (!is_goal(problem, s))
+      risks[s] = risks[s] < kRareRisk ? risk_to_aim_at_weighted(risks[s])
+                                      : risk_to_aim_at(risks[s], products_for(risks[s]));
   return risks;
 }
 
@@ -244,9 +247,12 @@ Verification RobustSearch::verified(const SolvedRound& solved, std::uint64_t pro
   if (!wants_rare(problem_) || stopped()) return seen;
   const RobustRound& round = *solved.round;
   const auto& y = solved.result.design;
+  // The ways to fail that any of several samples shows are centres of all that then decide (U5.5).
+  Centres centres(problem_, terms_, design(solved), round.betas(y), round.points(y));
+  for (std::uint64_t scramble = 0; scramble < kScrambles && !stopped(); ++scramble)
+    centres.sample(plan(kCoarse, kSoughtScrambles + kScrambles * run + scramble));
   return weighted(std::move(seen), terms_, [&](std::uint64_t scramble) {
-    Centres centres(problem_, terms_, design(solved), round.betas(y), round.points(y));
-    return centres.sample(plan(kCoarse, kFreshScrambles + kScrambles * run + scramble));
+    return centres.sample_unchanged(plan(kCoarse, kFreshScrambles + kScrambles * run + scramble));
   });
 }
 

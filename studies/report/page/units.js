@@ -80,8 +80,11 @@ export function between(low, high, unit) {
       (shown.text ? noBreak + shown.text : '');
 }
 
+/** A share in per cent. Of one near 1, what is missing has two digits: 99.9985 %. */
 export function percent(share, digits = 3) {
-  return share === null || !Number.isFinite(share) ? '-' : rounded(100 * share, digits) + noBreak + '%';
+  if (share === null || !Number.isFinite(share)) return '-';
+  const near = share > 0.9 && share < 1 ? 2 + Math.floor(-Math.log10(1 - share)) : 0;
+  return rounded(100 * share, Math.min(Math.max(digits, near), 12)) + noBreak + '%';
 }
 
 /** radial_slices as a file has it: 0 is auto, -N auto with N slices a panel. */

@@ -37,6 +37,12 @@ TEST_CASE("the verdict on a yield follows from the ends of its interval (U5.3)",
   CHECK(verdict_on(estimate, 0.9964) == YieldVerdict::broken);
 }
 
+TEST_CASE("the risk aimed at with weighted products leaves a twentieth for the interval (U5.6)",
+          "[optim][robust]") {
+  for (const double risk : {1e-9, 1e-6, 9e-5})
+    CHECK(risk_to_aim_at_weighted(risk) * 1.05 == Approx(risk).epsilon(1e-15));
+}
+
 TEST_CASE("the risk aimed at leaves room for the interval (U5.1, U5.4)", "[optim][robust]") {
   for (const double risk : {0.1, 0.01, 1e-3}) {
     const std::uint64_t products = products_for(risk);

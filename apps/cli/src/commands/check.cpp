@@ -71,7 +71,7 @@ int run_check(const MotorOptions& options) {
   const Checked found = checked(options);
   const Motor motor(found.motor);
   Output output("");
-  output.write(options.path + ": " + found.words + "\n");
+  output.say(options.path + ": " + found.words + "\n");
   output.finish();
   if (!found.missing.empty())
     say("note: " + found.missing + ": does not exist yet; 'twum run' needs it");

@@ -72,7 +72,7 @@ int run_datasheet(const SheetOptions& options) {
   page.finish();
   if (path == "-") return kDone;
   Output output("");
-  output.write(path + "\n");
+  output.say(path + "\n");
   output.finish();
   return kDone;
 }

@@ -49,7 +49,7 @@ int run_explore(const ExploreOptions& options) {
   page.finish();
   if (path != "-") {
     Output output("");
-    output.write(path + "\n");
+    output.say(path + "\n");
     output.finish();
   }
   if (!studies::has_designer())

@@ -61,7 +61,7 @@ int run_plot(const PlotOptions& options) {
       const std::string path =
           (std::filesystem::path(directory) / (picture.name + ending)).string();
       PlotFile(path, {}).draw(picture.size, picture.script);
-      output.write(path + "\n");
+      output.say(path + "\n");
     }
   }
   output.finish();

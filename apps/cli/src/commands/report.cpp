@@ -6,7 +6,6 @@
 
 #include <twum/base/error.hpp>
 #include <twum/studies/report/report.hpp>
-#include <twum/studies/text/words.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -27,7 +26,7 @@ int run_report(const std::string& directory) {
   const StopOnInterrupt stop;
   const std::string path = studies::write_report(directory, stop.token());
   Output output("");
-  output.write(studies::printable_lines(path) + "\n");
+  output.say(path + "\n");
   output.finish();
   return kDone;
 }

@@ -111,7 +111,7 @@ int run_first(const StudyOptions& options, studies::RunOptions run) {
     say("twum: " + directory + " holds this result already; --fresh computes it again");
   }
   Output output("");
-  output.write(studies::summary_text(result, notes));
+  output.say(studies::summary_text(result, notes));
   output.finish();
   say("results: " + directory);
   say_motor_files(result, directory);

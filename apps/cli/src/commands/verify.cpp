@@ -65,7 +65,7 @@ int run_verify(const VerifyCommand& command) {
   options.stop = stop.token();
   const studies::Verification found = studies::verify_study(command.directory, options);
   Output output("");
-  output.write(report(found));
+  output.say(report(found));
   output.finish();
   return found.holds() ? kDone : kNoAnswer;
 }

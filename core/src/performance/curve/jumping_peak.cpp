@@ -18,6 +18,7 @@ Peak JumpingPeakSearch::find() {
   for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
     if (std::max(goal_.value(nodes[k]), goal_.value(nodes[k + 1])) < worth) continue;
     for (const Stretch& stretch : stretches_.between(nodes[k], nodes[k + 1])) {
+      require_answer(stretch);
       consider_end(stretch.first);
       for (const Peak& inside : peaks_inside(stretch, GoalCurve::kNearly * best.value))
         consider(inside);
@@ -25,6 +26,14 @@ Peak JumpingPeakSearch::find() {
     }
   }
   return named(best);
+}
+
+// Beside values that are nearly the best, speeds without a periodic state may hide a higher one.
+void JumpingPeakSearch::require_answer(const Stretch& stretch) const {
+  constexpr double kGap = 1e-4;  // of the crest speed: single speeds at a jump are no gap
+  const bool gap = stretch.last.speed - stretch.first.speed > kGap * points_.curve().crest();
+  if (gap && stretch.first.status == MetricStatus::no_periodic_state)
+    throw SearchFailure{MetricStatus::no_periodic_state};
 }
 
 // Maxima between neighbouring places of a stretch of which one has the value `worth`. A zone that is just born has

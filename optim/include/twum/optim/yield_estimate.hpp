@@ -36,5 +36,7 @@ std::uint64_t products_for(double risk);
 
 /// The risk to aim at so that a sample of this size is likely to confirm the wanted risk, U5.4.
 double risk_to_aim_at(double risk, std::uint64_t products);
+/// The same where weighted products decide, U5.6.
+double risk_to_aim_at_weighted(double risk);
 
 }  // namespace twum::optim

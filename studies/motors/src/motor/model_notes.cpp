@@ -187,6 +187,11 @@ std::vector<ModelNote> model_notes(const Motor& motor) {
   add_ratios(design, motor, notes);
   add_contact(design, motor, notes);
   add_modes(design, notes);
+  if (!motor.slices_settled())
+    notes.push_back({"slices", 0,
+                     "radial_slices auto found no number of slices that is accurate to 1e-6 and takes " +
+                         std::to_string(std::abs(motor.radial_slices())) +
+                         "; compare with 'radial_slices: 64' before you rely on the third digit"});
   return notes;
 }
 

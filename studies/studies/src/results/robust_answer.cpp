@@ -143,6 +143,17 @@ std::string tolerance_table(const RobustReport& report, const Goal& goal) {
 
 }  // namespace
 
+namespace {
+
+// " (15 failing per million)", where that is easier to read than nines.
+std::string failing_per_million(double share) {
+  constexpr double kFew = 1e-3;
+  if (!(share < 1 && 1 - share < kFew)) return {};
+  return " (" + rounded_text(1e6 * (1 - share), 2) + " failing per million)";
+}
+
+}  // namespace
+
 Json robust_yield_json(const RobustYield& yield) {
   return {{"text", yield.text},
           {"target", number_json(yield.target)},
@@ -156,7 +167,8 @@ Json robust_yield_json(const RobustYield& yield) {
 
 std::string yield_words(const RobustYield& yield) {
   const std::string what = yield.text == "yield" ? "all limits" : yield.text;
-  std::string text = percent_words(yield.share.value) + " of the motors keep " + what + ": " +
+  std::string text = percent_words(yield.share.value) + " of the motors keep " + what +
+                     failing_per_million(yield.share.value) + ": " +
                      percent_words(yield.share.low) + " to " + percent_words(yield.share.high) +
                      " by " + std::to_string(yield.samples) +
                      (yield.weighted ? " new random motors about the worst points, weighted"
@@ -166,8 +178,13 @@ std::string yield_words(const RobustYield& yield) {
   return text + ".\n";
 }
 
+// Of a share near one, what is missing has two digits: 99.9985 %.
 std::string percent_words(double share, int digits) {
-  return rounded_text(100 * share, share > 0.9 ? std::max(digits, 3) : digits) + " %";
+  constexpr int kMost = 12;  // as many as are not rounding
+  if (share > 0.9) digits = std::max(digits, 3);
+  if (share > 0.9 && share < 1)
+    digits = std::clamp(2 + static_cast<int>(std::floor(-std::log10(1 - share))), digits, kMost);
+  return rounded_text(100 * share, digits) + " %";
 }
 
 bool is_share(const Goal& goal) {

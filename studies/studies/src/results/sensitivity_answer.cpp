@@ -123,7 +123,7 @@ class MetricText {
     if (!std::isfinite(most.total.value)) return aligned(table);
     std::string text = aligned(table) + name(order.front()) + " matters most: alone it explains " +
                        share_text(std::max(0.0, most.first.value)) + " of the variance";
-    if (most.total.value > most.first.value)
+    if (most.total.low > most.first.high)  // else the difference may be noise
       text += ", with its interactions " + share_text(most.total.value);
     text += ".\n";
     if (1 - alone > std::max(kNegligible, doubt))

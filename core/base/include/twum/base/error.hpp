@@ -37,6 +37,13 @@ class EvaluationError : public Error {
   std::string reason_;
 };
 
+/// A mistake of this program: a condition that no input should break does not hold. The text asks for a report.
+class BugError : public std::logic_error {
+ public:
+  /// The constructors of std::logic_error.
+  using std::logic_error::logic_error;
+};
+
 namespace detail {
 [[noreturn]] void assertion_failed(const char* condition, const char* file, int line);
 }  // namespace detail

@@ -21,7 +21,7 @@ struct DesignFailure {
   /// Kinds of reasons.
   enum class Kind : unsigned char {
     refused,  ///< no motor can have these values; the text is that of the InputError
-    /// the motor has no answer; the text is the reason of the EvaluationError, or that of another exception
+    /// the motor has no answer; the text is the reason of the EvaluationError, "internal-error" for another exception
     error
   };
   Kind kind{Kind::refused};  ///< of the reason
@@ -41,8 +41,10 @@ auto outcome_of(Compute&& compute) -> DesignOutcome<std::invoke_result_t<Compute
     return DesignFailure{DesignFailure::Kind::refused, error.what()};
   } catch (const EvaluationError& error) {
     return DesignFailure{DesignFailure::Kind::error, error.reason()};
-  } catch (const std::exception& error) {
+  } catch (const Error& error) {
     return DesignFailure{DesignFailure::Kind::error, error.what()};
+  } catch (const std::exception&) {  // words of a library, which say nothing to a user
+    return DesignFailure{DesignFailure::Kind::error, "internal-error"};
   }
 }
 

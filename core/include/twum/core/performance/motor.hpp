@@ -137,6 +137,8 @@ class Motor {
   /// The design's radial_slices; where it is kAutoSlices, -N with the number N of nodes a panel that `auto` chooses for it.
   /// `with(design, Parameter::radial_slices, motor.radial_slices())` fixes them while the design moves.
   int radial_slices() const noexcept;
+  /// False if `auto` has given up the search for the number of slices that 1e-6 takes, and has taken as many as it may.
+  bool slices_settled() const noexcept;
   /// Radii of the slices that touch, in rising order [m]; the contact radius alone if there is one slice. With `auto`, those where
   /// no zone appears along the track.
   std::vector<double> slice_radii() const;
