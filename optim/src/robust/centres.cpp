@@ -39,25 +39,37 @@ bool Centres::near(std::span<const double> z, double cosine) const {
   });
 }
 
-// U3.2 from the lightest failing product that is apart from every centre.
-bool Centres::add_missing(const ImportanceSample& sample) {
-  std::size_t lightest = sample.normals.size(), failing = 0;
+// The lightest failing product that is apart from every centre: the position, and the limit that it breaks. None if it has no
+// answer, which breaks all limits.
+std::optional<Centres::Missed> Centres::lightest_missed(const ImportanceSample& sample) const {
+  std::optional<Missed> lightest;
   double least = kInfinity;
   for (std::size_t i = 0; i < sample.normals.size(); ++i) {
     const double size = norm(sample.normals[i]);
     if (size >= least || near(sample.normals[i], kApart)) continue;
     for (std::size_t j = 0; j < terms_.terms.size(); ++j) {
       const double margin = sample.margins[i][j];
-      if (!terms_.terms[j].target || !(margin < 0.0) || !std::isfinite(margin)) continue;
+      if (!terms_.terms[j].target || !(margin < 0.0)) continue;
       least = size;
-      lightest = i;
-      failing = j;
+      lightest = {i, std::isfinite(margin) ? std::optional(j) : std::nullopt};
       break;
     }
   }
-  if (lightest == sample.normals.size()) return false;
-  std::vector<double> start = sample.normals[lightest];
-  for (double& c : start) c /= least;
+  return lightest;
+}
+
+// U3.2 from there. Where products have no answer there is no worst one to search for: the product itself is the centre.
+bool Centres::add_missing(const ImportanceSample& sample) {
+  const std::optional<Missed> missed = lightest_missed(sample);
+  if (!missed) return false;
+  std::vector<double> start = sample.normals[missed->product];
+  if (!missed->term) {
+    centres_.push_back(std::move(start));
+    return true;
+  }
+  const std::size_t failing = *missed->term;
+  const double size = norm(start);
+  for (double& c : start) c /= size;
   InversePoint found =
       inverse_form(problem_, terms_.terms[failing].margin, x_, beta_[failing], start);
   if (!found.at.failure.empty() || near(found.at.z, kSameCentre)) return false;

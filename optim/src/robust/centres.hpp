@@ -3,6 +3,8 @@
 
 #include "robust/importance.hpp"
 
+#include <optional>
+
 namespace twum::optim {
 
 /// The centres of an importance sample, U4.1: the worst points of the limits that take part in the risk, and those that a
@@ -25,7 +27,13 @@ class Centres {
   const std::vector<InversePoint>& points() const noexcept { return points_; }
 
  private:
+  struct Missed {
+    std::size_t product;
+    std::optional<std::size_t> term;
+  };
+
   bool near(std::span<const double> z, double cosine) const;
+  std::optional<Missed> lightest_missed(const ImportanceSample& sample) const;
   bool add_missing(const ImportanceSample& sample);
 
   const RobustProblem& problem_;

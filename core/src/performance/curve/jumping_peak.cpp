@@ -30,8 +30,7 @@ Peak JumpingPeakSearch::find() {
 
 // Beside values that are nearly the best, speeds without a periodic state may hide a higher one.
 void JumpingPeakSearch::require_answer(const Stretch& stretch) const {
-  constexpr double kGap = 1e-4;  // of the crest speed: single speeds at a jump are no gap
-  const bool gap = stretch.last.speed - stretch.first.speed > kGap * points_.curve().crest();
+  const bool gap = stretch.last.speed - stretch.first.speed > CurveStretches::kGap * points_.curve().crest();
   if (gap && stretch.first.status == MetricStatus::no_periodic_state)
     throw SearchFailure{MetricStatus::no_periodic_state};
 }

@@ -173,6 +173,7 @@ void CurveScan::run() {
     if (speed > 2 * curve.crest()) stride *= 1.5;
     const auto kept = grid_.find(static_cast<int>(std::lround((speed - first().speed) / step())));
     const CurvePoint next = kept != grid_.end() ? kept->second : node(speed, walk_);
+    if (next.status == MetricStatus::no_periodic_state) gaps_.push_back(speed);
     missing = next.ok() ? 0 : missing + 1;
     if (missing > kMissing) throw SearchFailure{next.status};
     if (next.ok()) nodes_.push_back(next);

@@ -34,6 +34,9 @@ class CurveScan {
   /// @throws SearchFailure (undefined) unless it drives, and if there is no end of the curve
   const std::vector<CurvePoint>& nodes();
 
+  /// Speeds among the nodes, once these are found, without a periodic state.
+  const std::vector<double>& gaps() const { return gaps_; }
+
   /// The torque only falls, and smoothly (E6.7): what is searched on it needs no scan.
   bool falls_smoothly() const;
   /// A point as good as a node: exact only where its sign is in doubt.
@@ -59,6 +62,7 @@ class CurveScan {
 
   CurvePoints& points_;
   std::vector<CurvePoint> nodes_;
+  std::vector<double> gaps_;
   std::map<int, CurvePoint> grid_;  // nodes found out of turn, by steps from the first
   Walk walk_;
   std::map<double, std::vector<CurvePoint>> rippled_;  // by the speed of the node below

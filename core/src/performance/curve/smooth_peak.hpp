@@ -3,6 +3,7 @@
 
 #include "performance/curve/crossings.hpp"
 #include "performance/curve/goal.hpp"
+#include "performance/curve/stretches.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -19,6 +20,7 @@ class SmoothPeakSearch {
 
  private:
   std::vector<CurvePoint> with_ripples(std::vector<CurvePoint> nodes);
+  void require_answers(double best);
   double value(std::size_t k) const { return goal_.value(nodes_[k]); }
   Peak peak_beside(std::size_t top);
   double sloped_place(std::size_t k) const;

@@ -24,6 +24,8 @@ class CurveStretches {
   static constexpr double kInset =
       1e-7;  ///< share of a stretch at its ends, which stand for themselves
   static constexpr double kWorth = 0.7;  ///< share of a value above which jumps nearby may pass it
+  static constexpr double kGap =
+      1e-4;  ///< of the crest speed: fewer speeds without a periodic state, as at a jump, hide nothing
 
   explicit CurveStretches(CurvePoints& points) : points_(points), halving_(points) {}
 
