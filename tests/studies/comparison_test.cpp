@@ -219,5 +219,6 @@ TEST_CASE("what is no result is refused by the name of its directory",
   CHECK_THROWS_AS(compare_results(std::vector{folder.folder()}), InputError);
   // A directory in the place of the file opens, but gives nothing to read.
   std::filesystem::create_directory(folder.path("summary.json"));
-  CHECK_THAT(refusal({folder.folder()}), EndsWith("summary.json: cannot be read"));
+  CHECK_THAT(refusal({folder.folder()}),
+             EndsWith("summary.json: cannot be read: it is not an ordinary file"));
 }

@@ -53,8 +53,8 @@ TEST_CASE("columns replace parameters in SI or in their unit, others are copied"
 }
 
 TEST_CASE("a column replaces the alternative of its parameter", "[studies][tables]") {
-  CHECK(result_of("G [GPa],h\n2,1e-3\n", "shear_modulus") ==
-        "G [GPa],h,shear_modulus [Pa],status\n2,1e-3,2e+09,ok\n");
+  CHECK(result_of("G [GPa],h [m]\n2,1e-3\n", "shear_modulus") ==
+        "G [GPa],h [m],shear_modulus [Pa],status\n2,1e-3,2e+09,ok\n");
 }
 
 TEST_CASE("a row that fails has empty metrics and a reason, and the others go on",
@@ -97,20 +97,20 @@ TEST_CASE("a metric without an answer is empty and named in the status", "[studi
 
 TEST_CASE("a wrong header is refused with all that is wrong", "[studies][tables][error]") {
   CHECK_THROWS_WITH(
-      result_of("thickness [N],h [mm],nu,G,preload [foo]\n", "preload"),
+      result_of("thickness [N],h [mm],nu,G [GPa],preload [foo]\n", "preload"),
       "t.csv:1: column 'thickness [N]': 'N' is a force [N]; expected a length [m] such as '0.3 "
       "mm'\n"
       "t.csv:1: column 'preload [foo]': 'foo': unknown unit 'foo'; expected a force [N] such as "
       "'160 N'\n"
       "t.csv:1: column 'G': cannot be given beside 'nu'; give one of the two");
-  CHECK_THROWS_WITH(result_of("thickness,h\n", "preload"),
+  CHECK_THROWS_WITH(result_of("thickness,h [mm]\n", "preload"),
                     "t.csv:1: column 'h': the parameter is given twice; leave one of them out");
   CHECK_THROWS_WITH(result_of("id,colour\n", "preload"),
                     Catch::StartsWith("t.csv:1: no column is a parameter; name"));
   CHECK_THROWS_WITH(result_of("thickness;preload\n", "preload"),
-                    "t.csv:1: only one column; separate columns with commas");
+                    "t.csv:1: columns separated by semicolons; separate them with commas");
   CHECK_THROWS_WITH(result_of("preload [N];amplitude [um]\n", "preload"),
-                    "t.csv:1: only one column; separate columns with commas");
+                    "t.csv:1: columns separated by semicolons; separate them with commas");
   CHECK_THROWS_WITH(result_of("\"thickness\" x,preload\n", "preload"),
                     Catch::Contains("quotation mark"));
 }
@@ -119,7 +119,7 @@ TEST_CASE("a column that looks like a mistyped parameter is warned about", "[stu
   const Result result = evaluate_text("thicknes [mm],preload [N]\n1,160\n", "preload");
   REQUIRE(result.warnings.size() == 1);
   CHECK(result.warnings[0] ==
-        "column 'thicknes [mm]' is not a parameter and is only copied; did you mean 'thickness'?");
+        "column 'thicknes [mm]' is not a parameter and is only copied; did you mean 'thickness [m]'?");
 }
 
 TEST_CASE("the result is the same to the byte for any number of threads", "[studies][tables]") {

@@ -74,7 +74,7 @@ TEST_CASE("an optimum says what it is, what holds it, and who found it",
   CHECK(barred(answer_text(result)) ==
         "largest peak_power: 5 W (was 4 W)\n"
         "\n"
-        "design | start | best\n"
+        "design | before | best\n"
         "amplitude | 1.6 um | 2 um | at its largest; +20 mW per 1 % more range\n"
         "preload | 160 N | 180 N\n"
         "thickness | - | 300 um | at its smallest\n"
@@ -83,7 +83,7 @@ TEST_CASE("an optimum says what it is, what holds it, and who found it",
         "max_pressure <= 2 MPa | 2 MPa | binds | +20 mW\n"
         "contact_ratio <= 0.5 | 0.4 | holds\n"
         "\n"
-        "metric | start | best\n"
+        "metric | before | best\n"
         "peak_power | 4 W | 5 W\n"
         "max_pressure | 1.5 MPa | 2 MPa\n"
         "\n"
@@ -237,7 +237,7 @@ TEST_CASE("limits that no design keeps are named with what would do",
                         "\n"
                         "The design with the smallest violation:\n"
                         "\n"
-                        "design | start | best\n"));
+                        "design | before | best\n"));
   CHECK_THAT(text, !Contains("Verified local optimum"));
   CHECK_THAT(text, EndsWith("\nSolver runs: 1 x ipopt (Solve_Succeeded), 2 x nlopt:slsqp "
                             "(XTOL_REACHED).\n"));

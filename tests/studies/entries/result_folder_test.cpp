@@ -6,8 +6,10 @@
 #include <twum/base/error.hpp>
 #include <twum/studies/store/result_store.hpp>
 
+#include <sys/resource.h>
 #include <catch2/catch.hpp>
 
+#include <csignal>
 #include <filesystem>
 #include <string>
 
@@ -142,16 +144,40 @@ TEST_CASE("a file appears whole or not at all", "[studies][run]") {
                     folder.path("best.yaml") + ": cannot be written: Is a directory");
 }
 
+namespace {
+
+// While it lives no file may have more than four bytes: a write then fails as on a full disk.
+class SmallestFiles {
+ public:
+  SmallestFiles() {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit small{4, before_.rlim_max};
+    handler_ = std::signal(SIGXFSZ, SIG_IGN);
+    ::setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~SmallestFiles() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  SmallestFiles(const SmallestFiles&) = delete;
+  SmallestFiles& operator=(const SmallestFiles&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
+
+}  // namespace
+
 TEST_CASE("a full disk leaves what was there before", "[studies][run]") {
   const ScratchFolder folder;
   ResultFolder results(folder.folder());
   results.write("summary.json", std::string("before"));
-  // Everything that is written to /dev/full fails because the disk is full.
-  fs::create_symlink("/dev/full", folder.path("summary.json.part"));
+  const SmallestFiles limit;
   const std::size_t size =
       GENERATE(std::size_t{10}, std::size_t{1000000});  // less and more than is kept in memory
   CHECK_THROWS_WITH(results.write("summary.json", std::string(size, 'x')),
-                    folder.path("summary.json") + ": cannot be written: No space left on device");
+                    folder.path("summary.json") + ": cannot be written: File too large");
   CHECK(content(folder.path("summary.json")) == "before");
   CHECK_FALSE(fs::exists(fs::symlink_status(folder.path("summary.json.part"))));
 }

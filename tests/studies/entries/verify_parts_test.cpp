@@ -46,7 +46,7 @@ struct Question {
 
   Verification designs(const std::string& summary) const {
     Verification found;
-    verify_designs(file, kind, Json::parse(summary), found);
+    verify_designs(file, kind, Json::parse(summary), {}, found);
     return found;
   }
 };
@@ -258,7 +258,7 @@ TEST_CASE("the answer that follows from the rows is compared entry by entry", "[
     summary["seconds"] = 3.5;  // more than the answer is no contradiction
     change(summary);
     Verification found;
-    CHECK(verify_answer(kind, store, summary, found).outcome == "done");
+    CHECK(verify_answer(kind, store, summary, {}, found).outcome == "done");
     CHECK(found.answer_checked);
     return found.complaints;
   };
@@ -296,7 +296,7 @@ TEST_CASE("lists of an answer are compared item by item, and by their length",
   summary["outcome"] = "done";
   const auto complaints = [&] {
     Verification found;
-    verify_answer(kind, store, summary, found);
+    verify_answer(kind, store, summary, {}, found);
     return found.complaints;
   };
   CHECK(complaints().empty());
@@ -327,7 +327,7 @@ TEST_CASE("rows that the study asks for and the database has not are counted",
   Json summary = answer_json(SweepResult{});
   summary["outcome"] = "done";
   Verification found;
-  verify_answer(kind, store, summary, found);
+  verify_answer(kind, store, summary, {}, found);
   CHECK(found.complaints ==
         std::vector<std::string>{"results.db: 3 rows of the study are missing"});
 }

@@ -169,7 +169,8 @@ double Statement::real(int column) const {
 }
 
 std::string_view Statement::text(int column) const {
-  require(column, sqlite3_column_type(handle_, column) == SQLITE_TEXT, "a text");
+  const int type = sqlite3_column_type(handle_, column);
+  require(column, type == SQLITE_TEXT || type == SQLITE_NULL, "a text");
   const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(handle_, column));
   return text == nullptr
              ? std::string_view()

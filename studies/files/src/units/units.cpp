@@ -147,6 +147,7 @@ void refuse_comma(std::string_view text) {
   if (comma == std::string_view::npos) return;
   const std::size_t end = text.find_first_not_of("+-0123456789.,");
   const std::string_view number = text.substr(0, end);
+  if (comma >= number.size()) return;  // no part of a number
   const std::string unit(end == std::string_view::npos ? std::string_view() : text.substr(end));
   const auto shown = [&](const std::string& digits) { return studies::quoted(digits + unit); };
   std::string pointed = without(number, '.');  // "1.200,5" as "1200.5"

@@ -41,7 +41,7 @@ struct CloseFile {
 
 // A new file in the place of what a killed run has left. A link there is not followed: it could lead to any file of the user.
 std::unique_ptr<std::FILE, CloseFile> new_file(const std::string& path) {
-  ::unlink(path.c_str());
+  if (::unlink(path.c_str()) != 0 && errno != ENOENT) return nullptr;
   const int descriptor =
       ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
   return std::unique_ptr<std::FILE, CloseFile>(descriptor < 0 ? nullptr : ::fdopen(descriptor, "wb"));

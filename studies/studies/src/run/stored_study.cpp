@@ -84,12 +84,20 @@ std::string copy_database(const std::string& directory, const std::string& to,
   return (fs::path(to) / ResultFolder::kDatabase).string();
 }
 
+std::vector<ResolvedStudy::NamedFile> resolved_files(const StudyFile& file) {
+  try {
+    return resolve(file).files;
+  } catch (const InputError& error) {
+    throw StoreError(std::string("the stored study cannot be evaluated again: ") + error.what());
+  }
+}
+
 // The files beside the motor that the study was run with: the same names have to hold the same content, because the stored
 // numbers belong to it.
 std::vector<std::string> changed_files(const StudyFile& file, const ResultStore& store) {
   const std::string stored = store.fact(facts::kFiles);
   std::vector<std::string> changed;
-  for (const auto& [entry, path, hash] : resolve(file).files)
+  for (const auto& [entry, path, hash] : resolved_files(file))
     if (("\n" + stored).find("\n" + entry + " " + hash + "\n") == std::string::npos)
       changed.push_back(path);
   return changed;
