@@ -26,7 +26,7 @@ struct Strength {
 /// A multiplier counts if its force is more than a millionth of `force`.
 Strength strength(const KktPoint& point, const Multipliers& multipliers, double force);
 
-/// Curvature along the critical cone: the directions d with d a = 0 for strong limits and d a >= 0 for weak ones.
+/// Curvature along the critical cone (O4.1): the directions d with d a = 0 for strong limits and d a >= 0 for weak ones.
 struct ConeCurvature {
   /// smallest d H d / d d found; NaN if the cone is a point
   double smallest{0.0};

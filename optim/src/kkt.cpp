@@ -62,7 +62,7 @@ void choose_active(const KktPoint& point, double activity, Multipliers& m) {
     if (point.limits[i].slack <= std::max(activity, point.limits[i].tolerance))
       m.limits.push_back(i);
   for (Index k = 0; k < point.variables(); ++k)
-    if (point.room[static_cast<std::size_t>(k)] <= std::max(activity, kBoundActivity))
+    if (point.room[static_cast<std::size_t>(k)] <= std::max(1e-3 * activity, kBoundActivity))
       m.bounds.push_back(k);
 }
 

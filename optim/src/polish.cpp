@@ -11,6 +11,7 @@ namespace {
 
 using Eigen::Index;
 
+constexpr double kOnLimit = 1e-6;
 constexpr double kNearLimit = 1e-2;  // how near a limit must be to be a guess at the active set
 // relative to a variable's magnitude; a longer step means that the design is not nearly optimal
 constexpr double kLongest = 0.15;
@@ -48,11 +49,39 @@ std::optional<KktPoint> step(Session& session, const Scaling& scaling, const Kkt
   return moved(session, scaling, point, newton.unit);
 }
 
-Multipliers multipliers(const KktPoint& p, const Eigen::VectorXd& weights) {
+Multipliers multipliers(const KktPoint& p, const Eigen::VectorXd& weights, double near) {
   const auto objectives = static_cast<std::size_t>(weights.size());
-  Multipliers m = find_multipliers(p, weighted_gradient(p, weights), objectives, kNearLimit);
+  Multipliers m = find_multipliers(p, weighted_gradient(p, weights), objectives, near);
   m.weights = weights;
   return m;
+}
+
+// Newton steps with the limits within `near` as the guess at the active set, each of which has to halve the error.
+std::optional<std::vector<double>> steps(Session& session, const Scaling& scaling,
+                                         std::span<const double> design, Eigen::VectorXd w,
+                                         double near) {
+  auto point = kkt_point(session, scaling, design);
+  if (!point || !point->jacobian.allFinite()) return std::nullopt;
+  Multipliers m = multipliers(*point, w, near);
+  bool improved = false;
+  for (int i = 0; i < kSteps && merit(*point, m, 1.0) > 0.0; ++i) {
+    if (session.left() < 2 * scaling.size() + 1) break;
+    const auto hessian = lagrangian_curvature(session, scaling, *point, m,
+                                              static_cast<std::size_t>(w.size()));
+    if (!hessian) break;
+    const double size = std::max({weighted_gradient(*point, w).cwiseAbs().maxCoeff(),
+                                  hessian->cwiseAbs().maxCoeff(), kTiny});
+    if (merit(*point, m, size) <= kDone) break;
+    auto next = step(session, scaling, *point, m, *hessian, w);
+    if (!next || !next->jacobian.allFinite()) break;
+    Multipliers next_m = multipliers(*next, w, near);
+    if (!(merit(*next, next_m, size) < 0.5 * merit(*point, m, size))) break;
+    point = std::move(next);
+    m = std::move(next_m);
+    improved = true;
+  }
+  if (!improved) return std::nullopt;
+  return point->design;
 }
 
 }  // namespace
@@ -61,34 +90,16 @@ std::optional<std::vector<double>> polish(Session& session, const Scaling& searc
                                           std::span<const double> design,
                                           const std::vector<double>& weights) {
   if (search.size() == 0) return std::nullopt;
-  Eigen::VectorXd w =
+  const Eigen::VectorXd w =
       Eigen::Map<const Eigen::VectorXd>(weights.data(), static_cast<Index>(weights.size()));
   const Evaluation here = session.at(design, true);
   if (!here.ok()) return std::nullopt;
   const Problem& problem = session.problem();
   const Scaling scaling =
       scaling_at(problem, search, search_sizes(problem, design), design, here);
-  auto point = kkt_point(session, scaling, design);
-  if (!point || !point->jacobian.allFinite()) return std::nullopt;
-  Multipliers m = multipliers(*point, w);
-  bool improved = false;
-  for (int i = 0; i < kSteps && merit(*point, m, 1.0) > 0.0; ++i) {
-    if (session.left() < 2 * scaling.size() + 1) break;
-    const auto hessian = lagrangian_curvature(session, scaling, *point, m, weights.size());
-    if (!hessian) break;
-    const double size = std::max({weighted_gradient(*point, w).cwiseAbs().maxCoeff(),
-                                  hessian->cwiseAbs().maxCoeff(), kTiny});
-    if (merit(*point, m, size) <= kDone) break;
-    auto next = step(session, scaling, *point, m, *hessian, w);
-    if (!next || !next->jacobian.allFinite()) break;
-    Multipliers next_m = multipliers(*next, w);
-    if (!(merit(*next, next_m, size) < 0.5 * merit(*point, m, size))) break;
-    point = std::move(next);
-    m = std::move(next_m);
-    improved = true;
-  }
-  if (!improved) return std::nullopt;
-  return point->design;
+  for (const double near : {kNearLimit, kOnLimit})
+    if (auto better = steps(session, scaling, design, w, near)) return better;
+  return std::nullopt;
 }
 
 }  // namespace twum::optim

@@ -16,6 +16,21 @@
 namespace twum::optim {
 namespace {
 
+// The problem within ten sizes of a design: where other starts lie does not depend on the width of a range that is far
+// wider than that.
+Problem surroundings(const Problem& problem, const std::vector<double>& design) {
+  constexpr double kSizes = 10.0;
+  Problem near = problem;
+  for (std::size_t j = 0; j < design.size(); ++j) {
+    Variable& v = near.variables[j];
+    if (v.scale == Scale::log) continue;
+    const double size = std::max(std::abs(design[j]), std::min(1.0, v.upper - v.lower));
+    v.lower = std::max(v.lower, design[j] - kSizes * size);
+    v.upper = std::min(v.upper, design[j] + kSizes * size);
+  }
+  return near;
+}
+
 // One solve on continuous variables (integer ones are fixed by their bounds).
 class ContinuousSolve {
  public:
@@ -99,16 +114,16 @@ class ContinuousSolve {
     runner_.book(best_);
   }
 
-  // Designs of a low-discrepancy sequence over the whole range; the start comes first if a global search took its
+  // Designs of a low-discrepancy sequence about the start; the start itself comes first if a global search took its
   // place.
   std::vector<std::vector<double>> starts() const {
     std::vector<std::vector<double>> list;
     if (!options_.global.empty()) list.push_back(runner_.start());
     const std::size_t n = runner_.scaling().size();
     if (n == 0) return list;
-    const Scaling ranges = runner_.ranges();
+    const Scaling region(surroundings(runner_.problem(), runner_.start()));
     const std::size_t more = std::max<std::size_t>(options_.starts, 1) - 1;
-    for (const auto& u : sobol_points(n, more, options_.seed)) list.push_back(ranges.to_design(u));
+    for (const auto& u : sobol_points(n, more, options_.seed)) list.push_back(region.to_design(u));
     return list;
   }
 
