@@ -16,17 +16,16 @@
 namespace twum::optim {
 namespace {
 
-// The problem within ten sizes of a design: where other starts lie does not depend on the width of a range that is far
-// wider than that.
-Problem surroundings(const Problem& problem, const std::vector<double>& design) {
-  constexpr double kSizes = 10.0;
+// The problem within so many sizes of a design: where other starts lie does not depend on the width of a range that is
+// far wider than that.
+Problem surroundings(const Problem& problem, const std::vector<double>& design, double sizes) {
   Problem near = problem;
   for (std::size_t j = 0; j < design.size(); ++j) {
     Variable& v = near.variables[j];
     if (v.scale == Scale::log) continue;
     const double size = std::max(std::abs(design[j]), std::min(1.0, v.upper - v.lower));
-    v.lower = std::max(v.lower, design[j] - kSizes * size);
-    v.upper = std::min(v.upper, design[j] + kSizes * size);
+    v.lower = std::max(v.lower, design[j] - sizes * size);
+    v.upper = std::min(v.upper, design[j] + sizes * size);
   }
   return near;
 }
@@ -121,9 +120,12 @@ class ContinuousSolve {
     if (!options_.global.empty()) list.push_back(runner_.start());
     const std::size_t n = runner_.scaling().size();
     if (n == 0) return list;
-    const Scaling region(surroundings(runner_.problem(), runner_.start()));
+    // Every other one is nearer, where a wide region would show the growth of the functions far away only.
+    const Scaling far(surroundings(runner_.problem(), runner_.start(), 10.0));
+    const Scaling near(surroundings(runner_.problem(), runner_.start(), 2.0));
     const std::size_t more = std::max<std::size_t>(options_.starts, 1) - 1;
-    for (const auto& u : sobol_points(n, more, options_.seed)) list.push_back(region.to_design(u));
+    for (const auto& u : sobol_points(n, more, options_.seed))
+      list.push_back(list.size() % 2 == 0 ? far.to_design(u) : near.to_design(u));
     return list;
   }
 

@@ -38,7 +38,6 @@ struct Activity {
   double value{0.0};       ///< of the constraint or variable
   double limit{0.0};       ///< the limit itself
   double violation{0.0};   ///< amount by which the limit is violated, >= 0
-  double tolerance{0.0};   ///< violation up to which the limit counts as kept (O2.1); 0 for a bound
   /// the design lies on the limit; the limit restrains it if the multiplier is not zero
   bool active{false};
   /// Improvement of the objective per unit of relaxation, >= 0. For an equality, the improvement per unit by which
@@ -48,6 +47,7 @@ struct Activity {
   /// If the limit is zero, by 1 % of the response's span over the box. With several objectives, the change of their
   /// weighted sum, as for the multiplier.
   double gain_per_percent{0.0};
+  double tolerance{0.0};  ///< violation up to which the limit counts as kept (O2.1); 0 for a bound
 };
 
 /// Evidence that a design is a constrained local optimum, computed from exact gradients at the design only. Neither the
