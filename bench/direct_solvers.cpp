@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "direct_solvers.hpp"
 
+#include <nlopt.h>
 #include <coin/IpIpoptApplication.hpp>
 #include <coin/IpTNLP.hpp>
-#include <nlopt.h>
 
 #include <algorithm>
 #include <cmath>

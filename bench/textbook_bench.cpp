@@ -22,7 +22,8 @@ bench::DirectAnswer by_auto(const optim::Problem& problem) {
 }
 
 // Limits within 1e-6 of 1 + |limit|, and a value within 1e-6 of 1 + |published| or below.
-bool reaches(const test::Textbook& book, const optim::Problem& p, const std::vector<double>& design) {
+bool reaches(const test::Textbook& book, const optim::Problem& p,
+             const std::vector<double>& design) {
   if (design.empty()) return false;
   const optim::Evaluation e = p.evaluate(design, false);
   for (std::size_t i = 0; i < p.constraints.size(); ++i) {

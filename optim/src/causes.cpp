@@ -144,13 +144,8 @@ class Investigation {
     const double terms = term_magnitude(best.problem, 0, result.evaluation, result.design);
     const double bound = side == Side::lower ? c.lower : c.upper;
     if (excess <= limit_tolerance(c, bound, terms, options_.feasibility_tolerance)) return false;
-    Impossible found{c.name,
-                     side,
-                     bound,
-                     value,
-                     result.outcome == Outcome::optimal,
-                     {},
-                     result.design};
+    Impossible found{c.name, side,         bound, value, result.outcome == Outcome::optimal,
+                     {},     result.design};
     for (const RangeEnd& end : ends_of(result)) found.ends.push_back(add_range(end));
     told().impossible.push_back(std::move(found));
     return true;
@@ -255,7 +250,8 @@ class Investigation {
 }  // namespace
 
 std::size_t cost_of_causes(const Counters& search, const Budget& budget) {
-  constexpr std::size_t kLeast = 3000;  // a search that soon sees that it is in vain leaves the causes open
+  constexpr std::size_t kLeast =
+      3000;  // a search that soon sees that it is in vain leaves the causes open
   const std::size_t used = std::min(search.evaluations, budget.evaluations);
   return std::min(std::max(3 * used, kLeast), budget.evaluations - used);
 }

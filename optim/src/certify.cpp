@@ -165,8 +165,8 @@ class Certifier {
   void measure_with_curvature() {
     const bool needed = objectives_ == 1 || !stationary();
     if (!needed || scaling_->size() == 0 || !room()) return;
-    hessian_ = lagrangian_curvature(session_, *scaling_, result_.point, result_.multipliers,
-                                    objectives_);
+    hessian_ =
+        lagrangian_curvature(session_, *scaling_, result_.point, result_.multipliers, objectives_);
     if (!hessian_) return;
     set_stationarity(std::max(slope_, hessian_->cwiseAbs().maxCoeff()));
     limits_ = strength(result_.point, result_.multipliers, size_);
@@ -272,8 +272,8 @@ class Certifier {
       largest = std::max(largest, std::abs(m.limit_values[i]) * std::max(l.slack, l.excess));
     }
     for (std::size_t i = 0; i < m.bounds.size(); ++i)
-      largest = std::max(largest, m.bound_values[i] *
-                                      result_.point.room[static_cast<std::size_t>(m.bounds[i])]);
+      largest = std::max(
+          largest, m.bound_values[i] * result_.point.room[static_cast<std::size_t>(m.bounds[i])]);
     return largest > 0.0 ? largest / size : 0.0;
   }
 

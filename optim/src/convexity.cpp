@@ -28,7 +28,8 @@ bool tangent_is_below(const FirstDesign& at, const FirstDesign& other, std::size
   double tangent = here, size = std::abs(here) + std::abs(there);
   for (std::size_t j = 0; j < n; ++j) {
     const double step = other.design[j] - at.design[j];
-    const double change = step == 0.0 ? 0.0 : sign * at.evaluation.jacobian[response * n + j] * step;
+    const double change =
+        step == 0.0 ? 0.0 : sign * at.evaluation.jacobian[response * n + j] * step;
     tangent += change;
     size += std::abs(change);
   }

@@ -70,7 +70,8 @@ class Column {
   double nearness(std::size_t k) const {
     constexpr double kLeast = 1e-2;
     const double magnitude = std::abs(point_.design[scaling_.variable(k)]);
-    return std::clamp(magnitude / (point_.reach[k] * scaling_.slope(k, point_.design)), kLeast, 1.0);
+    return std::clamp(magnitude / (point_.reach[k] * scaling_.slope(k, point_.design)), kLeast,
+                      1.0);
   }
 
   std::optional<Eigen::VectorXd> gradient(std::size_t k, double step) {

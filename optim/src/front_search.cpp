@@ -59,7 +59,8 @@ void FrontSearch::snap_to_bounds(SolverRun& run, Solved& s) {
   for (double& u : snapped.unit) u = u < kNear ? 0.0 : u > 1.0 - kNear ? 1.0 : u;
   if (snapped.unit == s.unit || !fill(run, snapped) || !dominates(snapped.y, s.y)) return;
   const double tolerance = runner_.options().feasibility_tolerance;
-  if (relative_violation(runner_.problem(), snapped.evaluation, snapped.design, tolerance) <= tolerance)
+  if (relative_violation(runner_.problem(), snapped.evaluation, snapped.design, tolerance) <=
+      tolerance)
     s = std::move(snapped);
 }
 

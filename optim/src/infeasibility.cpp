@@ -106,7 +106,7 @@ RangeEnd range_end(const Problem& problem, const Scaling& scaling, const KktPoin
                    std::size_t k) {
   const Variable& v = problem.variables[scaling.variable(k)];
   return point.nearer[k] == Side::lower ? RangeEnd{v.name, Side::lower, v.lower}
-                             : RangeEnd{v.name, Side::upper, v.upper};
+                                        : RangeEnd{v.name, Side::upper, v.upper};
 }
 
 // Stationarity of the sum of violations: violated limits have weight one, limits and range ends that are just met

@@ -14,7 +14,8 @@ std::optional<Candidate> elastic_search(StageRunner& runner,
 /// Why a problem has no feasible design, unless a feasible one was found on the way.
 struct Explanation {
   Infeasibility report;
-  std::vector<double> feasible;  ///< a design that keeps every limit, user units; empty: none was found
+  std::vector<double>
+      feasible;  ///< a design that keeps every limit, user units; empty: none was found
 };
 
 /// Explains a problem without a feasible design, at the least infeasible one.

@@ -16,7 +16,8 @@ struct Limit {
   double slack{0.0};      ///< >= 0 inside, scaled
   double excess{0.0};     ///< > 0 outside, scaled
   double tolerance{0.0};  ///< excess up to which the limit is kept, scaled
-  double gap{0.0};        ///< how far along its inward gradient the value has to move to be on the limit, scaled
+  double gap{
+      0.0};  ///< how far along its inward gradient the value has to move to be on the limit, scaled
 };
 
 /// First-order data of one design in the unit box, scaled, with minimized objectives.
@@ -27,10 +28,12 @@ struct KktPoint {
   Eigen::MatrixXd jacobian;  ///< responses x free variables
   std::vector<Limit> limits;
   double infeasibility{0.0};  ///< largest excess, scaled
-  double violation{0.0};      ///< the same relative to what the limits tolerate, see relative_violation()
-  std::vector<double> room;   ///< distance of each free variable to its nearer bound, scaled
-  std::vector<Side> nearer;   ///< which bound that is
-  std::vector<double> reach;  ///< a local step: the variable's magnitude, or one unit if that is more, scaled
+  double violation{
+      0.0};  ///< the same relative to what the limits tolerate, see relative_violation()
+  std::vector<double> room;  ///< distance of each free variable to its nearer bound, scaled
+  std::vector<Side> nearer;  ///< which bound that is
+  std::vector<double>
+      reach;  ///< a local step: the variable's magnitude, or one unit if that is more, scaled
 
   Eigen::Index variables() const { return jacobian.cols(); }
 };

@@ -45,8 +45,7 @@ void set_multiplier(Activity& a, double lambda, double objective_factor, double 
   // Scaled: d f / d c = lambda. An equality's target raised moves along +c, where f grows by lambda.
   const double per_unit = lambda * limit_factor / objective_factor;
   a.multiplier = a.side == Side::equal ? -per_unit : per_unit;
-  a.gain_per_percent =
-      improvement_sign(problem) * a.multiplier * one_percent(a.limit, span);
+  a.gain_per_percent = improvement_sign(problem) * a.multiplier * one_percent(a.limit, span);
 }
 
 Activity bound_activity(const Problem& problem, const Scaling& scaling, const KktPoint& point,

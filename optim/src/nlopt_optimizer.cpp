@@ -230,7 +230,8 @@ std::vector<double> tolerances(const Bridge& b, const std::vector<OneSide>& list
 void add_rows(nlopt_opt opt, Bridge& b, const RunSettings& settings) {
   if (!b.inequalities.empty())
     nlopt_add_inequality_mconstraint(opt, static_cast<unsigned>(b.inequalities.size()),
-                                     inequalities, &b, tolerances(b, b.inequalities, settings).data());
+                                     inequalities, &b,
+                                     tolerances(b, b.inequalities, settings).data());
   if (!b.equalities.empty())
     nlopt_add_equality_mconstraint(opt, static_cast<unsigned>(b.equalities.size()), equalities, &b,
                                    tolerances(b, b.equalities, settings).data());
@@ -357,8 +358,8 @@ std::vector<SolverOption> nlopt_options() {
       {"nlopt", "population", "integer", "size of the population; 0: the algorithm's own", 0, 1e6},
       {"nlopt", "vector_storage", "integer",
        "gradients that lbfgs and var keep; 0: the algorithm's own", 0, 1e4},
-      {"nlopt", "initial_step", "number", "first step in parts of the range; 0: the algorithm's own", 0,
-       1},
+      {"nlopt", "initial_step", "number",
+       "first step in parts of the range; 0: the algorithm's own", 0, 1},
       {"nlopt", "inner_evaluations", "integer",
        "limit of each search within an augmented Lagrangian or mlsl", 1, 1e9}};
 }

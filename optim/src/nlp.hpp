@@ -56,9 +56,10 @@ inline double without_dust(double x) { return std::abs(x) < 1e-100 ? 0.0 : x; }
 struct Candidate {
   std::vector<double> z;
   double f{kInfinity};
-  double violation{kInfinity};  ///< relative to what the limits tolerate; at most the tolerance if all are kept
-  double excess{kInfinity};     ///< largest violation, scaled: ranks points that break limits
-  std::vector<double> values;   ///< responses, user units
+  double violation{
+      kInfinity};  ///< relative to what the limits tolerate; at most the tolerance if all are kept
+  double excess{kInfinity};    ///< largest violation, scaled: ranks points that break limits
+  std::vector<double> values;  ///< responses, user units
 };
 
 /// A formulation as solvers see it, with its own archive of the best point seen.

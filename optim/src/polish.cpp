@@ -66,8 +66,8 @@ std::optional<std::vector<double>> steps(Session& session, const Scaling& scalin
   bool improved = false;
   for (int i = 0; i < kSteps && merit(*point, m, 1.0) > 0.0; ++i) {
     if (session.left() < 2 * scaling.size() + 1) break;
-    const auto hessian = lagrangian_curvature(session, scaling, *point, m,
-                                              static_cast<std::size_t>(w.size()));
+    const auto hessian =
+        lagrangian_curvature(session, scaling, *point, m, static_cast<std::size_t>(w.size()));
     if (!hessian) break;
     const double size = std::max({weighted_gradient(*point, w).cwiseAbs().maxCoeff(),
                                   hessian->cwiseAbs().maxCoeff(), kTiny});
@@ -95,8 +95,7 @@ std::optional<std::vector<double>> polish(Session& session, const Scaling& searc
   const Evaluation here = session.at(design, true);
   if (!here.ok()) return std::nullopt;
   const Problem& problem = session.problem();
-  const Scaling scaling =
-      scaling_at(problem, search, search_sizes(problem, design), design, here);
+  const Scaling scaling = scaling_at(problem, search, search_sizes(problem, design), design, here);
   for (const double near : {kNearLimit, kOnLimit})
     if (auto better = steps(session, scaling, design, w, near)) return better;
   return std::nullopt;

@@ -92,7 +92,8 @@ SolverRun run_solver_from(const Problem& problem, const SolveOptions& options,
                           const Deadline& deadline, const SolverPlan& plan,
                           const std::vector<double>& design, const Known& known) {
   SolverRun run = opened(problem, options, deadline, plan);
-  if (known.evaluation != nullptr && plan.quota > 0) run.session->remember(known.design, *known.evaluation);
+  if (known.evaluation != nullptr && plan.quota > 0)
+    run.session->remember(known.design, *known.evaluation);
   Scaling scaling(problem, search_sizes(problem, design));
   try {
     const Evaluation& e = run.session->at(design, true);

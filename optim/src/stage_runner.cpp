@@ -93,8 +93,7 @@ SolverRun StageRunner::run(const Optimizer& optimizer, const std::vector<double>
                            bool last_word) {
   const std::size_t kept = last_word ? reserve() : 0;
   const SolverPlan plan{&optimizer, next_stage_++, left() - kept, {}};
-  SolverRun run =
-      run_solver_from(problem_, options_, deadline_, plan, design, {start_, &first_});
+  SolverRun run = run_solver_from(problem_, options_, deadline_, plan, design, {start_, &first_});
   book(run);
   return run;
 }
@@ -150,7 +149,8 @@ double StageRunner::excess(const std::vector<double>& values) const {
   for (std::size_t i = 0; i < problem_.constraints.size(); ++i) {
     const std::size_t r = problem_.objectives.size() + i;
     const Constraint& c = problem_.constraints[i];
-    worst = std::max(worst, scaling_.factor(r) * std::max(c.lower - values[r], values[r] - c.upper));
+    worst =
+        std::max(worst, scaling_.factor(r) * std::max(c.lower - values[r], values[r] - c.upper));
   }
   return worst;
 }

@@ -91,7 +91,8 @@ TEST_CASE("complementarity is the slack in parts of the slope that its limit hol
   for (const double slack : {5e-6, 5e-8}) {
     const Certificate c = certify(p, Design{10.0 + slack});
     CHECK(c.passed == (slack < 1e-7));
-    CHECK(c.complementarity == Approx(0.1 * slack).epsilon(1e-6));  // 10 + 5e-8 is rounded to 4e-8 of 5e-8
+    CHECK(c.complementarity ==
+          Approx(0.1 * slack).epsilon(1e-6));  // 10 + 5e-8 is rounded to 4e-8 of 5e-8
   }
 }
 

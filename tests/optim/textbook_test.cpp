@@ -80,8 +80,9 @@ Count solve_all(const std::string& solver, double width) {
 
 }  // namespace
 
-TEST_CASE("textbook problems are certified rightly, and as many are solved as by Ipopt alone (O3.2)",
-          "[optim][certificate][published]") {
+TEST_CASE(
+    "textbook problems are certified rightly, and as many are solved as by Ipopt alone (O3.2)",
+    "[optim][certificate][published]") {
   // Ipopt called directly reaches 82 of the 89 published optima in this box (docs/optimization.md).
   const Count count = solve_all("auto", 100.0);
   CHECK(count.solved >= 82);

@@ -46,11 +46,11 @@ TEST_CASE("a limit is kept in its own units, however steep the start was (O2.1)"
                                           r[0] = x[0];
                                           r[1] = 1.0 / cubed(x[0]);
                                         });
-  const Problem steep = test::posed<3>({{"x", -20.0, 20.0, 20.0}}, {{"c", 1.0, kInfinity}},
-                                       [](const D* x, D* r) {
-                                         r[0] = x[0];
-                                         r[1] = exp(x[0]);
-                                       });
+  const Problem steep =
+      test::posed<3>({{"x", -20.0, 20.0, 20.0}}, {{"c", 1.0, kInfinity}}, [](const D* x, D* r) {
+        r[0] = x[0];
+        r[1] = exp(x[0]);
+      });
   for (const std::string& solver : kSolvers) {
     if (absent(solver)) continue;
     CAPTURE(solver);
@@ -97,18 +97,16 @@ TEST_CASE("limits with multiplier zero are not taken as held (O4.1)",
   CHECK_FALSE(certify(saddle, Design{0.0, 0.0}).passed);
   CHECK(certify(saddle, Design{2.0, 2.0}).passed);
   CHECK(solved(saddle, "nlopt:slsqp").evaluation.values[0] == Approx(-4.0).epsilon(1e-12));
-  const Problem mixed =
-      test::posed<3>({{"x", 0.0, 2.0}, {"y", 0.0, 2.0}}, {}, [](const D* x, D* r) {
-        r[0] = x[0] * x[0] - 3.0 * x[0] * x[1] + x[1] * x[1];
-      });
+  const Problem mixed = test::posed<3>(
+      {{"x", 0.0, 2.0}, {"y", 0.0, 2.0}}, {},
+      [](const D* x, D* r) { r[0] = x[0] * x[0] - 3.0 * x[0] * x[1] + x[1] * x[1]; });
   CHECK_FALSE(certify(mixed, Design{0.0, 0.0}).passed);
-  const Problem limited = test::posed<3>(
-      {{"x", -2.0, 2.0}, {"y", -2.0, 2.0}, {"z", 0.0, 1.0}}, {{"cx", 0.0}, {"cy", 0.0}},
-      [](const D* x, D* r) {
-        r[0] = x[2] - x[0] * x[1];
-        r[1] = x[0];
-        r[2] = x[1];
-      });
+  const Problem limited = test::posed<3>({{"x", -2.0, 2.0}, {"y", -2.0, 2.0}, {"z", 0.0, 1.0}},
+                                         {{"cx", 0.0}, {"cy", 0.0}}, [](const D* x, D* r) {
+                                           r[0] = x[2] - x[0] * x[1];
+                                           r[1] = x[0];
+                                           r[2] = x[1];
+                                         });
   CHECK_FALSE(certify(limited, Design{0.0, 0.0, 0.0}).passed);
   // With the sign turned the same corner is an optimum, and decided.
   const Problem turned = test::posed<3>({{"x", 0.0, 2.0}, {"y", 0.0, 2.0}}, {},
@@ -121,26 +119,24 @@ TEST_CASE("limits with multiplier zero are not taken as held (O4.1)",
 TEST_CASE("a flat direction is followed a little way before a design is called an optimum",
           "[optim][certificate][closed_form]") {
   // x^3 at 0, and Peano's (y - x^2)(y - 2 x^2), which rises along every line but falls on y = 1.5 x^2.
-  const Problem inflection = test::posed<3>({{"x", -1.0, 1.0}}, {},
-                                            [](const D* x, D* r) { r[0] = cubed(x[0]); });
+  const Problem inflection =
+      test::posed<3>({{"x", -1.0, 1.0}}, {}, [](const D* x, D* r) { r[0] = cubed(x[0]); });
   CHECK_FALSE(certify(inflection, Design{0.0}).passed);
-  const Problem peano =
-      test::posed<3>({{"x", -1.0, 1.0}, {"y", -1.0, 1.0}}, {}, [](const D* x, D* r) {
-        r[0] = (x[1] - x[0] * x[0]) * (x[1] - 2.0 * x[0] * x[0]);
-      });
+  const Problem peano = test::posed<3>(
+      {{"x", -1.0, 1.0}, {"y", -1.0, 1.0}}, {},
+      [](const D* x, D* r) { r[0] = (x[1] - x[0] * x[0]) * (x[1] - 2.0 * x[0] * x[0]); });
   CHECK_FALSE(certify(peano, Design{0.0, 0.0}).passed);
-  const Problem fourth = test::posed<3>({{"x", -1.0, 1.0}}, {}, [](const D* x, D* r) {
-    r[0] = x[0] * x[0] * x[0] * x[0];
-  });
+  const Problem fourth = test::posed<3>({{"x", -1.0, 1.0}}, {},
+                                        [](const D* x, D* r) { r[0] = x[0] * x[0] * x[0] * x[0]; });
   CHECK(certify(fourth, Design{0.0}).passed);
 }
 
 TEST_CASE("a steep start makes no design stationary (O3.2, O3.3)", "[optim][certificate]") {
-  const Problem valley = test::posed<3>(
-      {{"x", -100.0, 100.0, -100.0}, {"y", -100.0, 100.0, 100.0}}, {}, [](const D* x, D* r) {
-        const D bend = x[1] - x[0] * x[0], rest = 1.0 - x[0];
-        r[0] = 100.0 * bend * bend + rest * rest;
-      });
+  const Problem valley = test::posed<3>({{"x", -100.0, 100.0, -100.0}, {"y", -100.0, 100.0, 100.0}},
+                                        {}, [](const D* x, D* r) {
+                                          const D bend = x[1] - x[0] * x[0], rest = 1.0 - x[0];
+                                          r[0] = 100.0 * bend * bend + rest * rest;
+                                        });
   for (const char* solver : {"auto", "ipopt", "nlopt:cobyla", "nlopt:lbfgs", "nlopt:mma",
                              "nlopt:tnewton_precond_restart", "nlopt:var2", "nlopt:ccsaq"}) {
     if (absent(solver)) continue;
@@ -167,9 +163,7 @@ TEST_CASE("an answer does not depend on the width of a box that does not bind",
     CHECK(r.evaluation.values[0] == Approx(-1.0).epsilon(1e-9));
     const Problem sphere =
         test::posed<3>({{"x", -width, width, 1.0}, {"y", -width, width, 1.0}}, {},
-                       [](const D* x, D* r) {
-                         r[0] = (x[0] - 3.0) * (x[0] - 3.0) + x[1] * x[1];
-                       });
+                       [](const D* x, D* r) { r[0] = (x[0] - 3.0) * (x[0] - 3.0) + x[1] * x[1]; });
     const Result s = solved(sphere);
     CHECK(s.outcome == Outcome::optimal);
     CHECK(s.design[0] == Approx(3.0).epsilon(1e-9));
@@ -178,23 +172,23 @@ TEST_CASE("an answer does not depend on the width of a box that does not bind",
 }
 
 TEST_CASE("what is known of degenerate limits is told", "[optim][certificate][infeasible]") {
-  const Problem fixed = test::posed<3>({{"x", 1.0, 1.0}, {"y", 1.0, 1.0}}, {{"c", 3.0, 5.0}},
-                                       [](const D* x, D* r) {
-                                         r[0] = x[0];
-                                         r[1] = x[0] + x[1];
-                                       });
+  const Problem fixed =
+      test::posed<3>({{"x", 1.0, 1.0}, {"y", 1.0, 1.0}}, {{"c", 3.0, 5.0}}, [](const D* x, D* r) {
+        r[0] = x[0];
+        r[1] = x[0] + x[1];
+      });
   const Result far = solved(fixed);
   REQUIRE(far.infeasibility.relaxations.size() == 1);
   CHECK(far.infeasibility.relaxations[0].amount == 1.0);
   CHECK(far.infeasibility.relaxations[0].amount_alone == 1.0);
   // The same equality three times.
-  const Problem repeated = test::posed<3>(
-      {{"x", -5.0, 5.0, 3.0}, {"y", -5.0, 5.0, 2.0}},
-      {{"a", 2.0, 2.0}, {"b", 4.0, 4.0}, {"c", 2.0, 2.0}}, [](const D* x, D* r) {
-        r[0] = x[0] * x[0] + x[1] * x[1];
-        r[1] = r[3] = x[0] + x[1];
-        r[2] = 2.0 * (x[0] + x[1]);
-      });
+  const Problem repeated =
+      test::posed<3>({{"x", -5.0, 5.0, 3.0}, {"y", -5.0, 5.0, 2.0}},
+                     {{"a", 2.0, 2.0}, {"b", 4.0, 4.0}, {"c", 2.0, 2.0}}, [](const D* x, D* r) {
+                       r[0] = x[0] * x[0] + x[1] * x[1];
+                       r[1] = r[3] = x[0] + x[1];
+                       r[2] = 2.0 * (x[0] + x[1]);
+                     });
   for (const char* solver : {"auto", "ipopt"}) {
     if (absent(solver)) continue;
     const Result r = solved(repeated, solver);

@@ -81,9 +81,15 @@ TEST_CASE("a limit is broken beyond its tolerance, and without one beyond 1e-8 o
     bool broken;
   };
   const StoredRow rows[] = {
-      {0, 0, 0, false},           {0, 1e-8, 2e-8, false},       {0, 1e-8, 9e-9, true},
-      {0, 1e-8, kUnknown, true},  {100, 9e-5, 1e-3, false},     {100, 2e-4, 1e-4, true},
-      {100, 9e-7, kUnknown, false}, {-5, 6e-8, kUnknown, true}, {5, kUnknown, 1, true},
+      {0, 0, 0, false},
+      {0, 1e-8, 2e-8, false},
+      {0, 1e-8, 9e-9, true},
+      {0, 1e-8, kUnknown, true},
+      {100, 9e-5, 1e-3, false},
+      {100, 2e-4, 1e-4, true},
+      {100, 9e-7, kUnknown, false},
+      {-5, 6e-8, kUnknown, true},
+      {5, kUnknown, 1, true},
   };
   for (const StoredRow& row : rows) {
     CAPTURE(row.limit, row.violation, row.tolerance);

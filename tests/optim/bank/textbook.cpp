@@ -20,7 +20,8 @@ std::vector<Textbook> textbook() {
 optim::Problem boxed(const Textbook& book, double width) {
   optim::Problem p = book.problem;
   for (optim::Variable& v : p.variables) {
-    if (std::isinf(v.lower)) v.lower = std::min(-width, std::isinf(v.upper) ? 0.0 : v.upper - width);
+    if (std::isinf(v.lower))
+      v.lower = std::min(-width, std::isinf(v.upper) ? 0.0 : v.upper - width);
     if (std::isinf(v.upper)) v.upper = std::max(width, v.lower + width);
     v.start = std::clamp(v.start, v.lower, v.upper);
   }

@@ -56,12 +56,11 @@ void add_hs_1_to_24(TextbookBuilder& b) {
     r[0] = sq(x[0] - 2.0) + sq(x[1]);
     r[1] = cube(1.0 - x[0]) - x[1];
   });
-  b.add("HS14", 9.0 - 2.875 * std::sqrt(7.0), times(2, anywhere(2)), 1, 1,
-        [](const D* x, D* r) {
-          r[0] = sq(x[0] - 2.0) + sq(x[1] - 1.0);
-          r[1] = 1.0 - 0.25 * sq(x[0]) - sq(x[1]);
-          r[2] = x[0] - 2.0 * x[1] + 1.0;
-        });
+  b.add("HS14", 9.0 - 2.875 * std::sqrt(7.0), times(2, anywhere(2)), 1, 1, [](const D* x, D* r) {
+    r[0] = sq(x[0] - 2.0) + sq(x[1] - 1.0);
+    r[1] = 1.0 - 0.25 * sq(x[0]) - sq(x[1]);
+    r[2] = x[0] - 2.0 * x[1] + 1.0;
+  });
   b.add("HS15", 306.5, {{-kFree, 0.5, -2}, anywhere(1)}, 2, 0, [](const D* x, D* r) {
     r[0] = banana(x);
     r[1] = x[0] * x[1] - 1.0;
@@ -87,13 +86,12 @@ void add_hs_1_to_24(TextbookBuilder& b) {
     r[1] = sq(x[0] - 5.0) + sq(x[1] - 5.0) - 100.0;
     r[2] = 82.81 - sq(x[1] - 5.0) - sq(x[0] - 6.0);
   });
-  b.add("HS20", 81.5 - 25.0 * root3, {{-0.5, 0.5, -2}, anywhere(1)}, 3, 0,
-        [](const D* x, D* r) {
-          r[0] = banana(x);
-          r[1] = x[0] + sq(x[1]);
-          r[2] = sq(x[0]) + x[1];
-          r[3] = sq(x[0]) + sq(x[1]) - 1.0;
-        });
+  b.add("HS20", 81.5 - 25.0 * root3, {{-0.5, 0.5, -2}, anywhere(1)}, 3, 0, [](const D* x, D* r) {
+    r[0] = banana(x);
+    r[1] = x[0] + sq(x[1]);
+    r[2] = sq(x[0]) + x[1];
+    r[3] = sq(x[0]) + sq(x[1]) - 1.0;
+  });
   b.add("HS21", -99.96, {{2, 50, -1}, {-50, 50, -1}}, 1, 0, [](const D* x, D* r) {
     r[0] = 0.01 * sq(x[0]) + sq(x[1]) - 100.0;
     r[1] = 10.0 * x[0] - x[1] - 10.0;

@@ -91,12 +91,11 @@ void add_four_variables(TextbookBuilder& b) {
           r[0] = 2.0 - x[0] * x[1] * x[2];
           r[1] = x[0] + 2.0 * x[1] + 2.0 * x[2] - x[3];
         });
-  b.add("HS42", 28.0 - 10.0 * std::sqrt(2.0), times(4, anywhere(1)), 0, 2,
-        [](const D* x, D* r) {
-          r[0] = sq(x[0] - 1.0) + sq(x[1] - 2.0) + sq(x[2] - 3.0) + sq(x[3] - 4.0);
-          r[1] = x[0] - 2.0;
-          r[2] = sq(x[2]) + sq(x[3]) - 2.0;
-        });
+  b.add("HS42", 28.0 - 10.0 * std::sqrt(2.0), times(4, anywhere(1)), 0, 2, [](const D* x, D* r) {
+    r[0] = sq(x[0] - 1.0) + sq(x[1] - 2.0) + sq(x[2] - 3.0) + sq(x[3] - 4.0);
+    r[1] = x[0] - 2.0;
+    r[2] = sq(x[2]) + sq(x[3]) - 2.0;
+  });
   b.add("HS43", -44.0, times(4, anywhere(0)), 3, 0, [](const D* x, D* r) {
     r[0] = sq(x[0]) + sq(x[1]) + 2.0 * sq(x[2]) + sq(x[3]) - 5.0 * x[0] - 5.0 * x[1] - 21.0 * x[2] +
            7.0 * x[3];
@@ -162,8 +161,8 @@ void add_more_variables(TextbookBuilder& b) {
     r[3] = x[1] - x[4];
   });
   b.add("HS55", 19.0 / 3.0,
-        {{0, 1, 1}, at_least(0, 2), at_least(0, 0), {0, 1, 0}, at_least(0, 0), at_least(0, 2)}, 0, 6,
-        [](const D* x, D* r) {
+        {{0, 1, 1}, at_least(0, 2), at_least(0, 0), {0, 1, 0}, at_least(0, 0), at_least(0, 2)}, 0,
+        6, [](const D* x, D* r) {
           r[0] = x[0] + 2.0 * x[1] + 4.0 * x[4] + expo(x[0] * x[3]);
           r[1] = x[0] + 2.0 * x[1] + 5.0 * x[4] - 6.0;
           r[2] = x[0] + x[1] + x[2] - 3.0;

@@ -49,8 +49,7 @@ struct TextbookBuilder {
            std::size_t inequalities, std::size_t equalities, F f) {
     optim::Problem p;
     for (std::size_t j = 0; j < ranges.size(); ++j)
-      p.variables.push_back(
-          {numbered('x', j), ranges[j].lower, ranges[j].upper, ranges[j].start});
+      p.variables.push_back({numbered('x', j), ranges[j].lower, ranges[j].upper, ranges[j].start});
     p.objectives = {{"f", optim::Sense::minimize}};
     for (std::size_t i = 0; i < inequalities + equalities; ++i)
       p.constraints.push_back({numbered('c', i), 0.0, i < inequalities ? optim::kInfinity : 0.0});

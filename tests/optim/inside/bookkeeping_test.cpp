@@ -36,7 +36,8 @@ struct Left {
     scaling.scale_responses(start, problem.evaluate(start, true));
     run.session = std::make_unique<Session>(problem, options, deadline, 1, 1000);
     run.design = design;
-    run.best = Candidate{scaling.to_unit(design), 0.0, 0.0, 0.0, problem.evaluate(design, false).values};
+    run.best =
+        Candidate{scaling.to_unit(design), 0.0, 0.0, 0.0, problem.evaluate(design, false).values};
     run.final_design = own_end;
     finish_run(run, scaling);
   }

@@ -106,7 +106,8 @@ TEST_CASE("curvature counts on the critical cone only, and on all of it (O4.1)",
   CHECK(outside.smallest == 0.0);
   CHECK(outside.direction.size() == 0);
   // Held by a multiplier, an axis leaves nothing of it.
-  const ConeCurvature held = cone_curvature(saddle, {quadrant.leftCols(1), quadrant.rightCols(1)}, 1e-9);
+  const ConeCurvature held =
+      cone_curvature(saddle, {quadrant.leftCols(1), quadrant.rightCols(1)}, 1e-9);
   CHECK(held.direction.size() == 0);
   // x^2 - 3 x y + y^2 has curvature -1 along (1, 1); x^2 + 5 x y - 3/2 y^2 has its least on the axis x = 0.
   Eigen::MatrixXd h(2, 2);

@@ -114,8 +114,7 @@ Problem endless() {
   p.evaluate = [](std::span<const double> x, bool gradient) {
     const double width[] = {1.5, 1.5, 2.0};
     double square = 0.0;
-    for (std::size_t k = 0; k < 3; ++k)
-      square += (width[k] * x[k] - 1.0) * (width[k] * x[k] - 1.0);
+    for (std::size_t k = 0; k < 3; ++k) square += (width[k] * x[k] - 1.0) * (width[k] * x[k] - 1.0);
     const double distance = std::sqrt(square), d = width[0] * x[0] - 0.25;
     Evaluation e;
     e.values = {distance, 1e-95 / d};

@@ -98,11 +98,10 @@ std::string limit_table(const OptimizeResult& result) {
   if (result.best.constraints.empty()) return {};
   TextTable table{{{"limit", "best", "", "kept within", "per 1 % looser"}}};
   for (const LimitState& limit : result.best.constraints)
-    table.rows.push_back({limit.text, cell(limit.value, limit.unit),
-                          state_words(limit), tolerance_words(limit),
-                          limit.active && !broken(limit)
-                              ? goal_change_words(limit.gain_per_percent, result.goal)
-                              : ""});
+    table.rows.push_back(
+        {limit.text, cell(limit.value, limit.unit), state_words(limit), tolerance_words(limit),
+         limit.active && !broken(limit) ? goal_change_words(limit.gain_per_percent, result.goal)
+                                        : ""});
   return "\n" + aligned(table);
 }
 
@@ -131,7 +130,8 @@ std::string whole_numbers(const OptimizeResult& result) {
 std::string optimal_words(const OptimizeResult& result) {
   const std::string held = whole_numbers(result);
   const optim::Certificate& certificate = result.best.certificate;
-  std::string text = certificate.second_order ? "Verified local optimum" : "Optimum to first order only";
+  std::string text =
+      certificate.second_order ? "Verified local optimum" : "Optimum to first order only";
   text += (held.empty() ? "" : " with " + held + " fixed") + ": no feasible change " +
           (held.empty() ? "" : "of the other variables ") + "improves it" +
           (certificate.second_order ? "" : " to first order") + " (stationarity " +

@@ -171,9 +171,10 @@ std::vector<double> gains(double multiplier, const optim::Certificate& certifica
 
 bool broken(const LimitState& limit) {
   if (std::isnan(limit.violation)) return true;
-  const double tolerance = std::isnan(limit.tolerance)
-                               ? optim::SolveOptions().feasibility_tolerance * std::fabs(limit.limit)
-                               : limit.tolerance;
+  const double tolerance =
+      std::isnan(limit.tolerance)
+          ? optim::SolveOptions().feasibility_tolerance * std::fabs(limit.limit)
+          : limit.tolerance;
   return limit.violation > tolerance;
 }
 

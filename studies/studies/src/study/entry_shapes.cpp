@@ -135,7 +135,9 @@ Shape<MotorLimit> tolerant_limit() {
       apply_tolerance);
   return shape_as<MotorLimit, TolerantLimit>(
       shape, [](TolerantLimit value) { return std::move(value.limit); },
-      [](const MotorLimit& limit) { return TolerantLimit{limit, limit.tolerance_text}; });
+      [](const MotorLimit& limit) {
+        return TolerantLimit{limit, limit.tolerance_text};
+      });
 }
 
 Shape<std::vector<MotorLimit>> constraints() {

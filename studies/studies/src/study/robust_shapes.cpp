@@ -57,7 +57,10 @@ Shape<std::vector<StudyLimit>> study_limits() {
   const auto plain = text_of<StudyLimit>("a limit", "stall_torque >= 0.8 N.m", parse_study_limit,
                                          study_limit_text);
   const auto tolerant = shape_as<StudyLimit, MotorLimit>(
-      tolerant_limit(), [](MotorLimit limit) { return StudyLimit{std::move(limit), {}}; },
+      tolerant_limit(),
+      [](MotorLimit limit) {
+        return StudyLimit{std::move(limit), {}};
+      },
       [](const StudyLimit& limit) { return *limit.plain; });
   auto shape = list("limits that must hold",
                     one_of<StudyLimit>("a limit", {plain, tolerant}, [](const StudyLimit& limit) {
