@@ -2,8 +2,8 @@
 #include "causes.hpp"
 
 #include "restated.hpp"
-#include "scaling.hpp"
 #include "solve_continuous.hpp"
+#include "tolerance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -141,24 +141,14 @@ class Investigation {
     const Constraint& c = problem_.constraints[row];
     const double value = result.evaluation.values[0];
     const double excess = side == Side::lower ? c.lower - value : value - c.upper;
-    if (excess * factor(best.problem, result) <= options_.feasibility_tolerance) return false;
-    Impossible found{c.name,
-                     side,
-                     side == Side::lower ? c.lower : c.upper,
-                     value,
-                     result.outcome == Outcome::optimal,
-                     {},
-                     result.design};
+    const double terms = term_magnitude(best.problem, 0, result.evaluation, result.design);
+    const double bound = side == Side::lower ? c.lower : c.upper;
+    if (excess <= limit_tolerance(c, bound, terms, options_.feasibility_tolerance)) return false;
+    Impossible found{c.name, side,         bound, value, result.outcome == Outcome::optimal,
+                     {},     result.design};
     for (const RangeEnd& end : ends_of(result)) found.ends.push_back(add_range(end));
     told().impossible.push_back(std::move(found));
     return true;
-  }
-
-  static double factor(const Problem& problem, const Result& result) {
-    Scaling scaling(problem);
-    if (!result.evaluation.jacobian.empty())
-      scaling.scale_responses(result.design, result.evaluation);
-    return scaling.factor(0);
   }
 
   // Ends of ranges that restrain an optimum, and those at which its integer variables are.
@@ -260,8 +250,10 @@ class Investigation {
 }  // namespace
 
 std::size_t cost_of_causes(const Counters& search, const Budget& budget) {
+  constexpr std::size_t kLeast =
+      3000;  // a search that soon sees that it is in vain leaves the causes open
   const std::size_t used = std::min(search.evaluations, budget.evaluations);
-  return std::min(3 * used, budget.evaluations - used);
+  return std::min(std::max(3 * used, kLeast), budget.evaluations - used);
 }
 
 Causes find_causes(const Problem& problem, const SolveOptions& options, const Deadline& deadline,

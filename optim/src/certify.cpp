@@ -2,15 +2,17 @@
 #include "certify.hpp"
 
 #include "first_design.hpp"
+#include "kinks.hpp"
 #include "limits_report.hpp"
+#include "probe.hpp"
 
 #include <twum/base/error.hpp>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <vector>
 
 namespace twum::optim {
@@ -20,46 +22,65 @@ using Eigen::Index;
 
 // Scaled slack within which a limit counts as active. Multiplier times slack is then checked as complementarity.
 constexpr double kActivity = 1e-6;
-// relative curvature well above the error of central differences
-constexpr double kNegative = 1e-5;
+// Relative to the Hessian and to the gradient: curvature above the error of the differences, and clearly so.
+constexpr double kZero = 1e-6;
+constexpr double kClear = 10.0;
+constexpr double kNoise = 1e-8;
 
 class Certifier {
  public:
-  Certifier(Session& session, const Scaling& scaling)
+  Certifier(Session& session, const Scaling& search)
       : session_(session),
-        scaling_(scaling),
+        search_(search),
         objectives_(session.problem().objectives.size()),
         options_(session.options()) {}
 
   std::optional<Certified> run(std::span<const double> design, bool second_order) {
-    auto point = kkt_point(session_, scaling_, design);
+    const Evaluation here = session_.at(design, true);
+    if (!here.ok()) return std::nullopt;
+    const Problem& problem = session_.problem();
+    scaling_.emplace(scaling_at(problem, search_, sizes_at(problem, design), design, here));
+    auto point = kkt_point(session_, *scaling_, design);
     if (!point) return std::nullopt;
     result_.point = std::move(*point);
-    if (derivatives_exist()) {
-      worst_first_order(candidate_gradients());
-      if (stalled() && room()) look_for_kinks();
+    Kinks kinks(session_, *scaling_, result_.point);
+    if (derivatives_exist(kinks)) {
+      first_order_at(kinks);
+      if (kinks.names().empty() && feasible()) measure_with_curvature();
+      if (!stationary() && feasible() && objectives_ == 1 && room()) look_for(kinks);
       name_dependent_limits();
-      name_flat_objective();
+      if (kinks.names().empty()) name_flat_objective();
       // With several objectives no test: on a concave front, the weighted sum has negative curvature along the front.
-      second_order = second_order && objectives_ == 1 && scaling_.size() > 0;
-      if (second_order && stationary() && room() && !has(Degeneracy::kink)) second_order_test();
+      if (second_order && objectives_ == 1 && stationary() && kinks.names().empty()) decide();
     }
+    for (const std::string& variable : kinks.names())
+      certificate().findings.push_back(
+          {Degeneracy::kink, "one-sided derivatives of the objective differ", {variable}});
     conclude();
     return std::move(result_);
   }
 
  private:
   Certificate& certificate() { return result_.certificate; }
-  bool room() const { return session_.left() >= 2 * scaling_.size(); }
-  bool stationary() const { return result_.certificate.stationarity <= options_.tolerance; }
-  bool feasible() const { return result_.point.infeasibility <= options_.feasibility_tolerance; }
-  bool stalled() const { return !stationary() && feasible() && objectives_ == 1; }
+  bool room() const { return session_.left() >= 2 * scaling_->size(); }
+  bool feasible() const { return result_.point.violation <= options_.feasibility_tolerance; }
+  bool stationary() const {
+    const Certificate& c = result_.certificate;
+    return c.stationarity <= options_.tolerance && !(gain_ > allowed_gain());
+  }
   bool has(Degeneracy kind) const {
     const auto& f = result_.certificate.findings;
     return std::any_of(f.begin(), f.end(), [&](const Finding& x) { return x.kind == kind; });
   }
   const std::string& variable_name(Index k) const {
-    return session_.problem().variables[scaling_.variable(static_cast<std::size_t>(k))].name;
+    return session_.problem().variables[scaling_->variable(static_cast<std::size_t>(k))].name;
+  }
+  double objective_size() const {
+    return std::abs(scaling_->factor(0) * result_.point.evaluation.values[0]);
+  }
+  // (O3.3): a billionth of the objective, or what rounding leaves of slopes and curvatures.
+  double allowed_gain() const {
+    return 1e-3 * options_.tolerance * objective_size() + 1e-8 * options_.tolerance * size_;
   }
 
   bool limit_matters(std::size_t response) const {
@@ -70,8 +91,9 @@ class Certifier {
                        });
   }
 
-  bool derivatives_exist() {
-    if (!undefined_entry()) return true;
+  bool derivatives_exist(const Kinks& kinks) {
+    if (!kinks.undefined([&](std::size_t response) { return limit_matters(response); }))
+      return true;
     certificate().stationarity = std::numeric_limits<double>::infinity();
     certificate().findings.push_back({Degeneracy::undefined_gradient,
                                       "a derivative that the test needs does not exist here",
@@ -79,154 +101,94 @@ class Certifier {
     return false;
   }
 
-  bool undefined_entry() const {
-    const auto& kinks = result_.point.evaluation.kinks;
-    return std::any_of(kinks.begin(), kinks.end(), [&](const KinkedEntry& k) {
-      return k.slope == Slope::undefined && limit_matters(k.response) && varies(k.variable);
-    });
-  }
-
-  bool varies(std::size_t variable) const {
-    for (std::size_t k = 0; k < scaling_.size(); ++k)
-      if (scaling_.variable(k) == variable) return true;
-    return false;
-  }
-
-  // Candidate gradients of the objective at the reported kinks. For each matrix, some convex combination of its
-  // columns has to be stationary.
-  std::vector<Eigen::MatrixXd> candidate_gradients() {
-    const Eigen::MatrixXd g = objective_gradients(result_.point, objectives_);
-    std::vector<KinkedEntry> kinks;
-    std::set<std::size_t> kinked;
-    for (const KinkedEntry& kink : result_.point.evaluation.kinks) {
-      const bool counts = kink.slope == Slope::one_sided && kink.response == 0 && objectives_ == 1;
-      if (!counts || !varies(kink.variable)) continue;
-      kinks.push_back(kink);
-      kinked.insert(kink.variable);
-    }
-    std::vector<Eigen::MatrixXd> all;
-    for (const KinkedEntry& kink : kinks) add_candidates(kink, kinked.size() == 1, g, all);
-    if (all.empty()) all.push_back(g);
-    return all;
-  }
-
-  // At a convex kink, any slope between the two sides is a candidate. At a concave kink, both sides have to be
-  // stationary. The same holds for kinks in several variables, because the entries do not say which sides belong
-  // together. On a bound there is only one side.
-  void add_candidates(const KinkedEntry& kink, bool mixes, const Eigen::MatrixXd& g,
-                      std::vector<Eigen::MatrixXd>& all) {
-    std::size_t at = 0;
-    while (scaling_.variable(at) != kink.variable) ++at;
-    name_kink(variable_name(static_cast<Index>(at)));
-    const bool maximize = session_.problem().objectives[0].sense == Sense::maximize;
-    const double scale =
-        (maximize ? -1.0 : 1.0) * scaling_.factor(0) * scaling_.slope(at, result_.point.design);
-    Eigen::MatrixXd left = g, right = g;
-    left(static_cast<Index>(at), 0) = scale * kink.left;
-    right(static_cast<Index>(at), 0) = scale * kink.right;
-    const double u = result_.point.unit[at];
-    if (mixes && kink.left * scale <= kink.right * scale && u > 0.0 && u < 1.0) {
-      left.conservativeResize(Eigen::NoChange, 2);
-      left.col(1) = right.col(0);
-      all.push_back(left);
-      return;
-    }
-    if (u > 0.0) all.push_back(left);
-    if (u < 1.0) all.push_back(right);
-  }
-
-  // Reports each variable only once.
-  void name_kink(const std::string& variable) {
-    const auto named = [&](const Finding& x) {
-      return x.kind == Degeneracy::kink && x.names.front() == variable;
-    };
-    auto& findings = certificate().findings;
-    if (std::any_of(findings.begin(), findings.end(), named)) return;
-    findings.push_back(
-        {Degeneracy::kink, "one-sided derivatives of the objective differ", {variable}});
-  }
-
-  void worst_first_order(const std::vector<Eigen::MatrixXd>& candidate_gradients) {
-    const Eigen::MatrixXd* worst = nullptr;
-    double largest = -1.0, complementarity = 0.0;
-    for (const Eigen::MatrixXd& each : candidate_gradients) {
-      first_order(each);
-      complementarity = std::max(complementarity, certificate().complementarity);
+  // Each candidate has to be stationary: the worst decides.
+  void first_order_at(Kinks& kinks) {
+    const auto candidates = kinks.reported();
+    std::size_t worst = 0;
+    double largest = -1.0;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      first_order(candidates[i]);
       if (certificate().stationarity <= largest) continue;
       largest = certificate().stationarity;
-      worst = &each;
+      worst = i;
     }
-    if (candidate_gradients.size() > 1 && worst != nullptr) first_order(*worst);
-    certificate().complementarity = complementarity;
+    if (candidates.size() > 1) first_order(candidates[worst]);
+  }
+
+  void look_for(Kinks& kinks) {
+    const auto mixed = kinks.found_nearby();
+    if (!mixed) return;
+    gain_ = kNotMeasured;
+    certificate().gain = std::numeric_limits<double>::quiet_NaN();
+    first_order(*mixed);
   }
 
   void first_order(const Eigen::MatrixXd& gradients) {
     if (gradients.size() == 0) {  // every variable is fixed: the only design is stationary
       result_.multipliers.weights =
           Eigen::VectorXd::Constant(gradients.cols(), 1.0 / static_cast<double>(gradients.cols()));
+      certificate().stationarity = 0.0;
       return;
     }
     result_.multipliers = find_multipliers(result_.point, gradients, objectives_, kActivity);
     // Each gradient is weighted, so that a large gradient with weight 0 does not hide an error in the others.
-    const double size = gradient_size(gradients * result_.multipliers.weights.asDiagonal());
-    certificate().stationarity = result_.multipliers.residual.cwiseAbs().maxCoeff() / size;
-    certificate().complementarity = 0.0;
-    for (std::size_t i = 0; i < result_.multipliers.limits.size(); ++i)
-      certificate().complementarity =
-          std::max(certificate().complementarity,
-                   std::abs(result_.multipliers.limit_values[i]) / size *
-                       result_.point.limits[result_.multipliers.limits[i]].slack);
+    slope_ = gradient_size(gradients * result_.multipliers.weights.asDiagonal());
+    steepest_ = (gradients * result_.multipliers.weights.asDiagonal()).cwiseAbs().maxCoeff();
+    set_stationarity(slope_);
   }
 
-  // Size of the gradient here, or at the start (1, by the scaling), over the variables that are not held by a bound,
-  // because a steep slope into a bound says nothing about the others.
-  double gradient_size(const Eigen::MatrixXd& gradients) const {
-    const auto& bounds = result_.multipliers.bounds;
-    double size = 1.0;
-    for (Index k = 0; k < gradients.rows(); ++k)
-      if (std::find(bounds.begin(), bounds.end(), k) == bounds.end())
-        size = std::max(size, gradients.row(k).cwiseAbs().maxCoeff());
-    return size;
-  }
-
-  // A point that is not stationary may lie on a kink. Then gradients on its two sides differ at any distance, and
-  // some convex combination of them is stationary.
-  void look_for_kinks() {
-    constexpr double kNear = 1e-7;
-    Eigen::MatrixXd mixed = objective_gradients(result_.point, 1);
-    std::vector<std::string> names;
-    const double here = objective(result_.point);
-    for (Index k = 0; k < result_.point.variables(); ++k) {
-      const auto right = neighbour(k, kNear);
-      const auto left = neighbour(k, -kNear);
-      if (!right || !left) return;
-      const double noise = 1e-12 * (1.0 + std::abs(here));
-      // a neighbour is better, so this is not an optimum
-      for (const auto* side : {&*left, &*right})
-        if (objective(*side) < here - noise && side->infeasibility <= result_.point.infeasibility)
-          return;
-      const double jump = (right->jacobian.row(0) - left->jacobian.row(0)).cwiseAbs().maxCoeff();
-      if (jump <= 1e-3 * (1.0 + mixed.cwiseAbs().maxCoeff())) continue;
-      names.push_back(variable_name(k));
-      mixed.conservativeResize(Eigen::NoChange, mixed.cols() + 2);
-      mixed.col(mixed.cols() - 2) = left->jacobian.row(0).transpose();
-      mixed.col(mixed.cols() - 1) = right->jacobian.row(0).transpose();
+  // (O3.2). Forces of limits that cancel each other are no measure, but they leave rounding errors.
+  void set_stationarity(double size) {
+    const auto& m = result_.multipliers;
+    double force = 0.0;
+    for (Index j = 0; j < m.active.cols(); ++j) {
+      const auto at = static_cast<std::size_t>(j);
+      const double value =
+          at < m.limits.size() ? m.limit_values[at] : m.bound_values[at - m.limits.size()];
+      force = std::max(force, std::abs(value) * m.active.col(j).cwiseAbs().maxCoeff());
     }
-    if (names.empty()) return;
-    for (const std::string& name : names) name_kink(name);
-    first_order(mixed);
+    size_ = std::max(size, kNoise * force);
+    const double residual = m.residual.size() > 0 ? m.residual.cwiseAbs().maxCoeff() : 0.0;
+    certificate().stationarity = residual > 0.0 ? residual / size_ : 0.0;
   }
 
-  double objective(const KktPoint& p) const {
-    const bool maximize = session_.problem().objectives[0].sense == Sense::maximize;
-    return (maximize ? -1.0 : 1.0) * scaling_.factor(0) * p.evaluation.values[0];
+  // Size of the gradient over the variables that no bound holds, because a steep slope into a bound says nothing about
+  // the others.
+  double gradient_size(const Eigen::MatrixXd& gradients) const {
+    Eigen::VectorXd sizes = gradients.cwiseAbs().rowwise().maxCoeff();
+    for (std::size_t i = 0; i < result_.multipliers.bounds.size(); ++i)
+      if (result_.multipliers.bound_values[i] > 0.0) sizes[result_.multipliers.bounds[i]] = 0.0;
+    return sizes.maxCoeff();
   }
 
-  std::optional<KktPoint> neighbour(Index k, double step) {
-    std::vector<double> unit = result_.point.unit;
-    double& u = unit[static_cast<std::size_t>(k)];
-    u = std::clamp(u + step, 0.0, 1.0);
-    return kkt_point(session_, scaling_, scaling_.to_design(unit));
+  // (O3.1, O3.2): where gradient and multipliers vanish, the curvature is the measure.
+  void measure_with_curvature() {
+    const bool needed = objectives_ == 1 || !stationary();
+    if (!needed || scaling_->size() == 0 || !room()) return;
+    hessian_ =
+        lagrangian_curvature(session_, *scaling_, result_.point, result_.multipliers, objectives_);
+    if (!hessian_) return;
+    set_stationarity(std::max(slope_, hessian_->cwiseAbs().maxCoeff()));
+    limits_ = strength(result_.point, result_.multipliers, size_);
+    if (objectives_ == 1) set_gain();
+  }
+
+  // (O3.3): what the quadratic model gains within one magnitude of the variables, along the directions in which the
+  // limits with multipliers stay met.
+  void set_gain() {
+    const Eigen::MatrixXd z = null_space(limits_.strong);
+    gain_ = 0.0;
+    if (z.cols() > 0) {
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(z.transpose() * *hessian_ * z);
+      const Eigen::VectorXd slopes =
+          eigen.eigenvectors().transpose() * (z.transpose() * result_.multipliers.residual);
+      for (Index j = 0; j < slopes.size(); ++j) {
+        const double p = std::abs(slopes[j]), curvature = std::max(eigen.eigenvalues()[j], 0.0);
+        const double step = p < curvature ? p / curvature : 1.0;
+        gain_ += step * (p - 0.5 * curvature * step);
+      }
+    }
+    certificate().gain = gain_ / scaling_->factor(0);
   }
 
   void name_dependent_limits() {
@@ -252,24 +214,43 @@ class Certifier {
     std::vector<std::string> names;
     for (Index k = 0; k < g.rows(); ++k)
       if (g.row(k).cwiseAbs().maxCoeff() == 0.0) names.push_back(variable_name(k));
-    if (static_cast<Index>(names.size()) == g.rows() && g.rows() > 0 && flat_at_start())
+    const bool curved = hessian_ && hessian_->cwiseAbs().maxCoeff() > 0.0;
+    if (static_cast<Index>(names.size()) == g.rows() && g.rows() > 0 && !curved)
       certificate().findings.push_back(
           {Degeneracy::flat_objective, "the gradient of the objective is zero", names});
   }
 
-  bool flat_at_start() const { return objectives_ == 1 && scaling_.flat_at_start(0); }
-
-  void second_order_test() {
-    const auto curvature =
-        lagrangian_curvature(session_, scaling_, result_.point, result_.multipliers, objectives_);
-    if (!curvature) return;
-    const ReducedCurvature reduced = reduced_curvature(*curvature, result_.multipliers);
-    certificate().curvature = reduced.smallest;
-    if (reduced.smallest < -kNegative)
+  // Second order on the critical cone, then probes along the directions that it leaves open.
+  void decide() {
+    if (scaling_->size() == 0) certificate().second_order = true;
+    if (!hessian_) return;
+    const double largest = hessian_->cwiseAbs().maxCoeff();
+    const double zero = std::max(kZero * largest, kNoise * slope_);
+    const ConeCurvature cone = cone_curvature(*hessian_, limits_, zero);
+    certificate().curvature = largest > 0.0 ? cone.smallest / largest : cone.smallest;
+    const ProbeBase base{result_.point, result_.multipliers, *hessian_, allowed_gain()};
+    const bool falls = cone.direction.size() > 0;
+    if (falls) result_.better = descent(session_, *scaling_, base, cone.direction);
+    const bool regular = !has(Degeneracy::dependent_constraints);
+    if (falls && (result_.better || (regular && cone.smallest < -kClear * zero)))
       certificate().findings.push_back({Degeneracy::negative_curvature,
                                         "stationary, but the objective falls to second order",
                                         {}});
-    for (Index j = 0; j < reduced.flat.cols(); ++j) name_flat_direction(reduced.flat.col(j));
+    for (Index j = 0; j < cone.flat.cols(); ++j) {
+      name_flat_direction(cone.flat.col(j));
+      probe_both_ways(base, cone.flat.col(j));
+    }
+    certificate().second_order = cone.decided && !falls && !result_.better;
+  }
+
+  void probe_both_ways(const ProbeBase& base, const Eigen::VectorXd& direction) {
+    constexpr std::size_t kSteps = 6;
+    for (const double sign : {1.0, -1.0}) {
+      if (result_.better || session_.left() < kSteps) return;
+      const Eigen::VectorXd d = sign * direction;
+      if (limits_.weak.cols() > 0 && (limits_.weak.transpose() * d).minCoeff() < -1e-9) continue;
+      result_.better = descent(session_, *scaling_, base, d);
+    }
   }
 
   void name_flat_direction(const Eigen::VectorXd& direction) {
@@ -281,34 +262,65 @@ class Certifier {
     if (!finding.names.empty()) certificate().findings.push_back(std::move(finding));
   }
 
+  // (O3.4)
+  double complementarity() const {
+    const auto& m = result_.multipliers;
+    const double size = std::max(objective_size(), steepest_);
+    double largest = 0.0;
+    for (std::size_t i = 0; i < m.limits.size(); ++i) {
+      const Limit& l = result_.point.limits[m.limits[i]];
+      largest = std::max(largest, std::abs(m.limit_values[i]) * std::max(l.slack, l.excess));
+    }
+    for (std::size_t i = 0; i < m.bounds.size(); ++i)
+      largest = std::max(
+          largest, m.bound_values[i] * result_.point.room[static_cast<std::size_t>(m.bounds[i])]);
+    return largest > 0.0 ? largest / size : 0.0;
+  }
+
   void conclude() {
     Certificate& c = certificate();
-    c.infeasibility = result_.point.infeasibility;
+    c.infeasibility = result_.point.violation;
+    c.complementarity = complementarity();
     if (result_.multipliers.weights.size() == static_cast<Index>(objectives_))
       c.weights.assign(result_.multipliers.weights.begin(), result_.multipliers.weights.end());
     else
       c.weights.assign(objectives_, objectives_ == 1 ? 1.0 : 0.0);
     for (std::size_t k = 0; k < objectives_; ++k)
-      c.prices.push_back(c.weights[k] * scaling_.factor(k) / scaling_.factor(0));
-    c.limits = report_limits(session_.problem(), scaling_, result_.point, result_.multipliers);
-    if (!feasible())
-      c.reason = "a constraint is violated";
-    else if (has(Degeneracy::undefined_gradient))
-      c.reason = "a derivative does not exist";
-    else if (!stationary())
-      c.reason = "not stationary: the objective can still improve to first order";
-    else if (c.complementarity > options_.tolerance)
-      c.reason = "a limit with a nonzero multiplier is not active";
-    else if (has(Degeneracy::negative_curvature))
-      c.reason = "stationary, but not a minimum";
+      c.prices.push_back(c.weights[k] * scaling_->factor(k) / scaling_->factor(0));
+    c.limits = report_limits(session_.problem(), *scaling_, result_.point, result_.multipliers);
+    c.reason = reason();
     c.passed = c.reason.empty();
+    c.second_order = c.second_order && c.passed;
   }
 
+  std::string reason() const {
+    const Certificate& c = result_.certificate;
+    if (!feasible()) return "a constraint is violated";
+    if (has(Degeneracy::undefined_gradient)) return "a derivative does not exist";
+    if (!(c.stationarity <= options_.tolerance))
+      return "not stationary: the objective can still improve to first order";
+    if (gain_ > allowed_gain()) return "not stationary: a step could still improve the objective";
+    if (c.complementarity > 1e-2 * options_.tolerance)
+      return "a limit with a nonzero multiplier is not active";
+    if (has(Degeneracy::negative_curvature)) return "stationary, but not a minimum";
+    if (result_.better) return "stationary, but a better design was found beside it";
+    return "";
+  }
+
+  static constexpr double kNotMeasured = -1.0;
+
   Session& session_;
-  const Scaling& scaling_;
+  const Scaling& search_;
   std::size_t objectives_;
   const SolveOptions& options_;
+  std::optional<Scaling> scaling_;
   Certified result_;
+  double slope_{0.0};     // of the objective over the variables that no bound holds
+  double steepest_{0.0};  // over all
+  double size_{0.0};      // denominator of the stationarity
+  double gain_{kNotMeasured};
+  std::optional<Eigen::MatrixXd> hessian_;
+  Strength limits_;
 };
 
 }  // namespace
@@ -325,9 +337,9 @@ const char* to_string(Degeneracy degeneracy) {
   return "unknown";
 }
 
-std::optional<Certified> certify_in(Session& session, const Scaling& scaling,
+std::optional<Certified> certify_in(Session& session, const Scaling& search,
                                     std::span<const double> design, bool second_order) {
-  return Certifier(session, scaling).run(design, second_order);
+  return Certifier(session, search).run(design, second_order);
 }
 
 Certificate certify(const Problem& problem, std::span<const double> design,
@@ -342,7 +354,10 @@ Certificate certify(const Problem& problem, std::span<const double> design,
   Certificate failed;
   failed.reason = "the design cannot be evaluated";
   try {
-    scale_at_first_design(session, scaling);
+    // The weights of several objectives refer to the start.
+    if (problem.objectives.size() > 1)
+      if (const auto first = first_design(session, scaling))
+        scaling.scale_responses(first->design, first->evaluation);
     const auto certified = certify_in(session, scaling, design);
     return certified ? certified->certificate : failed;
   } catch (const Stop&) {

@@ -8,8 +8,14 @@
 
 namespace twum::optim {
 
-/// Scales the responses at the start design. If it cannot be evaluated, takes the first design of a low-discrepancy
-/// sequence that can. Returns that design; nothing if none can be evaluated. @throws Stop
-std::optional<std::vector<double>> scale_at_first_design(Session& session, Scaling& scaling);
+/// A design with its evaluation and Jacobian.
+struct FirstDesign {
+  std::vector<double> design;
+  Evaluation evaluation;
+};
+
+/// The start design or, if it cannot be evaluated, the first of 64 low-discrepancy points that can. Nothing if none
+/// can. @throws Stop
+std::optional<FirstDesign> first_design(Session& session, const Scaling& scaling);
 
 }  // namespace twum::optim

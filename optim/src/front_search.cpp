@@ -4,11 +4,19 @@
 
 #include "front_search.hpp"
 #include "polish.hpp"
+#include "tolerance.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace twum::optim {
+
+namespace {
+
+// of an objective that is held at its best: far below the resolution of a front and far above the solver's tolerance
+constexpr double kMargin = 1e-8;
+
+}  // namespace
 
 double FrontSearch::sign(std::size_t k) const {
   return runner_.problem().objectives[k].sense == Sense::maximize ? -1.0 : 1.0;
@@ -50,14 +58,10 @@ void FrontSearch::snap_to_bounds(SolverRun& run, Solved& s) {
   Solved snapped = s;
   for (double& u : snapped.unit) u = u < kNear ? 0.0 : u > 1.0 - kNear ? 1.0 : u;
   if (snapped.unit == s.unit || !fill(run, snapped) || !dominates(snapped.y, s.y)) return;
-  const Problem& p = runner_.problem();
-  for (std::size_t i = 0; i < p.constraints.size(); ++i) {
-    const std::size_t r = p.objectives.size() + i;
-    const double room = runner_.options().feasibility_tolerance / runner_.scaling().factor(r);
-    const double value = snapped.evaluation.values[r];
-    if (value < p.constraints[i].lower - room || value > p.constraints[i].upper + room) return;
-  }
-  s = std::move(snapped);
+  const double tolerance = runner_.options().feasibility_tolerance;
+  if (relative_violation(runner_.problem(), snapped.evaluation, snapped.design, tolerance) <=
+      tolerance)
+    s = std::move(snapped);
 }
 
 void FrontSearch::normalize(Solved& s) const {
@@ -85,8 +89,7 @@ std::optional<Solved> FrontSearch::best_of(const Formulation& formulation,
   return best;
 }
 
-// Minimizes the other objectives with the first one held at its best, up to a margin far below the resolution of a
-// front and far above the solver's tolerance.
+// Minimizes the other objectives with the first one held at its best, up to a margin.
 Formulation FrontSearch::lexicographic(std::size_t objective, const Solved& first) const {
   Formulation f = plain_formulation(runner_.problem(), runner_.scaling(), objective);
   f.objective.responses.clear();
@@ -94,7 +97,7 @@ Formulation FrontSearch::lexicographic(std::size_t objective, const Solved& firs
     if (k != objective) f.objective.responses.push_back({k, sign(k)});
   const double best = first.scaled[objective];
   f.rows.push_back(
-      {{{objective, sign(objective)}}, {}, -kInfinity, best + 1e-8 * (1.0 + std::abs(best))});
+      {{{objective, sign(objective)}}, {}, -kInfinity, best + kMargin * (1.0 + std::abs(best))});
   return f;
 }
 
@@ -172,7 +175,8 @@ bool FrontSearch::find_ends(std::vector<std::vector<double>> starts) {
     }
   for (std::size_t k = 0; k < objectives; ++k) {
     const double span = nadir[k] - ideal_[k];
-    span_.push_back(span > 1e-9 * (1.0 + std::abs(ideal_[k])) ? span : 1.0);
+    // Ends that differ by the margin of the lexicographic search are the same.
+    span_.push_back(span > 10.0 * kMargin * (1.0 + std::abs(ideal_[k])) ? span : 1.0);
   }
   for (Solved& e : ends_) normalize(e);
   for (Solved& p : pool_) normalize(p);

@@ -44,20 +44,14 @@ Elastic elastic_formulation(const StageRunner& runner, Soft soft) {
   return e;
 }
 
-// Scaled responses change by about 1 across the box, so slacks begin at 1; their bound leaves room
-// for starts far outside.
+// Scaled responses change by about 1 with the variables, so slacks begin at 1; their bound leaves room for starts far
+// outside.
 std::vector<double> add_slacks(Elastic& e, std::span<const double> unit) {
   std::vector<double> z(unit.begin(), unit.end());
   z.resize(unit.size() + e.rows.size(), 1.0);
   e.formulation.extra_lower.assign(e.rows.size(), 0.0);
-  e.formulation.extra_upper.assign(e.rows.size(), 1e4);
+  e.formulation.extra_upper.assign(e.rows.size(), 1e12);
   return z;
-}
-
-double total_violation(const KktPoint& p) {
-  double sum = 0.0;
-  for (const Limit& l : p.limits) sum += l.excess;
-  return sum;
 }
 
 }  // namespace
@@ -82,15 +76,23 @@ std::optional<Candidate> elastic_search(StageRunner& runner,
 namespace {
 
 // The smallest relaxation of one constraint while all others hold.
-double relaxation_alone(StageRunner& runner, std::size_t row, std::span<const double> unit) {
-  if (runner.exhausted()) return std::nan("");
+struct Alone {
+  double amount{std::nan("")};
+  std::vector<double> design;  // user units; empty: none was found
+};
+
+bool keeps_the_others(const StageRunner& runner, const Candidate& c) {
+  return c.violation <= 100.0 * runner.options().feasibility_tolerance;
+}
+
+Alone relaxation_alone(StageRunner& runner, std::size_t row, std::span<const double> unit) {
+  if (runner.exhausted() || runner.scaling().size() == 0) return {};
   Elastic e = elastic_formulation(runner, [&](std::size_t i) { return i == row; });
   const std::vector<double> z = add_slacks(e, unit);
   const SolverRun run = runner.run(find_optimizer("nlopt:slsqp"), e.formulation, z);
-  const double tolerance = 100.0 * runner.options().feasibility_tolerance;
-  if (!run.best || run.best->violation > tolerance) return std::nan("");
+  if (!run.best || !keeps_the_others(runner, *run.best)) return {};
   const std::size_t r = runner.problem().objectives.size() + row;
-  return run.best->f / runner.scaling().factor(r);
+  return {run.best->f / runner.scaling().factor(r), run.design};
 }
 
 // Constraints and range ends that are active at a point with the smallest sum of violations.
@@ -103,14 +105,13 @@ struct Fight {
 RangeEnd range_end(const Problem& problem, const Scaling& scaling, const KktPoint& point,
                    std::size_t k) {
   const Variable& v = problem.variables[scaling.variable(k)];
-  return point.unit[k] < 0.5 ? RangeEnd{v.name, Side::lower, v.lower}
-                             : RangeEnd{v.name, Side::upper, v.upper};
+  return point.nearer[k] == Side::lower ? RangeEnd{v.name, Side::lower, v.lower}
+                                        : RangeEnd{v.name, Side::upper, v.upper};
 }
 
 // Stationarity of the sum of violations: violated limits have weight one, limits and range ends that are just met
 // have multipliers.
-Fight fighting(const Problem& problem, const Scaling& scaling, const KktPoint& point,
-               double tolerance) {
+Fight fighting(const Problem& problem, const Scaling& scaling, const KktPoint& point) {
   constexpr double kNoForce = 1e-6;
   const std::size_t objectives = problem.objectives.size();
   KktPoint met = point;
@@ -118,7 +119,7 @@ Fight fighting(const Problem& problem, const Scaling& scaling, const KktPoint& p
   Fight fight;
   Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(point.variables(), 1);
   for (const Limit& l : point.limits) {
-    if (l.excess <= tolerance) {
+    if (l.excess <= l.tolerance) {
       met.limits.push_back(l);
       continue;
     }
@@ -147,35 +148,46 @@ Fight fighting(const Problem& problem, const Scaling& scaling, const KktPoint& p
 
 }  // namespace
 
-Infeasibility explain_infeasible(StageRunner& runner, std::span<const double> unit) {
-  Infeasibility report;
+Explanation explain_infeasible(StageRunner& runner, std::span<const double> unit) {
+  Explanation told;
+  Infeasibility& report = told.report;
   const Problem& problem = runner.problem();
   report.design = runner.scaling().to_design(unit);
   SolverRun look;
   look.session = std::make_unique<Session>(problem, runner.options(), runner.deadline(),
                                            runner.take_stage(), runner.left());
-  std::optional<KktPoint> point;
-  try {
-    point = kkt_point(*look.session, runner.scaling(), report.design);
-  } catch (const Stop&) {
-  }
-  runner.book(look);
-  if (!point || total_violation(*point) == 0.0) return report;
+  const auto point_at = [&](const std::vector<double>& design) -> std::optional<KktPoint> {
+    std::optional<KktPoint> point;
+    try {
+      runner.allow(look, 1);
+      point = kkt_point(*look.session, runner.scaling(), design);
+    } catch (const Stop&) {
+    }
+    runner.book(look);
+    return point;
+  };
   const double tolerance = runner.options().feasibility_tolerance;
-  Fight fight = fighting(problem, runner.scaling(), *point, tolerance);
+  const auto point = point_at(report.design);
+  if (!point || point->violation <= tolerance) return told;
+  Fight fight = fighting(problem, runner.scaling(), *point);
   const auto& names = fight.constraints;
   report.certified = fight.stationary;
   report.ranges = std::move(fight.ranges);
   for (const std::size_t i : names) report.conflict.push_back(problem.constraints[i].name);
   for (const Limit& l : point->limits) {
-    if (!names.contains(l.constraint) || (l.excess <= tolerance && l.slack > 1e-6)) continue;
+    if (!names.contains(l.constraint) || (l.excess <= l.tolerance && l.slack > 1e-6)) continue;
     const Constraint& c = problem.constraints[l.constraint];
     const std::size_t r = problem.objectives.size() + l.constraint;
-    report.relaxations.push_back({c.name, l.side, l.side == Side::upper ? c.upper : c.lower,
-                                  l.excess / runner.scaling().factor(r),
-                                  relaxation_alone(runner, l.constraint, unit)});
+    const double amount = l.excess / runner.scaling().factor(r);
+    Alone alone = relaxation_alone(runner, l.constraint, unit);
+    if (runner.scaling().size() == 0 && names.size() == 1) alone.amount = amount;
+    report.relaxations.push_back(
+        {c.name, l.side, l.side == Side::upper ? c.upper : c.lower, amount, alone.amount});
+    if (alone.design.empty() || !told.feasible.empty()) continue;
+    const auto there = point_at(alone.design);
+    if (there && there->violation <= tolerance) told.feasible = std::move(alone.design);
   }
-  return report;
+  return told;
 }
 
 }  // namespace twum::optim

@@ -11,7 +11,14 @@ namespace twum::optim {
 std::optional<Candidate> elastic_search(StageRunner& runner,
                                         const std::vector<std::vector<double>>& starts);
 
+/// Why a problem has no feasible design, unless a feasible one was found on the way.
+struct Explanation {
+  Infeasibility report;
+  std::vector<double>
+      feasible;  ///< a design that keeps every limit, user units; empty: none was found
+};
+
 /// Explains a problem without a feasible design, at the least infeasible one.
-Infeasibility explain_infeasible(StageRunner& runner, std::span<const double> unit);
+Explanation explain_infeasible(StageRunner& runner, std::span<const double> unit);
 
 }  // namespace twum::optim

@@ -130,7 +130,8 @@ class IntegerSearch {
     seen_[at] = true;
     if (exhausted()) return false;
     Result result = solve_at(at, false);
-    const bool cut = exhausted() && result.outcome != Outcome::optimal;
+    // Also with a certified optimum: other starts may lead to better ones.
+    const bool cut = exhausted() || result.stop != StopReason::finished;
     if (!scaled_ && !result.evaluation.jacobian.empty()) {
       scaling_.scale_responses(result.design, result.evaluation);
       scaled_ = true;

@@ -44,8 +44,9 @@ class Bridge : public Ipopt::TNLP {
     std::copy(nlp_.lower().begin(), nlp_.lower().end(), lower);
     std::copy(nlp_.upper().begin(), nlp_.upper().end(), upper);
     for (std::size_t i = 0; i < nlp_.rows(); ++i) {
-      row_lower[i] = std::max(nlp_.row(i).lower, -kIpoptInfinity);
-      row_upper[i] = std::min(nlp_.row(i).upper, kIpoptInfinity);
+      const double room = nlp_.equality(i) && too_many_equalities() ? 0.5 * nlp_.tolerance(i) : 0.0;
+      row_lower[i] = std::max(nlp_.row(i).lower - room, -kIpoptInfinity);
+      row_upper[i] = std::min(nlp_.row(i).upper + room, kIpoptInfinity);
     }
     return true;
   }
@@ -107,6 +108,14 @@ class Bridge : public Ipopt::TNLP {
   int iterations() const { return iterations_; }
 
  private:
+  // Ipopt refuses more equalities than variables, although some may repeat others. As limits within half of what they
+  // tolerate it takes them.
+  bool too_many_equalities() const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < nlp_.rows(); ++i) count += nlp_.equality(i) ? 1U : 0U;
+    return count > nlp_.size();
+  }
+
   bool halted() const { return error_ || stop_ != StopReason::finished || allowance_.used_up(); }
 
   const NlpValue* request(Index n, const Number* z) {

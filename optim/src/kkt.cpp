@@ -2,6 +2,7 @@
 #include "kkt.hpp"
 
 #include "nnls.hpp"
+#include "tolerance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,22 +13,41 @@ namespace {
 
 using Eigen::Index;
 
-// Distance within which a bound of the unit box counts as active. An interior point method stops about 1e-8 short of
+// Distance within which a bound counts as active, relative to the variable's size. An interior point method stops about 1e-8 short of
 // it.
 constexpr double kBoundActivity = 1e-6;
 
-void add_limits(KktPoint& point, const Problem& problem, const Scaling& scaling, std::size_t i) {
+void add_limits(KktPoint& point, const Session& session, const Scaling& scaling, std::size_t i) {
+  const Problem& problem = session.problem();
   const std::size_t r = problem.objectives.size() + i;
   const Constraint& c = problem.constraints[i];
   const double value = point.evaluation.values[r];
   const double s = scaling.factor(r);
-  const auto add = [&](Side side, double gap) {
-    point.limits.push_back({i, side, std::max(gap, 0.0), std::max(-gap, 0.0)});
-    point.infeasibility = std::max(point.infeasibility, -gap);
+  const double terms = term_magnitude(problem, r, point.evaluation, point.design);
+  const auto add = [&](Side side, double bound, double gap) {
+    const double tolerance =
+        s * limit_tolerance(c, bound, terms, session.options().feasibility_tolerance);
+    const double inside = side == Side::equal ? -std::abs(gap) : -gap;
+    point.limits.push_back(
+        {i, side, std::max(inside, 0.0), std::max(-inside, 0.0), tolerance, gap});
+    point.infeasibility = std::max(point.infeasibility, -inside);
   };
-  if (c.lower == c.upper) return add(Side::equal, -std::abs(s * (value - c.lower)));
-  if (std::isfinite(c.lower)) add(Side::lower, s * (value - c.lower));
-  if (std::isfinite(c.upper)) add(Side::upper, s * (c.upper - value));
+  if (c.lower == c.upper) return add(Side::equal, c.lower, s * (c.lower - value));
+  if (std::isfinite(c.lower)) add(Side::lower, c.lower, s * (c.lower - value));
+  if (std::isfinite(c.upper)) add(Side::upper, c.upper, s * (value - c.upper));
+}
+
+void place_in_range(KktPoint& point, const Problem& problem, const Scaling& scaling) {
+  for (std::size_t k = 0; k < scaling.size(); ++k) {
+    const double below = point.unit[k] - scaling.lower()[k];
+    const double above = scaling.upper()[k] - point.unit[k];
+    point.room.push_back(std::min(below, above));
+    point.nearer.push_back(below < above ? Side::lower : Side::upper);
+    const std::size_t j = scaling.variable(k);
+    const Variable& v = problem.variables[j];
+    const double unit = std::max(std::abs(point.design[j]), std::min(1.0, v.upper - v.lower));
+    point.reach.push_back(unit / scaling.slope(k, point.design));
+  }
 }
 
 // Gradient that points into the feasible side; for an equality towards larger values.
@@ -39,23 +59,11 @@ Eigen::VectorXd inward(const KktPoint& point, const Limit& limit, std::size_t ob
 
 void choose_active(const KktPoint& point, double activity, Multipliers& m) {
   for (std::size_t i = 0; i < point.limits.size(); ++i)
-    if (point.limits[i].slack <= activity) m.limits.push_back(i);
-  for (Index k = 0; k < point.variables(); ++k) {
-    const double u = point.unit[static_cast<std::size_t>(k)];
-    if (std::min(u, 1.0 - u) <= kBoundActivity) m.bounds.push_back(k);
-  }
-}
-
-Eigen::MatrixXd active_columns(const KktPoint& point, std::size_t objectives,
-                               const Multipliers& m) {
-  const Index count = static_cast<Index>(m.limits.size() + m.bounds.size());
-  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(point.variables(), count);
-  Index at = 0;
-  for (const std::size_t i : m.limits)
-    columns.col(at++) = inward(point, point.limits[i], objectives);
-  for (const Index k : m.bounds)
-    columns(k, at++) = point.unit[static_cast<std::size_t>(k)] < 0.5 ? 1.0 : -1.0;
-  return columns;
+    if (point.limits[i].slack <= std::max(activity, point.limits[i].tolerance))
+      m.limits.push_back(i);
+  for (Index k = 0; k < point.variables(); ++k)
+    if (point.room[static_cast<std::size_t>(k)] <= std::max(1e-3 * activity, kBoundActivity))
+      m.bounds.push_back(k);
 }
 
 // Of the columns that are not zero; 1 if all are.
@@ -67,6 +75,15 @@ double smallest_norm(const Eigen::MatrixXd& columns) {
 }
 
 }  // namespace
+
+Scaling scaling_at(const Problem& problem, const Scaling& search, const std::vector<double>& sizes,
+                   std::span<const double> design, const Evaluation& evaluation) {
+  Scaling here(problem, sizes);
+  here.scale_responses(design, evaluation);
+  for (std::size_t k = 0; problem.objectives.size() > 1 && k < problem.objectives.size(); ++k)
+    here.set_factor(k, search.factor(k));
+  return here;
+}
 
 std::optional<KktPoint> kkt_point(Session& session, const Scaling& scaling,
                                   std::span<const double> design) {
@@ -88,13 +105,28 @@ std::optional<KktPoint> kkt_point(Session& session, const Scaling& scaling,
       point.jacobian(r, k) = flip ? -d : d;
     }
   }
+  place_in_range(point, problem, scaling);
   for (std::size_t i = 0; i < problem.constraints.size(); ++i)
-    add_limits(point, problem, scaling, i);
+    add_limits(point, session, scaling, i);
+  point.violation = relative_violation(problem, point.evaluation, point.design,
+                                       session.options().feasibility_tolerance);
   return point;
 }
 
 Eigen::MatrixXd objective_gradients(const KktPoint& point, std::size_t objectives) {
   return point.jacobian.topRows(static_cast<Index>(objectives)).transpose();
+}
+
+Eigen::MatrixXd active_columns(const KktPoint& point, std::size_t objectives,
+                               const Multipliers& m) {
+  const Index count = static_cast<Index>(m.limits.size() + m.bounds.size());
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(point.variables(), count);
+  Index at = 0;
+  for (const std::size_t i : m.limits)
+    columns.col(at++) = inward(point, point.limits[i], objectives);
+  for (const Index k : m.bounds)
+    columns(k, at++) = point.nearer[static_cast<std::size_t>(k)] == Side::lower ? 1.0 : -1.0;
+  return columns;
 }
 
 Multipliers find_multipliers(const KktPoint& point, const Eigen::MatrixXd& gradients,

@@ -13,8 +13,11 @@ namespace twum::optim {
 struct Limit {
   std::size_t constraint{0};
   Side side{Side::upper};
-  double slack{0.0};   ///< >= 0 inside, scaled
-  double excess{0.0};  ///< > 0 outside, scaled
+  double slack{0.0};      ///< >= 0 inside, scaled
+  double excess{0.0};     ///< > 0 outside, scaled
+  double tolerance{0.0};  ///< excess up to which the limit is kept, scaled
+  double gap{
+      0.0};  ///< how far along its inward gradient the value has to move to be on the limit, scaled
 };
 
 /// First-order data of one design in the unit box, scaled, with minimized objectives.
@@ -24,10 +27,21 @@ struct KktPoint {
   Evaluation evaluation;
   Eigen::MatrixXd jacobian;  ///< responses x free variables
   std::vector<Limit> limits;
-  double infeasibility{0.0};
+  double infeasibility{0.0};  ///< largest excess, scaled
+  double violation{
+      0.0};  ///< the same relative to what the limits tolerate, see relative_violation()
+  std::vector<double> room;  ///< distance of each free variable to its nearer bound, scaled
+  std::vector<Side> nearer;  ///< which bound that is
+  std::vector<double>
+      reach;  ///< a local step: the variable's magnitude, or one unit if that is more, scaled
 
   Eigen::Index variables() const { return jacobian.cols(); }
 };
+
+/// Scaling at a design: variables have these sizes, responses are scaled by their gradients there. With several
+/// objectives, these keep the factors of `search`.
+Scaling scaling_at(const Problem& problem, const Scaling& search, const std::vector<double>& sizes,
+                   std::span<const double> design, const Evaluation& evaluation);
 
 /// Evaluates a design with its Jacobian; nothing if it cannot be evaluated. @throws Stop
 std::optional<KktPoint> kkt_point(Session& session, const Scaling& scaling,
@@ -47,6 +61,10 @@ struct Multipliers {
 
 /// Scaled gradients of the objectives as columns.
 Eigen::MatrixXd objective_gradients(const KktPoint& point, std::size_t objectives);
+
+/// Inward gradients of these limits, then bounds, as columns.
+Eigen::MatrixXd active_columns(const KktPoint& point, std::size_t objectives,
+                               const Multipliers& multipliers);
 
 /// `gradients` has one column for each gradient that may be mixed (objectives, or one-sided
 /// gradients at a kink). Limits and bounds count as active within `activity` (scaled).

@@ -216,24 +216,37 @@ Opt build(const NloptAlgorithm& a, const Bridge& b, const RunSettings& settings)
   return own;
 }
 
-void add_rows(nlopt_opt opt, Bridge& b, const RunSettings& settings) {
-  const std::vector<double> t(std::max(b.inequalities.size(), b.equalities.size()),
-                              constraint_tolerance(settings));
-  if (!b.inequalities.empty())
-    nlopt_add_inequality_mconstraint(opt, static_cast<unsigned>(b.inequalities.size()),
-                                     inequalities, &b, t.data());
-  if (!b.equalities.empty())
-    nlopt_add_equality_mconstraint(opt, static_cast<unsigned>(b.equalities.size()), equalities, &b,
-                                   t.data());
+// No looser than a tenth of what the limit tolerates: a steep start makes scaled values small.
+std::vector<double> tolerances(const Bridge& b, const std::vector<OneSide>& list,
+                               const RunSettings& settings) {
+  constexpr double kLeast = 1e-11;
+  std::vector<double> all;
+  for (const OneSide& side : list)
+    all.push_back(std::min(std::max(0.1 * b.nlp.tolerance(side.row), kLeast),
+                           constraint_tolerance(settings)));
+  return all;
 }
 
-void apply_options(nlopt_opt opt, const RunSettings& settings) {
+void add_rows(nlopt_opt opt, Bridge& b, const RunSettings& settings) {
+  if (!b.inequalities.empty())
+    nlopt_add_inequality_mconstraint(opt, static_cast<unsigned>(b.inequalities.size()),
+                                     inequalities, &b,
+                                     tolerances(b, b.inequalities, settings).data());
+  if (!b.equalities.empty())
+    nlopt_add_equality_mconstraint(opt, static_cast<unsigned>(b.equalities.size()), equalities, &b,
+                                   tolerances(b, b.equalities, settings).data());
+}
+
+void apply_options(nlopt_opt opt, const Nlp& nlp, const RunSettings& settings) {
   const int population = whole_option(settings, "population", 0.0, 0.0, 1e6);
   if (population > 0) nlopt_set_population(opt, static_cast<unsigned>(population));
   const int storage = whole_option(settings, "vector_storage", 0.0, 0.0, 1e4);
   if (storage > 0) nlopt_set_vector_storage(opt, static_cast<unsigned>(storage));
   const double step = number_option(settings, "initial_step", 0.0, 0.0, 1.0);
-  if (step > 0.0) nlopt_set_initial_step1(opt, step);
+  if (!(step > 0.0)) return;
+  std::vector<double> steps(nlp.size(), step);
+  for (std::size_t k = 0; k < nlp.units(); ++k) steps[k] *= nlp.most()[k] - nlp.least()[k];
+  nlopt_set_initial_step(opt, steps.data());
 }
 
 const char* word_of(nlopt_result code) {
@@ -251,7 +264,7 @@ RunReport search(const NloptAlgorithm& a, Bridge& b, std::vector<double> z,
   nlopt_set_upper_bounds(opt.get(), b.nlp.upper().data());
   nlopt_set_min_objective(opt.get(), objective, &b);
   add_rows(opt.get(), b, settings);
-  apply_options(opt.get(), settings);
+  apply_options(opt.get(), b.nlp, settings);
   for (std::size_t k = 0; k < z.size(); ++k)
     z[k] = std::clamp(z[k], b.nlp.lower()[k], b.nlp.upper()[k]);
   double f = 0.0;
@@ -345,8 +358,8 @@ std::vector<SolverOption> nlopt_options() {
       {"nlopt", "population", "integer", "size of the population; 0: the algorithm's own", 0, 1e6},
       {"nlopt", "vector_storage", "integer",
        "gradients that lbfgs and var keep; 0: the algorithm's own", 0, 1e4},
-      {"nlopt", "initial_step", "number", "first step in the unit box; 0: the algorithm's own", 0,
-       1},
+      {"nlopt", "initial_step", "number",
+       "first step in parts of the range; 0: the algorithm's own", 0, 1},
       {"nlopt", "inner_evaluations", "integer",
        "limit of each search within an augmented Lagrangian or mlsl", 1, 1e9}};
 }

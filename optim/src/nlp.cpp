@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nlp.hpp"
 
+#include "tolerance.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -24,13 +26,13 @@ bool better(const Candidate& a, const Candidate& b, double tolerance) {
   const bool a_ok = a.violation <= tolerance;
   const bool b_ok = b.violation <= tolerance;
   if (a_ok != b_ok) return a_ok;
-  return a_ok ? a.f < b.f : a.violation < b.violation;
+  return a_ok ? a.f < b.f : a.excess < b.excess;
 }
 
 Nlp::Nlp(Session& session, const Scaling& scaling, Formulation formulation)
     : session_(session), scaling_(scaling), formulation_(std::move(formulation)) {
-  if (formulation_.unit_lower.empty()) formulation_.unit_lower.assign(units(), 0.0);
-  if (formulation_.unit_upper.empty()) formulation_.unit_upper.assign(units(), 1.0);
+  if (formulation_.unit_lower.empty()) formulation_.unit_lower = scaling_.lower();
+  if (formulation_.unit_upper.empty()) formulation_.unit_upper = scaling_.upper();
   lower_ = formulation_.unit_lower;
   upper_ = formulation_.unit_upper;
   lower_.insert(lower_.end(), formulation_.extra_lower.begin(), formulation_.extra_lower.end());
@@ -38,6 +40,7 @@ Nlp::Nlp(Session& session, const Scaling& scaling, Formulation formulation)
   value_.c.resize(rows());
   value_.df.resize(size());
   value_.dc.resize(rows() * size());
+  terms_.assign(session_.problem().responses(), 0.0);
 }
 
 std::vector<double> Nlp::design(std::span<const double> z) const {
@@ -99,36 +102,68 @@ const NlpValue* Nlp::at(std::span<const double> z, bool gradient) {
   const Evaluation& e = session_.at(design_, gradient);
   if (!e.ok()) return nullptr;
   const bool usable = fill(e, point_, gradient);
-  keep(point_);
+  if (gradient) note_terms(e);
+  keep(point_, e);
   if (!usable) return nullptr;
   known_ = true;
   has_gradient_ = gradient;
   return &value_;
 }
 
-double Nlp::violation(const NlpValue& value) const {
+double Nlp::excess(const NlpValue& value) const {
   double worst = 0.0;
   for (std::size_t i = 0; i < rows(); ++i)
     worst = std::max({worst, row(i).lower - value.c[i], value.c[i] - row(i).upper});
   return worst;
 }
 
-void Nlp::keep(std::span<const double> z) {
-  const double tolerance = session_.options().feasibility_tolerance;
-  const double violated = violation(value_);
-  const bool feasible = violated <= tolerance;
-  if (best_) {
-    const bool best_feasible = best_->violation <= tolerance;
-    if (best_feasible && !feasible) return;
-    if (best_feasible == feasible &&
-        !(feasible ? value_.f < best_->f : violated < best_->violation))
-      return;
-  } else {
-    best_.emplace();
+// A method without derivatives uses the magnitudes of the last design that had some.
+void Nlp::note_terms(const Evaluation& e) {
+  for (std::size_t r = 0; r < terms_.size(); ++r)
+    terms_[r] = term_magnitude(session_.problem(), r, e, design_);
+}
+
+double Nlp::side_tolerance(std::size_t i, double bound) const {
+  const Problem& problem = session_.problem();
+  double terms = 0.0;
+  for (const Term& t : row(i).responses)
+    terms = std::max(terms, std::abs(t.factor * scaling_.factor(t.index)) * terms_[t.index]);
+  const double relative = session_.options().feasibility_tolerance;
+  const auto& own = row(i).responses;
+  const bool of_a_limit = own.size() == 1 && own[0].index >= problem.objectives.size();
+  // Rows of a front's construction are no limits of the user.
+  if (!of_a_limit) return relative * std::max({1.0, std::abs(bound), terms});
+  Constraint limit;
+  limit.tolerance = std::abs(own[0].factor * scaling_.factor(own[0].index)) *
+                    problem.constraints[own[0].index - problem.objectives.size()].tolerance;
+  return limit_tolerance(limit, bound, terms, relative);
+}
+
+double Nlp::tolerance(std::size_t i) const {
+  double least = kInfinity;
+  for (const double bound : {row(i).lower, row(i).upper})
+    if (std::isfinite(bound)) least = std::min(least, side_tolerance(i, bound));
+  return least;
+}
+
+double Nlp::violation() const {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < rows(); ++i) {
+    const double c = value_.c[i];
+    const double excess = std::max(row(i).lower - c, c - row(i).upper);
+    if (!(excess > 0.0)) continue;
+    const double allowed = side_tolerance(i, c < row(i).lower ? row(i).lower : row(i).upper);
+    worst = std::max(worst, session_.options().feasibility_tolerance * (excess / allowed));
   }
-  best_->z.assign(z.begin(), z.end());
-  best_->f = value_.f;
-  best_->violation = violated;
+  return worst;
+}
+
+void Nlp::keep(std::span<const double> z, const Evaluation& e) {
+  Candidate seen{{}, value_.f, violation(), excess(value_), {}};
+  if (best_ && !better(seen, *best_, session_.options().feasibility_tolerance)) return;
+  seen.z.assign(z.begin(), z.end());
+  seen.values = e.values;
+  best_ = std::move(seen);
 }
 
 }  // namespace twum::optim

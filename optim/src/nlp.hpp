@@ -29,7 +29,7 @@ struct Formulation {
   std::vector<LinearForm> rows;
   std::vector<double> extra_lower;
   std::vector<double> extra_upper;
-  /// a smaller box for the unit variables; empty: the whole unit box
+  /// a smaller box for the scaled variables; empty: their whole range
   std::vector<double> unit_lower;
   std::vector<double> unit_upper;
 };
@@ -56,7 +56,10 @@ inline double without_dust(double x) { return std::abs(x) < 1e-100 ? 0.0 : x; }
 struct Candidate {
   std::vector<double> z;
   double f{kInfinity};
-  double violation{kInfinity};
+  double violation{
+      kInfinity};  ///< relative to what the limits tolerate; at most the tolerance if all are kept
+  double excess{kInfinity};    ///< largest violation, scaled: ranks points that break limits
+  std::vector<double> values;  ///< responses, user units
 };
 
 /// A formulation as solvers see it, with its own archive of the best point seen.
@@ -78,9 +81,17 @@ class Nlp {
   /// @throws Stop, and what the evaluator throws.
   const NlpValue* at(std::span<const double> z, bool gradient);
 
-  double violation(const NlpValue& value) const;
+  /// Largest violation of a row, scaled.
+  double excess(const NlpValue& value) const;
 
-  /// Restricts the box of the unit variables to a neighbourhood of a point; radius 0 restores it.
+  /// Scaled violation that a row tolerates at the last point: the least of its sides.
+  double tolerance(std::size_t row) const;
+
+  /// The whole box of the scaled variables.
+  const std::vector<double>& least() const { return formulation_.unit_lower; }
+  const std::vector<double>& most() const { return formulation_.unit_upper; }
+
+  /// Restricts the box of the scaled variables to a neighbourhood of a point; radius 0 restores it.
   void restrict_box(std::span<const double> centre, double radius);
 
   /// Best point so far: feasible ones before others, then by objective or violation.
@@ -95,7 +106,10 @@ class Nlp {
   bool usable(bool gradient) const;
   double row_value(const LinearForm& row, const Evaluation& e, std::span<const double> z) const;
   void row_gradient(const LinearForm& row, const Evaluation& e, double* out) const;
-  void keep(std::span<const double> z);
+  double side_tolerance(std::size_t row, double bound) const;
+  double violation() const;
+  void note_terms(const Evaluation& e);
+  void keep(std::span<const double> z, const Evaluation& e);
 
   Session& session_;
   const Scaling& scaling_;
@@ -105,6 +119,7 @@ class Nlp {
   std::vector<double> point_;
   std::vector<double> design_;
   NlpValue value_;
+  std::vector<double> terms_;  // magnitude of each response's terms where it was last known
   bool known_{false};
   bool has_gradient_{false};
   std::optional<Candidate> best_;

@@ -89,15 +89,30 @@ bool near(const std::vector<double>& a, const std::vector<double>& b) {
   return true;
 }
 
-// Improves a point that narrowly misses its certificate by Newton steps on the weighted sum of objectives. They
-// hardly move it along the front.
+// The design with every variable that is within a millionth of its range from a bound on that bound.
+std::vector<double> on_its_bounds(const Scaling& ranges, std::span<const double> design) {
+  constexpr double kNear = 1e-6;
+  std::vector<double> unit = ranges.to_unit(design);
+  for (double& u : unit) u = u < kNear ? 0.0 : u > 1.0 - kNear ? 1.0 : u;
+  return ranges.to_design(unit);
+}
+
+// Improves a point that narrowly misses its certificate, by Newton steps on the weighted sum of objectives or by
+// placing it on its bounds. Both hardly move it along the front.
 FrontPoint finished(Session& session, const Scaling& scaling, FrontPoint point) {
   const Certificate& c = point.certificate;
   if (c.passed || c.weights.empty() || c.stationarity > 1e-2 || session.left() == 0) return point;
-  const auto better = polish(session, scaling, point.design, c.weights);
-  if (!better || !near(scaling.to_unit(point.design), scaling.to_unit(*better))) return point;
-  FrontPoint second = certified(session, scaling, *better, point.evaluation);
-  return second.certificate.passed ? second : point;
+  std::vector<std::vector<double>> others;
+  if (auto better = polish(session, scaling, point.design, c.weights))
+    others.push_back(std::move(*better));
+  others.push_back(on_its_bounds(scaling, point.design));
+  for (const auto& design : others) {
+    if (design == point.design || session.left() == 0) continue;
+    if (!near(scaling.to_unit(point.design), scaling.to_unit(design))) continue;
+    FrontPoint second = certified(session, scaling, design, point.evaluation);
+    if (second.certificate.passed) return second;
+  }
+  return point;
 }
 
 void certify_points(FrontSearch& search, const std::vector<Solved>& solved, Front& front) {
@@ -145,7 +160,7 @@ bool find_ends(FrontSearch& search, const std::vector<std::vector<double>>& star
 void explain(StageRunner& runner, const std::optional<Candidate>& least, Front& front) {
   front.outcome = Outcome::infeasible;
   if (least && runner.options().analyse_infeasible)
-    front.infeasibility = explain_infeasible(runner, least->z);
+    front.infeasibility = explain_infeasible(runner, least->z).report;
   if (runner.counters().all_failed() ||
       (runner.exhausted() && front.infeasibility.relaxations.empty()))
     front.outcome = runner.without_design();

@@ -29,6 +29,8 @@ void validate_constraint(const Constraint& c) {
   require(std::isfinite(c.lower) || std::isfinite(c.upper), who + "it has no limit");
   require(c.lower <= c.upper && c.lower < kInfinity && c.upper > -kInfinity,
           who + "the limits cross");
+  require(std::isnan(c.tolerance) || (c.tolerance >= 0.0 && std::isfinite(c.tolerance)),
+          who + "its tolerance must be a finite number, at least 0");
 }
 
 template <typename Named>

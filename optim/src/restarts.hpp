@@ -25,6 +25,7 @@ class Restarts {
   bool shrink(std::span<const double> failed);
   bool grow(std::span<const double> ended_at);
   bool at_a_wall(std::span<const double> z) const;
+  double widest() const;
   void nudge(std::span<const double> failed);
 
   Nlp& nlp_;

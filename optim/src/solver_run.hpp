@@ -15,7 +15,8 @@ struct SolverRun {
   std::unique_ptr<Session> session;
   RunReport report;
   std::optional<Candidate> best;
-  std::vector<double> design;  ///< of `best`
+  std::vector<double> design;        ///< of `best`
+  std::vector<double> final_design;  ///< where the solver itself ended; may be empty
   std::optional<Certified> certified;
   Counters booked;  ///< counts of this stage that are already in the solve's counters
   bool reported{false};
@@ -32,6 +33,18 @@ struct SolverPlan {
 SolverRun run_solver(const Problem& problem, const SolveOptions& options, const Deadline& deadline,
                      const Scaling& scaling, const Formulation& formulation,
                      const SolverPlan& plan);
+
+/// An evaluation that is known already.
+struct Known {
+  std::span<const double> design;
+  const Evaluation* evaluation{nullptr};
+};
+
+/// Runs a solver on the plain problem, scaled at the design it starts from.
+/// @param plan  without a start
+SolverRun run_solver_from(const Problem& problem, const SolveOptions& options,
+                          const Deadline& deadline, const SolverPlan& plan,
+                          const std::vector<double>& design, const Known& known = {});
 
 /// Certifies the best design of the run, polishes it if it is nearly optimal, and keeps the better of the two. For
 /// plain formulations with one objective.

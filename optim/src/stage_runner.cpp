@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stage_runner.hpp"
 
-#include "first_design.hpp"
+#include "convexity.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -71,27 +71,29 @@ void StageRunner::note_stop(StopReason reason) {
   if (reason != StopReason::finished) stop_ = reason;
 }
 
-bool StageRunner::scale() {
+bool StageRunner::scale(Frame frame) {
   SolverRun stage;
   stage.session = std::make_unique<Session>(problem_, options_, deadline_, next_stage_++, left());
-  std::optional<std::vector<double>> first;
+  std::optional<FirstDesign> first;
   try {
-    first = scale_at_first_design(*stage.session, scaling_);
+    first = first_design(*stage.session, scaling_);
   } catch (const Stop& s) {
     stage.report.stop = s.reason;
   }
-  if (first) start_ = *first;
   book(stage);
-  return first.has_value();
+  if (!first) return false;
+  start_ = std::move(first->design);
+  first_ = std::move(first->evaluation);
+  if (frame == Frame::point) scaling_ = Scaling(problem_, search_sizes(problem_, start_));
+  scaling_.scale_responses(start_, first_);
+  return true;
 }
 
-SolverRun StageRunner::run(const Optimizer& optimizer, std::span<const double> unit_start,
+SolverRun StageRunner::run(const Optimizer& optimizer, const std::vector<double>& design,
                            bool last_word) {
   const std::size_t kept = last_word ? reserve() : 0;
-  const SolverPlan plan{
-      &optimizer, next_stage_++, left() - kept, {unit_start.begin(), unit_start.end()}};
-  SolverRun run = run_solver(problem_, options_, deadline_, scaling_,
-                             plain_formulation(problem_, scaling_), plan);
+  const SolverPlan plan{&optimizer, next_stage_++, left() - kept, {}};
+  SolverRun run = run_solver_from(problem_, options_, deadline_, plan, design, {start_, &first_});
   book(run);
   return run;
 }
@@ -109,15 +111,15 @@ std::vector<SolverRun> StageRunner::run_all(const Optimizer& optimizer,
                                             const std::vector<std::vector<double>>& starts) {
   // Each start has its own stage and an equal share, so that results do not depend on the order.
   const std::size_t share = (left() - reserve()) / starts.size();
-  const Formulation formulation = plain_formulation(problem_, scaling_);
   std::vector<SolverRun> runs(starts.size());
   std::vector<std::exception_ptr> errors(starts.size());
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
     for (std::size_t i = next++; i < starts.size(); i = next++) {
       try {
-        const SolverPlan plan{&optimizer, next_stage_ + i, share, starts[i]};
-        runs[i] = run_solver(problem_, options_, deadline_, scaling_, formulation, plan);
+        const SolverPlan plan{&optimizer, next_stage_ + i, share, {}};
+        runs[i] =
+            run_solver_from(problem_, options_, deadline_, plan, starts[i], {start_, &first_});
       } catch (...) {
         errors[i] = std::current_exception();
       }
@@ -134,6 +136,44 @@ std::vector<SolverRun> StageRunner::run_all(const Optimizer& optimizer,
     if (error) std::rethrow_exception(error);
   for (SolverRun& run : runs) book(run);
   return runs;
+}
+
+Scaling StageRunner::ranges() const {
+  Scaling scaling(problem_);
+  scaling.scale_responses(start_, first_);
+  return scaling;
+}
+
+double StageRunner::excess(const std::vector<double>& values) const {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < problem_.constraints.size(); ++i) {
+    const std::size_t r = problem_.objectives.size() + i;
+    const Constraint& c = problem_.constraints[i];
+    worst =
+        std::max(worst, scaling_.factor(r) * std::max(c.lower - values[r], values[r] - c.upper));
+  }
+  return worst;
+}
+
+bool StageRunner::looks_convex(const Certified& optimum,
+                               const std::vector<std::vector<double>>& designs) {
+  std::vector<FirstDesign> seen{{optimum.point.design, optimum.point.evaluation}, {start_, first_}};
+  SolverRun look;
+  look.session = std::make_unique<Session>(problem_, options_, deadline_, next_stage_++, left());
+  bool all = true;
+  try {
+    for (const auto& design : designs) {
+      const Evaluation& e = look.session->at(design, true);
+      all = all && e.ok();
+      if (all) seen.push_back({design, e});
+      if (!all || !agree_with_convexity(problem_, seen)) break;
+    }
+  } catch (const Stop& s) {
+    look.report.stop = s.reason;
+    all = false;
+  }
+  book(look);
+  return all && agree_with_convexity(problem_, seen);
 }
 
 void StageRunner::allow(SolverRun& run, std::size_t wanted) {
@@ -166,8 +206,7 @@ void StageRunner::book(SolverRun& run) {
   report.objective = std::nan("");
   if (run.best && problem_.objectives.size() == 1) {
     report.feasible = run.best->violation <= options_.feasibility_tolerance;
-    const double sign = problem_.objectives[0].sense == Sense::maximize ? -1.0 : 1.0;
-    report.objective = sign * run.best->f / scaling_.factor(0);
+    report.objective = run.best->values[0];
   }
   run.reported = true;
   stages_.push_back(std::move(report));

@@ -44,8 +44,8 @@ PRIVATE_ROOTS = ["core/src", "core/base/src", "core/stator/src", "optim/src", "a
 
 # Third-party headers that may appear only in .cpp files, and in which layers.
 ONLY_IN_SOURCES = {
-    r"nlopt\.hpp?": {"optim"},
-    r"(coin/)?Ip\w+\.hpp": {"optim"},
+    r"nlopt\.hpp?": {"optim", "bench"},
+    r"(coin/)?Ip\w+\.hpp": {"optim", "bench"},
     r"gsl/.*": {"optim", "bench"},
     r"yaml-cpp/.*": {"studies/files"},
     r"udunits2\.h": {"studies/files"},

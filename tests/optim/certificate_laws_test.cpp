@@ -44,15 +44,24 @@ Problem told_kink(std::size_t free) {
 
 }  // namespace
 
-TEST_CASE("stationarity is the slope left over in parts of the slope at the start",
+TEST_CASE("stationarity is the slope left over in parts of slope and curvature (O3.1, O3.2)",
           "[optim][certificate][closed_form]") {
-  // x^2 from 1: at x the slope is x times the slope at the start, and where it is larger than that
-  // it is measured by itself.
-  const Problem p =
-      test::posed<3>({{"x", -4.0, 4.0, 1.0}}, {}, [](const D* x, D* r) { r[0] = x[0] * x[0]; });
-  CHECK(certified(p, {0.25}).stationarity == Approx(0.25).epsilon(kRounding));
-  CHECK(certified(p, {1.0}).stationarity == Approx(1.0).epsilon(kRounding));
-  CHECK(certified(p, {3.0}).stationarity == Approx(1.0).epsilon(kRounding));
+  // (x - 1)^2 + 100 at x: for a step of the size x of the variable the slope is 2 (x - 1) x, and it changes by 2 x^2.
+  // Neither the range nor the start matters.
+  for (const double width : {4.0, 1e4, 1e10}) {
+    for (const double start : {-3.0, 2.0}) {
+      const Problem p = test::posed<3>({{"x", -width, width, start}}, {}, [](const D* x, D* r) {
+        r[0] = (x[0] - 1.0) * (x[0] - 1.0) + 100.0;
+      });
+      for (const double x : {0.25, 1.5, 3.0}) {
+        const double slope = std::abs(x - 1.0), size = std::max(slope, x);
+        const Certificate c = certified(p, {x});
+        CHECK(c.stationarity == Approx(slope / size).epsilon(1e-6));  // differences of slopes
+        // A step of slope / curvature reaches the bottom if it is no longer than x (O3.3).
+        if (x >= 1.0) CHECK(c.gain == Approx(slope * slope).epsilon(1e-6));
+      }
+    }
+  }
 }
 
 TEST_CASE("a logarithmic scale is the linear one of the logarithm",
@@ -67,7 +76,8 @@ TEST_CASE("a logarithmic scale is the linear one of the logarithm",
       {{"x", 1.0, 100.0, std::exp(0.5), Scale::log}, {"y", 1.0, 7.0, std::exp(0.6), Scale::log}},
       {{"sum", 0.0, 20.0}},
       [](const D* x, D* r) { r[0] = x[0] + 0.5 * x[1] * x[1], r[1] = x[0] + x[1]; });
-  for (const Case& at : {Case{0.2, 0.3}, Case{0.0, 0.4}, Case{0.7, 0.1}}) {
+  // A magnitude of 1 is also the size of a variable on a log scale.
+  for (const Case& at : {Case{1.0, 1.0}, Case{0.0, 1.0}, Case{1.0, 0.0}}) {
     const Certificate a = certified(linear, at);
     const Certificate b = certified(log, {std::exp(at[0]), std::exp(at[1])});
     CHECK(a.stationarity == Approx(b.stationarity).epsilon(kRounding));
@@ -166,19 +176,20 @@ TEST_CASE("only an objective without slope here and at the start is flat", "[opt
 
 TEST_CASE("a budget without room for the curvature leaves it out and still certifies",
           "[optim][certificate][budget]") {
-  // The start, the design, and two neighbours for each of three variables: 8 calls.
+  // The design, and two neighbours for each of three variables: 7 calls.
   const Problem p =
       test::posed<3>(test::box(3, -1.0, 2.0, {2.0, 2.0, 2.0}), {}, [](const D* x, D* r) {
         r[0] = D(3.0);
         for (int i = 0; i < 3; ++i) r[0] = r[0] + (x[i] - 1.0) * (x[i] - 1.0);
       });
-  for (std::size_t evaluations = 2; evaluations <= 9; ++evaluations) {
+  for (std::size_t evaluations = 1; evaluations <= 9; ++evaluations) {
     const Certificate c = certified(p, {1.0, 1.0, 1.0}, evaluations);
     CAPTURE(evaluations, c.reason);
     CHECK(c.passed);
-    CHECK(std::isnan(c.curvature) == (evaluations < 8));
+    CHECK(std::isnan(c.curvature) == (evaluations < 7));
+    CHECK(c.second_order == (evaluations >= 7));
     // Of a sphere every curvature is the largest one; differences of exact slopes err by 1e-9.
-    if (evaluations >= 8) CHECK(c.curvature == Approx(1.0).epsilon(1e-6));
+    if (evaluations >= 7) CHECK(c.curvature == Approx(1.0).epsilon(1e-6));
   }
 }
 

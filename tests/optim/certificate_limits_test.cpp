@@ -65,7 +65,7 @@ TEST_CASE("a limit that curves towards the design takes from the curvature along
 
 TEST_CASE("curvature beside a bound is taken from inside the box",
           "[optim][certificate][closed_form]") {
-  // A bowl whose bottom is 1e-4 from a bound, in a box 2 wide; its curvatures are 2 and 6.
+  // A bowl whose bottom is 1e-4 from a bound; its curvatures are 2 and 6, for sizes of 1 - 1e-4 and of 1.
   for (const double side : {1.0, -1.0}) {
     const double bottom = side * (1.0 - 1e-4);
     const Problem p =
@@ -75,27 +75,31 @@ TEST_CASE("curvature beside a bound is taken from inside the box",
     const Certificate c = certify(p, Design{bottom, 0.0});
     CAPTURE(side, c.reason);
     CHECK(c.passed);
-    CHECK(c.curvature == Approx(1.0 / 3.0).epsilon(kDifferences));
+    CHECK(c.curvature == Approx(bottom * bottom / 3.0).epsilon(kDifferences));
   }
 }
 
 TEST_CASE("complementarity is the slack in parts of the slope that its limit holds",
           "[optim][certificate][closed_form]") {
-  // x^2 on [0, 20] with x >= 10, 1e-5 inside the limit. Nothing but the limit holds the slope, so the
-  // multiplier is all of it, and the slack is 1e-5 / 20 in parts of the box.
+  // x^2 with x >= 10, just inside the limit. Nothing but the limit holds the slope 2 x, so what the slack could gain is
+  // 2 x times the slack, and in parts of the steeper of the objective and its slope for a step of x, 2 x^2, it is
+  // slack / x (O3.4).
   const Problem p = test::posed<2>({{"x", 0.0, 20.0, 0.1}}, {{"ten", 10.0}}, [](const D* x, D* r) {
     r[0] = x[0] * x[0];
     r[1] = x[0];
   });
-  const Certificate c = certify(p, Design{10.0 + 1e-5});
-  CHECK(c.passed);
-  CHECK(c.complementarity == Approx(5e-7).epsilon(1e-9));  // 10 + 1e-5 is rounded to 2e-10 of 1e-5
+  for (const double slack : {5e-6, 5e-8}) {
+    const Certificate c = certify(p, Design{10.0 + slack});
+    CHECK(c.passed == (slack < 1e-7));
+    CHECK(c.complementarity ==
+          Approx(0.1 * slack).epsilon(1e-6));  // 10 + 5e-8 is rounded to 4e-8 of 5e-8
+  }
 }
 
 TEST_CASE("a steep slope into a bound does not make the others small",
           "[optim][certificate][pareto][closed_form]") {
-  // At (0, 0.9) both objectives press x against its bound with a slope of 2000, which at the start is
-  // nothing, and both would have y fall. The second has less to gain: a slope of 0.4 for 1.4 at the start.
+  // At (0, 0.9) both objectives press x against its bound with a slope of 2000, and both would have y fall. The second
+  // has less to gain: a slope of 0.4 for the size 0.9 of y, whose curvature for this size is 2 * 0.81 (O3.2).
   const Problem p = test::posed<2>(
       {{"x", 0.0, 1.0, 1.0}, {"y", 0.0, 1.0, 0.0}}, {},
       [](const D* x, D* r) {
@@ -106,7 +110,7 @@ TEST_CASE("a steep slope into a bound does not make the others small",
       2);
   const Certificate c = certify(p, Design{0.0, 0.9});
   CHECK_FALSE(c.passed);
-  CHECK(c.stationarity == Approx(0.4 / 1.4).epsilon(1e-9));  // least squares beside slopes of 2000
+  CHECK(c.stationarity == Approx(0.4 * 0.9 / 1.62).epsilon(kDifferences));
 }
 
 TEST_CASE("a limit that is much steeper at the start has a multiplier like any other",

@@ -44,12 +44,15 @@ OptimizeResult optimum() {
   result.best.metrics = {{"peak_power", "W", 5}, {"max_pressure", "Pa", 2e6}};
   result.best.constraints = {active(limit("max_pressure <= 2 MPa", 2e6, 2e6), 1e-6, 0.02),
                              limit("contact_ratio <= 0.5", 0.4, 0.5)};
+  result.best.constraints[0].tolerance = 0.02;
   result.best.constraints[1].unit = "1";
   result.best.bounds = {{{"amplitude", "m"}, true, 2e-6, 1e6, 0.02},
                         {{"thickness", "m"}, false, 3e-4, 0, 0}};
   result.best.certificate.passed = true;
   result.best.certificate.infeasibility = 0;
   result.best.certificate.stationarity = 1.2e-7;
+  result.best.certificate.second_order = true;
+  result.best.certificate.gain = 3e-9;
   result.best.certificate.weights = {1};
   result.best.certificate.prices = {1};
   result.before_design = {{"amplitude", "m", 1.6e-6}, {"preload", "N", 160}};
@@ -79,16 +82,17 @@ TEST_CASE("an optimum says what it is, what holds it, and who found it",
         "preload | 160 N | 180 N\n"
         "thickness | - | 300 um | at its smallest\n"
         "\n"
-        "limit | best | per 1 % looser\n"
-        "max_pressure <= 2 MPa | 2 MPa | binds | +20 mW\n"
+        "limit | best | kept within | per 1 % looser\n"
+        "max_pressure <= 2 MPa | 2 MPa | binds | 20 mPa | +20 mW\n"
         "contact_ratio <= 0.5 | 0.4 | holds\n"
         "\n"
         "metric | before | best\n"
         "peak_power | 4 W | 5 W\n"
         "max_pressure | 1.5 MPa | 2 MPa\n"
         "\n"
-        "Verified local optimum: no feasible change improves it to first order (stationarity "
-        "1.2e-07); found by nlopt:slsqp.\n"
+        "Verified local optimum: no feasible change improves it (stationarity 1.2e-07, a step "
+        "could gain "
+        "at most 3 nW); found by nlopt:slsqp.\n"
         "Solver runs: 1 x ipopt (Solve_Succeeded), 2 x nlopt:slsqp (XTOL_REACHED).\n");
 }
 
@@ -126,7 +130,9 @@ TEST_CASE("a check that holds whole numbers as they are says so", "[studies][opt
   const std::string text = answer_text(result);
   CHECK(text.find("Verified local optimum with wavelengths fixed: no feasible change of the other "
                   "variables "
-                  "improves it to first order (stationarity 1.2e-07)") != std::string::npos);
+                  "improves it (stationarity 1.2e-07") != std::string::npos);
+  result.best.certificate.second_order = false;
+  CHECK_THAT(answer_text(result), Contains("Optimum to first order only with wavelengths fixed"));
   result.whole_ends = {{{"wavelengths", "1"}, true, 9}};
   CHECK_THAT(barred(answer_text(result)),
              Contains("wavelengths | - | 9 | at its largest; a wider range may have a better one"));
@@ -196,16 +202,17 @@ TEST_CASE("limits that are broken, or that have no value, say so", "[studies][op
   result.best.certificate.infeasibility = 0.1;
   result.best.constraints = {active(limit("a", 2.2e6, 2e6, 0.2e6), 1, 1), limit("b", kNaN, 1, kNaN),
                              active(limit("c", 1, 1), 1, 0), limit("d", 2e6, 2e6, 1)};
-  // d: off by 1 Pa of 2 MPa, half a millionth, which is rounding and not a broken limit.
+  // d: off by 1 Pa of 2 MPa, which its tolerance allows.
+  result.best.constraints[3].tolerance = 2;
   CHECK_THAT(barred(answer_text(result)), Contains("\na | 2.2 MPa | broken by 200 kPa\n"
                                                    "b | - | cannot be reached\n"
                                                    "c | 1 Pa | binds | nothing\n"
-                                                   "d | 2 MPa | holds\n"));
-  CHECK(broken(result.best.constraints[0], result.best));
+                                                   "d | 2 MPa | holds | 2 Pa\n"));
+  CHECK(broken(result.best.constraints[0]));
   CHECK_FALSE(keeps_limits(result.best));
-  // What the certificate measured as feasible is not broken, but a missing value still is.
-  result.best.certificate.infeasibility = 0;
-  CHECK_FALSE(broken(result.best.constraints[0], result.best));
+  // What the limit tolerates is not broken, but a missing value still is.
+  result.best.constraints[0].tolerance = 0.3e6;
+  CHECK_FALSE(broken(result.best.constraints[0]));
   CHECK_FALSE(keeps_limits(result.best));
   result.best.constraints.erase(result.best.constraints.begin() + 1);
   CHECK(keeps_limits(result.best));

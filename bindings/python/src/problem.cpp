@@ -125,14 +125,16 @@ py::dict certificate_dict(const optim::Certificate& certificate) {
   return py::dict("passed"_a = certificate.passed, "infeasibility"_a = certificate.infeasibility,
                   "stationarity"_a = certificate.stationarity,
                   "complementarity"_a = certificate.complementarity,
-                  "curvature"_a = certificate.curvature, "findings"_a = findings,
+                  "curvature"_a = certificate.curvature, "gain"_a = certificate.gain,
+                  "second_order"_a = certificate.second_order, "findings"_a = findings,
                   "reason"_a = certificate.reason);
 }
 
 py::list limits_list(const optim::Certificate& certificate) {
   return list_of(certificate.limits, [](const optim::Activity& one) {
     return py::dict("text"_a = one.name, "bound"_a = one.is_bound, "value"_a = one.value,
-                    "limit"_a = one.limit, "violation"_a = one.violation, "active"_a = one.active,
+                    "limit"_a = one.limit, "violation"_a = one.violation,
+                    "tolerance"_a = one.tolerance, "active"_a = one.active,
                     "multiplier"_a = one.multiplier);
   });
 }

@@ -36,8 +36,9 @@ struct Left {
     scaling.scale_responses(start, problem.evaluate(start, true));
     run.session = std::make_unique<Session>(problem, options, deadline, 1, 1000);
     run.design = design;
-    run.best = Candidate{scaling.to_unit(design), 0.0, 0.0};
-    if (!own_end.empty()) run.report.z = scaling.to_unit(own_end);
+    run.best =
+        Candidate{scaling.to_unit(design), 0.0, 0.0, 0.0, problem.evaluate(design, false).values};
+    run.final_design = own_end;
     finish_run(run, scaling);
   }
   const Certificate& certificate() const { return run.certified->certificate; }

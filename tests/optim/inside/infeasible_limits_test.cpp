@@ -37,7 +37,7 @@ Infeasibility explained(const Problem& p, double x) {
   REQUIRE(runner.scale());
   const Variable& v = p.variables[0];
   const std::vector<double> unit{(x - v.lower) / (v.upper - v.lower)};
-  return explain_infeasible(runner, unit);
+  return explain_infeasible(runner, unit).report;
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ Infeasibility explained(const Problem& p, const std::vector<double>& unit) {
   const Deadline deadline(kInfinity);
   StageRunner runner(p, options, deadline);
   runner.scale();
-  return explain_infeasible(runner, unit);
+  return explain_infeasible(runner, unit).report;
 }
 
 // -10 to 10 in the unit box.

@@ -20,9 +20,11 @@ using Design = std::vector<double>;
 // boxes up to 6 wide.
 constexpr double kExact = 1e-9;
 
-ReducedCurvature free_curvature(const Eigen::VectorXd& diagonal) {
-  return reduced_curvature({Eigen::MatrixXd(diagonal.asDiagonal())},
-                           test::unconstrained(diagonal.size()));
+// With curvatures below a millionth of the largest as none.
+ConeCurvature free_curvature(const Eigen::VectorXd& diagonal) {
+  const Eigen::MatrixXd none(diagonal.size(), 0);
+  return cone_curvature(Eigen::MatrixXd(diagonal.asDiagonal()), {none, none},
+                        1e-6 * diagonal.maxCoeff());
 }
 
 }  // namespace
@@ -79,23 +81,51 @@ TEST_CASE("a design beside a front is led to the nearest point of it, not to tha
     CAPTURE(off);
     REQUIRE(nearest);
     // Stationary are the pairs of a place t and a weight t. The shortest way to one of them is
-    // perpendicular in places of the box and weights: 0.2 u + (a weight) = off, of which u takes
-    // 0.2 off / (1 + 0.2^2), times 0.2 in x. What a step neglects is the product of both shares, less than
-    // off^2.
-    CHECK((*nearest)[0] - 0.4 == Approx(off * 0.04 / 1.04).margin(off * off));
+    // perpendicular in scaled places and weights. The size of x is its range 0.2, as a power of two 1/4:
+    // u / 4 + (a weight) = off, of which u takes 0.25 off / (1 + 0.25^2), times 0.25 in x. What a step neglects is the
+    // product of both shares, less than off^2.
+    CHECK((*nearest)[0] - 0.4 == Approx(off * 0.0625 / 1.0625).margin(off * off));
     CHECK((*nearest)[1] == Approx(0.0).margin(kExact));
   }
+}
+
+TEST_CASE("curvature counts on the critical cone only, and on all of it (O4.1)",
+          "[optim][certificate][closed_form]") {
+  // -2 x y on the quadrant x, y >= 0: curvature -1 along (1, 1), none along the axes.
+  Eigen::MatrixXd saddle(2, 2);
+  saddle << 0.0, -1.0, -1.0, 0.0;
+  const Eigen::MatrixXd none(2, 0), quadrant = Eigen::MatrixXd::Identity(2, 2);
+  const ConeCurvature within = cone_curvature(saddle, {none, quadrant}, 1e-9);
+  CHECK(within.decided);
+  CHECK(within.smallest == Approx(-1.0).epsilon(1e-14));
+  REQUIRE(within.direction.size() == 2);
+  CHECK(within.direction[0] == Approx(within.direction[1]).epsilon(1e-14));
+  CHECK(within.direction[0] > 0.0);
+  // + 2 x y: the same eigenvalues, but the direction (1, -1) leaves the quadrant.
+  const ConeCurvature outside = cone_curvature(-saddle, {none, quadrant}, 1e-9);
+  CHECK(outside.smallest == 0.0);
+  CHECK(outside.direction.size() == 0);
+  // Held by a multiplier, an axis leaves nothing of it.
+  const ConeCurvature held =
+      cone_curvature(saddle, {quadrant.leftCols(1), quadrant.rightCols(1)}, 1e-9);
+  CHECK(held.direction.size() == 0);
+  // x^2 - 3 x y + y^2 has curvature -1 along (1, 1); x^2 + 5 x y - 3/2 y^2 has its least on the axis x = 0.
+  Eigen::MatrixXd h(2, 2);
+  h << 2.0, -3.0, -3.0, 2.0;
+  CHECK(cone_curvature(h, {none, quadrant}, 1e-9).smallest == Approx(-1.0).epsilon(1e-14));
+  h << 2.0, 5.0, 5.0, -3.0;
+  CHECK(cone_curvature(h, {none, quadrant}, 1e-9).smallest == Approx(-3.0).epsilon(1e-14));
 }
 
 TEST_CASE("a direction is flat in parts of the largest curvature", "[optim][certificate]") {
   Eigen::VectorXd diagonal(3);
   diagonal << 1e8, 10.0, 1e8;
-  const ReducedCurvature valley = free_curvature(diagonal);
+  const ConeCurvature valley = free_curvature(diagonal);
   // Rounding of eigenvalues: 1e-16 of the largest.
-  CHECK(valley.smallest == Approx(1e-7).epsilon(1e-8));
+  CHECK(valley.smallest == Approx(10.0).epsilon(1e-8));
   REQUIRE(valley.flat.cols() == 1);
   CHECK(std::abs(valley.flat(1, 0)) == Approx(1.0).epsilon(1e-12));
-  const ReducedCurvature bowl = free_curvature(Eigen::Vector2d(1e8, 1e4));
-  CHECK(bowl.smallest == Approx(1e-4).epsilon(1e-11));
+  const ConeCurvature bowl = free_curvature(Eigen::Vector2d(1e8, 1e4));
+  CHECK(bowl.smallest == Approx(1e4).epsilon(1e-11));
   CHECK(bowl.flat.cols() == 0);
 }

@@ -79,7 +79,7 @@ TEST_CASE("a point with extra unknowns has the value and the gradient of its for
   CHECK(v->c == std::vector<double>{1.75 - 3.0, 1.75 + 7.0});
   CHECK(v->df == std::vector<double>{1, 2, 4, 10, 100});
   CHECK(v->dc == std::vector<double>{1, 2, 4, -1, 0, 1, 2, 4, 0, 1});
-  CHECK(nlp.violation(*v) == 0.25);  // of f + t >= 9
+  CHECK(nlp.excess(*v) == 0.25);  // of f + t >= 9
 }
 
 TEST_CASE("a box around a point reaches its radius to each side and no bound beyond",
@@ -129,8 +129,8 @@ TEST_CASE("a solver asks for no more points than it may, and says that it would 
 
 TEST_CASE("feasible candidates come before others, then the smaller objective or violation",
           "[optim][nlp][definition]") {
-  const Candidate low{{}, 1.0, 0.0}, high{{}, 2.0, 1e-9};
-  const Candidate near{{}, 0.0, 0.1}, far{{}, -1.0, 0.2};
+  const Candidate low{{}, 1.0, 0.0, 0.0, {}}, high{{}, 2.0, 1e-9, 1.0, {}};
+  const Candidate near{{}, 0.0, 0.2, 0.1, {}}, far{{}, -1.0, 0.1, 0.2, {}};
   const Candidate ranked[] = {low, high, near, far};
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < 4; ++j) CHECK(better(ranked[i], ranked[j], 1e-8) == (i < j));

@@ -26,11 +26,4 @@ struct Stage {
   optim::Session session;
 };
 
-/// Multipliers where no limit and no bound is met.
-inline optim::Multipliers unconstrained(Eigen::Index n) {
-  optim::Multipliers m;
-  m.active = Eigen::MatrixXd(n, 0);
-  return m;
-}
-
 }  // namespace twum::test

@@ -102,22 +102,26 @@ Problem endless() {
   for (const char* name : {"x1", "x2", "x3"}) {
     Variable v;
     v.name = name;
-    v.lower = std::string(name) == "x3" ? -0.5 : 0.0;
-    v.upper = 1.5;
-    v.start = 0.75;
+    // Sizes of 1, so that COBYLA's box is one unit wide.
+    const bool last = std::string(name) == "x3";
+    v.lower = last ? -0.25 : 0.0;
+    v.upper = last ? 0.75 : 1.0;
+    v.start = last ? 0.375 : 0.5;
     p.variables.push_back(v);
   }
   p.objectives = {{"distance", Sense::maximize}};
-  p.constraints = {{"pole", -2e-86, kInfinity}};
+  p.constraints = {{"pole", -2e-96, kInfinity}};
   p.evaluate = [](std::span<const double> x, bool gradient) {
+    const double width[] = {1.5, 1.5, 2.0};
     double square = 0.0;
-    for (const double v : x) square += (v - 1.0) * (v - 1.0);
-    const double distance = std::sqrt(square), d = x[0] - 0.25;
+    for (std::size_t k = 0; k < 3; ++k) square += (width[k] * x[k] - 1.0) * (width[k] * x[k] - 1.0);
+    const double distance = std::sqrt(square), d = width[0] * x[0] - 0.25;
     Evaluation e;
-    e.values = {distance, 1e-85 / d};
+    e.values = {distance, 1e-95 / d};
     if (!gradient) return e;
-    for (const double v : x) e.jacobian.push_back((v - 1.0) / distance);
-    e.jacobian.insert(e.jacobian.end(), {-1e-85 / d / d, 0.0, 0.0});
+    for (std::size_t k = 0; k < 3; ++k)
+      e.jacobian.push_back(width[k] * (width[k] * x[k] - 1.0) / distance);
+    e.jacobian.insert(e.jacobian.end(), {-1.5e-95 / d / d, 0.0, 0.0});
     return e;
   };
   return p;

@@ -10,7 +10,7 @@ namespace twum::optim {
 /// Why a design is not a regular local optimum.
 enum class Degeneracy : std::uint8_t {
   flat_direction,  ///< the objective does not change along a direction: the optimum is a valley
-  flat_objective,  ///< the gradient of the objective is zero, here and at the start
+  flat_objective,  ///< the gradient of the objective is zero
   dependent_constraints,  ///< active limits with dependent gradients: multipliers are not unique
   kink,                   ///< left and right derivatives differ
   negative_curvature,     ///< stationary, but not a minimum
@@ -47,26 +47,33 @@ struct Activity {
   /// If the limit is zero, by 1 % of the response's span over the box. With several objectives, the change of their
   /// weighted sum, as for the multiplier.
   double gain_per_percent{0.0};
+  double tolerance{0.0};  ///< violation up to which the limit counts as kept (O2.1); 0 for a bound
 };
 
-/// Evidence that a design is a constrained local optimum, computed from exact gradients only.
-///
-/// With gradients in the unit box and the scaling of the solver,
+/// Evidence that a design is a constrained local optimum, computed from exact gradients at the design only. Neither the
+/// start nor the width of a range wider than the variable's magnitude enters any number.
 ///
 ///     r = grad f - sum_i lambda_i grad c_i,   lambda >= 0 over the active limits and bounds
 ///
 /// where lambda follows from non-negative least squares. With several objectives, grad f is sum_k w_k grad f_k with
 /// the best weights w >= 0, sum w = 1: Pareto stationarity.
 struct Certificate {
-  /// Feasible, stationary, complementary and, with one objective, without negative curvature.
+  /// Every limit is kept, the design is stationary and complementary and, with one objective, no direction that the
+  /// limits allow improves it to second order.
   bool passed{false};
-  double infeasibility{
-      std::numeric_limits<double>::quiet_NaN()};  ///< largest scaled violation; NaN: not measured
-  /// Largest |r|, relative to the objective's gradient here or at the start, whichever is larger. With several
-  /// objectives, relative to the largest w_k grad f_k.
-  double stationarity{0.0};
-  double complementarity{0.0};  ///< largest lambda times scaled slack
-  /// Smallest eigenvalue of the reduced Hessian, relative to the largest. NaN if it was not tested: with several
+  /// The second order is decided too: the curvature is not negative on the critical cone. If passed without, the
+  /// design is optimal to first order only.
+  bool second_order{false};
+  /// Largest violation of a limit, relative to the larger of the limit and its terms (O2.1). A limit with an own
+  /// tolerance counts as if this were 1e-8 of that size. NaN: not measured.
+  double infeasibility{std::numeric_limits<double>::quiet_NaN()};
+  double stationarity{0.0};  ///< dimensionless residual of the first-order conditions (O3.2)
+  /// Largest multiplier times slack or violation, relative to the objective and its gradient (O3.4).
+  double complementarity{0.0};
+  /// What a step could still gain at most, by the quadratic model (O3.3), user units of the objective; NaN if it was
+  /// not computed.
+  double gain{std::numeric_limits<double>::quiet_NaN()};
+  /// Smallest curvature on the critical cone, relative to the largest entry of the Hessian. NaN if it was not tested: with several
   /// objectives, at kinks, at points that are not stationary, and if the budget does not allow the evaluations.
   double curvature{std::numeric_limits<double>::quiet_NaN()};
   std::vector<double> weights;  ///< of the objectives; {1} with one

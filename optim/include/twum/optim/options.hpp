@@ -37,13 +37,14 @@ struct SolveOptions {
   std::size_t starts{8};
   /// number of designs that look_further() samples; solve() does not use it
   std::size_t scan{512};
-  double tolerance{
-      1e-6};  ///< stationarity at which the certificate passes, relative to the gradient's scale
-  double feasibility_tolerance{1e-8};  ///< for constraints scaled by their gradients at the start
-  std::uint64_t seed{1};               ///< seed of all random choices
-  Budget budget;                       ///< limits of evaluations and time
-  std::stop_token stop;                ///< a request ends the solve with the best answer so far
-  Observer observer;  ///< called for every evaluation, never by two threads at once
+  double tolerance{1e-6};  ///< stationarity at which the certificate passes (O3.2)
+  /// A limit is kept if it is broken by at most this part of the larger of the limit and the magnitude of its terms at
+  /// the design (O2.1), or by its own tolerance.
+  double feasibility_tolerance{1e-8};
+  std::uint64_t seed{1};  ///< seed of all random choices
+  Budget budget;          ///< limits of evaluations and time
+  std::stop_token stop;   ///< a request ends the solve with the best answer so far
+  Observer observer;      ///< called for every evaluation, never by two threads at once
   /// number of threads for the starts of auto; the answer does not depend on it
   std::size_t threads{1};
   std::string global;  ///< auto only: a global algorithm to run first, such as "nlopt:isres"

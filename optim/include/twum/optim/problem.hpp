@@ -47,6 +47,9 @@ struct Constraint {
   std::string name;          ///< unique in the problem
   double lower{-kInfinity};  ///< user units
   double upper{kInfinity};   ///< user units, >= lower
+  /// Amount by which a limit may be broken and still counts as kept, user units, >= 0. NaN: 1e-8 of the larger of the
+  /// limit and the magnitude of its terms at the design (O2.1).
+  double tolerance{std::numeric_limits<double>::quiet_NaN()};
 };
 
 /// Kind of a derivative.

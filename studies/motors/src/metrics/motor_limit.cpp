@@ -151,6 +151,20 @@ bool MotorLimit::at_least(double value) const {
   return std::fabs(value - lower) < std::fabs(value - upper);
 }
 
+MotorLimit with_tolerance(MotorLimit limit, std::string_view tolerance) {
+  const Piece piece{tolerance, 0, tolerance.size()};
+  const MetricExpression amount = piece.side();
+  if (!amount.formula.constant())
+    throw ValueError("a tolerance " + quoted(trimmed(tolerance)) + " that depends on the motor",
+                     "expected a quantity such as '1e-4 N.m'", 0);
+  require_same_dimension(limit.metric.formula, amount.formula, "tolerance", 0);
+  limit.tolerance = constant(amount);
+  limit.tolerance_text = trimmed(tolerance);
+  if (!(limit.tolerance >= 0))
+    throw ValueError("a tolerance that is negative", "expected a quantity such as '1e-4 N.m'", 0);
+  return limit;
+}
+
 MotorLimit parse_limit(std::string_view text) {
   text = trimmed(text);
   const std::vector<Sign> signs = comparisons(text);

@@ -53,7 +53,7 @@ std::vector<double> gains_of(double multiplier, bool active, const DesignReport&
 
 Standing limit_standing(const LimitState& state, const DesignReport& report,
                         const std::vector<Goal>& goals) {
-  const bool breaks = broken(state, report);
+  const bool breaks = broken(state);
   const double millionth = 1e-6 * std::fabs(state.limit);
   const double allowance = breaks ? millionth : std::max(millionth, state.violation);
   const double distance = (state.at_least ? -1 : 1) * (state.limit - state.value);

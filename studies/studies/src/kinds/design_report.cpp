@@ -122,6 +122,7 @@ std::vector<LimitState> DesignReporter::limits(const MotorDesign& motor,
     state.at_least = limit.at_least(state.value);
     if (const optim::Activity* a = activity_of(certificate, limit.text, false)) {
       state.active = a->active;
+      state.tolerance = a->tolerance;
       state.multiplier = a->multiplier;
       state.gain_per_percent = a->gain_per_percent;
       if (a->active && a->side != optim::Side::equal)

@@ -239,15 +239,22 @@ void SearchLog::note_best(const optim::Observation& observation) {
   best_text_ = objective.metric.text + " " + engineering(value, objective.metric.unit());
 }
 
+namespace {
+
+double room(const optim::Constraint& limit, double end) {
+  if (!std::isnan(limit.tolerance)) return limit.tolerance;
+  return optim::SolveOptions().feasibility_tolerance * std::fabs(end);
+}
+
+}  // namespace
+
 bool SearchLog::feasible(const optim::Evaluation& evaluation) const {
   if (!evaluation.ok()) return false;
-  constexpr double kRoom = 1e-6;
   const std::size_t objectives = question_.objectives.size();
   for (std::size_t i = 0; i < answering_.constraints.size(); ++i) {
     const optim::Constraint& c = answering_.constraints[i];
     const double value = evaluation.values[objectives + i];
-    if (value < c.lower - kRoom * std::fabs(c.lower)) return false;
-    if (value > c.upper + kRoom * std::fabs(c.upper)) return false;
+    if (value < c.lower - room(c, c.lower) || value > c.upper + room(c, c.upper)) return false;
   }
   return true;
 }

@@ -63,7 +63,7 @@ void refuse_wrong_choices(const DesignProblem& problem) {
 }
 
 optim::Constraint limit_of(const MotorLimit& limit) {
-  return {limit.text, limit.lower, limit.upper};
+  return {limit.text, limit.lower, limit.upper, limit.tolerance};
 }
 
 DesignProblem& want(DesignProblem& problem, std::string_view metric, bool maximize) {

@@ -85,21 +85,25 @@ std::string metric_table_text(const OptimizeResult& result) {
   return aligned(table);
 }
 
-std::string state_words(const LimitState& limit, const DesignReport& report) {
+std::string state_words(const LimitState& limit) {
   if (std::isnan(limit.violation)) return "cannot be reached";
-  if (broken(limit, report)) return "broken by " + engineering(limit.violation, limit.unit, 3);
+  if (broken(limit)) return "broken by " + engineering(limit.violation, limit.unit, 3);
   return limit.active ? "binds" : "holds";
+}
+
+// "30 mPa": what the limit tolerates. An upper end of it is as good as all digits.
+std::string tolerance_words(const LimitState& limit) {
+  return std::isnan(limit.tolerance) ? "" : engineering(limit.tolerance, limit.unit, 2);
 }
 
 std::string limit_table(const OptimizeResult& result) {
   if (result.best.constraints.empty()) return {};
-  TextTable table{{{"limit", "best", "", "per 1 % looser"}}};
+  TextTable table{{{"limit", "best", "", "kept within", "per 1 % looser"}}};
   for (const LimitState& limit : result.best.constraints)
-    table.rows.push_back({limit.text, cell(limit.value, limit.unit),
-                          state_words(limit, result.best),
-                          limit.active && !broken(limit, result.best)
-                              ? goal_change_words(limit.gain_per_percent, result.goal)
-                              : ""});
+    table.rows.push_back(
+        {limit.text, cell(limit.value, limit.unit), state_words(limit), tolerance_words(limit),
+         limit.active && !broken(limit) ? goal_change_words(limit.gain_per_percent, result.goal)
+                                        : ""});
   return "\n" + aligned(table);
 }
 
@@ -127,10 +131,17 @@ std::string whole_numbers(const OptimizeResult& result) {
 
 std::string optimal_words(const OptimizeResult& result) {
   const std::string held = whole_numbers(result);
-  return "Verified local optimum" + (held.empty() ? "" : " with " + held + " fixed") +
-         ": no feasible change " + (held.empty() ? "" : "of the other variables ") +
-         "improves it to first order (stationarity " +
-         rounded_text(result.best.certificate.stationarity, 2) + ")";
+  const optim::Certificate& certificate = result.best.certificate;
+  std::string text =
+      certificate.second_order ? "Verified local optimum" : "Optimum to first order only";
+  text += (held.empty() ? "" : " with " + held + " fixed") + ": no feasible change " +
+          (held.empty() ? "" : "of the other variables ") + "improves it" +
+          (certificate.second_order ? "" : " to first order") + " (stationarity " +
+          rounded_text(certificate.stationarity, 2);
+  if (!std::isnan(certificate.gain))
+    text += ", a step could gain at most " +
+            engineering(std::fabs(certificate.gain), result.goal.unit, 2);
+  return text + ")";
 }
 
 std::string verdict(const OptimizeResult& result) {

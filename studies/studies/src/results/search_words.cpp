@@ -32,6 +32,7 @@ Json limit_json(const LimitState& state, const optim::Certificate& certificate) 
             {"value", number_json(state.value)},
             {"limit", number_json(state.limit)},
             {"violation", number_json(state.violation)},
+            {"tolerance", number_json(state.tolerance)},
             {"active", state.active},
             {"multiplier", number_json(state.multiplier)},
             {"gain_per_percent", number_json(state.gain_per_percent)},
@@ -53,10 +54,12 @@ Json bound_json(const BoundState& state, const optim::Certificate& certificate) 
 
 Json certificate_json(const optim::Certificate& certificate) {
   Json json{{"passed", certificate.passed},
+            {"second_order", certificate.second_order},
             {"reason", certificate.reason},
             {"infeasibility", number_json(certificate.infeasibility)},
             {"stationarity", number_json(certificate.stationarity)},
             {"complementarity", number_json(certificate.complementarity)},
+            {"gain", number_json(certificate.gain)},
             {"curvature", number_json(certificate.curvature)},
             {"weights", certificate.weights},
             {"prices", certificate.prices},
@@ -166,17 +169,18 @@ std::vector<double> gains(double multiplier, const optim::Certificate& certifica
   return list;
 }
 
-bool broken(const LimitState& limit, const DesignReport& report) {
-  constexpr double kMillionth = 1e-6;
+bool broken(const LimitState& limit) {
   if (std::isnan(limit.violation)) return true;
-  const bool feasible =
-      report.certificate.infeasibility <= optim::SolveOptions().feasibility_tolerance;
-  return !feasible && limit.violation > kMillionth * std::fabs(limit.limit);
+  const double tolerance =
+      std::isnan(limit.tolerance)
+          ? optim::SolveOptions().feasibility_tolerance * std::fabs(limit.limit)
+          : limit.tolerance;
+  return limit.violation > tolerance;
 }
 
 bool keeps_limits(const DesignReport& report) {
   return std::none_of(report.constraints.begin(), report.constraints.end(),
-                      [&](const LimitState& limit) { return broken(limit, report); });
+                      [](const LimitState& limit) { return broken(limit); });
 }
 
 Json limits_json(const DesignReport& report) {

@@ -76,10 +76,12 @@ std::string count_text(const StudyResult& result) {
          " s\n";
 }
 
-// A certificate is of a local optimum; the word in the file stays "optimal".
+// What a certificate says of the optimum; the word in the file stays "optimal".
 std::string outcome_words(const StudyResult& result) {
-  const bool one = std::holds_alternative<OptimizeResult>(result.answer);
-  return one && result.outcome == "optimal" ? "local optimum" : result.outcome;
+  const auto* one = std::get_if<OptimizeResult>(&result.answer);
+  if (one == nullptr || result.outcome != "optimal") return result.outcome;
+  const bool proved = one->best.certificate.second_order || !one->best.certificate.passed;
+  return proved ? "local optimum" : "first order only";
 }
 
 std::string heading(const StudyResult& result) {

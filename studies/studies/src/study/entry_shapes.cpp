@@ -97,10 +97,55 @@ Shape<std::vector<MetricExpression>> metrics() {
   return shape;
 }
 
+namespace {
+
+struct TolerantLimit {
+  MotorLimit limit;
+  std::string tolerance;
+};
+
+Shape<MotorLimit> plain_limit() {
+  return text_of<MotorLimit>("a limit", "stall_torque >= 0.8 N.m", parse_limit,
+                             [](const MotorLimit& value) { return value.text; });
+}
+
+bool apply_tolerance(TolerantLimit& into, const Given& given, Diagnostics& diagnostics) {
+  const YamlNode* typed = given.right("tolerance");
+  if (typed == nullptr || given.right("limit") == nullptr) return false;
+  try {
+    into.limit = with_tolerance(std::move(into.limit), into.tolerance);
+    return true;
+  } catch (const ValueError& error) {
+    diagnostics.add(typed->mark, given.path("tolerance"), error.found(), error.expected());
+    return false;
+  }
+}
+
+}  // namespace
+
+Shape<MotorLimit> tolerant_limit() {
+  const auto as_typed = text_of<std::string>(
+      "amount by which it may be broken and still counts as kept", "1e-4 N.m",
+      [](std::string_view text) { return std::string(text); },
+      [](const std::string& text) { return text; });
+  const auto shape = mapping<TolerantLimit>(
+      "a limit with its own tolerance",
+      {required<TolerantLimit>("limit", plain_limit(), &TolerantLimit::limit),
+       required<TolerantLimit>("tolerance", as_typed, &TolerantLimit::tolerance)},
+      apply_tolerance);
+  return shape_as<MotorLimit, TolerantLimit>(
+      shape, [](TolerantLimit value) { return std::move(value.limit); },
+      [](const MotorLimit& limit) {
+        return TolerantLimit{limit, limit.tolerance_text};
+      });
+}
+
 Shape<std::vector<MotorLimit>> constraints() {
-  auto shape = list("limits that must hold",
-                    text_of<MotorLimit>("a limit", "stall_torque >= 0.8 N.m", parse_limit,
-                                        [](const MotorLimit& value) { return value.text; }));
+  auto shape = list(
+      "limits that must hold",
+      one_of<MotorLimit>("a limit", {plain_limit(), tolerant_limit()}, [](const MotorLimit& limit) {
+        return limit.tolerance_text.empty() ? std::size_t{0} : std::size_t{1};
+      }));
   shape.schema.sample = "- no_load_speed >= 100 rpm\n- max_pressure <= 10 MPa";
   return shape;
 }

@@ -28,6 +28,9 @@ Field<S> kind_field() {
 Shape<MetricExpression> metric(std::string text, std::string example = "peak_power");
 Shape<std::vector<MetricExpression>> metrics();
 Shape<std::vector<MotorLimit>> constraints();
+
+/// A limit with an own tolerance: {limit: ..., tolerance: ...}.
+Shape<MotorLimit> tolerant_limit();
 Shape<std::uint64_t> samples();
 Shape<std::uint64_t> seed();
 Shape<std::string> folder();  ///< result directory of another study

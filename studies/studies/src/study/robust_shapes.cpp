@@ -54,9 +54,19 @@ const YamlNode* first_statistic(const Given& given, std::string& path) {
 }  // namespace
 
 Shape<std::vector<StudyLimit>> study_limits() {
-  auto shape =
-      list("limits that must hold", text_of<StudyLimit>("a limit", "stall_torque >= 0.8 N.m",
-                                                        parse_study_limit, study_limit_text));
+  const auto plain = text_of<StudyLimit>("a limit", "stall_torque >= 0.8 N.m", parse_study_limit,
+                                         study_limit_text);
+  const auto tolerant = shape_as<StudyLimit, MotorLimit>(
+      tolerant_limit(),
+      [](MotorLimit limit) {
+        return StudyLimit{std::move(limit), {}};
+      },
+      [](const StudyLimit& limit) { return *limit.plain; });
+  auto shape = list("limits that must hold",
+                    one_of<StudyLimit>("a limit", {plain, tolerant}, [](const StudyLimit& limit) {
+                      const bool own = limit.plain && !limit.plain->tolerance_text.empty();
+                      return own ? std::size_t{1} : std::size_t{0};
+                    }));
   shape.schema.sample = "- no_load_speed >= 100 rpm\n- max_pressure <= 10 MPa";
   return shape;
 }

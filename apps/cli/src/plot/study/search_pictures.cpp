@@ -27,7 +27,7 @@ std::vector<bool> rows_that_keep(const FinishedStudy& study, const DesignReport&
     const std::vector<double> values = column_values(study.store, *column);
     // Rounding may put the answer itself beyond a limit. That much does not count as a violation.
     const double room =
-        std::max(1e-6 * std::abs(limit.limit), broken(limit, best) ? 0.0 : limit.violation);
+        std::max(1e-6 * std::abs(limit.limit), broken(limit) ? 0.0 : limit.violation);
     for (std::size_t i = 0; i < count; ++i)
       keeps[i] = keeps[i] && values[i] >= limit.lower - room && values[i] <= limit.upper + room;
   }

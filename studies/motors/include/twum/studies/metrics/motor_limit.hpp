@@ -19,6 +19,9 @@ struct MotorLimit {
   double upper{std::numeric_limits<double>::infinity()};   ///< SI, >= lower
   /// The two sides if both depend on the motor, for reports; otherwise empty.
   std::vector<MetricExpression> sides{};
+  /// Amount by which a search may break it and still keep it, SI; NaN: by the rule of the certificate (O2.1).
+  double tolerance{std::numeric_limits<double>::quiet_NaN()};
+  std::string tolerance_text{};  ///< the same as typed
 
   /// True if the value is between the ends; NaN is not.
   bool holds(double value) const { return value >= lower && value <= upper; }
@@ -32,5 +35,9 @@ struct MotorLimit {
 /// B"), or an equality with a tolerance ("EXPR == A +- B"), which in % is relative to A.
 /// @throws ValueError with the position in the text, what was found and what would be right.
 MotorLimit parse_limit(std::string_view text);
+
+/// The limit with an own tolerance, a quantity of its dimension.
+/// @throws ValueError with what was found and what would be right
+MotorLimit with_tolerance(MotorLimit limit, std::string_view tolerance);
 
 }  // namespace twum::studies

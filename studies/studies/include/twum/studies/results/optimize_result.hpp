@@ -6,6 +6,7 @@
 #include <twum/studies/results/robust_result.hpp>
 #include <twum/studies/store/column.hpp>
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,8 @@ struct LimitState {
   double gain_per_percent{0};
   double lower{0};  ///< lower end of the metric, SI; -infinity: none
   double upper{0};  ///< upper end of the metric, SI; infinity: none
+  /// violation up to which the limit counts as kept (O2.1), SI; NaN: the design was not certified
+  double tolerance{std::numeric_limits<double>::quiet_NaN()};
 };
 
 /// A variable at the end of its range, SI.
@@ -66,9 +69,9 @@ struct DesignReport {
   std::vector<NamedValue> statistics{};
 };
 
-/// Whether a limit of this design is violated by more than 1e-6 relative; a limit of zero uses the tolerance of the
-/// certificate. True where there is no value.
-bool broken(const LimitState& limit, const DesignReport& report);
+/// Whether a limit is violated by more than its tolerance; without one, by more than 1e-8 of the limit. True where there
+/// is no value.
+bool broken(const LimitState& limit);
 
 /// Whether no limit of the design is broken().
 bool keeps_limits(const DesignReport& report);

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "probe.hpp"
+
+#include "newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace twum::optim {
+namespace {
+
+using Eigen::Index;
+
+class Probe {
+ public:
+  Probe(Session& session, const Scaling& scaling, const ProbeBase& base)
+      : session_(session), scaling_(scaling), base_(base) {}
+
+  std::optional<std::vector<double>> along(const Eigen::VectorXd& direction) {
+    double longest = 0.0;
+    for (Index k = 0; k < direction.size(); ++k)
+      longest = std::max(longest, std::abs(direction[k]) / base_.point.reach[at(k)]);
+    if (!(longest > 0.0)) return std::nullopt;
+    for (const double step : {1e-2, 1e-1, 1e-3}) {
+      if (session_.left() < 2) return std::nullopt;
+      const auto there = moved(session_, scaling_, base_.point, step / longest * direction);
+      if (!there || !there->jacobian.allFinite()) continue;
+      if (better(*there)) return there->design;
+      const auto across = moved(session_, scaling_, *there, correction(*there, direction));
+      if (across && better(*across)) return across->design;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static std::size_t at(Index k) { return static_cast<std::size_t>(k); }
+
+  Eigen::VectorXd correction(const KktPoint& there, const Eigen::VectorXd& direction) const {
+    Multipliers m = base_.multipliers;
+    m.active = active_columns(there, 1, m);
+    Equations equations = active_equations(there, m);
+    equations.add(direction.normalized(), 0.0, 0.0);
+    const Eigen::VectorXd step = newton_step(base_.hessian, objective_gradients(there, 1),
+                                             Eigen::VectorXd::Ones(1), equations, 1e-7)
+                                     .unit;
+    return step.allFinite() ? step : Eigen::VectorXd::Zero(step.size()).eval();
+  }
+
+  double objective(const KktPoint& p) const {
+    const bool maximize = session_.problem().objectives[0].sense == Sense::maximize;
+    return (maximize ? -1.0 : 1.0) * scaling_.factor(0) * p.evaluation.values[0];
+  }
+
+  bool better(const KktPoint& p) const {
+    const double allowed =
+        std::max(base_.point.violation, 0.01 * session_.options().feasibility_tolerance);
+    return p.violation <= allowed && objective(p) < objective(base_.point) - base_.enough;
+  }
+
+  Session& session_;
+  const Scaling& scaling_;
+  const ProbeBase& base_;
+};
+
+}  // namespace
+
+std::optional<std::vector<double>> descent(Session& session, const Scaling& scaling,
+                                           const ProbeBase& base,
+                                           const Eigen::VectorXd& direction) {
+  return Probe(session, scaling, base).along(direction);
+}
+
+}  // namespace twum::optim

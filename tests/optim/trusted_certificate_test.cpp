@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+// Problems whose start, box or weakly active limits lead to answers that look certain and are not.
+#include "optim/bank/posed.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <twum/optim/solve.hpp>
+
+using namespace twum;
+using namespace twum::optim;
+
+namespace {
+
+using D = Dual<double, 3>;
+using Design = std::vector<double>;
+
+D cubed(const D& x) { return x * x * x; }
+
+Result solved(const Problem& p, const std::string& solver = "auto") {
+  SolveOptions options;
+  options.solver = solver;
+  return solve(p, options);
+}
+
+// As published: -1 at (0, 1).
+Problem hs10(double width) {
+  return test::posed<3>({{"x1", -width, width, -10.0}, {"x2", -width, width, 10.0}},
+                        {{"c1", -1.0, kInfinity}}, [](const D* x, D* r) {
+                          r[0] = x[0] - x[1];
+                          r[1] = -3.0 * x[0] * x[0] + 2.0 * x[0] * x[1] - x[1] * x[1];
+                        });
+}
+
+const std::vector<std::string> kSolvers{"auto", "nlopt:slsqp", "ipopt"};
+
+bool absent(const std::string& solver) {
+  return solver == "ipopt" && !find_solver("ipopt").available;
+}
+
+}  // namespace
+
+TEST_CASE("a limit is kept in its own units, however steep the start was (O2.1)",
+          "[optim][certificate][closed_form]") {
+  const Problem stress = test::posed<3>({{"x", 1e-3, 10.0, 1e-3}}, {{"stress", -kInfinity, 8.0}},
+                                        [](const D* x, D* r) {
+                                          r[0] = x[0];
+                                          r[1] = 1.0 / cubed(x[0]);
+                                        });
+  const Problem steep =
+      test::posed<3>({{"x", -20.0, 20.0, 20.0}}, {{"c", 1.0, kInfinity}}, [](const D* x, D* r) {
+        r[0] = x[0];
+        r[1] = exp(x[0]);
+      });
+  for (const std::string& solver : kSolvers) {
+    if (absent(solver)) continue;
+    CAPTURE(solver);
+    const Result half = solved(stress, solver), zero = solved(steep, solver);
+    CHECK(half.outcome == Outcome::optimal);
+    // 1e-8 of the terms of the stress, 24, over its slope 48.
+    CHECK(half.design[0] == Approx(0.5).margin(5e-9));
+    CHECK(zero.outcome == Outcome::optimal);
+    CHECK(zero.design[0] == Approx(0.0).margin(1e-8));
+  }
+}
+
+TEST_CASE("an own tolerance is what a limit may be broken by", "[optim][certificate]") {
+  for (const double tolerance : {1e-3, 1e-6, 0.0}) {
+    Problem p = test::posed<3>({{"x", 0.0, 10.0, 5.0}}, {{"c", 1.0, kInfinity}},
+                               [](const D* x, D* r) { r[0] = r[1] = x[0]; });
+    p.constraints[0].tolerance = tolerance;
+    for (const double part : {0.9, 1.1}) {
+      const Certificate c = certify(p, Design{1.0 - part * tolerance});
+      CAPTURE(tolerance, part);
+      REQUIRE(c.limits.size() == 1);
+      CHECK(c.limits[0].tolerance == tolerance);
+      if (tolerance > 0.0) CHECK((c.reason == "a constraint is violated") == (part > 1.0));
+    }
+  }
+}
+
+TEST_CASE("limits that contradict each other by a thousandth do so in a box of a million",
+          "[optim][infeasible]") {
+  const Problem p =
+      test::posed<3>({{"x", -1e6, 1e6}}, {{"ge", 1.0, kInfinity}, {"le", -kInfinity, 0.999}},
+                     [](const D* x, D* r) {
+                       r[0] = x[0] * x[0];
+                       r[1] = r[2] = x[0];
+                     });
+  for (const std::string& solver : kSolvers)
+    if (!absent(solver)) CHECK(solved(p, solver).outcome == Outcome::infeasible);
+}
+
+TEST_CASE("limits with multiplier zero are not taken as held (O4.1)",
+          "[optim][certificate][closed_form]") {
+  const Problem saddle = test::posed<3>({{"x", 0.0, 2.0, 0.0}, {"y", 0.0, 2.0, 0.0}}, {},
+                                        [](const D* x, D* r) { r[0] = -(x[0] * x[1]); });
+  CHECK_FALSE(certify(saddle, Design{0.0, 0.0}).passed);
+  CHECK(certify(saddle, Design{2.0, 2.0}).passed);
+  CHECK(solved(saddle, "nlopt:slsqp").evaluation.values[0] == Approx(-4.0).epsilon(1e-12));
+  const Problem mixed = test::posed<3>(
+      {{"x", 0.0, 2.0}, {"y", 0.0, 2.0}}, {},
+      [](const D* x, D* r) { r[0] = x[0] * x[0] - 3.0 * x[0] * x[1] + x[1] * x[1]; });
+  CHECK_FALSE(certify(mixed, Design{0.0, 0.0}).passed);
+  const Problem limited = test::posed<3>({{"x", -2.0, 2.0}, {"y", -2.0, 2.0}, {"z", 0.0, 1.0}},
+                                         {{"cx", 0.0}, {"cy", 0.0}}, [](const D* x, D* r) {
+                                           r[0] = x[2] - x[0] * x[1];
+                                           r[1] = x[0];
+                                           r[2] = x[1];
+                                         });
+  CHECK_FALSE(certify(limited, Design{0.0, 0.0, 0.0}).passed);
+  // With the sign turned the same corner is an optimum, and decided.
+  const Problem turned = test::posed<3>({{"x", 0.0, 2.0}, {"y", 0.0, 2.0}}, {},
+                                        [](const D* x, D* r) { r[0] = x[0] * x[1]; });
+  const Certificate corner = certify(turned, Design{0.0, 0.0});
+  CHECK(corner.passed);
+  CHECK(corner.second_order);
+}
+
+TEST_CASE("a flat direction is followed a little way before a design is called an optimum",
+          "[optim][certificate][closed_form]") {
+  // x^3 at 0, and Peano's (y - x^2)(y - 2 x^2), which rises along every line but falls on y = 1.5 x^2.
+  const Problem inflection =
+      test::posed<3>({{"x", -1.0, 1.0}}, {}, [](const D* x, D* r) { r[0] = cubed(x[0]); });
+  CHECK_FALSE(certify(inflection, Design{0.0}).passed);
+  const Problem peano = test::posed<3>(
+      {{"x", -1.0, 1.0}, {"y", -1.0, 1.0}}, {},
+      [](const D* x, D* r) { r[0] = (x[1] - x[0] * x[0]) * (x[1] - 2.0 * x[0] * x[0]); });
+  CHECK_FALSE(certify(peano, Design{0.0, 0.0}).passed);
+  const Problem fourth = test::posed<3>({{"x", -1.0, 1.0}}, {},
+                                        [](const D* x, D* r) { r[0] = x[0] * x[0] * x[0] * x[0]; });
+  CHECK(certify(fourth, Design{0.0}).passed);
+}
+
+TEST_CASE("a steep start makes no design stationary (O3.2, O3.3)", "[optim][certificate]") {
+  const Problem valley = test::posed<3>({{"x", -100.0, 100.0, -100.0}, {"y", -100.0, 100.0, 100.0}},
+                                        {}, [](const D* x, D* r) {
+                                          const D bend = x[1] - x[0] * x[0], rest = 1.0 - x[0];
+                                          r[0] = 100.0 * bend * bend + rest * rest;
+                                        });
+  for (const char* solver : {"auto", "ipopt", "nlopt:cobyla", "nlopt:lbfgs", "nlopt:mma",
+                             "nlopt:tnewton_precond_restart", "nlopt:var2", "nlopt:ccsaq"}) {
+    if (absent(solver)) continue;
+    const Result r = solved(valley, solver);
+    CAPTURE(solver, r.evaluation.values[0]);
+    CHECK((!r.certificate.passed || r.evaluation.values[0] < 1e-12));
+  }
+  CHECK(solved(valley).outcome == Outcome::optimal);
+  const Problem wall = test::posed<3>({{"x", -2.0, 2.0, 2.0}}, {}, [](const D* x, D* r) {
+    const D t = x[0] + 1.5;
+    r[0] = exp(20.0 * x[0]) + t * t;
+  });
+  // exp(-30) moves the least value away from -1.5 by 10 exp(-30) = 1e-12.
+  for (const char* solver : {"auto", "nlopt:slsqp", "nlopt:lbfgs"})
+    CHECK(solved(wall, solver).design[0] == Approx(-1.5).margin(1e-9));
+}
+
+TEST_CASE("an answer does not depend on the width of a box that does not bind",
+          "[optim][certificate]") {
+  for (const double width : {20.0, 1e3, 1e5, 1e10}) {
+    const Result r = solved(hs10(width));
+    CAPTURE(width);
+    CHECK(r.outcome == Outcome::optimal);
+    CHECK(r.evaluation.values[0] == Approx(-1.0).epsilon(1e-9));
+    const Problem sphere =
+        test::posed<3>({{"x", -width, width, 1.0}, {"y", -width, width, 1.0}}, {},
+                       [](const D* x, D* r) { r[0] = (x[0] - 3.0) * (x[0] - 3.0) + x[1] * x[1]; });
+    const Result s = solved(sphere);
+    CHECK(s.outcome == Outcome::optimal);
+    CHECK(s.design[0] == Approx(3.0).epsilon(1e-9));
+    CHECK(s.certificate.findings.empty());
+  }
+}
+
+TEST_CASE("what is known of degenerate limits is told", "[optim][certificate][infeasible]") {
+  const Problem fixed =
+      test::posed<3>({{"x", 1.0, 1.0}, {"y", 1.0, 1.0}}, {{"c", 3.0, 5.0}}, [](const D* x, D* r) {
+        r[0] = x[0];
+        r[1] = x[0] + x[1];
+      });
+  const Result far = solved(fixed);
+  REQUIRE(far.infeasibility.relaxations.size() == 1);
+  CHECK(far.infeasibility.relaxations[0].amount == 1.0);
+  CHECK(far.infeasibility.relaxations[0].amount_alone == 1.0);
+  // The same equality three times.
+  const Problem repeated =
+      test::posed<3>({{"x", -5.0, 5.0, 3.0}, {"y", -5.0, 5.0, 2.0}},
+                     {{"a", 2.0, 2.0}, {"b", 4.0, 4.0}, {"c", 2.0, 2.0}}, [](const D* x, D* r) {
+                       r[0] = x[0] * x[0] + x[1] * x[1];
+                       r[1] = r[3] = x[0] + x[1];
+                       r[2] = 2.0 * (x[0] + x[1]);
+                     });
+  for (const char* solver : {"auto", "ipopt"}) {
+    if (absent(solver)) continue;
+    const Result r = solved(repeated, solver);
+    CAPTURE(solver);
+    CHECK(r.outcome == Outcome::optimal);
+    CHECK(r.evaluation.values[0] == Approx(2.0).epsilon(1e-9));
+  }
+  // A cusp: no multipliers exist at (1, 0), and no point beside it may be certified.
+  const Problem cusp = test::posed<3>({{"x", 0.0, 10.0, 0.5}, {"y", 0.0, 10.0, 0.5}}, {{"c", 0.0}},
+                                      [](const D* x, D* r) {
+                                        const D t = x[0] - 2.0;
+                                        r[0] = t * t + x[1] * x[1];
+                                        r[1] = cubed(1.0 - x[0]) - x[1];
+                                      });
+  for (const std::string& solver : kSolvers) {
+    if (absent(solver)) continue;
+    const Result r = solved(cusp, solver);
+    CAPTURE(solver, r.evaluation.values[0]);
+    CHECK((!r.certificate.passed || std::abs(r.evaluation.values[0] - 1.0) < 1e-6));
+  }
+}
