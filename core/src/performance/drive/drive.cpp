@@ -22,14 +22,13 @@ TrackRule track_of(const MotorDesign& design) {
 Drive::Drive(const MotorDesign& design)
     : asked_(design.stator.branch),
       waves_(waves_of(design)),
-      branch_(waves_, keep(ForceLine(waves_, 0)), asked_ == Branch::dead) {}
+      branch_(followed(ForceLine(waves_, 0))) {}
 
 // Keeps what others ask of H at rest.
-const ForceLine& Drive::keep(const ForceLine& at_rest) {
+RunningBranch Drive::followed(const ForceLine& at_rest) {
   extrema_ = at_rest.extrema();
-  std::vector<CurveNode> held = at_rest.held();
-  if (!held.empty()) at_rest_ = std::move(held.back());
-  return at_rest;
+  at_rest_ = at_rest.largest_held();
+  return {waves_, at_rest, largest_at_rest(), asked_ == Branch::dead};
 }
 
 std::vector<WaveSolution> Drive::solutions(double speed) const {

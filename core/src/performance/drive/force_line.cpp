@@ -68,7 +68,12 @@ void ForceLine::follow(double low, double high) {
     const auto first = curve_.at_amplitude(x);
     if (!first) continue;
     if (!sampled) {
-      nodes_ = curve_.follow(*first, true);
+      // Where R is negative in any case both |R| and I grow.
+      const double y = std::log(waves_.drive()), last = 0.5 * highest_extremum(waves_);
+      nodes_ = curve_.follow(*first, true, [y, last](const std::vector<CurveNode>& nodes) {
+        const CurveNode& n = nodes.back();
+        return n.amplitude > last && n.behind && n.rise > 1 && n.at.y > y;
+      });
       return;
     }
     if (!nodes_.empty() && unexplained(nodes_.back(), *first) > kRules.jump)
@@ -111,7 +116,10 @@ std::vector<ForceExtremum> ForceLine::extrema() const {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const CurveNode& n = nodes_[i];
     const auto add = [&](bool maximum) {
-      found.push_back({n.amplitude, std::exp(n.at.y), maximum, n.beyond_kink});
+      const CurveNode &a = nodes_[i > 0 ? i - 1 : i],
+                      &b = nodes_[i + 1 < nodes_.size() ? i + 1 : i];
+      found.push_back({n.amplitude, std::exp(n.at.y), maximum,
+                       (b.rise - a.rise) / (b.at.x - a.at.x), n.beyond_kink});
     };
     if (n.fold) add(i > 0 ? nodes_[i - 1].rise > 0 : false);
     if (!n.jump) continue;
@@ -127,16 +135,25 @@ bool ForceLine::begins_below() const {
   return !nodes_.empty() && nodes_.front().at.y < std::log(waves_.drive());
 }
 
+std::optional<CurveNode> ForceLine::held_after(std::size_t i) const {
+  if (!(waves_.drive() > 0)) return {};
+  const double y = std::log(waves_.drive());
+  const CurveNode &a = nodes_[i], &b = nodes_[i + 1];
+  if ((a.at.y < y) == (b.at.y < y) || jumps(a, b)) return {};
+  return curve_.between(a, b, y);
+}
+
 std::vector<CurveNode> ForceLine::held() const {
   std::vector<CurveNode> found;
-  if (!(waves_.drive() > 0)) return found;
-  const double y = std::log(waves_.drive());
-  for (std::size_t i = 1; i < nodes_.size(); ++i) {
-    const CurveNode &a = nodes_[i - 1], &b = nodes_[i];
-    if ((a.at.y < y) == (b.at.y < y) || jumps(a, b)) continue;
-    if (auto wave = curve_.between(a, b, y)) found.push_back(std::move(*wave));
-  }
+  for (std::size_t i = 0; i + 1 < nodes_.size(); ++i)
+    if (auto wave = held_after(i)) found.push_back(std::move(*wave));
   return found;
+}
+
+std::optional<CurveNode> ForceLine::largest_held() const {
+  for (std::size_t i = nodes_.size(); i > 1; --i)
+    if (auto wave = held_after(i - 2)) return wave;
+  return {};
 }
 
 std::vector<WaveSolution> ForceLine::solutions() const {

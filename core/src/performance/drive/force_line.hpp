@@ -28,6 +28,7 @@ struct WaveSolution {
 struct ForceExtremum {
   double amplitude, force;  ///< [m], [N]
   bool maximum;
+  double bend;  ///< how A H_A / H changes with ln A, negative at a maximum
   /// Amplitude beyond a kink, where a zone begins or ends and H_A jumps past zero; then `amplitude` is the one below it. 0 where
   /// H_A is zero, and at a jump of H, whose one side this is.
   double beyond_kink{0};
@@ -46,6 +47,7 @@ class ForceLine {
   std::vector<ForceExtremum> extrema() const;
   /// Waves under the drive's force, the smallest first.
   std::vector<CurveNode> held() const;
+  std::optional<CurveNode> largest_held() const;
   std::vector<WaveSolution> solutions() const;
   /// The smallest amplitude needs less than the drive's force.
   bool begins_below() const;
@@ -54,6 +56,7 @@ class ForceLine {
   long zones() const { return curve_.zones(); }
 
  private:
+  std::optional<CurveNode> held_after(std::size_t i) const;
   void follow(double low, double high);
   void add_far_side(double x, double high);
   void split_jump(CurveNode a, CurveNode b);

@@ -8,6 +8,7 @@ namespace twum::performance {
 /// How finely a curve of waves is followed.
 struct CurveSteps {
   double longest;  ///< step
+  double steep;    ///< step where a fold may be near
   double
       settled;  ///< distance to the predicted wave which a step's length is chosen for, and which is not solved again
   double states;  ///< accuracy of the layer's states
@@ -18,19 +19,17 @@ struct CurveSteps {
 struct ContinuationRules {
   /// Over the speed. The proof of a point between two waves begins at a cubic through them, whose error goes with the fourth
   /// power of the step: at a 24th it is below what one turn of the layer mends. A wave that Newton's method then moves is right
-  /// to the square of `settled`.
-  CurveSteps speed{1.0 / 24, 3e-4, 1e-9};
+  /// to the square of `settled`. Two folds of a motor that is about to lose both lie a hundredth of A apart.
+  CurveSteps speed{1.0 / 24, 0.01, 3e-4, 1e-9};
   /// Over the voltage at one speed. H bends over amplitudes of its own size; only its extrema and the waves of one voltage are
   /// asked, which are found by themselves. The states are crude enough for a track without splits.
-  CurveSteps voltage{0.4, 0.02, 1e-5};
+  CurveSteps voltage{0.6, 0.6, 0.1, 1e-5};
   /// Over the frequency at rest, of which only the folds are asked.
-  CurveSteps frequency{0.3, 3e-3, 1e-7};
+  CurveSteps frequency{0.4, 0.1, 0.01, 1e-7};
   /// The same where H may jump (mu_0 > mu), or have no value: it is sampled.
   double jumping_step = 0.05;
   /// What the slopes of two samples leave of ln H where it does not jump: the third power of `jumping_step`, times what H bends.
   double jump = 1e-3;
-  /// Longest step where the curve is steep; two folds of a motor that is about to lose both lie a hundredth of A apart.
-  double steep_step = 0.01;
   /// Component of the tangent along the parameter below which the curve is steep: a fold is less than a step away.
   double steep = 0.2;
   /// First step, which may be as long as the curve's next ones if it is straight.
@@ -96,6 +95,14 @@ struct ContinuationRules {
   int island_bits = 20;
   /// Smallest amplitude of a wave that drives, in those at which the contact becomes full or H_hold is.
   double smallest_running = 0.3;
+  /// Newton's steps from a fold of one frequency to that of another one, and the longest of them; what needs more is followed as a
+  /// curve.
+  int most_newtons = 20;
+  double longest_newton = 0.7;
+  /// Last step of ln (f - f_r); it leaves a hundredth.
+  double settled_fold = 1e-9;
+  /// Distance in ln A at which H tells a maximum from a minimum.
+  double probe = 1e-3;
   /// Of the free resonance: distance from it at which no motor has a fold any more.
   double nearest_frequency = 1e-5;
   /// Bits of a frequency at which the extremum of a force that jumps is the drive's: what the samples of the force tell.

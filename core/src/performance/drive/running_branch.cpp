@@ -26,18 +26,21 @@ bool is_wide(const BranchPiece& piece) {
 
 }  // namespace
 
-RunningBranch::RunningBranch(const DrivenWaves& waves, const ForceLine& at_rest, bool with_dead)
+RunningBranch::RunningBranch(const DrivenWaves& waves, const ForceLine& at_rest,
+                             const CurveNode* largest, bool with_dead)
     : waves_(waves), at_rest_(at_rest.extrema()) {
   if (!(waves.drive() > 0)) return;
-  const std::vector<CurveNode> held = at_rest.held();
-  const bool running = !held.empty() && runs_at_rest(held.back());
+  const bool running = largest && runs_at_rest(*largest);
   const auto hold = lowest_hold(at_rest_);
-  const double largest = running ? held.back().amplitude : largest_amplitude(waves);
+  const double amplitude = running ? largest->amplitude : largest_amplitude(waves);
   const double crest = waves.crest_speed_per_amplitude();
-  unit_ = crest * (hold && !running ? hold->amplitude : largest);
-  fastest_ = kRules.fastest * crest * largest;
+  unit_ = crest * (hold && !running ? hold->amplitude : amplitude);
+  fastest_ = kRules.fastest * crest * amplitude;
   if (!(unit_ > 0) || !std::isfinite(fastest_)) return;
-  follow_from_rest(held, with_dead);
+  if (running) trace(*largest, 0);
+  if (with_dead)
+    for (const CurveNode& wave : at_rest.held())
+      if (wave.rise > 0) trace(wave, 0);
   if (!running) search(at_rest);
   list_nodes();
 }
@@ -53,12 +56,7 @@ bool RunningBranch::runs_at_rest(const CurveNode& wave) const {
 WaveCurve RunningBranch::curve(double lowest, double highest, double longest) const {
   return {ForcePlane::of_speed(waves_, unit_),
           {{-HUGE_VAL, lowest / unit_}, {HUGE_VAL, highest / unit_}},
-          {longest, kRules.speed.settled, kRules.speed.states}};
-}
-
-void RunningBranch::follow_from_rest(const std::vector<CurveNode>& held, bool with_dead) {
-  for (auto wave = held.rbegin(); wave != held.rend(); ++wave)
-    if (wave->rise > 0 && (with_dead || runs_at_rest(*wave))) trace(*wave, 0);
+          {longest, kRules.speed.steep, kRules.speed.settled, kRules.speed.states}};
 }
 
 // Waves at some speeds lead to pieces that begin above rest. An island between two of these speeds shows by the least force that

@@ -35,8 +35,10 @@ struct BranchPiece {
 class RunningBranch {
  public:
   /// @param at_rest    H at rest
+  /// @param largest    wave there, null if there is none
   /// @param with_dead  the dead branch is followed too
-  RunningBranch(const DrivenWaves& waves, const ForceLine& at_rest, bool with_dead);
+  RunningBranch(const DrivenWaves& waves, const ForceLine& at_rest, const CurveNode* largest,
+                bool with_dead);
 
   bool exists() const { return !nodes_.empty(); }
   /// Waves of the running branch, by rising speed.
@@ -54,7 +56,6 @@ class RunningBranch {
  private:
   MotorPoint without_wave(PointStatus status) const;
   WaveCurve curve(double lowest, double highest, double longest = kRules.speed.longest) const;
-  void follow_from_rest(const std::vector<CurveNode>& held, bool with_dead);
   void search(const ForceLine& at_rest);
   void search_island(double low, double high, double near);
   void take(const ForceLine& line, double speed);

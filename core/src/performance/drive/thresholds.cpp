@@ -84,18 +84,63 @@ Threshold Thresholds::voltage(bool start) {
 }
 
 Threshold Thresholds::frequency(bool start) {
-  if (!given_voltage_) throw SearchFailure{MetricStatus::undefined};
+  if (!given_voltage_ || !(waves_.omega() > waves_.modes().resonance))
+    throw SearchFailure{MetricStatus::undefined};
   if (waves_.has_static_excess()) {
     const auto found = jumping_frequency(start);
     if (!found) throw SearchFailure{MetricStatus::undefined};
     const auto e = chosen(ForceLine(waves_at(*found), 0).extrema(), start);
     return {*found, e ? e->amplitude : 0, *found};
   }
-  if (!followed_) follow_frequency();
-  const std::optional<CurveNode>& fold = start ? start_ : pull_out_;
+  std::optional<CurveNode> fold;
+  if (const auto e = chosen(extrema(), start)) fold = continued(*e);
+  if (!fold) {
+    if (!followed_) follow_frequency();
+    fold = start ? start_ : pull_out_;
+  }
   if (!fold) throw SearchFailure{MetricStatus::undefined};
   const double f = fold->parameter / kTurn;
   return {f, fold->amplitude, f, fold->beyond_kink};
+}
+
+// The fold continued in voltage and frequency together, from the design's own frequency to its voltage: Newton's method for H =
+// Theta u_0 and H_A = 0 (D3.4). The derivatives of H are exact, those of H_A are learned from the steps; at first H_A keeps to the
+// direction in which the amplitude goes like 1 / (f - f_r). Nothing unless that leads to an extremum of this kind.
+std::optional<CurveNode> Thresholds::continued(const ForceExtremum& from) const {
+  const ForcePlane plane = ForcePlane::of_frequency(waves_, 0);
+  PlanePoint p{std::log(from.amplitude), plane.coordinate(waves_.omega())};
+  PlanePoint row{from.bend, from.bend}, step{0, 0};
+  double rise = 0;
+  WarmStart start;
+  for (int i = 0; i < kRules.most_newtons; ++i) {
+    const bool rough = std::hypot(step.x, step.y) > kRules.short_secant || i == 0;
+    ForcePlane::Value v = plane.at(p, i > 0 ? &start : nullptr,
+                                   rough ? kRules.frequency.states : kRules.fold);
+    if (!v.ok()) return {};
+    if (i > 0) {
+      const double missed = (v.in_x - rise - row.x * step.x - row.y * step.y) /
+                            (step.x * step.x + step.y * step.y);
+      row = {row.x + missed * step.x, row.y + missed * step.y};
+    }
+    rise = v.in_x;
+    const double determinant = v.in_x * row.y - v.in_y * row.x;
+    step = {(v.in_y * rise - row.y * v.excess) / determinant,
+            (row.x * v.excess - v.in_x * rise) / determinant};
+    const double size = std::hypot(step.x, step.y),
+                 share = std::fmin(1, kRules.longest_newton / size);
+    step = {share * step.x, share * step.y};
+    if (!std::isfinite(size)) return {};
+    if (std::fabs(step.x) <= kRules.extremum && std::fabs(step.y) <= kRules.settled_fold) {
+      const auto beyond = plane.at({p.x + kRules.probe, p.y}, nullptr, kRules.frequency.states);
+      CurveNode fold = plane.node(std::move(v), p, step);
+      return beyond.ok() && (beyond.in_x < 0) == from.maximum ? std::optional(std::move(fold))
+                                                             : std::nullopt;
+    }
+    start = moved(v.start(), v.wave.states, std::exp(p.x + step.x) - std::exp(p.x),
+                  plane.rate(p.y) * step.y);
+    p = {p.x + step.x, p.y + step.y};
+  }
+  return {};
 }
 
 // The waves at rest over the frequency are one curve: from the dead wave at low frequencies up to the start, back to where the
@@ -103,7 +148,6 @@ Threshold Thresholds::frequency(bool start) {
 void Thresholds::follow_frequency() {
   followed_ = true;
   const double free = waves_.modes().resonance;
-  if (!(waves_.omega() > free)) return;
   if (!at_rest_) return;
   const ForcePlane plane = ForcePlane::of_frequency(waves_, 0);
   const double stuck = std::sqrt(free * free + waves_.contact_stiffness() / waves_.modes().mass);

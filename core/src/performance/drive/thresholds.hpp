@@ -41,6 +41,7 @@ class Thresholds {
  private:
   Threshold voltage(bool start);
   Threshold frequency(bool start);
+  std::optional<CurveNode> continued(const ForceExtremum& from) const;
   void follow_frequency();
   void take_folds(const std::vector<CurveNode>& nodes);
   std::optional<double> jumping_frequency(bool start);

@@ -24,6 +24,19 @@ PlanePoint up_to(PlanePoint a, PlanePoint p, double share) {
 
 bool changes_sign(double a, double b) { return (a > 0) != (b > 0); }
 
+// Where the cubic of y over x through two nodes turns, as a share of the way; its slope is a parabola that changes its sign.
+double turning_place(const CurveNode& a, const CurveNode& b) {
+  const double apart = b.at.x - a.at.x, p = a.along.y / a.along.x * apart,
+               q = b.along.y / b.along.x * apart;
+  const double bend = 3 * (p + q) - 6 * (b.at.y - a.at.y), slope = q - p - bend;
+  const double root = std::sqrt(slope * slope - 4 * bend * p);
+  const double t = -2 * p / (slope + (slope > 0 ? root : -root)),
+               other = -(slope + (slope > 0 ? root : -root)) / (2 * bend);
+  for (const double place : {t, other})
+    if (place > 0 && place < 1) return place;
+  return a.rise / (a.rise - b.rise);
+}
+
 }  // namespace
 
 ForcePlane::Value WaveCurve::value(PlanePoint p, const WarmStart* guess, double accuracy,
@@ -73,7 +86,8 @@ std::optional<CurveNode> WaveCurve::corrected(PlanePoint p, const WarmStart* gue
 
 std::optional<CurveNode> WaveCurve::settled(PlanePoint near, const WarmStart* guess) const {
   double off = 0;
-  return corrected(near, guess, Correction::at_its_y, kRules.straight, kRules.root, off, nullptr);
+  return corrected(near, guess, Correction::at_its_y, kRules.straight,
+                   kRules.extremum, off, nullptr);
 }
 
 double WaveCurve::settled_on(double length) const {
@@ -90,7 +104,7 @@ std::optional<CurveNode> WaveCurve::at_amplitude(double x) const {
 double WaveCurve::longest(const CurveNode& from) const {
   const bool exact = plane_.continued() == Continued::voltage;
   if (!exact && std::fabs(from.along.y) < kRules.steep)
-    return std::fmin(kRules.steep_step, steps_.longest);
+    return steps_.steep;
   const bool brakes = plane_.continued() == Continued::speed && from.solved.numbers.torque < 0;
   return brakes ? 2 * steps_.longest : steps_.longest;
 }
@@ -147,7 +161,7 @@ std::vector<CurveNode> WaveCurve::follow(const CurveNode& from, bool upward,
     std::optional<CurveNode> next = stepped(curve, length, off, lands);
     const CurveNode& last = curve.back();
     if (next && goes_back(last, *next)) turn_back(*next);
-    const bool bends = next && dot(next->along, last.along) < kRules.turn;
+    const bool bends = !exact && next && dot(next->along, last.along) < kRules.turn;
     if (!next || (bends && length > kRules.corner)) {
       length *= 0.5;
       if (length >= kRules.shortest) continue;
@@ -204,16 +218,17 @@ void WaveCurve::put_fold(std::vector<CurveNode>& curve, CurveNode fold, CurveNod
 }
 
 // The wave of an amplitude, near a fold, where the parameter moves with the square of the amplitude.
-std::optional<CurveNode> WaveCurve::on_curve(double x, PlanePoint near,
-                                             const WarmStart& start) const {
-  PlanePoint p{x, near.y};
+// @param settled  last step of y, which is not solved again
+std::optional<CurveNode> WaveCurve::on_curve(PlanePoint p, const WarmStart& start,
+                                             double settled) const {
   WarmStart from = start;
   const bool exact = plane_.continued() == Continued::voltage;
+  const double states = std::fmin(kRules.slope_states, kRules.settled_share * settled);
   for (int i = 0; i < kRules.most_tries; ++i) {
-    ForcePlane::Value v = value(p, &from, exact ? kRules.slope_states : 0);
+    ForcePlane::Value v = value(p, &from, exact ? kRules.slope_states : states);
     if (!v.ok()) return {};
     const PlanePoint step = step_of(v, Correction::at_its_x);
-    if (exact || std::fabs(step.y) <= kRules.fold) return plane_.node(std::move(v), p, step);
+    if (exact || std::fabs(step.y) <= settled) return plane_.node(std::move(v), p, step);
     from = moved(v.start(), v.wave.states, 0, plane_.rate(p.y) * step.y);
     p.y += step.y;
   }
@@ -227,21 +242,22 @@ std::optional<CurveNode> WaveCurve::fold(const CurveNode& a, const CurveNode& b)
   double low = a.at.x, high = b.at.x, rise_low = a.rise;
   if (!exact && !enclose(a, b, low, high, rise_low)) return {};
   double before = low, rise_before = rise_low, x = 0.5 * (low + high);
-  if (low == a.at.x && high == b.at.x) x = low - a.rise * (high - low) / (b.rise - a.rise);
+  if (low == a.at.x && high == b.at.x) x = low + turning_place(a, b) * (high - low);
   double last = high - low, last_before = last;
-  PlanePoint near = a.at;
+  double y = cubic(a, b, std::clamp((x - a.at.x) / (b.at.x - a.at.x), 0.0, 1.0)).y;
   WarmStart start = a.start;
   std::optional<CurveNode> n;
   for (int i = 0; i < kRules.most_tries; ++i) {
-    auto here = on_curve(x, near, start);
+    // A wave off the curve by a small share of the step leads on as well.
+    auto here = on_curve({x, y}, start, std::fmax(kRules.fold, kRules.settled_share * last * last));
     if (!here) return {};
     n = std::move(here);
     (changes_sign(n->rise, a.rise) ? high : low) = x;
-    near = n->at, start = n->start;
+    start = n->start;
     n->fold = true;
     if (n->rise == 0) return n;
     if (std::fabs(high - low) <= kRules.kink) {
-      if (n->at.x > std::fmin(low, high)) n = on_curve(std::fmin(low, high), near, start);
+      if (n->at.x > std::fmin(low, high)) n = on_curve({std::fmin(low, high), n->at.y}, start, kRules.fold);
       if (n) n->fold = true, n->beyond_kink = std::exp(std::fmax(low, high));
       return n;
     }
@@ -254,7 +270,7 @@ std::optional<CurveNode> WaveCurve::fold(const CurveNode& a, const CurveNode& b)
     if (inside && smooth && std::fabs(step) <= kRules.short_secant &&
         std::fabs(step * last) <= (exact ? kRules.extremum : kRules.fold)) {
       if (!exact) {
-        n = on_curve(next, near, start);
+        n = on_curve({next, n->at.y + 0.5 * step * n->along.y / n->along.x}, start, kRules.fold);
         if (n) n->fold = true;
         return n;
       }
@@ -262,6 +278,7 @@ std::optional<CurveNode> WaveCurve::fold(const CurveNode& a, const CurveNode& b)
       n->at.y += 0.5 * n->rise * step, n->parameter = plane_.parameter(n->at.y);
       return n;
     }
+    y = n->at.y + (inside ? 0.5 : 1) * step * n->along.y / n->along.x;
     last_before = last, before = x, rise_before = n->rise, last = step, x = next;
   }
   return n;
@@ -274,7 +291,7 @@ bool WaveCurve::enclose(const CurveNode& a, const CurveNode& b, double& low, dou
   const auto widened = [&](const CurveNode& n, double& end, double away) {
     if (std::fabs(n.rise) > kRules.doubtful) return true;
     for (int i = 0; i < kRules.most_halvings; ++i, end += away, away *= 2) {
-      const auto here = on_curve(end, n.at, n.start);
+      const auto here = on_curve({end, n.at.y}, n.start, kRules.fold);
       if (!here) return false;
       if (&n == &a) rise_low = here->rise;
       if (!changes_sign(here->rise, n.rise)) return true;

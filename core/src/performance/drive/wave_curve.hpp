@@ -59,7 +59,7 @@ class WaveCurve {
   std::optional<CurveNode> stepped(const std::vector<CurveNode>& curve, double length, double& off,
                                    bool& lands) const;
   std::optional<CurveNode> fold(const CurveNode& a, const CurveNode& b) const;
-  std::optional<CurveNode> on_curve(double x, PlanePoint near, const WarmStart& start) const;
+  std::optional<CurveNode> on_curve(PlanePoint p, const WarmStart& start, double settled) const;
   bool enclose(const CurveNode& a, const CurveNode& b, double& low, double& high,
                double& rise_low) const;
   void put_fold(std::vector<CurveNode>& curve, CurveNode fold, CurveNode next) const;
