@@ -23,8 +23,9 @@ double highest(const DrivenWaves& waves) {
 
 // The contact is full and H is proportional to the amplitude up to here, or what bends it is no extremum.
 double lowest(const DrivenWaves& waves) {
-  const double high = highest(waves);
-  return std::fmax(std::fmin(0.01 * waves.full_contact_amplitude(), 1e-3 * high), kSmallest);
+  const double high = highest(waves), full = waves.full_contact_amplitude();
+  const double low = waves.has_static_excess() ? kRules.smallest_running * full : 0.01 * full;
+  return std::fmax(std::fmin(low, 1e-3 * high), kSmallest);
 }
 
 PlaneRange range_of(double low, double high) {
