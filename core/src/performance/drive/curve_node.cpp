@@ -128,13 +128,17 @@ double place_of(const CurveNode& a, const CurveNode& b, double y) {
   return t;
 }
 
-// y' of the cubic is a parabola; it has zeros between two ends of one sign if its vertex there has the other.
+// The slope of the cubic of y over x is a parabola; it has zeros between two ends of one sign if its vertex there has the other,
+// and may have if that is small.
 bool hides_folds(const CurveNode& a, const CurveNode& b) {
-  const double length = b.place - a.place, p = a.along.y * length, q = b.along.y * length;
+  const double apart = b.at.x - a.at.x, p = a.along.y / a.along.x * apart,
+               q = b.along.y / b.along.x * apart;
+  if (!((a.along.x > 0) == (apart > 0) && (b.along.x > 0) == (apart > 0))) return false;
   const double bend = 3 * (p + q) - 6 * (b.at.y - a.at.y), slope = q - p - bend;
   const double vertex = -0.5 * slope / bend;
   if ((p > 0) != (q > 0) || !(vertex > 0 && vertex < 1)) return false;
-  return ((p + vertex * (slope + bend * vertex)) > 0) != (p > 0);
+  const double sign = p > 0 ? 1 : -1, least = sign * (p + vertex * (slope + bend * vertex));
+  return least < kRules.nearly_flat * std::fmin(std::fabs(p), std::fabs(q));
 }
 
 CurveGuess guess_between(const CurveNode& a, const CurveNode& b, double t,

@@ -75,6 +75,7 @@ void ForceLine::follow(double low, double high) {
         const CurveNode& n = nodes.back();
         return n.amplitude > last && n.behind && n.rise > 1 && n.at.y > y;
       });
+      for (int i = 0; i < kRules.hidden_folds && look_closer(); ++i) continue;
       return;
     }
     if (!nodes_.empty() && unexplained(nodes_.back(), *first) > kRules.jump)
@@ -82,6 +83,31 @@ void ForceLine::follow(double low, double high) {
     else
       nodes_.empty() ? nodes_.push_back(*first) : curve_.add(nodes_, *first);
   }
+}
+
+// Adds a wave on both sides of each at which H is flattest but keeps rising or falling: there may be two extrema. False if there
+// was none.
+bool ForceLine::look_closer() {
+  std::vector<double> places;
+  for (std::size_t i = 1; i + 1 < nodes_.size(); ++i) {
+    const double a = nodes_[i - 1].rise, b = nodes_[i].rise, c = nodes_[i + 1].rise;
+    if (nodes_[i].fold || std::fabs(b) > kRules.flat || a * b < 0 || b * c < 0) continue;
+    if (std::fabs(b) > std::fabs(a) || std::fabs(b) > std::fabs(c)) continue;
+    if (nodes_[i - 1].fold || nodes_[i + 1].fold) continue;
+    for (const std::size_t k : {i, i + 1})
+      places.push_back(0.5 * (nodes_[k - 1].at.x + nodes_[k].at.x));
+  }
+  if (places.empty()) return false;
+  std::vector<CurveNode> all;
+  std::swap(all, nodes_);
+  for (const double x : places)
+    if (auto n = curve_.at_amplitude(x)) all.push_back(std::move(*n));
+  std::erase_if(all, [](const CurveNode& n) { return n.fold; });
+  std::sort(all.begin(), all.end(),
+            [](const CurveNode& a, const CurveNode& b) { return a.at.x < b.at.x; });
+  for (CurveNode& n : all)
+    nodes_.empty() ? nodes_.push_back(std::move(n)) : curve_.add(nodes_, std::move(n));
+  return true;
 }
 
 // Halves towards the jump between two nodes; both sides become nodes.

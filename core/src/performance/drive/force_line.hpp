@@ -58,7 +58,7 @@ class ForceLine {
  private:
   std::optional<CurveNode> held_after(std::size_t i) const;
   void follow(double low, double high);
-  void add_far_side(double x, double high);
+  bool look_closer();
   void split_jump(CurveNode a, CurveNode b);
   void extend_below(double force);
 

@@ -45,13 +45,20 @@ struct ContinuationRules {
   /// What a step of Newton's method with the slopes of four nodes leaves of the guess's error in usual motors. The proof of the
   /// point and the balance of its drive tell where it is more.
   double left_by_turn = 1e-5;
+  /// A H_A / H below which two folds may lie between waves that both rise: as the force falls along a curve that has none, it is
+  /// usually larger.
+  double flat = 0.5;
+  /// Share of the slopes at both ends of a cubic below which its own slope may change its sign in truth.
+  double nearly_flat = 0.1;
   /// Length of a step within which the tangent may turn by any angle: a corner, where a zone begins.
   double corner = 1e-7;
   /// A H_A / H of a node whose sign is not sure: `settled` times what H bends.
   double doubtful = 1e-2;
   /// Error of ln A at a fold, as its torque goes with it; rounding of H_A leaves no less.
   double fold = 1e-12;
-  /// The same where only H at the extremum is asked, which goes with the square.
+  /// Product of the last two secants towards it, which is what they leave but for a factor.
+  double last_secants = 1e-15;
+  /// Error of ln A where only H at the extremum is asked, which goes with the square.
   double extremum = 1e-7;
   /// Error of ln A of a wave that is asked for. Its torque is off by as much.
   double root = 1e-13;

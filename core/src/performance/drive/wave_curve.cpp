@@ -86,8 +86,8 @@ std::optional<CurveNode> WaveCurve::corrected(PlanePoint p, const WarmStart* gue
 
 std::optional<CurveNode> WaveCurve::settled(PlanePoint near, const WarmStart* guess) const {
   double off = 0;
-  return corrected(near, guess, Correction::at_its_y, kRules.straight,
-                   kRules.extremum, off, nullptr);
+  return corrected(near, guess, Correction::at_its_y, kRules.straight, kRules.extremum, off,
+                   nullptr);
 }
 
 double WaveCurve::settled_on(double length) const {
@@ -103,8 +103,7 @@ std::optional<CurveNode> WaveCurve::at_amplitude(double x) const {
 
 double WaveCurve::longest(const CurveNode& from) const {
   const bool exact = plane_.continued() == Continued::voltage;
-  if (!exact && std::fabs(from.along.y) < kRules.steep)
-    return steps_.steep;
+  if (!exact && std::fabs(from.along.y) < kRules.steep) return steps_.steep;
   const bool brakes = plane_.continued() == Continued::speed && from.solved.numbers.torque < 0;
   return brakes ? 2 * steps_.longest : steps_.longest;
 }
@@ -181,15 +180,25 @@ std::vector<CurveNode> WaveCurve::follow(const CurveNode& from, bool upward,
   return curve;
 }
 
+bool WaveCurve::may_turn(const CurveNode& a, const CurveNode& b) const {
+  const bool steep = plane_.continued() == Continued::voltage ||
+                     std::fmin(std::fabs(a.along.y), std::fabs(b.along.y)) < kRules.steep;
+  return steep && hides_folds(a, b);
+}
+
+std::optional<CurveNode> WaveCurve::halfway(const CurveNode& a, const CurveNode& b) const {
+  if (plane_.continued() == Continued::voltage) return at_amplitude(0.5 * (a.at.x + b.at.x));
+  double off = 0;
+  const double apart = distance(a.at, b.at);
+  return corrected(cubic(a, b, 0.5), &a.start, Correction::across, kRules.straight * apart,
+                   settled_on(apart), off, &a.solved);
+}
+
 void WaveCurve::add(std::vector<CurveNode>& curve, CurveNode next, int depth) const {
   const double apart = distance(curve.back().at, next.at);
   next.place = curve.back().place + apart;
-  if (apart > kRules.shortest && depth < kRules.hidden_folds && hides_folds(curve.back(), next)) {
-    double off = 0;
-    const WarmStart start = curve.back().start;
-    auto middle = corrected(cubic(curve.back(), next, 0.5), &start, Correction::across,
-                            kRules.straight * apart, settled_on(apart), off, &curve.back().solved);
-    if (middle) {
+  if (apart > kRules.shortest && depth < kRules.hidden_folds && may_turn(curve.back(), next)) {
+    if (auto middle = halfway(curve.back(), next)) {
       if (goes_back(curve.back(), *middle)) turn_back(*middle);
       add(curve, std::move(*middle), depth + 1);
       add(curve, std::move(next), depth + 1);
@@ -256,8 +265,9 @@ std::optional<CurveNode> WaveCurve::fold(const CurveNode& a, const CurveNode& b)
     start = n->start;
     n->fold = true;
     if (n->rise == 0) return n;
-    if (std::fabs(high - low) <= kRules.kink) {
-      if (n->at.x > std::fmin(low, high)) n = on_curve({std::fmin(low, high), n->at.y}, start, kRules.fold);
+    if (std::fabs(high - low) <= (exact ? kRules.kink : kRules.root)) {
+      if (n->at.x > std::fmin(low, high))
+        n = on_curve({std::fmin(low, high), n->at.y}, start, kRules.fold);
       if (n) n->fold = true, n->beyond_kink = std::exp(std::fmax(low, high));
       return n;
     }
@@ -268,7 +278,7 @@ std::optional<CurveNode> WaveCurve::fold(const CurveNode& a, const CurveNode& b)
     // The error of a secant is the product of the last two steps, but for a factor; at a kink it stays a share of the last one.
     const bool smooth = std::fabs(step) <= kRules.secants * std::fabs(last * last_before);
     if (inside && smooth && std::fabs(step) <= kRules.short_secant &&
-        std::fabs(step * last) <= (exact ? kRules.extremum : kRules.fold)) {
+        std::fabs(step * last) <= (exact ? kRules.extremum : kRules.last_secants)) {
       if (!exact) {
         n = on_curve({next, n->at.y + 0.5 * step * n->along.y / n->along.x}, start, kRules.fold);
         if (n) n->fold = true;

@@ -63,6 +63,8 @@ class WaveCurve {
   bool enclose(const CurveNode& a, const CurveNode& b, double& low, double& high,
                double& rise_low) const;
   void put_fold(std::vector<CurveNode>& curve, CurveNode fold, CurveNode next) const;
+  bool may_turn(const CurveNode& a, const CurveNode& b) const;
+  std::optional<CurveNode> halfway(const CurveNode& a, const CurveNode& b) const;
   bool goes_back(const CurveNode& from, const CurveNode& to) const;
   double longest(const CurveNode& from) const;
   std::optional<CurveNode> root(PlanePoint p, WarmStart start, const SolvedPoint& near, bool rises,
