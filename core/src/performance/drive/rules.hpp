@@ -49,7 +49,7 @@ struct ContinuationRules {
   /// usually larger.
   double flat = 0.5;
   /// Share of the slopes at both ends of a cubic below which its own slope may change its sign in truth.
-  double nearly_flat = 0.1;
+  double nearly_flat = 0.3;
   /// Length of a step within which the tangent may turn by any angle: a corner, where a zone begins.
   double corner = 1e-7;
   /// A H_A / H of a node whose sign is not sure: `settled` times what H bends.
