@@ -72,7 +72,7 @@ TEST_CASE("no wave is missed below the largest there can be (D2.7, D2.8)",
   CHECK(compared > 60);
 }
 
-TEST_CASE("the branch passes through the solutions at each of its speeds (D2.9)",
+TEST_CASE("the branch passes through the solutions at each of its speeds (D2.9, D2.11)",
           "[core][driven][identity]") {
   Dice dice(92);
   int points = 0;

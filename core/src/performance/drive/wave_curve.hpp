@@ -16,8 +16,8 @@ struct PlaneRange {
 };
 
 /// Continuation of the curve of waves H = Theta u_0 in a plane, by its length. A step goes along the cubic through the last two waves,
-/// at first along the tangent; Newton's method leads back to the curve across it; and how far it led chooses the next step. A
-/// fold is where the tangent turns, found by its own equation H_A = 0. Where H jumps, the curve ends with what is known on the
+/// at first along the tangent (D2.11); Newton's method leads back to the curve across it; and how far it led chooses the next step. A
+/// fold is where the tangent turns, found by its own equation H_A = 0 (D2.8). Where H jumps, the curve ends with what is known on the
 /// near side, and is found again on the far side.
 class WaveCurve {
  public:
