@@ -114,12 +114,12 @@ std::optional<CurveNode> Thresholds::continued(const ForceExtremum& from) const 
   WarmStart start;
   for (int i = 0; i < kRules.most_newtons; ++i) {
     const bool rough = std::hypot(step.x, step.y) > kRules.short_secant || i == 0;
-    ForcePlane::Value v = plane.at(p, i > 0 ? &start : nullptr,
-                                   rough ? kRules.frequency.states : kRules.fold);
+    ForcePlane::Value v =
+        plane.at(p, i > 0 ? &start : nullptr, rough ? kRules.frequency.states : kRules.fold);
     if (!v.ok()) return {};
     if (i > 0) {
-      const double missed = (v.in_x - rise - row.x * step.x - row.y * step.y) /
-                            (step.x * step.x + step.y * step.y);
+      const double missed =
+          (v.in_x - rise - row.x * step.x - row.y * step.y) / (step.x * step.x + step.y * step.y);
       row = {row.x + missed * step.x, row.y + missed * step.y};
     }
     rise = v.in_x;
@@ -134,7 +134,7 @@ std::optional<CurveNode> Thresholds::continued(const ForceExtremum& from) const 
       const auto beyond = plane.at({p.x + kRules.probe, p.y}, nullptr, kRules.frequency.states);
       CurveNode fold = plane.node(std::move(v), p, step);
       return beyond.ok() && (beyond.in_x < 0) == from.maximum ? std::optional(std::move(fold))
-                                                             : std::nullopt;
+                                                              : std::nullopt;
     }
     start = moved(v.start(), v.wave.states, std::exp(p.x + step.x) - std::exp(p.x),
                   plane.rate(p.y) * step.y);
