@@ -100,11 +100,11 @@ bool ForceLine::look_closer() {
   if (places.empty()) return false;
   std::vector<CurveNode> all;
   std::swap(all, nodes_);
-  for (const double x : places)
-    if (auto n = curve_.at_amplitude(x)) all.push_back(std::move(*n));
   std::erase_if(all, [](const CurveNode& n) { return n.fold; });
-  std::sort(all.begin(), all.end(),
-            [](const CurveNode& a, const CurveNode& b) { return a.at.x < b.at.x; });
+  const auto below = [](double x, const CurveNode& n) { return x < n.at.x; };
+  for (const double x : places)
+    if (auto n = curve_.at_amplitude(x))
+      all.insert(std::upper_bound(all.begin(), all.end(), x, below), std::move(*n));
   for (CurveNode& n : all)
     nodes_.empty() ? nodes_.push_back(std::move(n)) : curve_.add(nodes_, std::move(n));
   return true;
