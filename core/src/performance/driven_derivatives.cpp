@@ -16,13 +16,14 @@ constexpr double kSteep = 1e-4;
 
 // At the fold H = Theta u_0 and H_A = 0: the first moves the speed, the second the amplitude.
 Derived Differentiator::at_pull_out(Metric metric) {
-  const double speed = values_.pull_out_speed();
-  contact::SpeedDual amplitude(values_.motor_at(speed).amplitude);
+  const double speed = values_.pull_out().parameter;
+  const MotorPoint at = values_.pull_out_point();
+  contact::SpeedDual amplitude(at.motor.amplitude);
   amplitude.d[0] = 1;
   const DrivenMotor<ModelDual2> motor = differentiated_motor(design_, amplitude, m_.track);
   ModelDual2 variable = speed_variable<ModelDual2>(speed);
   variable.v.d[0] = 0;  // the inner derivative is along the amplitude
-  const PointNumbers<ModelDual2> n = values_.point(speed).differentiated(motor, variable);
+  const PointNumbers<ModelDual2> n = at.solved.differentiated(motor, variable);
   const auto p = wave_point(motor, n, variable);
   const auto modes = moving_modes(values_.modes(), motor.stator_damping);
   const DesignDual2 excess =
@@ -37,7 +38,7 @@ Derived Differentiator::at_pull_out(Metric metric) {
         -(excess.d[j].d[0] + excess.d[kSpeedDirection].d[0] * in_speed) / excess.d[kAmplitude].d[0];
     result.d[j] = f.d[j].v + f.d[kSpeedDirection].v * in_speed + f.d[kAmplitude].v * in_amplitude;
   }
-  return {result, of_point(speed)};
+  return {result, smoothness_of(at.motor, at.solved, speed)};
 }
 
 Differentiator::RestForce Differentiator::force_at_rest(const Threshold& t, double amplitude,

@@ -32,16 +32,31 @@ Thresholds& Evaluator::thresholds() {
   modes();
   if (!thresholds_)
     thresholds_.emplace(motor_.design(), m_.track,
-                        motor_.drive() ? std::optional(motor_.drive()->extrema()) : std::nullopt);
+                        motor_.drive() ? std::optional(motor_.drive()->extrema()) : std::nullopt,
+                        motor_.drive() ? motor_.drive()->largest_at_rest() : nullptr);
   return *thresholds_;
 }
 
-double Evaluator::pull_out_speed() const {
+const CurveNode& Evaluator::pull_out() const {
   if (!motor_.drive()) throw SearchFailure{MetricStatus::undefined};
   const RunningBranch& branch = motor_.drive()->branch();
   if (!branch.exists()) throw SearchFailure{MetricStatus::no_running_branch};
-  if (!branch.lower().pulls_out()) throw SearchFailure{MetricStatus::does_not_pull_out};
-  return branch.lower().speed;
+  const CurveNode* end = branch.pull_out();
+  if (!end) throw SearchFailure{MetricStatus::does_not_pull_out};
+  return *end;
+}
+
+double Evaluator::at_pull_out(Metric metric) {
+  const MotorPoint at = pull_out_point();
+  return point_metric(metric, at.solved.numbers, pull_out().parameter, at.motor);
+}
+
+MotorPoint Evaluator::pull_out_point() const {
+  const CurveNode& end = pull_out();
+  MotorPoint at{motor_.drive()->waves().motor(end.amplitude), {}};
+  at.solved = solve_point(at.motor, end.parameter, &end.start);
+  if (at.solved.status != PointStatus::ok) throw SearchFailure{metric_status(at.solved.status)};
+  return at;
 }
 
 double Evaluator::of_plate(PlateNumber number) const {

@@ -35,7 +35,7 @@ class Evaluator {
     return end < begin() ? 0 : end;
   }
   /// A point metric where the running wave ends.
-  double at_pull_out(Metric metric) { return at(metric, pull_out_speed()); }
+  double at_pull_out(Metric metric);
   double threshold(Metric metric) { return thresholds().at(metric).value; }
   template <typename F>
   double of_modes(F f) const {
@@ -69,8 +69,9 @@ class Evaluator {
   const StatorModes<double>& modes() const;
   /// @throws SearchFailure without modal data
   Thresholds& thresholds();
-  /// Speed at which the running wave ends. @throws SearchFailure if it does not
-  double pull_out_speed() const;
+  /// Where the running wave ends. @throws SearchFailure if it does not
+  const CurveNode& pull_out() const;
+  MotorPoint pull_out_point() const;
 
  private:
   struct Known {

@@ -87,10 +87,10 @@ std::vector<CurvePoint> DrivenCurve::followed() const {
   std::vector<CurvePoint> points;
   if (may_jump() || !drive_.runs()) return points;
   const DrivenWaves& waves = drive_.waves();
-  for (const BranchNode& node : drive_.branch().nodes())
-    if (!node.grows)
+  for (const CurveNode* node : drive_.branch().nodes())
+    if (!node->grows)
       points.push_back(
-          curve_point(node.speed, waves.motor(node.amplitude), node.solved, &waves.modes()));
+          curve_point(node->parameter, waves.motor(node->amplitude), node->solved, &waves.modes()));
   return points;
 }
 

@@ -3,6 +3,8 @@
 
 #include "performance/curve/speed_roots.hpp"
 
+#include <twum/base/scalar_search.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -51,19 +53,29 @@ const CurvePoint& CurveScan::first() {
   return nodes_.front();
 }
 
+// Among the points of a curve that was followed, which are as close as it bends, and between the two beside the one of most
+// torque.
 CurvePoint CurveScan::first_that_drives(const CurvePoint& begin) {
+  std::vector<CurvePoint> known{begin};
+  for (const CurvePoint& p : points_.curve().followed())
+    if (p.speed > begin.speed) known.push_back(p);
   const double crest = points_.curve().crest();
-  CurvePoint low = begin;
-  for (int i = 1; low.speed < kHighest * crest; ++i) {
-    const CurvePoint high = points_.at(begin.speed + i * crest / kIntervals);
-    if (!high.ok()) break;
-    if (high.torque > 0) {
-      const auto torque = [&](double speed) { return points_.answered(speed).torque; };
-      return just_beyond(close_in(torque, {low.speed, high.speed, low.torque, high.torque}).high);
-    }
-    low = high;
+  for (int i = 1; known.size() < 3 && i < kHighest * kIntervals; ++i)
+    known.push_back(points_.at(begin.speed + i * crest / kIntervals));
+  const auto torque = [&](double speed) { return points_.answered(speed).torque; };
+  std::size_t most = 0;
+  for (std::size_t i = 1; i < known.size() && known[i].ok(); ++i) {
+    if (known[i].torque > 0)
+      return just_beyond(close_in(torque, {known[i - 1].speed, known[i].speed, known[i - 1].torque,
+                                           known[i].torque})
+                             .high);
+    if (known[i].torque > known[most].torque) most = i;
   }
-  return begin;
+  if (most == 0 || most + 1 >= known.size()) return begin;
+  const double low = known[most - 1].speed, high = known[most + 1].speed;
+  const LeastValue top = least_between("the most torque near the beginning", [&](double s) { return -torque(s); }, low, high);
+  if (!(top.value < 0)) return begin;
+  return just_beyond(close_in(torque, {low, top.place, known[most - 1].torque, -top.value}).high);
 }
 
 // The torque may be exactly zero where it rises through zero.

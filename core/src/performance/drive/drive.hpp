@@ -5,6 +5,9 @@
 
 #include <twum/core/performance/motor.hpp>
 
+#include <optional>
+#include <vector>
+
 namespace twum::performance {
 
 /// A motor whose wave follows from voltage and load. Immutable.
@@ -21,9 +24,7 @@ class Drive {
   /// The point on the branch that the design asks for; its status says why there is none.
   MotorPoint at(double speed) const;
   /// Every wave that the voltage holds at a speed, stable or not, the smallest first.
-  std::vector<WaveSolution> solutions(double speed) const {
-    return wave_solutions(waves_, speed).found;
-  }
+  std::vector<WaveSolution> solutions(double speed) const;
 
   /// The curve is the running branch.
   bool runs() const { return asked_ == Branch::running; }
@@ -35,16 +36,17 @@ class Drive {
   const DrivenWaves& waves() const { return waves_; }
   /// Extrema of H at rest.
   const std::vector<ForceExtremum>& extrema() const { return extrema_; }
+  /// The largest wave at rest, null if there is none.
+  const CurveNode* largest_at_rest() const { return at_rest_ ? &*at_rest_ : nullptr; }
   const RunningBranch& branch() const { return branch_; }
 
  private:
-  MotorPoint without_wave(PointStatus status) const;
-  MotorPoint running(double speed) const;
-  MotorPoint dead(double speed) const;
+  RunningBranch followed(const ForceLine& at_rest);
 
   Branch asked_;
   DrivenWaves waves_;
   std::vector<ForceExtremum> extrema_;
+  std::optional<CurveNode> at_rest_;
   RunningBranch branch_;
 };
 

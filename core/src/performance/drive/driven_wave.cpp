@@ -90,11 +90,24 @@ DrivenWave DrivenWaves::at(double amplitude, double speed, const WarmStart* gues
   return wave_of(solve_point(motor(amplitude), speed, guess, accuracy), amplitude, speed);
 }
 
+// The viscosity of a loss factor goes with 1 / omega.
+DrivenMotor<MotionDual> DrivenWaves::moving_motor(const MotionDual& amplitude,
+                                                  const MotionDual& omega) const {
+  if (!loss_factor_ || omega.d[kInSpeed] == 0) return driven(dual_model_, {amplitude, omega});
+  MotorModel<MotionDual> model = dual_model_;
+  model.viscosity.d[kInSpeed] = -model.viscosity.v / omega.v;
+  return driven(model, {amplitude, omega});
+}
+
 DrivenWaves::MovingWave DrivenWaves::moving(const SolvedPoint& point, double amplitude,
-                                            double speed) const {
-  const MotionDual a = MotionDual::variable(amplitude, kInAmplitude), omega(omega_);
+                                            double speed, Continued along) const {
+  const bool in_frequency = along == Continued::frequency;
+  const MotionDual a = MotionDual::variable(amplitude, kInAmplitude),
+                   omega =
+                       in_frequency ? MotionDual::variable(omega_, kInSpeed) : MotionDual(omega_);
   MovingPoint moving =
-      point.moving(driven(dual_model_, {a, omega}), MotionDual::variable(speed, kInSpeed));
+      point.moving(moving_motor(a, omega),
+                   in_frequency ? MotionDual(speed) : MotionDual::variable(speed, kInSpeed));
   const PointNumbers<MotionDual>& n = moving.numbers;
   return {
       n, std::move(moving.states), a,
@@ -107,7 +120,8 @@ double DrivenWaves::MovingWave::amplitude_per_speed() const {
 }
 
 DrivenWaves::LevelSlopes DrivenWaves::slopes(double amplitude, double speed, const WarmStart* guess,
-                                             double accuracy, const SolvedPoint* near) const {
+                                             double accuracy, const SolvedPoint* near,
+                                             Continued along) const {
   LevelSlopes s;
   s.solved = near && near->jumps()
                  ? solve_point_near(motor(amplitude), speed, *near, guess ? *guess : near->start())
@@ -115,10 +129,13 @@ DrivenWaves::LevelSlopes DrivenWaves::slopes(double amplitude, double speed, con
   SlopedWave& a = s.in_amplitude;
   a.wave = wave_of(s.solved, amplitude, speed);
   if (a.wave.status != PointStatus::ok) return s;
-  MovingWave w = moving(s.solved, amplitude, speed);
+  MovingWave w = moving(s.solved, amplitude, speed, along);
   const MotionDual& torque = w.numbers.torque;
   a.slope = {w.balance.real.d[kInAmplitude], w.balance.imaginary.d[kInAmplitude]};
   a.torque_slope = torque.d[kInAmplitude];
+  s.force_per_speed =
+      (w.balance.real * w.balance.real + w.balance.imaginary * w.balance.imaginary).d[kInSpeed] /
+      (2 * a.wave.force());
   s.amplitude_per_speed = w.amplitude_per_speed();
   s.torque_per_speed = torque.d[kInSpeed] + a.torque_slope * s.amplitude_per_speed;
   s.numbers = w.numbers, s.states = std::move(w.states);

@@ -39,6 +39,9 @@ struct SlopedWave {
   double force_slope() const { return fold() / wave.force(); }  ///< H_A [N/m]
 };
 
+/// What is continued beside the amplitude.
+enum class Continued : unsigned char { speed, frequency, voltage };
+
 /// Determinant and trace of the Jacobian of the slow flow (D2.5, D2.6), which decide the stability of a wave.
 struct Stability {
   double determinant, trace;  ///< [1/s^2], [1/s]
@@ -59,7 +62,7 @@ class DrivenWaves {
 
   DrivenWave at(double amplitude, double speed, const WarmStart* guess = nullptr,
                 double accuracy = 0) const;
-  /// A solved wave, with derivatives in speed and amplitude.
+  /// A solved wave, with derivatives in amplitude and in speed or frequency [rad/s], which takes the direction of the speed.
   struct MovingWave {
     PointNumbers<contact::MotionDual> numbers;
     MovingStates states;
@@ -69,7 +72,8 @@ class DrivenWaves {
     /// dA / dOmega along H(A, Omega) = Theta u_0 (D2.9).
     double amplitude_per_speed() const;
   };
-  MovingWave moving(const SolvedPoint& point, double amplitude, double speed) const;
+  MovingWave moving(const SolvedPoint& point, double amplitude, double speed,
+                    Continued along = Continued::speed) const;
   /// With derivatives in amplitude.
   SlopedWave in_amplitude(double amplitude, double speed, const WarmStart* guess = nullptr) const {
     return slopes(amplitude, speed, guess).in_amplitude;
@@ -79,13 +83,15 @@ class DrivenWaves {
     SolvedPoint solved;
     SlopedWave in_amplitude;
     PointNumbers<contact::MotionDual> numbers;
+    double force_per_speed{0};  ///< H_Omega, or H_omega along the frequency
     double amplitude_per_speed{0}, torque_per_speed{0};
     MovingStates states;
   };
   /// @param accuracy  of the periodic state, as find_periodic_state()
   /// @param near      a point with nearly the same speed and wave; null if none is known
   LevelSlopes slopes(double amplitude, double speed, const WarmStart* guess = nullptr,
-                     double accuracy = 0, const SolvedPoint* near = nullptr) const;
+                     double accuracy = 0, const SolvedPoint* near = nullptr,
+                     Continued along = Continued::speed) const;
 
   /// The force that a wave needs from the drive, from the numbers of its contact.
   WaveBalance<double> balance(const PointNumbers<double>& n, double amplitude) const {
@@ -114,6 +120,8 @@ class DrivenWaves {
 
  private:
   DrivenWave wave_of(const SolvedPoint& point, double amplitude, double speed) const;
+  DrivenMotor<contact::MotionDual> moving_motor(const contact::MotionDual& amplitude,
+                                                const contact::MotionDual& omega) const;
 
   MotorModel<double> model_;
   MotorModel<contact::MotionDual> dual_model_;

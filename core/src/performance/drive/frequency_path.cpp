@@ -64,32 +64,60 @@ std::vector<FrequencyPath::Stretch> FrequencyPath::stretches() const {
       1.01 * (held_.waves().drive() + held_.waves().traction_bound()) / (lowest_ * m.damping),
       kLargestWave);
   if (!(held_.waves().drive() > 0 && low < high)) return {};
-  std::vector<Stretch> found;
-  bool closed = false;
-  const HeldWaves::Guess anywhere{held_.waves().omega(), 1};
-  double begin = low, before = low;
-  std::optional<ResponseWave> last = held_.held(low, 0, anywhere);
-  const auto excess_at = [&](double a) {
-    const auto wave = held_.held(a, 0, held_.guess_of(*last));
-    if (!wave) throw NoWave{};
-    return excess(*wave);
-  };
-  for (double a = low * kScanRatio; before < high; a *= kScanRatio) {
-    const double now = std::fmin(a, high);
-    const auto wave = held_.held(now, 0, last ? held_.guess_of(*last) : anywhere);
-    if (wave && !last) {
-      begin = now, closed = false;
-    } else if (wave && (excess(*last) > 0) != (excess(*wave) > 0)) {
-      double border = now;
-      try {
-        border = closed_in("an end of a stretch of waves", excess_at, {before, now, excess(*last), excess(*wave)}).nearest();
-      } catch (const NoWave&) {  // then it stays less accurate
-      }
-      if (excess(*last) > 0) found.push_back({begin, border, closed});
-      begin = border, closed = true;
-    }
-    before = now;
+  std::vector<ResponseWave> scan;
+  std::optional<ResponseWave> last;
+  const auto wave_near = [&](double a) {
+    const auto wave =
+        held_.held(a, 0, last ? held_.guess_of(*last) : HeldWaves::Guess{held_.waves().omega(), 1});
     if (wave) last = wave;
+    return wave;
+  };
+  for (double a = low, before = 0; before < high; before = a, a *= kScanRatio)
+    if (const auto wave = wave_near(std::fmin(a, high))) scan.push_back(*wave);
+  with_islands(scan);
+  return between_borders(scan);
+}
+
+// Adds the amplitude between three others at which the drive has most force left, if it has any only there.
+void FrequencyPath::with_islands(std::vector<ResponseWave>& scan) const {
+  for (std::size_t i = 1; i + 1 < scan.size(); ++i) {
+    const double here = excess(scan[i]);
+    if (here > 0 || here < excess(scan[i - 1]) || here < excess(scan[i + 1])) continue;
+    const ResponseWave middle = scan[i];
+    const auto missing = [&](double share) {
+      const auto wave = held_.held(share * middle.amplitude, 0, held_.guess_of(middle));
+      return wave ? -excess(*wave) : HUGE_VAL;
+    };
+    const LeastValue least = least_between("the least force between two waves", missing, scan[i - 1].amplitude / middle.amplitude,
+                                           scan[i + 1].amplitude / middle.amplitude);
+    const auto top = held_.held(least.place * middle.amplitude, 0, held_.guess_of(middle));
+    if (least.value < 0 && top)
+      scan.insert(scan.begin() + static_cast<std::ptrdiff_t>(i) + (least.place > 1), *top), ++i;
+  }
+}
+
+// The ranges of amplitudes that the drive holds.
+std::vector<FrequencyPath::Stretch> FrequencyPath::between_borders(
+    const std::vector<ResponseWave>& scan) const {
+  std::vector<Stretch> found;
+  if (scan.empty()) return found;
+  double begin = scan.front().amplitude;
+  bool closed = false;
+  for (std::size_t i = 1; i < scan.size(); ++i) {
+    const ResponseWave &a = scan[i - 1], &b = scan[i];
+    if ((excess(a) > 0) == (excess(b) > 0)) continue;
+    const auto excess_at = [&](double amplitude) {
+      const auto wave = held_.held(amplitude, 0, held_.guess_of(a));
+      if (!wave) throw NoWave{};
+      return excess(*wave);
+    };
+    double border = b.amplitude;
+    try {
+      border = closed_in("an end of a stretch of waves", excess_at, {a.amplitude, b.amplitude, excess(a), excess(b)}).nearest();
+    } catch (const NoWave&) {  // then it stays less accurate
+    }
+    if (excess(a) > 0) found.push_back({begin, border, closed});
+    begin = border, closed = true;
   }
   return found;
 }

@@ -60,6 +60,8 @@ class FrequencyPath {
 
   double excess(const ResponseWave& on_backbone) const;
   std::vector<Stretch> stretches() const;
+  void with_islands(std::vector<ResponseWave>& scan) const;
+  std::vector<Stretch> between_borders(const std::vector<ResponseWave>& scan) const;
   void follow(std::size_t stretch);
   std::vector<Node> with_turns(const Stretch& stretch, const std::vector<ResponseWave>& run) const;
   void cut(const std::vector<Node>& nodes, std::size_t stretch);

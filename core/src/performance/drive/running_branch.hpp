@@ -1,87 +1,89 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "performance/drive/branch_node.hpp"
-#include "performance/drive/wave_solutions.hpp"
+#include "performance/drive/force_line.hpp"
 
-#include <limits>
+#include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace twum::performance {
 
-/// A wave of the branch, and the state of the contact layer from which it was solved.
-struct BranchWave {
-  double amplitude, speed;
-  WarmStart start;
+/// A part of a curve of waves over the speed in which each speed has one wave, and H rises with the amplitude.
+struct BranchPiece {
+  std::vector<CurveNode> nodes;  ///< by rising speed
+  bool running;
+  bool dead;     ///< that of a stator which the rotor clamps; a single wave at rest is both
+  int curve{0};  ///< number of the curve that it is a part of
+
+  double lowest() const { return nodes.front().parameter; }
+  double highest() const { return nodes.back().parameter; }
+  bool is(bool running_one) const { return running_one ? running : dead; }
+  bool covers(double speed) const { return speed >= lowest() && speed <= highest(); }
+  /// The neighbouring nodes about a speed.
+  std::pair<const CurveNode*, const CurveNode*> around(double speed) const;
+  /// The nodes beside two neighbours, null where they have other zones than both.
+  std::array<const CurveNode*, 2> beside(const CurveNode& a, const CurveNode& b) const;
 };
 
-/// End of a branch of solutions on one side.
-struct BranchEnd {
-  double speed;      ///< rotor speed; infinite where the search met none
-  double amplitude;  ///< of the fold there
-  bool pulls_out() const { return std::isfinite(speed); }
-};
-
-/// The running branch over the rotor speed: the wave that a running motor keeps as its load changes.
+/// The waves of a motor over the rotor speed, as curves that are followed once. Every answer starts from their nodes, so that it does
+/// not depend on earlier ones.
 ///
-/// It is followed once over a fixed grid of speeds from rest to beyond no-load. Every search starts from this grid,
-/// so that an answer does not depend on earlier calls. Where no running solution exists at rest it begins at the
-/// lowest speed at which one does.
+/// The running branch is the largest running wave at each speed: that of a motor whose load changes slowly. It may have more than
+/// one piece: where one ends at a fold, the motor falls to the next one below or pulls out.
 class RunningBranch {
  public:
-  /// @param extrema  of H at rest
-  RunningBranch(const DrivenWaves& waves, const std::vector<ForceExtremum>& extrema);
+  /// @param at_rest    H at rest
+  /// @param largest    wave there, null if there is none
+  /// @param with_dead  the dead branch is followed too
+  RunningBranch(const DrivenWaves& waves, const ForceLine& at_rest, const CurveNode* largest,
+                bool with_dead);
 
   bool exists() const { return !nodes_.empty(); }
-  /// Where it was followed, by rising speed.
-  const std::vector<BranchNode>& nodes() const { return nodes_; }
-  const BranchEnd& lower() const { return lower_; }
-  const BranchEnd& upper() const { return upper_; }
-  /// Amplitude where the branch begins: at rest, or where it pulls out.
-  double first_amplitude() const;
+  /// Waves of the running branch, by rising speed.
+  const std::vector<const CurveNode*>& nodes() const { return nodes_; }
+  /// Where it begins: at rest, or where it pulls out.
+  const CurveNode& first() const { return *nodes_.front(); }
+  /// Where the curve ends and the motor pulls out; null if it goes on to rest.
+  const CurveNode* pull_out() const;
 
-  /// The motor under the wave at a speed; without a value off the branch.
-  std::optional<MotorPoint> at(double speed) const;
-  /// True if a disturbance of the wave there dies away.
-  bool steady(const MotorPoint& point, double speed) const;
+  /// The motor under the wave of the running or the dead branch at a speed; its status says why there is none.
+  MotorPoint at(double speed, bool running) const;
+  /// True if a wave is one of the running branch or of another running one, false if not; nothing where no curve was followed.
+  std::optional<bool> runs(double speed, double amplitude) const;
 
  private:
-  using Node = BranchNode;
+  MotorPoint without_wave(PointStatus status) const;
+  WaveCurve curve(double lowest, double highest, double longest = kRules.speed.longest) const;
+  void search(const ForceLine& at_rest);
+  void search_island(double low, double high, double near);
+  void take(const ForceLine& line, double speed);
+  void trace(const CurveNode& wave, double speed);
+  void leap(const CurveNode& from, bool upward, bool running);
+  void add_pieces(std::vector<CurveNode> nodes, std::optional<bool> running);
+  bool known(double speed, double amplitude) const;
+  bool passes(const BranchPiece& piece, double speed, double amplitude) const;
+  bool runs_at_rest(const CurveNode& wave) const;
+  bool runs(const std::vector<CurveNode>& nodes) const;
+  void list_nodes();
 
-  struct NodeSearch {
-    std::optional<Node> node;
-    long zones;  // followed
-  };
-
-  std::optional<DrivenWave> running_at_rest(const std::vector<ForceExtremum>& extrema) const;
-  std::optional<Node> first_node(const std::vector<ForceExtremum>& extrema) const;
-  NodeSearch node(double speed, double guess, const WarmStart* start,
-                  const SolvedPoint* near = nullptr) const;
-
-  MotorPoint solved(const BranchWave& wave) const;
-  bool balances(const MotorPoint& point) const;
-  std::optional<MotorPoint> proven(double speed, const BranchGuess& guess,
+  const BranchPiece* piece_at(double speed, bool running) const;
+  std::optional<MotorPoint> between(const BranchPiece& piece, double speed) const;
+  std::optional<MotorPoint> turned(double speed, const CurveGuess& guess,
                                    const SolvedPoint& near) const;
-  std::array<const Node*, 2> beside(const Node& a, const Node& b) const;
-  std::optional<MotorPoint> between(const Node& a, const Node& b, double speed) const;
-  std::optional<BranchWave> followed(double speed, const BranchGuess& guess,
-                                     const SolvedPoint& near) const;
-  std::optional<MotorPoint> polished(double speed, double guess, SolvedPoint at_guess,
-                                     double force_slope) const;
-  std::optional<MotorPoint> polished(const Node& node) const;
-  NodeSearch stepped(const Node& from, double speed, const Node* before = nullptr) const;
-  BranchEnd follow(double step, int steps);
-  double fold_amplitude(double speed, double near) const;
-  BranchEnd fold_beyond(const Node& last, double speed) const;
-  std::optional<BranchWave> bracketed(double speed, double low, double high) const;
-  std::optional<MotorPoint> beyond(const Node& last, const BranchEnd& end, double speed) const;
+  std::optional<MotorPoint> beyond(const CurveNode& last, double speed) const;
+  std::optional<MotorPoint> in_gap(double speed, bool running) const;
+  std::optional<MotorPoint> solved(const CurveNode& wave, double speed,
+                                   const SolvedPoint& near) const;
+  bool steady(const BranchPiece* piece, const MotorPoint& point, double speed) const;
 
   const DrivenWaves& waves_;
-  double step_{0};           // of the grid
-  std::vector<Node> nodes_;  // by rising speed
-  BranchEnd lower_{-std::numeric_limits<double>::infinity(), 0},
-      upper_{std::numeric_limits<double>::infinity(), 0};
+  double unit_{0}, fastest_{0};  // speed of y = 1, and up to which the curves are followed
+  std::vector<ForceExtremum> at_rest_;
+  std::vector<BranchPiece> pieces_;
+  int curves_{0};
+  std::vector<const CurveNode*> nodes_;
 };
 
 }  // namespace twum::performance

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "performance/drive/wave_solutions.hpp"
+#include "performance/drive/force_line.hpp"
 
 #include <twum/core/performance/metrics.hpp>
 
@@ -19,14 +19,16 @@ struct Threshold {
   double beyond_kink{0};  ///< as of ForceExtremum
 };
 
-/// Where a motor at rest starts by itself and where it stops running (D3.2 to D3.4). Each threshold is computed once.
+/// Where a motor at rest starts by itself and where it stops running (D3.2 to D3.4): folds of the waves at rest, continued in voltage and in
+/// frequency. Each is found once.
 class Thresholds {
  public:
   /// @param design   with modal data
   /// @param track    of its motor
   /// @param extrema  of H at rest, if they are known
+  /// @param at_rest  the largest wave at rest under the design's voltage, null if there is none
   Thresholds(const MotorDesign& design, const TrackRule& track,
-             std::optional<std::vector<ForceExtremum>> extrema);
+             std::optional<std::vector<ForceExtremum>> extrema, const CurveNode* at_rest);
 
   /// @param metric  start_voltage, hold_voltage, start_frequency or pull_out_frequency
   /// @throws SearchFailure `undefined` for a frequency if no voltage is given or no frequency starts or ends the
@@ -39,19 +41,19 @@ class Thresholds {
  private:
   Threshold voltage(bool start);
   Threshold frequency(bool start);
-  std::optional<ForceExtremum> own_extremum(bool start);
-
-  struct Followed {
-    double amplitude, frequency;
-    bool settled;  ///< H has its extremum there, and it is the drive's force
-  };
-  Followed followed(const ForceExtremum& from, double frequency) const;
-  bool is_extremum(const Followed& at, bool maximum, const DrivenWaves::LevelSlopes& near) const;
+  std::optional<CurveNode> continued(const ForceExtremum& from) const;
+  void follow_frequency();
+  void take_folds(const std::vector<CurveNode>& nodes);
+  std::optional<double> jumping_frequency(bool start);
+  const std::vector<ForceExtremum>& extrema();
 
   DrivenWaves waves_;  // at the design's own frequency
   bool given_voltage_;
   double frequency_;                                   // of the design
   std::optional<std::vector<ForceExtremum>> extrema_;  // at this frequency
+  const CurveNode* at_rest_;
+  std::optional<CurveNode> start_, pull_out_;  // folds over the frequency
+  bool followed_{false};
   std::optional<Threshold> found_[4];
 };
 

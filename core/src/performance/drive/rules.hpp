@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+namespace twum::performance {
+
+/// How finely a curve of waves is followed.
+struct CurveSteps {
+  double longest;  ///< step
+  double steep;    ///< step where a fold may be near
+  double
+      settled;  ///< distance to the predicted wave which a step's length is chosen for, and which is not solved again
+  double states;  ///< accuracy of the layer's states
+};
+
+/// Every constant of the continuation of waves. Lengths are those of a curve in the plane of ln A and the parameter, both in
+/// parts of themselves: a motor changes over lengths of 1.
+struct ContinuationRules {
+  /// Over the speed. The proof of a point between two waves begins at a cubic through them, whose error goes with the fourth
+  /// power of the step: at a 24th it is below what one turn of the layer mends. A wave that Newton's method then moves is right
+  /// to the square of `settled`. Two folds of a motor that is about to lose both lie a hundredth of A apart.
+  CurveSteps speed{1.0 / 24, 0.01, 3e-4, 1e-9};
+  /// Over the voltage at one speed. H bends over amplitudes of its own size; only its extrema and the waves of one voltage are
+  /// asked, which are found by themselves. The states are crude enough for a track without splits.
+  CurveSteps voltage{0.6, 0.6, 0.1, 1e-5};
+  /// Over the frequency at rest, of which only the folds are asked.
+  CurveSteps frequency{0.4, 0.1, 0.01, 1e-7};
+  /// The same where H may jump (mu_0 > mu), or have no value: it is sampled.
+  double jumping_step = 0.05;
+  /// What the slopes of two samples leave of ln H where it does not jump: the third power of `jumping_step`, times what H bends.
+  double jump = 1e-3;
+  /// Component of the tangent along the parameter below which the curve is steep: a fold is less than a step away.
+  double steep = 0.2;
+  /// First step, which may be as long as the curve's next ones if it is straight.
+  double first_step = 0.1;
+  /// Shortest step. What stops the curve on a shorter one is a jump of H.
+  double shortest = 1e-8;
+  /// The same in parts of a short step: islands may be a ten thousandth of ln A wide.
+  double settled_share = 0.01;
+  /// Share of the step by which Newton's method may move the predicted wave; farther away lies another curve.
+  double straight = 0.25;
+  /// Cosine of the angle by which the tangent may turn in a step.
+  double turn = 0.9;
+  /// What a step of Newton's method with the slopes of four nodes leaves of the guess's error in usual motors. The proof of the
+  /// point and the balance of its drive tell where it is more.
+  double left_by_turn = 1e-5;
+  /// A H_A / H below which two folds may lie between waves that both rise: as the force falls along a curve that has none, it is
+  /// usually larger.
+  double flat = 0.5;
+  /// Share of the slopes at both ends of a cubic below which its own slope may change its sign in truth.
+  double nearly_flat = 0.3;
+  /// Length of a step within which the tangent may turn by any angle: a corner, where a zone begins.
+  double corner = 1e-7;
+  /// A H_A / H of a node whose sign is not sure: `settled` times what H bends.
+  double doubtful = 1e-2;
+  /// Error of ln A at a fold, as its torque goes with it; rounding of H_A leaves no less.
+  double fold = 1e-12;
+  /// Product of the last two secants towards it, which is what they leave but for a factor.
+  double last_secants = 1e-15;
+  /// Error of ln A where only H at the extremum is asked, which goes with the square.
+  double extremum = 1e-7;
+  /// Error of ln A of a wave that is asked for. Its torque is off by as much.
+  double root = 1e-13;
+  /// What rounding leaves of ln H; beside a fold it is all that can be asked.
+  double rounding = 4e-15;
+  /// Accuracy of the layer's states where H has an extremum: it is off by as much, and H by the square.
+  double slope_states = 1e-10;
+  /// Last secant towards a fold: its cube is below the rounding of H.
+  double short_secant = 3e-5;
+  /// Factor between the error of a secant and the product of the last two: H bends over amplitudes of its own size.
+  double secants = 10;
+  /// Distance of two amplitudes beside a kink or a jump of H.
+  double kink = 1e-11;
+  /// Waves of one curve: a closed one has some hundred.
+  int most_nodes = 2000;
+  /// Zones of the contact that one curve may follow in a slice, a tenth of a second. Usual motors need a thousand, contacts unlike
+  /// any motor millions.
+  long most_zones = 500'000;
+  /// Steps of Newton's method or secants that one wave may take. Near a solution three are enough, beside a kink halving
+  /// takes over.
+  int most_tries = 60;
+  /// Halvings of a step between whose ends two folds may hide; those of a hundredth of it move no answer.
+  int hidden_folds = 6;
+  /// Doublings of the interval in which a fold is sought beside a node.
+  int most_halvings = 20;
+  /// Turns of Newton's method towards a point. More are slower than to solve it by itself.
+  int most_turns = 8;
+  /// Of the amplitude and of the layer's state: distance from which turns still lead to the wave.
+  double far_guess = 1e-2;
+  /// Share of the last step that the next one may be; more is slower than to solve the wave by itself.
+  double quick = 0.2;
+  /// Of the amplitude and of the layer's state: largest error after the last turn.
+  double settled_turn = 1e-12;
+  /// Of the drive's force: an amplitude right to `settled_turn` leaves less, a zone that is not there far more.
+  double balanced = 1e-11;
+  /// ln A of two waves that are one; two waves of a speed are farther apart but next to a fold.
+  double same = 1e-4;
+  /// Factor of the amplitude about a wave within which it is sought at a speed nearby.
+  double island = 1.35;
+  /// Bits of the speed at which an island is sought; its size goes with the square root of what the drive's force exceeds.
+  int island_bits = 20;
+  /// Smallest amplitude of a wave that drives, in those at which the contact becomes full or H_hold is.
+  double smallest_running = 0.3;
+  /// Newton's steps from a fold of one frequency to that of another one, and the longest of them; what needs more is followed as a
+  /// curve.
+  int most_newtons = 20;
+  double longest_newton = 0.7;
+  /// Last step of ln (f - f_r); it leaves a hundredth.
+  double settled_fold = 1e-9;
+  /// Distance in ln A at which H tells a maximum from a minimum.
+  double probe = 1e-3;
+  /// Of the free resonance: distance from it at which no motor has a fold any more.
+  double nearest_frequency = 1e-5;
+  /// Bits of a frequency at which the extremum of a force that jumps is the drive's: what the samples of the force tell.
+  int jump_bits = 40;
+  /// Longest distance over which the branch is sought beyond a jump.
+  double longest_leap = 0.1;
+  /// Of the speed: width of a piece of the branch below which a motor does not notice it as it pulls out.
+  double narrowest = 1e-3;
+  /// Pieces into which jumps may cut a branch.
+  std::size_t most_pieces = 100;
+  /// Largest speed, in crest speeds of the largest wave: no motor drives itself beyond.
+  double fastest = 1.3;
+  /// Speeds up to there at which waves are searched if none runs at rest. An island between two of them shows by the minimum
+  /// of H between them.
+  int speeds = 32;
+};
+inline constexpr ContinuationRules kRules{};
+
+}  // namespace twum::performance

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "performance/drive/drive.hpp"
+#include "random_contact.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <twum/core/performance/metrics.hpp>
+
+#include <cmath>
+#include <numbers>
+
+// Properties of the curves of waves of random driven motors.
+namespace {
+
+using namespace twum;
+using namespace twum::performance;
+using namespace twum::test;
+
+// Of the sizes of motors one can buy: elastic, with inertia and viscosity, and with mu_0 > mu.
+MotorDesign random_ring(Dice& dice, int index) {
+  MotorDesign d;
+  Stator& s = d.stator;
+  s.wavelengths = std::round(dice.uniform(5, 11));
+  s.contact_radius = dice.uniform(0.015, 0.04);
+  s.contact_width = s.contact_radius * dice.uniform(0.1, 0.2);
+  s.neutral_plane_distance = s.contact_radius * dice.uniform(0.08, 0.13);
+  s.resonance_frequency = dice.uniform(25e3, 60e3);
+  s.frequency = *s.resonance_frequency * dice.uniform(1.015, 1.1);
+  s.modal_mass = dice.log_uniform(5e-3, 0.1);
+  s.quality_factor = dice.log_uniform(80, 400);
+  s.force_factor = dice.uniform(0.2, 1);
+  s.voltage = dice.log_uniform(8, 150);
+  d.layer = {};
+  d.layer.thickness = dice.log_uniform(1.5e-4, 1e-3);
+  d.layer.youngs_modulus = dice.log_uniform(3e8, 1.5e9);
+  d.layer.poisson_ratio = 0.38;
+  d.layer.density = 1500;
+  if (index % 3 == 0) d.layer.given_inertia = d.layer.given_shear_viscosity = 0;
+  d.friction.kinetic = dice.uniform(0.15, 0.3);
+  d.friction.static_ = d.friction.kinetic * (index % 3 == 2 ? dice.uniform(1.1, 1.5) : 1);
+  d.preload = dice.log_uniform(50, 500);
+  return d;
+}
+
+// The largest wave that drives the rotor, by a scan of the force over the amplitude in steps of 1 %: H rises through the drive's
+// force there.
+double largest_driving(const DrivenWaves& waves, double speed) {
+  double found = 0, before = 0;
+  for (double a = 0.1 * waves.full_contact_amplitude(); a < largest_amplitude(waves); a *= 1.01) {
+    const DrivenWave wave = waves.at(a, speed);
+    const double force = wave.status == PointStatus::ok ? wave.force() : 0;
+    if (before > 0 && before < waves.drive() && force >= waves.drive() && wave.torque > 0 &&
+        waves.stability(waves.in_amplitude(a, speed)).stable())
+      found = a;
+    before = force;
+  }
+  return found;
+}
+
+void no_wave_is_missed(int motors, int speeds) {
+  Dice dice(641);
+  int driving = 0;
+  for (int i = 0; i < motors; ++i) {
+    const MotorDesign design = random_ring(dice, i);
+    const Drive drive(design);
+    const DrivenWaves& waves = drive.waves();
+    const double fastest = waves.crest_speed_per_amplitude() * largest_amplitude(waves);
+    for (int k = 1; k <= speeds; ++k) {
+      const double speed = fastest * (k - 0.5) / speeds;
+      const double scanned = largest_driving(waves, speed);
+      if (scanned == 0) continue;
+      const MotorPoint point = drive.at(speed);
+      CAPTURE(i, speed, scanned, point.motor.amplitude);
+      // The scan finds an amplitude to 1 %.
+      CHECK(point.solved.status == PointStatus::ok);
+      CHECK(point.motor.amplitude >= 0.98 * scanned);
+      ++driving;
+    }
+  }
+  CHECK(driving > motors);
+}
+
+}  // namespace
+
+TEST_CASE("no wave that drives is missed by the curves (D2.8)", "[core][driven][brute_force]") {
+  no_wave_is_missed(30, 12);
+}
+
+TEST_CASE("no wave that drives is missed by the curves of a thousand motors (D2.8)",
+          "[.long][core][driven][brute_force]") {
+  no_wave_is_missed(1000, 60);
+}
+
+TEST_CASE("thresholds put back give the voltage (D3.2, D3.4)", "[core][driven][identity]") {
+  Dice dice(642);
+  int compared = 0;
+  for (int i = 0; i < 60; ++i) {
+    MotorDesign design = random_ring(dice, i % 3 == 2 ? 3 * i : i);
+    const double voltage = *design.stator.voltage;
+    for (const auto& [frequency, volts] :
+         {std::pair{Metric::start_frequency, Metric::start_voltage},
+          std::pair{Metric::pull_out_frequency, Metric::hold_voltage}}) {
+      const MetricValue f = evaluate(Motor(design), {frequency});
+      if (f.status != MetricStatus::ok) continue;
+      MotorDesign there = design;
+      there.stator.frequency = f.value;
+      CAPTURE(i, info(frequency).name, f.value);
+      // Newton's method leaves 1e-9 of the distance to the resonance; H follows it by a power near one.
+      CHECK(evaluate(Motor(there), {volts}).value == Approx(voltage).epsilon(1e-7));
+      ++compared;
+    }
+  }
+  CHECK(compared > 40);
+}
+
+TEST_CASE("the pull-out torque is smooth over the voltage (D2.9)", "[core][driven][limit]") {
+  Dice dice(643);
+  int compared = 0;
+  for (int i = 0; i < 120 && compared < 12; ++i) {
+    MotorDesign design = random_ring(dice, i % 3 == 2 ? 3 * i : i);
+    double torque[4];
+    bool pulls_out = true;
+    for (int k = 0; k < 4; ++k) {
+      MotorDesign there = design;
+      there.stator.voltage = *design.stator.voltage + 1e-5 * k;
+      const MetricValue found = evaluate(Motor(there), {Metric::pull_out_torque});
+      pulls_out = pulls_out && found.status == MetricStatus::ok;
+      torque[k] = found.value;
+    }
+    if (!pulls_out) continue;
+    const double first = torque[1] - torque[0], second = torque[2] - 2 * torque[1] + torque[0],
+                 next = torque[3] - 2 * torque[2] + torque[1];
+    CAPTURE(i, first, second, next);
+    // Rounding leaves 1e-14 of the torque's scale, a step 1e-6 of it.
+    CHECK(std::fabs(second) <= 1e-4 * std::fabs(first) + 1e-13);
+    CHECK(std::fabs(next) <= 1e-4 * std::fabs(first) + 1e-13);
+    ++compared;
+  }
+  CHECK(compared == 12);
+}
