@@ -22,12 +22,11 @@ namespace policies = boost::math::policies;
 // Makes Boost compute in double: long double differs from machine to machine, and valgrind has none. Boost's functions
 // name both entries where they call one another, so each of them is compiled once only if both are named here.
 // Arguments without a meaning give NaN, and overflow infinity, in place of Boost's exceptions.
-using Quiet =
-    policies::policy<policies::promote_float<false>, policies::promote_double<false>,
-                     policies::domain_error<policies::ignore_error>,
-                     policies::pole_error<policies::ignore_error>,
-                     policies::overflow_error<policies::ignore_error>,
-                     policies::evaluation_error<policies::ignore_error>>;
+using Quiet = policies::policy<policies::promote_float<false>, policies::promote_double<false>,
+                               policies::domain_error<policies::ignore_error>,
+                               policies::pole_error<policies::ignore_error>,
+                               policies::overflow_error<policies::ignore_error>,
+                               policies::evaluation_error<policies::ignore_error>>;
 using StudentsT = boost::math::students_t_distribution<double, Quiet>;
 using ChiSquare = boost::math::chi_squared_distribution<double, Quiet>;
 using FisherF = boost::math::fisher_f_distribution<double, Quiet>;
@@ -35,7 +34,11 @@ using Binomial = boost::math::binomial_distribution<double, Quiet>;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
+// Beyond these ends Boost's functions lose their way, and a count does not differ from the next one.
+constexpr double kLeastCount = 1e-3, kMostCount = 1e15;
+
 bool is_probability(double p) { return p >= 0.0 && p <= 1.0; }
+bool is_count(double n) { return n >= kLeastCount && n <= kMostCount; }
 
 }  // namespace
 
@@ -69,43 +72,49 @@ double normal_cdf(double h, double k, double rho) {
 }
 
 double student_quantile(double freedom, double p) {
-  if (!(freedom > 0.0) || !is_probability(p)) return kNaN;
-  return std::isinf(freedom) ? normal_quantile(p) : quantile(StudentsT(freedom), p);
+  if (!(freedom >= kLeastCount) || !is_probability(p)) return kNaN;
+  if (p == 0.0 || p == 1.0) return normal_quantile(p);
+  return freedom > kMostCount ? normal_quantile(p) : quantile(StudentsT(freedom), p);
 }
 
 double student_tails(double freedom, double t) {
-  if (!(freedom > 0.0) || !(t >= 0.0)) return kNaN;
+  if (!(freedom >= kLeastCount) || !(t >= 0.0)) return kNaN;
   if (std::isinf(t)) return 0.0;
-  return 2.0 * (std::isinf(freedom) ? normal_cdf(-t) : cdf(complement(StudentsT(freedom), t)));
+  return 2.0 * (freedom > kMostCount ? normal_cdf(-t) : cdf(complement(StudentsT(freedom), t)));
 }
 
 double chi_square_quantile(double freedom, double p) {
-  if (!(freedom > 0.0) || std::isinf(freedom) || !is_probability(p)) return kNaN;
+  if (!is_count(freedom) || !is_probability(p)) return kNaN;
   return quantile(ChiSquare(freedom), p);
 }
 
 double chi_square_tail(double freedom, double x) {
-  if (!(freedom >= 0.0) || std::isinf(freedom) || !(x >= 0.0)) return kNaN;
+  if (!(freedom == 0.0 || is_count(freedom)) || !(x >= 0.0)) return kNaN;
   if (std::isinf(x)) return 0.0;
   return freedom == 0.0 ? 1.0 : cdf(complement(ChiSquare(freedom), x));
 }
 
 double fisher_quantile(double above, double below, double p) {
-  const bool counts = above > 0.0 && below > 0.0 && std::isfinite(above) && std::isfinite(below);
-  if (!counts || !is_probability(p)) return kNaN;
+  if (!is_count(above) || !is_count(below) || !is_probability(p)) return kNaN;
   if (p == 1.0) return std::numeric_limits<double>::infinity();
-  return quantile(FisherF(above, below), p);
+  try {
+    return quantile(FisherF(above, below), p);
+  } catch (const boost::math::evaluation_error&) {  // its iteration asks no policy; p about 1e-300
+    return kNaN;
+  }
 }
 
 double binomial_cdf(double draws, double p, double count) {
-  if (!(draws >= 0.0) || std::isinf(draws) || !is_probability(p) || std::isnan(count)) return kNaN;
+  if (!(draws >= 0.0 && draws <= kMostCount) || !is_probability(p) || std::isnan(count))
+    return kNaN;
   if (count < 0.0) return 0.0;
   return count >= draws ? 1.0 : cdf(Binomial(draws, p), count);
 }
 
 // Boost rounds a real solution, so the last steps are ours.
 double binomial_quantile(double draws, double p, double level) {
-  if (!(draws >= 0.0) || std::isinf(draws) || !is_probability(p) || !is_probability(level)) return kNaN;
+  if (!(draws >= 0.0 && draws <= kMostCount) || !is_probability(p) || !is_probability(level))
+    return kNaN;
   const Binomial hits(draws, p);
   double k = std::floor(quantile(hits, level));
   while (k > 0.0 && cdf(hits, k - 1.0) >= level) --k;

@@ -142,7 +142,8 @@ TEST_CASE("the plateau ends where an edge of the track leaves it, whatever the s
   CHECK(std::fabs(ends[1] - ends[2]) <= 1e-12 * ends[2]);
 }
 
-TEST_CASE("a maximum beside speeds without a periodic state has no value", "[core][annulus][edge]") {
+TEST_CASE("a maximum beside speeds without a periodic state has no value",
+          "[core][annulus][edge]") {
   for (const int slices : {kAutoSlices, 8, 64}) {
     const Motor motor(with(gap_beside_the_peak(), Parameter::radial_slices, slices));
     CAPTURE(slices);

@@ -88,8 +88,8 @@ TEST_CASE("the ends of Clopper and Pearson leave their tails", "[optim][statisti
 TEST_CASE("a distribution never throws: zeros, infinities and NaN give a limit or NaN",
           "[optim][statistics][edge]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const double ends[] = {0.0,  -0.0, 1.0, -1.0, 0.5,       2.0,  1e-320,
-                         1e300, kInfinity, -kInfinity, nan, 12.0, 1e-300};
+  const double ends[] = {0.0,   -0.0,      1.0,        -1.0, 0.5,  2.0,   1e-320,
+                         1e300, kInfinity, -kInfinity, nan,  12.0, 1e-300};
   for (const double a : ends)
     for (const double b : ends) {
       CAPTURE(a, b);

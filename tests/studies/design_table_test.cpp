@@ -119,7 +119,8 @@ TEST_CASE("a column that looks like a mistyped parameter is warned about", "[stu
   const Result result = evaluate_text("thicknes [mm],preload [N]\n1,160\n", "preload");
   REQUIRE(result.warnings.size() == 1);
   CHECK(result.warnings[0] ==
-        "column 'thicknes [mm]' is not a parameter and is only copied; did you mean 'thickness [m]'?");
+        "column 'thicknes [mm]' is not a parameter and is only copied; did you mean 'thickness "
+        "[m]'?");
 }
 
 TEST_CASE("the result is the same to the byte for any number of threads", "[studies][tables]") {

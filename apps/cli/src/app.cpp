@@ -143,9 +143,10 @@ int perform(const Action& action) {
   } catch (const BugError& error) {
     return complain(std::string("twum: ") + error.what(), kFailed);
   } catch (const std::exception& error) {
-    return complain(std::string("twum: internal error, please report it with this command and its files: ") +
-                        typeid(error).name(),
-                    kFailed);
+    return complain(
+        std::string("twum: internal error, please report it with this command and its files: ") +
+            typeid(error).name(),
+        kFailed);
   }
 }
 

@@ -24,12 +24,12 @@ namespace {
 // Endings that say nothing of a format: none, those of plain text, and numbers, as of "run-1.5".
 bool says_nothing(const std::string& ending) {
   constexpr std::array kPlain{"", "txt", "dat", "out", "log"};
-  const bool number = std::ranges::all_of(ending, [](unsigned char c) { return std::isdigit(c) != 0; });
+  const bool number =
+      std::ranges::all_of(ending, [](unsigned char c) { return std::isdigit(c) != 0; });
   return number || std::ranges::find(kPlain, ending) != kPlain.end();
 }
 
 std::string ending_of(const std::string& format) { return format == "markdown" ? "md" : format; }
-
 
 }  // namespace
 
@@ -47,7 +47,8 @@ void require_ending(const std::string& path, const std::vector<std::string>& for
   std::string endings;
   for (const std::string& format : formats)
     if (format != "table") endings += (endings.empty() ? "." : ", .") + ending_of(format);
-  throw InputError("-o " + studies::printable(path, 200) + ": nothing that can be written here is a ." +
+  throw InputError("-o " + studies::printable(path, 200) +
+                   ": nothing that can be written here is a ." +
                    studies::printable(ending_of(ending)) + " file; expected the ending " + endings);
 }
 

@@ -61,15 +61,17 @@ void refuse_alternatives_together(const std::vector<ParameterColumn>& columns,
 py::dict to_dict(const py::object& mapping) {
   if (py::isinstance<py::dict>(mapping)) return mapping;
   if (!py::hasattr(mapping, "keys") || !py::hasattr(mapping, "__getitem__"))
-    throw py::type_error("designs: expected a mapping of parameters to values, such as a dictionary or a "
-                         "DataFrame, not " +
-                         py::cast<std::string>(py::type::of(mapping).attr("__name__")));
+    throw py::type_error(
+        "designs: expected a mapping of parameters to values, such as a dictionary or a "
+        "DataFrame, not " +
+        py::cast<std::string>(py::type::of(mapping).attr("__name__")));
   py::dict entries;
   for (const py::handle key : mapping.attr("keys")()) {
     const std::string name = to_text("name of a parameter", key);
     if (const auto letter = name.size() == 1 ? find_parameter(name) : std::nullopt)
       throw InputError("column '" + name + "': a letter alone does not say whether " +
-                       std::string(info(*letter).name) + " is meant; name the column so, or drop it");
+                       std::string(info(*letter).name) +
+                       " is meant; name the column so, or drop it");
     entries[key] = mapping[key];
   }
   return entries;
@@ -270,7 +272,8 @@ void add_batch(py::module_& module) {
              py::kw_only(), py::arg("jobs") = 0,
              "evaluate(motor, designs, metrics, *, jobs=0)\n--\n\n"
              "Metrics of many designs, on all processors unless `jobs` says otherwise.\n\n"
-             "`designs` maps names of parameters (a dictionary, a DataFrame) to arrays in SI units, all of one length, or to "
+             "`designs` maps names of parameters (a dictionary, a DataFrame) to arrays in SI "
+             "units, all of one length, or to "
              "single values,\n"
              "which may have a unit; the rest is the motor's. The answer maps each metric to an "
              "array, and 'status'\n"

@@ -5,7 +5,7 @@ namespace twum::detail {
 
 void assertion_failed(const char* condition, const char* file, int line) {
   throw BugError(std::string("internal error, please report it: ") + file + ":" +
-                         std::to_string(line) + ": " + condition);
+                 std::to_string(line) + ": " + condition);
 }
 
 }  // namespace twum::detail

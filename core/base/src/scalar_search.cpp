@@ -9,12 +9,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <sstream>
+#include <cstdio>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace twum {
 namespace {
+
+constexpr double kLarge = 1e100;  // quotients of differences in the interpolation stay finite
 
 bool changes_sign(const Bracket& b) {
   if (!std::isfinite(b.low) || !std::isfinite(b.high) || b.low > b.high) return false;
@@ -26,11 +29,12 @@ bool changes_sign(const Bracket& b) {
   throw EvaluationError("no-bracket", "no root found for " + std::string(sought) + ": " + found);
 }
 
-std::string words(const Bracket& b) {
-  std::ostringstream text;
-  text << "the values " << b.at_low << " and " << b.at_high << " at " << b.low << " and " << b.high
-       << " do not enclose a change of sign";
-  return text.str();
+// Without a stream: that of numbers is an eighth of the module for pages.
+template <class... Numbers>
+std::string words(const char* format, Numbers... numbers) {
+  char text[160];
+  std::snprintf(text, sizeof text, format, numbers...);
+  return text;
 }
 
 }  // namespace
@@ -39,15 +43,19 @@ double Bracket::nearest() const { return std::fabs(at_low) <= std::fabs(at_high)
 
 Bracket closed_in(std::string_view sought, const std::function<double(double)>& f,
                   const Bracket& ends, int bits) {
-  if (!changes_sign(ends)) fail(sought, words(ends));
+  if (!changes_sign(ends))
+    fail(sought, words("the values %.6g and %.6g at %.6g and %.6g do not enclose a change of sign",
+                       ends.at_low, ends.at_high, ends.low, ends.high));
   const auto& [low, high, at_low, at_high] = ends;
   if (at_low == 0) return {low, low, 0, 0};
   if (at_high == 0) return {high, high, 0, 0};
+  // Infinite values tell the side only, and so do those beyond kLarge.
+  const auto finite = [](double y) { return std::clamp(y, -kLarge, kLarge); };
   std::vector<std::pair<double, double>> seen{{low, at_low}, {high, at_high}};
   const auto noted = [&](double x) {
     const double y = f(x);
-    if (std::isnan(y)) fail(sought, "the function has no value at " + std::to_string(x));
-    return seen.emplace_back(x, y).second;
+    if (std::isnan(y)) fail(sought, words("the function has no value at %.6g", x));
+    return finite(seen.emplace_back(x, y).second);
   };
   const auto value = [&seen](double x) {
     return std::find_if(seen.begin(), seen.end(), [x](const auto& s) { return s.first == x; })
@@ -55,7 +63,7 @@ Bracket closed_in(std::string_view sought, const std::function<double(double)>& 
   };
   std::uintmax_t most = 120;
   const auto [a, b] = boost::math::tools::toms748_solve(
-      noted, low, high, at_low, at_high,
+      noted, low, high, finite(at_low), finite(at_high),
       boost::math::tools::eps_tolerance<double>(static_cast<unsigned>(bits)), most);
   return {a, b, value(a), value(b)};
 }
@@ -63,8 +71,7 @@ Bracket closed_in(std::string_view sought, const std::function<double(double)>& 
 LeastValue least_between(std::string_view sought, const std::function<double(double)>& f,
                          double low, double high, int bits) {
   if (!(std::isfinite(low) && std::isfinite(high) && low <= high))
-    fail(sought, "the range from " + std::to_string(low) + " to " + std::to_string(high) +
-                     " is not finite or reversed");
+    fail(sought, words("the range from %.6g to %.6g is not finite or reversed", low, high));
   const auto [place, value] = boost::math::tools::brent_find_minima(f, low, high, bits);
   return {place, value};
 }

@@ -32,7 +32,8 @@ struct TrackRule {
   std::shared_ptr<const ShapeSpline> table{};  ///< of the radial shape; null: exponent and root
   bool mode{false};                            ///< the shape is a mode of the plate
   bool splits{false};  ///< panels end where zones appear, too (W4.4); else a panel is a piece
-  bool settled{true};  ///< more nodes would change nothing; false where `auto` has given up the search for so many
+  bool settled{
+      true};  ///< more nodes would change nothing; false where `auto` has given up the search for so many
 };
 
 /// A stretch of the track that touches. theta_L leaves 0 or pi like a square root where a partial contact begins or ends.

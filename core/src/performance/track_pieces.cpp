@@ -12,7 +12,8 @@ constexpr int kLooksPerMode = 16;  // a polynomial of degree 4 turns three times
 constexpr int kLooksPerRow = 4;    // of a table: its spline turns at most twice between two rows
 
 double zero_between(const std::function<double(double)>& f, double low, double high) {
-  return closed_in("a zero of the clearance over the track", f, {low, high, f(low), f(high)}).nearest();
+  return closed_in("a zero of the clearance over the track", f, {low, high, f(low), f(high)})
+      .nearest();
 }
 
 }  // namespace

@@ -43,11 +43,11 @@ class Complaints {
   std::vector<std::string> found() && { return std::move(found_); }
 
  private:
-  template <typename Holds>
+  using Holds = bool (*)(double value, double limit);
+
   void bound(Dimension entry, const char* word, double limit, Holds holds) {
     bound(entry, word, limit, quantity_text(limit, info(entry).unit), holds);
   }
-  template <typename Holds>
   void bound(Dimension entry, const char* word, Dimension other, Holds holds) {
     const double* limit = find(geometry_, other);
     if (limit == nullptr) return;
@@ -55,7 +55,6 @@ class Complaints {
           quantity_text(*limit, info(other).unit) + " (" + std::string(info(other).name) + ")",
           holds);
   }
-  template <typename Holds>
   void bound(Dimension entry, const char* word, double limit, const std::string& shown,
              Holds holds) {
     const double* value = find(geometry_, entry);

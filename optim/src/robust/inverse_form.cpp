@@ -50,8 +50,8 @@ class LinearInBuilt {
   LinearInBuilt(const RobustProblem& problem, std::span<const double> x, std::vector<double> slopes,
                 double radius)
       : problem_(problem), x_(x), slopes_(std::move(slopes)), radius_(radius) {
-    const double largest = std::abs(*std::ranges::max_element(
-        slopes_, {}, [](double slope) { return std::abs(slope); }));
+    const double largest = std::abs(
+        *std::ranges::max_element(slopes_, {}, [](double slope) { return std::abs(slope); }));
     if (largest > 0.0) slopes_ = scaled(slopes_, 1.0 / largest);
   }
 

@@ -17,9 +17,9 @@
 namespace twum::optim {
 namespace {
 
-constexpr std::uint64_t kStagesOfASolve = 1000;    // more than one search ever takes
-constexpr double kDesignStill = 1e-3;              // of the unit box
-constexpr std::uint64_t kFreshScrambles = 10'000;  // apart from those that correct
+constexpr std::uint64_t kStagesOfASolve = 1000;        // more than one search ever takes
+constexpr double kDesignStill = 1e-3;                  // of the unit box
+constexpr std::uint64_t kFreshScrambles = 10'000;      // apart from those that correct
 constexpr std::uint64_t kSoughtScrambles = 1'000'000;  // apart from both
 constexpr std::uint64_t kCoarse = 4096, kFine = 16384;
 

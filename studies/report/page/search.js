@@ -129,8 +129,10 @@ function startsCard() {
   const note = 'Each run of a solver, and the code that it returned. ' +
       (summary.relaxation || !summary.best ? '' : certificateText(summary.best.certificate));
   const sliced = summary.stages.some((s) => s.slices !== undefined);
-  const header = ['run', 'solver', 'solver\'s return code', plain(goal.metric), 'keeps the limits', 'evaluations',
-    ...(sliced ? ['radial_slices'] : [])];
+  const header = [
+    'run', 'solver', 'solver\'s return code', plain(goal.metric), 'keeps the limits', 'evaluations',
+    ...(sliced ? ['radial_slices'] : [])
+  ];
   const lines = summary.stages.map(
       (s) =>
           [words(s.stage), words(s.solver), words(s.word), {text: goalText(goal, s.objective), value: s.objective},
@@ -174,7 +176,10 @@ export function certificateText(certificate) {
       left + ').';
 }
 
-/** The runs with as many slices as the last one, which found the answer. Values of the others differ by the error of their slices. */
+/**
+ * The runs with as many slices as the last one, which found the answer; values of others differ by their slices'
+ * error.
+ */
 function comparableRuns() {
   const runs = summary.stages.filter((s) => s.solver);
   const last = runs[runs.length - 1];
@@ -186,13 +191,15 @@ function coarseText(before) {
   if (!before.length) return '';
   const slices = before[before.length - 1].slices;
   const few = slices < 0 ? 'auto ' + -slices : slices;
-  return '; ' + (before.length === 1 ? 'one run' : before.length + ' runs') + ' from different starts with radial_slices ' +
-      few + ' came first to find where to begin, and their values are not comparable with it';
+  const count = before.length === 1 ? 'one run' : before.length + ' runs';
+  return '; ' + count + ' from different starts with radial_slices ' + few +
+      ' came first to find where to begin, and their values are not comparable with it';
 }
 
 /** How many runs came to the best value. */
 function runsText(runs, best, choosing) {
-  if (runs.length === 1) return 'the one run of a solver' + (summary.stages.length > 1 ? ' with the slices of the answer' : '') + ' ended there';
+  const alike = summary.stages.length > 1 ? ' with the slices of the answer' : '';
+  if (runs.length === 1) return 'the one run of a solver' + alike + ' ended there';
   const same = runs.filter((s) => s.feasible && Math.abs(s.objective - best) <= 1e-6 * Math.abs(best)).length;
   const wide = runs.filter((s) => data.global_solvers.includes(s.solver)).length;
   return same + ' of ' + runs.length + ' runs of solvers from different starts' + choosing +

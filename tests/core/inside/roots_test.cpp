@@ -93,7 +93,7 @@ TEST_CASE("every search for a root names what it sought when there is no bracket
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   const auto line = [](double x) { return x - 0.5; };
-  const Bracket bad[] = {{0, 1, 1, 2},   {0, 1, nan, 1},      {0, 1, -1, nan},
+  const Bracket bad[] = {{0, 1, 1, 2},    {0, 1, nan, 1},       {0, 1, -1, nan},
                          {nan, 1, -1, 1}, {0, infinity, -1, 1}, {1, 0, 1, -1}};
   for (const Bracket& ends : bad) {
     CAPTURE(ends.low, ends.high, ends.at_low, ends.at_high);

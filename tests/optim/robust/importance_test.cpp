@@ -144,7 +144,8 @@ TEST_CASE("risks of several ways to fail are unbiased and their intervals cover 
     for (plan.replicate = 0; plan.replicate < kDraws; ++plan.replicate) centres.sample(plan);
     double mean = 0, squares = 0;
     for (; plan.replicate < 2 * kDraws; ++plan.replicate) {
-      const double ratio = sampled_risk(centres.sample_unchanged(plan), terms.of_target[0]).any / exact;
+      const double ratio =
+          sampled_risk(centres.sample_unchanged(plan), terms.of_target[0]).any / exact;
       mean += ratio / kDraws;
       squares += ratio * ratio / kDraws;
     }

@@ -152,8 +152,7 @@ int run_evaluate(const EvaluateOptions& options) {
         });
   }
   output.finish();
-  if (counts.rows == 0)
-    say("twum: " + reader.name() + " has no designs below its header");
+  if (counts.rows == 0) say("twum: " + reader.name() + " has no designs below its header");
   if (counts.failed > 0) {
     say("twum: " + std::to_string(counts.failed) + " of " + std::to_string(counts.rows) +
         " designs failed or are incomplete; see the column 'status'");

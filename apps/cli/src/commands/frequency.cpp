@@ -285,7 +285,8 @@ int run_frequency(const FrequencyOptions& options) {
   const bool any = std::any_of(answer.branches.begin(), answer.branches.end(),
                                [](const ResponseBranch& branch) { return branch.stable; });
   if (any) return kDone;
-  say("twum: no steady wave at any frequency: the load is more than the motor carries, or every wave grows; "
+  say("twum: no steady wave at any frequency: the load is more than the motor carries, or every "
+      "wave grows; "
       "try less torque or another speed");
   return kNoAnswer;
 }

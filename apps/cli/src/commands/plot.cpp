@@ -48,7 +48,9 @@ int run_plot(const PlotOptions& options) {
   studies::read_result(
       options.directory,
       [&](const studies::StudyFile& file, const studies::StudyResult& result,
-          const studies::ResultStore& store) { pictures = study_pictures({file, result, store}); },
+          const studies::ResultStore& store) {
+        pictures = study_pictures({file, result, store});
+      },
       stop.token());
   if (pictures.empty()) {
     say("twum: this study has no answer to draw; " + options.directory + "/report.html says why");

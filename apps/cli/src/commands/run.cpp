@@ -64,8 +64,8 @@ std::optional<bool> keeps_all_limits(const studies::StudyResult& result) {
 
 int status_of(const studies::StudyResult& result) {
   if (result.outcome == "interrupted") return kInterrupted;
-  const bool answered = keeps_all_limits(result).value_or(result.outcome == "done" ||
-                                                          result.outcome == "fitted");
+  const bool answered =
+      keeps_all_limits(result).value_or(result.outcome == "done" || result.outcome == "fitted");
   return answered ? kDone : kNoAnswer;
 }
 

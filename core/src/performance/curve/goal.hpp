@@ -22,6 +22,8 @@ enum class PeakKind : unsigned char {
 struct Peak {
   double speed{0}, value{0};
   PeakKind kind{PeakKind::smooth};
+  bool beside_gap{
+      false};  ///< speeds without a periodic state beside values nearly as good may hide a higher one
 };
 
 /// What is to be as large as possible over speed.

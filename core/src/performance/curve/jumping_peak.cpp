@@ -15,24 +15,30 @@ Peak JumpingPeakSearch::find() {
     if (end.ok()) consider({end.speed, goal_.value(end), PeakKind::kink});
   };
   const double worth = CurveStretches::kWorth * best.value;
+  bool beside_gap = false;
   for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
     if (std::max(goal_.value(nodes[k]), goal_.value(nodes[k + 1])) < worth) continue;
     for (const Stretch& stretch : stretches_.between(nodes[k], nodes[k + 1])) {
-      require_answer(stretch);
+      beside_gap = beside_gap || is_gap(stretch);
       consider_end(stretch.first);
       for (const Peak& inside : peaks_inside(stretch, GoalCurve::kNearly * best.value))
         consider(inside);
       consider_end(stretch.last);
     }
   }
+  best.beside_gap = beside_gap;
   return named(best);
 }
 
-// Beside values that are nearly the best, speeds without a periodic state may hide a higher one.
-void JumpingPeakSearch::require_answer(const Stretch& stretch) const {
-  const bool gap = stretch.last.speed - stretch.first.speed > CurveStretches::kGap * points_.curve().crest();
-  if (gap && stretch.first.status == MetricStatus::no_periodic_state)
-    throw SearchFailure{MetricStatus::no_periodic_state};
+// Single speeds without a periodic state, as at a jump, hide nothing; nor does one with which a stretch begins that was not cut
+// further.
+bool JumpingPeakSearch::is_gap(const Stretch& stretch) const {
+  const auto lacks = [this](double speed) {
+    return points_.at(speed).status == MetricStatus::no_periodic_state;
+  };
+  const double low = stretch.first.speed, high = stretch.last.speed;
+  return high - low > CurveStretches::kGap * points_.curve().crest() && lacks(low) &&
+         lacks(0.5 * (low + high));
 }
 
 // Maxima between neighbouring places of a stretch of which one has the value `worth`. A zone that is just born has

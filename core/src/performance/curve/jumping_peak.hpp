@@ -21,7 +21,7 @@ class JumpingPeakSearch {
   Peak find();
 
  private:
-  void require_answer(const Stretch& stretch) const;
+  bool is_gap(const Stretch& stretch) const;
   bool may_have_peaks(const Stretch& stretch) const;
   std::vector<Peak> peaks_inside(const Stretch& stretch, double worth);
   std::optional<Peak> peak_between(double low, double high);

@@ -73,7 +73,8 @@ CurvePoint CurveScan::first_that_drives(const CurvePoint& begin) {
   }
   if (most == 0 || most + 1 >= known.size()) return begin;
   const double low = known[most - 1].speed, high = known[most + 1].speed;
-  const LeastValue top = least_between("the most torque near the beginning", [&](double s) { return -torque(s); }, low, high);
+  const LeastValue top = least_between(
+      "the most torque near the beginning", [&](double s) { return -torque(s); }, low, high);
   if (!(top.value < 0)) return begin;
   return just_beyond(close_in(torque, {low, top.place, known[most - 1].torque, -top.value}).high);
 }

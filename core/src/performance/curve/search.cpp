@@ -42,10 +42,16 @@ Peak CurveSearch::efficiency_peak(Goal goal) {
   return peak(goal);
 }
 
-Peak CurveSearch::peak(Goal goal) {
+Peak CurveSearch::highest_seen(Goal goal) {
   std::optional<Peak>& kept = peaks_[static_cast<std::size_t>(goal)];
   if (!kept) kept = found_peak(goal);
   return *kept;
+}
+
+Peak CurveSearch::peak(Goal goal) {
+  const Peak seen = highest_seen(goal);
+  if (seen.beside_gap) throw SearchFailure{MetricStatus::no_periodic_state};
+  return seen;
 }
 
 Peak CurveSearch::found_peak(Goal goal) {
@@ -58,14 +64,16 @@ Peak CurveSearch::found_peak(Goal goal) {
                          ? JumpingPeakSearch(goal, points_, crossings_, stretches_).find()
                          : SmoothPeakSearch(goal, points_, scan_, crossings_).find();
   const bool no_more = goal == Goal::torque && found.value <= first.value * (1 + kSameTorque);
-  return no_more ? first : found;
+  return no_more ? Peak{first.speed, first.value, first.kind, found.beside_gap} : found;
 }
 
 Crossing CurveSearch::speed_at(double torque) {
   if (torque == 0) return no_load();
   if (!(torque > 0) || !scan_.drives()) throw SearchFailure{MetricStatus::unreachable};
-  const Peak top = max_torque();
-  if (!(torque * (1 - kTypedTorque) <= top.value)) throw SearchFailure{MetricStatus::unreachable};
+  const Peak top = highest_seen(Goal::torque);
+  if (!(torque * (1 - kTypedTorque) <= top.value))
+    throw SearchFailure{top.beside_gap ? MetricStatus::no_periodic_state
+                                       : MetricStatus::unreachable};
   const bool falls_from_first = top.speed == scan_.first().speed;
   if (falls_from_first && scan_.starts_on_plateau() &&
       torque >= scan_.first().torque * (1 - kSameTorque))

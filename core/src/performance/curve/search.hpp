@@ -32,7 +32,8 @@ class CurveSearch {
   Crossing speed_at(double torque);  ///< (T7.15)
 
  private:
-  Peak peak(Goal goal);
+  Peak highest_seen(Goal goal);
+  Peak peak(Goal goal);  // the highest seen, unless speeds without a state may hide a higher one
   Peak efficiency_peak(Goal goal);
   Peak found_peak(Goal goal);
   std::vector<CurvePoint> nodes_around(double torque);

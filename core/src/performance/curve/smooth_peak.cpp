@@ -34,12 +34,12 @@ Peak SmoothPeakSearch::find() {
     const CurvePoint end = points_.answered(crossings_.plateau_end());
     consider({end.speed, goal_.value(end), PeakKind::plateau_end});
   }
-  require_answers(best.value);
+  best.beside_gap = is_beside_gap(best.value);
   return best;
 }
 
-// Beside values that are nearly the best, speeds without a periodic state may hide a higher one; single speeds do not.
-void SmoothPeakSearch::require_answers(double best) {
+// Single speeds without a periodic state hide nothing.
+bool SmoothPeakSearch::is_beside_gap(double best) {
   const double aside = CurveStretches::kGap * points_.curve().crest();
   const auto lacks = [&](double speed) {
     return points_.at(speed).status == MetricStatus::no_periodic_state;
@@ -48,10 +48,11 @@ void SmoothPeakSearch::require_answers(double best) {
     const auto next = std::find_if(nodes_.begin(), nodes_.end(),
                                    [&](const CurvePoint& n) { return n.speed > gap; });
     if (next == nodes_.begin() || next == nodes_.end()) continue;
-    const bool near = std::max(goal_.value(next[-1]), goal_.value(*next)) >= CurveStretches::kWorth * best;
-    if (near && lacks(gap - aside) && lacks(gap + aside))
-      throw SearchFailure{MetricStatus::no_periodic_state};
+    const double around = std::max(goal_.value(next[-1]), goal_.value(*next));
+    if (around >= CurveStretches::kWorth * best && lacks(gap - aside) && lacks(gap + aside))
+      return true;
   }
+  return false;
 }
 
 // More nodes where a ripple between two of them may be the highest.

@@ -20,7 +20,7 @@ class SmoothPeakSearch {
 
  private:
   std::vector<CurvePoint> with_ripples(std::vector<CurvePoint> nodes);
-  void require_answers(double best);
+  bool is_beside_gap(double best);
   double value(std::size_t k) const { return goal_.value(nodes_[k]); }
   Peak peak_beside(std::size_t top);
   double sloped_place(std::size_t k) const;

@@ -88,7 +88,8 @@ void FrequencyPath::with_islands(std::vector<ResponseWave>& scan) const {
       const auto wave = held_.held(share * middle.amplitude, 0, held_.guess_of(middle));
       return wave ? -excess(*wave) : HUGE_VAL;
     };
-    const LeastValue least = least_between("the least force between two waves", missing, scan[i - 1].amplitude / middle.amplitude,
+    const LeastValue least = least_between("the least force between two waves", missing,
+                                           scan[i - 1].amplitude / middle.amplitude,
                                            scan[i + 1].amplitude / middle.amplitude);
     const auto top = held_.held(least.place * middle.amplitude, 0, held_.guess_of(middle));
     if (least.value < 0 && top)
@@ -113,7 +114,9 @@ std::vector<FrequencyPath::Stretch> FrequencyPath::between_borders(
     };
     double border = b.amplitude;
     try {
-      border = closed_in("an end of a stretch of waves", excess_at, {a.amplitude, b.amplitude, excess(a), excess(b)}).nearest();
+      border = closed_in("an end of a stretch of waves", excess_at,
+                         {a.amplitude, b.amplitude, excess(a), excess(b)})
+                   .nearest();
     } catch (const NoWave&) {  // then it stays less accurate
     }
     if (excess(a) > 0) found.push_back({begin, border, closed});
@@ -181,7 +184,8 @@ std::optional<ResponseWave> FrequencyPath::turn(const Stretch& stretch, const Re
   const double sign = highest ? -1 : 1;
   try {
     const auto omega = [&](double s) { return sign * at_place(s).omega; };
-    return at_place(least_between("the least frequency of a stretch of waves", omega, a.place, c.place).place);
+    return at_place(
+        least_between("the least frequency of a stretch of waves", omega, a.place, c.place).place);
   } catch (const NoWave&) {
     return {};
   }
@@ -275,7 +279,9 @@ std::optional<ResponseWave> FrequencyPath::at(const Stretch& stretch, const Resp
     return last->omega - omega;
   };
   try {
-    excess(closed_in("a wave at a frequency", excess, {a.place, b.place, a.omega - omega, b.omega - omega}).nearest());
+    excess(closed_in("a wave at a frequency", excess,
+                     {a.place, b.place, a.omega - omega, b.omega - omega})
+               .nearest());
     return last;
   } catch (const NoWave&) {
     return {};

@@ -65,7 +65,8 @@ std::optional<HeldWaves::Carried> HeldWaves::at_torque(const DrivenWaves& waves,
         if (low == 0 && stands(amplitude, last.torque)) return Carried{last, true};
       }
     }
-    const double ratio = closed_in("the speed at a torque", excess, {low, high, at_low, at_high}).nearest();
+    const double ratio =
+        closed_in("the speed at a torque", excess, {low, high, at_low, at_high}).nearest();
     if (std::fabs(excess(ratio)) > kTorqueKept * waves.traction_bound()) return {};
     return Carried{last, false};
   } catch (const NoWave&) {

@@ -195,7 +195,9 @@ std::optional<double> Thresholds::jumping_frequency(bool start) {
     low = high, at_low = at_high, high = free + (high - free) * kRules.island,
     at_high = excess(high);
   if (!(at_low > 0 && at_high < 0)) return {};
-  const double root = closed_in("a jump of the force", excess, {low, high, at_low, at_high}, kRules.jump_bits).nearest();
+  const double root =
+      closed_in("a jump of the force", excess, {low, high, at_low, at_high}, kRules.jump_bits)
+          .nearest();
   return std::fabs(excess(root)) < kRules.jump ? std::optional(root) : std::nullopt;
 }
 

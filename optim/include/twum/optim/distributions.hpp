@@ -5,7 +5,7 @@
 
 /// @file
 /// Distributions behind intervals and tests, to about 1e-14, also in a tail. Probabilities lie between 0 and 1; degrees of freedom
-/// need not be whole.
+/// need not be whole, and lie between 1e-3 and 1e15; draws are at most 1e15.
 /// An argument outside its range, or NaN, gives NaN.
 
 namespace twum::optim {
@@ -20,7 +20,7 @@ double normal_quantile(double p);
 double normal_cdf(double h, double k, double rho);
 
 /// The p-quantile of Student's t.
-/// @param freedom  > 0; infinite: a standard normal number
+/// @param freedom  beyond 1e15: a standard normal number
 double student_quantile(double freedom, double p);
 /// Probability that Student's t is at least t away from zero.
 /// @param freedom  as above
@@ -28,7 +28,6 @@ double student_quantile(double freedom, double p);
 double student_tails(double freedom, double t);
 
 /// The p-quantile of chi-square.
-/// @param freedom  > 0
 double chi_square_quantile(double freedom, double p);
 /// Probability that chi-square is at least x.
 /// @param freedom  0 gives 1
@@ -36,7 +35,7 @@ double chi_square_quantile(double freedom, double p);
 double chi_square_tail(double freedom, double x);
 
 /// The p-quantile of Fisher's F.
-/// @param above, below  degrees of freedom of the two variances, > 0
+/// @param above, below  degrees of freedom of the two variances
 double fisher_quantile(double above, double below, double p);
 
 /// Probability of at most `count` hits in so many independent draws.

@@ -26,7 +26,8 @@ class FirstGiven {
  public:
   FirstGiven(const YamlNode& node, const Schema& mapping) {
     for (const YamlEntry& entry : node.entries)
-      if (const SchemaEntry* known = entry_of(mapping, entry.key)) first_.emplace(known->name, &entry);
+      if (const SchemaEntry* known = entry_of(mapping, entry.key))
+        first_.emplace(known->name, &entry);
   }
 
   // Null if it is not given.

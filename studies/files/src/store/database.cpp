@@ -44,12 +44,13 @@ std::vector<std::string> tables_for(const std::vector<StoredColumn>& columns) {
   // Columns have no type, because type REAL would turn -0 into 0.
   std::string values;
   for (const std::string& name : table_names(columns)) values += ", " + sqlite::quoted_name(name);
-  return {"CREATE TABLE seal (rows INTEGER NOT NULL, sum INTEGER NOT NULL)",
-          "CREATE TABLE facts (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID",
-          "CREATE TABLE columns (place INTEGER PRIMARY KEY, name TEXT NOT NULL, unit TEXT NOT NULL)",
-          "CREATE TABLE evaluations (stage INTEGER NOT NULL, \"index\" INTEGER NOT NULL" + values +
-              ", status TEXT NOT NULL, detail BLOB, checksum INTEGER NOT NULL, "
-              "PRIMARY KEY (stage, \"index\")) WITHOUT ROWID"};
+  return {
+      "CREATE TABLE seal (rows INTEGER NOT NULL, sum INTEGER NOT NULL)",
+      "CREATE TABLE facts (name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID",
+      "CREATE TABLE columns (place INTEGER PRIMARY KEY, name TEXT NOT NULL, unit TEXT NOT NULL)",
+      "CREATE TABLE evaluations (stage INTEGER NOT NULL, \"index\" INTEGER NOT NULL" + values +
+          ", status TEXT NOT NULL, detail BLOB, checksum INTEGER NOT NULL, "
+          "PRIMARY KEY (stage, \"index\")) WITHOUT ROWID"};
 }
 
 bool same(const std::vector<StoredColumn>& a, const std::vector<StoredColumn>& b) {
@@ -150,7 +151,8 @@ void ResultStore::Database::check_schema() {
     return std::find(found.begin(), found.end(), table) != found.end();
   };
   const std::vector<std::string> fixed = tables_for({});
-  const bool readable = found.size() == fixed.size() && std::all_of(fixed.begin(), fixed.end() - 1, holds);
+  const bool readable =
+      found.size() == fixed.size() && std::all_of(fixed.begin(), fixed.end() - 1, holds);
   if (readable && holds(tables_for(stored_columns()).back())) return;
   fail_damaged(connection_.path(), "its tables are not those that twum writes");
 }

@@ -24,7 +24,8 @@ namespace twum::studies {
 /// Every member function takes the lock.
 class ResultStore::Database {
  public:
-  Database(const std::string& path, const std::vector<StoredColumn>& columns, const std::stop_token& stop);
+  Database(const std::string& path, const std::vector<StoredColumn>& columns,
+           const std::stop_token& stop);
   /// An existing database, with the columns it has.
   explicit Database(const std::string& path, const std::stop_token& stop);
   ~Database();

@@ -48,7 +48,8 @@ Connection::Connection(std::string path, bool make, std::stop_token stop)
     // A schema that somebody else has written may call nothing, and an ordinary statement may not change the schema's text.
     sqlite3_db_config(handle_, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
     sqlite3_db_config(handle_, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
-    if (stop_.stop_possible()) sqlite3_progress_handler(handle_, kStepsBetweenLooks, &asked_to_stop, &stop_);
+    if (stop_.stop_possible())
+      sqlite3_progress_handler(handle_, kStepsBetweenLooks, &asked_to_stop, &stop_);
     return;
   }
   const int system = handle_ == nullptr ? 0 : sqlite3_system_errno(handle_);
@@ -145,7 +146,8 @@ void Statement::run() {
 // than all numbers.
 void Statement::require(int column, bool right, const char* type) const {
   if (right) return;
-  throw StoreError(connection_.path() + ": is damaged: column " + std::string(sqlite3_column_name(handle_, column)) +
+  throw StoreError(connection_.path() + ": is damaged: column " +
+                   std::string(sqlite3_column_name(handle_, column)) +
                    " holds a value that is not " + type +
                    "; restore it from a copy, or run the study again with --fresh");
 }

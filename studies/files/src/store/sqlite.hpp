@@ -70,7 +70,7 @@ class Statement {
   /// The values of a row. @throws StoreError if a value has another type
   std::int64_t integer(int column) const;
   std::uint64_t count(int column) const;  ///< of an integer that is not negative
-  double real(int column) const;  ///< NULL becomes NaN
+  double real(int column) const;          ///< NULL becomes NaN
   std::string_view text(int column) const;
   std::string_view blob(int column) const;
 

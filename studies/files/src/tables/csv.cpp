@@ -73,7 +73,8 @@ void CsvReader::check_kind() {
   const std::string_view head = rest().substr(0, kEnough);
   const std::string save = "; save it as CSV (text with commas, UTF-8)";
   if (head.starts_with("PK\x03\x04"))
-    throw InputError(name_ + ": is a spreadsheet (.xlsx, .ods) or another packed file, not a text" + save);
+    throw InputError(name_ + ": is a spreadsheet (.xlsx, .ods) or another packed file, not a text" +
+                     save);
   if (head.starts_with("\xD0\xCF\x11\xE0"))
     throw InputError(name_ + ": is a spreadsheet (.xls) or another document, not a text" + save);
   if (head.starts_with("\xFF\xFE") || head.starts_with("\xFE\xFF"))
@@ -86,7 +87,9 @@ void CsvReader::check_kind() {
 void CsvReader::refuse_lone_returns(std::string_view record, std::size_t line) const {
   if (line != 1 || record.find('"') != std::string_view::npos) return;
   if (record.find('\r') == std::string_view::npos) return;
-  throw InputError(name_ + ": its lines end in a carriage return alone (CR); save it with line feeds (LF or CRLF)");
+  throw InputError(
+      name_ +
+      ": its lines end in a carriage return alone (CR); save it with line feeds (LF or CRLF)");
 }
 
 // Finds the record that begins at at_: its length with the line end, and its number of lines.

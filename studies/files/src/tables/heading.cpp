@@ -35,9 +35,8 @@ std::vector<Heading> heading_forms(std::string_view text) {
 }
 
 std::string_view first_word(std::string_view text) {
-  const auto end = std::find_if(text.begin(), text.end(), [](unsigned char c) {
-    return std::isalnum(c) == 0 && c != '_';
-  });
+  const auto end = std::find_if(text.begin(), text.end(),
+                                [](unsigned char c) { return std::isalnum(c) == 0 && c != '_'; });
   return text.substr(0, static_cast<std::size_t>(end - text.begin()));
 }
 

@@ -2,7 +2,6 @@
 #include "text/file_content.hpp"
 
 #include <twum/base/error.hpp>
-#include <twum/studies/store/result_store.hpp>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -17,8 +16,9 @@
 namespace twum::studies {
 namespace {
 
-constexpr int kWriterWait = 2000;  // [ms]: a program that is started together with this one has opened its pipe by then
-constexpr int kWriterLook = 10;    // [ms]
+constexpr int kWriterWait =
+    2000;  // [ms]: a program that is started together with this one has opened its pipe by then
+constexpr int kWriterLook = 10;  // [ms]
 
 [[noreturn]] void unreadable(const std::string& path, const std::string& why) {
   throw InputError(path + ": cannot be read: " + why);
@@ -28,8 +28,10 @@ constexpr int kWriterLook = 10;    // [ms]
 class Input {
  public:
   explicit Input(const std::string& path) : path_(path), standard_(path == "-") {
-    descriptor_ = standard_ ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (descriptor_ < 0 || ::fstat(descriptor_, &state_) != 0) unreadable(path_, std::strerror(errno));
+    descriptor_ =
+        standard_ ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor_ < 0 || ::fstat(descriptor_, &state_) != 0)
+      unreadable(path_, std::strerror(errno));
   }
   ~Input() {
     if (!standard_ && descriptor_ >= 0) ::close(descriptor_);
@@ -87,14 +89,10 @@ std::string file_content(const std::string& path, std::size_t most) {
   return Input(path).content(most);
 }
 
-std::string written_content(const std::string& path) {
-  try {
-    Input file(path);
-    if (!file.is(S_IFREG)) unreadable(path, "it is not an ordinary file");
-    return file.content(kLargestResult);
-  } catch (const InputError& error) {
-    throw StoreError(error.what());
-  }
+std::string plain_file_content(const std::string& path, std::size_t most) {
+  Input file(path);
+  if (!file.is(S_IFREG)) unreadable(path, "it is not an ordinary file");
+  return file.content(most);
 }
 
 }  // namespace twum::studies

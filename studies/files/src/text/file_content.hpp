@@ -11,11 +11,8 @@ namespace twum::studies {
 /// @throws InputError with the path and the reason: a directory, a device, more than `most` bytes, a pipe without a writer
 std::string file_content(const std::string& path, std::size_t most);
 
-/// The largest file of a results folder that is read as a whole [bytes].
-inline constexpr std::size_t kLargestResult = std::size_t{256} << 20U;
-
-/// Content of a file that this program wrote: an ordinary file of at most kLargestResult bytes.
-/// @throws StoreError with the path and the reason
-std::string written_content(const std::string& path);
+/// The same of a file that is neither a pipe nor standard input.
+/// @throws InputError likewise
+std::string plain_file_content(const std::string& path, std::size_t most);
 
 }  // namespace twum::studies

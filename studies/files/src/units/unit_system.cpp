@@ -179,10 +179,12 @@ std::string unit_form_complaint(std::string_view unit) {
   const std::string_view rest = without_one(unit);
   const bool starts_well =
       !rest.empty() && (is_letter(rest[0]) || rest[0] == '%' || rest[0] == '(');
-  const bool control = std::ranges::any_of(unit, [](unsigned char c) { return c < 0x20 || c == 0x7F; });
+  const bool control =
+      std::ranges::any_of(unit, [](unsigned char c) { return c < 0x20 || c == 0x7F; });
   const bool shift =
       unit.find('@') != std::string_view::npos || unit.find(" from ") != std::string_view::npos;
-  if (unit.size() > kLongestUnit || !starts_well || control || shift || !numbers_are_exponents(rest)) {
+  if (unit.size() > kLongestUnit || !starts_well || control || shift ||
+      !numbers_are_exponents(rest)) {
     return "is not a unit";
   }
   if (product_after_slash(unit)) return "is ambiguous; put parentheses around the denominator";

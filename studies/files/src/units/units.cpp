@@ -158,12 +158,16 @@ void refuse_comma(std::string_view text) {
                          number_prefix(whole) == whole.size();
   const bool points = number.find('.') != std::string_view::npos;
   if (thousands && decimal && !points)
-    throw ValueError(studies::quoted(text) + " has a comma, which may stand for a decimal point or "
-                     "separate thousands", "write " + shown(pointed) + " or " + shown(whole), comma);
+    throw ValueError(studies::quoted(text) +
+                         " has a comma, which may stand for a decimal point or "
+                         "separate thousands",
+                     "write " + shown(pointed) + " or " + shown(whole), comma);
   if (thousands)
-    throw ValueError(studies::quoted(text) + " has commas between thousands", "write " + shown(whole), comma);
+    throw ValueError(studies::quoted(text) + " has commas between thousands",
+                     "write " + shown(whole), comma);
   if (decimal && (!points || number.find('.') < comma))
-    throw ValueError(studies::quoted(text) + " has a decimal comma", "write " + shown(pointed), comma);
+    throw ValueError(studies::quoted(text) + " has a decimal comma", "write " + shown(pointed),
+                     comma);
 }
 
 [[noreturn]] void no_number(std::string_view text, std::span<const Expected> expected) {

@@ -64,13 +64,16 @@ void add_ratio(const std::string& topic, double ratio, double low, double high,
                        " to " + rounded_text(high, 2) + ", where the solver is tested"});
 }
 
-void add_ratios(const MotorDesign& design, const Motor& motor, std::vector<ModelNote>& notes) {
+void add_ratios(const MotorDesign& design, std::vector<ModelNote>& notes) {
   add_ratio("contact_width",
             get(design, Parameter::contact_width) / get(design, Parameter::contact_radius), 0.02,
             0.4, "contact_width / contact_radius", notes);
   add_ratio("static_friction",
             get(design, Parameter::static_friction) / get(design, Parameter::kinetic_friction), 1,
             2, "static_friction / kinetic_friction", notes);
+}
+
+void add_load(const Motor& motor, std::vector<ModelNote>& notes) {
   add_ratio("preload", motor.contact().load_ratio, 1e-6, 10,
             "preload in parts of that of full contact", notes);
 }
@@ -184,15 +187,28 @@ std::vector<ModelNote> model_notes(const Motor& motor) {
   const MotorDesign& design = motor.design();
   std::vector<ModelNote> notes;
   for (const Range& range : kTested) add_range(design, range, notes);
-  add_ratios(design, motor, notes);
+  add_ratios(design, notes);
+  add_load(motor, notes);
   add_contact(design, motor, notes);
   add_modes(design, notes);
   if (!motor.slices_settled())
-    notes.push_back({"slices", 0,
-                     "radial_slices auto found no number of slices that is accurate to 1e-6 and takes " +
-                         std::to_string(std::abs(motor.radial_slices())) +
-                         "; compare with 'radial_slices: 64' before you rely on the third digit"});
+    notes.push_back(
+        {"slices", 0,
+         "radial_slices auto found no number of slices that is accurate to 1e-6 and takes " +
+             std::to_string(std::abs(motor.radial_slices())) +
+             "; compare with 'radial_slices: 64' before you rely on the third digit"});
   return notes;
+}
+
+std::string tested_range_note(const MotorDesign& design, Parameter parameter) {
+  std::vector<ModelNote> notes;
+  for (const Range& range : kTested) add_range(design, range, notes);
+  add_ratios(design, notes);
+  if (parameter == Parameter::preload) add_load(Motor(design), notes);
+  const auto note = std::find_if(notes.begin(), notes.end(), [&](const ModelNote& one) {
+    return one.topic == info(parameter).name;
+  });
+  return note == notes.end() ? std::string() : note->text;
 }
 
 std::string thick_layer_note(const MotorDesign& design) {
@@ -214,7 +230,11 @@ std::vector<ModelNote> model_notes_at_length(const MotorDesign& design) {
   const Motor track(wide);
   std::string text;
   double worst = 0;
-  for (const Metric metric : {Metric::stall_torque, Metric::no_load_speed, Metric::peak_power}) {
+  std::vector<Metric> compared{Metric::stall_torque, Metric::no_load_speed};
+  // Where the torque of each wave may jump, the largest power takes seconds.
+  const bool jumps = design.friction.static_ > design.friction.kinetic;
+  if (!(design.stator.voltage && jumps)) compared.push_back(Metric::peak_power);
+  for (const Metric metric : compared) {
     const double by = change(motor, track, metric);
     if (std::fabs(by) < kMatters) continue;
     worst = std::max(worst, std::fabs(by));

@@ -66,7 +66,8 @@ DesignTable::DesignTable(const CsvReader& reader, const CsvChunk& header, const 
   std::vector<std::string_view> cells;
   const bool well_formed = split_record(header_, cells);
   if (const std::string_view separator = other_separator(header_); !separator.empty()) {
-    wrong.push_back("columns separated by " + std::string(separator) + "; separate them with commas");
+    wrong.push_back("columns separated by " + std::string(separator) +
+                    "; separate them with commas");
     cells.clear();
   } else if (!well_formed) {
     wrong.emplace_back("a quotation mark that cannot stand there; quote whole cells");
@@ -111,8 +112,7 @@ DesignTable::TableColumn DesignTable::parameter_column(const std::string& text,
   const bool letter = heading.name.size() == 1;
   if (is_bare_letter(heading))
     throw ValueError(bare_letter_words(heading.name, row), bare_letter_advice(row));
-  if (letter)
-    warnings_.push_back("column " + quoted(text) + " sets " + std::string(row.name));
+  if (letter) warnings_.push_back("column " + quoted(text) + " sets " + std::string(row.name));
   if (!heading.has_unit && row.unit != "1")
     without_unit_.push_back(std::string(heading.name) + " [" + std::string(row.unit) + "]");
   const Scale scale =
@@ -133,8 +133,9 @@ void DesignTable::warn_of_copy(const std::string& text) {
   if (near.empty() && !begins) return;
   const ParameterInfo& row = info(near.empty() ? *begins : *find_parameter(near));
   if (near.empty() && row.symbol == first_word(text)) return;  // a word that happens to be a symbol
-  warnings_.push_back("column " + quoted(text) + " is not a parameter and is only copied; did you mean '" +
-                      heading_of(row) + "'?");
+  warnings_.push_back("column " + quoted(text) +
+                      " is not a parameter and is only copied; did you mean '" + heading_of(row) +
+                      "'?");
 }
 
 // True for a column that the result computes itself, as in the result of an earlier run.

@@ -55,7 +55,8 @@ class ColumnReader {
     std::optional<MeasuredColumn> column = column_of(std::string(parts.name));
     if (column && column->role == ColumnRole::parameter && is_bare_letter(parts)) {
       const ParameterInfo& row = info(column->parameter);
-      diagnostics_.add(heading.mark, "", bare_letter_words(parts.name, row), bare_letter_advice(row));
+      diagnostics_.add(heading.mark, "", bare_letter_words(parts.name, row),
+                       bare_letter_advice(row));
       unknown_ = true;
     }
     if (!column) {

@@ -46,7 +46,8 @@ struct MeasuredPoints {
   std::vector<MeasuredPoint> points;
   std::vector<std::string>
       without_unit;  ///< headings without a unit, and the SI unit they are read in: "torque [N.m]"
-  std::vector<std::string> by_letter{};  ///< columns that set a parameter by a letter: "h sets thickness"
+  std::vector<std::string>
+      by_letter{};  ///< columns that set a parameter by a letter: "h sets thickness"
   std::vector<std::pair<Parameter, SourceMark>> set{};  ///< columns of parameters that were set
 };
 

@@ -14,7 +14,9 @@ std::optional<Parameter> parameter_named(std::string_view name) {
   return {};
 }
 
-bool is_bare_letter(const Heading& heading) { return heading.name.size() == 1 && !heading.has_unit; }
+bool is_bare_letter(const Heading& heading) {
+  return heading.name.size() == 1 && !heading.has_unit;
+}
 
 std::string bare_letter_words(std::string_view letter, const ParameterInfo& row) {
   return "the letter " + quoted(letter) + " alone does not say whether " + std::string(row.name) +

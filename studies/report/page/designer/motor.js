@@ -192,7 +192,7 @@ function missingEntries(motor, tables) {
   return Object.entries(tables.parameters)
       .filter(
           ([name, row]) => row.required && motor.values[name] === undefined &&
-              (row.alternative === null || motor.values[row.alternative] === undefined) &&
+              (!row.alternative || motor.values[row.alternative] === undefined) &&
               !(drawn && name === 'neutral_plane_distance'))
       .map(([, row]) => row.entry);
 }

@@ -94,37 +94,44 @@ bool stated(const MotorDesign& design, const MotorDesign& wide, Parameter parame
          in_use(wide, parameter);
 }
 
+// Without entries that are false or null, for which the page takes those that are missing.
+Json only_true(Json row) {
+  for (auto entry = row.begin(); entry != row.end();)
+    entry = entry->is_null() || *entry == false ? row.erase(entry) : std::next(entry);
+  return row;
+}
+
 }  // namespace
 
 Json parameters_json() {
   Json json = Json::object();
   for (const ParameterInfo& row : parameter_table())
-    json[std::string(row.name)] = {
-        {"symbol", row.symbol},
-        {"unit", row.unit},
-        {"text", row.text},
-        {"integer", row.integer},
-        {"part", row.file_entry.substr(0, row.file_entry.find('.'))},
-        {"entry", row.file_entry},
-        {"min", row.min},
-        {"max", row.max},
-        {"typical", typical(row)},
-        {"required", row.required && row.file_entry.find("geometry") == std::string_view::npos},
-        {"alternative",
-         row.alternative ? Json(std::string(info(*row.alternative).name)) : Json(nullptr)}};
+    json[std::string(row.name)] = only_true(
+        {{"symbol", row.symbol},
+         {"unit", row.unit},
+         {"text", row.text},
+         {"integer", row.integer},
+         {"part", row.file_entry.substr(0, row.file_entry.find('.'))},
+         {"entry", row.file_entry},
+         {"min", row.min},
+         {"max", row.max},
+         {"typical", typical(row)},
+         {"required", row.required && row.file_entry.find("geometry") == std::string_view::npos},
+         {"alternative",
+          row.alternative ? Json(std::string(info(*row.alternative).name)) : Json(nullptr)}});
   return json;
 }
 
 Json metrics_json() {
   Json json = Json::object();
   for (const MetricInfo& row : metric_table())
-    json[std::string(row.name)] = {
-        {"unit", row.unit},
-        {"text", row.text},
-        {"argument", argument_word(row.argument)},
-        {"share", row.unit == "1" && row.name.find("efficiency") != std::string_view::npos},
-        {"modes", row.needs_modes},
-        {"geometry", row.needs_geometry}};
+    json[std::string(row.name)] = only_true(
+        {{"unit", row.unit},
+         {"text", row.text},
+         {"argument", argument_word(row.argument)},
+         {"share", row.unit == "1" && row.name.find("efficiency") != std::string_view::npos},
+         {"modes", row.needs_modes},
+         {"geometry", row.needs_geometry}});
   return json;
 }
 

@@ -55,16 +55,18 @@ std::vector<std::string> copy_notes(const std::vector<MeasuredPoints>& tables,
   for (std::size_t k = 1; k < tables.size(); ++k)
     for (std::size_t i = 0; i < k; ++i) {
       if (!std::ranges::equal(tables[i].points, tables[k].points, same_reading)) continue;
-      notes.push_back(names[k] + " holds the same numbers as " + names[i] +
-                      ", so that each counts twice and intervals are too narrow; leave one of them out "
-                      "unless the numbers were measured twice");
+      notes.push_back(
+          names[k] + " holds the same numbers as " + names[i] +
+          ", so that each counts twice and intervals are too narrow; leave one of them out "
+          "unless the numbers were measured twice");
       break;
     }
   return notes;
 }
 
 // The same file by any path.
-void refuse_file_twice(const std::vector<std::string>& names, const std::vector<std::string>& paths) {
+void refuse_file_twice(const std::vector<std::string>& names,
+                       const std::vector<std::string>& paths) {
   std::error_code ignored;
   for (std::size_t k = 1; k < paths.size(); ++k)
     for (std::size_t i = 0; i < k; ++i)

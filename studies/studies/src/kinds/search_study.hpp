@@ -77,9 +77,9 @@ class SearchRun : public StudyKindRun {
   bool is_chosen(Parameter parameter) const;
 
   DesignProblem problem_;
-  MotorDesign before_;        // the motor of the file or of `start:`, its slices those of the search
+  MotorDesign before_;  // the motor of the file or of `start:`, its slices those of the search
   std::optional<MotorDesign> started_;  // the motor of `start:`
-  std::string limits_entry_;  // entry with the limits in a study of this kind
+  std::string limits_entry_;            // entry with the limits in a study of this kind
   // parameters that are not variables: changed by the start, or the number of slices
   std::vector<Parameter> extra_parameters_;
   bool counts_slices_;

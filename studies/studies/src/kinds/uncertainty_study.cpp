@@ -83,7 +83,8 @@ EarlierDesign start_design(const StudyFile& file, const std::string& start) {
 }
 
 // What tells the varied motor from others: the varied parameters and those of the earlier design.
-std::vector<Parameter> nominal_parameters(const UncertaintyStudy& asked, const EarlierDesign& start) {
+std::vector<Parameter> nominal_parameters(const UncertaintyStudy& asked,
+                                          const EarlierDesign& start) {
   std::vector<Parameter> list = parameters_of(asked.variables);
   for (const auto& [parameter, value] : start)
     if (std::find(list.begin(), list.end(), parameter) == list.end()) list.push_back(parameter);
@@ -151,8 +152,8 @@ class UncertaintyRun : public StudyKindRun {
     result.confidence = kConfidence;
     result.start = start_folder_;
     for (const Parameter parameter : nominal_)
-      result.nominal.push_back({std::string(info(parameter).name), std::string(info(parameter).unit),
-                                get(design_, parameter)});
+      result.nominal.push_back({std::string(info(parameter).name),
+                                std::string(info(parameter).unit), get(design_, parameter)});
     const std::vector<StoredColumn> all = columns();
     const auto metrics = all.begin() + static_cast<std::ptrdiff_t>(variables());
     result.variables.assign(all.begin(), metrics);

@@ -43,14 +43,17 @@ bool reversed_signs(const CalibrateResult& result, Notes& notes) {
   };
   constexpr double kMost = 0.5;
   const bool negative = share([](const auto& point) { return point.value < 0; }) > kMost;
-  const bool opposite = share([](const auto& point) { return point.value * point.fitted <= 0; }) > kMost;
+  const bool opposite =
+      share([](const auto& point) { return point.value * point.fitted <= 0; }) > kMost;
   if (!negative || !opposite) return false;
   const bool backward = share([](const auto& point) { return point.at < 0; }) > kMost;
-  notes.push_back(backward
-                      ? "The signs of speed and torque look reversed: both are negative at most points. Give "
-                        "both as positive numbers where the motor drives."
-                      : "The signs of torque look reversed: most are negative, where the motor drives. A torque is "
-                        "positive where the motor drives its load.");
+  notes.push_back(
+      backward
+          ? "The signs of speed and torque look reversed: both are negative at most points. Give "
+            "both as positive numbers where the motor drives."
+          : "The signs of torque look reversed: most are negative, where the motor drives. A "
+            "torque is "
+            "positive where the motor drives its load.");
   return true;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "results/stored_summary.hpp"
 
-#include "text/file_content.hpp"
+#include "store/written_content.hpp"
 
 #include <twum/studies/store/result_store.hpp>
 
@@ -18,7 +18,8 @@ constexpr int kDeepest = 64;  // levels; a summary has about ten
 
 Json parsed(const std::string& path) {
   const auto level = [&](int depth, Json::parse_event_t, Json&) {
-    if (depth > kDeepest) refuse(path, "it is nested more than " + std::to_string(kDeepest) + " levels deep");
+    if (depth > kDeepest)
+      refuse(path, "it is nested more than " + std::to_string(kDeepest) + " levels deep");
     return true;
   };
   return Json::parse(written_content(path), level, false);

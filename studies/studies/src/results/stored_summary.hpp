@@ -20,7 +20,8 @@ auto from_summary(const std::string& path, Use use) {
   try {
     return use();
   } catch (const nlohmann::json::exception&) {
-    throw StoreError(path + ": is damaged: an entry is missing or of another type than twum writes");
+    throw StoreError(path +
+                     ": is damaged: an entry is missing or of another type than twum writes");
   }
 }
 

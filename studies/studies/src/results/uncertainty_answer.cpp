@@ -124,7 +124,8 @@ std::string yield_text(const UncertaintyResult& result) {
 std::string listed(const std::vector<NamedValue>& values) {
   std::string text;
   for (const NamedValue& value : values)
-    text += (text.empty() ? "" : ", ") + value.name + " " + parameter_text(value.name, value.value, value.unit);
+    text += (text.empty() ? "" : ", ") + value.name + " " +
+            parameter_text(value.name, value.value, value.unit);
   return text;
 }
 

@@ -44,7 +44,8 @@ std::unique_ptr<std::FILE, CloseFile> new_file(const std::string& path) {
   if (::unlink(path.c_str()) != 0 && errno != ENOENT) return nullptr;
   const int descriptor =
       ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
-  return std::unique_ptr<std::FILE, CloseFile>(descriptor < 0 ? nullptr : ::fdopen(descriptor, "wb"));
+  return std::unique_ptr<std::FILE, CloseFile>(descriptor < 0 ? nullptr
+                                                              : ::fdopen(descriptor, "wb"));
 }
 
 // Whether a file has the header of an SQLite file of this program. An empty file counts as well: its creation was

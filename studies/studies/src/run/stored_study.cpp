@@ -4,8 +4,8 @@
 #include "kinds/executor.hpp"
 #include "results/stored_summary.hpp"
 #include "run/kept_study.hpp"
+#include "store/written_content.hpp"
 #include "study/resolved_study.hpp"
-#include "text/file_content.hpp"
 
 #include <twum/base/error.hpp>
 #include <twum/studies/run/stored_result.hpp>
@@ -63,7 +63,8 @@ void copy_file(const fs::path& from, const fs::path& to, const std::stop_token& 
   std::ifstream source(from, std::ios::binary);
   std::ofstream copy(to, std::ios::binary);
   std::vector<char> piece(std::size_t{4} << 20U);
-  while (source.read(piece.data(), static_cast<std::streamsize>(piece.size())) || source.gcount() > 0) {
+  while (source.read(piece.data(), static_cast<std::streamsize>(piece.size())) ||
+         source.gcount() > 0) {
     if (stop.stop_requested()) throw Interrupted();
     copy.write(piece.data(), source.gcount());
   }

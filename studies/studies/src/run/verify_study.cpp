@@ -27,10 +27,9 @@ Verification verify_study(const std::string& directory, const VerifyOptions& opt
     return found;
   }
   const FailureCount failures = verify_table(kind, store, folder.file(ResultFolder::kTable), found);
-  StudyResult result =
-      result_of(file, kind, store, from_summary(path, [&] {
-                  return verify_answer(kind, store, summary, options.stop, found);
-                }));
+  StudyResult result = result_of(file, kind, store, from_summary(path, [&] {
+                                   return verify_answer(kind, store, summary, options.stop, found);
+                                 }));
   result.study = found.study;
   set_failures(result, failures);
   from_summary(path, [&] { verify_record(result, summary, found); });

@@ -80,7 +80,8 @@ std::string missing_for(const MotorDesign& motor, Metric metric) {
   if (row.needs_geometry && !motor.stator.geometry)
     return "the geometry of the stator; give 'geometry' under 'stator' in the motor file";
   if (row.needs_modes && !has_modal_data(motor))
-    return "modal data; give resonance_frequency, modal_mass, force_factor and quality_factor, or a "
+    return "modal data; give resonance_frequency, modal_mass, force_factor and quality_factor, or "
+           "a "
            "geometry, under 'stator' in the motor file";
   const bool signal = metric == Metric::sensor_voltage_at || metric == Metric::sensor_phase_at;
   if (signal && !motor.stator.sensor)
@@ -94,9 +95,10 @@ std::string missing_for(const MotorDesign& motor, Metric metric) {
 }
 
 // Calls `use` with every metric that is named in a text, and its place there.
-void for_each_metric(std::string_view text,
-                     const std::function<void(Metric, std::size_t)>& use) {
-  const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+void for_each_metric(std::string_view text, const std::function<void(Metric, std::size_t)>& use) {
+  const auto in_word = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+  };
   for (std::size_t at = 0; at < text.size();) {
     if (!in_word(text[at])) {
       ++at;
@@ -150,7 +152,8 @@ std::optional<MotorDesign> varied_motor(const std::vector<Ends>& ranges, const M
   } catch (const InputError& error) {
     const std::string text = error.what();
     const std::size_t needs = text.find(" needs ");
-    if (needs == std::string::npos) return {};  // values that do not fit each other; a search finds others
+    if (needs == std::string::npos)
+      return {};  // values that do not fit each other; a search finds others
     const auto parameter = find_parameter(text.substr(0, needs));
     const YamlEntry* entry = parameter ? entry_of(variables, *parameter) : nullptr;
     if (entry == nullptr) return {};
@@ -164,8 +167,7 @@ std::optional<MotorDesign> varied_motor(const std::vector<Ends>& ranges, const M
 // The note on the value of a parameter beyond the tested range; empty if there is none.
 std::string range_note(const MotorDesign& motor, Parameter parameter, double value) {
   try {
-    for (const ModelNote& note : model_notes(with(motor, parameter, value)))
-      if (note.topic == info(parameter).name) return note.text;
+    return tested_range_note(with(motor, parameter, value), parameter);
   } catch (const InputError&) {
   } catch (const EvaluationError&) {
   }
@@ -182,7 +184,8 @@ std::string usual_spelling(const MotorDesign& motor, const Ends& range, double v
     std::string_view sign;
     double factor;
   };
-  constexpr Prefix kPrefixes[] = {{"n", 1e-9}, {"u", 1e-6}, {"m", 1e-3}, {"", 1}, {"k", 1e3}, {"M", 1e6}, {"G", 1e9}};
+  constexpr Prefix kPrefixes[] = {{"n", 1e-9}, {"u", 1e-6}, {"m", 1e-3}, {"", 1},
+                                  {"k", 1e3},  {"M", 1e6},  {"G", 1e9}};
   const std::string_view base = info(range.parameter).unit;
   for (const Prefix& own : kPrefixes) {
     if (unit != std::string(own.sign) + std::string(base)) continue;
@@ -198,7 +201,8 @@ std::string usual_spelling(const MotorDesign& motor, const Ends& range, double v
 
 void check_defined(const Study& study, const MotorDesign& motor, const YamlNode& root,
                    Diagnostics& diagnostics) {
-  if (starts_from_result(study)) return;  // the motor of the other study, checked when this one runs
+  if (starts_from_result(study))
+    return;  // the motor of the other study, checked when this one runs
   const YamlNode& node = *root.find("study");
   static const YamlNode kNothing;
   const YamlNode* variables = node.find("variables");
@@ -222,7 +226,8 @@ std::vector<std::string> range_notes(const Study& study, const MotorDesign& moto
   if (variables == nullptr) return notes;
   for (const Ends& range : ranges_of(study, motor)) {
     const YamlEntry* entry = entry_of(*variables, range.parameter);
-    if (entry == nullptr || !range_note(motor, range.parameter, get(motor, range.parameter)).empty())
+    if (entry == nullptr ||
+        !range_note(motor, range.parameter, get(motor, range.parameter)).empty())
       continue;
     for (const auto& [name, value] : {std::pair{"min", range.min}, {"max", range.max}}) {
       const std::string note = range_note(motor, range.parameter, value);

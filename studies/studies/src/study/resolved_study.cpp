@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "study/resolved_study.hpp"
 
+#include "store/written_content.hpp"
 #include "study/choice_shape.hpp"
 #include "study/study_kinds.hpp"
 #include "text/checksum.hpp"
@@ -181,14 +182,15 @@ ResolvedStudy resolve(const StudyFile& file) {
   result.study = complete(typed ? file.study : result.meaning, shape.schema, {});
   for (const shapes::SetFile& file_of_set : shapes::set_files(result.study)) {
     const std::string path = (fs::path(file.folder) / file_of_set.path->scalar).string();
-    result.files.push_back({file_of_set.entry, path, hex(checksum(file_content(path, kLargestResult)))});
+    result.files.push_back(
+        {file_of_set.entry, path, hex(checksum(file_content(path, kLargestResult)))});
   }
   for (const PathEntry& entry : path_entries(result.study)) {
     const std::string path = (fs::path(file.folder) / entry.node->scalar).string();
     const std::string content =
-        entry.name == "start"
-            ? without_times(file_content((fs::path(path) / "summary.json").string(), kLargestResult))
-            : file_content(path, kLargestResult);
+        entry.name == "start" ? without_times(file_content(
+                                    (fs::path(path) / "summary.json").string(), kLargestResult))
+                              : file_content(path, kLargestResult);
     result.files.push_back({entry.name, path, hex(checksum(content))});
   }
   return result;
