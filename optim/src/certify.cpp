@@ -22,6 +22,7 @@ using Eigen::Index;
 
 // Scaled slack within which a limit counts as active. Multiplier times slack is then checked as complementarity.
 constexpr double kActivity = 1e-6;
+constexpr double kShallow = 1e-4;  // of the Hessian: curvature that a step of 1e-2 may outrun
 // Relative to the Hessian and to the gradient: curvature above the error of the differences, and clearly so.
 constexpr double kZero = 1e-6;
 constexpr double kClear = 10.0;
@@ -236,15 +237,16 @@ class Certifier {
       certificate().findings.push_back({Degeneracy::negative_curvature,
                                         "stationary, but the objective falls to second order",
                                         {}});
-    for (Index j = 0; j < cone.flat.cols(); ++j) {
-      name_flat_direction(cone.flat.col(j));
-      probe_both_ways(base, cone.flat.col(j));
-    }
+    for (Index j = 0; j < cone.flat.cols(); ++j) name_flat_direction(cone.flat.col(j));
+    // Beside an inflection the curvature is small, but not zero: the third order decides.
+    const Eigen::MatrixXd shallow =
+        cone_curvature(*hessian_, limits_, std::max(zero, kShallow * largest)).flat;
+    for (Index j = 0; j < shallow.cols(); ++j) probe_both_ways(base, shallow.col(j));
     certificate().second_order = cone.decided && !falls && !result_.better;
   }
 
   void probe_both_ways(const ProbeBase& base, const Eigen::VectorXd& direction) {
-    constexpr std::size_t kSteps = 6;
+    constexpr std::size_t kSteps = 15;
     for (const double sign : {1.0, -1.0}) {
       if (result_.better || session_.left() < kSteps) return;
       const Eigen::VectorXd d = sign * direction;

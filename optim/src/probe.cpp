@@ -12,6 +12,8 @@ namespace {
 using Eigen::Index;
 
 class Probe {
+  static constexpr int kCorrections = 4;  // Newton's steps back to curved limits
+
  public:
   Probe(Session& session, const Scaling& scaling, const ProbeBase& base)
       : session_(session), scaling_(scaling), base_(base) {}
@@ -22,12 +24,13 @@ class Probe {
       longest = std::max(longest, std::abs(direction[k]) / base_.point.reach[at(k)]);
     if (!(longest > 0.0)) return std::nullopt;
     for (const double step : {1e-2, 1e-1, 1e-3}) {
-      if (session_.left() < 2) return std::nullopt;
-      const auto there = moved(session_, scaling_, base_.point, step / longest * direction);
-      if (!there || !there->jacobian.allFinite()) continue;
-      if (better(*there)) return there->design;
-      const auto across = moved(session_, scaling_, *there, correction(*there, direction));
-      if (across && better(*across)) return across->design;
+      if (session_.left() < 1) return std::nullopt;
+      auto there = moved(session_, scaling_, base_.point, step / longest * direction);
+      for (int i = 0; there && there->jacobian.allFinite(); ++i) {
+        if (better(*there)) return there->design;
+        if ((i > 0 && keeps_limits(*there)) || i == kCorrections || session_.left() < 1) break;
+        there = moved(session_, scaling_, *there, correction(*there, direction));
+      }
     }
     return std::nullopt;
   }
@@ -51,10 +54,13 @@ class Probe {
     return (maximize ? -1.0 : 1.0) * scaling_.factor(0) * p.evaluation.values[0];
   }
 
+  bool keeps_limits(const KktPoint& p) const {
+    return p.violation <=
+           std::max(base_.point.violation, 0.01 * session_.options().feasibility_tolerance);
+  }
+
   bool better(const KktPoint& p) const {
-    const double allowed =
-        std::max(base_.point.violation, 0.01 * session_.options().feasibility_tolerance);
-    return p.violation <= allowed && objective(p) < objective(base_.point) - base_.enough;
+    return keeps_limits(p) && objective(p) < objective(base_.point) - base_.enough;
   }
 
   Session& session_;

@@ -13,8 +13,8 @@ struct ProbeBase {
   double enough;  ///< by how much a scaled objective has to fall to be better
 };
 
-/// Looks for a better design along a direction: a few steps, each followed by a Newton step across the direction, which
-/// also returns to the limits. A better design breaks no limit by more than a hundredth of its tolerance, or than the
+/// Looks for a better design along a direction: a few steps, each followed by Newton steps across the direction until
+/// the limits are kept again. A better design breaks no limit by more than a hundredth of its tolerance, or than the
 /// point does. @throws Stop
 std::optional<std::vector<double>> descent(Session& session, const Scaling& scaling,
                                            const ProbeBase& base, const Eigen::VectorXd& direction);
