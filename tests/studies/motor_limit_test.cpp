@@ -126,3 +126,21 @@ TEST_CASE("a wrong constraint says where, what and what would be right",
         "17: a tolerance that is not positive; an equality has a tolerance, such as "
         "'no_load_speed == 150 rpm +- 3 rpm'");
 }
+
+TEST_CASE("a tolerance of a limit is a quantity of its dimension, zero or more",
+          "[studies][metrics][error]") {
+  const auto refused = [](std::string_view tolerance) -> std::string {
+    try {
+      with_tolerance(parse_limit("stall_torque >= 0.5 N.m"), tolerance);
+    } catch (const ValueError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  using Catch::Matchers::Contains;
+  CHECK(refused("0 N.m") == "accepted");
+  CHECK(with_tolerance(parse_limit("stall_torque >= 0.5 N.m"), "2 mN.m").tolerance == 2e-3);
+  CHECK_THAT(refused("-1 N.m"), Contains("'-1 N.m' is negative"));
+  CHECK_THAT(refused("0.1 * stall_torque"), Contains("depends on the motor"));
+  CHECK_THAT(refused("1 rpm"), Contains("needs the same dimension"));
+}

@@ -45,7 +45,7 @@ constexpr std::array<MetricInfo, kMetricCount> kMetricTable{{
     {M::speed_at_max_overall_efficiency, "speed_at_max_overall_efficiency", "rad/s", A::none,
      "speed of the largest overall efficiency", kModes},
     {M::pull_out_torque, "pull_out_torque", "N.m", A::none,
-     "torque at the lowest speed at which the voltage sustains a running wave", kModes},
+     "torque at the fold at which the running branch ends under load", kModes},
     {M::start_voltage, "start_voltage", "V", A::none,
      "voltage above which the motor starts by itself from rest, rms; 0 where there is one wave at "
      "every "

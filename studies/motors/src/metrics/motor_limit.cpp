@@ -139,6 +139,8 @@ MotorLimit equality(std::string_view text, const Sign& sign) {
   return limit;
 }
 
+constexpr const char* kSizeOfTolerance = "expected a quantity such as '1e-4 N.m'";
+
 }  // namespace
 
 double MotorLimit::excess(double value) const {
@@ -155,13 +157,12 @@ MotorLimit with_tolerance(MotorLimit limit, std::string_view tolerance) {
   const Piece piece{tolerance, 0, tolerance.size()};
   const MetricExpression amount = piece.side();
   if (!amount.formula.constant())
-    throw ValueError("a tolerance " + quoted(trimmed(tolerance)) + " that depends on the motor",
-                     "expected a quantity such as '1e-4 N.m'", 0);
+    throw ValueError(quoted(trimmed(tolerance)) + " depends on the motor", kSizeOfTolerance, 0);
   require_same_dimension(limit.metric.formula, amount.formula, "tolerance", 0);
   limit.tolerance = constant(amount);
   limit.tolerance_text = trimmed(tolerance);
   if (!(limit.tolerance >= 0))
-    throw ValueError("a tolerance that is negative", "expected a quantity such as '1e-4 N.m'", 0);
+    throw ValueError(quoted(trimmed(tolerance)) + " is negative", kSizeOfTolerance, 0);
   return limit;
 }
 
