@@ -20,6 +20,7 @@ constexpr std::uint64_t kProductsOfALastRound = 16384;
 // upper limit; the sample decides nothing
 constexpr std::uint64_t kMostProductsOfALargest = 100'000;
 constexpr std::uint64_t kProductsOfAPrice = 4096;
+const YieldPrice kNoPrice{1.0, std::numeric_limits<double>::quiet_NaN()};
 constexpr double kPricedYields[] = {0.9, 0.95, 0.98, 0.99, 0.995, 0.999};
 
 class RobustSolve {
@@ -42,7 +43,8 @@ class RobustSolve {
   RobustResult run() {
     std::vector<double> risks = options_.back_off ? aimed_risks(problem_) : wanted_;
     SolvedRound solved = search_.first_round(problem_.goals, risks);
-    if (!stopped(solved) && solved.feasible()) solved = search_.corrected(std::move(solved));
+    if (!stopped(solved) && solved.feasible() && search_.risks_bind(solved))
+      solved = search_.corrected(std::move(solved));
     if (!stopped(solved) && !solved.feasible()) solved = largest_yield(risks);
     if (stopped(solved) || solved.result.design.empty()) {
       result_.outcome = search_.stopped() ? Outcome::budget : solved.result.outcome;
@@ -88,7 +90,8 @@ class RobustSolve {
     std::vector<YieldPrice> list;
     if (problem_.yields.empty() || is_goal(0) || !options_.price_yields) return list;
     std::vector<double> risks = wanted_;
-    const YieldPrice largest = largest_price(solved, risks);
+    const YieldPrice largest =
+        all_are_free(solved, risks) ? kNoPrice : largest_price(solved, risks);
     SolvedRound last = solved;
     for (const double yield : kPricedYields) {
       risks.front() = 1.0 - yield;
@@ -104,18 +107,26 @@ class RobustSolve {
     return list;
   }
 
+  // No product fails, and no risk holds the goal back at the largest of the yields.
+  bool all_are_free(const SolvedRound& solved, std::vector<double> risks) {
+    const YieldEstimate& seen = result_.verification.yields.front();
+    if (seen.good < seen.products || search_.risks_bind(solved)) return false;
+    risks.front() = 1.0 - *std::rbegin(kPricedYields);
+    const SolvedRound strictest = search_.solve_again(solved, problem_.goals, risks);
+    return strictest.feasible() && !search_.risks_bind(strictest);
+  }
+
   YieldPrice largest_price(const SolvedRound& solved, const std::vector<double>& risks) {
     const SolvedRound largest =
         solved.round->seeks_yield() ? solved : priced(solved, {{RobustGoal::yield, 0}}, risks);
-    if (search_.stopped() || !largest.feasible())
-      return {1.0, std::numeric_limits<double>::quiet_NaN()};
+    if (search_.stopped() || !largest.feasible()) return kNoPrice;
     return {1.0 - search_.last_risk().any, search_.goal_at(largest)};
   }
 
   SolvedRound priced(const SolvedRound& from, const std::vector<RobustObjective>& goals,
                      const std::vector<double>& risks) {
     SolvedRound next = search_.solve_again(from, goals, risks);
-    return next.feasible() && !search_.stopped()
+    return next.feasible() && !search_.stopped() && search_.risks_bind(next)
                ? search_.correct_once(next, kProductsOfAPrice, kReplicateOfAPrice)
                : next;
   }
@@ -213,10 +224,14 @@ RobustResult solve_robust(const RobustProblem& problem, const RobustOptions& opt
 
 Verification verify_design(const RobustProblem& problem, std::span<const double> design,
                            std::uint64_t products, const RobustOptions& options,
-                           std::uint64_t stream) {
+                           std::uint64_t stream, double width) {
   validate_robust(problem);
   const RobustSearch search(problem, options);
-  return verify_products(problem, search.terms(), design, search.plan(products, 0), stream);
+  const auto known = [width](const std::vector<YieldEstimate>& yields) {
+    return std::all_of(yields.begin(), yields.end(),
+                       [width](const YieldEstimate& y) { return y.high - y.low < width; });
+  };
+  return verify_products(problem, search.terms(), design, search.plan(products, 0), stream, known);
 }
 
 RobustResult solve_form(const RobustProblem& problem, const RobustOptions& options) {

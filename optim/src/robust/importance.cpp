@@ -95,6 +95,7 @@ ImportanceSample draw_importance(const RobustProblem& problem, const RobustTerms
           sample.margins.push_back(std::move(product.margins));
           sample.normals.push_back(std::move(product.z));
         }
+        if (plan.sampled) plan.sampled(sample.weights.size(), plan.products);
       });
   sample.complete = made == plan.products;
   return sample;

@@ -14,6 +14,8 @@ struct SamplePlan {
   std::uint64_t replicate{0};
   unsigned jobs{1};
   std::function<bool()> proceed{};  ///< called between products; false ends the sample early
+  /// called with the number of products made so far and that of the sample, by one thread at a time
+  std::function<void(std::uint64_t, std::uint64_t)> sampled{};
 };
 
 /// Margins of products drawn about the worst points, U4.1 and U4.2.

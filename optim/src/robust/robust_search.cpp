@@ -84,6 +84,14 @@ YieldVerdict worst_verdict(const RobustProblem& problem, const Verification& see
   return worst;
 }
 
+// U5.3a
+bool all_far_above_wanted(const RobustProblem& problem, const std::vector<YieldEstimate>& yields) {
+  for (std::size_t s = 0; s < yields.size(); ++s)
+    if (is_goal(problem, s) || 1.0 - yields[s].low >= 0.5 * (1.0 - problem.yields[s].at_least))
+      return false;
+  return true;
+}
+
 std::uint64_t products_for_rarest(const std::vector<double>& risks) {
   constexpr double kWithoutYield = 0.01;
   const double rarest =
@@ -99,7 +107,7 @@ RobustSearch::RobustSearch(const RobustProblem& problem, const RobustOptions& op
 
 SamplePlan RobustSearch::plan(std::uint64_t products, std::uint64_t replicate) const {
   return {products, options_.solve.seed, replicate, static_cast<unsigned>(options_.solve.threads),
-          [this] { return !stopped(); }};
+          [this] { return !stopped(); }, options_.sampled};
 }
 
 std::vector<std::vector<double>> RobustSearch::starts() const {
@@ -243,7 +251,10 @@ Certificate RobustSearch::certified(const SolvedRound& solved) const {
 
 Verification RobustSearch::verified(const SolvedRound& solved, std::uint64_t products,
                                     std::uint64_t run) const {
-  Verification seen = verify_products(problem_, terms_, design(solved), plan(products, 0), run);
+  Verification seen = verify_products(problem_, terms_, design(solved), plan(products, 0), run,
+                                      [this](const std::vector<YieldEstimate>& yields) {
+                                        return all_far_above_wanted(problem_, yields);
+                                      });
   if (!wants_rare(problem_) || stopped()) return seen;
   const RobustRound& round = *solved.round;
   const auto& y = solved.result.design;
@@ -278,6 +289,25 @@ double RobustSearch::moved(const SolvedRound& from, const SolvedRound& to) const
     most = std::max(most, std::abs(unit(v, from.result.design[k]) - unit(v, to.result.design[k])));
   }
   return most;
+}
+
+// Where the multipliers are not known, they may be more than 0. A correction changes goals other than nominal ones.
+bool RobustSearch::risks_bind(const SolvedRound& solved) const {
+  const Certificate& certificate = solved.result.certificate;
+  const auto& goals = solved.round->goals();
+  const bool nominal = std::all_of(goals.begin(), goals.end(), [](const RobustObjective& goal) {
+    return goal.kind == RobustGoal::nominal;
+  });
+  if (!certificate.passed || !nominal) return true;
+  const auto& own = problem_.design.constraints;
+  return std::any_of(
+      certificate.limits.begin(), certificate.limits.end(), [&](const Activity& limit) {
+        const bool of_design = limit.is_bound ||
+                               std::any_of(own.begin(), own.end(), [&](const Constraint& c) {
+                                 return c.name == limit.name;
+                               });
+        return !of_design && limit.active && limit.multiplier != 0.0;
+      });
 }
 
 // U4.4

@@ -30,6 +30,9 @@ std::vector<double> backed_off(const RobustProblem& problem, std::vector<double>
                                const Verification& seen);
 /// The verdict on the target with the worst result, U5.3.
 YieldVerdict worst_verdict(const RobustProblem& problem, const Verification& seen);
+/// Whether the intervals of all yields show less than half of the risk that is allowed: more products would not change
+/// the verdict, U5.3a. False if a yield is a goal.
+bool all_far_above_wanted(const RobustProblem& problem, const std::vector<YieldEstimate>& yields);
 /// Number of independent products needed for the rarest of these risks, U5.1.
 std::uint64_t products_for_rarest(const std::vector<double>& risks);
 
@@ -48,6 +51,8 @@ class RobustSearch {
                           const std::vector<double>& risks);
   /// U4.5: alternates samples and rounds until the sampled risk equals the one aimed at.
   SolvedRound corrected(SolvedRound solved);
+  /// Whether a limit that scatters holds the goal back at a solved round, so that the answer rests on its risk.
+  bool risks_bind(const SolvedRound& solved) const;
   /// One correction with a sample of this size, followed by one round.
   SolvedRound correct_once(const SolvedRound& solved, std::uint64_t products,
                            std::uint64_t replicate);

@@ -38,6 +38,9 @@ Evaluation fresh_product(const RobustProblem& problem, std::span<const double> x
   }
 }
 
+// Parts of a sample after whose first one, and after every doubling of it, the rest may be left out.
+constexpr std::uint64_t kParts = 32;
+
 // U6.6: d/ds of a normal density is (z^2 - 1) / s of it, so that 1 % less of every spread changes the share of the good ones
 // by the mean of (z_k^2 - 1) / 100 over the failing products. No derivative of a response is needed.
 class TighterYields {
@@ -69,52 +72,98 @@ class TighterYields {
   std::vector<double> sums_, squares_;
 };
 
-}  // namespace
+// Counts products in the order in which they are made.
+class CountedProducts {
+ public:
+  CountedProducts(const RobustProblem& problem, const RobustTerms& terms, std::span<const double> x,
+                  const SamplePlan& plan, std::uint64_t run)
+      : problem_(problem),
+        terms_(terms),
+        x_(x),
+        plan_(plan),
+        run_(run),
+        good_(terms.of_target.size(), 0),
+        failed_(terms.terms.size(), 0),
+        tighter_(problem) {
+    found_.values.resize(problem.limits.size());
+  }
 
-Verification verify_products(const RobustProblem& problem, const RobustTerms& terms,
-                             std::span<const double> x, const SamplePlan& plan, std::uint64_t run) {
-  Verification found;
-  std::vector<std::uint64_t> term_failures(terms.terms.size(), 0);
-  found.values.resize(problem.limits.size());
-  std::vector<std::uint64_t> good(terms.of_target.size(), 0);
-  TighterYields tighter(problem);
-  std::uint64_t next = 0;
-  const auto count = [&](const Evaluation& answer) {
-    const std::uint64_t index = next++;
-    if (!answer.ok()) ++found.lost[answer.failure];
-    for (std::size_t r = 0; r < found.values.size(); ++r)
-      found.values[r].push_back(answer.ok() ? answer.values[r] : kNaN);
-    std::vector<bool> keeps(good.size(), true);
-    for (std::size_t j = 0; j < terms.terms.size(); ++j) {
-      const RobustTerm& term = terms.terms[j];
+  void make_until(std::uint64_t end) {
+    run_indexed({made_, end, plan_.jobs, plan_.proceed},
+                [this](std::uint64_t index) { return fresh_product(problem_, x_, normals(index)); },
+                [this](std::uint64_t, std::vector<Evaluation>& answers) {
+                  for (const Evaluation& answer : answers) count(answer);
+                  if (plan_.sampled) plan_.sampled(made_, plan_.products);
+                });
+  }
+
+  std::uint64_t made() const { return made_; }
+
+  std::vector<YieldEstimate> yields() const {
+    std::vector<YieldEstimate> list;
+    for (const std::uint64_t kept : good_)
+      list.push_back(made_ > 0 ? yield_estimate(kept, made_) : YieldEstimate{});
+    return list;
+  }
+
+  Verification verification() && {
+    found_.yields = yields();
+    for (const std::uint64_t failed : failed_)
+      found_.term_shares.push_back(static_cast<double>(failed) /
+                                   static_cast<double>(std::max<std::uint64_t>(made_, 1)));
+    if (made_ > 0 && !good_.empty()) found_.tighter = tighter_.of(made_);
+    return std::move(found_);
+  }
+
+ private:
+  std::vector<double> normals(std::uint64_t index) const {
+    return fresh_normals(plan_.seed, run_, index, problem_.inputs.size());
+  }
+
+  void count(const Evaluation& answer) {
+    const std::uint64_t index = made_++;
+    if (!answer.ok()) ++found_.lost[answer.failure];
+    for (std::size_t r = 0; r < found_.values.size(); ++r)
+      found_.values[r].push_back(answer.ok() ? answer.values[r] : kNaN);
+    std::vector<bool> keeps(good_.size(), true);
+    for (std::size_t j = 0; j < terms_.terms.size(); ++j) {
+      const RobustTerm& term = terms_.terms[j];
       if (!term.target) continue;
       const bool holds =
           answer.ok() &&
           term.margin.sign * (answer.values[term.margin.response] - term.margin.end) >= 0.0;
       if (holds) continue;
-      ++term_failures[j];
+      ++failed_[j];
       keeps[*term.target] = false;
     }
-    for (std::size_t s = 0; s < good.size(); ++s) good[s] += keeps[s] ? 1 : 0;
-    if (!keeps.empty() && !keeps.front())
-      tighter.see_failing(fresh_normals(plan.seed, run, index, problem.inputs.size()));
-  };
-  const std::uint64_t made = run_indexed(
-      {0, plan.products, plan.jobs, plan.proceed},
-      [&](std::uint64_t index) {
-        return fresh_product(problem, x,
-                             fresh_normals(plan.seed, run, index, problem.inputs.size()));
-      },
-      [&](std::uint64_t, std::vector<Evaluation>& answers) {
-        for (const Evaluation& answer : answers) count(answer);
-      });
-  for (const std::uint64_t kept : good)
-    found.yields.push_back(made > 0 ? yield_estimate(kept, made) : YieldEstimate{});
-  for (const std::uint64_t failed : term_failures)
-    found.term_shares.push_back(static_cast<double>(failed) /
-                                static_cast<double>(std::max<std::uint64_t>(made, 1)));
-  if (made > 0 && !good.empty()) found.tighter = tighter.of(made);
-  return found;
+    for (std::size_t s = 0; s < good_.size(); ++s) good_[s] += keeps[s] ? 1 : 0;
+    if (!keeps.empty() && !keeps.front()) tighter_.see_failing(normals(index));
+  }
+
+  const RobustProblem& problem_;
+  const RobustTerms& terms_;
+  std::span<const double> x_;
+  const SamplePlan& plan_;
+  std::uint64_t run_;
+  std::uint64_t made_{0};
+  std::vector<std::uint64_t> good_, failed_;
+  TighterYields tighter_;
+  Verification found_;
+};
+
+}  // namespace
+
+Verification verify_products(const RobustProblem& problem, const RobustTerms& terms,
+                             std::span<const double> x, const SamplePlan& plan, std::uint64_t run,
+                             const EnoughProducts& enough) {
+  CountedProducts counted(problem, terms, x, plan, run);
+  // Statistics of the responses need all products.
+  for (std::uint64_t part = problem.statistics.empty() && enough ? kParts : 1; part >= 1; part /= 2) {
+    const std::uint64_t end = plan.products / part;
+    counted.make_until(end);
+    if (counted.made() < end || (part > 1 && enough(counted.yields()))) break;
+  }
+  return std::move(counted).verification();
 }
 
 bool wants_rare(const RobustProblem& problem) {

@@ -9,10 +9,15 @@
 
 namespace twum::optim {
 
+/// Whether the yields are known well enough, so that no more products are made.
+using EnoughProducts = std::function<bool(const std::vector<YieldEstimate>&)>;
+
 /// Makes products of a design, independent of those of the search, and counts, U5.1.
-/// @param attempt  selects the random numbers; each stream is used for one decision only
+/// @param run     selects the random numbers; each stream is used for one decision only
+/// @param enough  asked after a 32nd of the products and after every doubling, unless statistics of responses are wanted
 Verification verify_products(const RobustProblem& problem, const RobustTerms& terms,
-                             std::span<const double> x, const SamplePlan& plan, std::uint64_t run);
+                             std::span<const double> x, const SamplePlan& plan, std::uint64_t run,
+                             const EnoughProducts& enough);
 
 /// Failure rate below which plain products cannot estimate it.
 inline constexpr double kRareRisk = 1e-4;

@@ -179,10 +179,20 @@ TEST_CASE("limits that cannot fail leave the nominal optimum", "[optim][robust]"
   RobustProblem problem = torque_problem(Law::uniform);
   problem.limits[0].upper = 10.0;  // at 300 N and both inputs at their worst 1.8 N.m
   problem.yields = {{"yield", {0}, 0.99}};
-  const RobustResult found = solve_robust(problem);
+  RobustOptions options;
+  std::uint64_t told = 0, most = 0;
+  options.sampled = [&](std::uint64_t made, std::uint64_t of) { told = made, most = of; };
+  const RobustResult found = solve_robust(problem, options);
   CHECK(found.outcome == Outcome::optimal);
   CHECK(found.design[0] == 300.0);
   CHECK(found.verification.yields[0].value == 1.0);
+  // Nothing is corrected, as no risk holds the goal back, and a 32nd of the products shows it (U5.3a).
+  CHECK(found.rounds.empty());
+  CHECK(found.verification.yields[0].products == 1250);
+  CHECK(told == 1250);
+  CHECK(most == 40'000);
+  for (const YieldPrice& price : found.prices_of_yields) CHECK(price.objective == 300.0);
+  CHECK(found.prices_of_yields.size() == 6);
 }
 
 TEST_CASE("products without an answer break every limit and are counted", "[optim][robust]") {

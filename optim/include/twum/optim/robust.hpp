@@ -113,6 +113,9 @@ struct RobustOptions {
       recall{};
   /// Called with every evaluation of a round's problem, by one thread at a time.
   std::function<void(std::uint64_t round, const Observation&)> observer{};
+  /// Called while a sample is drawn, with the number of its products so far and the largest there may be, by one thread at
+  /// a time.
+  std::function<void(std::uint64_t made, std::uint64_t most)> sampled{};
 };
 
 /// Finds the best design for which the wanted shares of products meet their limits (docs/theory/robust-design.md).
@@ -124,10 +127,12 @@ struct RobustOptions {
 RobustResult solve_robust(const RobustProblem& problem, const RobustOptions& options = {});
 
 /// An independent sample of products of any design, with the threads, seed and stop of the options.
-/// @param stream  selects their random numbers; solve_robust() uses 0 to 3
+/// @param products  the most that are made
+/// @param stream    selects their random numbers; solve_robust() uses 0 to 3
+/// @param width     of the 95 % intervals of all yields, at which the sample ends early; not used if statistics are wanted
 Verification verify_design(const RobustProblem& problem, std::span<const double> design,
                            std::uint64_t products, const RobustOptions& options,
-                           std::uint64_t stream);
+                           std::uint64_t stream, double width = 0);
 
 /// FORM only, the first round of solve_robust(), without a sample or a verdict. For tests and fronts.
 RobustResult solve_form(const RobustProblem& problem, const RobustOptions& options = {});

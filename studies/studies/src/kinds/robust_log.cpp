@@ -49,7 +49,19 @@ optim::RobustOptions RobustLog::options(const optim::SolveOptions& solve) {
   options.observer = [this](std::uint64_t round, const optim::Observation& observation) {
     observe(kRoundsOfASearch * search_ + round, observation);
   };
+  options.sampled = [this](std::uint64_t made, std::uint64_t most) {
+    if (made < sample_) products_ += sample_;  // another sample
+    sample_ = made;
+    if (context_.progress) context_.progress(progress_of_sample(motors(), made, most));
+  };
   return options;
+}
+
+RunProgress progress_of_sample(std::uint64_t done, std::uint64_t made, std::uint64_t most) {
+  return {.done = done,
+          .budget = true,
+          .stage = "motor " + std::to_string(made) + " of a sample",
+          .share = static_cast<double>(made) / static_cast<double>(most)};
 }
 
 std::string RobustLog::key(std::uint64_t round, std::span<const double> y, bool gradient) {
@@ -89,7 +101,7 @@ void RobustLog::tell(std::uint64_t round) {
   const double share =
       budget_ > 0 ? static_cast<double>(in_round_) / static_cast<double>(budget_) : 0;
   context_.progress(
-      {.done = done_,
+      {.done = motors(),
        .budget = true,
        .stage = "under tolerances, round " + std::to_string(1 + round % kRoundsOfASearch),
        .share = std::min(share, 1.0)});

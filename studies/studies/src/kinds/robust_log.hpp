@@ -28,6 +28,7 @@ class RobustLog {
   // For RobustOptions::observer.
   void observe(std::uint64_t round, const optim::Observation& observation);
   void tell(std::uint64_t round);
+  std::uint64_t motors() const { return done_ + products_ + sample_; }
   static std::string key(std::uint64_t round, std::span<const double> y, bool gradient);
 
   RunContext& context_;
@@ -37,10 +38,18 @@ class RobustLog {
   SearchRows rows_;
   MotorResponses motors_;
   std::unordered_map<std::string, optim::Evaluation> stored_;
-  std::uint64_t done_;
+  std::uint64_t done_;         // evaluations of a search
+  std::uint64_t products_{0};  // motors of samples before the present one
+  std::uint64_t sample_{0};    // of the present one
   std::uint64_t budget_{0};    // of a round
   std::uint64_t round_{0};     // the present one
   std::uint64_t in_round_{0};  // its evaluations
 };
+
+/// The progress while a sample is drawn.
+/// @param done  motors of the study so far
+/// @param made  of these, in the sample
+/// @param most  motors that the sample may have
+RunProgress progress_of_sample(std::uint64_t done, std::uint64_t made, std::uint64_t most);
 
 }  // namespace twum::studies

@@ -12,7 +12,9 @@
 namespace twum::studies {
 namespace {
 
-constexpr std::uint64_t kNominalProducts = 20000;  // estimate its yield to 0.7 %
+constexpr std::uint64_t kNominalProducts = 20000;
+// of the interval of its yield; 20,000 products are enough for any
+constexpr double kNominalWidth = 0.014;
 constexpr std::uint64_t kNominalStream = 100;  // random numbers separate from those of the decision
 
 constexpr std::size_t kVerifiedCandidates = 3;
@@ -98,10 +100,11 @@ FoundCandidate best_candidate(const RobustBeginning& beginning, RunContext& cont
   });
 }
 
-// A sample of 20,000 motors of another design: the optimum without tolerances, or the motor before the search.
+// A sample of motors of another design: the optimum without tolerances, or the motor before the search.
 optim::Verification others(const optim::RobustProblem& posed, std::span<const double> design,
                            const optim::RobustOptions& options) {
-  return optim::verify_design(posed, design, kNominalProducts, options, kNominalStream);
+  return optim::verify_design(posed, design, kNominalProducts, options, kNominalStream,
+                              kNominalWidth);
 }
 
 // The motors of the file.
@@ -157,6 +160,10 @@ KindAnswer robust_optimum(const RobustBeginning& beginning, OptimizeResult plain
   const optim::RobustProblem posed = robust_problem(question);
   optim::RobustOptions options;
   options.solve = beginning.options;
+  options.sampled = [&context](std::uint64_t made, std::uint64_t most) {
+    if (context.progress)
+      context.progress(progress_of_sample(context.store.rows() + made, made, most));
+  };
   const NominalMotors nominal = compared_with(beginning, plain, options, context.executor);
   if (goal.statistic)
     plain.before_statistics = wanted_statistics(
