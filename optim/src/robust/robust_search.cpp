@@ -106,8 +106,12 @@ RobustSearch::RobustSearch(const RobustProblem& problem, const RobustOptions& op
       next_stage_(options.solve.first_stage) {}
 
 SamplePlan RobustSearch::plan(std::uint64_t products, std::uint64_t replicate) const {
-  return {products, options_.solve.seed, replicate, static_cast<unsigned>(options_.solve.threads),
-          [this] { return !stopped(); }, options_.sampled};
+  return {products,
+          options_.solve.seed,
+          replicate,
+          static_cast<unsigned>(options_.solve.threads),
+          [this] { return !stopped(); },
+          options_.sampled};
 }
 
 std::vector<std::vector<double>> RobustSearch::starts() const {
@@ -302,10 +306,10 @@ bool RobustSearch::risks_bind(const SolvedRound& solved) const {
   const auto& own = problem_.design.constraints;
   return std::any_of(
       certificate.limits.begin(), certificate.limits.end(), [&](const Activity& limit) {
-        const bool of_design = limit.is_bound ||
-                               std::any_of(own.begin(), own.end(), [&](const Constraint& c) {
-                                 return c.name == limit.name;
-                               });
+        const bool of_design =
+            limit.is_bound || std::any_of(own.begin(), own.end(), [&](const Constraint& c) {
+              return c.name == limit.name;
+            });
         return !of_design && limit.active && limit.multiplier != 0.0;
       });
 }

@@ -89,12 +89,13 @@ class CountedProducts {
   }
 
   void make_until(std::uint64_t end) {
-    run_indexed({made_, end, plan_.jobs, plan_.proceed},
-                [this](std::uint64_t index) { return fresh_product(problem_, x_, normals(index)); },
-                [this](std::uint64_t, std::vector<Evaluation>& answers) {
-                  for (const Evaluation& answer : answers) count(answer);
-                  if (plan_.sampled) plan_.sampled(made_, plan_.products);
-                });
+    run_indexed(
+        {made_, end, plan_.jobs, plan_.proceed},
+        [this](std::uint64_t index) { return fresh_product(problem_, x_, normals(index)); },
+        [this](std::uint64_t, std::vector<Evaluation>& answers) {
+          for (const Evaluation& answer : answers) count(answer);
+          if (plan_.sampled) plan_.sampled(made_, plan_.products);
+        });
   }
 
   std::uint64_t made() const { return made_; }
@@ -158,7 +159,8 @@ Verification verify_products(const RobustProblem& problem, const RobustTerms& te
                              const EnoughProducts& enough) {
   CountedProducts counted(problem, terms, x, plan, run);
   // Statistics of the responses need all products.
-  for (std::uint64_t part = problem.statistics.empty() && enough ? kParts : 1; part >= 1; part /= 2) {
+  for (std::uint64_t part = problem.statistics.empty() && enough ? kParts : 1; part >= 1;
+       part /= 2) {
     const std::uint64_t end = plan.products / part;
     counted.make_until(end);
     if (counted.made() < end || (part > 1 && enough(counted.yields()))) break;

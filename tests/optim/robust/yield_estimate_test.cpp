@@ -96,7 +96,8 @@ TEST_CASE("failing products alone tell what a tighter tolerance gains (U6.6)", "
   CHECK(std::isnan(verify_design(uniform, std::vector{2.0}, 1000, {}, 7).tighter[0].value));
 }
 
-TEST_CASE("a sample ends where its yields are known to the width that is asked", "[optim][robust]") {
+TEST_CASE("a sample ends where its yields are known to the width that is asked",
+          "[optim][robust]") {
   // One limit 0.6 Z1 + 0.8 Z2 <= 3 fails in 0.135 % of the products: the interval of 3,125 is 0.3 % wide. That of a risk of 2.5 % is
   // 0.19 % wide with 100,000 products, and 0.27 % with half as many.
   const RobustProblem problem = twum::test::linear_problem({{0.6, 0.8}}, {1.0}, 0.97);
